@@ -1,0 +1,287 @@
+#pragma once
+/**
+ * @file case.h
+ * A checked case: what a case file says, in SI units, with every default filled in.
+ * The keys, units, ranges and help of every field stand in the tables of src/config.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "clod/status.h"
+
+typedef enum clod_law_kind { CLOD_LAW_MEPA, CLOD_LAW_HERTZ, CLOD_LAW_HOOKE } clod_law_kind;
+
+/** What the Coulomb limit multiplies the friction with (PHYSICS 3). */
+typedef enum clod_coulomb {
+    CLOD_COULOMB_ADHESIVE,
+    CLOD_COULOMB_FORCE,
+    CLOD_COULOMB_PAPER
+} clod_coulomb;
+
+/** Tangential stiffness: from the tangent of the loading branch, or k1 taken in N/m. */
+typedef enum clod_tangential {
+    CLOD_TANGENTIAL_TANGENT,
+    CLOD_TANGENTIAL_LITERAL
+} clod_tangential;
+
+typedef enum clod_rolling {
+    CLOD_ROLLING_NONE,
+    CLOD_ROLLING_CDT,
+    CLOD_ROLLING_EPSD,
+    CLOD_ROLLING_EPSD2,
+} clod_rolling;
+
+typedef struct clod_case_material {
+    char *name;
+    double density;        ///< kg/m3
+    double youngs_modulus; ///< Pa; 0 when not given
+    double poissons_ratio; ///< -
+} clod_case_material;
+
+/** Contact law of a pair of materials, after inheritance from `default`. */
+typedef struct clod_case_contact {
+    int law; ///< clod_law_kind
+    double exponent;
+    double k1, k2, k_adh; ///< N/m^exponent
+    double restitution;
+    double friction;
+    int coulomb;             ///< clod_coulomb
+    int tangential;          ///< clod_tangential
+    double tangential_ratio; ///< zeta
+    int rolling;             ///< clod_rolling
+    double rolling_friction;
+    double rolling_damping; ///< fraction of critical, epsd only
+} clod_case_contact;
+
+typedef enum clod_size_kind {
+    CLOD_SIZE_NORMAL,  ///< truncated normal, by number
+    CLOD_SIZE_UNIFORM, ///< uniform between min and max, by number
+    CLOD_SIZE_SIEVE,   ///< sieve table, by mass
+} clod_size_kind;
+
+/** One row of a sieve table. */
+typedef struct clod_case_sieve {
+    double size;    ///< sieve opening = grain diameter [m]
+    double passing; ///< cumulative mass fraction that passes, rising from 0 to 1
+} clod_case_sieve;
+
+typedef enum clod_region_kind { CLOD_REGION_BOX, CLOD_REGION_ANNULUS } clod_region_kind;
+
+/** Where grains are put: a box, or an upright annulus (inner_radius 0: a cylinder). */
+typedef struct clod_case_region {
+    int kind; ///< clod_region_kind
+    double min[3], max[3];
+    double center[3];                  ///< centre of the bottom of the annulus [m]
+    double inner_radius, outer_radius; ///< m
+    double height;                     ///< m
+} clod_case_region;
+
+/** One group of grains. Exactly one of count, mass, fill_height, file is given. */
+typedef struct clod_case_grains {
+    char *material;
+    int sizes; ///< clod_size_kind
+    double radius_mean, radius_sd, radius_min, radius_max;
+    clod_case_sieve *sieve;
+    size_t sieve_count;
+    int64_t count;        ///< 0 when not given
+    double mass;          ///< kg; 0 when not given
+    double fill_height;   ///< m, settled height aimed at; 0 when not given
+    double fill_fraction; ///< solid fraction assumed for fill_height
+    clod_case_region region;
+    double velocity[3]; ///< m/s
+    char *file;         ///< path of a CSV with grains one by one, resolved against the case
+} clod_case_grains;
+
+typedef enum clod_shape_kind {
+    CLOD_SHAPE_PLANE,
+    CLOD_SHAPE_DISC,
+    CLOD_SHAPE_ANNULUS,
+    CLOD_SHAPE_CYLINDER,
+    CLOD_SHAPE_BOX,
+    CLOD_SHAPE_BAR,
+} clod_shape_kind;
+
+typedef enum clod_side { CLOD_SIDE_INSIDE, CLOD_SIDE_OUTSIDE } clod_side;
+
+/** One surface of a wall. Which fields count depends on `kind`. */
+typedef struct clod_case_shape {
+    int kind;        ///< clod_shape_kind
+    double point[3]; ///< plane: a point; disc, annulus, box: centre; cylinder: foot of the axis
+    double normal[3];                  ///< plane, disc, annulus: normal towards the grains
+    double axis[3];                    ///< cylinder: direction of the axis
+    double radius;                     ///< disc, cylinder
+    double inner_radius, outer_radius; ///< annulus
+    double length;                     ///< cylinder
+    int side;                          ///< cylinder: where the grains are (clod_side)
+    double size[3];                    ///< box: edge lengths along x, y, z
+    double from[3], to[3];             ///< bar: ends of its centre line
+    double width, height;              ///< bar: across, and along `up`
+    double up[3];                      ///< bar: direction of its height
+} clod_case_shape;
+
+typedef enum clod_load_kind {
+    CLOD_LOAD_NONE,
+    CLOD_LOAD_FORCE,
+    CLOD_LOAD_STRESS
+} clod_load_kind;
+
+/** A wall: a rigid body of one or more shapes. */
+typedef struct clod_case_wall {
+    char *name;
+    char *material;
+    clod_case_shape *shapes;
+    size_t shape_count;
+    double velocity[3]; ///< m/s
+    double spin;        ///< rad/s about spin_axis through spin_point
+    double spin_axis[3];
+    double spin_point[3];       ///< m
+    double surface_velocity[3]; ///< m/s, the shape stays where it is (belt)
+    int load;                   ///< clod_load_kind
+    double load_axis[3];        ///< direction in which the load pushes the wall
+    double force;               ///< N
+    double stress;              ///< Pa
+    double area;                ///< m2, for stress
+    double mass;                ///< kg, of the loaded wall
+    double damping;             ///< fraction of critical against the bed's stiffness estimate
+} clod_case_wall;
+
+/** Change of one wall at the start of a stage; `has_` says which keys were given. */
+typedef struct clod_case_wall_change {
+    char *name; ///< wall
+    double velocity[3];
+    double spin;
+    double surface_velocity[3];
+    double force, stress;
+    bool has_velocity, has_spin, has_surface_velocity, has_force, has_stress;
+} clod_case_wall_change;
+
+/** One stage of a free run. */
+typedef struct clod_case_stage {
+    char *name;
+    double duration; ///< s
+    double adhesion; ///< k_adh as a fraction of its final value
+    double rest;     ///< m/s; stage ends early when no grain is faster; 0 = never
+    clod_case_wall_change *walls;
+    size_t wall_count;
+} clod_case_stage;
+
+typedef struct clod_case_output {
+    double series_interval;     ///< s of simulated time
+    double snapshot_interval;   ///< s of simulated time; 0 = none but the last of each stage
+    double checkpoint_interval; ///< s of wall-clock time
+    bool contacts;              ///< snapshots with contacts
+} clod_case_output;
+
+typedef struct clod_case_time {
+    double step;           ///< s; 0 = auto
+    double safety;         ///< auto: fraction of the critical step of the stiffest pair
+    double design_stress;  ///< Pa, to estimate overlap for auto; 0 = from loads and gravity
+    double rayleigh_limit; ///< auto, hertz: largest fraction of the Rayleigh time
+} clod_case_time;
+
+/** Virtual Schulze ring shear test (PHYSICS 7); absent when `present` is false. */
+typedef struct clod_case_ring_shear {
+    bool present;
+    char *grain_material, *side_material, *base_material, *lid_material;
+    double inner_radius, outer_radius, depth; ///< m; depth = aimed height of the specimen
+    int64_t bar_count;                        ///< on the lid and on the base each
+    double bar_height, bar_width;             ///< m
+    double lid_mass;                          ///< kg
+    double lid_damping;                       ///< fraction of critical
+    double radius_mean, radius_sd, radius_min, radius_max; ///< m
+    int64_t grain_count;                                   ///< 0 = as many as fill the depth
+    double fill_fraction;   ///< solid fraction assumed while filling
+    double fill_adhesion;   ///< fraction of k_adh during filling
+    double preshear_stress; ///< Pa
+    double *shear_stresses; ///< Pa
+    size_t shear_stress_count;
+    double speed;              ///< m/s at r_m, preshear
+    double block_displacement; ///< m of shear at r_m, one block average
+    int64_t steady_blocks;     ///< blocks that must agree
+    double steady_tolerance;   ///< relative
+    double preshear_max;       ///< m of shear at most
+    double shear_max;          ///< m of shear at most, after reversal
+    double beyond_peak;        ///< m of shear recorded beyond the peak
+    int64_t seeds;             ///< number of repeats: seed, seed + 1, ...
+} clod_case_ring_shear;
+
+/** One leg of the contact bench: linear from the values before to these in `steps` steps. */
+typedef struct clod_case_leg {
+    double overlap;  ///< m at the end of the leg
+    double slip[2];  ///< m of added tangential displacement along the two tangents
+    double roll;     ///< rad of added rolling about the second tangent
+    double twist;    ///< rad of added twist about the normal
+    double duration; ///< s
+    int64_t steps;
+} clod_case_leg;
+
+typedef struct clod_case_contact_bench {
+    bool present;
+    char *material_1, *material_2;
+    bool wall; ///< the second partner is a wall
+    double radius_1, radius_2;
+    double adhesion; ///< fraction of k_adh
+    clod_case_leg *legs;
+    size_t leg_count;
+} clod_case_contact_bench;
+
+typedef struct clod_case {
+    char *path; ///< file it came from
+    char *text; ///< its whole text, for the copy in the results folder and the checkpoint
+    char *title;
+    int64_t seed;
+    bool periodic[3];
+    bool has_domain;
+    double domain_min[3], domain_max[3]; ///< m
+    double gravity[3];                   ///< m/s2
+    clod_case_time time;
+    clod_case_material *materials;
+    size_t material_count;
+    clod_case_contact *pairs; ///< [material_count * material_count], symmetric
+    clod_case_grains *grains;
+    size_t grains_count;
+    clod_case_wall *walls;
+    size_t wall_count;
+    clod_case_stage *stages;
+    size_t stage_count;
+    clod_case_output output;
+    clod_case_ring_shear ring_shear;
+    clod_case_contact_bench contact_bench;
+} clod_case;
+
+/**
+ * Read, check and complete a case file.
+ *
+ * @param path            YAML file
+ * @param overrides       [override_count] texts "key.path=value" of --set, applied first
+ * @param override_count  how many
+ * @param status          [out] on failure: every error found, each with file:line:column, the
+ *                        line, a caret, the value, the allowed range and what to do
+ * @return                owned case, or NULL
+ * Errors  CLOD_USAGE for anything wrong in the file.   Threads  one at a time.
+ * Test    tests/config/
+ */
+clod_case *clod_case_load(const char *path, const char *const *overrides, size_t override_count,
+                          clod_status *status);
+
+/** The same from a text; `path` is only the name used in messages and for relative files. */
+clod_case *clod_case_parse(const char *path, const char *text, size_t length,
+                           const char *const *overrides, size_t override_count,
+                           clod_status *status);
+
+/** Free a case and null the pointer. */
+void clod_case_destroy(clod_case **self);
+
+/** Index of a material by name, or -1. */
+int clod_case_material_index(const clod_case *self, const char *name);
+
+/** Contact law of materials a and b; symmetric. */
+const clod_case_contact *clod_case_pair(const clod_case *self, int a, int b);
+
+/**
+ * The complete case with every default and unit written out, as YAML that loads again.
+ * @return owned text (clod_memory_free), or NULL without memory
+ */
+char *clod_case_echo(const clod_case *self);

@@ -1,0 +1,11 @@
+#include "base/assert.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+_Noreturn void clod_assert_fail(const char *condition, const char *file, int line)
+{
+    fprintf(stderr, "clod: bug: %s:%d: %s does not hold; please report it\n", file, line,
+            condition);
+    abort();
+}

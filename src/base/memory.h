@@ -1,0 +1,33 @@
+#pragma once
+/**
+ * @file memory.h
+ * Heap memory, counted: running out is reported by clod_memory_alloc's NULL, and the count of
+ * calls lets a test prove that a warm step allocates nothing.
+ */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define CLOD_MEMORY_ALIGNMENT 64
+
+/**
+ * Zeroed memory aligned to a cache line.
+ *
+ * @param count  number of items
+ * @param size   bytes of one item
+ * @return       owned memory (free with clod_memory_free), or NULL when there is none
+ * Errors  NULL.   Threads  safe.
+ */
+void *clod_memory_alloc(size_t count, size_t size);
+
+/** Grow to new_count items, zeroing the new ones; NULL (old memory kept) when there is none. */
+void *clod_memory_grow(void *memory, size_t old_count, size_t new_count, size_t size);
+
+/** Owned copy of a text; NULL gives NULL. */
+char *clod_memory_text(const char *text);
+
+/** Free; NULL is fine. */
+void clod_memory_free(void *memory);
+
+/** Number of allocations so far, over all threads. */
+uint64_t clod_memory_count(void);

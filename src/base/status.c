@@ -1,0 +1,19 @@
+#include "clod/status.h"
+
+#include <stdio.h>
+
+bool clod_status_vfail(clod_status *status, clod_code code, const char *format, va_list args)
+{
+    status->code = code;
+    vsnprintf(status->text, sizeof status->text, format, args);
+    return false;
+}
+
+bool clod_status_fail(clod_status *status, clod_code code, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    clod_status_vfail(status, code, format, args);
+    va_end(args);
+    return false;
+}

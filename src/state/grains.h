@@ -1,0 +1,45 @@
+#pragma once
+/**
+ * @file grains.h
+ * Spherical grains as rows of 32 bytes, in the order in which forces are summed.
+ *
+ * Two rows beyond `count` always exist and never touch anything: the padding of contact blocks.
+ */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "clod/status.h"
+
+typedef struct clod_grains {
+    size_t count;
+    size_t capacity;      ///< rows allocated, at least count + 2
+    double (*place)[4];   ///< x, y, z [m], radius [m]
+    double (*motion)[4];  ///< vx, vy, vz [m/s], mass [kg]
+    double (*turning)[4]; ///< wx, wy, wz [rad/s], 1/moment of inertia [1/(kg m2)]
+    double (*load)[8];    ///< Fx, Fy, Fz [N], 0, Tx, Ty, Tz [N m], 0: sums of the last step
+    uint64_t *id;         ///< global, never changes
+    uint16_t *material;
+} clod_grains;
+
+/** Reserve rows for at least `count` grains; keeps what is there. */
+bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status);
+
+/**
+ * Append one grain; mass and inertia follow from radius and density.
+ *
+ * @param place  [4] x, y, z, radius [m]
+ * @param speed  [3] m/s
+ * @param spin   [3] rad/s
+ */
+bool clod_grains_add(clod_grains *self, const double place[4], const double speed[3],
+                     const double spin[3], double density, uint16_t material, uint64_t id,
+                     clod_status *status);
+
+/** Put the two padding rows behind the last grain. */
+void clod_grains_pad(clod_grains *self);
+
+/** Deep copy into an empty set. */
+bool clod_grains_copy(clod_grains *self, const clod_grains *from, clod_status *status);
+
+void clod_grains_fini(clod_grains *self);

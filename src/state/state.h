@@ -1,0 +1,37 @@
+#pragma once
+/**
+ * @file state.h
+ * Everything that changes during a run and must be in a checkpoint to go on with the same bits.
+ */
+
+#include <stdint.h>
+
+#include "state/contacts.h"
+#include "state/domain.h"
+#include "state/grains.h"
+#include "state/walls.h"
+
+typedef struct clod_state {
+    clod_grains grains;
+    clod_walls walls;
+    clod_domain domain;
+    double gravity[3]; ///< m/s2
+    double dt;         ///< s
+    double time;       ///< s = step * dt
+    int64_t step;
+    double adhesion; ///< k_adh as a fraction of its final value
+    // the neighbour search at its last rebuild; decides when the grains are sorted next
+    double (*build_place)[4]; ///< [grains.capacity] rows at the last rebuild, in today's order
+    double *build_walls;      ///< [walls.count * 4] shift and angle at the last rebuild
+    double build_motion;      ///< m, bound of any point's motion since then; < 0: rebuild now
+    // contacts with history (touching), sorted by (i, j) and by (i, wall, shape); gathered from
+    // and given back to the step's blocks by clod_step_export and clod_step_import
+    clod_contact *contacts;
+    size_t contact_count, contact_capacity;
+    size_t wall_contact_count; ///< the last ones of `contacts` are grain-wall
+} clod_state;
+
+/** Deep copy into an empty state. */
+bool clod_state_copy(clod_state *self, const clod_state *from, clod_status *status);
+
+void clod_state_fini(clod_state *self);
