@@ -1,0 +1,99 @@
+#include "state/grains.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+#define PADDING 2
+
+bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
+{
+    const size_t capacity = count + PADDING;
+    if (capacity <= self->capacity) {
+        return true;
+    }
+    const size_t old = self->capacity;
+    const size_t rows = capacity + capacity / 4;
+    void *place = clod_memory_grow(self->place, old, rows, sizeof *self->place);
+    void *motion = clod_memory_grow(self->motion, old, rows, sizeof *self->motion);
+    void *turning = clod_memory_grow(self->turning, old, rows, sizeof *self->turning);
+    void *load = clod_memory_grow(self->load, old, rows, sizeof *self->load);
+    void *id = clod_memory_grow(self->id, old, rows, sizeof *self->id);
+    void *material = clod_memory_grow(self->material, old, rows, sizeof *self->material);
+    self->place = place != NULL ? place : self->place;
+    self->motion = motion != NULL ? motion : self->motion;
+    self->turning = turning != NULL ? turning : self->turning;
+    self->load = load != NULL ? load : self->load;
+    self->id = id != NULL ? id : self->id;
+    self->material = material != NULL ? material : self->material;
+    if (place == NULL || motion == NULL || turning == NULL || load == NULL || id == NULL ||
+        material == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", count);
+    }
+    self->capacity = rows;
+    clod_grains_pad(self);
+    return true;
+}
+
+bool clod_grains_add(clod_grains *self, const double place[4], const double speed[3],
+                     const double spin[3], double density, uint16_t material, uint64_t id,
+                     clod_status *status)
+{
+    if (!clod_grains_reserve(self, self->count + 1, status)) {
+        return false;
+    }
+    const size_t g = self->count++;
+    const double radius = place[3];
+    const double mass = density * (4.0 / 3.0) * M_PI * radius * radius * radius;
+    memcpy(self->place[g], place, sizeof self->place[g]);
+    memcpy(self->motion[g], speed, 3 * sizeof(double));
+    memcpy(self->turning[g], spin, 3 * sizeof(double));
+    memset(self->load[g], 0, sizeof self->load[g]);
+    self->motion[g][3] = mass;
+    self->turning[g][3] = 1.0 / (0.4 * mass * radius * radius);
+    self->id[g] = id;
+    self->material[g] = material;
+    clod_grains_pad(self);
+    return true;
+}
+
+void clod_grains_pad(clod_grains *self)
+{
+    for (size_t g = self->count; g < self->count + PADDING; g++) {
+        const double x = (double)(g - self->count);
+        memcpy(self->place[g], (double[4]){x, 0.0, 0.0, -1.0}, sizeof self->place[g]);
+        memcpy(self->motion[g], (double[4]){0.0, 0.0, 0.0, 1.0}, sizeof self->motion[g]);
+        memcpy(self->turning[g], (double[4]){0.0, 0.0, 0.0, 1.0}, sizeof self->turning[g]);
+        memset(self->load[g], 0, sizeof self->load[g]);
+        self->material[g] = 0;
+    }
+}
+
+bool clod_grains_copy(clod_grains *self, const clod_grains *from, clod_status *status)
+{
+    if (!clod_grains_reserve(self, from->count, status)) {
+        return false;
+    }
+    const size_t n = from->count;
+    self->count = n;
+    memcpy(self->place, from->place, n * sizeof *self->place);
+    memcpy(self->motion, from->motion, n * sizeof *self->motion);
+    memcpy(self->turning, from->turning, n * sizeof *self->turning);
+    memcpy(self->load, from->load, n * sizeof *self->load);
+    memcpy(self->id, from->id, n * sizeof *self->id);
+    memcpy(self->material, from->material, n * sizeof *self->material);
+    clod_grains_pad(self);
+    return true;
+}
+
+void clod_grains_fini(clod_grains *self)
+{
+    clod_memory_free(self->place);
+    clod_memory_free(self->motion);
+    clod_memory_free(self->turning);
+    clod_memory_free(self->load);
+    clod_memory_free(self->id);
+    clod_memory_free(self->material);
+    *self = (clod_grains){0};
+}
