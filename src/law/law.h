@@ -1,0 +1,77 @@
+#pragma once
+/**
+ * @file law.h
+ * A contact law made ready for the kernels: the numbers of one pair of materials.
+ *
+ * hertz, hooke and mepa are one code path: mepa with k1 = k2 and k_adh = 0 is elastic; hertz
+ * adds that its stiffness goes with sqrt(R*). Source: PHYSICS 1-4, docs/theory.
+ */
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "clod/case.h"
+
+typedef enum clod_law_exponent {
+    CLOD_EXPONENT_ONE,
+    CLOD_EXPONENT_THREE_HALVES,
+    CLOD_EXPONENT_ANY,
+} clod_law_exponent;
+
+typedef struct clod_law {
+    clod_law_kind kind;
+    clod_law_exponent exponent_kind;
+    double exponent;    ///< n
+    double k1, k2;      ///< N/m^n; hertz: times sqrt(R*), so here N/m^2
+    double k_adh_final; ///< N/m^n, when the case says 100 %
+    double k_adh;       ///< N/m^n, now
+    double virgin;      ///< 1 - k1/k2
+    double pull_off;    ///< 1 + k_adh/k2
+    double damping;     ///< 2 z sqrt((n + 1)/(2 n)): gamma_n = damping sqrt(m* dk)
+    double friction;    ///< mu
+    clod_coulomb coulomb;
+    clod_tangential tangential;
+    double tangent_ratio;     ///< k_t = tangent_ratio dk (tangent)
+    double literal_stiffness; ///< k_t [N/m] (literal)
+    clod_rolling rolling;
+    double rolling_friction; ///< mu_r
+    double rolling_damping;  ///< fraction of critical (epsd)
+    double epsd_ratio;       ///< 2.25 mu_r^2: k_r = epsd_ratio dk R*^2 (epsd)
+} clod_law;
+
+/**
+ * Make the law of a pair of materials ready.
+ *
+ * @param contact  checked parameters of the pair, SI
+ * @param a, b     the two materials (hertz takes E and nu of both)
+ * @return         law with adhesion at its final value
+ * Errors  none: the case loader has checked.   Threads  pure.
+ * Source  PHYSICS 1-4; damping: docs/theory/damping.md.
+ */
+clod_law clod_law_make(const clod_case_contact *contact, const clod_case_material *a,
+                       const clod_case_material *b);
+
+/** Set k_adh to a fraction of its final value; the history of the contacts stays. */
+void clod_law_set_adhesion(clod_law *self, double fraction);
+
+/** Loading tangent dk = n k1 d^(n-1) [N/m] at overlap d [m]; R* [m] counts for hertz only. */
+double clod_law_tangent(const clod_law *self, double overlap, double r_star);
+
+/** All laws of a case: one for each unordered pair of materials. */
+typedef struct clod_laws {
+    int32_t materials;
+    int32_t count; ///< materials (materials + 1) / 2
+    clod_law *law; ///< owned
+} clod_laws;
+
+/** Row of the law of materials a and b. */
+static inline int32_t clod_laws_index(const clod_laws *self, int32_t a, int32_t b)
+{
+    const int32_t low = a < b ? a : b;
+    const int32_t high = a < b ? b : a;
+    return low * self->materials - low * (low - 1) / 2 + (high - low);
+}
+
+bool clod_laws_init(clod_laws *self, const clod_case *from, clod_status *status);
+void clod_laws_set_adhesion(clod_laws *self, double fraction);
+void clod_laws_fini(clod_laws *self);
