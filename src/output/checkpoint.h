@@ -1,0 +1,53 @@
+#pragma once
+/**
+ * @file checkpoint.h
+ * The state on disk: two files in turn, each whole or not there at all, every byte checked.
+ *
+ * The format is described in docs/results-folder.md.
+ */
+
+#include "clod/status.h"
+#include "state/state.h"
+
+/** A named blob of plain data that belongs to the run beside the state (tester, detectors). */
+typedef struct clod_checkpoint_part {
+    const char *name;
+    void *data;
+    size_t size;
+} clod_checkpoint_part;
+
+/**
+ * Write the older of `<stem>_a.h5` and `<stem>_b.h5` anew.
+ *
+ * @param directory   folder, must exist
+ * @param stem        start of the files' names
+ * @param state       what to store; its walls' shapes are not stored
+ * @param parts       [part_count] further data of the run
+ * @param case_text   whole text of the case; NULL stores none
+ * @param status      [out] on failure both files of before are untouched
+ * Errors  CLOD_FAILED: no folder, disk full, no memory.   Threads  one per stem.
+ * Test    tests/output/test_checkpoint.c
+ */
+bool clod_checkpoint_write(const char *directory, const char *stem, const clod_state *state,
+                           const clod_checkpoint_part *parts, size_t part_count,
+                           const char *case_text, clod_status *status);
+
+/**
+ * Fill the state from the newest checkpoint that is whole.
+ *
+ * @param state        [in,out] its walls (names, shapes) must stand as the case gives them;
+ *                     everything that changes in a run is filled in
+ * @param parts        [part_count] data is filled; names and sizes must be the written ones
+ * @param case_text    compared with the stored text; NULL: not compared
+ * @param notice       [out] empty, or what the user should know: a file that could not be used
+ * @param status       [out] why there is nothing to go on from; the state is then half filled
+ * Errors  CLOD_USAGE: the case changed.  CLOD_FAILED: no whole checkpoint, another format,
+ *         other walls or parts, no memory.   Threads  one per stem.
+ * Test    tests/output/test_checkpoint.c
+ */
+bool clod_checkpoint_read(const char *directory, const char *stem, clod_state *state,
+                          clod_checkpoint_part *parts, size_t part_count, const char *case_text,
+                          char *notice, size_t notice_size, clod_status *status);
+
+/** Whether one of the two files is there, whole or not. */
+bool clod_checkpoint_exists(const char *directory, const char *stem);

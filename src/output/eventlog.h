@@ -1,0 +1,38 @@
+#pragma once
+/**
+ * @file eventlog.h
+ * log.jsonl: one JSON object per line, {"time": "2026-01-31T12:00:00.000Z", "event": ..., ...}.
+ *
+ * A log that cannot be written does not stop a run: the first error is kept and reported when
+ * the log is closed.
+ */
+
+#include <jansson.h>
+
+#include "clod/status.h"
+
+typedef struct clod_eventlog clod_eventlog;
+
+/**
+ * Open a log; lines are added behind what is there, after a newline if the last run was cut
+ * off.
+ * @return  owned log (clod_eventlog_close), or NULL
+ * Errors  CLOD_FAILED: cannot be opened.   Threads  the log may be shared by threads.
+ * Test    tests/output/test_eventlog.c
+ */
+clod_eventlog *clod_eventlog_open(const char *path, clod_status *status);
+
+/**
+ * Write one line.
+ *
+ * @param self    NULL is fine: nothing is written
+ * @param event   what happened
+ * @param format  json_pack format of an object with the fields, e.g. "{s:i, s:f}"; NULL: none
+ */
+void clod_eventlog_write(clod_eventlog *self, const char *event, const char *format, ...);
+
+/** The same with ready fields; takes over the reference to `fields`, which may be NULL. */
+void clod_eventlog_write_json(clod_eventlog *self, const char *event, json_t *fields);
+
+/** Close and null the pointer; false with the first error since the log was opened. */
+bool clod_eventlog_close(clod_eventlog **self, clod_status *status);

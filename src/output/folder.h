@@ -1,0 +1,55 @@
+#pragma once
+/**
+ * @file folder.h
+ * The results folder: made, locked against a second run, cleared of what clod wrote.
+ */
+
+#include <jansson.h>
+#include <stddef.h>
+
+#include "clod/status.h"
+
+typedef struct clod_folder clod_folder;
+
+/** Owned text "run/NAME" for a case file ".../NAME.yaml"; NULL without memory. */
+char *clod_folder_default(const char *case_path);
+
+/** Make a folder and its parents; one that exists is fine. */
+bool clod_folder_make(const char *path, clod_status *status);
+
+/**
+ * Make the folder if need be and lock it for this run.
+ * @return  owned folder (clod_folder_close), or NULL
+ * Errors  CLOD_USAGE: another run is writing into it.  CLOD_FAILED: cannot be made.
+ * Threads safe.   Test  tests/output/test_folder.c
+ */
+clod_folder *clod_folder_open(const char *path, clod_status *status);
+
+/** The path it was opened with, borrowed. */
+const char *clod_folder_path(const clod_folder *self);
+
+/** Unlock, free and null the pointer; NULL is fine. */
+void clod_folder_close(clod_folder **self);
+
+/**
+ * Remove the files that clod writes (--fresh), and nothing else; no sub-folders.
+ *
+ * @param path        folder; one that does not exist is fine
+ * @param more        [more_count] further file name patterns, e.g. "point_[0-9]*.csv"
+ * Errors  CLOD_FAILED: a file cannot be removed.
+ */
+bool clod_folder_clear(const char *path, const char *const *more, size_t more_count,
+                       clod_status *status);
+
+/** Write the copies of the case: case.yaml as given, case-complete.yaml with all defaults. */
+bool clod_folder_write_case(const char *directory, const char *case_text,
+                            const char *complete_text, clod_status *status);
+
+/** Replace a file by a text, at one stroke. */
+bool clod_folder_write(const char *path, const char *text, clod_status *status);
+
+/** Replace a file by indented JSON, at one stroke; `json` is borrowed. */
+bool clod_folder_write_json(const char *path, const json_t *json, clod_status *status);
+
+/** Free disk space for this user where the folder is or would be made [bytes]. */
+bool clod_folder_space(const char *path, double *bytes, clod_status *status);
