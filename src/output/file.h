@@ -40,7 +40,7 @@ bool clod_file_fail(clod_status *status, const char *action, const char *path, i
 #define CLOD_FILE_HASH_START 0x9e3779b97f4a7c15u
 
 /**
- * Continue a 64-bit hash over some bytes. Any change of up to eight neighbouring bytes changes
+ * Continue a 64-bit hash over some bytes. A change of one byte changes
  * the result for certain, any other change but for one chance in 2^64.
  */
 uint64_t clod_file_hash(uint64_t hash, const void *bytes, size_t size);

@@ -1,0 +1,290 @@
+#include "output/checkpoint.h"
+
+#include <inttypes.h>
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "output/checkpoint_columns.h"
+#include "output/checkpoint_file.h"
+#include "output/file.h"
+#include "output/hdf.h"
+
+/** The identity of a wall: stored to be compared, never read back. */
+static void wall_identity(const clod_state *state, clod_hdf_column identity[2])
+{
+    const clod_wall *wall = state->walls.wall;
+    const size_t rows = wall == NULL ? 0 : (size_t)state->walls.count;
+    identity[0] = (clod_hdf_column){.name = "walls/name",
+                                    .type = CLOD_HDF_TEXT,
+                                    .components = sizeof wall->name,
+                                    .rows = rows,
+                                    .data = rows == 0 ? NULL : wall->name,
+                                    .stride = sizeof *wall};
+    identity[1] = (clod_hdf_column){.name = "walls/shape_count",
+                                    .units = "1",
+                                    .type = CLOD_HDF_I32,
+                                    .components = 1,
+                                    .rows = rows,
+                                    .data = rows == 0 ? NULL : &wall->shape_count,
+                                    .stride = sizeof *wall};
+}
+
+static clod_hdf_column part_column(const clod_checkpoint_part *part, char name[NAME_MAX])
+{
+    snprintf(name, NAME_MAX, "parts/%s", part->name);
+    return (clod_hdf_column){.name = name,
+                             .type = CLOD_HDF_U8,
+                             .components = 1,
+                             .rows = part->size,
+                             .data = part->data,
+                             .stride = 1};
+}
+
+/** Owned HDF5 bytes of everything. */
+static bool build_image(const clod_state *state, const clod_checkpoint_part *parts,
+                        size_t part_count, const char *case_text, void **image, size_t *size,
+                        clod_status *status)
+{
+    clod_hdf *hdf = clod_hdf_create(CLOD_HDF_EXACT, status);
+    if (hdf == NULL) {
+        return false;
+    }
+    const int64_t format = CLOD_CHECKPOINT_FORMAT;
+    clod_hdf_put_ints(hdf, "/", "clod_checkpoint_format", &format, 1);
+    clod_hdf_put_ints(hdf, "/", "step", &state->step, 1);
+    clod_hdf_put_real(hdf, "/", "time_s", state->time);
+    clod_checkpoint_columns columns;
+    clod_checkpoint_columns_list(&columns, state);
+    for (size_t c = 0; c < columns.count; c++) {
+        clod_hdf_put(hdf, &columns.column[c]);
+    }
+    clod_hdf_column identity[2];
+    wall_identity(state, identity);
+    clod_hdf_put(hdf, &identity[0]);
+    clod_hdf_put(hdf, &identity[1]);
+    for (size_t p = 0; p < part_count; p++) {
+        char name[NAME_MAX];
+        const clod_hdf_column part = part_column(&parts[p], name);
+        clod_hdf_put(hdf, &part);
+    }
+    if (case_text != NULL && case_text[0] != '\0') {
+        const size_t length = strlen(case_text);
+        const clod_hdf_column text = {.name = "case",
+                                      .type = CLOD_HDF_TEXT,
+                                      .components = length,
+                                      .rows = 1,
+                                      .data = case_text,
+                                      .stride = length};
+        clod_hdf_put(hdf, &text);
+    }
+    return clod_hdf_finish(&hdf, image, size, status);
+}
+
+bool clod_checkpoint_write(const char *directory, const char *stem, const clod_state *state,
+                           const clod_checkpoint_part *parts, size_t part_count,
+                           const char *case_text, clod_status *status)
+{
+    clod_checkpoint_file files[2];
+    const bool found = clod_checkpoint_file_find(files, directory, stem, status);
+    clod_checkpoint_file_release(files);
+    if (!found) {
+        return false;
+    }
+    const int last = clod_checkpoint_file_newest(files);
+    const int target = last == -1 ? 0 : 1 - last;
+    void *image;
+    size_t size;
+    if (!build_image(state, parts, part_count, case_text, &image, &size, status)) {
+        return false;
+    }
+    const clod_checkpoint_head head = {
+        .format = CLOD_CHECKPOINT_FORMAT,
+        .sequence = last == -1 ? 1 : files[last].head.sequence + 1,
+        .step = state->step,
+        .time = state->time,
+        .case_hash = clod_checkpoint_file_case_hash(case_text),
+        .bytes = size,
+    };
+    char text[CLOD_CHECKPOINT_HEAD_BYTES];
+    clod_checkpoint_file_print_head(text, &head, image);
+    const bool done =
+        clod_file_replace(files[target].path, text, sizeof text, image, size, status);
+    clod_memory_free(image);
+    return done;
+}
+
+/** Whether the walls that stand are those of the file. */
+static bool check_walls(clod_hdf *hdf, const clod_state *state, const char *path,
+                        clod_status *status)
+{
+    const size_t stored = clod_hdf_rows(hdf, "walls/name");
+    const size_t count = (size_t)state->walls.count;
+    bool same = stored == count;
+    clod_wall *found = clod_memory_alloc(count + 1, sizeof *found);
+    if (found == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
+    }
+    if (same && count > 0) {
+        clod_state other = {.walls = {.count = state->walls.count, .wall = found}};
+        clod_hdf_column identity[2];
+        wall_identity(&other, identity);
+        clod_hdf_get(hdf, &identity[0]);
+        clod_hdf_get(hdf, &identity[1]);
+    }
+    for (size_t w = 0; same && w < count; w++) {
+        const clod_wall *wall = &state->walls.wall[w];
+        same = strncmp(found[w].name, wall->name, sizeof wall->name) == 0 &&
+               found[w].shape_count == wall->shape_count;
+    }
+    clod_memory_free(found);
+    return same || clod_status_fail(status, CLOD_FAILED,
+                                    "%s was written with other walls than the case has now. "
+                                    "Start over with --fresh.",
+                                    path);
+}
+
+/** Make room for the rows of the file and set the counts. */
+static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
+{
+    const size_t grains = clod_hdf_rows(hdf, "grains/id");
+    const size_t contacts = clod_hdf_rows(hdf, "contacts/i");
+    if (!clod_grains_reserve(&state->grains, grains, status)) {
+        return false;
+    }
+    clod_memory_free(state->build_place);
+    clod_memory_free(state->build_walls);
+    clod_memory_free(state->contacts);
+    state->build_place = NULL;
+    state->build_walls = NULL;
+    state->contacts = NULL;
+    state->grains.count = grains;
+    state->contact_count = contacts;
+    state->contact_capacity = contacts;
+    bool good = true;
+    if (clod_hdf_rows(hdf, "grains/build_place") > 0) {
+        state->build_place =
+            clod_memory_alloc(state->grains.capacity, sizeof *state->build_place);
+        good = state->build_place != NULL;
+    }
+    if (clod_hdf_rows(hdf, "walls/build_angle") > 0) {
+        state->build_walls =
+            clod_memory_alloc(4 * (size_t)state->walls.count, sizeof *state->build_walls);
+        good = good && state->build_walls != NULL;
+    }
+    if (contacts > 0) {
+        state->contacts = clod_memory_alloc(contacts, sizeof *state->contacts);
+        good = good && state->contacts != NULL;
+    }
+    return good || clod_status_fail(status, CLOD_FAILED,
+                                    "No memory for a checkpoint of %zu grains.", grains);
+}
+
+/** Fill state and parts from a whole file. */
+static bool restore(const clod_checkpoint_file *file, clod_state *state,
+                    clod_checkpoint_part *parts, size_t part_count, clod_status *status)
+{
+    clod_hdf *hdf = clod_hdf_open((const char *)file->bytes + CLOD_CHECKPOINT_HEAD_BYTES,
+                                  file->head.bytes, status);
+    if (hdf == NULL) {
+        return false;
+    }
+    clod_status reading;
+    if (!check_walls(hdf, state, file->path, status) || !make_room(hdf, state, status)) {
+        clod_hdf_end_reading(&hdf, &reading);
+        return false;
+    }
+    clod_checkpoint_columns columns;
+    clod_checkpoint_columns_list(&columns, state);
+    for (size_t c = 0; c < columns.count; c++) {
+        clod_hdf_get(hdf, &columns.column[c]);
+    }
+    for (size_t p = 0; p < part_count; p++) {
+        char name[NAME_MAX];
+        const clod_hdf_column part = part_column(&parts[p], name);
+        clod_hdf_get(hdf, &part);
+    }
+    if (!clod_hdf_end_reading(&hdf, &reading)) {
+        return clod_status_fail(status, CLOD_FAILED,
+                                "%s is whole but does not hold what this clod needs: %s Start "
+                                "over with --fresh.",
+                                file->path, reading.text);
+    }
+    clod_grains_pad(&state->grains);
+    return true;
+}
+
+/** Say why neither file can be used. */
+static bool fail_without(const clod_checkpoint_file files[2], clod_status *status)
+{
+    if (!files[0].there && !files[1].there) {
+        return clod_status_fail(status, CLOD_FAILED,
+                                "There is no checkpoint to go on from: neither %s nor %s is "
+                                "there. Start over with --fresh.",
+                                files[0].path, files[1].path);
+    }
+    char texts[2][PATH_MAX + 600] = {"", ""};
+    for (int f = 0; f < 2; f++) {
+        if (files[f].there) {
+            snprintf(texts[f], sizeof texts[f], "%s cannot be used: %s.\n", files[f].path,
+                     files[f].reason);
+        }
+    }
+    return clod_status_fail(status, CLOD_FAILED,
+                            "%s%sThere is no other checkpoint to go on from. Start over with "
+                            "--fresh.",
+                            texts[0], texts[1]);
+}
+
+/** Whether the newest whole file belongs to this program and this case. */
+static bool check_origin(const clod_checkpoint_file *file, const char *case_text,
+                         clod_status *status)
+{
+    if (file->head.format != CLOD_CHECKPOINT_FORMAT) {
+        return clod_status_fail(status, CLOD_FAILED,
+                                "%s has checkpoint format %" PRId64 ", this clod reads format "
+                                "%d. Go on with the clod that wrote it, or start over with "
+                                "--fresh.",
+                                file->path, file->head.format, CLOD_CHECKPOINT_FORMAT);
+    }
+    if (case_text != NULL &&
+        clod_checkpoint_file_case_hash(case_text) != file->head.case_hash) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "The case has changed since %s was written (step %" PRId64
+                                ", time %.9g s); a run cannot go on with another case. Start "
+                                "over with --fresh, or write to another folder with -o.",
+                                file->path, file->head.step, file->head.time);
+    }
+    return true;
+}
+
+bool clod_checkpoint_read(const char *directory, const char *stem, clod_state *state,
+                          clod_checkpoint_part *parts, size_t part_count, const char *case_text,
+                          char *notice, size_t notice_size, clod_status *status)
+{
+    if (notice_size > 0) {
+        notice[0] = '\0';
+    }
+    clod_checkpoint_file files[2];
+    if (!clod_checkpoint_file_find(files, directory, stem, status)) {
+        clod_checkpoint_file_release(files);
+        return false;
+    }
+    const int last = clod_checkpoint_file_newest(files);
+    bool done = false;
+    if (last == -1) {
+        fail_without(files, status);
+    } else if (check_origin(&files[last], case_text, status)) {
+        done = restore(&files[last], state, parts, part_count, status);
+    }
+    const clod_checkpoint_file *bad = &files[1 - (last == -1 ? 0 : last)];
+    if (done && bad->there && !bad->whole) {
+        snprintf(notice, notice_size,
+                 "%s cannot be used: %s. Going on from %s, step %" PRId64 ", time %.9g s.",
+                 bad->path, bad->reason, files[last].path, files[last].head.step,
+                 files[last].head.time);
+    }
+    clod_checkpoint_file_release(files);
+    return done;
+}

@@ -1,0 +1,130 @@
+#include "output/checkpoint_columns.h"
+
+#include "base/assert.h"
+
+/** Where the rows of a group of columns start, and how they follow each other. */
+typedef struct clod_rows {
+    const void *base; ///< NULL only without rows
+    size_t count, stride;
+} clod_rows;
+
+static void add(clod_checkpoint_columns *self, clod_rows rows, size_t offset, const char *name,
+                const char *units, clod_hdf_type type, size_t components)
+{
+    CLOD_ASSERT(self->count < CLOD_CHECKPOINT_COLUMNS);
+    self->column[self->count++] = (clod_hdf_column){
+        .name = name,
+        .units = units,
+        .type = type,
+        .components = components,
+        .rows = rows.base == NULL ? 0 : rows.count,
+        .data = rows.base == NULL ? NULL : (const char *)rows.base + offset,
+        .stride = rows.stride,
+    };
+}
+
+static void add_state(clod_checkpoint_columns *self, const clod_state *state)
+{
+    const clod_rows one = {state, 1, sizeof *state};
+#define ADD(field, name, units, type, n)                                                       \
+    add(self, one, offsetof(clod_state, field), "state/" name, units, CLOD_HDF_##type, n)
+    ADD(step, "step", "1", I64, 1);
+    ADD(time, "time", "s", F64, 1);
+    ADD(dt, "dt", "s", F64, 1);
+    ADD(adhesion, "adhesion", "1", F64, 1);
+    ADD(gravity, "gravity", "m s-2", F64, 3);
+    ADD(domain.min, "domain_min", "m", F64, 3);
+    ADD(domain.max, "domain_max", "m", F64, 3);
+    ADD(domain.periodic, "domain_periodic", "1", U8, 3);
+    ADD(build_motion, "build_motion", "m", F64, 1);
+    ADD(wall_contact_count, "wall_contact_count", "1", U64, 1);
+#undef ADD
+}
+
+static void add_grains(clod_checkpoint_columns *self, const clod_state *state)
+{
+    const clod_grains *grains = &state->grains;
+    const size_t n = grains->count;
+    const size_t real = sizeof(double);
+    const clod_rows id = {grains->id, n, sizeof *grains->id};
+    const clod_rows material = {grains->material, n, sizeof *grains->material};
+    const clod_rows place = {grains->place, n, sizeof *grains->place};
+    const clod_rows motion = {grains->motion, n, sizeof *grains->motion};
+    const clod_rows turning = {grains->turning, n, sizeof *grains->turning};
+    const clod_rows load = {grains->load, n, sizeof *grains->load};
+    add(self, id, 0, "grains/id", "1", CLOD_HDF_U64, 1);
+    add(self, material, 0, "grains/material", "1", CLOD_HDF_U16, 1);
+    add(self, place, 0, "grains/position", "m", CLOD_HDF_F64, 3);
+    add(self, place, 3 * real, "grains/radius", "m", CLOD_HDF_F64, 1);
+    add(self, motion, 0, "grains/velocity", "m s-1", CLOD_HDF_F64, 3);
+    add(self, motion, 3 * real, "grains/mass", "kg", CLOD_HDF_F64, 1);
+    add(self, turning, 0, "grains/omega", "rad s-1", CLOD_HDF_F64, 3);
+    add(self, turning, 3 * real, "grains/inverse_inertia", "kg-1 m-2", CLOD_HDF_F64, 1);
+    add(self, load, 0, "grains/force", "N", CLOD_HDF_F64, 3);
+    add(self, load, 4 * real, "grains/torque", "N m", CLOD_HDF_F64, 3);
+    if (state->build_place != NULL) {
+        const clod_rows build = {state->build_place, n, sizeof *state->build_place};
+        add(self, build, 0, "grains/build_place", "m", CLOD_HDF_F64, 4);
+    }
+}
+
+static void add_walls(clod_checkpoint_columns *self, const clod_state *state)
+{
+    const clod_rows walls = {state->walls.wall, (size_t)state->walls.count, sizeof(clod_wall)};
+#define ADD(field, units, type, n)                                                             \
+    add(self, walls, offsetof(clod_wall, field), "walls/" #field, units, CLOD_HDF_##type, n)
+    ADD(material, "1", U16, 1);
+    ADD(velocity, "m s-1", F64, 3);
+    ADD(surface_velocity, "m s-1", F64, 3);
+    ADD(spin, "rad s-1", F64, 1);
+    ADD(spin_axis, "1", F64, 3);
+    ADD(spin_point, "m", F64, 3);
+    ADD(shift, "m", F64, 3);
+    ADD(angle, "rad", F64, 1);
+    ADD(load, "1", I32, 1);
+    ADD(load_axis, "1", F64, 3);
+    ADD(load_force, "N", F64, 1);
+    ADD(area, "m2", F64, 1);
+    ADD(mass, "kg", F64, 1);
+    ADD(damping, "N s m-1", F64, 1);
+    ADD(servo_velocity, "m s-1", F64, 1);
+    ADD(force, "N", F64, 3);
+    ADD(torque, "N m", F64, 3);
+    ADD(power, "W", F64, 1);
+    ADD(sum_steps, "1", I64, 1);
+    ADD(sum_force, "N", F64, 3);
+    ADD(sum_torque, "N m", F64, 3);
+    ADD(sum_power, "W", F64, 1);
+#undef ADD
+    if (state->build_walls != NULL) {
+        const clod_rows build = {state->build_walls, (size_t)state->walls.count,
+                                 4 * sizeof(double)};
+        add(self, build, 0, "walls/build_shift", "m", CLOD_HDF_F64, 3);
+        add(self, build, 3 * sizeof(double), "walls/build_angle", "rad", CLOD_HDF_F64, 1);
+    }
+}
+
+static void add_contacts(clod_checkpoint_columns *self, const clod_state *state)
+{
+    const clod_rows contacts = {state->contacts, state->contact_count, sizeof(clod_contact)};
+#define ADD(field, name, units, type, n)                                                       \
+    add(self, contacts, offsetof(clod_contact, field), "contacts/" name, units,                \
+        CLOD_HDF_##type, n)
+    ADD(i, "i", "1", I32, 1);
+    ADD(j, "j", "1", I32, 1);
+    ADD(shape, "shape", "1", I32, 1);
+    ADD(history[0], "plastic", "m^n", F64, 1);
+    ADD(history[1], "tangent", "N m-1", F64, 1);
+    ADD(history[2], "spring", "m", F64, 3);
+    ADD(history[5], "roll", "rad", F64, 3);
+#undef ADD
+}
+
+void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state)
+{
+    self->count = 0;
+    add_state(self, state);
+    add_grains(self, state);
+    add_walls(self, state);
+    add_contacts(self, state);
+}

@@ -1,0 +1,24 @@
+#pragma once
+/**
+ * @file checkpoint_columns.h
+ * The one table of what a checkpoint holds: name, units, type, shape and place in the state.
+ * Writing and reading walk the same table.
+ */
+
+#include "output/hdf.h"
+#include "state/state.h"
+
+#define CLOD_CHECKPOINT_COLUMNS 64
+
+typedef struct clod_checkpoint_columns {
+    clod_hdf_column column[CLOD_CHECKPOINT_COLUMNS];
+    size_t count;
+} clod_checkpoint_columns;
+
+/**
+ * List every column of the state, but for what makes up a wall's identity (name, shapes).
+ *
+ * The pointers are borrowed from the state: list again when its arrays have moved. Arrays that
+ * the state does not have (build_place, build_walls) are not listed.
+ */
+void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state);

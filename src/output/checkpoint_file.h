@@ -1,0 +1,45 @@
+#pragma once
+/**
+ * @file checkpoint_file.h
+ * The two files of a checkpoint from outside: their heads, and which of them is whole.
+ */
+
+#include <limits.h>
+#include <stdint.h>
+
+#include "clod/status.h"
+
+#define CLOD_CHECKPOINT_FORMAT 1
+#define CLOD_CHECKPOINT_HEAD_BYTES 512 ///< HDF5 looks for its own start at this byte too
+
+/** The text in front of the HDF5 data; every other byte of the file is in its hash. */
+typedef struct clod_checkpoint_head {
+    int64_t format, sequence, step;
+    double time;
+    uint64_t case_hash, bytes, hash;
+} clod_checkpoint_head;
+
+/** One of the two files, as found. */
+typedef struct clod_checkpoint_file {
+    char path[PATH_MAX];
+    bool there, whole;
+    char reason[512]; ///< why it is not whole
+    clod_checkpoint_head head;
+    void *bytes; ///< owned; the file when it is whole
+} clod_checkpoint_file;
+
+/** Hash of a case's text; NULL counts as the empty text. */
+uint64_t clod_checkpoint_file_case_hash(const char *case_text);
+
+/** Print the head; its hash is made of the lines before it and head->bytes of `data`. */
+void clod_checkpoint_file_print_head(char text[CLOD_CHECKPOINT_HEAD_BYTES],
+                                     const clod_checkpoint_head *head, const void *data);
+
+/** Read and check both files; call clod_checkpoint_file_release in any case. */
+bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const char *directory,
+                               const char *stem, clod_status *status);
+
+void clod_checkpoint_file_release(clod_checkpoint_file files[2]);
+
+/** Index of the whole file written last, or -1. */
+int clod_checkpoint_file_newest(const clod_checkpoint_file files[2]);

@@ -1,0 +1,74 @@
+#pragma once
+/**
+ * @file hdf.h
+ * HDF5 files built and read in memory: one column of data after the other, no disk involved, so
+ * that disk errors are those of clod_file_replace and a damaged file never reaches HDF5.
+ *
+ * A first error is kept and the calls after it do nothing; clod_hdf_finish and
+ * clod_hdf_end_reading report it. HDF5 is used by one thread at a time: a clod_hdf holds the
+ * library from create or open to finish or end_reading, which must be called in any case.
+ */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "clod/status.h"
+
+typedef struct clod_hdf clod_hdf;
+
+typedef enum clod_hdf_type {
+    CLOD_HDF_F64,
+    CLOD_HDF_I64,
+    CLOD_HDF_I32,
+    CLOD_HDF_U64,
+    CLOD_HDF_U16,
+    CLOD_HDF_U8,
+    CLOD_HDF_TEXT, ///< `components` is the length of the text, zero bytes included
+} clod_hdf_type;
+
+/** Numbers of one kind in rows that lie anywhere in memory, and their place in the file. */
+typedef struct clod_hdf_column {
+    const char *name;  ///< path in the file, e.g. "grains/radius"
+    const char *units; ///< udunits text; NULL: no attribute
+    clod_hdf_type type;
+    size_t components; ///< numbers per row; 1 makes a dataset of one dimension
+    size_t rows;
+    const void *data; ///< first row; written to by clod_hdf_get
+    size_t stride;    ///< bytes from row to row
+} clod_hdf_column;
+
+/** How numbers lie in the file. */
+typedef enum clod_hdf_storage {
+    CLOD_HDF_EXACT,  ///< as in memory, each chunk with its Fletcher checksum
+    CLOD_HDF_PICTURE ///< F64 stored as float32, compressed (shuffle, deflate 1)
+} clod_hdf_storage;
+
+/** Start a file in memory; NULL with status. */
+clod_hdf *clod_hdf_create(clod_hdf_storage storage, clod_status *status);
+
+/** Make a group (with the groups above it). */
+void clod_hdf_group(clod_hdf *self, const char *name);
+
+/** Write a column. */
+void clod_hdf_put(clod_hdf *self, const clod_hdf_column *column);
+
+/** Attach integers, a number or a text to a group or dataset ("/" is the root). */
+void clod_hdf_put_ints(clod_hdf *self, const char *object, const char *name,
+                       const int64_t *values, size_t count);
+void clod_hdf_put_real(clod_hdf *self, const char *object, const char *name, double value);
+void clod_hdf_put_text(clod_hdf *self, const char *object, const char *name, const char *value);
+
+/** Close: owned bytes of the file (clod_memory_free), or false with the first error. */
+bool clod_hdf_finish(clod_hdf **self, void **image, size_t *size, clod_status *status);
+
+/** Open the bytes of a file for reading; NULL with status. */
+clod_hdf *clod_hdf_open(const void *image, size_t size, clod_status *status);
+
+/** Rows of a dataset; 0 when there is none of that name. */
+size_t clod_hdf_rows(clod_hdf *self, const char *name);
+
+/** Fill a column's data; type, rows and components must be those of the file. */
+void clod_hdf_get(clod_hdf *self, const clod_hdf_column *column);
+
+/** Close: false with the first error since clod_hdf_open. */
+bool clod_hdf_end_reading(clod_hdf **self, clod_status *status);
