@@ -1,0 +1,63 @@
+# Test programs, picked up by their names.
+#
+# tests/FOLDER/test_NAME.c  is a cmocka program of its own, labelled FOLDER; a name that ends in
+#                           _slow is labelled slow as well, which `make test` leaves out.
+# tests/FOLDER/fuzz_NAME.c  is a libFuzzer target, labelled fuzz; built in the asan tree, started
+#                           from the files in tests/FOLDER/seeds and from cases/.
+pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
+
+set(CLOD_TEST_SECONDS 300)
+set(CLOD_FUZZ_SECONDS 20)
+set(CLOD_TEST_ENVIRONMENT CLOD_BINARY=${CMAKE_BINARY_DIR}/clod)
+if(CLOD_SANITIZE)
+  set(CLOD_TEST_SECONDS 900)
+  find_program(SYMBOLIZER NAMES llvm-symbolizer-14 llvm-symbolizer)
+  find_library(ARCHER NAMES archer PATHS /usr/lib/llvm-14/lib)
+  list(APPEND CLOD_TEST_ENVIRONMENT ASAN_SYMBOLIZER_PATH=${SYMBOLIZER}
+    UBSAN_OPTIONS=print_stacktrace=1 OMP_TOOL_LIBRARIES=${ARCHER}
+    TSAN_OPTIONS=external_symbolizer_path=${SYMBOLIZER}:ignore_noninstrumented_modules=1)
+endif()
+
+function(clod_add_program name source)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} PRIVATE clod_core)
+  target_include_directories(${name} PRIVATE tests)
+  target_compile_definitions(${name} PRIVATE CLOD_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+endfunction()
+
+file(GLOB CLOD_TEST_SOURCES CONFIGURE_DEPENDS tests/*/test_*.c)
+foreach(source IN LISTS CLOD_TEST_SOURCES)
+  cmake_path(GET source STEM name)
+  cmake_path(GET source PARENT_PATH folder)
+  cmake_path(GET folder FILENAME folder)
+  set(labels ${folder})
+  if(name MATCHES "_slow$")
+    list(APPEND labels slow)
+  endif()
+  clod_add_program(${name} ${source})
+  target_link_libraries(${name} PRIVATE PkgConfig::CMOCKA)
+  add_test(NAME ${folder}/${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  set_tests_properties(${folder}/${name} PROPERTIES LABELS "${labels}"
+    TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
+endforeach()
+
+if(NOT CLOD_FUZZ)
+  return()
+endif()
+file(GLOB CLOD_FUZZ_SOURCES CONFIGURE_DEPENDS tests/*/fuzz_*.c)
+foreach(source IN LISTS CLOD_FUZZ_SOURCES)
+  cmake_path(GET source STEM name)
+  cmake_path(GET source PARENT_PATH folder)
+  set(seeds ${CMAKE_SOURCE_DIR}/cases)
+  if(IS_DIRECTORY ${folder}/seeds)
+    list(PREPEND seeds ${folder}/seeds)
+  endif()
+  clod_add_program(${name} ${source})
+  target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  set(work ${CMAKE_BINARY_DIR}/fuzz/${name})
+  file(MAKE_DIRECTORY ${work})
+  add_test(NAME fuzz/${name} WORKING_DIRECTORY ${work} COMMAND ${name} -seed=1 -timeout=10
+    -rss_limit_mb=2048 -max_len=65536 -max_total_time=${CLOD_FUZZ_SECONDS} ${work} ${seeds})
+  set_tests_properties(fuzz/${name} PROPERTIES LABELS fuzz TIMEOUT 300
+    ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
+endforeach()
