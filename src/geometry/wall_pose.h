@@ -1,0 +1,53 @@
+#pragma once
+/**
+ * @file wall_pose.h
+ * Where a wall is at one moment: from space into the frame in which its shapes were given, and
+ * back. Made once per wall and step; using it costs multiplications only.
+ */
+
+#include "state/walls.h"
+
+typedef struct clod_wall_pose {
+    clod_vec3 origin;      ///< m, the spin point in space: spin_point + shift
+    clod_vec3 shift;       ///< m
+    clod_vec3 point;       ///< m, the spin point in the frame
+    double rotation[3][3]; ///< from the frame to space
+} clod_wall_pose;
+
+/** Pose of a wall now; turned by exactly nothing when its angle is 0. Threads: pure. */
+static inline clod_wall_pose clod_wall_pose_now(const clod_wall *wall)
+{
+    const double u[3] = {wall->spin_axis.x, wall->spin_axis.y, wall->spin_axis.z};
+    const double c = cos(wall->angle);
+    const double s = sin(wall->angle);
+    const double cross[3][3] = {{0.0, -u[2], u[1]}, {u[2], 0.0, -u[0]}, {-u[1], u[0], 0.0}};
+    clod_wall_pose pose = {.origin = clod_vec3_add(wall->spin_point, wall->shift),
+                           .shift = wall->shift,
+                           .point = wall->spin_point};
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) { // Rodrigues: c 1 + s [u]x + (1 - c) u u^T
+            const double diagonal = i == j ? c : 0.0;
+            pose.rotation[i][j] = diagonal + s * cross[i][j] + (1.0 - c) * u[i] * u[j];
+        }
+    }
+    return pose;
+}
+
+/** A point of space in the wall's frame [m]. */
+static inline clod_vec3 clod_wall_to_frame(const clod_wall_pose *pose, clod_vec3 p)
+{
+    const double(*r)[3] = pose->rotation;
+    const clod_vec3 d = clod_vec3_sub(p, pose->origin);
+    return (clod_vec3){pose->point.x + r[0][0] * d.x + r[1][0] * d.y + r[2][0] * d.z,
+                       pose->point.y + r[0][1] * d.x + r[1][1] * d.y + r[2][1] * d.z,
+                       pose->point.z + r[0][2] * d.x + r[1][2] * d.y + r[2][2] * d.z};
+}
+
+/** A direction given in the wall's frame, in space. */
+static inline clod_vec3 clod_wall_to_space(const clod_wall_pose *pose, clod_vec3 d)
+{
+    const double(*r)[3] = pose->rotation;
+    return (clod_vec3){r[0][0] * d.x + r[0][1] * d.y + r[0][2] * d.z,
+                       r[1][0] * d.x + r[1][1] * d.y + r[1][2] * d.z,
+                       r[2][0] * d.x + r[2][1] * d.y + r[2][2] * d.z};
+}

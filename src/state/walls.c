@@ -1,0 +1,110 @@
+#include "state/walls.h"
+
+#include <string.h>
+
+#include "base/assert.h"
+#include "base/memory.h"
+
+clod_vec3 clod_wall_velocity_at(const clod_wall *self, clod_vec3 point)
+{
+    const clod_vec3 origin = clod_vec3_add(self->spin_point, self->shift);
+    const clod_vec3 arm = clod_vec3_sub(point, origin);
+    clod_vec3 v = clod_vec3_add(self->velocity, self->surface_velocity);
+    v = clod_vec3_axpy(v, self->servo_velocity, self->load_axis);
+    return clod_vec3_axpy(v, self->spin, clod_vec3_cross(self->spin_axis, arm));
+}
+
+/** Distance of a point of the frame from the spin axis [m]. */
+static double axis_distance(const clod_wall *self, clod_vec3 point)
+{
+    const clod_vec3 arm = clod_vec3_sub(point, self->spin_point);
+    return clod_vec3_length(clod_vec3_cross(self->spin_axis, arm));
+}
+
+/** Largest distance of a corner of a box from the spin axis; exact, as a box is convex. */
+static double box_reach(const clod_wall *self, const clod_shape *shape)
+{
+    double reach = 0.0;
+    for (int corner = 0; corner < 8; corner++) {
+        clod_vec3 p = shape->center;
+        for (int a = 0; a < 3; a++) {
+            const double half = (corner >> a & 1) != 0 ? shape->half[a] : -shape->half[a];
+            p = clod_vec3_axpy(p, half, shape->axis[a]);
+        }
+        reach = fmax(reach, axis_distance(self, p));
+    }
+    return reach;
+}
+
+/** Upper bound of the distance of any point of a bounded shape from the spin axis [m]. */
+static double shape_reach(const clod_wall *self, const clod_shape *shape)
+{
+    CLOD_ASSERT(shape->kind != CLOD_SHAPE_PLANE); // refused when the walls are set up
+    if (shape->kind == CLOD_SHAPE_BOX || shape->kind == CLOD_SHAPE_BAR) {
+        return box_reach(self, shape);
+    }
+    double reach = axis_distance(self, shape->center);
+    if (shape->kind == CLOD_SHAPE_CYLINDER) {
+        const clod_vec3 end =
+            clod_vec3_axpy(shape->center, 2.0 * shape->half[2], shape->axis[2]);
+        reach = fmax(reach, axis_distance(self, end));
+    }
+    return reach + shape->outer;
+}
+
+double clod_wall_speed_bound(const clod_wall *self)
+{
+    double reach = 0.0;
+    for (int32_t s = 0; self->spin != 0.0 && s < self->shape_count; s++) {
+        if (!self->shapes[s].symmetric) {
+            reach = fmax(reach, shape_reach(self, &self->shapes[s]));
+        }
+    }
+    return clod_vec3_length(self->velocity) + fabs(self->servo_velocity) +
+           fabs(self->spin) * reach;
+}
+
+void clod_walls_reset_sums(clod_walls *self)
+{
+    for (int32_t w = 0; w < self->count; w++) {
+        clod_wall *wall = &self->wall[w];
+        wall->sum_steps = 0;
+        wall->sum_force = (clod_vec3){0.0, 0.0, 0.0};
+        wall->sum_torque = (clod_vec3){0.0, 0.0, 0.0};
+        wall->sum_power = 0.0;
+    }
+}
+
+bool clod_walls_copy(clod_walls *self, const clod_walls *from, clod_status *status)
+{
+    *self = (clod_walls){0};
+    if (from->count == 0) {
+        return true;
+    }
+    self->wall = clod_memory_alloc((size_t)from->count, sizeof *self->wall);
+    if (self->wall == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory to copy the walls");
+    }
+    for (int32_t w = 0; w < from->count; w++) {
+        const clod_wall *wall = &from->wall[w];
+        clod_shape *shapes = clod_memory_alloc((size_t)wall->shape_count, sizeof *shapes);
+        if (shapes == NULL) {
+            clod_walls_fini(self);
+            return clod_status_fail(status, CLOD_FAILED, "no memory to copy the walls");
+        }
+        memcpy(shapes, wall->shapes, (size_t)wall->shape_count * sizeof *shapes);
+        self->wall[w] = *wall;
+        self->wall[w].shapes = shapes;
+        self->count = w + 1;
+    }
+    return true;
+}
+
+void clod_walls_fini(clod_walls *self)
+{
+    for (int32_t w = 0; w < self->count; w++) {
+        clod_memory_free(self->wall[w].shapes);
+    }
+    clod_memory_free(self->wall);
+    *self = (clod_walls){0};
+}
