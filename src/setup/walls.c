@@ -1,0 +1,257 @@
+#include "setup/walls.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+/** Angle [rad] and relative offset below which two axes count as one. */
+#define SAME_AXIS 1e-9
+
+static clod_vec3 vector(const double v[3])
+{
+    return (clod_vec3){v[0], v[1], v[2]};
+}
+
+/** Two directions that make a right-handed frame with axis[2]. */
+static void complete_frame(clod_vec3 axis[3])
+{
+    const clod_vec3 z = axis[2];
+    const clod_vec3 aside =
+        fabs(z.x) < 0.5 ? (clod_vec3){1.0, 0.0, 0.0} : (clod_vec3){0.0, 1.0, 0.0};
+    axis[0] = clod_vec3_unit(clod_vec3_axpy(aside, -clod_vec3_dot(aside, z), z));
+    axis[1] = clod_vec3_cross(z, axis[0]);
+}
+
+static bool shape_fail(clod_status *status, const clod_case_wall *wall, size_t number,
+                       const char *problem)
+{
+    return clod_status_fail(status, CLOD_USAGE, "walls.%s.shapes[%zu]: %s", wall->name, number,
+                            problem);
+}
+
+/** A bar is a box whose first axis is its centre line and whose third axis is `up`. */
+static bool make_bar(const clod_case_shape *from, clod_shape *shape)
+{
+    const clod_vec3 a = vector(from->from);
+    const clod_vec3 line = clod_vec3_sub(vector(from->to), a);
+    const double length = clod_vec3_length(line);
+    if (!(length > 0.0)) {
+        return false;
+    }
+    shape->axis[0] = clod_vec3_scale(line, 1.0 / length);
+    const clod_vec3 given = clod_vec3_unit(vector(from->up));
+    const double along = clod_vec3_dot(given, shape->axis[0]);
+    const clod_vec3 up = clod_vec3_axpy(given, -along, shape->axis[0]);
+    if (clod_vec3_length(up) < 1e-6) {
+        return false;
+    }
+    shape->axis[2] = clod_vec3_unit(up);
+    shape->axis[1] = clod_vec3_cross(shape->axis[2], shape->axis[0]);
+    shape->center = clod_vec3_axpy(a, 0.5, line);
+    shape->half[0] = 0.5 * length;
+    shape->half[1] = 0.5 * from->width;
+    shape->half[2] = 0.5 * from->height;
+    return true;
+}
+
+static void make_box(const clod_case_shape *from, clod_shape *shape)
+{
+    shape->axis[0] = (clod_vec3){1.0, 0.0, 0.0};
+    shape->axis[1] = (clod_vec3){0.0, 1.0, 0.0};
+    shape->axis[2] = (clod_vec3){0.0, 0.0, 1.0};
+    for (int a = 0; a < 3; a++) {
+        shape->half[a] = 0.5 * from->size[a];
+    }
+}
+
+static bool make_shape(const clod_case_wall *wall, size_t number, clod_shape *shape,
+                       clod_status *status)
+{
+    const clod_case_shape *from = &wall->shapes[number];
+    *shape = (clod_shape){.kind = (clod_shape_kind)from->kind, .center = vector(from->point)};
+    switch (shape->kind) {
+    case CLOD_SHAPE_BOX:
+        make_box(from, shape);
+        return true;
+    case CLOD_SHAPE_BAR:
+        return make_bar(from, shape) ||
+               shape_fail(status, wall, number,
+                          "the bar needs two different ends, and `up` must not point along it");
+    case CLOD_SHAPE_CYLINDER:
+        shape->axis[2] = clod_vec3_unit(vector(from->axis));
+        shape->outer = from->radius;
+        shape->half[2] = 0.5 * from->length;
+        shape->side = (clod_side)from->side;
+        break;
+    case CLOD_SHAPE_ANNULUS:
+        if (!(from->inner_radius < from->outer_radius)) {
+            return shape_fail(status, wall, number, "inner_radius must be below outer_radius");
+        }
+        shape->axis[2] = clod_vec3_unit(vector(from->normal));
+        shape->inner = from->inner_radius;
+        shape->outer = from->outer_radius;
+        break;
+    default: // plane and disc
+        shape->axis[2] = clod_vec3_unit(vector(from->normal));
+        shape->outer = from->radius;
+        break;
+    }
+    complete_frame(shape->axis);
+    return true;
+}
+
+static bool is_symmetric(const clod_wall *wall, const clod_shape *shape)
+{
+    if (shape->kind == CLOD_SHAPE_BOX || shape->kind == CLOD_SHAPE_BAR) {
+        return false;
+    }
+    const clod_vec3 tilt = clod_vec3_cross(shape->axis[2], wall->spin_axis);
+    if (clod_vec3_length(tilt) > SAME_AXIS) {
+        return false;
+    }
+    const clod_vec3 arm = clod_vec3_sub(shape->center, wall->spin_point);
+    const double offset = clod_vec3_length(clod_vec3_cross(arm, wall->spin_axis));
+    return shape->kind == CLOD_SHAPE_PLANE || offset <= SAME_AXIS * shape->outer;
+}
+
+void clod_setup_wall_symmetry(clod_wall *wall)
+{
+    for (int32_t s = 0; s < wall->shape_count; s++) {
+        wall->shapes[s].symmetric = is_symmetric(wall, &wall->shapes[s]);
+    }
+}
+
+/** Whether the wall turns at the start or in any stage. */
+static bool ever_spins(const clod_case *from, const clod_case_wall *wall)
+{
+    bool spins = wall->spin != 0.0;
+    for (size_t s = 0; s < from->stage_count; s++) {
+        const clod_case_stage *stage = &from->stages[s];
+        for (size_t w = 0; w < stage->wall_count; w++) {
+            const clod_case_wall_change *change = &stage->walls[w];
+            spins |= change->has_spin && change->spin != 0.0 &&
+                     strcmp(change->name, wall->name) == 0;
+        }
+    }
+    return spins;
+}
+
+/** Area of the discs and annuli of a wall that face the load axis [m2]. */
+static double facing_area(const clod_wall *wall)
+{
+    double area = 0.0;
+    for (int32_t s = 0; s < wall->shape_count; s++) {
+        const clod_shape *shape = &wall->shapes[s];
+        if (shape->kind == CLOD_SHAPE_DISC || shape->kind == CLOD_SHAPE_ANNULUS) {
+            const double ring = shape->outer * shape->outer - shape->inner * shape->inner;
+            area += M_PI * ring * fabs(clod_vec3_dot(shape->axis[2], wall->load_axis));
+        }
+    }
+    return area;
+}
+
+static bool make_load(const clod_case_wall *from, clod_wall *wall, clod_status *status)
+{
+    wall->load = (clod_load_kind)from->load;
+    if (wall->load == CLOD_LOAD_NONE) {
+        return true;
+    }
+    wall->load_axis = clod_vec3_unit(vector(from->load_axis));
+    wall->mass = from->mass;
+    wall->area = from->area > 0.0 ? from->area : facing_area(wall);
+    wall->load_force = from->force;
+    if (wall->load == CLOD_LOAD_STRESS) {
+        if (!(wall->area > 0.0)) {
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "walls.%s.load: a stress needs the area on which it acts; "
+                                    "add `area: 25 cm2` (it is known by itself only for discs "
+                                    "and annuli)",
+                                    from->name);
+        }
+        wall->load_force = from->stress * wall->area;
+    }
+    return true;
+}
+
+static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod_wall *wall,
+                        clod_status *status)
+{
+    wall->shapes = clod_memory_alloc(given->shape_count, sizeof *wall->shapes);
+    if (wall->shapes == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the walls");
+    }
+    wall->shape_count = (int32_t)given->shape_count;
+    for (size_t s = 0; s < given->shape_count; s++) {
+        if (!make_shape(given, s, &wall->shapes[s], status)) {
+            return false;
+        }
+    }
+    clod_setup_wall_symmetry(wall);
+    for (size_t s = 0; s < given->shape_count; s++) {
+        const clod_shape *shape = &wall->shapes[s];
+        if (shape->kind == CLOD_SHAPE_PLANE && !shape->symmetric && ever_spins(from, given)) {
+            return shape_fail(status, given, s,
+                              "an endless plane can turn only about its own normal; use a box "
+                              "or a disc");
+        }
+    }
+    return true;
+}
+
+static bool make_wall(const clod_case *from, const clod_case_wall *given, clod_wall *wall,
+                      clod_status *status)
+{
+    if (strlen(given->name) >= sizeof wall->name) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "walls.%s: the name is too long, at most %zu characters",
+                                given->name, sizeof wall->name - 1);
+    }
+    snprintf(wall->name, sizeof wall->name, "%s", given->name);
+    const int material = clod_case_material_index(from, given->material);
+    if (material < 0) {
+        return clod_status_fail(status, CLOD_USAGE, "walls.%s: no material is called \"%s\"",
+                                given->name, given->material);
+    }
+    wall->material = (uint16_t)material;
+    wall->velocity = vector(given->velocity);
+    wall->surface_velocity = vector(given->surface_velocity);
+    wall->spin = given->spin;
+    wall->spin_axis = clod_vec3_unit(vector(given->spin_axis));
+    wall->spin_point = vector(given->spin_point);
+    wall->load_axis = (clod_vec3){0.0, 0.0, -1.0};
+    return make_shapes(from, given, wall, status) && make_load(given, wall, status);
+}
+
+bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *status)
+{
+    *walls = (clod_walls){0};
+    if (from->wall_count == 0) {
+        return true;
+    }
+    walls->wall = clod_memory_alloc(from->wall_count, sizeof *walls->wall);
+    if (walls->wall == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the walls");
+    }
+    for (size_t w = 0; w < from->wall_count; w++) {
+        walls->count = (int32_t)(w + 1);
+        if (!make_wall(from, &from->walls[w], &walls->wall[w], status)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void clod_setup_wall_damping(clod_wall *wall, double fraction, double stiffness)
+{
+    wall->damping = 2.0 * fraction * sqrt(stiffness * wall->mass);
+}
+
+double clod_setup_bed_stiffness(double tangent, double area, double height, double radius)
+{
+    const double diameter = 2.0 * radius;
+    const double columns = fmax(1.0, area / (diameter * diameter));
+    const double contacts = fmax(1.0, height / diameter);
+    return tangent * columns / contacts;
+}

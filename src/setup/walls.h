@@ -1,0 +1,47 @@
+#pragma once
+/**
+ * @file walls.h
+ * Walls of a case made ready: shapes in one form, unit directions, loads in newtons.
+ */
+
+#include "clod/case.h"
+#include "state/walls.h"
+
+/**
+ * Build the walls of a case.
+ *
+ * @param from    checked case
+ * @param walls   [out] owned by the caller (clod_walls_fini), also after a failure; the damping
+ *                of loaded walls is still 0 (clod_setup_wall_damping)
+ * Errors  CLOD_USAGE: name too long, bar without length or with `up` along it, radii in the
+ *         wrong order, stress without area, plane that would turn out of itself.
+ * Threads pure.   Test  tests/setup/test_walls.c
+ */
+bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *status);
+
+/**
+ * Say for every shape whether turning about the wall's spin axis leaves it where it is.
+ * clod_setup_walls has done so; for walls that are built by hand.
+ */
+void clod_setup_wall_symmetry(clod_wall *wall);
+
+/**
+ * Damping of a loaded wall: 2 z sqrt(k m), z as a fraction of critical.
+ *
+ * @param wall       [in,out] its mass is read, its damping is set
+ * @param fraction   z
+ * @param stiffness  k of the bed under the wall [N/m] (clod_setup_bed_stiffness)
+ */
+void clod_setup_wall_damping(clod_wall *wall, double fraction, double stiffness);
+
+/**
+ * Estimated stiffness of a bed of grains: area/(2R)^2 columns side by side, each of
+ * height/(2R) contacts in a row.
+ *
+ * @param tangent  stiffness of one contact [N/m]
+ * @param area     loaded area [m2]
+ * @param height   height of the bed [m]
+ * @param radius   mean radius R [m]
+ * @return         N/m
+ */
+double clod_setup_bed_stiffness(double tangent, double area, double height, double radius);
