@@ -7,7 +7,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 
-#define CLOD_STATUS_TEXT 2048
+#define CLOD_STATUS_TEXT 16384
 
 /** Exit status of the program that goes with an outcome. */
 typedef enum clod_code {

@@ -1,0 +1,138 @@
+#include "config/check.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "config/suggest.h"
+
+void clod_check_fail(clod_loader *loader, const char *path, const char *format, ...)
+{
+    char message[512];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(message, sizeof message, format, args);
+    va_end(args);
+    const clod_node *node = clod_tree_nearest(loader->root, path);
+    const bool exact = clod_tree_at(loader->root, path) != NULL;
+    const bool value = exact && node->kind == CLOD_NODE_SCALAR;
+    clod_report_add(loader->report, value ? node->place : clod_load_place(node), path, "%s",
+                    message);
+}
+
+bool clod_check_has(const clod_loader *loader, const char *path)
+{
+    return clod_tree_at(loader->root, path) != NULL;
+}
+
+void clod_check_material(clod_loader *loader, const clod_case *self, const char *path,
+                         const char *name)
+{
+    if (name == NULL || clod_case_material_index(self, name) >= 0) {
+        return;
+    }
+    char hint[64];
+    clod_suggest near = clod_suggest_start(name);
+    for (size_t i = 0; i < self->material_count; i++) {
+        clod_suggest_offer(&near, self->materials[i].name);
+    }
+    clod_check_fail(loader, path, "there is no material %s%s", name,
+                    clod_suggest_text(&near, hint, sizeof hint));
+}
+
+static bool is(const char *name, const char *material)
+{
+    return name != NULL && strcmp(name, material) == 0;
+}
+
+/** Whether grains are of a material; grains from a file may be of any, and only some are. */
+static bool is_grain(const clod_case *self, const char *material, bool from_file)
+{
+    for (size_t i = 0; i < self->grains_count; i++) {
+        const clod_case_grains *grains = &self->grains[i];
+        if ((from_file && grains->file != NULL) || is(grains->material, material)) {
+            return true;
+        }
+    }
+    return (self->ring_shear.present && is(self->ring_shear.grain_material, material)) ||
+           (self->contact_bench.present && is(self->contact_bench.material_1, material));
+}
+
+/** Whether walls, or the partner on the contact bench, are of a material. */
+static bool is_wall(const clod_case *self, const char *material)
+{
+    for (size_t i = 0; i < self->wall_count; i++) {
+        if (is(self->walls[i].material, material)) {
+            return true;
+        }
+    }
+    const clod_case_ring_shear *ring = &self->ring_shear;
+    return (ring->present &&
+            (is(ring->side_material, material) || is(ring->base_material, material) ||
+             is(ring->lid_material, material))) ||
+           (self->contact_bench.present && is(self->contact_bench.material_2, material));
+}
+
+bool clod_check_pair_needed(const clod_case *self, int a, int b)
+{
+    const char *first = self->materials[a].name;
+    const char *second = self->materials[b].name;
+    const bool grain_a = is_grain(self, first, true);
+    const bool grain_b = is_grain(self, second, true);
+    return (grain_a && (grain_b || is_wall(self, second))) || (grain_b && is_wall(self, first));
+}
+
+/** Which of the three kinds of case this is, and what does not go together. */
+static void check_kind(clod_loader *loader, const clod_case *self)
+{
+    static const char *const FREE[] = {"grains", "walls", "stages", "domain"};
+    const bool ring = self->ring_shear.present;
+    const bool grains = clod_check_has(loader, "grains");
+    const bool stages = clod_check_has(loader, "stages");
+    for (size_t i = 0; i < sizeof FREE / sizeof FREE[0]; i++) {
+        if (ring && clod_check_has(loader, FREE[i])) {
+            clod_check_fail(
+                loader, FREE[i],
+                "ring_shear makes its own cell and stages; remove %s, or ring_shear", FREE[i]);
+        }
+    }
+    if (!ring && grains && !stages) {
+        clod_check_fail(
+            loader, "grains",
+            "grains need stages that say how long to run, for instance stages: [{name: "
+            "settle, duration: 0.2 s}]");
+    }
+    if (!ring && stages && !grains) {
+        clod_check_fail(loader, "stages", "stages need grains");
+    }
+    if (!ring && !grains && !stages && !self->contact_bench.present) {
+        clod_check_fail(
+            loader, "",
+            "nothing to simulate; a case has grains, walls and stages, or ring_shear, "
+            "or contact_bench (clod new writes an example)");
+    }
+}
+
+/** Grains of a material without density would have no mass. */
+static void check_density(clod_loader *loader, const clod_case *self)
+{
+    for (size_t i = 0; i < self->material_count; i++) {
+        const clod_case_material *material = &self->materials[i];
+        char path[64];
+        snprintf(path, sizeof path, "materials.%s", material->name);
+        if (material->density == 0.0 && is_grain(self, material->name, false) &&
+            clod_report_clean(loader->report, path)) {
+            clod_check_fail(
+                loader, path,
+                "grains are of this material: it needs the key density, for instance "
+                "density: 2481.3 kg/m3");
+        }
+    }
+}
+
+void clod_check_case(clod_loader *loader, clod_case *self)
+{
+    check_kind(loader, self);
+    check_density(loader, self);
+    clod_check_run(loader, self);
+    clod_check_tester(loader, self);
+}

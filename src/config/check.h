@@ -1,0 +1,30 @@
+#pragma once
+/**
+ * @file check.h
+ * Checks across keys, after every key has been read by itself.
+ */
+
+#include "config/load.h"
+
+/** Check a whole case whose keys have been read; complete what follows from them. */
+void clod_check_case(clod_loader *loader, clod_case *self);
+
+/** Checks of ring_shear and contact_bench (check_tester.c). */
+void clod_check_tester(clod_loader *loader, clod_case *self);
+
+/** Checks of grains, walls, stages and domain (check_run.c). */
+void clod_check_run(clod_loader *loader, clod_case *self);
+
+/** Whether grains of material a or b can meet the other. */
+bool clod_check_pair_needed(const clod_case *self, int a, int b);
+
+/** Complain at a path, or at the deepest part of it that was written. */
+void clod_check_fail(clod_loader *loader, const char *path, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/** Whether a path was written in the case. */
+bool clod_check_has(const clod_loader *loader, const char *path);
+
+/** Complain when `name`, written at `path`, is not a material. */
+void clod_check_material(clod_loader *loader, const clod_case *self, const char *path,
+                         const char *name);

@@ -1,0 +1,290 @@
+#include <stdio.h>
+#include <string.h>
+
+#include "config/check.h"
+#include "config/suggest.h"
+
+#define PATH_SIZE 128
+
+static bool has(const clod_loader *loader, const char *path, const char *key)
+{
+    char whole[PATH_SIZE + 32];
+    snprintf(whole, sizeof whole, "%s.%s", path, key);
+    return clod_check_has(loader, whole);
+}
+
+static void fail(clod_loader *loader, const char *path, const char *key, const char *message)
+{
+    char whole[PATH_SIZE + 32];
+    snprintf(whole, sizeof whole, "%s%s%s", path, key[0] == '\0' ? "" : ".", key);
+    clod_check_fail(loader, whole, "%s", message);
+}
+
+static bool clean(const clod_loader *loader, const char *path)
+{
+    return clod_report_clean(loader->report, path);
+}
+
+static bool rises(const double low[3], const double high[3])
+{
+    return low[0] < high[0] && low[1] < high[1] && low[2] < high[2];
+}
+
+static void check_radius(clod_loader *loader, const char *path, const clod_case_grains *grains)
+{
+    const bool normal = grains->sizes == CLOD_SIZE_NORMAL;
+    const bool mean = has(loader, path, "radius.mean");
+    const bool sd = has(loader, path, "radius.sd");
+    if (normal && !(mean && sd)) {
+        fail(loader, path, "radius",
+             "a normal distribution needs mean and sd, for instance mean: 3.175 mm, sd: 0.16 "
+             "mm");
+    } else if (!normal && (mean || sd)) {
+        fail(loader, path, mean ? "radius.mean" : "radius.sd",
+             "a uniform distribution has only min and max; remove this key");
+    } else if (grains->radius_min > grains->radius_max) {
+        fail(loader, path, "radius.min", "the smallest radius is larger than max");
+    } else if (normal && (grains->radius_mean < grains->radius_min ||
+                          grains->radius_mean > grains->radius_max)) {
+        fail(loader, path, "radius.mean", "the mean must lie between min and max");
+    }
+}
+
+static void check_sieve(clod_loader *loader, const char *path, const clod_case_grains *grains)
+{
+    const size_t count = grains->sieve_count;
+    for (size_t i = 1; i < count; i++) {
+        char key[64];
+        if (grains->sieve[i].size <= grains->sieve[i - 1].size) {
+            snprintf(key, sizeof key, "sizes.sieve.%zu.size", i);
+            fail(loader, path, key, "sieves go from fine to coarse; this one is not coarser");
+        }
+        if (grains->sieve[i].passing < grains->sieve[i - 1].passing) {
+            snprintf(key, sizeof key, "sizes.sieve.%zu.passing", i);
+            fail(loader, path, key, "less passes this sieve than a finer one");
+        }
+    }
+    if (count < 2 || grains->sieve[0].passing != 0.0 ||
+        grains->sieve[count - 1].passing != 1.0) {
+        fail(loader, path, "sizes.sieve",
+             "the table must begin at 0 % passing (smallest grain) and end at 100 % (largest)");
+    }
+}
+
+static void check_sizes(clod_loader *loader, const char *path, clod_case_grains *grains)
+{
+    const bool radius = has(loader, path, "radius");
+    const bool sizes = has(loader, path, "sizes");
+    if (radius == sizes) {
+        fail(loader, path, radius ? "sizes" : "",
+             radius
+                 ? "radius says the sizes already; keep one of them"
+                 : "needs the sizes of grains: radius (by number) or sizes (sieves, by mass)");
+        return;
+    }
+    if (radius) {
+        check_radius(loader, path, grains);
+    } else {
+        grains->sizes = CLOD_SIZE_SIEVE;
+        check_sieve(loader, path, grains);
+    }
+}
+
+static void check_region(clod_loader *loader, const char *path, const clod_case_grains *grains)
+{
+    const clod_case_region *region = &grains->region;
+    if (!has(loader, path, "region")) {
+        fail(loader, path, "",
+             "needs the key region: where the grains are put, box or annulus");
+    } else if (region->kind == CLOD_REGION_BOX && !rises(region->min, region->max)) {
+        fail(loader, path, "region.box.max", "must be larger than min in x, y and z");
+    } else if (region->kind == CLOD_REGION_ANNULUS &&
+               region->inner_radius >= region->outer_radius) {
+        fail(loader, path, "region.annulus.inner_radius", "must be smaller than outer_radius");
+    }
+}
+
+/** Grains from a file carry everything with them. */
+static void check_file(clod_loader *loader, const char *path)
+{
+    static const char *const KEYS[] = {"radius", "sizes", "region", "fill_fraction",
+                                       "velocity"};
+    for (size_t i = 0; i < sizeof KEYS / sizeof KEYS[0]; i++) {
+        if (has(loader, path, KEYS[i])) {
+            fail(loader, path, KEYS[i], "the file says this for each grain; remove this key");
+        }
+    }
+}
+
+static void check_grains(clod_loader *loader, const clod_case *self, size_t index)
+{
+    static const char *const AMOUNTS[] = {"count", "mass", "fill_height", "file"};
+    clod_case_grains *grains = &self->grains[index];
+    char path[PATH_SIZE];
+    snprintf(path, sizeof path, "grains.%zu", index);
+    char material[PATH_SIZE + 16];
+    snprintf(material, sizeof material, "%s.material", path);
+    clod_check_material(loader, self, material, grains->material);
+    if (!clean(loader, path)) {
+        return;
+    }
+    size_t given = 0;
+    const char *last = "";
+    for (size_t i = 0; i < sizeof AMOUNTS / sizeof AMOUNTS[0]; i++) {
+        if (has(loader, path, AMOUNTS[i])) {
+            last = AMOUNTS[i];
+            given++;
+        }
+    }
+    if (given != 1) {
+        fail(loader, path, last,
+             given == 0
+                 ? "needs an amount: one of count, mass, fill_height, file"
+                 : "the amount is given twice; keep one of count, mass, fill_height, file");
+        return;
+    }
+    if (grains->file != NULL) {
+        check_file(loader, path);
+        return;
+    }
+    if (grains->material == NULL) {
+        fail(loader, path, "", "needs the key material, for instance material: ore");
+    }
+    check_sizes(loader, path, grains);
+    check_region(loader, path, grains);
+}
+
+static void check_shape(clod_loader *loader, const char *path, const clod_case_shape *shape)
+{
+    if (shape->kind == CLOD_SHAPE_ANNULUS && shape->inner_radius >= shape->outer_radius) {
+        fail(loader, path, "annulus.inner_radius", "must be smaller than outer_radius");
+    }
+    if (shape->kind != CLOD_SHAPE_BAR) {
+        return;
+    }
+    const double *a = shape->from;
+    const double *b = shape->to;
+    const double along[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    if (along[0] == 0.0 && along[1] == 0.0 && along[2] == 0.0) {
+        fail(loader, path, "bar.to", "is the same point as from; the bar has no length");
+        return;
+    }
+    const double *up = shape->up;
+    const double cross[3] = {along[1] * up[2] - along[2] * up[1],
+                             along[2] * up[0] - along[0] * up[2],
+                             along[0] * up[1] - along[1] * up[0]};
+    if (cross[0] == 0.0 && cross[1] == 0.0 && cross[2] == 0.0) {
+        fail(loader, path, "bar.up", "points along the bar; choose a direction across it");
+    }
+}
+
+static void check_load(clod_loader *loader, const char *path, clod_case_wall *wall)
+{
+    const bool force = has(loader, path, "load.force");
+    const bool stress = has(loader, path, "load.stress");
+    if (force == stress) {
+        fail(loader, path, "load", "must have exactly one of force, stress");
+        return;
+    }
+    wall->load = force ? CLOD_LOAD_FORCE : CLOD_LOAD_STRESS;
+    if (stress && wall->area == 0.0) {
+        fail(loader, path, "load",
+             "a stress needs the area it acts on, for instance area: 25 cm2");
+    }
+    if (force && wall->area > 0.0) {
+        fail(loader, path, "load.area", "a force needs no area; remove this key");
+    }
+}
+
+static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
+{
+    clod_case_wall *wall = &self->walls[index];
+    char path[PATH_SIZE];
+    snprintf(path, sizeof path, "walls.%s", wall->name);
+    char key[PATH_SIZE + 32];
+    snprintf(key, sizeof key, "%s.material", path);
+    clod_check_material(loader, self, key, wall->material);
+    if (!clean(loader, path)) {
+        return;
+    }
+    for (size_t i = 0; i < wall->shape_count; i++) {
+        snprintf(key, sizeof key, "%s.shapes.%zu", path, i);
+        check_shape(loader, key, &wall->shapes[i]);
+    }
+    if (has(loader, path, "load")) {
+        check_load(loader, path, wall);
+    }
+}
+
+static const clod_case_wall *find_wall(const clod_case *self, const char *name)
+{
+    for (size_t i = 0; i < self->wall_count; i++) {
+        if (strcmp(self->walls[i].name, name) == 0) {
+            return &self->walls[i];
+        }
+    }
+    return NULL;
+}
+
+static void check_change(clod_loader *loader, const clod_case *self, const char *path,
+                         const clod_case_wall_change *change)
+{
+    const clod_case_wall *wall = find_wall(self, change->name);
+    if (wall == NULL) {
+        char hint[64];
+        clod_suggest near = clod_suggest_start(change->name);
+        for (size_t i = 0; i < self->wall_count; i++) {
+            clod_suggest_offer(&near, self->walls[i].name);
+        }
+        clod_check_fail(loader, path, "there is no wall %s%s", change->name,
+                        clod_suggest_text(&near, hint, sizeof hint));
+        return;
+    }
+    char wall_path[PATH_SIZE];
+    snprintf(wall_path, sizeof wall_path, "walls.%s", wall->name);
+    if (!clean(loader, wall_path)) {
+        return;
+    }
+    if (change->has_force && wall->load != CLOD_LOAD_FORCE) {
+        fail(loader, path, "force", "this wall has no load with a force that could change");
+    }
+    if (change->has_stress && wall->load != CLOD_LOAD_STRESS) {
+        fail(loader, path, "stress", "this wall has no load with a stress that could change");
+    }
+}
+
+static void check_stage(clod_loader *loader, const clod_case *self, size_t index)
+{
+    const clod_case_stage *stage = &self->stages[index];
+    char path[PATH_SIZE];
+    for (size_t i = 0; i < index && stage->name != NULL; i++) {
+        if (self->stages[i].name != NULL && strcmp(self->stages[i].name, stage->name) == 0) {
+            snprintf(path, sizeof path, "stages.%zu.name", index);
+            clod_check_fail(loader, path, "stage %zu has the name %s already", i, stage->name);
+            break;
+        }
+    }
+    for (size_t i = 0; i < stage->wall_count; i++) {
+        snprintf(path, sizeof path, "stages.%zu.walls.%s", index, stage->walls[i].name);
+        if (clean(loader, path)) {
+            check_change(loader, self, path, &stage->walls[i]);
+        }
+    }
+}
+
+void clod_check_run(clod_loader *loader, clod_case *self)
+{
+    if (self->has_domain && clean(loader, "domain") &&
+        !rises(self->domain_min, self->domain_max)) {
+        clod_check_fail(loader, "domain.max", "must be larger than min in x, y and z");
+    }
+    for (size_t i = 0; i < self->grains_count; i++) {
+        check_grains(loader, self, i);
+    }
+    for (size_t i = 0; i < self->wall_count; i++) {
+        check_wall(loader, self, i);
+    }
+    for (size_t i = 0; i < self->stage_count; i++) {
+        check_stage(loader, self, i);
+    }
+}

@@ -1,0 +1,125 @@
+#include <stdio.h>
+#include <string.h>
+
+#include "config/check.h"
+
+#define PI 3.14159265358979323846
+
+static bool clean(const clod_loader *loader, const char *path)
+{
+    return clod_report_clean(loader->report, path);
+}
+
+static void check_radius(clod_loader *loader, const clod_case_ring_shear *ring)
+{
+    if (!clean(loader, "ring_shear.radius")) {
+        return;
+    }
+    if (ring->radius_min > ring->radius_max) {
+        clod_check_fail(loader, "ring_shear.radius.min",
+                        "the smallest radius is larger than max = %.10g m", ring->radius_max);
+    } else if (ring->radius_mean < ring->radius_min || ring->radius_mean > ring->radius_max) {
+        clod_check_fail(loader, "ring_shear.radius.mean",
+                        "the mean must lie between min = %.10g m and max = %.10g m",
+                        ring->radius_min, ring->radius_max);
+    }
+}
+
+static void check_cell(clod_loader *loader, const clod_case_ring_shear *ring)
+{
+    if (!clean(loader, "ring_shear")) {
+        return;
+    }
+    const double gap = ring->outer_radius - ring->inner_radius;
+    if (gap <= 0.0) {
+        clod_check_fail(loader, "ring_shear.inner_radius",
+                        "must be smaller than outer_radius = %.10g m", ring->outer_radius);
+        return;
+    }
+    const double room = gap < ring->depth ? gap : ring->depth;
+    if (2.0 * ring->radius_max > room) {
+        clod_check_fail(
+            loader, "ring_shear.radius.max",
+            "grains of %.10g m diameter do not fit into the cell: width %.10g m, depth "
+            "%.10g m",
+            2.0 * ring->radius_max, gap, ring->depth);
+    }
+    if (2.0 * ring->bar_height >= ring->depth) {
+        clod_check_fail(
+            loader, "ring_shear.bar_height",
+            "bars of lid and base meet: twice %.10g m is not less than depth = %.10g m",
+            ring->bar_height, ring->depth);
+    }
+    if ((double)ring->bar_count * ring->bar_width >= 2.0 * PI * ring->inner_radius) {
+        clod_check_fail(loader, "ring_shear.bar_width",
+                        "%lld bars of %.10g m leave no gap at the inner radius",
+                        (long long)ring->bar_count, ring->bar_width);
+    }
+}
+
+static void check_stresses(clod_loader *loader, const clod_case_ring_shear *ring)
+{
+    if (!clean(loader, "ring_shear.preshear_stress")) {
+        return;
+    }
+    for (size_t i = 0; i < ring->shear_stress_count; i++) {
+        if (ring->shear_stresses[i] >= ring->preshear_stress) {
+            char path[64];
+            snprintf(path, sizeof path, "ring_shear.shear_stresses.%zu", i);
+            clod_check_fail(
+                loader, path,
+                "%.10g Pa is not below preshear_stress = %.10g Pa; points of a yield "
+                "locus lie below it",
+                ring->shear_stresses[i], ring->preshear_stress);
+        }
+    }
+}
+
+static void check_ring(clod_loader *loader, const clod_case *self)
+{
+    const clod_case_ring_shear *ring = &self->ring_shear;
+    clod_check_material(loader, self, "ring_shear.grain_material", ring->grain_material);
+    clod_check_material(loader, self, "ring_shear.side_material", ring->side_material);
+    clod_check_material(loader, self, "ring_shear.base_material", ring->base_material);
+    clod_check_material(loader, self, "ring_shear.lid_material", ring->lid_material);
+    check_radius(loader, ring);
+    check_cell(loader, ring);
+    check_stresses(loader, ring);
+}
+
+static void check_bench(clod_loader *loader, const clod_case *self)
+{
+    const clod_case_contact_bench *bench = &self->contact_bench;
+    clod_check_material(loader, self, "contact_bench.material_1", bench->material_1);
+    clod_check_material(loader, self, "contact_bench.material_2", bench->material_2);
+    if (!clean(loader, "contact_bench")) {
+        return;
+    }
+    if (bench->wall && bench->radius_2 > 0.0) {
+        clod_check_fail(loader, "contact_bench.radius_2",
+                        "a flat wall has no radius; remove this key, or wall: true");
+    }
+    if (!bench->wall && bench->radius_2 == 0.0) {
+        clod_check_fail(
+            loader, "contact_bench",
+            "needs the key radius_2, for instance radius_2: 3.175 mm, or wall: true");
+    }
+    for (size_t i = 0; i < bench->leg_count; i++) {
+        if (bench->legs[i].overlap >= bench->radius_1) {
+            char path[64];
+            snprintf(path, sizeof path, "contact_bench.legs.%zu.overlap", i);
+            clod_check_fail(loader, path, "must be smaller than radius_1 = %.10g m",
+                            bench->radius_1);
+        }
+    }
+}
+
+void clod_check_tester(clod_loader *loader, clod_case *self)
+{
+    if (self->ring_shear.present) {
+        check_ring(loader, self);
+    }
+    if (self->contact_bench.present) {
+        check_bench(loader, self);
+    }
+}

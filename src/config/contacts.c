@@ -1,0 +1,389 @@
+#include "config/contacts.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "config/check.h"
+#include "config/suggest.h"
+
+#define PAIR_NAME 256 ///< keys of YAML are at most 128 long
+#define PAIR_PATH 300
+
+/** One pair while it is made. */
+typedef struct pair {
+    int a, b;
+    const clod_node *own;    ///< its section, or NULL
+    const clod_node *common; ///< `default`, or NULL
+    char path[PAIR_PATH];    ///< of the section to complain about
+    clod_place place;
+} pair;
+
+static const char *text_of(const clod_node *section, const char *key)
+{
+    const clod_node *node = clod_tree_find(section, key);
+    return node != NULL && node->kind == CLOD_NODE_SCALAR ? node->text : NULL;
+}
+
+static bool same(const char *own, const char *common, const char *fallback)
+{
+    return strcmp(own, common != NULL ? common : fallback) == 0;
+}
+
+/** Whether a key of `default` goes on to a section with its own law or exponent. */
+static bool inherits(const clod_node *own, const clod_node *common, const char *key)
+{
+    const char *law = text_of(own, "law");
+    const char *exponent = text_of(own, "exponent");
+    const bool stiffness = key[0] == 'k';
+    const bool other_law = law != NULL && !same(law, text_of(common, "law"), "mepa");
+    if (strcmp(key, "exponent") == 0) {
+        return !other_law;
+    }
+    const bool other_exponent =
+        exponent != NULL && !same(exponent, text_of(common, "exponent"), "1.5");
+    return !stiffness || (!other_law && !other_exponent);
+}
+
+static bool add(clod_loader *loader, clod_node *to, clod_node *item)
+{
+    if (item == NULL || !clod_tree_append(loader->arena, to, item)) {
+        loader->report->lost = true;
+        return false;
+    }
+    return true;
+}
+
+/** Own keys, then those of `default` that are inherited; NULL without memory. */
+static clod_node *merge(clod_loader *loader, const clod_node *own, const clod_node *common,
+                        clod_place place)
+{
+    clod_node *whole = clod_tree_node(loader->arena, CLOD_NODE_MAP, place);
+    if (whole == NULL) {
+        loader->report->lost = true;
+        return NULL;
+    }
+    for (size_t i = 0; own != NULL && i < own->count; i++) {
+        if (!add(loader, whole, own->items[i])) {
+            return NULL;
+        }
+    }
+    for (size_t i = 0; common != NULL && i < common->count; i++) {
+        clod_node *item = common->items[i];
+        const bool mine = own != NULL && clod_tree_find(own, item->key) != NULL;
+        if (!mine && inherits(own, common, item->key) && !add(loader, whole, item)) {
+            return NULL;
+        }
+    }
+    const char *law = text_of(whole, "law");
+    if (law != NULL && strcmp(law, "hooke") == 0 && clod_tree_find(whole, "exponent") == NULL) {
+        clod_node *one = clod_tree_scalar(loader->arena, "1");
+        if (!add(loader, whole, one)) {
+            return NULL;
+        }
+        one->key = "exponent";
+    }
+    return whole;
+}
+
+/** Read one merged section; false after errors in it. */
+static bool load_merged(clod_loader *loader, const pair *self, clod_case_contact *contact)
+{
+    const clod_node *whole = merge(loader, self->own, self->common, self->place);
+    if (whole == NULL) {
+        return false;
+    }
+    const size_t before = loader->report->count;
+    const size_t length = clod_load_enter(loader, self->path);
+    clod_load_section(loader, &CLOD_TABLE_CONTACT, whole, self->place, contact);
+    clod_load_leave(loader, length);
+    return loader->report->count == before && clod_report_clean(loader->report, self->path);
+}
+
+static void fail_key(clod_loader *loader, const pair *self, const char *key,
+                     const char *message)
+{
+    char path[PAIR_PATH + 24];
+    snprintf(path, sizeof path, "%s.%s", self->path, key);
+    clod_check_fail(loader, path, "%s", message);
+}
+
+/** Keys that stand in the section itself although its law has no use for them. */
+static void check_useless(clod_loader *loader, const pair *self,
+                          const clod_case_contact *contact)
+{
+    static const char *const STIFFNESSES[] = {"k1", "k2", "k_adh"};
+    const clod_node *section = self->own != NULL ? self->own : self->common;
+    for (size_t i = 0; i < 3; i++) {
+        if (clod_tree_find(section, STIFFNESSES[i]) == NULL) {
+            continue;
+        }
+        if (contact->law == CLOD_LAW_HERTZ) {
+            fail_key(
+                loader, self, STIFFNESSES[i],
+                "law hertz takes its stiffness from youngs_modulus of the materials; remove "
+                "this key, or choose law mepa or hooke");
+        } else if (contact->law == CLOD_LAW_HOOKE && i > 0) {
+            fail_key(
+                loader, self, STIFFNESSES[i],
+                "law hooke is elastic and has only k1; remove this key, or choose law mepa");
+        }
+    }
+    if (clod_tree_find(section, "rolling_damping") != NULL &&
+        contact->rolling != CLOD_ROLLING_EPSD) {
+        fail_key(loader, self, "rolling_damping",
+                 "only rolling: epsd has a dash-pot; remove this key, or choose epsd");
+    }
+}
+
+static void check_law(clod_loader *loader, const pair *self, const clod_case_contact *contact)
+{
+    check_useless(loader, self, contact);
+    if (contact->law == CLOD_LAW_HOOKE && contact->exponent != 1.0) {
+        fail_key(loader, self, "exponent", "law hooke is linear, its exponent is 1");
+    }
+    if (contact->law == CLOD_LAW_HERTZ && contact->exponent != 1.5) {
+        fail_key(loader, self, "exponent", "law hertz has the exponent 1.5");
+    }
+    if (contact->law == CLOD_LAW_HERTZ && contact->tangential == CLOD_TANGENTIAL_LITERAL) {
+        fail_key(loader, self, "tangential",
+                 "literal takes k1, which law hertz does not have; write tangent");
+    }
+    if (contact->law == CLOD_LAW_MEPA && contact->k1 > 0.0 && contact->k2 > 0.0 &&
+        contact->k2 < contact->k1) {
+        char message[128];
+        snprintf(message, sizeof message,
+                 "%.10g N/m^%.10g is less than k1 = %.10g N/m^%.10g; k2 is k1 or more",
+                 contact->k2, contact->exponent, contact->k1, contact->exponent);
+        fail_key(loader, self, "k2", message);
+    }
+}
+
+static void require_stiffness(clod_loader *loader, const pair *self, const char *law,
+                              const char *key, double value, double exponent)
+{
+    if (value == 0.0) {
+        char unit[32] = "";
+        if (exponent != 1.0) {
+            snprintf(unit, sizeof unit, "^%.10g", exponent);
+        }
+        clod_report_add(loader->report, self->place, self->path,
+                        "law %s needs the key %s, for instance %s: 4.75e8 N/m%s", law, key, key,
+                        unit);
+    }
+}
+
+static void require_elastic(clod_loader *loader, const clod_case *whole, const pair *self,
+                            int index)
+{
+    const clod_case_material *material = &whole->materials[index];
+    const char *missing = material->youngs_modulus == 0.0   ? "youngs_modulus"
+                          : material->poissons_ratio == 0.0 ? "poissons_ratio"
+                                                            : NULL;
+    if (missing == NULL) {
+        return;
+    }
+    char path[PAIR_PATH];
+    snprintf(path, sizeof path, "materials.%s", material->name);
+    if (clod_report_clean(loader->report, path)) {
+        clod_check_fail(loader, path, "law hertz of contact %s-%s needs the key %s here",
+                        whole->materials[self->a].name, whole->materials[self->b].name,
+                        missing);
+    }
+}
+
+/** What the law of a pair that will be used must have. */
+static void check_needs(clod_loader *loader, const clod_case *whole, const pair *self,
+                        const clod_case_contact *contact)
+{
+    switch (contact->law) {
+    case CLOD_LAW_HERTZ:
+        require_elastic(loader, whole, self, self->a);
+        require_elastic(loader, whole, self, self->b);
+        break;
+    case CLOD_LAW_HOOKE:
+        require_stiffness(loader, self, "hooke", "k1", contact->k1, 1.0);
+        break;
+    default:
+        require_stiffness(loader, self, "mepa", "k1", contact->k1, contact->exponent);
+        require_stiffness(loader, self, "mepa", "k2", contact->k2, contact->exponent);
+        break;
+    }
+}
+
+/** Fill what follows from the law. */
+static void complete(clod_case_contact *contact)
+{
+    if (contact->law == CLOD_LAW_HOOKE) {
+        contact->k2 = contact->k1;
+        contact->k_adh = 0.0;
+    } else if (contact->law == CLOD_LAW_HERTZ) {
+        contact->k1 = 0.0;
+        contact->k2 = 0.0;
+        contact->k_adh = 0.0;
+    }
+}
+
+/** Find the section of a pair under either of its two names. */
+static const clod_node *find_pair(const clod_node *contacts, const clod_case *self, int a,
+                                  int b, char name[PAIR_NAME])
+{
+    const char *first = self->materials[a].name;
+    const char *second = self->materials[b].name;
+    snprintf(name, PAIR_NAME, "%s-%s", first, second);
+    const clod_node *node = clod_tree_find(contacts, name);
+    if (node == NULL) {
+        snprintf(name, PAIR_NAME, "%s-%s", second, first);
+        node = clod_tree_find(contacts, name);
+    }
+    return node;
+}
+
+static void load_pair(clod_loader *loader, clod_case *self, const clod_node *contacts, int a,
+                      int b)
+{
+    pair made = {.a = a, .b = b, .place = clod_load_place(contacts)};
+    char name[PAIR_NAME];
+    made.own = find_pair(contacts, self, a, b, name);
+    made.common = clod_tree_find(contacts, "default");
+    const bool needed = clod_check_pair_needed(self, a, b);
+    if (made.own == NULL && made.common == NULL) {
+        if (needed) {
+            clod_report_add(loader->report, made.place, "contacts",
+                            "no law for the pair %s-%s; add a section of this name, or default",
+                            self->materials[a].name, self->materials[b].name);
+        }
+        return;
+    }
+    snprintf(made.path, sizeof made.path, "contacts.%s", made.own != NULL ? name : "default");
+    made.place = clod_load_place(made.own != NULL ? made.own : made.common);
+    clod_case_contact contact = {0};
+    if (load_merged(loader, &made, &contact)) {
+        check_law(loader, &made, &contact);
+        if (needed) {
+            check_needs(loader, self, &made, &contact);
+        }
+        complete(&contact);
+    }
+    const size_t n = self->material_count;
+    self->pairs[(size_t)a * n + (size_t)b] = contact;
+    self->pairs[(size_t)b * n + (size_t)a] = contact;
+}
+
+/** Complain about half of a pair's name that is no material. */
+static bool check_half(clod_loader *loader, const clod_case *self, const clod_node *section,
+                       const char *half)
+{
+    if (clod_case_material_index(self, half) >= 0) {
+        return true;
+    }
+    char hint[64];
+    clod_suggest near = clod_suggest_start(half);
+    for (size_t i = 0; i < self->material_count; i++) {
+        clod_suggest_offer(&near, self->materials[i].name);
+    }
+    clod_report_add(loader->report, section->key_place, "contacts",
+                    "\"%s\": there is no material %s%s", section->key, half,
+                    clod_suggest_text(&near, hint, sizeof hint));
+    return false;
+}
+
+static void check_name(clod_loader *loader, const clod_case *self, const clod_node *contacts,
+                       const clod_node *section)
+{
+    if (strcmp(section->key, "default") == 0) {
+        return;
+    }
+    char name[PAIR_NAME];
+    snprintf(name, sizeof name, "%s", section->key);
+    char *second = strchr(name, '-');
+    if (second == NULL) {
+        char hint[64];
+        clod_suggest near = clod_suggest_start(section->key);
+        clod_suggest_offer(&near, "default");
+        clod_report_add(loader->report, section->key_place, "contacts",
+                        "\"%s\" is not a pair; write two materials as a-b, or default%s",
+                        section->key, clod_suggest_text(&near, hint, sizeof hint));
+        return;
+    }
+    *second++ = '\0';
+    if (!check_half(loader, self, section, name) ||
+        !check_half(loader, self, section, second)) {
+        return;
+    }
+    char turned[2 * PAIR_NAME];
+    snprintf(turned, sizeof turned, "%s-%s", second, name);
+    const clod_node *twin = strcmp(second, name) == 0 ? NULL : clod_tree_find(contacts, turned);
+    if (twin != NULL && twin->key_place.line <= section->key_place.line && twin != section) {
+        clod_report_add(loader->report, section->key_place, "contacts",
+                        "\"%s\" is the same pair as \"%s\" in line %d", section->key, twin->key,
+                        twin->key_place.line);
+    }
+}
+
+/** Every section of contacts must be one; else the merging would not see its keys. */
+static bool check_sections(clod_loader *loader, const clod_case *self,
+                           const clod_node *contacts)
+{
+    bool good = true;
+    for (size_t i = 0; i < contacts->count; i++) {
+        const clod_node *section = contacts->items[i];
+        check_name(loader, self, contacts, section);
+        const bool empty = section->kind == CLOD_NODE_SCALAR && section->text[0] == '\0';
+        if (section->kind != CLOD_NODE_MAP && !empty) {
+            clod_report_add(loader->report, section->place, "contacts",
+                            "\"%s\" must be a section with keys, not %s", section->key,
+                            clod_tree_kind_name(section->kind));
+            good = false;
+        }
+    }
+    return good;
+}
+
+/** Errors of `default` itself, before pairs repeat them under their own names. */
+static void check_default(clod_loader *loader, const clod_node *contacts)
+{
+    const clod_node *common = clod_tree_find(contacts, "default");
+    if (common == NULL) {
+        return;
+    }
+    pair alone = {
+        .common = common, .path = "contacts.default", .place = clod_load_place(common)};
+    clod_case_contact contact = {0};
+    if (load_merged(loader, &alone, &contact)) {
+        check_law(loader, &alone, &contact);
+    }
+}
+
+void clod_contacts_load(clod_loader *loader, clod_case *self)
+{
+    const clod_node *contacts = clod_tree_find(loader->root, "contacts");
+    if (contacts == NULL || self->material_count == 0) {
+        return;
+    }
+    if (contacts->kind != CLOD_NODE_MAP) {
+        clod_report_add(loader->report, clod_load_place(contacts), "contacts",
+                        "must be sections by pair of materials (a-b), and default");
+        return;
+    }
+    if (self->material_count > CLOD_CONTACTS_MATERIALS) {
+        clod_check_fail(loader, "materials", "has %zu materials, at most %d are allowed",
+                        self->material_count, CLOD_CONTACTS_MATERIALS);
+        return;
+    }
+    self->pairs =
+        clod_memory_alloc(self->material_count * self->material_count, sizeof *self->pairs);
+    if (self->pairs == NULL) {
+        loader->report->lost = true;
+        return;
+    }
+    if (!check_sections(loader, self, contacts)) {
+        return;
+    }
+    check_default(loader, contacts);
+    for (int a = 0; a < (int)self->material_count; a++) {
+        for (int b = a; b < (int)self->material_count; b++) {
+            load_pair(loader, self, contacts, a, b);
+        }
+    }
+}

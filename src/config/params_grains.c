@@ -1,0 +1,253 @@
+/**
+ * @file params_grains.c
+ * Tables of grains: sizes, amounts, where they are put.
+ */
+
+#include "config/param.h"
+#include "config/params_radius.h"
+
+#define G clod_case_grains
+#define R clod_case_region
+
+static const char *const DISTRIBUTIONS[] = {
+    [CLOD_SIZE_NORMAL] = "normal", [CLOD_SIZE_UNIFORM] = "uniform", NULL};
+
+static const clod_param RADIUS[] = {
+    {.key = "distribution",
+     .kind = CLOD_PARAM_CHOICE,
+     .need = CLOD_PARAM_OPTIONAL,
+     .choices = DISTRIBUTIONS,
+     .fallback = "normal",
+     CLOD_AT(G, sizes),
+     .help = "Distribution by number: normal, cut to [min, max], or uniform between them.",
+     .source = "PHYSICS 6"},
+    CLOD_RADIUS_ROWS(G, CLOD_PARAM_OPTIONAL),
+};
+static const clod_table RADIUS_TABLE = {.title = "Radii drawn by number.", CLOD_ROWS(RADIUS)};
+
+static const clod_param SIEVE[] = {
+    {.key = "size",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "m",
+     CLOD_ABOVE(0, 10),
+     .example = "6.3 mm",
+     CLOD_AT(clod_case_sieve, size),
+     .help = "Opening of the sieve; grains just passing have this diameter.",
+     .source = "ISO 3310"},
+    {.key = "passing",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "1",
+     CLOD_FROM(0, 1),
+     .example = "45 %",
+     CLOD_AT(clod_case_sieve, passing),
+     .help = "Fraction of the whole mass that passes this sieve.",
+     .source = "ISO 3310"},
+};
+static const clod_table SIEVE_TABLE = {
+    .title = "One sieve.", CLOD_ROWS(SIEVE), .size = sizeof(clod_case_sieve)};
+
+static const clod_param SIZES[] = {
+    {.key = "sieve",
+     .kind = CLOD_PARAM_LIST,
+     .need = CLOD_PARAM_REQUIRED,
+     .table = &SIEVE_TABLE,
+     CLOD_AT(G, sieve),
+     CLOD_COUNT(G, sieve_count),
+     .help = "Sieve analysis by mass, fine to coarse, from 0 % to 100 % passing.",
+     .source = "ISO 3310"},
+};
+static const clod_table SIZES_TABLE = {.title = "Sizes by mass.", CLOD_ROWS(SIZES)};
+
+static const clod_param BOX[] = {
+    {.key = "min",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "m",
+     CLOD_FROM(-1e4, 1e4),
+     .example = "[0 mm, 0 mm, 0 mm]",
+     CLOD_AT(R, min),
+     .help = "Corner with the smallest x, y, z.",
+     .source = "convention"},
+    {.key = "max",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "m",
+     CLOD_FROM(-1e4, 1e4),
+     .example = "[50 mm, 50 mm, 80 mm]",
+     CLOD_AT(R, max),
+     .help = "Corner with the largest x, y, z.",
+     .source = "convention"},
+};
+static const clod_table BOX_TABLE = {.title = "A box along x, y, z.", CLOD_ROWS(BOX)};
+
+static const clod_param ANNULUS[] = {
+    {.key = "center",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m",
+     CLOD_FROM(-1e4, 1e4),
+     .fallback = "0 0 0 m",
+     CLOD_AT(R, center),
+     .help = "Centre of the bottom; the axis points along z.",
+     .source = "convention"},
+    {.key = "inner_radius",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m",
+     CLOD_FROM(0, 1e4),
+     .fallback = "0 m",
+     CLOD_AT(R, inner_radius),
+     .help = "Inner radius; 0 is a full cylinder.",
+     .source = "convention"},
+    {.key = "outer_radius",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "m",
+     CLOD_ABOVE(0, 1e4),
+     .example = "100 mm",
+     CLOD_AT(R, outer_radius),
+     .help = "Outer radius.",
+     .source = "convention"},
+    {.key = "height",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "m",
+     CLOD_ABOVE(0, 1e4),
+     .example = "80 mm",
+     CLOD_AT(R, height),
+     .help = "Height above the bottom.",
+     .source = "convention"},
+};
+static const clod_table ANNULUS_TABLE = {.title = "An upright annulus or cylinder.",
+                                         CLOD_ROWS(ANNULUS)};
+
+// in the order of clod_region_kind
+static const clod_param REGION[] = {
+    {.key = "box",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &BOX_TABLE,
+     .help = "A box along x, y, z.",
+     .source = "convention"},
+    {.key = "annulus",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &ANNULUS_TABLE,
+     .help = "An upright annulus or cylinder.",
+     .source = "convention"},
+};
+static const clod_table REGION_TABLE = {.title = "Where grains are put: one of these.",
+                                        CLOD_ROWS(REGION),
+                                        .one_of = true,
+                                        .kind = offsetof(R, kind)};
+
+static bool has_radius(const void *self)
+{
+    const G *grains = self;
+    return grains->file == NULL && grains->sizes != CLOD_SIZE_SIEVE;
+}
+
+static bool has_sieve(const void *self)
+{
+    return ((const G *)self)->sizes == CLOD_SIZE_SIEVE;
+}
+
+static bool has_region(const void *self)
+{
+    return ((const G *)self)->file == NULL;
+}
+
+static const clod_param GRAINS[] = {
+    {.key = "material",
+     .kind = CLOD_PARAM_TEXT,
+     .need = CLOD_PARAM_OPTIONAL,
+     .example = "ore",
+     CLOD_AT(G, material),
+     .help = "Name of a material; with a file it may stand there instead.",
+     .source = "convention"},
+    {.key = "count",
+     .kind = CLOD_PARAM_INTEGER,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_FROM(1, 1e9),
+     .example = "4000",
+     CLOD_AT(G, count),
+     .help = "Number of grains (one of count, mass, fill_height, file).",
+     .source = "convention"},
+    {.key = "mass",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "kg",
+     CLOD_ABOVE(0, 1e9),
+     .example = "1.2 kg",
+     CLOD_AT(G, mass),
+     .help = "Mass of all grains together (one of count, mass, fill_height, file).",
+     .source = "convention"},
+    {.key = "fill_height",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m",
+     CLOD_ABOVE(0, 1e4),
+     .example = "40 mm",
+     CLOD_AT(G, fill_height),
+     .help = "Height of the bed after settling, from the region's base area and fill_fraction "
+             "(one of count, mass, fill_height, file).",
+     .source = "convention"},
+    {.key = "fill_fraction",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_FROM(0.05, 0.74),
+     .fallback = "0.6",
+     CLOD_AT(G, fill_fraction),
+     .help = "Solid fraction assumed for fill_height.",
+     .source = "convention"},
+    {.key = "file",
+     .kind = CLOD_PARAM_FILE,
+     .need = CLOD_PARAM_OPTIONAL,
+     .example = "grains.csv",
+     CLOD_AT(G, file),
+     .help = "CSV with one grain a row: position, radius and, when given, velocity, spin, "
+             "material (one of count, mass, fill_height, file).",
+     .source = "convention"},
+    {.key = "radius",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &RADIUS_TABLE,
+     .shown = has_radius,
+     .help = "Grain radii by number (one of radius, sizes).",
+     .source = "PHYSICS 6"},
+    {.key = "sizes",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &SIZES_TABLE,
+     .shown = has_sieve,
+     .help = "Grain sizes by mass (one of radius, sizes).",
+     .source = "ISO 3310"},
+    {.key = "region",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &REGION_TABLE,
+     CLOD_AT(G, region),
+     .shown = has_region,
+     .help = "Where grains are put, at random and without overlap.",
+     .source = "convention"},
+    {.key = "velocity",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m/s",
+     CLOD_FROM(-1e3, 1e3),
+     .fallback = "0 0 0 m/s",
+     CLOD_AT(G, velocity),
+     .help = "Velocity of every grain of this group at the start.",
+     .source = "convention"},
+};
+
+const clod_table CLOD_TABLE_GRAINS = {
+    .title = "Groups of grains.", CLOD_ROWS(GRAINS), .size = sizeof(G)};

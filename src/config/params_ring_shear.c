@@ -1,0 +1,119 @@
+/**
+ * @file params_ring_shear.c
+ * Table of the virtual Schulze ring shear test.
+ */
+
+#include "config/param.h"
+#include "config/params_radius.h"
+
+#define R clod_case_ring_shear
+
+#define MATERIAL(name, text, word)                                                             \
+    {                                                                                          \
+        .key = #name, .kind = CLOD_PARAM_TEXT, .need = CLOD_PARAM_REQUIRED, .example = word,   \
+        CLOD_AT(R, name), .help = text, .source = "PHYSICS 6"                                  \
+    }
+#define REAL(name, si, range, value, text, where)                                              \
+    {                                                                                          \
+        .key = #name, .kind = CLOD_PARAM_REAL, .need = CLOD_PARAM_OPTIONAL, .unit = si, range, \
+        .fallback = value, CLOD_AT(R, name), .help = text, .source = where                     \
+    }
+#define WHOLE(name, range, value, text, where)                                                 \
+    {                                                                                          \
+        .key = #name, .kind = CLOD_PARAM_INTEGER, .need = CLOD_PARAM_OPTIONAL, .unit = "1",    \
+        range, .fallback = value, CLOD_AT(R, name), .help = text, .source = where              \
+    }
+
+static const clod_param RADIUS[] = {CLOD_RADIUS_ROWS(R, CLOD_PARAM_REQUIRED)};
+static const clod_table RADIUS_TABLE = {
+    .title = "Normal distribution of grain radii by number, cut to [min, max].",
+    CLOD_ROWS(RADIUS)};
+
+static const clod_param ROWS[] = {
+    MATERIAL(grain_material, "Material of the grains.", "ore"),
+    MATERIAL(side_material, "Material of the inner and outer side walls.", "side"),
+    MATERIAL(base_material, "Material of the base and its bars.", "base"),
+    MATERIAL(lid_material, "Material of the lid and its bars.", "base"),
+    {.key = "radius",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_REQUIRED,
+     .table = &RADIUS_TABLE,
+     .help = "Grain radii.",
+     .source = "PHYSICS 6"},
+    REAL(inner_radius, "m", CLOD_ABOVE(0, 10), "50 mm", "Inner radius of the annulus.",
+         "PHYSICS 7 (RST-01)"),
+    REAL(outer_radius, "m", CLOD_ABOVE(0, 10), "100 mm", "Outer radius of the annulus.",
+         "PHYSICS 7 (RST-01)"),
+    REAL(depth, "m", CLOD_ABOVE(0, 10), "40 mm", "Height of the specimen that filling aims at.",
+         "PHYSICS 7 (RST-01)"),
+    WHOLE(bar_count, CLOD_FROM(0, 1000), "20",
+          "Radial bars on the lid, and as many on the base.", "PHYSICS 7 (RST-01)"),
+    REAL(bar_height, "m", CLOD_ABOVE(0, 1), "6.35 mm",
+         "Height of a bar; at least one grain diameter grips well.", "PHYSICS 7"),
+    REAL(bar_width, "m", CLOD_ABOVE(0, 1), "3 mm", "Thickness of a bar.", "PHYSICS 7"),
+    REAL(lid_mass, "kg", CLOD_ABOVE(0, 1e4), "1 kg",
+         "Mass with which the lid moves; its weight is part of the normal stress.",
+         "PHYSICS 7"),
+    REAL(lid_damping, "1", CLOD_FROM(0, 100), "1",
+         "Damping of the lid as a fraction of critical against the stiffness of the bed.",
+         "PHYSICS 7"),
+    {.key = "grain_count",
+     .kind = CLOD_PARAM_INTEGER,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_FROM(0, 1e8),
+     .zero_word = "auto",
+     .fallback = "auto",
+     .example = "4000",
+     CLOD_AT(R, grain_count),
+     .help = "Number of grains, or auto: as many as fill the depth.",
+     .source = "PHYSICS 7"},
+    REAL(fill_fraction, "1", CLOD_FROM(0.05, 0.74), "0.6",
+         "Solid fraction from which auto takes the number of grains.", "PHYSICS 7"),
+    REAL(fill_adhesion, "1", CLOD_FROM(0, 1), "10 %",
+         "k_adh while filling, as a fraction of its value in contacts.", "PHYSICS 6"),
+    {.key = "preshear_stress",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "Pa",
+     CLOD_FROM(10, 1e8),
+     .example = "54.8 kPa",
+     CLOD_AT(R, preshear_stress),
+     .help = "Normal stress of consolidation and preshear at the shear plane.",
+     .source = "PHYSICS 6; ASTM D6773"},
+    {.key = "shear_stresses",
+     .kind = CLOD_PARAM_REALS,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "Pa",
+     CLOD_FROM(1, 1e8),
+     .example = "[10.96 kPa, 21.92 kPa, 32.88 kPa, 43.84 kPa]",
+     CLOD_AT(R, shear_stresses),
+     CLOD_COUNT(R, shear_stress_count),
+     .help = "Normal stresses of the points of the yield locus, each below preshear_stress; 20 "
+             "to 80 % of it is usual.",
+     .source = "PHYSICS 7; ASTM D6773"},
+    REAL(speed, "m/s", CLOD_ABOVE(0, 10), "30 mm/s",
+         "Speed of shear at the mean radius r_m; the inertial number should stay below 1e-3.",
+         "PHYSICS 5, 7"),
+    REAL(block_displacement, "m", CLOD_ABOVE(0, 1), "2 mm",
+         "Shear displacement at r_m over which one block average of the shear stress goes.",
+         "PHYSICS 7"),
+    WHOLE(steady_blocks, CLOD_FROM(2, 1000), "5",
+          "Number of blocks in a row that must agree for preshear to count as steady.",
+          "PHYSICS 7"),
+    REAL(steady_tolerance, "1", CLOD_ABOVE(0, 1), "2 %",
+         "How well the blocks must agree, relative to their mean.", "PHYSICS 7"),
+    REAL(preshear_max, "m", CLOD_ABOVE(0, 100), "120 mm",
+         "Preshear stops here at the latest and the result says that it was not steady.",
+         "PHYSICS 7"),
+    REAL(shear_max, "m", CLOD_ABOVE(0, 100), "15 mm",
+         "Longest shear of a point in search of its peak.", "PHYSICS 7"),
+    REAL(beyond_peak, "m", CLOD_ABOVE(0, 100), "2 mm",
+         "Shear that is recorded beyond the peak.", "PHYSICS 7"),
+    WHOLE(seeds, CLOD_FROM(1, 1000), "1",
+          "Number of repeats with seed, seed + 1, ...; from two on results have error bars.",
+          "PHYSICS 7"),
+};
+
+const clod_table CLOD_TABLE_RING_SHEAR = {.title = "Virtual Schulze ring shear test.",
+                                          CLOD_ROWS(ROWS)};

@@ -1,0 +1,264 @@
+/**
+ * @file params_wall.c
+ * Tables of walls: shapes, motion, load.
+ */
+
+#include "config/param.h"
+
+#define S clod_case_shape
+#define W clod_case_wall
+
+#define LENGTH(name, field_help, text)                                                         \
+    {                                                                                          \
+        .key = #name, .kind = CLOD_PARAM_REAL, .need = CLOD_PARAM_REQUIRED, .unit = "m",       \
+        CLOD_ABOVE(0, 1e4), .example = text, CLOD_AT(S, name), .help = field_help,             \
+        .source = "convention"                                                                 \
+    }
+#define POSITION(name, field, field_help, text)                                                \
+    {                                                                                          \
+        .key = name, .kind = CLOD_PARAM_VECTOR, .length = 3, .need = CLOD_PARAM_REQUIRED,      \
+        .unit = "m", CLOD_FROM(-1e4, 1e4), .example = text, CLOD_AT(S, field),                 \
+        .help = field_help, .source = "convention"                                             \
+    }
+#define DIRECTION(name, field_help, text)                                                      \
+    {                                                                                          \
+        .key = #name, .kind = CLOD_PARAM_VECTOR, .length = 3, .need = CLOD_PARAM_OPTIONAL,     \
+        .unit = "1", CLOD_FROM(-1e4, 1e4), .nonzero = true, .fallback = text,                  \
+        CLOD_AT(S, name), .help = field_help, .source = "convention"                           \
+    }
+
+static const char *const SIDES[] = {
+    [CLOD_SIDE_INSIDE] = "inside", [CLOD_SIDE_OUTSIDE] = "outside", NULL};
+
+static const clod_param PLANE[] = {
+    POSITION("point", point, "A point of the plane.", "[0 mm, 0 mm, 0 mm]"),
+    DIRECTION(normal, "Direction towards the grains.", "0 0 1"),
+};
+static const clod_table PLANE_TABLE = {.title = "An endless plane.", CLOD_ROWS(PLANE)};
+
+static const clod_param DISC[] = {
+    POSITION("center", point, "Centre.", "[0 mm, 0 mm, 40 mm]"),
+    DIRECTION(normal, "Direction towards the grains.", "0 0 1"),
+    LENGTH(radius, "Radius.", "100 mm"),
+};
+static const clod_table DISC_TABLE = {.title = "A flat disc.", CLOD_ROWS(DISC)};
+
+static const clod_param ANNULUS[] = {
+    POSITION("center", point, "Centre.", "[0 mm, 0 mm, 40 mm]"),
+    DIRECTION(normal, "Direction towards the grains.", "0 0 1"),
+    LENGTH(inner_radius, "Radius of the hole.", "50 mm"),
+    LENGTH(outer_radius, "Outer radius.", "100 mm"),
+};
+static const clod_table ANNULUS_TABLE = {.title = "A flat ring.", CLOD_ROWS(ANNULUS)};
+
+static const clod_param CYLINDER[] = {
+    POSITION("foot", point, "Foot of the axis, where the cylinder begins.",
+             "[0 mm, 0 mm, 0 mm]"),
+    DIRECTION(axis, "Direction of the axis.", "0 0 1"),
+    LENGTH(radius, "Radius.", "100 mm"),
+    LENGTH(length, "Length along the axis.", "60 mm"),
+    {.key = "side",
+     .kind = CLOD_PARAM_CHOICE,
+     .need = CLOD_PARAM_OPTIONAL,
+     .choices = SIDES,
+     .fallback = "inside",
+     CLOD_AT(S, side),
+     .help = "Side on which the grains are.",
+     .source = "convention"},
+};
+static const clod_table CYLINDER_TABLE = {.title = "The shell of a cylinder.",
+                                          CLOD_ROWS(CYLINDER)};
+
+static const clod_param BOX[] = {
+    POSITION("center", point, "Centre.", "[0 mm, 0 mm, 5 mm]"),
+    {.key = "size",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "m",
+     CLOD_ABOVE(0, 1e4),
+     .example = "[20 mm, 20 mm, 10 mm]",
+     CLOD_AT(S, size),
+     .help = "Edge lengths along x, y, z; grains are outside.",
+     .source = "convention"},
+};
+static const clod_table BOX_TABLE = {.title = "A solid box along x, y, z.", CLOD_ROWS(BOX)};
+
+static const clod_param BAR[] = {
+    POSITION("from", from, "One end of the centre line.", "[50 mm, 0 mm, 3 mm]"),
+    POSITION("to", to, "The other end of the centre line.", "[100 mm, 0 mm, 3 mm]"),
+    LENGTH(width, "Thickness across.", "3 mm"),
+    LENGTH(height, "Height along up, half on each side of the centre line.", "6.35 mm"),
+    DIRECTION(up, "Direction of the height.", "0 0 1"),
+};
+static const clod_table BAR_TABLE = {.title = "A straight bar with four sides and two ends.",
+                                     CLOD_ROWS(BAR)};
+
+#define SHAPE(name, sub, field_help)                                                           \
+    {                                                                                          \
+        .key = name, .kind = CLOD_PARAM_SECTION, .need = CLOD_PARAM_OPTIONAL, .table = &(sub), \
+        .help = field_help, .source = "convention"                                             \
+    }
+
+// in the order of clod_shape_kind
+static const clod_param SHAPES[] = {
+    SHAPE("plane", PLANE_TABLE, "An endless plane."),
+    SHAPE("disc", DISC_TABLE, "A flat disc."),
+    SHAPE("annulus", ANNULUS_TABLE, "A flat ring."),
+    SHAPE("cylinder", CYLINDER_TABLE, "The shell of a cylinder."),
+    SHAPE("box", BOX_TABLE, "A solid box along x, y, z."),
+    SHAPE("bar", BAR_TABLE, "A straight bar."),
+};
+static const clod_table SHAPE_TABLE = {.title = "One surface: one of these.",
+                                       CLOD_ROWS(SHAPES),
+                                       .size = sizeof(S),
+                                       .one_of = true,
+                                       .kind = offsetof(S, kind)};
+
+static const clod_param LOAD[] = {
+    {.key = "force",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "N",
+     CLOD_FROM(0, 1e9),
+     .example = "50 N",
+     CLOD_AT(W, force),
+     .help = "Force with which the load pushes (one of force, stress).",
+     .source = "convention"},
+    {.key = "stress",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "Pa",
+     CLOD_FROM(0, 1e9),
+     .example = "10 kPa",
+     CLOD_AT(W, stress),
+     .help = "Stress with which the load pushes; times area it is the force (one of force, "
+             "stress).",
+     .source = "convention"},
+    {.key = "area",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m2",
+     CLOD_ABOVE(0, 1e6),
+     .example = "25 cm2",
+     CLOD_AT(W, area),
+     .help = "Area on which stress acts; needed with stress.",
+     .source = "convention"},
+    {.key = "axis",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_FROM(-1e4, 1e4),
+     .nonzero = true,
+     .fallback = "0 0 -1",
+     CLOD_AT(W, load_axis),
+     .help = "Direction in which the load pushes the wall.",
+     .source = "convention"},
+    {.key = "mass",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "kg",
+     CLOD_ABOVE(0, 1e6),
+     .example = "1 kg",
+     CLOD_AT(W, mass),
+     .help = "Mass of the loaded wall; its weight counts besides the load.",
+     .source = "convention"},
+    {.key = "damping",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_FROM(0, 100),
+     .fallback = "1",
+     CLOD_AT(W, damping),
+     .help = "Damping of the wall as a fraction of critical against the stiffness of the bed.",
+     .source = "convention"},
+};
+static const clod_table LOAD_TABLE = {.title = "Load that presses a wall along an axis.",
+                                      CLOD_ROWS(LOAD)};
+
+static bool has_load(const void *self)
+{
+    return ((const W *)self)->load != CLOD_LOAD_NONE;
+}
+
+static const clod_param WALL[] = {
+    {.key = "material",
+     .kind = CLOD_PARAM_TEXT,
+     .need = CLOD_PARAM_REQUIRED,
+     .example = "smooth",
+     CLOD_AT(W, material),
+     .help = "Name of a material.",
+     .source = "convention"},
+    {.key = "shapes",
+     .kind = CLOD_PARAM_LIST,
+     .need = CLOD_PARAM_REQUIRED,
+     .table = &SHAPE_TABLE,
+     CLOD_AT(W, shapes),
+     CLOD_COUNT(W, shape_count),
+     .help = "The surfaces of the wall; they move as one body.",
+     .source = "convention"},
+    {.key = "velocity",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m/s",
+     CLOD_FROM(-1e3, 1e3),
+     .fallback = "0 0 0 m/s",
+     CLOD_AT(W, velocity),
+     .help = "Velocity of the whole wall.",
+     .source = "convention"},
+    {.key = "spin",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "rad/s",
+     CLOD_FROM(-1e4, 1e4),
+     .fallback = "0 rad/s",
+     .example = "20 rpm",
+     CLOD_AT(W, spin),
+     .help = "Speed of rotation about spin_axis through spin_point, by the right-hand rule.",
+     .source = "convention"},
+    {.key = "spin_axis",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_FROM(-1e4, 1e4),
+     .nonzero = true,
+     .fallback = "0 0 1",
+     CLOD_AT(W, spin_axis),
+     .help = "Direction of the axis of rotation.",
+     .source = "convention"},
+    {.key = "spin_point",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m",
+     CLOD_FROM(-1e4, 1e4),
+     .fallback = "0 0 0 m",
+     CLOD_AT(W, spin_point),
+     .help = "A point of the axis of rotation; torque is reported about it.",
+     .source = "convention"},
+    {.key = "surface_velocity",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m/s",
+     CLOD_FROM(-1e3, 1e3),
+     .fallback = "0 0 0 m/s",
+     CLOD_AT(W, surface_velocity),
+     .help = "Velocity of the surface while the shape stays in place, as on a belt.",
+     .source = "convention"},
+    {.key = "load",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &LOAD_TABLE,
+     .shown = has_load,
+     .help = "Load under which the wall moves freely along one axis.",
+     .source = "PHYSICS 7"},
+};
+
+const clod_table CLOD_TABLE_WALL = {.title =
+                                        "Walls, by name: rigid bodies of one or more shapes.",
+                                    CLOD_ROWS(WALL),
+                                    .size = sizeof(W)};

@@ -1,0 +1,237 @@
+#include "config/report.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+#define MESSAGE_SIZE 1024
+#define WINDOW 100 ///< bytes of a source line that are shown at most
+
+static bool known(const clod_report *self, const clod_report_item *item)
+{
+    for (size_t i = 0; i < self->count; i++) {
+        const clod_report_item *old = &self->items[i];
+        if (old->place.source == item->place.source && old->place.line == item->place.line &&
+            old->place.column == item->place.column &&
+            strcmp(old->message, item->message) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool reserve(clod_report *self)
+{
+    if (self->count < self->capacity) {
+        return true;
+    }
+    const size_t capacity = self->capacity == 0 ? 16 : 2 * self->capacity;
+    clod_report_item *items =
+        clod_memory_grow(self->items, self->capacity, capacity, sizeof *items);
+    if (items == NULL) {
+        return false;
+    }
+    self->items = items;
+    self->capacity = capacity;
+    return true;
+}
+
+/** Bytes below 32 of a user's text would spoil the terminal: show them as `?`. */
+static void make_printable(char *text)
+{
+    for (; *text != '\0'; text++) {
+        if ((unsigned char)*text < ' ' || *text == 127) {
+            *text = '?';
+        }
+    }
+}
+
+void clod_report_add(clod_report *self, clod_place place, const char *path, const char *format,
+                     ...)
+{
+    char message[MESSAGE_SIZE];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(message, sizeof message, format, args);
+    va_end(args);
+    make_printable(message);
+    clod_report_item item = {.place = place, .order = self->count};
+    item.message = clod_arena_text(&self->arena, message, strlen(message));
+    item.path = clod_arena_text(&self->arena, path, strlen(path));
+    if (item.message == NULL || item.path == NULL || !reserve(self)) {
+        self->lost = true;
+        return;
+    }
+    if (!known(self, &item)) {
+        self->items[self->count++] = item;
+    }
+}
+
+bool clod_report_clean(const clod_report *self, const char *path)
+{
+    const size_t length = strlen(path);
+    for (size_t i = 0; i < self->count; i++) {
+        const char *own = self->items[i].path;
+        if (strncmp(own, path, length) == 0 &&
+            (length == 0 || own[length] == '\0' || own[length] == '.')) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static int compare(const void *left, const void *right)
+{
+    const clod_report_item *a = left;
+    const clod_report_item *b = right;
+    if (a->place.source != b->place.source) {
+        return a->place.source < b->place.source ? -1 : 1;
+    }
+    if (a->place.source == 0 && a->place.line != b->place.line) {
+        return a->place.line < b->place.line ? -1 : 1;
+    }
+    if (a->place.source == 0 && a->place.column != b->place.column) {
+        return a->place.column < b->place.column ? -1 : 1;
+    }
+    return a->order < b->order ? -1 : a->order > b->order;
+}
+
+/** Start of line number `line` (from 1), or NULL past the end. */
+static const char *find_line(const clod_report *self, int line, size_t *length)
+{
+    const char *end = self->text + self->length;
+    const char *at = self->text;
+    for (int i = 1; i < line && at != NULL && at < end; i++) {
+        at = memchr(at, '\n', (size_t)(end - at));
+        at = at == NULL ? NULL : at + 1;
+    }
+    if (at == NULL || at >= end) {
+        return NULL;
+    }
+    const char *stop = memchr(at, '\n', (size_t)(end - at));
+    *length = (size_t)((stop == NULL ? end : stop) - at);
+    if (*length > 0 && at[*length - 1] == '\r') {
+        (*length)--;
+    }
+    return at;
+}
+
+/** Byte offset of a column that counts characters. */
+static size_t byte_of_column(const char *line, size_t length, int column)
+{
+    size_t at = 0;
+    for (int i = 1; i < column && at < length; i++) {
+        at++;
+        while (at < length && ((unsigned char)line[at] & 0xC0) == 0x80) {
+            at++;
+        }
+    }
+    return at;
+}
+
+/** The source line and the caret under it, as two lines. */
+static void print_source(FILE *out, const clod_report *self, clod_place place)
+{
+    size_t length = 0;
+    const char *line = find_line(self, place.line, &length);
+    if (line == NULL || length == 0) {
+        return;
+    }
+    const size_t caret = byte_of_column(line, length, place.column);
+    const size_t stop = byte_of_column(line, length, place.column + place.width);
+    const size_t shown = caret < WINDOW ? 0 : caret - WINDOW / 2;
+    const size_t end = length - shown < WINDOW ? length : shown + WINDOW;
+    fputs("  ", out);
+    for (size_t i = shown; i < end; i++) {
+        const bool control = (unsigned char)line[i] < ' ' && line[i] != '\t';
+        fputc(control ? '?' : line[i], out);
+    }
+    fputs("\n  ", out);
+    for (size_t i = shown; i < caret; i++) {
+        if (((unsigned char)line[i] & 0xC0) != 0x80) {
+            fputc(line[i] == '\t' ? '\t' : ' ', out);
+        }
+    }
+    fputc('^', out);
+    for (size_t i = caret + 1; i < stop && i < end; i++) {
+        if (((unsigned char)line[i] & 0xC0) != 0x80) {
+            fputc('~', out);
+        }
+    }
+    fputc('\n', out);
+}
+
+static void print_item(FILE *out, const clod_report *self, const clod_report_item *item)
+{
+    if (item->place.source == 0) {
+        fprintf(out, "%s:%d:%d: ", self->name, item->place.line, item->place.column);
+    } else {
+        fprintf(out, "--set %s: ", self->overrides[item->place.source - 1]);
+    }
+    if (item->path[0] != '\0') {
+        fprintf(out, "%s: ", item->path);
+    }
+    fprintf(out, "%s\n", item->message);
+    if (item->place.source == 0) {
+        print_source(out, self, item->place);
+    }
+}
+
+/** As many whole errors as fit into the status, then how many there are besides. */
+static void print_all(const clod_report *self, clod_status *status)
+{
+    const size_t reserve_end = 64;
+    size_t used = 0;
+    size_t shown = 0;
+    status->text[0] = '\0';
+    for (; shown < self->count; shown++) {
+        char *text = NULL;
+        size_t size = 0;
+        FILE *out = open_memstream(&text, &size);
+        if (out == NULL) {
+            break;
+        }
+        print_item(out, self, &self->items[shown]);
+        const bool written = fclose(out) == 0;
+        const bool fits = written && used + size + reserve_end < sizeof status->text;
+        if (fits) {
+            memcpy(status->text + used, text, size + 1);
+            used += size;
+        }
+        free(text);
+        if (!fits) {
+            break;
+        }
+    }
+    if (shown < self->count) {
+        snprintf(status->text + used, sizeof status->text - used, "and %zu more error%s\n",
+                 self->count - shown, self->count - shown == 1 ? "" : "s");
+    }
+    const size_t length = strlen(status->text);
+    if (length > 0 && status->text[length - 1] == '\n') {
+        status->text[length - 1] = '\0';
+    }
+}
+
+bool clod_report_finish(clod_report *self, clod_status *status)
+{
+    if (self->lost) {
+        return clod_status_fail(status, CLOD_FAILED, "%s: out of memory", self->name);
+    }
+    if (self->count == 0) {
+        return true;
+    }
+    qsort(self->items, self->count, sizeof *self->items, compare);
+    clod_status_fail(status, CLOD_USAGE, "%s", "");
+    print_all(self, status);
+    return false;
+}
+
+void clod_report_fini(clod_report *self)
+{
+    clod_memory_free(self->items);
+    self->items = NULL;
+    clod_arena_fini(&self->arena);
+}

@@ -1,0 +1,408 @@
+#include "config/unit.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <udunits2.h>
+
+#include "config/suggest.h"
+
+#define LONGEST_UNIT 48
+#define DEGREE 0.017453292519943295 // pi/180
+
+static const clod_unit_kind KINDS[] = {
+    {"1", "a number", "number", "%"},
+    {"Pa", "a pressure", "pressure", "kPa"},
+    {"m", "a length", "length", "mm"},
+    {"m2", "an area", "area", "cm2"},
+    {"s", "a time", "time", "ms"},
+    {"m/s", "a speed", "speed", "mm/s"},
+    {"m/s2", "an acceleration", "acceleration", "m/s2"},
+    {"kg", "a mass", "mass", "kg"},
+    {"kg/m3", "a density", "density", "kg/m3"},
+    {"N", "a force", "force", "N"},
+    {"rad", "an angle", "angle", "deg"},
+    {"rad/s", "a speed of rotation", "rotation", "rpm"},
+};
+
+static const char *const COMMON[] = {
+    "Pa",   "kPa",   "MPa",   "GPa",    "bar",   "psi",   "m",     "mm",    "cm",   "um",
+    "km",   "inch",  "ft",    "s",      "ms",    "us",    "min",   "h",     "kg",   "g",
+    "mg",   "t",     "lb",    "N",      "kN",    "mN",    "lbf",   "m/s",   "mm/s", "mm/min",
+    "m/s2", "kg/m3", "g/cm3", "t/m3",   "rad",   "deg",   "rad/s", "deg/s", "rpm",  "m2",
+    "mm2",  "cm2",   "psf",   "pcf",    "N/m2",  "kN/m2", "mbar",  "hPa",   "cm/s", "km/h",
+    "ft/s", "dm",    "ns",    "minute", "degree"};
+
+/** Words that make a unit one of rotation; without them Hz would pass for rad/s. */
+static const char *const ANGLES[] = {"rad",  "mrad",  "radian", "radians",
+                                     "deg",  "rpm",   "degree", "degrees",
+                                     "turn", "turns", "rps",    "arc_degree"};
+
+/** udunits keeps its status in global variables: one call at a time, over all threads. */
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+/** The unit database; read once, then only looked at, always under the lock. */
+static ut_system *database;
+
+const clod_unit_kind *clod_unit_describe(const char *unit)
+{
+    for (size_t i = 0; i < sizeof KINDS / sizeof KINDS[0]; i++) {
+        if (strcmp(KINDS[i].unit, unit) == 0) {
+            return &KINDS[i];
+        }
+    }
+    return &KINDS[0];
+}
+
+const char *clod_unit_number(const char *text, double *value)
+{
+    const char *at = text + strspn(text, " ");
+    const char *start = at;
+    at += *at == '+' || *at == '-';
+    const size_t whole = strspn(at, "0123456789");
+    at += whole;
+    size_t part = 0;
+    if (*at == '.') {
+        part = strspn(at + 1, "0123456789");
+        at += part + 1;
+    }
+    if (whole + part == 0) {
+        return NULL;
+    }
+    if (*at == 'e' || *at == 'E') {
+        const char *digits = at + 1;
+        digits += *digits == '+' || *digits == '-';
+        const size_t count = strspn(digits, "0123456789");
+        at = count == 0 ? at : digits + count;
+    }
+    char digits[64];
+    const size_t length = (size_t)(at - start);
+    if (length >= sizeof digits) {
+        return NULL;
+    }
+    memcpy(digits, start, length);
+    digits[length] = '\0';
+    *value = strtod(digits, NULL);
+    return isfinite(*value) ? at + strspn(at, " ") : NULL;
+}
+
+/** Spellings of the keyboard and of typesetting -> what udunits reads. */
+static bool normalise(const char *written, char unit[LONGEST_UNIT])
+{
+    static const char *const PAIRS[][2] = {{"²", "2"}, {"³", "3"}, {"·", "."},
+                                           {"µ", "u"}, {"μ", "u"}, {"°", "deg"}};
+    size_t used = 0;
+    while (*written != '\0') {
+        const char *text = NULL;
+        size_t step = 1;
+        for (size_t i = 0; i < sizeof PAIRS / sizeof PAIRS[0] && text == NULL; i++) {
+            const size_t length = strlen(PAIRS[i][0]);
+            if (strncmp(written, PAIRS[i][0], length) == 0) {
+                text = PAIRS[i][1];
+                step = length;
+            }
+        }
+        const size_t length = text == NULL ? 1 : strlen(text);
+        if (used + length >= LONGEST_UNIT) {
+            return false;
+        }
+        memcpy(unit + used, text == NULL ? written : text, length);
+        used += length;
+        written += step;
+    }
+    while (used > 0 && unit[used - 1] == ' ') {
+        used--;
+    }
+    unit[used] = '\0';
+    return true;
+}
+
+/** One factor of a unit: letters, then perhaps a whole exponent; NULL when it is none. */
+static const char *skip_term(const char *at)
+{
+    if (*at == '%') {
+        return at + 1;
+    }
+    const char *start = at;
+    while (isalpha((unsigned char)*at) || *at == '_') {
+        at++;
+    }
+    if (at == start) {
+        return NULL;
+    }
+    if (*at == '^' || *at == '-' || isdigit((unsigned char)*at)) {
+        at += *at == '^';
+        at += *at == '-';
+        if (*at < '1' || *at > '9') {
+            return NULL;
+        }
+        at++;
+    }
+    return at;
+}
+
+/** The whitelist: factors with whole exponents, joined by blank, dot, star or slash. */
+static bool well_formed(const char *unit)
+{
+    for (const char *at = skip_term(unit); at != NULL; at = skip_term(at)) {
+        if (*at == '\0') {
+            return true;
+        }
+        const char *before = at;
+        at += strspn(at, " ");
+        at += *at == '.' || *at == '*' || *at == '/';
+        at += strspn(at, " ");
+        if (at == before) {
+            return false;
+        }
+    }
+    return false;
+}
+
+/** True when one of the words of a unit is in the list. */
+static bool has_word(const char *unit, const char *const *words, size_t count)
+{
+    char word[LONGEST_UNIT];
+    while (*unit != '\0') {
+        size_t length = 0;
+        while (isalpha((unsigned char)unit[length]) || unit[length] == '_') {
+            length++;
+        }
+        memcpy(word, unit, length);
+        word[length] = '\0';
+        for (size_t i = 0; i < count; i++) {
+            if (strcmp(word, words[i]) == 0) {
+                return true;
+            }
+        }
+        unit += length + (length == 0);
+    }
+    return false;
+}
+
+static void add_name(const char *name, double factor, const char *of)
+{
+    ut_unit *base = ut_parse(database, of, UT_ASCII);
+    ut_unit *unit = base == NULL ? NULL : ut_scale(factor, base);
+    if (unit != NULL) {
+        ut_map_name_to_unit(name, UT_ASCII, unit);
+    }
+    ut_free(unit);
+    ut_free(base);
+}
+
+static bool open_database(void)
+{
+    if (database == NULL) {
+        ut_set_error_message_handler(ut_ignore);
+        database = ut_read_xml(NULL);
+        if (database != NULL) {
+            add_name("deg", DEGREE, "radian");
+            add_name("psf", 1.0, "lbf/ft^2");
+            add_name("pcf", 1.0, "lb/ft^3");
+        }
+    }
+    return database != NULL;
+}
+
+typedef enum outcome { CONVERTED, NO_DATABASE, UNKNOWN_UNIT, OTHER_KIND } outcome;
+
+/** Multiply by the factor; a factor such as 0.001 is a division, so that 6.35 mm is 0.00635 m.
+ */
+static double scaled(double value, double factor)
+{
+    const double inverse = round(1.0 / factor);
+    if (factor < 1.0 && fabs(inverse * factor - 1.0) < 1e-14) {
+        return value / inverse;
+    }
+    return value * factor;
+}
+
+static outcome convert_locked(const char *from, const char *to, double *value)
+{
+    if (!open_database()) {
+        return NO_DATABASE;
+    }
+    ut_unit *source = ut_parse(database, from, UT_ASCII);
+    ut_unit *target = ut_parse(database, to, UT_ASCII);
+    outcome result = source == NULL || target == NULL ? UNKNOWN_UNIT : OTHER_KIND;
+    if (result == OTHER_KIND && ut_are_convertible(source, target)) {
+        cv_converter *converter = ut_get_converter(source, target);
+        // every unit of the tables is a plain multiple: degC and dB, with offsets, are not
+        if (converter != NULL && cv_convert_double(converter, 0.0) == 0.0) {
+            *value = scaled(*value, cv_convert_double(converter, 1.0));
+            result = isfinite(*value) ? CONVERTED : OTHER_KIND;
+        }
+        cv_free(converter);
+    }
+    ut_free(source);
+    ut_free(target);
+    return result;
+}
+
+static bool fail_unknown(const char *written, char *message)
+{
+    char hint[64];
+    clod_suggest near = clod_suggest_start(written);
+    for (size_t i = 0; i < sizeof COMMON / sizeof COMMON[0]; i++) {
+        clod_suggest_offer(&near, COMMON[i]);
+    }
+    snprintf(message, CLOD_UNIT_MESSAGE, "unit \"%s\" is not known%s", written,
+             clod_suggest_text(&near, hint, sizeof hint));
+    return false;
+}
+
+static bool convert_number(const char *unit, double *value, char *message)
+{
+    if (unit[0] == '\0') {
+        return true;
+    }
+    if (strcmp(unit, "%") == 0) {
+        *value /= 100.0;
+        return true;
+    }
+    snprintf(message, CLOD_UNIT_MESSAGE, "takes a pure number or %%, not the unit \"%s\"",
+             unit);
+    return false;
+}
+
+static bool fail_kind(const char *written, const clod_unit_kind *kind, double value,
+                      char *message)
+{
+    if (written[0] == '\0') {
+        snprintf(message, CLOD_UNIT_MESSAGE, "%.10g needs a unit of %s, for instance %.10g %s",
+                 value, kind->of, value, kind->example);
+    } else {
+        snprintf(message, CLOD_UNIT_MESSAGE, "%.10g %s is not %s; write for instance %.10g %s",
+                 value, written, kind->noun, value, kind->example);
+    }
+    return false;
+}
+
+bool clod_unit_convert(const char *written, const char *unit, double *value,
+                       char message[CLOD_UNIT_MESSAGE])
+{
+    static const char *const TONS[] = {"ton", "tons"};
+    const clod_unit_kind *kind = clod_unit_describe(unit);
+    char clean[LONGEST_UNIT];
+    if (written[0] == ',') {
+        snprintf(message, CLOD_UNIT_MESSAGE, "write the decimal point as a point, not a comma");
+        return false;
+    }
+    if (!normalise(written, clean)) {
+        snprintf(message, CLOD_UNIT_MESSAGE, "the unit is too long to be one");
+        return false;
+    }
+    if (strcmp(unit, "1") == 0) {
+        return convert_number(clean, value, message);
+    }
+    if (clean[0] == '\0' || strcmp(clean, "%") == 0) {
+        return *value == 0.0 || fail_kind(clean, kind, *value, message);
+    }
+    if (strcmp(clean, unit) == 0) {
+        return true;
+    }
+    if (!well_formed(clean)) {
+        snprintf(message, CLOD_UNIT_MESSAGE,
+                 "\"%s\" is not a unit; write units like %s or kg/m3, with whole exponents",
+                 clean, kind->example);
+        return false;
+    }
+    if (has_word(clean, TONS, sizeof TONS / sizeof TONS[0])) {
+        snprintf(message, CLOD_UNIT_MESSAGE,
+                 "\"ton\" means different masses; write t (1000 kg) or short_ton (907.18 kg)");
+        return false;
+    }
+    const bool angle = strncmp(unit, "rad", 3) == 0;
+    if (angle != has_word(clean, ANGLES, sizeof ANGLES / sizeof ANGLES[0])) {
+        return fail_kind(clean, kind, *value, message);
+    }
+    pthread_mutex_lock(&lock);
+    const outcome result = convert_locked(clean, unit, value);
+    pthread_mutex_unlock(&lock);
+    switch (result) {
+    case CONVERTED:
+        return true;
+    case NO_DATABASE:
+        snprintf(message, CLOD_UNIT_MESSAGE,
+                 "the unit database of UDUNITS-2 is missing; install libudunits2-data");
+        return false;
+    case UNKNOWN_UNIT:
+        return fail_unknown(clean, message);
+    default:
+        return fail_kind(clean, kind, *value, message);
+    }
+}
+
+static double prefix_factor(const char **at)
+{
+    static const char PREFIXES[] = "kMG";
+    static const double FACTORS[] = {1e3, 1e6, 1e9};
+    const char *found = **at == '\0' ? NULL : strchr(PREFIXES, **at);
+    if (found == NULL) {
+        return 1.0;
+    }
+    (*at)++;
+    return FACTORS[found - PREFIXES];
+}
+
+/** Parse "kN/mm^1.5" into the factor of N, of m, and the exponent. */
+static bool split_stiffness(const char *unit, double *newton, bool *milli, double *exponent)
+{
+    const char *at = unit;
+    *newton = prefix_factor(&at);
+    if (at[0] != 'N' || at[1] != '/') {
+        return false;
+    }
+    at += 2;
+    *milli = at[0] == 'm' && at[1] == 'm';
+    at += *milli ? 2 : 1;
+    if (at[-1] != 'm') {
+        return false;
+    }
+    *exponent = 1.0;
+    if (*at == '^') {
+        at = isdigit((unsigned char)at[1]) ? clod_unit_number(at + 1, exponent) : NULL;
+    }
+    return at != NULL && *at == '\0';
+}
+
+bool clod_unit_stiffness(const char *written, double exponent, double *value,
+                         char message[CLOD_UNIT_MESSAGE])
+{
+    char example[32] = "N/m";
+    if (exponent != 1.0) {
+        snprintf(example, sizeof example, "N/m^%.10g", exponent);
+    }
+    if (written[0] == '\0') {
+        if (*value == 0.0) {
+            return true;
+        }
+        snprintf(message, CLOD_UNIT_MESSAGE,
+                 "%.10g needs a unit of stiffness, for instance %.10g %s", *value, *value,
+                 example);
+        return false;
+    }
+    char clean[LONGEST_UNIT] = "";
+    double newton = 1.0;
+    double written_exponent = 1.0;
+    bool milli = false;
+    if (!normalise(written, clean) ||
+        !split_stiffness(clean, &newton, &milli, &written_exponent)) {
+        snprintf(message, CLOD_UNIT_MESSAGE,
+                 "\"%s\" is not a stiffness; with exponent %.10g write %.10g %s", clean,
+                 exponent, *value, example);
+        return false;
+    }
+    if (fabs(written_exponent - exponent) > 1e-9) {
+        snprintf(message, CLOD_UNIT_MESSAGE,
+                 "%s does not go with exponent %.10g of this contact; write %s or change the "
+                 "exponent",
+                 clean, exponent, example);
+        return false;
+    }
+    *value *= newton * (milli ? pow(1000.0, exponent) : 1.0);
+    return true;
+}
