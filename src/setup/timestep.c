@@ -103,7 +103,7 @@ static clod_timestep_spring stiffer(clod_timestep_spring a, clod_timestep_spring
 /**
  * The spring of a pair with the shortest period. Masses: a slip moves and turns both grains,
  * 1/m* + R^2/I each gives 2/7 m*; rolling turns them alone, with a stiffness per R*^2, which
- * gives I*/R*^2 = 1.6 m* for two equal grains and 0.4 m* at a wall.
+ * gives (I/2)/(R/2)^2 = 1.6 m* for two equal grains and 0.4 m* at a wall.
  */
 static clod_timestep_spring stiffest_spring(const clod_timestep_pair *pair, double radius)
 {
@@ -163,8 +163,6 @@ static void meet(const clod_case *from, const clod_timestep_grains *grains, int 
 static const char *reason_text(clod_timestep_reason reason)
 {
     switch (reason) {
-    case CLOD_TIMESTEP_GIVEN:
-        return "given in the case";
     case CLOD_TIMESTEP_UNLOADING:
         return "normal stiffness of unloading (k2)";
     case CLOD_TIMESTEP_TANGENTIAL:
@@ -203,11 +201,8 @@ clod_timestep clod_timestep_choose(const clod_case *from, const clod_timestep_gr
             }
         }
     }
-    self.step = self.automatic;
-    if (from->time.step > 0.0) {
-        self.step = from->time.step;
-        self.reason = CLOD_TIMESTEP_GIVEN;
-    }
+    self.given = from->time.step > 0.0;
+    self.step = self.given ? from->time.step : self.automatic;
     self.text = reason_text(self.reason);
     self.rayleigh = smallest_rayleigh(from, grains);
     self.rayleigh_fraction = self.rayleigh > 0.0 ? self.step / self.rayleigh : 0.0;

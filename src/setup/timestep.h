@@ -9,7 +9,6 @@
 
 /** What sets the automatic step. */
 typedef enum clod_timestep_reason {
-    CLOD_TIMESTEP_GIVEN,      ///< the case says it
     CLOD_TIMESTEP_UNLOADING,  ///< normal stiffness of unloading, k2
     CLOD_TIMESTEP_TANGENTIAL, ///< tangential stiffness (with the grain's turning)
     CLOD_TIMESTEP_ROLLING,    ///< rolling stiffness
@@ -27,10 +26,11 @@ typedef struct clod_timestep_grains {
 } clod_timestep_grains;
 
 typedef struct clod_timestep {
-    double step; ///< s
-    clod_timestep_reason reason;
-    const char *text; ///< the reason in words; static
-    // of the pair that sets the step (with a given step: that would set it)
+    double step;                 ///< s, 0 without grains
+    bool given;                  ///< the case says the step
+    clod_timestep_reason reason; ///< what sets the automatic step
+    const char *text;            ///< the reason in words; static
+    // of the pair that sets the automatic step
     int material_a, material_b; ///< b may be a wall's
     bool wall;                  ///< b is a wall's
     double stiffness;           ///< N/m, the stiffest tangent
