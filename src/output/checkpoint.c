@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "clod/version.h"
 #include "output/checkpoint_columns.h"
 #include "output/checkpoint_file.h"
 #include "output/file.h"
@@ -53,6 +54,7 @@ static bool build_image(const clod_state *state, const clod_checkpoint_part *par
     }
     const int64_t format = CLOD_CHECKPOINT_FORMAT;
     clod_hdf_put_ints(hdf, "/", "clod_checkpoint_format", &format, 1);
+    clod_hdf_put_text(hdf, "/", "clod_version", clod_version_text());
     clod_hdf_put_ints(hdf, "/", "step", &state->step, 1);
     clod_hdf_put_real(hdf, "/", "time_s", state->time);
     clod_checkpoint_columns columns;

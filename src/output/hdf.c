@@ -58,12 +58,16 @@ static bool release(clod_hdf **self, clod_status *status)
     return good;
 }
 
-/** File access in memory only; readable by every HDF5 since 1.8. */
+/**
+ * File access in memory only. The earliest format is readable everywhere, and in HDF5 1.10.8
+ * the only one whose H5Fget_file_image can be opened again: in the later ones it clears a flag
+ * that the checksum of the superblock covers.
+ */
 static hid_t memory_access(void)
 {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_fapl_core(access, 1 << 20, false);
-    H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V110);
+    H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V110);
     return access;
 }
 

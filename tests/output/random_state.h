@@ -1,0 +1,193 @@
+#pragma once
+/**
+ * @file random_state.h
+ * A state whose every number is different, and its comparison field by field.
+ */
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "base/memory.h"
+#include "base/random.h"
+#include "state/state.h"
+
+#define RANDOM_STATE_GRAINS 37
+#define RANDOM_STATE_WALLS 3
+#define RANDOM_STATE_CONTACTS 50
+
+typedef struct random_source {
+    uint64_t seed, draw;
+} random_source;
+
+static inline double random_real(random_source *source)
+{
+    return clod_random_uniform(source->seed, CLOD_RANDOM_TEST, 0, source->draw++) * 20.0 - 10.0;
+}
+
+static inline int random_int(random_source *source)
+{
+    return (int)(random_real(source) * 1e6);
+}
+
+static inline void random_reals(random_source *source, void *to, size_t count)
+{
+    double *values = to;
+    for (size_t v = 0; v < count; v++) {
+        values[v] = random_real(source);
+    }
+}
+
+/** Everything of a wall but its name and shapes. */
+static inline void random_wall(random_source *source, clod_wall *wall)
+{
+    wall->material = (uint16_t)random_int(source);
+    random_reals(source, &wall->velocity, 3);
+    random_reals(source, &wall->surface_velocity, 3);
+    random_reals(source, &wall->spin, 1);
+    random_reals(source, &wall->spin_axis, 3);
+    random_reals(source, &wall->spin_point, 3);
+    random_reals(source, &wall->shift, 3);
+    random_reals(source, &wall->angle, 1);
+    wall->load = (clod_load_kind)(random_int(source) & 1) + CLOD_LOAD_FORCE;
+    random_reals(source, &wall->load_axis, 3);
+    random_reals(source, &wall->load_force, 1);
+    random_reals(source, &wall->area, 1);
+    random_reals(source, &wall->mass, 1);
+    random_reals(source, &wall->damping, 1);
+    random_reals(source, &wall->servo_velocity, 1);
+    random_reals(source, &wall->force, 3);
+    random_reals(source, &wall->torque, 3);
+    random_reals(source, &wall->power, 1);
+    wall->sum_steps = random_int(source);
+    random_reals(source, &wall->sum_force, 3);
+    random_reals(source, &wall->sum_torque, 3);
+    random_reals(source, &wall->sum_power, 1);
+}
+
+static inline void random_grain(random_source *source, clod_grains *grains, size_t g)
+{
+    random_reals(source, grains->place[g], 4);
+    random_reals(source, grains->motion[g], 4);
+    random_reals(source, grains->turning[g], 4);
+    random_reals(source, grains->load[g], 3);
+    random_reals(source, grains->load[g] + 4, 3);
+    grains->id[g] = (uint64_t)1 << 60 | (uint64_t)random_int(source);
+    grains->material[g] = (uint16_t)random_int(source);
+}
+
+/** Walls as a case gives them: names and shapes, nothing else. */
+static inline void random_state_walls(clod_state *state)
+{
+    state->walls.count = RANDOM_STATE_WALLS;
+    state->walls.wall = clod_memory_alloc(RANDOM_STATE_WALLS, sizeof(clod_wall));
+    for (int w = 0; w < RANDOM_STATE_WALLS; w++) {
+        clod_wall *wall = &state->walls.wall[w];
+        snprintf(wall->name, sizeof wall->name, "wall number %d", w);
+        wall->shape_count = w + 1;
+        wall->shapes = clod_memory_alloc((size_t)w + 1, sizeof(clod_shape));
+    }
+}
+
+/** A full state; the same for the same seed. */
+static inline clod_state random_state(uint64_t seed)
+{
+    clod_status status;
+    random_source source = {seed, 0};
+    clod_state state = {0};
+    random_state_walls(&state);
+    assert_true(clod_grains_reserve(&state.grains, RANDOM_STATE_GRAINS, &status));
+    state.grains.count = RANDOM_STATE_GRAINS;
+    state.build_place = clod_memory_alloc(state.grains.capacity, sizeof *state.build_place);
+    for (size_t g = 0; g < state.grains.count; g++) {
+        random_grain(&source, &state.grains, g);
+        random_reals(&source, state.build_place[g], 4);
+    }
+    clod_grains_pad(&state.grains);
+    for (int w = 0; w < RANDOM_STATE_WALLS; w++) {
+        random_wall(&source, &state.walls.wall[w]);
+    }
+    state.build_walls = clod_memory_alloc((size_t)4 * RANDOM_STATE_WALLS, sizeof(double));
+    random_reals(&source, state.build_walls, (size_t)4 * RANDOM_STATE_WALLS);
+    random_reals(&source, state.domain.min, 3);
+    random_reals(&source, state.domain.max, 3);
+    state.domain.periodic[1] = true;
+    random_reals(&source, state.gravity, 3);
+    state.dt = random_real(&source);
+    state.time = random_real(&source);
+    state.step = (int64_t)1 << 40 | random_int(&source);
+    state.adhesion = random_real(&source);
+    state.build_motion = random_real(&source);
+    state.contact_count = state.contact_capacity = RANDOM_STATE_CONTACTS;
+    state.wall_contact_count = 11;
+    state.contacts = clod_memory_alloc(RANDOM_STATE_CONTACTS, sizeof(clod_contact));
+    for (size_t c = 0; c < state.contact_count; c++) {
+        clod_contact *contact = &state.contacts[c];
+        contact->i = random_int(&source);
+        contact->j = random_int(&source);
+        contact->shape = random_int(&source);
+        random_reals(&source, contact->history, 8);
+    }
+    // values that only an exact copy keeps
+    state.grains.motion[0][0] = -0.0;
+    state.grains.motion[1][0] = 4.9406564584124654e-324; // smallest number above zero
+    state.grains.load[0][0] = -HUGE_VAL;
+    return state;
+}
+
+/** Compare bit for bit; clod_contact and clod_wall are compared without their padding. */
+static inline void assert_states_equal(const clod_state *a, const clod_state *b)
+{
+    const size_t n = a->grains.count;
+    assert_int_equal(n, b->grains.count);
+    assert_memory_equal(a->grains.place, b->grains.place, n * sizeof *a->grains.place);
+    assert_memory_equal(a->grains.motion, b->grains.motion, n * sizeof *a->grains.motion);
+    assert_memory_equal(a->grains.turning, b->grains.turning, n * sizeof *a->grains.turning);
+    assert_memory_equal(a->grains.load, b->grains.load, n * sizeof *a->grains.load);
+    assert_memory_equal(a->grains.id, b->grains.id, n * sizeof *a->grains.id);
+    assert_memory_equal(a->grains.material, b->grains.material, n * sizeof(uint16_t));
+    assert_memory_equal(a->build_place, b->build_place, n * sizeof *a->build_place);
+    assert_memory_equal(a->build_walls, b->build_walls,
+                        4 * RANDOM_STATE_WALLS * sizeof(double));
+    assert_int_equal(a->walls.count, b->walls.count);
+    for (int w = 0; w < a->walls.count; w++) {
+        const clod_wall *x = &a->walls.wall[w];
+        const clod_wall *y = &b->walls.wall[w];
+        assert_string_equal(x->name, y->name);
+        assert_int_equal(x->material, y->material);
+        assert_int_equal(x->shape_count, y->shape_count);
+        assert_int_equal(x->load, y->load);
+        const size_t motion = offsetof(clod_wall, velocity);
+        assert_memory_equal((const char *)x + motion, (const char *)y + motion,
+                            offsetof(clod_wall, load) - motion);
+        const size_t load = offsetof(clod_wall, load_axis);
+        assert_memory_equal((const char *)x + load, (const char *)y + load,
+                            sizeof(clod_wall) - load);
+    }
+    assert_memory_equal(&a->domain, &b->domain, offsetof(clod_domain, periodic) + 3);
+    assert_memory_equal(a->gravity, b->gravity, sizeof a->gravity);
+    const size_t scalars = offsetof(clod_state, dt);
+    assert_memory_equal((const char *)a + scalars, (const char *)b + scalars,
+                        offsetof(clod_state, build_place) - scalars);
+    assert_memory_equal(&a->build_motion, &b->build_motion, sizeof a->build_motion);
+    assert_int_equal(a->contact_count, b->contact_count);
+    assert_int_equal(a->wall_contact_count, b->wall_contact_count);
+    for (size_t c = 0; c < a->contact_count; c++) {
+        const clod_contact *x = &a->contacts[c];
+        const clod_contact *y = &b->contacts[c];
+        assert_int_equal(x->i, y->i);
+        assert_int_equal(x->j, y->j);
+        assert_int_equal(x->shape, y->shape);
+        assert_memory_equal(x->history, y->history, sizeof x->history);
+    }
+}
+
+/** A state as set-up leaves it before reading: walls with names and shapes only. */
+static inline clod_state bare_state(void)
+{
+    clod_state state = {0};
+    random_state_walls(&state);
+    return state;
+}
