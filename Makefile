@@ -1,0 +1,55 @@
+# Short names for the usual work. Everything is built by CMake (CMakePresets.json); this file
+# only sets up the machine and calls it.
+#   make run                       set up, build, run the full ring shear test of the ore
+#   make run CASE=x.yaml ARGS=...  another case, with options for `clod run`
+#   make test                      set up, build, run every test and check
+.PHONY: build run test bench format lint package install clean help setup setup-test
+.DEFAULT_GOAL := build
+
+CASE := cases/copper-ore-5/case.yaml
+OUT = run/$(notdir $(patsubst %/,%,$(dir $(CASE))))
+ARGS :=
+PREFIX := /usr/local
+RELEASE := build/release
+JOBS := $(shell nproc)
+
+setup: ## install the packages that a build needs
+	@tools/setup build
+
+setup-test: ## install the packages that the tests need as well
+	@tools/setup test
+
+build: setup ## build the program, build/release/clod
+	@cmake --preset release -DCLOD_TESTS=OFF --log-level=WARNING
+	@cmake --build --preset release
+
+run: build ## run CASE (the 5 % copper ore) into run/, with ARGS
+	$(RELEASE)/clod run $(CASE) -o $(OUT) $(ARGS)
+
+test: setup-test ## build and run every test and check
+	@cmake --preset test --log-level=WARNING
+	@cmake --build --preset test
+	@ctest --preset test -j $(JOBS)
+
+lint: setup-test ## only the checks of the sources
+	@cmake --preset test --log-level=WARNING
+	@ctest --preset test -j $(JOBS) -L lint
+
+bench: build ## build and run what measures speed
+	@cmake --build --preset release --target bench
+	@set -e; for program in $(RELEASE)/bench/*; do echo "== $$program"; $$program $(ARGS); done
+
+format: setup-test ## put all sources into the house format
+	clang-format-14 -i $$(find src include app tests bench -name '*.[ch]')
+
+package: build ## make a Debian package in build/release
+	cd $(RELEASE) && cpack -G DEB
+
+install: ## install what was built into PREFIX
+	cmake --install $(RELEASE) --prefix $(PREFIX)
+
+clean: ## remove everything that was built; results in run/ stay
+	rm -rf build
+
+help: ## this list
+	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' Makefile | expand -t 14

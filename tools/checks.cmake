@@ -1,0 +1,44 @@
+# Checks of the sources beside the test programs; in ctest with -DCLOD_CHECKS=ON (make test).
+# Labels: lint, build, sanitize, package.
+file(GLOB_RECURSE CLOD_LAYERED CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
+  src/*.[ch] include/*.h app/*.[ch])
+file(GLOB_RECURSE CLOD_BESIDE CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
+  tests/*.[ch] bench/*.[ch])
+set(CLOD_ALL ${CLOD_LAYERED} ${CLOD_BESIDE})
+set(CLOD_HEADERS ${CLOD_LAYERED})
+list(FILTER CLOD_HEADERS INCLUDE REGEX "^(src|include)/.*\\.h$")
+set(CLOD_COMPILED ${CLOD_LAYERED})
+list(FILTER CLOD_COMPILED INCLUDE REGEX "\\.c$")
+
+function(clod_add_check name seconds)
+  string(REGEX REPLACE "/.*" "" label ${name})
+  add_test(NAME ${name} COMMAND ${ARGN} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT ${seconds})
+endfunction()
+
+clod_add_check(lint/format 120 clang-format-14 --dry-run -Werror ${CLOD_ALL})
+clod_add_check(lint/layers 60 tools/check-layers ${CLOD_ALL})
+clod_add_check(lint/layers-selftest 60 tools/check-layers-selftest)
+clod_add_check(lint/style 60 tools/check-style ${CLOD_ALL})
+clod_add_check(lint/headers-gcc 300 tools/check-headers gcc ${CLOD_HEADERS})
+clod_add_check(lint/headers-clang 300 tools/check-headers clang-14 ${CLOD_HEADERS})
+clod_add_check(lint/cppcheck 600 cppcheck --enable=warning,performance,portability --inline-suppr
+  --suppress=missingIncludeSystem --error-exitcode=1 --quiet -j2 -Iinclude -Isrc ${CLOD_COMPILED})
+
+# Two more trees: clang without any warning, all unit tests under AddressSanitizer and
+# UndefinedBehaviorSanitizer, the fuzz targets, and the threaded tests under ThreadSanitizer.
+set(CLOD_CTEST ${CMAKE_CTEST_COMMAND} --output-on-failure --no-tests=error -j2 -LE "^slow$")
+clod_add_check(build/asan 900 tools/build-tree asan ${CMAKE_BINARY_DIR}/asan)
+clod_add_check(build/tsan 900 tools/build-tree tsan ${CMAKE_BINARY_DIR}/tsan)
+clod_add_check(lint/tidy 900 tools/check-tidy ${CMAKE_BINARY_DIR}/asan ${CLOD_COMPILED})
+clod_add_check(sanitize/asan 1500 ${CLOD_CTEST} --test-dir ${CMAKE_BINARY_DIR}/asan)
+clod_add_check(sanitize/tsan 1500 ${CLOD_CTEST} --test-dir ${CMAKE_BINARY_DIR}/tsan
+  -L "^(parallel|step)$")
+set_tests_properties(build/asan PROPERTIES FIXTURES_SETUP asan_tree)
+set_tests_properties(build/tsan PROPERTIES FIXTURES_SETUP tsan_tree)
+set_tests_properties(lint/tidy sanitize/asan PROPERTIES FIXTURES_REQUIRED asan_tree)
+set_tests_properties(sanitize/tsan PROPERTIES FIXTURES_REQUIRED tsan_tree)
+set_tests_properties(build/asan build/tsan lint/tidy sanitize/asan sanitize/tsan lint/cppcheck
+  PROPERTIES PROCESSORS 2)
+
+clod_add_check(package/deb 300 tools/check-package ${CMAKE_BINARY_DIR})
