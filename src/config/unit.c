@@ -161,23 +161,46 @@ static bool well_formed(const char *unit)
     return false;
 }
 
-/** True when one of the words of a unit is in the list. */
-static bool has_word(const char *unit, const char *const *words, size_t count)
+/** Next word of letters in a unit, or false at its end. */
+static bool next_word(const char **at, char word[LONGEST_UNIT])
+{
+    while (**at != '\0' && !isalpha((unsigned char)**at)) {
+        (*at)++;
+    }
+    size_t length = 0;
+    while (isalpha((unsigned char)(*at)[length]) || (*at)[length] == '_') {
+        length++;
+    }
+    memcpy(word, *at, length);
+    word[length] = '\0';
+    *at += length;
+    return length > 0;
+}
+
+static bool is_angular(const char *unit)
 {
     char word[LONGEST_UNIT];
-    while (*unit != '\0') {
-        size_t length = 0;
-        while (isalpha((unsigned char)unit[length]) || unit[length] == '_') {
-            length++;
-        }
-        memcpy(word, unit, length);
-        word[length] = '\0';
-        for (size_t i = 0; i < count; i++) {
-            if (strcmp(word, words[i]) == 0) {
+    while (next_word(&unit, word)) {
+        for (size_t i = 0; i < sizeof ANGLES / sizeof ANGLES[0]; i++) {
+            if (strcmp(word, ANGLES[i]) == 0) {
                 return true;
             }
         }
-        unit += length + (length == 0);
+    }
+    return false;
+}
+
+/** "ton", "tons", "kton": short tons to udunits, something else to most of its users. */
+static bool has_ton(const char *unit)
+{
+    char word[LONGEST_UNIT];
+    while (next_word(&unit, word)) {
+        size_t length = strlen(word);
+        length -= length > 0 && word[length - 1] == 's';
+        const bool ton = length >= 3 && strncmp(word + length - 3, "ton", 3) == 0;
+        if (ton && strchr(word, '_') == NULL && strstr(word, "ewton") == NULL) {
+            return true;
+        }
     }
     return false;
 }
@@ -233,7 +256,7 @@ static outcome convert_locked(const char *from, const char *to, double *value)
         // every unit of the tables is a plain multiple: degC and dB, with offsets, are not
         if (converter != NULL && cv_convert_double(converter, 0.0) == 0.0) {
             *value = scaled(*value, cv_convert_double(converter, 1.0));
-            result = isfinite(*value) ? CONVERTED : OTHER_KIND;
+            result = CONVERTED;
         }
         cv_free(converter);
     }
@@ -275,8 +298,8 @@ static bool fail_kind(const char *written, const clod_unit_kind *kind, double va
         snprintf(message, CLOD_UNIT_MESSAGE, "%.10g needs a unit of %s, for instance %.10g %s",
                  value, kind->of, value, kind->example);
     } else {
-        snprintf(message, CLOD_UNIT_MESSAGE, "%.10g %s is not %s; write for instance %.10g %s",
-                 value, written, kind->noun, value, kind->example);
+        snprintf(message, CLOD_UNIT_MESSAGE, "%.10g %s is not %s; use a unit such as %s", value,
+                 written, kind->noun, kind->example);
     }
     return false;
 }
@@ -284,7 +307,6 @@ static bool fail_kind(const char *written, const clod_unit_kind *kind, double va
 bool clod_unit_convert(const char *written, const char *unit, double *value,
                        char message[CLOD_UNIT_MESSAGE])
 {
-    static const char *const TONS[] = {"ton", "tons"};
     const clod_unit_kind *kind = clod_unit_describe(unit);
     char clean[LONGEST_UNIT];
     if (written[0] == ',') {
@@ -310,20 +332,27 @@ bool clod_unit_convert(const char *written, const char *unit, double *value,
                  clean, kind->example);
         return false;
     }
-    if (has_word(clean, TONS, sizeof TONS / sizeof TONS[0])) {
+    if (has_ton(clean)) {
         snprintf(message, CLOD_UNIT_MESSAGE,
                  "\"ton\" means different masses; write t (1000 kg) or short_ton (907.18 kg)");
         return false;
     }
     const bool angle = strncmp(unit, "rad", 3) == 0;
-    if (angle != has_word(clean, ANGLES, sizeof ANGLES / sizeof ANGLES[0])) {
+    if (angle != is_angular(clean)) {
         return fail_kind(clean, kind, *value, message);
     }
+    double si = *value;
     pthread_mutex_lock(&lock);
-    const outcome result = convert_locked(clean, unit, value);
+    const outcome result = convert_locked(clean, unit, &si);
     pthread_mutex_unlock(&lock);
     switch (result) {
     case CONVERTED:
+        if (!isfinite(si)) {
+            snprintf(message, CLOD_UNIT_MESSAGE, "%.10g %s is too large a number", *value,
+                     clean);
+            return false;
+        }
+        *value = si;
         return true;
     case NO_DATABASE:
         snprintf(message, CLOD_UNIT_MESSAGE,
@@ -334,75 +363,4 @@ bool clod_unit_convert(const char *written, const char *unit, double *value,
     default:
         return fail_kind(clean, kind, *value, message);
     }
-}
-
-static double prefix_factor(const char **at)
-{
-    static const char PREFIXES[] = "kMG";
-    static const double FACTORS[] = {1e3, 1e6, 1e9};
-    const char *found = **at == '\0' ? NULL : strchr(PREFIXES, **at);
-    if (found == NULL) {
-        return 1.0;
-    }
-    (*at)++;
-    return FACTORS[found - PREFIXES];
-}
-
-/** Parse "kN/mm^1.5" into the factor of N, of m, and the exponent. */
-static bool split_stiffness(const char *unit, double *newton, bool *milli, double *exponent)
-{
-    const char *at = unit;
-    *newton = prefix_factor(&at);
-    if (at[0] != 'N' || at[1] != '/') {
-        return false;
-    }
-    at += 2;
-    *milli = at[0] == 'm' && at[1] == 'm';
-    at += *milli ? 2 : 1;
-    if (at[-1] != 'm') {
-        return false;
-    }
-    *exponent = 1.0;
-    if (*at == '^') {
-        at = isdigit((unsigned char)at[1]) ? clod_unit_number(at + 1, exponent) : NULL;
-    }
-    return at != NULL && *at == '\0';
-}
-
-bool clod_unit_stiffness(const char *written, double exponent, double *value,
-                         char message[CLOD_UNIT_MESSAGE])
-{
-    char example[32] = "N/m";
-    if (exponent != 1.0) {
-        snprintf(example, sizeof example, "N/m^%.10g", exponent);
-    }
-    if (written[0] == '\0') {
-        if (*value == 0.0) {
-            return true;
-        }
-        snprintf(message, CLOD_UNIT_MESSAGE,
-                 "%.10g needs a unit of stiffness, for instance %.10g %s", *value, *value,
-                 example);
-        return false;
-    }
-    char clean[LONGEST_UNIT] = "";
-    double newton = 1.0;
-    double written_exponent = 1.0;
-    bool milli = false;
-    if (!normalise(written, clean) ||
-        !split_stiffness(clean, &newton, &milli, &written_exponent)) {
-        snprintf(message, CLOD_UNIT_MESSAGE,
-                 "\"%s\" is not a stiffness; with exponent %.10g write %.10g %s", clean,
-                 exponent, *value, example);
-        return false;
-    }
-    if (fabs(written_exponent - exponent) > 1e-9) {
-        snprintf(message, CLOD_UNIT_MESSAGE,
-                 "%s does not go with exponent %.10g of this contact; write %s or change the "
-                 "exponent",
-                 clean, exponent, example);
-        return false;
-    }
-    *value *= newton * (milli ? pow(1000.0, exponent) : 1.0);
-    return true;
 }

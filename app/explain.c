@@ -1,0 +1,76 @@
+/**
+ * @file explain.c
+ * clod explain [KEY...]: what the keys of a case file mean.
+ */
+
+#include <argp.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "app.h"
+#include "clod/schema.h"
+
+typedef struct request {
+    bool manual;
+    int first; ///< index of the first KEY in argv
+} request;
+
+static const struct argp_option OPTIONS[] = {
+    {"manual", 'm', NULL, 0, "print the manual of all keys, in Markdown", 0},
+    {0},
+};
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+    request *self = state->input;
+    (void)argument;
+    switch (key) {
+    case 'm':
+        self->manual = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        self->first = state->next - 1;
+        state->next = state->argc;
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/** Print an owned text and free it; false when there is none. */
+static bool print(char *text)
+{
+    const bool good = text != NULL && fputs(text, stdout) >= 0;
+    clod_schema_free(text);
+    return good;
+}
+
+int clod_app_explain(int argc, char **argv)
+{
+    const struct argp argp = {
+        .options = OPTIONS,
+        .parser = parse,
+        .args_doc = "[KEY...]",
+        .doc =
+            "Tell what keys of a case file mean: kind, unit, range, default, source. KEY is a "
+            "path such as ring_shear.depth or its last part, such as k_adh; without one all "
+            "keys are listed.",
+    };
+    request self = {.first = argc};
+    argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &self);
+    clod_status status = {CLOD_OK, ""};
+    if (self.manual) {
+        return print(clod_schema_manual()) ? EXIT_SUCCESS : CLOD_FAILED;
+    }
+    if (self.first == argc) {
+        return print(clod_schema_explain(NULL, &status)) ? EXIT_SUCCESS : CLOD_FAILED;
+    }
+    for (int i = self.first; i < argc; i++) {
+        if (!print(clod_schema_explain(argv[i], &status))) {
+            fprintf(stderr, "clod explain: %s\n", status.text);
+            return status.code == CLOD_OK ? CLOD_FAILED : (int)status.code;
+        }
+    }
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,146 @@
+/**
+ * @file main.c
+ * clod VERB ...: find the verb and hand over.
+ */
+
+#include <argp.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app.h"
+#include "clod/version.h"
+
+#define USAGE 2
+
+typedef struct verb {
+    const char *name;
+    int (*run)(int argc, char **argv);
+    const char *help;
+} verb;
+
+static const verb VERBS[] = {
+    {"new", clod_app_new, "write an example case to start from"},
+    {"explain", clod_app_explain, "tell what a key of a case file means"},
+    {"schema", clod_app_schema, "print the JSON Schema of case files, for editors"},
+};
+
+#define VERB_COUNT (sizeof VERBS / sizeof VERBS[0])
+
+static void print_version(FILE *out, struct argp_state *state)
+{
+    (void)state;
+    fprintf(out, "%s\n", clod_version_text());
+}
+
+/** The list of verbs, in place of the options at the end of --help. */
+static char *list_verbs(int key, const char *text, void *input)
+{
+    (void)input;
+    if (key != ARGP_KEY_HELP_POST_DOC) {
+        return (char *)text;
+    }
+    char *list = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&list, &size);
+    if (out == NULL) {
+        return (char *)text;
+    }
+    fputs("Verbs:\n", out);
+    for (size_t i = 0; i < VERB_COUNT; i++) {
+        fprintf(out, "  %-8s  %s\n", VERBS[i].name, VERBS[i].help);
+    }
+    fputs("\nclod VERB --help tells more about one of them.", out);
+    fclose(out);
+    return list;
+}
+
+/** How many letters two words share, wherever they stand. */
+static size_t shared_letters(const char *a, const char *b)
+{
+    size_t count = 0;
+    for (int letter = 'a'; letter <= 'z'; letter++) {
+        size_t in_a = 0;
+        size_t in_b = 0;
+        for (const char *at = a; *at != '\0'; at++) {
+            in_a += *at == letter;
+        }
+        for (const char *at = b; *at != '\0'; at++) {
+            in_b += *at == letter;
+        }
+        count += in_a < in_b ? in_a : in_b;
+    }
+    return count;
+}
+
+/** The verb with nearly the same letters as `name`, or NULL. */
+static const verb *find_near(const char *name)
+{
+    const verb *near = NULL;
+    size_t most = 0;
+    for (size_t i = 0; i < VERB_COUNT; i++) {
+        const size_t length = strlen(VERBS[i].name);
+        const size_t longest = strlen(name) > length ? strlen(name) : length;
+        const size_t common = shared_letters(name, VERBS[i].name);
+        if (common > most && 3 * common >= 2 * longest) {
+            most = common;
+            near = &VERBS[i];
+        }
+    }
+    return near;
+}
+
+static const verb *find_verb(const char *name)
+{
+    for (size_t i = 0; i < VERB_COUNT; i++) {
+        if (strcmp(VERBS[i].name, name) == 0) {
+            return &VERBS[i];
+        }
+    }
+    const verb *near = find_near(name);
+    fprintf(stderr, "clod: there is no verb %s", name);
+    if (near != NULL) {
+        fprintf(stderr, "; did you mean %s?", near->name);
+    }
+    fputs("\nclod --help lists the verbs\n", stderr);
+    return NULL;
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+    int *first = state->input;
+    (void)argument;
+    if (key == ARGP_KEY_ARG) {
+        *first = state->next - 1;
+        state->next = state->argc; // the rest belongs to the verb
+        return 0;
+    }
+    if (key == ARGP_KEY_NO_ARGS) {
+        argp_state_help(state, stderr, ARGP_HELP_STD_HELP & ~ARGP_HELP_EXIT_OK);
+        exit(USAGE);
+    }
+    return ARGP_ERR_UNKNOWN;
+}
+
+int main(int argc, char **argv)
+{
+    argp_program_version_hook = print_version;
+    argp_err_exit_status = USAGE;
+    const struct argp argp = {
+        .parser = parse,
+        .args_doc = "VERB ...",
+        .doc = "Discrete element simulation of cohesive bulk solids.\v ",
+        .help_filter = list_verbs,
+    };
+    int first = argc;
+    argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &first);
+    const verb *chosen = find_verb(argv[first]);
+    if (chosen == NULL) {
+        return USAGE;
+    }
+    char name[32];
+    snprintf(name, sizeof name, "clod %s", chosen->name);
+    argv[first] = name; // so that the verb's own messages begin with it
+    return chosen->run(argc - first, argv + first);
+}

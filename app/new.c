@@ -1,0 +1,104 @@
+/**
+ * @file new.c
+ * clod new [TEMPLATE [FILE]]: an example case to start from.
+ */
+
+#include <argp.h>
+#include <errno.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app.h"
+#include "clod/status.h"
+#include "clod_templates.h" // written by the build: tools/templates.cmake
+
+typedef struct template
+{
+    const char *name;
+    const char *help;
+    const char *text;
+}
+template;
+
+static const template TEMPLATES[] = {
+    {"ring-shear", "virtual ring shear test of copper ore with 5 % moisture",
+     CLOD_TEMPLATE_RING_SHEAR},
+    {"free-run", "a box of grains under a lid: settle, then compress", CLOD_TEMPLATE_FREE_RUN},
+    {"contact-bench", "one contact driven along a path of overlap, slip and roll",
+     CLOD_TEMPLATE_CONTACT_BENCH},
+};
+
+#define TEMPLATE_COUNT (sizeof TEMPLATES / sizeof TEMPLATES[0])
+
+typedef struct request {
+    const char *name;
+    const char *file;
+} request;
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+    request *self = state->input;
+    if (key != ARGP_KEY_ARG) {
+        return ARGP_ERR_UNKNOWN;
+    }
+    if (state->arg_num == 0) {
+        self->name = argument;
+    } else if (state->arg_num == 1) {
+        self->file = argument;
+    } else {
+        argp_error(state, "too many arguments");
+    }
+    return 0;
+}
+
+static void list(FILE *out)
+{
+    for (size_t i = 0; i < TEMPLATE_COUNT; i++) {
+        fprintf(out, "%-14s %s\n", TEMPLATES[i].name, TEMPLATES[i].help);
+    }
+}
+
+static int write_case(const template *chosen, const char *path)
+{
+    FILE *out = fopen(path, "wx"); // never over a file that is there
+    if (out == NULL) {
+        fprintf(stderr, "clod new: %s: %s\n", path, strerror(errno));
+        return errno == EEXIST ? CLOD_USAGE : CLOD_FAILED;
+    }
+    const bool written = fputs(chosen->text, out) >= 0;
+    if (fclose(out) != 0 || !written) {
+        fprintf(stderr, "clod new: %s: cannot be written: %s\n", path, strerror(errno));
+        return CLOD_FAILED;
+    }
+    printf("wrote %s\n", path);
+    return EXIT_SUCCESS;
+}
+
+int clod_app_new(int argc, char **argv)
+{
+    const struct argp argp = {
+        .parser = parse,
+        .args_doc = "[TEMPLATE [FILE]]",
+        .doc =
+            "Write an example case to start from; FILE is TEMPLATE.yaml unless given. Without "
+            "arguments the templates are listed. A file that exists is never overwritten.",
+    };
+    request self = {NULL, NULL};
+    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    if (self.name == NULL) {
+        list(stdout);
+        return EXIT_SUCCESS;
+    }
+    for (size_t i = 0; i < TEMPLATE_COUNT; i++) {
+        if (strcmp(TEMPLATES[i].name, self.name) == 0) {
+            char path[64];
+            snprintf(path, sizeof path, "%s.yaml", self.name);
+            return write_case(&TEMPLATES[i], self.file != NULL ? self.file : path);
+        }
+    }
+    fprintf(stderr, "clod new: there is no template %s; templates are\n", self.name);
+    list(stderr);
+    return CLOD_USAGE;
+}
