@@ -1,0 +1,222 @@
+#include "step/cells.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+/** A grid of cells at least one reach wide, over the grains' bounding box or the period. */
+typedef struct cell_grid {
+    double min[3], inverse_width[3];
+    int32_t n[3];
+    bool periodic[3];
+} cell_grid;
+
+/** Separation along one axis, by the nearest image where the domain is periodic. */
+static double separation(const clod_domain *domain, int axis, double a, double b)
+{
+    const double s = a - b;
+    if (!domain->periodic[axis]) {
+        return s;
+    }
+    const double period = domain->max[axis] - domain->min[axis];
+    return s - period * nearbyint(s * (1.0 / period));
+}
+
+static bool within_skin(const clod_state *state, const double a[4], const double b[4],
+                        double skin)
+{
+    const double x = separation(&state->domain, 0, a[0], b[0]);
+    const double y = separation(&state->domain, 1, a[1], b[1]);
+    const double z = separation(&state->domain, 2, a[2], b[2]);
+    const double reach = a[3] + b[3] + skin;
+    return x * x + y * y + z * z < reach * reach;
+}
+
+static bool add_pair(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
+                     size_t i, size_t j)
+{
+    clod_candidate *c = clod_neighbour_add(&self->pairs);
+    if (c == NULL) {
+        return false;
+    }
+    const uint16_t *material = state->grains.material;
+    const int32_t law = clod_laws_index(laws, material[i], material[j]);
+    *c = (clod_candidate){(int32_t)i, (int32_t)j, -1, law, -1, 0};
+    return true;
+}
+
+bool clod_cells_all_pairs(clod_neighbour *self, const clod_state *state, const clod_laws *laws)
+{
+    for (size_t i = 0; i < state->grains.count; i++) {
+        for (size_t j = i + 1; j < state->grains.count; j++) {
+            if (within_skin(state, state->build_place[i], state->build_place[j], self->skin) &&
+                !add_pair(self, state, laws, i, j)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/** Extent of the grid along one axis. */
+static void extent(const clod_state *state, int axis, double *min, double *max)
+{
+    if (state->domain.periodic[axis]) {
+        *min = state->domain.min[axis];
+        *max = state->domain.max[axis];
+        return;
+    }
+    *min = INFINITY;
+    *max = -INFINITY;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        *min = fmin(*min, state->build_place[g][axis]);
+        *max = fmax(*max, state->build_place[g][axis]);
+    }
+}
+
+static cell_grid make_grid(const clod_neighbour *self, const clod_state *state)
+{
+    cell_grid grid;
+    double width = 2.0 * self->radius_max + self->skin;
+    const double most = 8.0 * (double)state->grains.count + 64.0; // scattered grains: coarser
+    double cells = INFINITY;
+    while (cells > most) {
+        cells = 1.0;
+        for (int a = 0; a < 3; a++) {
+            double max;
+            extent(state, a, &grid.min[a], &max);
+            const double length = max - grid.min[a];
+            const double n = fmin(fmax(floor(length / width), 1.0), 1e6);
+            grid.n[a] = (int32_t)n;
+            grid.inverse_width[a] = length > 0.0 ? n / length : 0.0;
+            grid.periodic[a] = state->domain.periodic[a];
+            cells *= n;
+        }
+        width *= 1.26; // twice the volume
+    }
+    return grid;
+}
+
+static int32_t cell_along(const cell_grid *grid, int axis, double x)
+{
+    const int32_t c = (int32_t)((x - grid->min[axis]) * grid->inverse_width[axis]);
+    return c < 0 ? 0 : c >= grid->n[axis] ? grid->n[axis] - 1 : c;
+}
+
+/** Grains by cell, in ascending order within each (a counting sort is stable). */
+static bool fill_cells(clod_neighbour *self, const clod_state *state, const cell_grid *grid)
+{
+    const size_t grains = state->grains.count;
+    const size_t cells = (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
+    if (cells + 1 > self->cell_capacity) {
+        clod_memory_free(self->cell_start);
+        self->cell_capacity = cells + cells / 2 + 1;
+        self->cell_start = clod_memory_alloc(self->cell_capacity, sizeof *self->cell_start);
+        if (self->cell_start == NULL) {
+            self->cell_capacity = 0;
+            return false;
+        }
+    }
+    memset(self->cell_start, 0, (cells + 1) * sizeof *self->cell_start);
+    for (size_t g = 0; g < grains; g++) {
+        const double *p = state->build_place[g];
+        const int32_t x = cell_along(grid, 0, p[0]);
+        const int32_t y = cell_along(grid, 1, p[1]);
+        const int32_t z = cell_along(grid, 2, p[2]);
+        self->cell_of[g] = (z * grid->n[1] + y) * grid->n[0] + x;
+        self->cell_start[self->cell_of[g] + 1]++;
+    }
+    for (size_t c = 0; c < cells; c++) {
+        self->cell_start[c + 1] += self->cell_start[c];
+    }
+    for (size_t g = grains;
+         g-- > 0;) { // from behind: afterwards start[c + 1] is the start of c
+        self->cell_item[--self->cell_start[self->cell_of[g] + 1]] = (int32_t)g;
+    }
+    return true;
+}
+
+/** Cells to look at along one axis: up to three, none twice. */
+static int around(const cell_grid *grid, int axis, int32_t c, int32_t out[3])
+{
+    const int32_t n = grid->n[axis];
+    int count = 0;
+    for (int32_t d = -1; d <= 1; d++) {
+        int32_t at = c + d;
+        if (grid->periodic[axis]) {
+            at = (at + n) % n;
+        } else if (at < 0 || at >= n) {
+            continue;
+        }
+        bool seen = false;
+        for (int k = 0; k < count; k++) {
+            seen |= out[k] == at;
+        }
+        if (!seen) {
+            out[count++] = at;
+        }
+    }
+    return count;
+}
+
+/** Later partners of i in one cell. */
+static bool search_cell(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
+                        size_t i, int32_t cell, size_t cells)
+{
+    const int32_t begin = self->cell_start[cell + 1];
+    const int32_t end =
+        (size_t)cell + 1 == cells ? (int32_t)state->grains.count : self->cell_start[cell + 2];
+    for (int32_t k = begin; k < end; k++) {
+        const size_t j = (size_t)self->cell_item[k];
+        if (j > i &&
+            within_skin(state, state->build_place[i], state->build_place[j], self->skin) &&
+            !add_pair(self, state, laws, i, j)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** Put the candidates from `first` on into ascending j; a handful of items. */
+static void order_tail(clod_candidates *self, size_t first)
+{
+    for (size_t k = first + 1; k < self->count; k++) {
+        const clod_candidate moving = self->item[k];
+        size_t at = k;
+        while (at > first && self->item[at - 1].j > moving.j) {
+            self->item[at] = self->item[at - 1];
+            at--;
+        }
+        self->item[at] = moving;
+    }
+}
+
+bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state, const clod_laws *laws)
+{
+    if (state->grains.count == 0) {
+        return true;
+    }
+    const cell_grid grid = make_grid(self, state);
+    if (!fill_cells(self, state, &grid)) {
+        return false;
+    }
+    const size_t cells = (size_t)grid.n[0] * (size_t)grid.n[1] * (size_t)grid.n[2];
+    for (size_t i = 0; i < state->grains.count; i++) {
+        const size_t first = self->pairs.count;
+        int32_t x[3], y[3], z[3];
+        const double *p = state->build_place[i];
+        const int nx = around(&grid, 0, cell_along(&grid, 0, p[0]), x);
+        const int ny = around(&grid, 1, cell_along(&grid, 1, p[1]), y);
+        const int nz = around(&grid, 2, cell_along(&grid, 2, p[2]), z);
+        for (int c = 0; c < nx * ny * nz; c++) {
+            const int32_t cell =
+                (z[c / (nx * ny)] * grid.n[1] + y[c / nx % ny]) * grid.n[0] + x[c % nx];
+            if (!search_cell(self, state, laws, i, cell, cells)) {
+                return false;
+            }
+        }
+        order_tail(&self->pairs, first);
+    }
+    return true;
+}

@@ -1,0 +1,22 @@
+// Compiled once per instruction set: CLOD_SIMD_SUFFIX names it, CLOD_SIMD_<SET> selects it.
+#include "step/kernel.h"
+
+#include "step/kernel_contact.h"
+#include "step/kernel_motion.h"
+#include "step/kernel_wall.h"
+
+#define KERNEL_NAME_OF(suffix) clod_kernel_##suffix
+#define KERNEL_NAME(suffix) KERNEL_NAME_OF(suffix)
+#define KERNEL_TEXT_OF(suffix) #suffix
+#define KERNEL_TEXT(suffix) KERNEL_TEXT_OF(suffix)
+
+extern const clod_kernel KERNEL_NAME(CLOD_SIMD_SUFFIX);
+const clod_kernel KERNEL_NAME(CLOD_SIMD_SUFFIX) = {
+    .name = KERNEL_TEXT(CLOD_SIMD_SUFFIX),
+    .width = CLOD_WIDTH,
+    .contact = kernel_contact,
+    .wall = kernel_wall,
+    .drift = kernel_drift,
+    .gather = kernel_gather,
+    .kick = kernel_kick,
+};

@@ -1,0 +1,72 @@
+#pragma once
+/**
+ * @file kernel.h
+ * The inner loops of the step. kernel.c is compiled once per instruction set; the set is chosen
+ * at start-up. All sets give the same bits.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "law/law.h"
+#include "state/contacts.h"
+
+/** Largest overlap the laws are meant for, as a fraction of the smaller radius. */
+#define CLOD_KERNEL_OVERLAP_LIMIT 0.2
+
+/** Arrays and numbers the contact loops read; rows as in state/grains.h. */
+typedef struct clod_kernel_view {
+    const double (*place)[4];
+    const double (*motion)[4];
+    const double (*turning)[4];
+    double (*slots)[8];       ///< force and torque on each grain by each of its contacts
+    double (*wall_slots)[8];  ///< force and torque on each wall by each of its contacts
+    double dt;                ///< s
+    double period[3];         ///< m; 0 where the domain is open
+    double inverse_period[3]; ///< 1/m
+} clod_kernel_view;
+
+/** Geometry of one block of wall contacts, computed just before the kernel runs. */
+typedef struct clod_kernel_wall_stage {
+    double distance[CLOD_LANES];    ///< m, of the centre from the surface
+    double normal[3][CLOD_LANES];   ///< from the wall to the grain
+    double velocity[3][CLOD_LANES]; ///< m/s, of the wall's material at the contact
+    double spin[3][CLOD_LANES];     ///< rad/s, of the wall
+    double lever[3][CLOD_LANES]; ///< m, from the wall's reference point to the grain's centre
+} clod_kernel_wall_stage;
+
+/** What drift saw: the fastest grain, and whether every number is finite. */
+typedef struct clod_kernel_speed {
+    double max_speed2; ///< m2/s2
+    bool finite;
+} clod_kernel_speed;
+
+typedef struct clod_kernel {
+    const char *name;
+    int width;
+    /** Force of `count` blocks of one law; true when an overlap is beyond the limit. */
+    bool (*contact)(const clod_kernel_view *view, const clod_law *law,
+                    clod_contact_block *blocks, size_t count);
+    /** Force of one block of wall contacts; true when an overlap is beyond the limit. */
+    bool (*wall)(const clod_kernel_view *view, const clod_law *law,
+                 const clod_kernel_wall_stage *stage, clod_wall_block *block);
+    /** Half a kick and a whole drift of grains [begin, end). */
+    clod_kernel_speed (*drift)(double (*place)[4], double (*motion)[4], double (*turning)[4],
+                               const double (*load)[8], double dt, size_t begin, size_t end);
+    /** Sum the slots of grains [begin, end) in order, and add gravity. */
+    void (*gather)(const double (*slots)[8], const int32_t *slot_start,
+                   const double (*motion)[4], const double gravity[3], double (*load)[8],
+                   size_t begin, size_t end);
+    /** The second half kick of grains [begin, end). */
+    void (*kick)(double (*motion)[4], double (*turning)[4], const double (*load)[8], double dt,
+                 size_t begin, size_t end);
+} clod_kernel;
+
+/**
+ * Kernel of an instruction set.
+ *
+ * @param name  "scalar", "avx2", "avx512", or NULL for the best one of this machine
+ * @return      static kernel, or NULL when the set is unknown or this machine lacks it
+ * Errors  NULL.   Threads  pure.
+ */
+const clod_kernel *clod_kernel_choose(const char *name);

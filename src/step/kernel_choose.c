@@ -1,0 +1,43 @@
+#include <string.h>
+
+#include "step/kernel.h"
+
+extern const clod_kernel clod_kernel_scalar;
+
+#if defined(__x86_64__)
+extern const clod_kernel clod_kernel_avx2;
+extern const clod_kernel clod_kernel_avx512;
+
+static bool machine_has(const clod_kernel *kernel)
+{
+    __builtin_cpu_init();
+    if (kernel == &clod_kernel_avx512) {
+        return __builtin_cpu_supports("x86-64-v4") != 0;
+    }
+    if (kernel == &clod_kernel_avx2) {
+        return __builtin_cpu_supports("x86-64-v3") != 0;
+    }
+    return true;
+}
+
+static const clod_kernel *const KERNELS[] = {&clod_kernel_avx512, &clod_kernel_avx2,
+                                             &clod_kernel_scalar};
+#else
+static bool machine_has(const clod_kernel *kernel)
+{
+    return kernel != NULL;
+}
+
+static const clod_kernel *const KERNELS[] = {&clod_kernel_scalar};
+#endif
+
+const clod_kernel *clod_kernel_choose(const char *name)
+{
+    for (size_t k = 0; k < sizeof KERNELS / sizeof *KERNELS; k++) {
+        const bool wanted = name == NULL || strcmp(name, KERNELS[k]->name) == 0;
+        if (wanted && machine_has(KERNELS[k])) {
+            return KERNELS[k];
+        }
+    }
+    return NULL;
+}

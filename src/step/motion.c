@@ -1,0 +1,102 @@
+// Stages drift, gather, kick and servo: how grains and walls move.
+#include <math.h>
+
+#include "parallel/threads.h"
+#include "step/step.h"
+
+/** Walls move with their given velocity and spin, and with their servo. */
+static double drift_walls(clod_step *self)
+{
+    double fastest = 0.0;
+    const double dt = self->state->dt;
+    for (int32_t w = 0; w < self->state->walls.count; w++) {
+        clod_wall *wall = &self->state->walls.wall[w];
+        wall->shift = clod_vec3_axpy(wall->shift, dt, wall->velocity);
+        wall->shift = clod_vec3_axpy(wall->shift, dt * wall->servo_velocity, wall->load_axis);
+        wall->angle += dt * wall->spin;
+        self->pose[w] = clod_wall_pose_now(wall);
+        fastest = fmax(fastest, clod_wall_speed_bound(wall));
+    }
+    return fastest;
+}
+
+void clod_step_drift(clod_step *self, int part)
+{
+    clod_grains *grains = &self->state->grains;
+    clod_step_thread *mine = &self->thread[part];
+    const clod_chunk c = clod_threads_chunk(grains->count, part, self->threads);
+    const clod_kernel_speed seen =
+        self->kernel->drift(grains->place, grains->motion, grains->turning,
+                            (const double(*)[8])grains->load, self->state->dt, c.begin, c.end);
+    mine->max_speed2 = seen.max_speed2;
+    mine->finite = seen.finite;
+    if (part == 0) {
+        const double walls = drift_walls(self);
+        mine->max_speed2 = fmax(mine->max_speed2, walls * walls);
+    }
+}
+
+void clod_step_gather(clod_step *self, int part)
+{
+    clod_grains *grains = &self->state->grains;
+    const clod_chunk c = clod_threads_chunk(grains->count, part, self->threads);
+    self->kernel->gather((const double(*)[8])self->near.slots, self->near.slot_start,
+                         (const double(*)[4])grains->motion, self->state->gravity, grains->load,
+                         c.begin, c.end);
+}
+
+void clod_step_kick(clod_step *self, int part)
+{
+    clod_grains *grains = &self->state->grains;
+    const clod_chunk c = clod_threads_chunk(grains->count, part, self->threads);
+    self->kernel->kick(grains->motion, grains->turning, (const double(*)[8])grains->load,
+                       self->state->dt, c.begin, c.end);
+}
+
+/** Ordered sum of a wall's slots; power is what the wall does to the grains. */
+static void sum_wall(clod_wall *wall, const double (*slots)[8], int32_t begin, int32_t end)
+{
+    double sum[8] = {0.0};
+    for (int32_t s = begin; s < end; s++) {
+        for (int c = 0; c < 8; c++) {
+            sum[c] += slots[s][c];
+        }
+    }
+    wall->force = (clod_vec3){sum[0], sum[1], sum[2]};
+    wall->torque = (clod_vec3){sum[4], sum[5], sum[6]};
+    clod_vec3 v = clod_vec3_add(wall->velocity, wall->surface_velocity);
+    v = clod_vec3_axpy(v, wall->servo_velocity, wall->load_axis);
+    wall->power = -clod_vec3_dot(wall->force, v) -
+                  wall->spin * clod_vec3_dot(wall->torque, wall->spin_axis);
+}
+
+/**
+ * Load servo: mass dv/dt = load + (grains on wall) - damping v along the load axis; the damping
+ * is taken at the new velocity, so it is stable for any mass. The load is the force between
+ * wall and grains: the wall's own weight does not act beside it.
+ */
+static void kick_servo(clod_wall *wall, double dt)
+{
+    const double push = wall->load_force + clod_vec3_dot(wall->force, wall->load_axis);
+    wall->servo_velocity = (wall->servo_velocity + dt * push / wall->mass) /
+                           (1.0 + dt * wall->damping / wall->mass);
+}
+
+void clod_step_servo(clod_step *self, int part)
+{
+    if (part != 0) {
+        return;
+    }
+    for (int32_t w = 0; w < self->state->walls.count; w++) {
+        clod_wall *wall = &self->state->walls.wall[w];
+        sum_wall(wall, (const double(*)[8])self->near.wall_slots, self->near.wall_slot_start[w],
+                 self->near.wall_slot_start[w + 1]);
+        wall->sum_steps++;
+        wall->sum_force = clod_vec3_add(wall->sum_force, wall->force);
+        wall->sum_torque = clod_vec3_add(wall->sum_torque, wall->torque);
+        wall->sum_power += wall->power;
+        if (wall->load != CLOD_LOAD_NONE) {
+            kick_servo(wall, self->view.dt);
+        }
+    }
+}

@@ -1,0 +1,73 @@
+#pragma once
+/**
+ * @file neighbour.h
+ * Who may touch whom: all pairs within a wide skin, found with cells and rebuilt rarely. At a
+ * rebuild the grains are sorted along a space-filling curve, which fixes the order of sums.
+ *
+ * The candidates are a function of the positions at the rebuild (state->build_place) alone, so
+ * a checkpoint restores exactly the same list and the same moment of the next rebuild.
+ */
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/sort.h"
+#include "geometry/wall_pose.h"
+#include "law/law.h"
+#include "state/state.h"
+
+/** A pair that may touch before the next rebuild; for a wall, j is the wall. */
+typedef struct clod_candidate {
+    int32_t i, j;
+    int32_t shape; ///< of the wall; -1 for two grains
+    int32_t law;   ///< row of clod_laws
+    int32_t lane;  ///< where its history is: lane of a block, or row of contacts; -1 none
+    int32_t near;  ///< 1 when it is on the near list that is being made
+} clod_candidate;
+
+typedef struct clod_candidates {
+    clod_candidate *item; ///< [count], in ascending (i, j, shape)
+    size_t count, capacity;
+} clod_candidates;
+
+typedef struct clod_neighbour {
+    double skin; ///< m
+    bool brute_force;
+    double radius_min, radius_max;
+    clod_candidates pairs, walls;
+    clod_wall_pose *build_pose; ///< [walls] at the last rebuild
+    // scratch, kept between rebuilds
+    int32_t *cell_of, *cell_item; ///< [grains]
+    int32_t *cell_start;          ///< [cells + 1]
+    size_t cell_capacity, grain_capacity;
+    clod_sort_item *sort, *sort_scratch; ///< [max(grains, contacts)]
+    size_t sort_capacity;
+    void *rows;    ///< [grain_capacity * 64 bytes] to permute with
+    int32_t *rank; ///< [grains] new place of each old row
+    clod_contact *contact_scratch;
+    size_t contact_scratch_capacity;
+} clod_neighbour;
+
+/** Wide skin from the sizes of the grains; nothing is built yet. */
+void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool brute_force);
+
+/**
+ * Wrap the grains into the domain, sort them along the curve, carry state->contacts over and
+ * note positions as those of the rebuild.
+ *
+ * @return  false: a grain has left an open domain (the text names it), or no memory
+ */
+bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status);
+
+/** Candidates from state->build_place and build_walls; each finds its row of contacts. */
+bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
+                          clod_status *status);
+
+/** Put state->contacts into ascending order: pairs by (i, j), then walls by (i, wall, shape).
+ */
+bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_status *status);
+
+/** Room for one more candidate at the end, or NULL without memory. */
+clod_candidate *clod_neighbour_add(clod_candidates *self);
+
+void clod_neighbour_fini(clod_neighbour *self);

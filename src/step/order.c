@@ -1,0 +1,227 @@
+// The one total order of grains: along a Morton curve, then by id. Sums run in this order.
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "step/neighbour.h"
+
+#define MORTON_BITS 21
+
+/** Spread the low 21 bits of x so that two free bits follow each. */
+static uint64_t spread(uint64_t x)
+{
+    x &= 0x1fffff;
+    x = (x | x << 32) & 0x1f00000000ffff;
+    x = (x | x << 16) & 0x1f0000ff0000ff;
+    x = (x | x << 8) & 0x100f00f00f00f00f;
+    x = (x | x << 4) & 0x10c30c30c30c30c3;
+    x = (x | x << 2) & 0x1249249249249249;
+    return x;
+}
+
+/** Origin and scale of the curve: the grains' bounding cube. */
+static double bounding_cube(const clod_grains *grains, double min[3])
+{
+    double max[3] = {-INFINITY, -INFINITY, -INFINITY};
+    min[0] = min[1] = min[2] = INFINITY;
+    double edge = 0.0;
+    for (int a = 0; a < 3; a++) {
+        for (size_t g = 0; g < grains->count; g++) {
+            min[a] = fmin(min[a], grains->place[g][a]);
+            max[a] = fmax(max[a], grains->place[g][a]);
+        }
+        edge = fmax(edge, max[a] - min[a]);
+    }
+    return edge > 0.0 ? ((double)(1 << MORTON_BITS) - 1.0) / edge : 0.0;
+}
+
+static bool reserve(clod_neighbour *self, const clod_state *state)
+{
+    const size_t grains = state->grains.capacity;
+    const size_t items = grains > state->contact_count ? grains : state->contact_count;
+    if (grains > self->grain_capacity) {
+        clod_memory_free(self->cell_of);
+        clod_memory_free(self->cell_item);
+        clod_memory_free(self->rank);
+        clod_memory_free(self->rows);
+        self->cell_of = clod_memory_alloc(grains, sizeof *self->cell_of);
+        self->cell_item = clod_memory_alloc(grains, sizeof *self->cell_item);
+        self->rank = clod_memory_alloc(grains, sizeof *self->rank);
+        self->rows = clod_memory_alloc(grains, 8 * sizeof(double));
+        self->grain_capacity = grains;
+    }
+    if (items > self->sort_capacity) {
+        clod_memory_free(self->sort);
+        clod_memory_free(self->sort_scratch);
+        self->sort_capacity = items + items / 4;
+        self->sort = clod_memory_alloc(self->sort_capacity, sizeof *self->sort);
+        self->sort_scratch = clod_memory_alloc(self->sort_capacity, sizeof *self->sort);
+    }
+    return self->cell_of != NULL && self->cell_item != NULL && self->rank != NULL &&
+           self->rows != NULL && self->sort != NULL && self->sort_scratch != NULL;
+}
+
+/** Wrap periodic directions; a grain beyond an open side is an error. */
+static bool wrap(clod_state *state, clod_status *status)
+{
+    static const char AXIS[] = "xyz";
+    for (size_t g = 0; g < state->grains.count; g++) {
+        for (int a = 0; a < 3; a++) {
+            double *x = &state->grains.place[g][a];
+            const double min = state->domain.min[a];
+            const double max = state->domain.max[a];
+            if (state->domain.periodic[a]) {
+                *x -= (max - min) * floor((*x - min) / (max - min));
+            } else if (!(*x >= min && *x <= max)) {
+                return clod_status_fail(
+                    status, CLOD_FAILED,
+                    "step %lld: grain %llu has left the domain: %c = %g m, allowed %g to %g m; "
+                    "enlarge domain, close the gap in the walls, or take a smaller time step",
+                    (long long)state->step, (unsigned long long)state->grains.id[g], AXIS[a],
+                    *x, min, max);
+            }
+        }
+    }
+    return true;
+}
+
+static void sort_along_curve(clod_neighbour *self, const clod_grains *grains)
+{
+    double min[3];
+    const double scale = bounding_cube(grains, min);
+    for (size_t g = 0; g < grains->count; g++) {
+        const double *p = grains->place[g];
+        const uint64_t x = spread((uint64_t)((p[0] - min[0]) * scale));
+        const uint64_t y = spread((uint64_t)((p[1] - min[1]) * scale));
+        const uint64_t z = spread((uint64_t)((p[2] - min[2]) * scale));
+        self->sort[g] = (clod_sort_item){x | y << 1 | z << 2, g};
+    }
+    clod_sort(self->sort, self->sort_scratch, grains->count);
+    for (size_t k = 1; k < grains->count; k++) { // equal keys are rare: by id
+        const clod_sort_item moving = self->sort[k];
+        size_t at = k;
+        while (at > 0 && self->sort[at - 1].key == moving.key &&
+               grains->id[self->sort[at - 1].index] > grains->id[moving.index]) {
+            self->sort[at] = self->sort[at - 1];
+            at--;
+        }
+        self->sort[at] = moving;
+    }
+}
+
+/** Bring one array into the new order. */
+static void permute(const clod_neighbour *self, void *array, size_t count, size_t size)
+{
+    char *to = self->rows;
+    const char *from = array;
+    for (size_t g = 0; g < count; g++) {
+        memcpy(to + g * size, from + self->sort[g].index * size, size);
+    }
+    memcpy(array, to, count * size);
+}
+
+/** Rename the grains of a contact; when their order turns, i and j swap and springs with them.
+ */
+static void rename_contact(const clod_neighbour *self, clod_contact *c)
+{
+    c->i = self->rank[c->i];
+    if (c->shape >= 0) {
+        return;
+    }
+    c->j = self->rank[c->j];
+    if (c->i > c->j) {
+        const int32_t swap = c->i;
+        c->i = c->j;
+        c->j = swap;
+        for (int h = 2; h < 8; h++) {
+            c->history[h] = -c->history[h];
+        }
+    }
+}
+
+static void sort_part(clod_neighbour *self, clod_contact *contacts, size_t count)
+{
+    for (size_t k = 0; k < count; k++) {
+        const uint64_t low = contacts[k].shape < 0 ? (uint64_t)(uint32_t)contacts[k].j
+                                                   : (uint64_t)(uint32_t)contacts[k].j << 16 |
+                                                         (uint64_t)(uint32_t)contacts[k].shape;
+        self->sort[k] = (clod_sort_item){(uint64_t)(uint32_t)contacts[k].i << 32 | low, k};
+    }
+    clod_sort(self->sort, self->sort_scratch, count);
+    for (size_t k = 0; k < count; k++) {
+        self->contact_scratch[k] = contacts[self->sort[k].index];
+    }
+    if (count > 0) {
+        memcpy(contacts, self->contact_scratch, count * sizeof *contacts);
+    }
+}
+
+bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_status *status)
+{
+    if (state->contact_count > self->contact_scratch_capacity) {
+        clod_memory_free(self->contact_scratch);
+        self->contact_scratch_capacity = state->contact_count + state->contact_count / 4;
+        self->contact_scratch =
+            clod_memory_alloc(self->contact_scratch_capacity, sizeof *self->contact_scratch);
+    }
+    if (!reserve(self, state) || (state->contact_count > 0 && self->contact_scratch == NULL)) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu contacts",
+                                state->contact_count);
+    }
+    const size_t pairs = state->contact_count - state->wall_contact_count;
+    sort_part(self, state->contacts, pairs);
+    sort_part(self, state->contacts + pairs, state->wall_contact_count);
+    return true;
+}
+
+/** Remember where everything is at this rebuild. */
+static bool note_rebuild(clod_state *state)
+{
+    clod_grains *grains = &state->grains;
+    if (state->build_place == NULL) {
+        state->build_place = clod_memory_alloc(grains->capacity, sizeof *state->build_place);
+        state->build_walls =
+            clod_memory_alloc(4 * (size_t)state->walls.count + 1, sizeof(double));
+        if (state->build_place == NULL || state->build_walls == NULL) {
+            return false;
+        }
+    }
+    memcpy(state->build_place, grains->place, grains->count * sizeof *grains->place);
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        const clod_wall *wall = &state->walls.wall[w];
+        const double at[4] = {wall->shift.x, wall->shift.y, wall->shift.z, wall->angle};
+        memcpy(&state->build_walls[4 * w], at, sizeof at);
+    }
+    state->build_motion = 0.0;
+    return true;
+}
+
+bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status)
+{
+    clod_grains *grains = &state->grains;
+    if (!wrap(state, status)) {
+        return false;
+    }
+    if (!reserve(self, state)) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu grains",
+                                grains->count);
+    }
+    sort_along_curve(self, grains);
+    permute(self, grains->place, grains->count, sizeof *grains->place);
+    permute(self, grains->motion, grains->count, sizeof *grains->motion);
+    permute(self, grains->turning, grains->count, sizeof *grains->turning);
+    permute(self, grains->load, grains->count, sizeof *grains->load);
+    permute(self, grains->id, grains->count, sizeof *grains->id);
+    permute(self, grains->material, grains->count, sizeof *grains->material);
+    for (size_t g = 0; g < grains->count; g++) {
+        self->rank[self->sort[g].index] = (int32_t)g;
+    }
+    for (size_t k = 0; k < state->contact_count; k++) {
+        rename_contact(self, &state->contacts[k]);
+    }
+    if (!note_rebuild(state)) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu grains",
+                                grains->count);
+    }
+    return clod_neighbour_sort_contacts(self, state, status);
+}

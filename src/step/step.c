@@ -1,0 +1,216 @@
+#include "step/step.h"
+
+#include <math.h>
+#include <omp.h>
+
+#include "base/memory.h"
+#include "parallel/threads.h"
+#include "step/trouble.h"
+
+/** What a stage reads and writes, for the reader and for the order of barriers. */
+enum {
+    POSITION = 1,
+    VELOCITY = 2,
+    CONTACT_LIST = 4,
+    CONTACT_FORCE = 8,
+    HISTORY = 16,
+    FORCE = 32,
+    WALLS = 64,
+};
+
+typedef struct clod_stage {
+    const char *name;
+    void (*run)(clod_step *self, int part);
+    int reads, writes;
+    bool wait; ///< all threads must have finished it before the next stage begins
+} clod_stage;
+
+static const clod_stage STAGES[] = {
+    // clang-format off
+    {"drift",   clod_step_drift,   FORCE,                      POSITION | VELOCITY | WALLS, true},
+    {"near",    clod_step_near,    POSITION | VELOCITY,        CONTACT_LIST,                false},
+    {"contact", clod_step_contact, POSITION | VELOCITY,        CONTACT_FORCE | HISTORY,     false},
+    {"wall",    clod_step_wall,    POSITION | VELOCITY | WALLS, CONTACT_FORCE | HISTORY,    true},
+    {"gather",  clod_step_gather,  CONTACT_FORCE,              FORCE,                       false},
+    {"kick",    clod_step_kick,    FORCE,                      VELOCITY,                    false},
+    {"servo",   clod_step_servo,   CONTACT_FORCE,              WALLS,                       false},
+    // clang-format on
+};
+#define STAGE_COUNT (sizeof STAGES / sizeof *STAGES)
+
+static bool has_trouble(const clod_step *self)
+{
+    bool trouble = self->failed;
+    for (int t = 0; t < self->threads; t++) {
+        trouble |= !self->thread[t].finite || self->thread[t].excess;
+    }
+    return trouble;
+}
+
+/** The steps as one thread sees them. */
+static void advance_part(clod_step *self, int64_t steps, int part)
+{
+    const int64_t first = self->state->step;
+    for (int64_t s = 0; s < steps; s++) {
+        for (size_t k = 0; k < STAGE_COUNT; k++) {
+            STAGES[k].run(self, part);
+            if (STAGES[k].wait) {
+#pragma omp barrier
+            }
+            if (self->failed) { // set between barriers: all threads see it here
+                return;
+            }
+        }
+        if (part == 0) {
+            self->state->step = first + s + 1;
+        }
+        if (has_trouble(self)) { // flags were written before the last barrier: all agree
+            break;
+        }
+    }
+}
+
+bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
+{
+    for (int t = 0; t < self->threads; t++) {
+        self->thread[t].build_motion = self->state->build_motion;
+        self->thread[t].near_motion = self->thread[0].near_motion;
+    }
+    self->view.dt = self->state->dt;
+    if (self->threads == 1) {
+        advance_part(self, steps, 0);
+    } else {
+#pragma omp parallel num_threads(self->threads)
+        advance_part(self, steps, omp_get_thread_num());
+    }
+    self->state->build_motion = self->thread[0].build_motion;
+    self->state->time = (double)self->state->step * self->state->dt;
+    if (self->failed) {
+        *status = self->status;
+        return false;
+    }
+    return !has_trouble(self) || clod_trouble_report(self, status);
+}
+
+static bool allocate(clod_step *self)
+{
+    const size_t walls = (size_t)self->state->walls.count;
+    self->thread = clod_memory_alloc((size_t)self->threads, sizeof *self->thread);
+    self->pose = clod_memory_alloc(walls + 1, sizeof *self->pose);
+    if (self->thread == NULL || self->pose == NULL) {
+        return false;
+    }
+    for (int t = 0; t < self->threads; t++) {
+        self->thread[t].finite = true;
+    }
+    for (size_t w = 0; w < walls; w++) {
+        self->pose[w] = clod_wall_pose_now(&self->state->walls.wall[w]);
+    }
+    return true;
+}
+
+/** Rows and periods for the kernels. */
+static void look(clod_step *self)
+{
+    const clod_grains *grains = &self->state->grains;
+    self->view = (clod_kernel_view){.place = (const double(*)[4])grains->place,
+                                    .motion = (const double(*)[4])grains->motion,
+                                    .turning = (const double(*)[4])grains->turning,
+                                    .slots = self->near.slots,
+                                    .wall_slots = self->near.wall_slots};
+    for (int a = 0; a < 3; a++) {
+        const clod_domain *domain = &self->state->domain;
+        if (domain->periodic[a]) {
+            self->view.period[a] = domain->max[a] - domain->min[a];
+            self->view.inverse_period[a] = 1.0 / self->view.period[a];
+        }
+    }
+}
+
+static bool periods_are_long_enough(const clod_step *self, clod_status *status)
+{
+    const double least = 4.0 * self->neighbour.radius_max + 2.0 * self->neighbour.skin;
+    for (int a = 0; a < 3; a++) {
+        const clod_domain *domain = &self->state->domain;
+        const double period = domain->max[a] - domain->min[a];
+        if (domain->periodic[a] && !(period > least)) {
+            return clod_status_fail(
+                status, CLOD_USAGE,
+                "domain: the period along %c is %g m, but a grain would meet its own "
+                "neighbours twice; at least %g m is needed for these grains",
+                "xyz"[a], period, least);
+        }
+    }
+    return true;
+}
+
+/** Lists of a state: as they were at its last rebuild, or for the first time. */
+static bool build_lists(clod_step *self, clod_status *status)
+{
+    clod_state *state = self->state;
+    if (state->build_motion < 0.0 || state->build_place == NULL) {
+        state->contact_count = state->wall_contact_count = 0;
+        if (!clod_neighbour_sort(&self->neighbour, state, status)) {
+            return false;
+        }
+    } else if (!clod_neighbour_sort_contacts(&self->neighbour, state, status)) {
+        return false;
+    }
+    return clod_neighbour_build(&self->neighbour, state, self->laws, status) &&
+           clod_near_make(&self->near, &self->neighbour, state, self->laws, self->pose,
+                          0.01 * self->neighbour.radius_min, true, status);
+}
+
+/** Forces of a state that has never been stepped: the stages without time passing. */
+static bool first_forces(clod_step *self, clod_status *status)
+{
+    for (int t = 0; t < self->threads; t++) {
+        clod_step_contact(self, t);
+        clod_step_wall(self, t);
+    }
+    for (int t = 0; t < self->threads; t++) {
+        clod_step_gather(self, t);
+        clod_step_servo(self, t);
+    }
+    clod_walls_reset_sums(&self->state->walls);
+    return !has_trouble(self) || clod_trouble_report(self, status);
+}
+
+bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
+                    const clod_step_options *options, clod_status *status)
+{
+    *self = (clod_step){.state = state, .laws = laws};
+    self->kernel = clod_kernel_choose(options->simd);
+    if (self->kernel == NULL) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "instruction set '%s' is unknown or not in this machine; use "
+                                "scalar, avx2 or avx512, or leave it out for the best",
+                                options->simd != NULL ? options->simd : "best");
+    }
+    self->threads = options->threads > 0 ? options->threads : clod_threads_available();
+    clod_neighbour_init(&self->neighbour, state, options->brute_force);
+    clod_grains_pad(&state->grains);
+    if (!allocate(self)) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the step");
+    }
+    const bool fresh = state->build_motion < 0.0 || state->build_place == NULL;
+    if (!periods_are_long_enough(self, status) || !build_lists(self, status)) {
+        return false;
+    }
+    look(self);
+    return !fresh || first_forces(self, status);
+}
+
+bool clod_step_export(clod_step *self, clod_status *status)
+{
+    return clod_near_export(&self->near, &self->neighbour, self->state, status);
+}
+
+void clod_step_fini(clod_step *self)
+{
+    clod_neighbour_fini(&self->neighbour);
+    clod_near_fini(&self->near);
+    clod_memory_free(self->thread);
+    clod_memory_free(self->pose);
+    *self = (clod_step){0};
+}

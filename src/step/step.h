@@ -1,0 +1,82 @@
+#pragma once
+/**
+ * @file step.h
+ * The step: everything that happens between two moments of a simulation, and the scratch it
+ * needs. The state itself is in state/state.h.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "law/law.h"
+#include "state/state.h"
+#include "step/kernel.h"
+#include "step/near.h"
+
+typedef struct clod_step_options {
+    int threads;      ///< 0 = all processors
+    const char *simd; ///< instruction set, NULL = best
+    bool brute_force; ///< neighbour search over all pairs (tests)
+} clod_step_options;
+
+/** What one thread keeps to itself, on its own cache lines; motions are the same in all. */
+typedef struct clod_step_thread {
+    _Alignas(64) double max_speed2; ///< m2/s2, of its grains (and of the walls: thread 0)
+    double build_motion;            ///< m, bound of any motion since the last rebuild
+    double near_motion;             ///< m, since the last near list
+    bool finite;
+    bool excess; ///< an overlap beyond the laws' range
+} clod_step_thread;
+
+typedef struct clod_step {
+    clod_state *state;     ///< borrowed
+    const clod_laws *laws; ///< borrowed; adhesion may change between calls of advance
+    const clod_kernel *kernel;
+    int threads;
+    clod_step_thread *thread; ///< [threads]
+    clod_neighbour neighbour; ///< candidates
+    clod_near near;           ///< contact blocks, slots
+    clod_wall_pose *pose;     ///< [walls] of this step
+    clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
+    bool failed;           ///< a rebuild went wrong; status says why
+    clod_status status;
+    // for reports
+    int64_t rebuilds, refreshes;
+} clod_step;
+
+/**
+ * Get ready to advance a state; the forces of a fresh state are computed.
+ *
+ * @param self     [out]
+ * @param state    borrowed until clod_step_fini; its contacts' history is taken over
+ * @param laws     borrowed
+ * @return         false: no memory, unknown instruction set, or a state that cannot be
+ * Errors  CLOD_FAILED, CLOD_USAGE.   Threads  one per state.
+ */
+bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
+                    const clod_step_options *options, clod_status *status);
+
+/**
+ * Advance by a number of steps of velocity Verlet.
+ *
+ * @return  false when physics went wrong: a number that is not finite, or an overlap beyond the
+ *          laws' range; the text names the grain and the step. The state is whole then.
+ * Errors  CLOD_FAILED.   Threads  uses options.threads; same bits for any number.
+ */
+bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status);
+
+/** Write the history of all closed contacts into state->contacts (checkpoint, measurements). */
+bool clod_step_export(clod_step *self, clod_status *status);
+
+void clod_step_fini(clod_step *self);
+
+// ---- stages, in the order in which step.c lists them; `part` is the thread's number
+
+void clod_step_drift(clod_step *self, int part);
+void clod_step_near(clod_step *self, int part);
+void clod_step_contact(clod_step *self, int part);
+void clod_step_wall(clod_step *self, int part);
+void clod_step_gather(clod_step *self, int part);
+void clod_step_kick(clod_step *self, int part);
+void clod_step_servo(clod_step *self, int part);
