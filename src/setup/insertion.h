@@ -1,0 +1,47 @@
+#pragma once
+/**
+ * @file insertion.h
+ * Random insertion of grains without overlap. Every random number is a function of seed, grain
+ * id and draw, and grains are put one after the other, so a seed gives the same grains always.
+ */
+
+#include "setup/sizes.h"
+#include "state/state.h"
+
+/** A group of grains to put. */
+typedef struct clod_insertion {
+    const char *name; ///< of the group in messages, for instance "grains[0]"
+    const clod_case_region *region;
+    const clod_sizes *sizes;
+    uint64_t seed;
+    uint64_t first_id; ///< ids are first_id, first_id + 1, ...
+    size_t count;
+    uint16_t material;
+    double density;     ///< kg/m3
+    double velocity[3]; ///< m/s
+} clod_insertion;
+
+/**
+ * Put grains at random places of a region, the largest first. When they are too many for that
+ * (a solid fraction above about 0.3), they are put in loose layers from the bottom up, each
+ * grain at a random place of its cell (box) or of its part of a ring (annulus).
+ *
+ * The grains are inside the region and clear of each other, of the walls of the state and of
+ * the grains that are in it; beside the shell of a cylinder they are on its side.
+ *
+ * @param state  [in,out] walls and domain are read, grains are appended in order of id
+ * Errors  CLOD_USAGE: they do not fit; the text has the wanted and the reached count.
+ * Threads one at a time; same grains for the same seed.
+ * Test    tests/setup/test_insertion.c
+ */
+bool clod_insert_region(clod_state *state, const clod_insertion *what, clod_status *status);
+
+/**
+ * Put grains into an upright annulus (or cylinder) that is open upwards, filled at random from
+ * the bottom: the region's height is not read.
+ *
+ * @param state   [in,out] as above
+ * @param height  [out] height of the highest point of any grain put [m]
+ */
+bool clod_insert_annulus_column(clod_state *state, const clod_insertion *what, double *height,
+                                clod_status *status);

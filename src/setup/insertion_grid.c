@@ -1,0 +1,162 @@
+#include "setup/insertion_grid.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+/** Cells first to last that a sphere touches in each direction. */
+typedef struct clod_insertion_range {
+    int32_t first[3], last[3];
+} clod_insertion_range;
+
+bool clod_insertion_grid_init(clod_insertion_grid *self, const double low[3],
+                              const double high[3], const double period[3], double largest,
+                              size_t spheres, clod_status *status)
+{
+    *self = (clod_insertion_grid){.largest = largest};
+    double volume = 1.0;
+    for (int a = 0; a < 3; a++) {
+        volume *= high[a] - low[a];
+    }
+    const double edge = cbrt(volume / (double)(spheres + 1));
+    size_t cells = 1;
+    for (int a = 0; a < 3; a++) {
+        const double wanted = (high[a] - low[a]) / edge;
+        self->low[a] = low[a];
+        self->high[a] = high[a];
+        self->period[a] = period[a];
+        self->cells[a] = (int32_t)fmin(fmax(wanted, 1.0), 1000.0);
+        self->inverse[a] = self->cells[a] / (high[a] - low[a]);
+        cells *= (size_t)self->cells[a];
+    }
+    self->head = clod_memory_alloc(cells, sizeof *self->head);
+    if (self->head == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
+    }
+    memset(self->head, 0xff, cells * sizeof *self->head); // -1
+    return true;
+}
+
+static int32_t cell_of(const clod_insertion_grid *self, int axis, double x)
+{
+    const double c = (x - self->low[axis]) * self->inverse[axis];
+    return (int32_t)fmin(fmax(c, 0.0), self->cells[axis] - 1.0);
+}
+
+static clod_insertion_range range_of(const clod_insertion_grid *self, const double place[4])
+{
+    clod_insertion_range range;
+    for (int a = 0; a < 3; a++) {
+        range.first[a] = cell_of(self, a, place[a] - place[3]);
+        range.last[a] = cell_of(self, a, place[a] + place[3]);
+    }
+    return range;
+}
+
+static bool apart(const double a[4], const double b[4])
+{
+    const double x = a[0] - b[0];
+    const double y = a[1] - b[1];
+    const double z = a[2] - b[2];
+    const double reach = a[3] + b[3];
+    return x * x + y * y + z * z >= reach * reach;
+}
+
+static size_t cell_index(const clod_insertion_grid *self, int32_t x, int32_t y, int32_t z)
+{
+    return ((size_t)z * (size_t)self->cells[1] + (size_t)y) * (size_t)self->cells[0] +
+           (size_t)x;
+}
+
+static bool cell_clear(const clod_insertion_grid *self, size_t cell, const double place[4])
+{
+    for (int32_t n = self->head[cell]; n >= 0; n = self->note[n].next) {
+        if (!apart(place, self->note[n].place)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double place[4])
+{
+    const clod_insertion_range r = range_of(self, place);
+    for (int32_t z = r.first[2]; z <= r.last[2]; z++) {
+        for (int32_t y = r.first[1]; y <= r.last[1]; y++) {
+            for (int32_t x = r.first[0]; x <= r.last[0]; x++) {
+                if (!cell_clear(self, cell_index(self, x, y, z), place)) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+static bool note_in(clod_insertion_grid *self, size_t cell, const double place[4],
+                    clod_status *status)
+{
+    if (self->count == self->capacity) {
+        const size_t capacity = self->capacity + self->capacity / 2 + 1024;
+        void *note = clod_memory_grow(self->note, self->capacity, capacity, sizeof *self->note);
+        if (note == NULL || capacity > INT32_MAX) {
+            self->note = note != NULL ? note : self->note;
+            return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
+        }
+        self->note = note;
+        self->capacity = capacity;
+    }
+    clod_insertion_note *note = &self->note[self->count];
+    memcpy(note->place, place, sizeof note->place);
+    note->next = self->head[cell];
+    self->head[cell] = (int32_t)self->count++;
+    return true;
+}
+
+/** Note one image of a sphere, unless no sphere in the box can reach it. */
+static bool add_image(clod_insertion_grid *self, const double place[4], clod_status *status)
+{
+    const double reach = place[3] + self->largest;
+    for (int a = 0; a < 3; a++) {
+        if (place[a] < self->low[a] - reach || place[a] > self->high[a] + reach) {
+            return true;
+        }
+    }
+    const clod_insertion_range r = range_of(self, place);
+    for (int32_t z = r.first[2]; z <= r.last[2]; z++) {
+        for (int32_t y = r.first[1]; y <= r.last[1]; y++) {
+            for (int32_t x = r.first[0]; x <= r.last[0]; x++) {
+                if (!note_in(self, cell_index(self, x, y, z), place, status)) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
+                             clod_status *status)
+{
+    for (int image = 0; image < 27; image++) {
+        const int turn[3] = {image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1};
+        double moved[4] = {place[0], place[1], place[2], place[3]};
+        bool wanted = true;
+        for (int a = 0; a < 3; a++) {
+            wanted &= turn[a] == 0 || self->period[a] > 0.0;
+            moved[a] += turn[a] * self->period[a];
+        }
+        if (wanted && !add_image(self, moved, status)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void clod_insertion_grid_fini(clod_insertion_grid *self)
+{
+    clod_memory_free(self->head);
+    clod_memory_free(self->note);
+    *self = (clod_insertion_grid){0};
+}

@@ -1,0 +1,50 @@
+#pragma once
+/**
+ * @file insertion_grid.h
+ * Cells that tell which spheres are near a place. A sphere is noted in every cell it touches,
+ * so that large and small spheres mix well.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "clod/status.h"
+
+/** A sphere as noted in one cell. */
+typedef struct clod_insertion_note {
+    double place[4]; ///< centre and radius [m]
+    int32_t next;    ///< next note of the cell, -1 at the end
+} clod_insertion_note;
+
+typedef struct clod_insertion_grid {
+    double low[3], high[3]; ///< m; spheres beyond are noted in the cells of the border
+    double period[3];       ///< m; 0 where space is open
+    double largest;         ///< m, radius of the largest sphere that is asked about
+    double inverse[3];      ///< cells per metre
+    int32_t cells[3];
+    int32_t *head;             ///< [cells] first note, -1 when there is none; owned
+    clod_insertion_note *note; ///< owned
+    size_t count, capacity;
+} clod_insertion_grid;
+
+/**
+ * An empty grid.
+ *
+ * @param low, high  [3] bounding box of the places that will be asked for [m]
+ * @param period     [3] m; 0 where space is open
+ * @param largest    radius of the largest sphere that will be asked about [m]
+ * @param spheres    how many are expected: about one cell each
+ */
+bool clod_insertion_grid_init(clod_insertion_grid *self, const double low[3],
+                              const double high[3], const double period[3], double largest,
+                              size_t spheres, clod_status *status);
+
+/** Whether a sphere overlaps none of those noted, nor their periodic images. */
+bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double place[4]);
+
+/** Note a sphere and its periodic images. */
+bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
+                             clod_status *status);
+
+void clod_insertion_grid_fini(clod_insertion_grid *self);

@@ -1,0 +1,172 @@
+#include "setup/insertion_space.h"
+
+#include <math.h>
+
+#include "base/memory.h"
+
+static void set_bounds(clod_insertion_space *self, double top)
+{
+    const clod_case_region *region = self->region;
+    for (int a = 0; a < 3; a++) {
+        const double span = region->outer_radius;
+        const bool box = region->kind == CLOD_REGION_BOX;
+        self->low[a] = box ? region->min[a] : region->center[a] - (a < 2 ? span : 0.0);
+        self->high[a] = box ? region->max[a] : region->center[a] + span;
+        const clod_domain *domain = &self->state->domain;
+        const double period = domain->max[a] - domain->min[a];
+        self->through[a] = box && domain->periodic[a] &&
+                           self->high[a] - self->low[a] >= period * (1.0 - 1e-12);
+    }
+    self->high[2] = top;
+}
+
+/** Note the grains of the state. */
+static bool note_grains(clod_insertion_space *self, clod_status *status)
+{
+    const clod_grains *grains = &self->state->grains;
+    for (size_t g = 0; g < grains->count; g++) {
+        if (!clod_insertion_grid_add(&self->grid, grains->place[g], status)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool clod_insertion_space_init(clod_insertion_space *self, const clod_case_region *region,
+                               double top, const clod_state *state, double largest,
+                               size_t grains, clod_status *status)
+{
+    *self = (clod_insertion_space){.region = region, .state = state};
+    set_bounds(self, top);
+    const clod_walls *walls = &state->walls;
+    self->pose = clod_memory_alloc((size_t)walls->count + 1, sizeof *self->pose);
+    if (self->pose == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
+    }
+    for (int32_t w = 0; w < walls->count; w++) {
+        self->pose[w] = clod_wall_pose_now(&walls->wall[w]);
+    }
+    double period[3] = {0.0, 0.0, 0.0};
+    for (int a = 0; a < 3; a++) {
+        if (state->domain.periodic[a]) {
+            period[a] = state->domain.max[a] - state->domain.min[a];
+        }
+    }
+    return clod_insertion_grid_init(&self->grid, self->low, self->high, period, largest, grains,
+                                    status) &&
+           note_grains(self, status);
+}
+
+double clod_insertion_space_volume(const clod_insertion_space *self)
+{
+    const clod_case_region *region = self->region;
+    const double height = self->high[2] - self->low[2];
+    if (region->kind == CLOD_REGION_BOX) {
+        return (self->high[0] - self->low[0]) * (self->high[1] - self->low[1]) * height;
+    }
+    const double outer = region->outer_radius;
+    const double inner = region->inner_radius;
+    return M_PI * (outer * outer - inner * inner) * height;
+}
+
+/** Whether the sphere is in the region; in a direction that is all of a period it always is. */
+static bool inside(const clod_insertion_space *self, const double place[4])
+{
+    const double r = place[3];
+    for (int a = 0; a < 3; a++) {
+        if (!self->through[a] &&
+            (place[a] - r < self->low[a] || place[a] + r > self->high[a])) {
+            return false;
+        }
+    }
+    if (self->region->kind == CLOD_REGION_BOX) {
+        return true;
+    }
+    const double rho =
+        hypot(place[0] - self->region->center[0], place[1] - self->region->center[1]);
+    const double inner = self->region->inner_radius;
+    return rho + r <= self->region->outer_radius && (inner == 0.0 || rho - r >= inner);
+}
+
+/** Whether a point beside a shell is on the side where the grains belong. */
+static bool right_side(const clod_shape *shape, clod_vec3 p)
+{
+    if (shape->kind != CLOD_SHAPE_CYLINDER) {
+        return true;
+    }
+    const clod_vec3 r = clod_vec3_sub(p, shape->center);
+    const double height = clod_vec3_dot(r, shape->axis[2]);
+    const double rho = clod_vec3_length(clod_vec3_axpy(r, -height, shape->axis[2]));
+    const bool beside = height >= 0.0 && height <= 2.0 * shape->half[2];
+    return !beside || (rho < shape->outer) == (shape->side == CLOD_SIDE_INSIDE);
+}
+
+static bool clear_of_walls(const clod_insertion_space *self, const double place[4])
+{
+    const clod_vec3 p = {place[0], place[1], place[2]};
+    for (int32_t w = 0; w < self->state->walls.count; w++) {
+        const clod_wall *wall = &self->state->walls.wall[w];
+        for (int32_t s = 0; s < wall->shape_count; s++) {
+            const clod_shape *shape = &wall->shapes[s];
+            const clod_gap gap = clod_wall_gap_in_space(&self->pose[w], shape, p);
+            if (gap.distance < place[3] ||
+                !right_side(shape, clod_wall_to_frame(&self->pose[w], p))) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool clod_insertion_space_clear(const clod_insertion_space *self, const double place[4])
+{
+    return inside(self, place) && clod_insertion_grid_clear(&self->grid, place) &&
+           clear_of_walls(self, place);
+}
+
+bool clod_insertion_space_take(clod_insertion_space *self, const double place[4],
+                               clod_status *status)
+{
+    return clod_insertion_grid_add(&self->grid, place, status);
+}
+
+/** Uniform between two ends; false when they are in the wrong order. */
+static bool draw_between(double from, double to, double u, double *x)
+{
+    *x = from + u * (to - from);
+    return from <= to;
+}
+
+bool clod_insertion_space_draw(const clod_insertion_space *self, double place[4], double bottom,
+                               double top, const double u[3])
+{
+    const double r = place[3];
+    const double vertical = self->through[2] ? 0.0 : r;
+    if (!draw_between(bottom + vertical, top - vertical, u[2], &place[2])) {
+        return false;
+    }
+    if (self->region->kind == CLOD_REGION_BOX) {
+        const double x = self->through[0] ? 0.0 : r;
+        const double y = self->through[1] ? 0.0 : r;
+        return draw_between(self->low[0] + x, self->high[0] - x, u[0], &place[0]) &&
+               draw_between(self->low[1] + y, self->high[1] - y, u[1], &place[1]);
+    }
+    const double outer = self->region->outer_radius - r;
+    const double inner =
+        self->region->inner_radius > 0.0 ? self->region->inner_radius + r : 0.0;
+    double square = 0.0; // the square of the distance from the axis is uniform
+    if (outer < 0.0 || !draw_between(inner * inner, outer * outer, u[0], &square)) {
+        return false;
+    }
+    const double angle = 2.0 * M_PI * u[1];
+    place[0] = self->region->center[0] + sqrt(square) * cos(angle);
+    place[1] = self->region->center[1] + sqrt(square) * sin(angle);
+    return true;
+}
+
+void clod_insertion_space_fini(clod_insertion_space *self)
+{
+    clod_memory_free(self->pose);
+    clod_insertion_grid_fini(&self->grid);
+    *self = (clod_insertion_space){0};
+}

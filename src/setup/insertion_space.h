@@ -1,0 +1,52 @@
+#pragma once
+/**
+ * @file insertion_space.h
+ * Where a grain may be put: inside a region, clear of walls, clear of other grains.
+ */
+
+#include "geometry/wall_gap.h"
+#include "setup/insertion_grid.h"
+#include "state/state.h"
+
+typedef struct clod_insertion_space {
+    const clod_case_region *region; ///< borrowed
+    const clod_state *state;        ///< borrowed: its walls and the grains there before
+    double low[3], high[3];         ///< m, bounding box of the region
+    bool through[3];                ///< the region goes through a whole period
+    clod_wall_pose *pose;           ///< [walls] owned
+    clod_insertion_grid grid;
+} clod_insertion_space;
+
+/**
+ * Get a region ready, with all grains that are in the state noted.
+ *
+ * @param top      m; upper end of the region, for one that is open upwards
+ * @param largest  radius of the largest grain that will be put [m]
+ * @param grains   how many will be put
+ */
+bool clod_insertion_space_init(clod_insertion_space *self, const clod_case_region *region,
+                               double top, const clod_state *state, double largest,
+                               size_t grains, clod_status *status);
+
+/** Volume of the region [m3]. */
+double clod_insertion_space_volume(const clod_insertion_space *self);
+
+/** Whether a sphere is inside the region and overlaps neither wall nor grain. */
+bool clod_insertion_space_clear(const clod_insertion_space *self, const double place[4]);
+
+/** Note that a sphere has been put. */
+bool clod_insertion_space_take(clod_insertion_space *self, const double place[4],
+                               clod_status *status);
+
+/**
+ * A random place for a sphere in the region between two heights, uniform in volume.
+ *
+ * @param place   [in,out] place[3] is the radius [m]; the centre is written
+ * @param bottom, top  m, between which the whole sphere is
+ * @param u       [3] uniform random numbers
+ * @return        false when the sphere is too large for the region
+ */
+bool clod_insertion_space_draw(const clod_insertion_space *self, double place[4], double bottom,
+                               double top, const double u[3]);
+
+void clod_insertion_space_fini(clod_insertion_space *self);
