@@ -43,3 +43,6 @@ void clod_checkpoint_file_release(clod_checkpoint_file files[2]);
 
 /** Index of the whole file written last, or -1. */
 int clod_checkpoint_file_newest(const clod_checkpoint_file files[2]);
+
+/** Whether the file begins like a checkpoint, whole or not; false when it cannot be read. */
+bool clod_checkpoint_file_is_ours(const char *path);

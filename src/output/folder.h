@@ -32,7 +32,9 @@ const char *clod_folder_path(const clod_folder *self);
 void clod_folder_close(clod_folder **self);
 
 /**
- * Remove the files that clod writes (--fresh), and nothing else; no sub-folders.
+ * Remove the files that clod writes (--fresh), and nothing else; no sub-folders. The copies of
+ * the case stay (the run that follows replaces them): one of them may be the very file that the
+ * run was started with.
  *
  * @param path        folder; one that does not exist is fine
  * @param more        [more_count] further file name patterns, e.g. "point_[0-9]*.csv"

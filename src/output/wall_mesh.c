@@ -1,0 +1,196 @@
+#include "output/wall_mesh.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+
+#define SEGMENTS CLOD_WALL_MESH_SEGMENTS
+
+/** Where new triangles go, and what they belong to. */
+typedef struct clod_mesh_pen {
+    clod_wall_mesh *mesh;
+    const clod_wall *wall;
+    const clod_shape *shape;
+    int32_t number; ///< of the wall
+} clod_mesh_pen;
+
+static size_t shape_triangles(const clod_shape *shape)
+{
+    switch (shape->kind) {
+    case CLOD_SHAPE_PLANE:
+        return 2;
+    case CLOD_SHAPE_DISC:
+        return SEGMENTS;
+    case CLOD_SHAPE_ANNULUS:
+    case CLOD_SHAPE_CYLINDER:
+        return (size_t)2 * SEGMENTS;
+    case CLOD_SHAPE_BOX:
+    case CLOD_SHAPE_BAR:
+        return 12;
+    }
+    return 0;
+}
+
+/** A point of the wall's frame, in space. */
+static clod_vec3 to_space(const clod_wall *wall, clod_vec3 point)
+{
+    const clod_vec3 arm = clod_vec3_sub(point, wall->spin_point);
+    const clod_vec3 turned = clod_vec3_rotate(arm, wall->spin_axis, wall->angle);
+    return clod_vec3_add(turned, clod_vec3_add(wall->spin_point, wall->shift));
+}
+
+/** A point of the shape: its centre plus a, b, c times its axes; in the wall's frame. */
+static clod_vec3 shape_point(const clod_shape *shape, double a, double b, double c)
+{
+    clod_vec3 point = clod_vec3_axpy(shape->center, a, shape->axis[0]);
+    point = clod_vec3_axpy(point, b, shape->axis[1]);
+    return clod_vec3_axpy(point, c, shape->axis[2]);
+}
+
+/** Add a triangle given in the wall's frame. */
+static void draw(clod_mesh_pen *pen, clod_vec3 a, clod_vec3 b, clod_vec3 c)
+{
+    const clod_vec3 corners[3] = {to_space(pen->wall, a), to_space(pen->wall, b),
+                                  to_space(pen->wall, c)};
+    clod_wall_mesh *mesh = pen->mesh;
+    const size_t t = mesh->count++;
+    clod_vec3 sum = {0.0, 0.0, 0.0};
+    for (int v = 0; v < 3; v++) {
+        memcpy(mesh->corner[t][v], &corners[v], sizeof mesh->corner[t][v]);
+        sum = clod_vec3_add(sum, corners[v]);
+    }
+    const clod_vec3 middle = clod_vec3_scale(sum, 1.0 / 3.0);
+    const clod_vec3 velocity = clod_wall_velocity_at(pen->wall, middle);
+    memcpy(mesh->velocity[t], &velocity, sizeof mesh->velocity[t]);
+    mesh->wall[t] = pen->number;
+    mesh->material[t] = pen->wall->material;
+}
+
+static void draw_quad(clod_mesh_pen *pen, const clod_vec3 q[4])
+{
+    draw(pen, q[0], q[1], q[2]);
+    draw(pen, q[0], q[2], q[3]);
+}
+
+/** A square in the plane, around the point next to the middle of the domain. */
+static void draw_plane(clod_mesh_pen *pen, const clod_domain *domain)
+{
+    const clod_shape *shape = pen->shape;
+    const clod_vec3 middle = {0.5 * (domain->min[0] + domain->max[0]),
+                              0.5 * (domain->min[1] + domain->max[1]),
+                              0.5 * (domain->min[2] + domain->max[2])};
+    double half = 0.0;
+    for (int d = 0; d < 3; d++) {
+        half = fmax(half, 0.5 * (domain->max[d] - domain->min[d]));
+    }
+    const clod_vec3 arm = clod_vec3_sub(middle, shape->center);
+    const double a = clod_vec3_dot(arm, shape->axis[0]);
+    const double b = clod_vec3_dot(arm, shape->axis[1]);
+    draw_quad(pen, (clod_vec3[4]){shape_point(shape, a - half, b - half, 0.0),
+                                  shape_point(shape, a + half, b - half, 0.0),
+                                  shape_point(shape, a + half, b + half, 0.0),
+                                  shape_point(shape, a - half, b + half, 0.0)});
+}
+
+/** Point number `corner` of the circle of the given radius at `height` along the axis. */
+static clod_vec3 circle_point(const clod_shape *shape, double radius, int corner, double height)
+{
+    const double angle = 2.0 * M_PI * (corner % SEGMENTS) / SEGMENTS;
+    return shape_point(shape, radius * cos(angle), radius * sin(angle), height);
+}
+
+/** Disc, annulus and cylinder: a ring between two circles. */
+static void draw_round(clod_mesh_pen *pen)
+{
+    const clod_shape *shape = pen->shape;
+    const bool cylinder = shape->kind == CLOD_SHAPE_CYLINDER;
+    const double inner = cylinder ? shape->outer : shape->inner;
+    const double height = cylinder ? 2.0 * shape->half[2] : 0.0;
+    for (int s = 0; s < SEGMENTS; s++) {
+        const clod_vec3 q[4] = {circle_point(shape, shape->outer, s, 0.0),
+                                circle_point(shape, shape->outer, s + 1, 0.0),
+                                circle_point(shape, inner, s + 1, height),
+                                circle_point(shape, inner, s, height)};
+        if (shape->kind == CLOD_SHAPE_DISC) {
+            draw(pen, q[0], q[1], shape->center);
+        } else {
+            draw_quad(pen, q);
+        }
+    }
+}
+
+/** The six faces of a box or bar. */
+static void draw_box(clod_mesh_pen *pen)
+{
+    const double *half = pen->shape->half;
+    for (int face = 0; face < 6; face++) {
+        const int normal = face / 2;
+        const double sign = face % 2 == 0 ? 1.0 : -1.0;
+        clod_vec3 q[4];
+        for (int corner = 0; corner < 4; corner++) {
+            double at[3];
+            at[normal] = sign * half[normal];
+            at[(normal + 1) % 3] =
+                half[(normal + 1) % 3] * (corner == 1 || corner == 2 ? 1 : -1);
+            at[(normal + 2) % 3] = half[(normal + 2) % 3] * sign * (corner >= 2 ? 1 : -1);
+            q[corner] = shape_point(pen->shape, at[0], at[1], at[2]);
+        }
+        draw_quad(pen, q);
+    }
+}
+
+static void draw_shape(clod_mesh_pen *pen, const clod_domain *domain)
+{
+    switch (pen->shape->kind) {
+    case CLOD_SHAPE_PLANE:
+        draw_plane(pen, domain);
+        break;
+    case CLOD_SHAPE_DISC:
+    case CLOD_SHAPE_ANNULUS:
+    case CLOD_SHAPE_CYLINDER:
+        draw_round(pen);
+        break;
+    case CLOD_SHAPE_BOX:
+    case CLOD_SHAPE_BAR:
+        draw_box(pen);
+        break;
+    }
+}
+
+bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_status *status)
+{
+    size_t triangles = 0;
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        const clod_wall *wall = &state->walls.wall[w];
+        for (int32_t s = 0; s < wall->shape_count; s++) {
+            triangles += shape_triangles(&wall->shapes[s]);
+        }
+    }
+    *self = (clod_wall_mesh){
+        .corner = clod_memory_alloc(triangles, sizeof *self->corner),
+        .velocity = clod_memory_alloc(triangles, sizeof *self->velocity),
+        .wall = clod_memory_alloc(triangles, sizeof *self->wall),
+        .material = clod_memory_alloc(triangles, sizeof *self->material),
+    };
+    if (self->corner == NULL || self->velocity == NULL || self->wall == NULL ||
+        self->material == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for a picture of the walls.");
+    }
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        const clod_wall *wall = &state->walls.wall[w];
+        for (int32_t s = 0; s < wall->shape_count; s++) {
+            clod_mesh_pen pen = {self, wall, &wall->shapes[s], w};
+            draw_shape(&pen, &state->domain);
+        }
+    }
+    return true;
+}
+
+void clod_wall_mesh_fini(clod_wall_mesh *self)
+{
+    clod_memory_free(self->corner);
+    clod_memory_free(self->velocity);
+    clod_memory_free(self->wall);
+    clod_memory_free(self->material);
+    *self = (clod_wall_mesh){0};
+}

@@ -1,0 +1,32 @@
+#pragma once
+/**
+ * @file wall_mesh.h
+ * The surfaces of the walls as triangles, where they are now, for looking at.
+ */
+
+#include "clod/status.h"
+#include "state/state.h"
+
+/** Edges of a circle. */
+#define CLOD_WALL_MESH_SEGMENTS 96
+
+typedef struct clod_wall_mesh {
+    size_t count;
+    double (*corner)[3][3]; ///< owned [count]: corners of each triangle [m]
+    double (*velocity)[3];  ///< owned [count]: of the wall's material at its middle [m/s]
+    int32_t *wall;          ///< owned [count]: number of the wall
+    int32_t *material;      ///< owned [count]
+} clod_wall_mesh;
+
+/**
+ * Cut every shape of every wall into flat triangles.
+ *
+ * A plane is shown as a square as long as the domain's longest side, next to its middle; round
+ * shapes as polygons of CLOD_WALL_MESH_SEGMENTS edges whose corners are on the surface.
+ *
+ * @param self  [out] owned (clod_wall_mesh_fini), also after a failure
+ * Errors  CLOD_FAILED: no memory.   Threads  pure.   Test  tests/output/test_snapshot.c
+ */
+bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_status *status);
+
+void clod_wall_mesh_fini(clod_wall_mesh *self);
