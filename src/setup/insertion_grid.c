@@ -94,6 +94,40 @@ bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double pla
     return true;
 }
 
+/** Raise *worst to the largest overlap with the spheres noted in a cell. */
+static void cell_overlap(const clod_insertion_grid *self, size_t cell, const double place[4],
+                         double *worst, size_t *sphere)
+{
+    for (int32_t n = self->head[cell]; n >= 0; n = self->note[n].next) {
+        const double *other = self->note[n].place;
+        if (!apart(place, other)) {
+            const double x = place[0] - other[0];
+            const double y = place[1] - other[1];
+            const double z = place[2] - other[2];
+            const double overlap = place[3] + other[3] - sqrt(x * x + y * y + z * z);
+            if (overlap > *worst) {
+                *worst = overlap;
+                *sphere = (size_t)self->note[n].sphere;
+            }
+        }
+    }
+}
+
+double clod_insertion_grid_overlap(const clod_insertion_grid *self, const double place[4],
+                                   size_t *sphere)
+{
+    double worst = 0.0;
+    const clod_insertion_range r = range_of(self, place);
+    for (int32_t z = r.first[2]; z <= r.last[2]; z++) {
+        for (int32_t y = r.first[1]; y <= r.last[1]; y++) {
+            for (int32_t x = r.first[0]; x <= r.last[0]; x++) {
+                cell_overlap(self, cell_index(self, x, y, z), place, &worst, sphere);
+            }
+        }
+    }
+    return worst;
+}
+
 static bool note_in(clod_insertion_grid *self, size_t cell, const double place[4],
                     clod_status *status)
 {
@@ -110,6 +144,7 @@ static bool note_in(clod_insertion_grid *self, size_t cell, const double place[4
     clod_insertion_note *note = &self->note[self->count];
     memcpy(note->place, place, sizeof note->place);
     note->next = self->head[cell];
+    note->sphere = self->spheres;
     self->head[cell] = (int32_t)self->count++;
     return true;
 }
@@ -151,6 +186,7 @@ bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
             return false;
         }
     }
+    self->spheres++;
     return true;
 }
 

@@ -15,6 +15,7 @@
 typedef struct clod_insertion_note {
     double place[4]; ///< centre and radius [m]
     int32_t next;    ///< next note of the cell, -1 at the end
+    int32_t sphere;  ///< how many spheres were added before it
 } clod_insertion_note;
 
 typedef struct clod_insertion_grid {
@@ -25,7 +26,8 @@ typedef struct clod_insertion_grid {
     int32_t cells[3];
     int32_t *head;             ///< [cells] first note, -1 when there is none; owned
     clod_insertion_note *note; ///< owned
-    size_t count, capacity;
+    size_t count, capacity;    ///< notes
+    int32_t spheres;
 } clod_insertion_grid;
 
 /**
@@ -42,6 +44,13 @@ bool clod_insertion_grid_init(clod_insertion_grid *self, const double low[3],
 
 /** Whether a sphere overlaps none of those noted, nor their periodic images. */
 bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double place[4]);
+
+/**
+ * Largest overlap of a sphere with those noted [m]; 0 when there is none.
+ * @param sphere  [out] which one it is, in the order of adding
+ */
+double clod_insertion_grid_overlap(const clod_insertion_grid *self, const double place[4],
+                                   size_t *sphere);
 
 /** Note a sphere and its periodic images. */
 bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],

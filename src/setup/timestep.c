@@ -155,6 +155,8 @@ static void meet(const clod_case *from, const clod_timestep_grains *grains, int 
     self->mass = spring.mass;
     self->period = period;
     self->critical = period / M_PI;
+    const double r_star = wall ? grains->radius_mean : 0.5 * grains->radius_mean;
+    self->unloading = clod_timestep_unloading(&pair.law, r_star, pair.overlap);
     self->force = pair.force;
     self->overlap = pair.overlap;
     self->overlap_ratio = pair.overlap / grains->radius_mean;

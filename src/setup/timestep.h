@@ -39,6 +39,7 @@ typedef struct clod_timestep {
     double critical;            ///< s, period/pi: beyond it the integration blows up
     double automatic;           ///< s, the step that auto takes
     // of the same pair, at the estimated load
+    double unloading;     ///< N/m, k2 tangent
     double force;         ///< N on a contact
     double overlap;       ///< m
     double overlap_ratio; ///< overlap / mean radius

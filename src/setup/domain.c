@@ -1,0 +1,86 @@
+#include "setup/domain.h"
+
+#include <math.h>
+#include <string.h>
+
+/** Half extent of a shape along x, y or z, about the middle of it [m]. */
+static double half_extent(const clod_shape *shape, int axis)
+{
+    double e[3]; // component of the shape's axes along the direction asked for
+    for (int a = 0; a < 3; a++) {
+        const double v[3] = {shape->axis[a].x, shape->axis[a].y, shape->axis[a].z};
+        e[a] = fabs(v[axis]);
+    }
+    switch (shape->kind) {
+    case CLOD_SHAPE_BOX:
+    case CLOD_SHAPE_BAR:
+        return e[0] * shape->half[0] + e[1] * shape->half[1] + e[2] * shape->half[2];
+    default: // half[2] is 0 for discs and annuli
+        return shape->outer * sqrt(fmax(0.0, 1.0 - e[2] * e[2])) + e[2] * shape->half[2];
+    }
+}
+
+static void include(double x, double reach, double *low, double *high)
+{
+    *low = fmin(*low, x - reach);
+    *high = fmax(*high, x + reach);
+}
+
+static void include_wall(const clod_wall *wall, double low[3], double high[3])
+{
+    for (int32_t s = 0; s < wall->shape_count; s++) {
+        const clod_shape *shape = &wall->shapes[s];
+        if (shape->kind == CLOD_SHAPE_PLANE) {
+            continue;
+        }
+        clod_vec3 middle = shape->center;
+        if (shape->kind == CLOD_SHAPE_CYLINDER) {
+            middle = clod_vec3_axpy(middle, shape->half[2], shape->axis[2]);
+        }
+        const double at[3] = {middle.x, middle.y, middle.z};
+        for (int a = 0; a < 3; a++) {
+            include(at[a], half_extent(shape, a), &low[a], &high[a]);
+        }
+    }
+}
+
+bool clod_setup_bounds(const clod_state *state, double low[3], double high[3])
+{
+    for (int a = 0; a < 3; a++) {
+        low[a] = HUGE_VAL;
+        high[a] = -HUGE_VAL;
+    }
+    for (size_t g = 0; g < state->grains.count; g++) {
+        const double *place = state->grains.place[g];
+        for (int a = 0; a < 3; a++) {
+            include(place[a], place[3], &low[a], &high[a]);
+        }
+    }
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        include_wall(&state->walls.wall[w], low, high);
+    }
+    return low[0] <= high[0];
+}
+
+void clod_setup_domain(const clod_case *from, clod_state *state)
+{
+    clod_domain *domain = &state->domain;
+    memcpy(domain->periodic, from->periodic, sizeof domain->periodic);
+    if (from->has_domain) {
+        memcpy(domain->min, from->domain_min, sizeof domain->min);
+        memcpy(domain->max, from->domain_max, sizeof domain->max);
+        return;
+    }
+    double margin = 0.0;
+    if (!clod_setup_bounds(state, domain->min, domain->max)) {
+        memset(domain, 0, sizeof *domain);
+        margin = 1.0; // nothing but planes: any box will do
+    }
+    for (int a = 0; a < 3; a++) {
+        margin = fmax(margin, domain->max[a] - domain->min[a]);
+    }
+    for (int a = 0; a < 3; a++) {
+        domain->min[a] -= margin;
+        domain->max[a] += margin;
+    }
+}

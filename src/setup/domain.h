@@ -1,0 +1,20 @@
+#pragma once
+/**
+ * @file domain.h
+ * The part of space that a case simulates, and the space that grains and walls take up.
+ */
+
+#include "clod/case.h"
+#include "state/state.h"
+
+/**
+ * Box around all grains and all bounded shapes; planes do not count.
+ * @return  false when there is nothing
+ */
+bool clod_setup_bounds(const clod_state *state, double low[3], double high[3]);
+
+/**
+ * The case's domain, or one around grains and walls with their largest extent added on every
+ * side.
+ */
+void clod_setup_domain(const clod_case *from, clod_state *state);

@@ -1,0 +1,243 @@
+#include "setup/ring_cell.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "setup/insertion.h"
+#include "setup/state.h"
+#include "setup/walls.h"
+
+/** Free length at both ends of a bar, as a fraction of the smallest radius. */
+#define BAR_CLEARANCE 0.1
+
+double clod_ring_cell_area(const clod_case_ring_shear *cell)
+{
+    return M_PI *
+           (cell->outer_radius * cell->outer_radius - cell->inner_radius * cell->inner_radius);
+}
+
+static bool cell_sizes(const clod_case_ring_shear *cell, clod_sizes *sizes, clod_status *status)
+{
+    return clod_sizes_init_normal(sizes, cell->radius_mean, cell->radius_sd, cell->radius_min,
+                                  cell->radius_max, status);
+}
+
+/** Length of a bar [m]. */
+static double bar_length(const clod_case_ring_shear *cell)
+{
+    return cell->outer_radius - cell->inner_radius - 2.0 * BAR_CLEARANCE * cell->radius_min;
+}
+
+static bool check_cell(const clod_case_ring_shear *cell, clod_status *status)
+{
+    const double width = cell->outer_radius - cell->inner_radius;
+    if (!(width > 2.0 * cell->radius_max)) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "ring_shear: outer_radius - inner_radius is %g m, but a grain "
+                                "is up to %g m across",
+                                width, 2.0 * cell->radius_max);
+    }
+    const double around = 2.0 * M_PI * cell->inner_radius;
+    if ((double)cell->bar_count * cell->bar_width >= around) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "ring_shear: %lld bars %g m wide do not fit side by side at "
+                                "inner_radius %g m; lower bar_count or bar_width",
+                                (long long)cell->bar_count, cell->bar_width,
+                                cell->inner_radius);
+    }
+    if (!(cell->depth > 2.0 * cell->bar_height)) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "ring_shear: depth (%g m) must be above twice bar_height (%g m), "
+            "or the bars of lid and base would meet",
+            cell->depth, cell->bar_height);
+    }
+    return true;
+}
+
+/** Solid volume that fills the depth between and beside the bars [m3]. */
+static double solid_volume(const clod_case_ring_shear *cell)
+{
+    const double bar = bar_length(cell) * cell->bar_width * cell->bar_height;
+    const double bars = 2.0 * (double)cell->bar_count * bar;
+    return cell->fill_fraction * (clod_ring_cell_area(cell) * cell->depth - bars);
+}
+
+size_t clod_ring_cell_count(const clod_case *from, int64_t seed, clod_status *status)
+{
+    const clod_case_ring_shear *cell = &from->ring_shear;
+    clod_sizes sizes;
+    if (cell->grain_count > 0) {
+        return (size_t)cell->grain_count;
+    }
+    if (!check_cell(cell, status) || !cell_sizes(cell, &sizes, status)) {
+        return 0;
+    }
+    return clod_sizes_count(&sizes, (uint64_t)seed, 1, solid_volume(cell));
+}
+
+/** A radial bar; `bottom` is the height of its lower face. */
+static clod_shape make_bar(const clod_case_ring_shear *cell, int64_t number, double bottom)
+{
+    const double angle = 2.0 * M_PI * (double)number / (double)cell->bar_count;
+    const clod_vec3 radial = {cos(angle), sin(angle), 0.0};
+    const double middle = 0.5 * (cell->inner_radius + cell->outer_radius);
+    return (clod_shape){
+        .kind = CLOD_SHAPE_BAR,
+        .center = {middle * radial.x, middle * radial.y, bottom + 0.5 * cell->bar_height},
+        .axis = {radial, {-radial.y, radial.x, 0.0}, {0.0, 0.0, 1.0}},
+        .half = {0.5 * bar_length(cell), 0.5 * cell->bar_width, 0.5 * cell->bar_height},
+    };
+}
+
+static clod_shape make_ring(const clod_case_ring_shear *cell, double height, double facing)
+{
+    return (clod_shape){
+        .kind = CLOD_SHAPE_ANNULUS,
+        .center = {0.0, 0.0, height},
+        .axis = {{1.0, 0.0, 0.0}, {0.0, facing, 0.0}, {0.0, 0.0, facing}},
+        .inner = cell->inner_radius,
+        .outer = cell->outer_radius,
+    };
+}
+
+static clod_shape make_side(double radius, clod_side side)
+{
+    return (clod_shape){
+        .kind = CLOD_SHAPE_CYLINDER,
+        .axis = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}},
+        .outer = radius,
+        .side = side,
+    };
+}
+
+static bool make_wall(const clod_case *from, const char *name, const char *material,
+                      int64_t shapes, clod_wall *wall, clod_status *status)
+{
+    const int number = clod_case_material_index(from, material);
+    if (number < 0) {
+        return clod_status_fail(status, CLOD_USAGE, "ring_shear: no material is called \"%s\"",
+                                material);
+    }
+    snprintf(wall->name, sizeof wall->name, "%s", name);
+    wall->material = (uint16_t)number;
+    wall->spin_axis = (clod_vec3){0.0, 0.0, 1.0};
+    wall->load_axis = (clod_vec3){0.0, 0.0, -1.0};
+    wall->shapes = clod_memory_alloc((size_t)shapes, sizeof *wall->shapes);
+    if (wall->shapes == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the ring shear cell");
+    }
+    wall->shape_count = (int32_t)shapes;
+    return true;
+}
+
+/** A ring with bars on it: the trough (facing 1) or the lid (facing -1). */
+static void fill_ring(const clod_case_ring_shear *cell, double height, double facing,
+                      clod_wall *wall)
+{
+    wall->shapes[0] = make_ring(cell, height, facing);
+    const double bottom = facing > 0.0 ? height : height - cell->bar_height;
+    for (int64_t b = 0; b < cell->bar_count; b++) {
+        wall->shapes[b + 1] = make_bar(cell, b, bottom);
+    }
+    clod_setup_wall_symmetry(wall);
+}
+
+/** Trough and sides, which the grains need; the lid's place follows from the grains. */
+static bool make_walls(const clod_case *from, clod_state *state, clod_status *status)
+{
+    const clod_case_ring_shear *cell = &from->ring_shear;
+    state->walls.wall = clod_memory_alloc(CLOD_RING_CELL_WALLS, sizeof *state->walls.wall);
+    if (state->walls.wall == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the ring shear cell");
+    }
+    state->walls.count = CLOD_RING_CELL_WALLS;
+    clod_wall *wall = state->walls.wall;
+    if (!make_wall(from, "trough", cell->base_material, cell->bar_count + 1,
+                   &wall[CLOD_RING_CELL_TROUGH], status) ||
+        !make_wall(from, "sides", cell->side_material, 2, &wall[CLOD_RING_CELL_SIDES],
+                   status) ||
+        !make_wall(from, "lid", cell->lid_material, cell->bar_count + 1,
+                   &wall[CLOD_RING_CELL_LID], status)) {
+        return false;
+    }
+    fill_ring(cell, 0.0, 1.0, &wall[CLOD_RING_CELL_TROUGH]);
+    clod_shape *side = wall[CLOD_RING_CELL_SIDES].shapes;
+    side[0] = make_side(cell->inner_radius, CLOD_SIDE_OUTSIDE);
+    side[1] = make_side(cell->outer_radius, CLOD_SIDE_INSIDE);
+    clod_setup_wall_symmetry(&wall[CLOD_RING_CELL_SIDES]);
+    wall[CLOD_RING_CELL_LID].shape_count = 0; // open until the grains are in
+    return true;
+}
+
+/** The lid above the grains, the sides up to it, and the domain around all. */
+static void close_cell(const clod_case_ring_shear *cell, double height, clod_state *state)
+{
+    const double gap = 0.5 * cell->radius_max;
+    const double lid_height = height + gap + cell->bar_height;
+    clod_wall *lid = &state->walls.wall[CLOD_RING_CELL_LID];
+    lid->shape_count = (int32_t)(cell->bar_count + 1);
+    fill_ring(cell, lid_height, -1.0, lid);
+    lid->load = CLOD_LOAD_STRESS;
+    lid->mass = cell->lid_mass;
+    lid->area = clod_ring_cell_area(cell);
+    clod_shape *side = state->walls.wall[CLOD_RING_CELL_SIDES].shapes;
+    side[0].half[2] = 0.5 * lid_height;
+    side[1].half[2] = 0.5 * lid_height;
+    const double margin = 4.0 * cell->radius_max;
+    state->domain = (clod_domain){
+        .min = {-cell->outer_radius - margin, -cell->outer_radius - margin, -margin},
+        .max = {cell->outer_radius + margin, cell->outer_radius + margin, lid_height + margin},
+    };
+}
+
+/** Fill the open cell; *height is the highest point of the grains. */
+static bool fill_cell(const clod_case *from, int64_t seed, clod_state *state, double *height,
+                      clod_status *status)
+{
+    const clod_case_ring_shear *cell = &from->ring_shear;
+    const int material = clod_case_material_index(from, cell->grain_material);
+    clod_sizes sizes;
+    if (material < 0) {
+        return clod_status_fail(status, CLOD_USAGE, "ring_shear: no material is called \"%s\"",
+                                cell->grain_material);
+    }
+    if (!cell_sizes(cell, &sizes, status)) {
+        return false;
+    }
+    const clod_case_region region = {.kind = CLOD_REGION_ANNULUS,
+                                     .inner_radius = cell->inner_radius,
+                                     .outer_radius = cell->outer_radius};
+    clod_insertion what = {.name = "ring_shear",
+                           .region = &region,
+                           .sizes = &sizes,
+                           .seed = (uint64_t)seed,
+                           .first_id = 1,
+                           .material = (uint16_t)material,
+                           .density = from->materials[material].density};
+    what.count = clod_ring_cell_count(from, seed, status);
+    return clod_insert_annulus_column(state, &what, height, status);
+}
+
+bool clod_setup_ring_cell(const clod_case *from, int64_t seed, clod_state *state,
+                          clod_status *status)
+{
+    const clod_case_ring_shear *cell = &from->ring_shear;
+    *state = (clod_state){.build_motion = -1.0, .adhesion = cell->fill_adhesion};
+    memcpy(state->gravity, from->gravity, sizeof state->gravity);
+    double height = 0.0;
+    if (!check_cell(cell, status) || !make_walls(from, state, status) ||
+        !fill_cell(from, seed, state, &height, status)) {
+        return false;
+    }
+    close_cell(cell, height, state);
+    clod_timestep timestep;
+    if (!clod_setup_timestep(from, state, &timestep, status)) {
+        return false;
+    }
+    clod_setup_damping(from, state, &timestep);
+    state->dt = timestep.step;
+    return true;
+}

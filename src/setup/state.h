@@ -1,0 +1,37 @@
+#pragma once
+/**
+ * @file state.h
+ * A whole case made into a state that is ready for the first step.
+ */
+
+#include "clod/case.h"
+#include "setup/timestep.h"
+#include "state/state.h"
+
+/**
+ * Build the state of a free run: walls, domain, grains, gravity, time step, and the k_adh of
+ * the first stage. Loaded walls get their damping from the bed's estimated stiffness.
+ *
+ * @param seed   of sizes and places
+ * @param state  [out] owned by the caller (clod_state_fini), also after a failure
+ * Errors  CLOD_USAGE for a case or a file that cannot be built, CLOD_FAILED without memory.
+ * Threads pure.   Test  tests/setup/test_state.c
+ */
+bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
+                      clod_status *status);
+
+/**
+ * Time step of a case whose grains and walls are in a state, with all numbers behind it.
+ *
+ * The load that sets the overlap is design_stress; else, for a ring shear test, the preshear
+ * stress; else the larger of what loads and weight press on the bed, and an impact with the
+ * fastest grain's speed plus a fall through the height of grains and walls.
+ *
+ * Errors  CLOD_FAILED without memory.   Threads  pure.
+ */
+bool clod_setup_timestep(const clod_case *from, const clod_state *state, clod_timestep *result,
+                         clod_status *status);
+
+/** Damping of all loaded walls from their fraction of critical and the bed's stiffness. */
+void clod_setup_damping(const clod_case *from, clod_state *state,
+                        const clod_timestep *timestep);
