@@ -12,7 +12,8 @@
 
 #include "clod/status.h"
 
-/** One shear point with the preshear of its own test. Stresses in Pa; errors: 0 = not stated. */
+/** One shear point with the preshear of its own test. Stresses in Pa; errors: 0 = not stated.
+ */
 typedef struct clod_locus_point {
     int64_t seed;       ///< which repeat of the whole test
     double sigma_p;     ///< normal stress of preshear

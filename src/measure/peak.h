@@ -1,0 +1,68 @@
+#pragma once
+/**
+ * @file peak.h
+ * Peak of a noisy shear curve, found while it is being sheared.
+ *
+ * The curve is averaged in CLOD_PEAK_BINS bins of equal displacement per window, and smoothed
+ * by the mean of the last CLOD_PEAK_BINS bins: a moving average over `window` metres, centred.
+ * The peak is the largest value of the smoothed curve. It is passed when the curve was sheared
+ * `beyond` metres further without a larger one. Curves that rise to a plateau and never fall
+ * are not passed for as long as they rise: the caller stops at its own limit and takes the
+ * largest smoothed value.
+ *
+ * A moving average lowers a sharp peak, by window^2/24 times its curvature; the largest value
+ * of a noisy curve is too large by up to about one standard error. Choose the window so that
+ * both are small.
+ *
+ * The standard error comes from the noise in the window of the peak: scatter of the bins about
+ * a straight line, divided by the number of bins. Neighbouring bins are correlated, so this is
+ * done with bins, pairs and fours of bins, and the largest counts (blocking; Flyvbjerg and
+ * Petersen, J. Chem. Phys. 91 (1989) 461). It is meant to be on the safe side.
+ */
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define CLOD_PEAK_BINS 16
+
+/** Detector; plain bytes without pointers or gaps, as a checkpoint wants it. */
+typedef struct clod_peak {
+    double window, beyond;         ///< m
+    int64_t samples;               ///< in the bin that is being filled
+    double start;                  ///< m, where that bin began
+    double sum[2];                 ///< of its samples: displacement, tau
+    int64_t bin_count;             ///< full bins so far
+    double bin[2][CLOD_PEAK_BINS]; ///< averages; bin b is kept at b % CLOD_PEAK_BINS
+    double smooth;                 ///< last value of the smoothed curve
+    double place;                  ///< m, where that is
+    double peak, peak_place, peak_error;
+} clod_peak;
+
+/** What the detector found. */
+typedef struct clod_peak_result {
+    double tau;          ///< largest smoothed value; mean of all so far before a window is full
+    double tau_error;    ///< standard error; NAN before a window is full
+    double displacement; ///< m, where it is
+    bool passed;
+} clod_peak_result;
+
+/**
+ * Start a detector.
+ *
+ * @param window  displacement over which the curve is smoothed [m], > 0
+ * @param beyond  displacement after which a peak that was not surpassed is the peak [m], > 0
+ * Errors  none.   Threads  pure.   Test  tests/measure/test_peak.c
+ */
+void clod_peak_init(clod_peak *self, double window, double beyond);
+
+/**
+ * Take one sample.
+ *
+ * @param displacement  m, never falling
+ * @param tau           shear stress, any unit
+ * @return              whether the peak is passed
+ */
+bool clod_peak_add(clod_peak *self, double displacement, double tau);
+
+/** Peak so far. */
+clod_peak_result clod_peak_summary(const clod_peak *self);

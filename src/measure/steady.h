@@ -1,0 +1,76 @@
+#pragma once
+/**
+ * @file steady.h
+ * Is preshear steady? Decided on block averages of shear stress and specimen height.
+ *
+ * Samples are averaged in blocks. After every block, windows of the last w blocks are looked
+ * at, from as many as are kept down to `blocks_needed`; the signal is steady when one of them
+ * satisfies, for shear stress and height alike, with m the mean over the window, D the change
+ * across it by a straight line fitted to the block averages, e_D the standard error of D,
+ * e_m that of the mean, and t the tolerance:
+ *
+ *     |D|  <= t |m|      what is left of a trend is small,
+ *     |D|  <= t |m| / 2  when it is a trend for sure (|D| > 2 e_D): it will go on,
+ *     e_m  <= t |m|      and the mean is known well enough; a noisy signal needs more blocks.
+ *
+ * The height must hold t/5: at 2 %, 40 mm of height and 10 mm of shear that is a rate of
+ * dilation of 1.6 %, whose share of tau/sigma is then of the order of t as well.
+ * The largest such window gives mean and standard error. Blocks must be longer than the
+ * signal's correlation; then their averages count as independent, and the scatter of the
+ * averages has the correlation of the samples in it.
+ */
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define CLOD_STEADY_MAX 64 ///< blocks kept
+#define CLOD_STEADY_MIN 3  ///< fewest blocks that have a trend with an error
+
+/** Detector; plain bytes without pointers or gaps, as a checkpoint wants it. */
+typedef struct clod_steady {
+    int64_t blocks_needed;
+    int64_t samples_per_block;
+    double tolerance;                 ///< relative
+    int64_t samples;                  ///< in the block that is being filled
+    double sum[2];                    ///< of them: tau, height
+    int64_t block_count;              ///< full blocks so far
+    int64_t window;                   ///< blocks of the steady window, 0 when not steady
+    double block[2][CLOD_STEADY_MAX]; ///< averages; block b is kept at b % CLOD_STEADY_MAX
+} clod_steady;
+
+/** Mean over a window of blocks. */
+typedef struct clod_steady_mean {
+    double value;
+    double error; ///< standard error of the mean
+    double trend; ///< change across the window by the fitted line
+} clod_steady_mean;
+
+/** What the detector found. */
+typedef struct clod_steady_result {
+    bool steady;
+    int64_t blocks; ///< averaged: the steady window, else the last blocks_needed (or fewer)
+    clod_steady_mean tau, height; ///< NAN without blocks; errors NAN with fewer than three
+} clod_steady_result;
+
+/**
+ * Start a detector.
+ *
+ * @param blocks_needed      fewest blocks that must agree, CLOD_STEADY_MIN to CLOD_STEADY_MAX
+ * @param samples_per_block  >= 1
+ * @param tolerance          t, > 0, relative
+ * Errors  none.   Threads  pure.   Test  tests/measure/test_steady.c
+ */
+void clod_steady_init(clod_steady *self, int64_t blocks_needed, int64_t samples_per_block,
+                      double tolerance);
+
+/**
+ * Take one sample.
+ *
+ * @param tau     shear stress, any unit
+ * @param height  of the specimen, any unit
+ * @return        whether the signal was steady at the last full block
+ */
+bool clod_steady_add(clod_steady *self, double tau, double height);
+
+/** Means and errors as of the last full block. */
+clod_steady_result clod_steady_summary(const clod_steady *self);
