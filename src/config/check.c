@@ -27,7 +27,8 @@ bool clod_check_has(const clod_loader *loader, const char *path)
 void clod_check_material(clod_loader *loader, const clod_case *self, const char *path,
                          const char *name)
 {
-    if (name == NULL || clod_case_material_index(self, name) >= 0) {
+    const bool unread = self->material_count == 0; // which has been said
+    if (name == NULL || unread || clod_case_material_index(self, name) >= 0) {
         return;
     }
     char hint[64];
@@ -104,7 +105,8 @@ static void check_kind(clod_loader *loader, const clod_case *self)
     if (!ring && stages && !grains) {
         clod_check_fail(loader, "stages", "stages need grains");
     }
-    if (!ring && !grains && !stages && !self->contact_bench.present) {
+    const bool nothing = !ring && !grains && !stages && !self->contact_bench.present;
+    if (nothing && loader->report->count == 0) {
         clod_check_fail(
             loader, "",
             "nothing to simulate; a case has grains, walls and stages, or ring_shear, "

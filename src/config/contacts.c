@@ -160,7 +160,8 @@ static void check_law(clod_loader *loader, const pair *self, const clod_case_con
 }
 
 static void require_stiffness(clod_loader *loader, const pair *self, const char *law,
-                              const char *key, double value, double exponent)
+                              const char *key, const char *example, double value,
+                              double exponent)
 {
     if (value == 0.0) {
         char unit[32] = "";
@@ -168,8 +169,8 @@ static void require_stiffness(clod_loader *loader, const pair *self, const char 
             snprintf(unit, sizeof unit, "^%.10g", exponent);
         }
         clod_report_add(loader->report, self->place, self->path,
-                        "law %s needs the key %s, for instance %s: 4.75e8 N/m%s", law, key, key,
-                        unit);
+                        "law %s needs the key %s, for instance %s: %s N/m%s", law, key, key,
+                        example, unit);
     }
 }
 
@@ -202,11 +203,11 @@ static void check_needs(clod_loader *loader, const clod_case *whole, const pair 
         require_elastic(loader, whole, self, self->b);
         break;
     case CLOD_LAW_HOOKE:
-        require_stiffness(loader, self, "hooke", "k1", contact->k1, 1.0);
+        require_stiffness(loader, self, "hooke", "k1", "4.75e8", contact->k1, 1.0);
         break;
     default:
-        require_stiffness(loader, self, "mepa", "k1", contact->k1, contact->exponent);
-        require_stiffness(loader, self, "mepa", "k2", contact->k2, contact->exponent);
+        require_stiffness(loader, self, "mepa", "k1", "4.75e8", contact->k1, contact->exponent);
+        require_stiffness(loader, self, "mepa", "k2", "2.37e9", contact->k2, contact->exponent);
         break;
     }
 }
@@ -288,11 +289,16 @@ static bool check_half(clod_loader *loader, const clod_case *self, const clod_no
     return false;
 }
 
-static void check_name(clod_loader *loader, const clod_case *self, const clod_node *contacts,
+static bool is_before(clod_place a, clod_place b)
+{
+    return a.line < b.line || (a.line == b.line && a.column < b.column);
+}
+
+static bool check_name(clod_loader *loader, const clod_case *self, const clod_node *contacts,
                        const clod_node *section)
 {
     if (strcmp(section->key, "default") == 0) {
-        return;
+        return true;
     }
     char name[PAIR_NAME];
     snprintf(name, sizeof name, "%s", section->key);
@@ -304,31 +310,33 @@ static void check_name(clod_loader *loader, const clod_case *self, const clod_no
         clod_report_add(loader->report, section->key_place, "contacts",
                         "\"%s\" is not a pair; write two materials as a-b, or default%s",
                         section->key, clod_suggest_text(&near, hint, sizeof hint));
-        return;
+        return false;
     }
     *second++ = '\0';
     if (!check_half(loader, self, section, name) ||
         !check_half(loader, self, section, second)) {
-        return;
+        return false;
     }
     char turned[2 * PAIR_NAME];
     snprintf(turned, sizeof turned, "%s-%s", second, name);
-    const clod_node *twin = strcmp(second, name) == 0 ? NULL : clod_tree_find(contacts, turned);
-    if (twin != NULL && twin->key_place.line <= section->key_place.line && twin != section) {
+    const clod_node *twin = clod_tree_find(contacts, turned);
+    if (twin != NULL && twin != section && is_before(twin->key_place, section->key_place)) {
         clod_report_add(loader->report, section->key_place, "contacts",
                         "\"%s\" is the same pair as \"%s\" in line %d", section->key, twin->key,
                         twin->key_place.line);
+        return false;
     }
+    return true;
 }
 
-/** Every section of contacts must be one; else the merging would not see its keys. */
+/** Names and kinds of all sections; with a wrong one, pairs would seem to have no law. */
 static bool check_sections(clod_loader *loader, const clod_case *self,
                            const clod_node *contacts)
 {
     bool good = true;
     for (size_t i = 0; i < contacts->count; i++) {
         const clod_node *section = contacts->items[i];
-        check_name(loader, self, contacts, section);
+        good = check_name(loader, self, contacts, section) && good;
         const bool empty = section->kind == CLOD_NODE_SCALAR && section->text[0] == '\0';
         if (section->kind != CLOD_NODE_MAP && !empty) {
             clod_report_add(loader->report, section->place, "contacts",
@@ -344,7 +352,7 @@ static bool check_sections(clod_loader *loader, const clod_case *self,
 static void check_default(clod_loader *loader, const clod_node *contacts)
 {
     const clod_node *common = clod_tree_find(contacts, "default");
-    if (common == NULL) {
+    if (common == NULL || common->kind != CLOD_NODE_MAP) {
         return;
     }
     pair alone = {
@@ -377,10 +385,10 @@ void clod_contacts_load(clod_loader *loader, clod_case *self)
         loader->report->lost = true;
         return;
     }
+    check_default(loader, contacts);
     if (!check_sections(loader, self, contacts)) {
         return;
     }
-    check_default(loader, contacts);
     for (int a = 0; a < (int)self->material_count; a++) {
         for (int b = a; b < (int)self->material_count; b++) {
             load_pair(loader, self, contacts, a, b);

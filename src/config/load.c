@@ -32,8 +32,9 @@ clod_place clod_load_place(const clod_node *node)
     return node->key != NULL ? node->key_place : node->place;
 }
 
-static void check_keys(clod_loader *self, const clod_table *table, const clod_node *node)
+static bool check_keys(clod_loader *self, const clod_table *table, const clod_node *node)
 {
+    bool good = true;
     for (size_t i = 0; i < node->count; i++) {
         const clod_node *item = node->items[i];
         if (clod_param_find(table, item->key) != NULL) {
@@ -48,7 +49,9 @@ static void check_keys(clod_loader *self, const clod_table *table, const clod_no
         clod_report_add(self->report, item->key_place, self->path, "this key is not known%s",
                         clod_suggest_text(&near, hint, sizeof hint));
         clod_load_leave(self, length);
+        good = false;
     }
+    return good;
 }
 
 static bool is_name(const char *text)
@@ -191,10 +194,8 @@ void clod_load_section(clod_loader *self, const clod_table *table, const clod_no
                         "must be a section with keys, not %s", clod_tree_kind_name(node->kind));
         return;
     }
-    if (node != NULL && !empty) {
-        check_keys(self, table, node);
-    }
-    if (table->one_of && !take_kind(self, table, node, place, target)) {
+    const bool known = node == NULL || empty || check_keys(self, table, node);
+    if (table->one_of && !(known && take_kind(self, table, node, place, target))) {
         return;
     }
     for (size_t i = 0; i < table->count; i++) {

@@ -22,14 +22,14 @@ static clod_node *descend(clod_loader *loader, clod_node *node, const char *key,
     char word[128];
     snprintf(word, sizeof word, "%.*s", (int)(length < 100 ? length : 100), key);
     if (node->kind == CLOD_NODE_LIST) {
-        char last[64];
-        snprintf(last, sizeof last, "0 to %zu", node->count == 0 ? 0 : node->count - 1);
-        fail(loader, place, "\"%s\" is not an element of this list; elements are %s", word,
-             last);
+        char count[32];
+        snprintf(count, sizeof count, "%zu", node->count);
+        fail(loader, place, "the list has no element \"%s\"; it has %s, counted from 0", word,
+             count);
         return NULL;
     }
     if (node->kind == CLOD_NODE_SCALAR && node->text[0] != '\0') {
-        fail(loader, place, "\"%s\" is looked for below \"%s\", which is a single value", word,
+        fail(loader, place, "there is no key \"%s\" below the single value \"%s\"", word,
              node->text);
         return NULL;
     }

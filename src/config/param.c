@@ -83,11 +83,11 @@ const char *clod_param_range_text(const clod_param *param, char *buffer, size_t 
     char low[64] = "";
     char high[64] = "";
     if (isfinite(param->min)) {
-        snprintf(low, sizeof low, "%s %.10g%s", param->above_min ? "above" : "at least",
+        snprintf(low, sizeof low, "%s %.6g%s", param->above_min ? "above" : "at least",
                  param->min, unit);
     }
     if (isfinite(param->max)) {
-        snprintf(high, sizeof high, "at most %.10g%s", param->max, unit);
+        snprintf(high, sizeof high, "at most %.6g%s", param->max, unit);
     }
     const char *join = low[0] != '\0' && high[0] != '\0' ? " and " : "";
     snprintf(buffer, size, "%s%s%s", low, join, high);

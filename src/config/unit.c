@@ -328,8 +328,8 @@ bool clod_unit_convert(const char *written, const char *unit, double *value,
     }
     if (!well_formed(clean)) {
         snprintf(message, CLOD_UNIT_MESSAGE,
-                 "\"%s\" is not a unit; write units like %s or kg/m3, with whole exponents",
-                 clean, kind->example);
+                 "\"%s\" is not a unit; write one like %s, with whole exponents", clean,
+                 kind->example);
         return false;
     }
     if (has_ton(clean)) {

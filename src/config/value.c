@@ -18,14 +18,39 @@ static void *at(void *target, size_t offset)
     return (char *)target + offset;
 }
 
+/** "a pressure", "a list of numbers": what a row takes, for messages. */
+static const char *noun_of(const clod_param *param)
+{
+    switch (param->kind) {
+    case CLOD_PARAM_REAL:
+        return clod_unit_describe(param->unit)->noun;
+    case CLOD_PARAM_STIFFNESS:
+        return "a stiffness";
+    case CLOD_PARAM_INTEGER:
+        return "a whole number";
+    case CLOD_PARAM_VECTOR:
+        return param->length == 2 ? "two numbers" : "a vector x y z";
+    case CLOD_PARAM_REALS:
+        return "a list of numbers";
+    case CLOD_PARAM_FLAGS:
+        return "a list of three true or false";
+    default:
+        return "a single value";
+    }
+}
+
+static const char *example_of(const clod_param *param)
+{
+    return param->example != NULL ? param->example : param->fallback;
+}
+
 static void fail_kind(clod_loader *self, const clod_param *param, const clod_node *node)
 {
-    char kind[256];
-    const char *example = param->example != NULL ? param->example : param->fallback;
+    const bool empty = node->kind != CLOD_NODE_SCALAR && node->count == 0;
     clod_report_add(self->report, node->place, self->path,
-                    "must be %s, for instance %s, not %s",
-                    clod_param_kind_text(param, kind, sizeof kind), example,
-                    clod_tree_kind_name(node->kind));
+                    "must be %s, for instance %s, not %s", noun_of(param),
+                    param->kind == CLOD_PARAM_CHOICE ? param->choices[0] : example_of(param),
+                    empty ? "empty" : clod_tree_kind_name(node->kind));
 }
 
 static bool check_range(clod_loader *self, const clod_param *param, clod_place place,
@@ -73,9 +98,9 @@ static bool read_real(clod_loader *self, const clod_param *param, const clod_nod
     double number = 0.0;
     const char *unit = clod_unit_number(node->text, &number);
     if (unit == NULL) {
-        const char *example = param->example != NULL ? param->example : param->fallback;
         clod_report_add(self->report, node->place, self->path,
-                        "\"%s\" is not a number; write for instance %s", node->text, example);
+                        "\"%s\" is not a number; write for instance %s", node->text,
+                        example_of(param));
         return false;
     }
     if (!convert(self, param, node->place, unit, target, &number) ||
@@ -104,7 +129,7 @@ static void load_integer(clod_loader *self, const clod_param *param, const clod_
     if (digits == 0 || node->text[sign + digits] != '\0' || errno == ERANGE) {
         clod_report_add(self->report, node->place, self->path,
                         "\"%s\" is not a whole number; write for instance %s", node->text,
-                        param->example != NULL ? param->example : param->fallback);
+                        example_of(param));
         return;
     }
     if (check_range(self, param, node->place, node->text, (double)number)) {
@@ -234,8 +259,7 @@ static void load_vector(clod_loader *self, const clod_param *param, const clod_n
     if (list->count != param->length) {
         clod_report_add(self->report, node->place, self->path,
                         "has %zu number%s, must have %zu; write for instance %s", list->count,
-                        list->count == 1 ? "" : "s", param->length,
-                        param->example != NULL ? param->example : param->fallback);
+                        list->count == 1 ? "" : "s", param->length, example_of(param));
         return;
     }
     double values[3] = {0.0, 0.0, 0.0};
@@ -296,9 +320,9 @@ void clod_value_load(clod_loader *self, const clod_param *param, const clod_node
 {
     void *value = at(target, param->offset);
     if (node->kind == CLOD_NODE_SCALAR && node->text[0] == '\0') {
-        const char *example = param->example != NULL ? param->example : param->fallback;
         clod_report_add(self->report, clod_load_place(node), self->path,
-                        "has no value; write for instance %s: %s", param->key, example);
+                        "has no value; write for instance %s: %s", param->key,
+                        example_of(param));
         return;
     }
     switch (param->kind) {

@@ -223,6 +223,23 @@ static void drop_output(struct fy_diag *diag, void *user, const char *text, size
     (void)length;
 }
 
+/** Whether a line is a key whose colon has no space behind it: the commonest slip. */
+static bool lacks_space(const clod_report *report, int line)
+{
+    const char *at = report->text;
+    const char *end = at + report->length;
+    for (int i = 1; i < line && at < end; at++) {
+        i += *at == '\n';
+    }
+    while (at < end && (*at == ' ' || *at == '-')) {
+        at++;
+    }
+    while (at < end && *at != ':' && *at != '\n' && *at != '#' && *at != '"') {
+        at++;
+    }
+    return end - at > 1 && at[0] == ':' && at[1] != ' ' && at[1] != '\n' && at[1] != '\r';
+}
+
 static void report_syntax(const builder *self, struct fy_diag *diag)
 {
     void *position = NULL;
@@ -234,7 +251,9 @@ static void report_syntax(const builder *self, struct fy_diag *diag)
     }
     place.line = error->line > 0 ? error->line : 1;
     place.column = error->column > 0 ? error->column : 1;
-    clod_report_add(self->report, place, "", "not YAML: %s", error->msg);
+    const bool space = self->source == 0 && lacks_space(self->report, place.line);
+    clod_report_add(self->report, place, "", "not YAML: %s%s", error->msg,
+                    space ? "; a colon needs a space behind it" : "");
 }
 
 static void parse(builder *self, struct fy_parser *parser, struct fy_diag *diag)
