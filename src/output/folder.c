@@ -98,10 +98,11 @@ static void fail_locked(int lock, const char *path, clod_status *status)
     char process[32] = "";
     const ssize_t length = pread(lock, process, sizeof process - 1, 0);
     process[length > 0 ? strcspn(process, "\n") : 0] = '\0';
-    clod_status_fail(status, CLOD_USAGE,
-                     "Another run%s%s is writing into %s. Wait for its end, or choose another "
-                     "folder with -o.",
-                     length > 0 ? ", process " : "", length > 0 ? process : "", path);
+    clod_status_fail(
+        status, CLOD_USAGE,
+        "Another run%s%s%s is writing into %s. Wait for its end, or choose another "
+        "folder with -o.",
+        length > 0 ? " (process " : "", process, length > 0 ? ")" : "", path);
 }
 
 /** Open and lock the lock file; -1 with status. */

@@ -1,0 +1,175 @@
+// log.jsonl: one JSON object per line, from several threads, over several runs.
+
+#include <math.h>
+#include <pthread.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+#include "output/eventlog.h"
+
+#include "temp_folder.h"
+
+#define THREADS 4
+#define LINES 200
+
+static clod_eventlog *open_log(void **folder)
+{
+    clod_status status;
+    char path[PATH_MAX];
+    clod_eventlog *log = clod_eventlog_open(temp_path(path, folder, "log.jsonl"), &status);
+    assert_non_null(log);
+    return log;
+}
+
+/** Owned line number `number` of the log as JSON, NULL behind the last. */
+static json_t *line(void **folder, int number)
+{
+    size_t size;
+    char *text = temp_read(folder, "log.jsonl", &size);
+    char *start = text;
+    for (int l = 0; l < number; l++) {
+        start = strchr(start, '\n') + 1;
+    }
+    char *end = strchr(start, '\n');
+    json_t *json = end == NULL ? NULL : json_loadb(start, (size_t)(end - start), 0, NULL);
+    clod_memory_free(text);
+    return json;
+}
+
+static void an_event_has_time_name_and_fields(void **folder)
+{
+    clod_status status;
+    clod_eventlog *log = open_log(folder);
+    clod_eventlog_write(log, "start", "{s:i, s:f, s:s}", "threads", 2, "dt_s", 1e-7, "case",
+                        "a \"b\"\n");
+    clod_eventlog_write(log, "end", NULL);
+    clod_eventlog_write_json(log, "given", json_pack("{s:b}", "steady", 1));
+    assert_true(clod_eventlog_close(&log, &status));
+    assert_null(log);
+    json_t *first = line(folder, 0);
+    const char *time = json_string_value(json_object_get(first, "time"));
+    int year, month, day, hour, minute, second, thousandth;
+    assert_int_equal(sscanf(time, "%4d-%2d-%2dT%2d:%2d:%2d.%3dZ", &year, &month, &day, &hour,
+                            &minute, &second, &thousandth),
+                     7);
+    assert_int_equal(strlen(time), 24);
+    assert_string_equal(json_string_value(json_object_get(first, "event")), "start");
+    assert_int_equal(json_integer_value(json_object_get(first, "threads")), 2);
+    assert_true(json_real_value(json_object_get(first, "dt_s")) == 1e-7);
+    assert_string_equal(json_string_value(json_object_get(first, "case")), "a \"b\"\n");
+    json_decref(first);
+    json_t *second_line = line(folder, 1);
+    assert_int_equal(json_object_size(second_line), 2);
+    json_decref(second_line);
+    json_t *third = line(folder, 2);
+    assert_true(json_is_true(json_object_get(third, "steady")));
+    json_decref(third);
+    assert_null(line(folder, 3));
+}
+
+static void fields_that_json_cannot_hold_do_not_lose_the_event(void **folder)
+{
+    clod_status status;
+    clod_eventlog *log = open_log(folder);
+    clod_eventlog_write(log, "odd", "{s:f}", "angle", (double)NAN);
+    assert_true(clod_eventlog_close(&log, &status));
+    json_t *json = line(folder, 0);
+    assert_string_equal(json_string_value(json_object_get(json, "event")), "odd");
+    assert_non_null(json_object_get(json, "fields_lost"));
+    json_decref(json);
+}
+
+static void a_second_run_starts_on_a_line_of_its_own(void **folder)
+{
+    clod_status status;
+    const char *cut = "{\"time\":\"2026-01-01T00:00:00.000Z\",\"ev";
+    temp_write(folder, "log.jsonl", cut, strlen(cut));
+    clod_eventlog *log = open_log(folder);
+    clod_eventlog_write(log, "again", NULL);
+    assert_true(clod_eventlog_close(&log, &status));
+    json_t *json = line(folder, 1);
+    assert_string_equal(json_string_value(json_object_get(json, "event")), "again");
+    json_decref(json);
+    assert_null(line(folder, 2));
+}
+
+static void *write_many(void *log)
+{
+    for (int n = 0; n < LINES; n++) {
+        clod_eventlog_write(log, "point", "{s:i, s:s}", "number", n, "text",
+                            "long enough to be mixed up if it were not one write");
+    }
+    return NULL;
+}
+
+static void threads_do_not_mix_their_lines(void **folder)
+{
+    clod_status status;
+    clod_eventlog *log = open_log(folder);
+    pthread_t threads[THREADS];
+    for (int t = 0; t < THREADS; t++) {
+        assert_int_equal(pthread_create(&threads[t], NULL, write_many, log), 0);
+    }
+    for (int t = 0; t < THREADS; t++) {
+        pthread_join(threads[t], NULL);
+    }
+    assert_true(clod_eventlog_close(&log, &status));
+    size_t size;
+    char *text = temp_read(folder, "log.jsonl", &size);
+    int seen[LINES] = {0};
+    int lines = 0;
+    for (char *start = text, *end; (end = strchr(start, '\n')) != NULL; start = end + 1) {
+        json_t *json = json_loadb(start, (size_t)(end - start), 0, NULL);
+        assert_non_null(json);
+        seen[json_integer_value(json_object_get(json, "number"))]++;
+        json_decref(json);
+        lines++;
+    }
+    clod_memory_free(text);
+    assert_int_equal(lines, THREADS * LINES);
+    for (int n = 0; n < LINES; n++) {
+        assert_int_equal(seen[n], THREADS);
+    }
+}
+
+static void a_full_disk_is_told_at_the_end(void **folder)
+{
+    (void)folder;
+    clod_status status;
+    clod_eventlog *log = clod_eventlog_open("/dev/full", &status);
+    assert_non_null(log);
+    clod_eventlog_write(log, "lost", NULL);
+    assert_false(clod_eventlog_close(&log, &status));
+    assert_null(log);
+    assert_non_null(strstr(status.text, "Cannot write /dev/full: No space left on device."));
+}
+
+static void no_log_is_fine(void **folder)
+{
+    (void)folder;
+    clod_status status;
+    clod_eventlog *log = NULL;
+    clod_eventlog_write(log, "nobody listens", "{s:i}", "number", 1);
+    assert_true(clod_eventlog_close(&log, &status));
+    assert_null(clod_eventlog_open("/dev/null/log.jsonl", &status));
+    assert_non_null(strstr(status.text, "Not a directory"));
+}
+
+#define FOLDER_TEST(name)                                                                      \
+    cmocka_unit_test_setup_teardown(name, temp_folder_make, temp_folder_remove)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        FOLDER_TEST(an_event_has_time_name_and_fields),
+        FOLDER_TEST(fields_that_json_cannot_hold_do_not_lose_the_event),
+        FOLDER_TEST(a_second_run_starts_on_a_line_of_its_own),
+        FOLDER_TEST(threads_do_not_mix_their_lines),
+        FOLDER_TEST(a_full_disk_is_told_at_the_end),
+        FOLDER_TEST(no_log_is_fine),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
