@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "base/sort.h"
 #include "setup/domain.h"
@@ -18,21 +19,6 @@ static double base_area(const clod_case_region *region)
     }
     return M_PI * (region->outer_radius * region->outer_radius -
                    region->inner_radius * region->inner_radius);
-}
-
-static bool check_region(const clod_case_region *region, const char *name, clod_status *status)
-{
-    bool good = true;
-    for (int a = 0; a < 3 && region->kind == CLOD_REGION_BOX; a++) {
-        good &= region->min[a] < region->max[a];
-    }
-    if (region->kind == CLOD_REGION_ANNULUS) {
-        good = region->inner_radius < region->outer_radius && region->height > 0.0;
-    }
-    return good || clod_status_fail(status, CLOD_USAGE,
-                                    "%s.region: it has no volume; max must be above min, "
-                                    "outer_radius above inner_radius",
-                                    name);
 }
 
 /** Number of grains of a group that is not given one by one. */
@@ -51,12 +37,8 @@ static bool insert_group(const clod_case *from, const clod_case_grains *group, c
                          int64_t seed, uint64_t *next_id, clod_state *state,
                          clod_status *status)
 {
-    const int material =
-        group->material != NULL ? clod_case_material_index(from, group->material) : -1;
-    if (material < 0) {
-        return clod_status_fail(status, CLOD_USAGE, "%s: no material is called \"%s\"", name,
-                                group->material != NULL ? group->material : "");
-    }
+    const int material = clod_case_material_index(from, group->material);
+    CLOD_ASSERT(material >= 0); // checked at load
     clod_sizes sizes;
     clod_insertion what = {
         .name = name,
@@ -67,8 +49,7 @@ static bool insert_group(const clod_case *from, const clod_case_grains *group, c
         .material = (uint16_t)material,
         .density = from->materials[material].density,
         .velocity = {group->velocity[0], group->velocity[1], group->velocity[2]}};
-    bool good =
-        check_region(&group->region, name, status) && clod_sizes_init(&sizes, group, status);
+    bool good = clod_sizes_init(&sizes, group, status);
     if (good) {
         what.count = group_count(group, &what);
         good = clod_insert_region(state, &what, status);

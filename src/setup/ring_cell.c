@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "setup/insertion.h"
 #include "setup/state.h"
@@ -30,33 +31,6 @@ static double bar_length(const clod_case_ring_shear *cell)
     return cell->outer_radius - cell->inner_radius - 2.0 * BAR_CLEARANCE * cell->radius_min;
 }
 
-static bool check_cell(const clod_case_ring_shear *cell, clod_status *status)
-{
-    const double width = cell->outer_radius - cell->inner_radius;
-    if (!(width > 2.0 * cell->radius_max)) {
-        return clod_status_fail(status, CLOD_USAGE,
-                                "ring_shear: outer_radius - inner_radius is %g m, but a grain "
-                                "is up to %g m across",
-                                width, 2.0 * cell->radius_max);
-    }
-    const double around = 2.0 * M_PI * cell->inner_radius;
-    if ((double)cell->bar_count * cell->bar_width >= around) {
-        return clod_status_fail(status, CLOD_USAGE,
-                                "ring_shear: %lld bars %g m wide do not fit side by side at "
-                                "inner_radius %g m; lower bar_count or bar_width",
-                                (long long)cell->bar_count, cell->bar_width,
-                                cell->inner_radius);
-    }
-    if (!(cell->depth > 2.0 * cell->bar_height)) {
-        return clod_status_fail(
-            status, CLOD_USAGE,
-            "ring_shear: depth (%g m) must be above twice bar_height (%g m), "
-            "or the bars of lid and base would meet",
-            cell->depth, cell->bar_height);
-    }
-    return true;
-}
-
 /** Solid volume that fills the depth between and beside the bars [m3]. */
 static double solid_volume(const clod_case_ring_shear *cell)
 {
@@ -72,7 +46,7 @@ size_t clod_ring_cell_count(const clod_case *from, int64_t seed, clod_status *st
     if (cell->grain_count > 0) {
         return (size_t)cell->grain_count;
     }
-    if (!check_cell(cell, status) || !cell_sizes(cell, &sizes, status)) {
+    if (!cell_sizes(cell, &sizes, status)) {
         return 0;
     }
     return clod_sizes_count(&sizes, (uint64_t)seed, 1, solid_volume(cell));
@@ -117,10 +91,7 @@ static bool make_wall(const clod_case *from, const char *name, const char *mater
                       int64_t shapes, clod_wall *wall, clod_status *status)
 {
     const int number = clod_case_material_index(from, material);
-    if (number < 0) {
-        return clod_status_fail(status, CLOD_USAGE, "ring_shear: no material is called \"%s\"",
-                                material);
-    }
+    CLOD_ASSERT(number >= 0); // checked at load
     snprintf(wall->name, sizeof wall->name, "%s", name);
     wall->material = (uint16_t)number;
     wall->spin_axis = (clod_vec3){0.0, 0.0, 1.0};
@@ -200,10 +171,7 @@ static bool fill_cell(const clod_case *from, int64_t seed, clod_state *state, do
     const clod_case_ring_shear *cell = &from->ring_shear;
     const int material = clod_case_material_index(from, cell->grain_material);
     clod_sizes sizes;
-    if (material < 0) {
-        return clod_status_fail(status, CLOD_USAGE, "ring_shear: no material is called \"%s\"",
-                                cell->grain_material);
-    }
+    CLOD_ASSERT(material >= 0); // checked at load
     if (!cell_sizes(cell, &sizes, status)) {
         return false;
     }
@@ -228,8 +196,7 @@ bool clod_setup_ring_cell(const clod_case *from, int64_t seed, clod_state *state
     *state = (clod_state){.build_motion = -1.0, .adhesion = cell->fill_adhesion};
     memcpy(state->gravity, from->gravity, sizeof state->gravity);
     double height = 0.0;
-    if (!check_cell(cell, status) || !make_walls(from, state, status) ||
-        !fill_cell(from, seed, state, &height, status)) {
+    if (!make_walls(from, state, status) || !fill_cell(from, seed, state, &height, status)) {
         return false;
     }
     close_cell(cell, height, state);

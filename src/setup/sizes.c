@@ -42,11 +42,6 @@ bool clod_sizes_init_normal(clod_sizes *self, double mean, double sd, double min
 {
     *self =
         (clod_sizes){.kind = CLOD_SIZE_NORMAL, .min = min, .max = max, .mean = mean, .sd = sd};
-    if (!(min > 0.0) || !(min <= max)) {
-        return clod_status_fail(status, CLOD_USAGE,
-                                "radius: min (%g m) must be positive and not above max (%g m)",
-                                min, max);
-    }
     if (min == max) {
         return true;
     }
@@ -65,25 +60,9 @@ bool clod_sizes_init_normal(clod_sizes *self, double mean, double sd, double min
     return true;
 }
 
-static bool check_sieve(const clod_case_grains *from, clod_status *status)
-{
-    const clod_case_sieve *row = from->sieve;
-    bool good = from->sieve_count >= 2 && row[0].passing == 0.0 &&
-                row[from->sieve_count - 1].passing == 1.0 && row[0].size > 0.0;
-    for (size_t c = 1; good && c < from->sieve_count; c++) {
-        good = row[c].size > row[c - 1].size && row[c].passing >= row[c - 1].passing;
-    }
-    return good || clod_status_fail(status, CLOD_USAGE,
-                                    "sizes.sieve: sizes must rise from sieve to sieve, and "
-                                    "passing must rise from 0 %% to 100 %%");
-}
-
 static bool init_sieve(clod_sizes *self, const clod_case_grains *from, clod_status *status)
 {
     *self = (clod_sizes){.kind = CLOD_SIZE_SIEVE};
-    if (!check_sieve(from, status)) {
-        return false;
-    }
     self->class_count = from->sieve_count - 1;
     self->classes = clod_memory_alloc(self->class_count, sizeof *self->classes);
     if (self->classes == NULL) {

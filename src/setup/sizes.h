@@ -35,8 +35,7 @@ typedef struct clod_sizes {
  * proportion to q (D1^-3 - D2^-3)/ln(D2/D1), and 1/D^3 is uniform in it.
  *
  * @param self  [out] release with clod_sizes_fini, also after a failure
- * Errors  CLOD_USAGE: ends in the wrong order, table not rising from 0 to 1, an interval that
- *         holds none of the normal distribution.
+ * Errors  CLOD_USAGE: the interval holds nothing of the normal distribution; CLOD_FAILED.
  * Threads pure.   Test  tests/setup/test_sizes.c
  */
 bool clod_sizes_init(clod_sizes *self, const clod_case_grains *from, clod_status *status);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "base/memory.h"
 
 /** Angle [rad] and relative offset below which two axes count as one. */
@@ -24,36 +25,18 @@ static void complete_frame(clod_vec3 axis[3])
     axis[1] = clod_vec3_cross(z, axis[0]);
 }
 
-static bool shape_fail(clod_status *status, const clod_case_wall *wall, size_t number,
-                       const char *problem)
-{
-    return clod_status_fail(status, CLOD_USAGE, "walls.%s.shapes[%zu]: %s", wall->name, number,
-                            problem);
-}
-
 /** A bar is a box whose first axis is its centre line and whose third axis is `up`. */
-static bool make_bar(const clod_case_shape *from, clod_shape *shape)
+static void make_bar(const clod_case_shape *from, clod_shape *shape)
 {
-    const clod_vec3 a = vector(from->from);
-    const clod_vec3 line = clod_vec3_sub(vector(from->to), a);
-    const double length = clod_vec3_length(line);
-    if (!(length > 0.0)) {
-        return false;
-    }
-    shape->axis[0] = clod_vec3_scale(line, 1.0 / length);
-    const clod_vec3 given = clod_vec3_unit(vector(from->up));
-    const double along = clod_vec3_dot(given, shape->axis[0]);
-    const clod_vec3 up = clod_vec3_axpy(given, -along, shape->axis[0]);
-    if (clod_vec3_length(up) < 1e-6) {
-        return false;
-    }
-    shape->axis[2] = clod_vec3_unit(up);
-    shape->axis[1] = clod_vec3_cross(shape->axis[2], shape->axis[0]);
-    shape->center = clod_vec3_axpy(a, 0.5, line);
-    shape->half[0] = 0.5 * length;
+    const clod_vec3 start = vector(from->from);
+    const clod_vec3 line = clod_vec3_sub(vector(from->to), start);
+    shape->axis[0] = clod_vec3_unit(line);
+    shape->axis[1] = clod_vec3_unit(clod_vec3_cross(vector(from->up), shape->axis[0]));
+    shape->axis[2] = clod_vec3_cross(shape->axis[0], shape->axis[1]);
+    shape->center = clod_vec3_axpy(start, 0.5, line);
+    shape->half[0] = 0.5 * clod_vec3_length(line);
     shape->half[1] = 0.5 * from->width;
     shape->half[2] = 0.5 * from->height;
-    return true;
 }
 
 static void make_box(const clod_case_shape *from, clod_shape *shape)
@@ -66,40 +49,34 @@ static void make_box(const clod_case_shape *from, clod_shape *shape)
     }
 }
 
-static bool make_shape(const clod_case_wall *wall, size_t number, clod_shape *shape,
-                       clod_status *status)
+static clod_shape make_shape(const clod_case_shape *from)
 {
-    const clod_case_shape *from = &wall->shapes[number];
-    *shape = (clod_shape){.kind = (clod_shape_kind)from->kind, .center = vector(from->point)};
-    switch (shape->kind) {
+    clod_shape shape = {.kind = (clod_shape_kind)from->kind, .center = vector(from->point)};
+    switch (shape.kind) {
     case CLOD_SHAPE_BOX:
-        make_box(from, shape);
-        return true;
+        make_box(from, &shape);
+        return shape;
     case CLOD_SHAPE_BAR:
-        return make_bar(from, shape) ||
-               shape_fail(status, wall, number,
-                          "the bar needs two different ends, and `up` must not point along it");
+        make_bar(from, &shape);
+        return shape;
     case CLOD_SHAPE_CYLINDER:
-        shape->axis[2] = clod_vec3_unit(vector(from->axis));
-        shape->outer = from->radius;
-        shape->half[2] = 0.5 * from->length;
-        shape->side = (clod_side)from->side;
+        shape.axis[2] = clod_vec3_unit(vector(from->axis));
+        shape.outer = from->radius;
+        shape.half[2] = 0.5 * from->length;
+        shape.side = (clod_side)from->side;
         break;
     case CLOD_SHAPE_ANNULUS:
-        if (!(from->inner_radius < from->outer_radius)) {
-            return shape_fail(status, wall, number, "inner_radius must be below outer_radius");
-        }
-        shape->axis[2] = clod_vec3_unit(vector(from->normal));
-        shape->inner = from->inner_radius;
-        shape->outer = from->outer_radius;
+        shape.axis[2] = clod_vec3_unit(vector(from->normal));
+        shape.inner = from->inner_radius;
+        shape.outer = from->outer_radius;
         break;
     default: // plane and disc
-        shape->axis[2] = clod_vec3_unit(vector(from->normal));
-        shape->outer = from->radius;
+        shape.axis[2] = clod_vec3_unit(vector(from->normal));
+        shape.outer = from->radius;
         break;
     }
-    complete_frame(shape->axis);
-    return true;
+    complete_frame(shape.axis);
+    return shape;
 }
 
 static bool is_symmetric(const clod_wall *wall, const clod_shape *shape)
@@ -152,27 +129,17 @@ static double facing_area(const clod_wall *wall)
     return area;
 }
 
-static bool make_load(const clod_case_wall *from, clod_wall *wall, clod_status *status)
+static void make_load(const clod_case_wall *from, clod_wall *wall)
 {
     wall->load = (clod_load_kind)from->load;
+    wall->load_axis = (clod_vec3){0.0, 0.0, -1.0};
     if (wall->load == CLOD_LOAD_NONE) {
-        return true;
+        return;
     }
     wall->load_axis = clod_vec3_unit(vector(from->load_axis));
     wall->mass = from->mass;
     wall->area = from->area > 0.0 ? from->area : facing_area(wall);
-    wall->load_force = from->force;
-    if (wall->load == CLOD_LOAD_STRESS) {
-        if (!(wall->area > 0.0)) {
-            return clod_status_fail(status, CLOD_USAGE,
-                                    "walls.%s.load: a stress needs the area on which it acts; "
-                                    "add `area: 25 cm2` (it is known by itself only for discs "
-                                    "and annuli)",
-                                    from->name);
-        }
-        wall->load_force = from->stress * wall->area;
-    }
-    return true;
+    wall->load_force = wall->load == CLOD_LOAD_STRESS ? from->stress * wall->area : from->force;
 }
 
 static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod_wall *wall,
@@ -184,17 +151,17 @@ static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod
     }
     wall->shape_count = (int32_t)given->shape_count;
     for (size_t s = 0; s < given->shape_count; s++) {
-        if (!make_shape(given, s, &wall->shapes[s], status)) {
-            return false;
-        }
+        wall->shapes[s] = make_shape(&given->shapes[s]);
     }
     clod_setup_wall_symmetry(wall);
     for (size_t s = 0; s < given->shape_count; s++) {
         const clod_shape *shape = &wall->shapes[s];
         if (shape->kind == CLOD_SHAPE_PLANE && !shape->symmetric && ever_spins(from, given)) {
-            return shape_fail(status, given, s,
-                              "an endless plane can turn only about its own normal; use a box "
-                              "or a disc");
+            return clod_status_fail(
+                status, CLOD_USAGE,
+                "walls.%s.shapes[%zu]: an endless plane can turn only about "
+                "its own normal; use a box or a disc",
+                given->name, s);
         }
     }
     return true;
@@ -210,18 +177,18 @@ static bool make_wall(const clod_case *from, const clod_case_wall *given, clod_w
     }
     snprintf(wall->name, sizeof wall->name, "%s", given->name);
     const int material = clod_case_material_index(from, given->material);
-    if (material < 0) {
-        return clod_status_fail(status, CLOD_USAGE, "walls.%s: no material is called \"%s\"",
-                                given->name, given->material);
-    }
+    CLOD_ASSERT(material >= 0); // checked at load
     wall->material = (uint16_t)material;
     wall->velocity = vector(given->velocity);
     wall->surface_velocity = vector(given->surface_velocity);
     wall->spin = given->spin;
     wall->spin_axis = clod_vec3_unit(vector(given->spin_axis));
     wall->spin_point = vector(given->spin_point);
-    wall->load_axis = (clod_vec3){0.0, 0.0, -1.0};
-    return make_shapes(from, given, wall, status) && make_load(given, wall, status);
+    if (!make_shapes(from, given, wall, status)) {
+        return false;
+    }
+    make_load(given, wall);
+    return true;
 }
 
 bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *status)
