@@ -22,8 +22,9 @@ clod_add_check(lint/layers-selftest 60 tools/check-layers-selftest)
 clod_add_check(lint/style 60 tools/check-style ${CLOD_ALL})
 clod_add_check(lint/headers-gcc 300 tools/check-headers gcc ${CLOD_HEADERS})
 clod_add_check(lint/headers-clang 300 tools/check-headers clang-14 ${CLOD_HEADERS})
+# uninitvar is left to gcc, clang and the sanitizers: cppcheck does not follow arrays filled in loops
 clod_add_check(lint/cppcheck 600 cppcheck --enable=warning,performance,portability --inline-suppr
-  --suppress=missingIncludeSystem --error-exitcode=1 --quiet -j2 -Iinclude -Isrc ${CLOD_COMPILED})
+  --suppress=missingIncludeSystem --suppress=uninitvar --error-exitcode=1 --quiet -j2 -Iinclude -Isrc ${CLOD_COMPILED})
 
 # Two more trees: clang without any warning, all unit tests under AddressSanitizer and
 # UndefinedBehaviorSanitizer, the fuzz targets, and the threaded tests under ThreadSanitizer.

@@ -1,9 +1,6 @@
 # What is installed, and the Debian package of it (cpack -G DEB).
 include(GNUInstallDirs)
-if(TARGET clod)
-  install(TARGETS clod)
-endif()
-install(TARGETS clod_core)
+install(TARGETS clod clod_core)
 install(DIRECTORY include/clod TYPE INCLUDE FILES_MATCHING PATTERN "*.h")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
