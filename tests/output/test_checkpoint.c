@@ -4,6 +4,8 @@
 #include <math.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "output/checkpoint.h"
 #include "output/checkpoint_file.h"
@@ -325,6 +327,53 @@ static void a_part_file_left_by_a_killed_run_does_no_harm(void **folder)
     assert_false(temp_exists(folder, "restart_a.h5.part"));
 }
 
+/** Write checkpoint after checkpoint until killed. */
+static _Noreturn void write_until_killed(void **folder)
+{
+    for (uint64_t seed = 1;; seed++) {
+        clod_status status;
+        clod_state state = random_state(seed);
+        const clod_checkpoint_part part = {"seed", &seed, sizeof seed};
+        if (!clod_checkpoint_write(*folder, "restart", &state, &part, 1, CASE, &status)) {
+            _exit(1);
+        }
+        clod_state_fini(&state);
+    }
+}
+
+static void a_run_killed_at_any_moment_leaves_whole_checkpoints(void **folder)
+{
+    for (uint64_t kill_number = 0; kill_number < 20; kill_number++) {
+        const double moment = clod_random_uniform(9, CLOD_RANDOM_TEST, kill_number, 0);
+        const pid_t child = fork();
+        assert_true(child >= 0);
+        if (child == 0) {
+            write_until_killed(folder);
+        }
+        int ended;
+        for (int wait = 0; wait < 10000 && !clod_checkpoint_exists(*folder, "restart");
+             wait++) {
+            usleep(1000);
+        }
+        usleep((useconds_t)(moment * 20e3));
+        kill(child, SIGKILL);
+        assert_int_equal(waitpid(child, &ended, 0), child);
+        assert_true(WIFSIGNALED(ended));
+        clod_status status;
+        char notice[2048];
+        uint64_t seed = 0;
+        clod_checkpoint_part part = {"seed", &seed, sizeof seed};
+        clod_state found = bare_state();
+        assert_true(clod_checkpoint_read(*folder, "restart", &found, &part, 1, CASE, notice,
+                                         sizeof notice, &status));
+        assert_string_equal(notice, "");
+        clod_state expected = random_state(seed);
+        assert_states_equal(&found, &expected);
+        clod_state_fini(&found);
+        clod_state_fini(&expected);
+    }
+}
+
 /** The limit on a file's size stands for a full disk: write() fails half way in both. */
 static void a_full_disk_leaves_both_files(void **folder)
 {
@@ -379,6 +428,7 @@ int main(void)
         FOLDER_TEST(other_walls_or_parts_are_refused),
         FOLDER_TEST(a_missing_folder_is_told),
         FOLDER_TEST(a_part_file_left_by_a_killed_run_does_no_harm),
+        FOLDER_TEST(a_run_killed_at_any_moment_leaves_whole_checkpoints),
         FOLDER_TEST(a_full_disk_leaves_both_files),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
