@@ -54,7 +54,7 @@ typedef struct clod_param {
     const char *const *choices; ///< ended by NULL
     const char *zero_word;      ///< word that stands for 0, for instance "auto"
     const struct clod_table *table;  ///< section, list, map
-    bool (*shown)(const void *self); ///< section: whether the echo writes it; NULL: always
+    bool (*shown)(const void *self); ///< whether the echo writes it; NULL: always
 } clod_param;
 
 typedef struct clod_table {

@@ -205,6 +205,7 @@ static const clod_param GRAINS[] = {
      CLOD_FROM(0.05, 0.74),
      .fallback = "0.6",
      CLOD_AT(G, fill_fraction),
+     .shown = has_region,
      .help = "Solid fraction assumed for fill_height.",
      .source = "convention"},
     {.key = "file",
@@ -245,6 +246,7 @@ static const clod_param GRAINS[] = {
      CLOD_FROM(-1e3, 1e3),
      .fallback = "0 0 0 m/s",
      CLOD_AT(G, velocity),
+     .shown = has_region,
      .help = "Velocity of every grain of this group at the start.",
      .source = "convention"},
 };

@@ -115,6 +115,16 @@ static const clod_table SHAPE_TABLE = {.title = "One surface: one of these.",
                                        .one_of = true,
                                        .kind = offsetof(S, kind)};
 
+static bool has_force(const void *self)
+{
+    return ((const W *)self)->load == CLOD_LOAD_FORCE;
+}
+
+static bool has_stress(const void *self)
+{
+    return ((const W *)self)->load == CLOD_LOAD_STRESS;
+}
+
 static const clod_param LOAD[] = {
     {.key = "force",
      .kind = CLOD_PARAM_REAL,
@@ -123,6 +133,7 @@ static const clod_param LOAD[] = {
      CLOD_FROM(0, 1e9),
      .example = "50 N",
      CLOD_AT(W, force),
+     .shown = has_force,
      .help = "Force with which the load pushes (one of force, stress).",
      .source = "convention"},
     {.key = "stress",
@@ -132,6 +143,7 @@ static const clod_param LOAD[] = {
      CLOD_FROM(0, 1e9),
      .example = "10 kPa",
      CLOD_AT(W, stress),
+     .shown = has_stress,
      .help = "Stress with which the load pushes; times area it is the force (one of force, "
              "stress).",
      .source = "convention"},

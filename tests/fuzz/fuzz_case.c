@@ -13,6 +13,13 @@
 #include "clod/schema.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+const char *__lsan_default_suppressions(void);
+
+/** libfyaml 0.7.12 loses 512 bytes with a text of five or more doubled single quotes. */
+const char *__lsan_default_suppressions(void)
+{
+    return "leak:libfyaml\n";
+}
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
