@@ -1,13 +1,11 @@
 # Short names for the usual work. Everything is built by CMake (CMakePresets.json); this file
 # only sets up the machine and calls it.
-#   make run                       set up, build, run the full ring shear test of the ore
-#   make run CASE=x.yaml ARGS=...  another case, with options for `clod run`
-#   make test                      set up, build, run every test and check
+#   make run               set up, build, run the full ring shear test of the 5 % ore
+#   make run ARGS=--fresh  the same, with options for `clod run`
+#   make test              set up, build, run every test and check
 .PHONY: build run test bench format lint package install clean help setup setup-test
 .DEFAULT_GOAL := build
 
-CASE := cases/copper-ore-5/case.yaml
-OUT = run/$(notdir $(patsubst %/,%,$(dir $(CASE))))
 ARGS :=
 PREFIX := /usr/local
 RELEASE := build/release
@@ -23,8 +21,8 @@ build: setup ## build the program, build/release/clod
 	@cmake --preset release -DCLOD_TESTS=OFF --log-level=WARNING
 	@cmake --build --preset release
 
-run: build ## run CASE (the 5 % copper ore) into run/, with ARGS
-	$(RELEASE)/clod run $(CASE) -o $(OUT) $(ARGS)
+run: build ## run the 5 % copper ore into run/copper-ore-5, with ARGS
+	$(RELEASE)/clod run cases/copper-ore-5/case.yaml -o run/copper-ore-5 $(ARGS)
 
 test: setup-test ## build and run every test and check
 	@cmake --preset test --log-level=WARNING
@@ -35,9 +33,9 @@ lint: setup-test ## only the checks of the sources
 	@cmake --preset test --log-level=WARNING
 	@ctest --preset test -j $(JOBS) -L lint
 
-bench: build ## build and run what measures speed
+bench: build ## build the programs that measure speed, into build/release/bench
 	@cmake --build --preset release --target bench
-	@set -e; for program in $(RELEASE)/bench/*; do echo "== $$program"; $$program $(ARGS); done
+	@ls $(RELEASE)/bench
 
 format: setup-test ## put all sources into the house format
 	clang-format-14 -i $$(find src include app tests bench -name '*.[ch]')
