@@ -29,12 +29,12 @@ static json_t *line(void **folder, int number)
 {
     size_t size;
     char *text = temp_read(folder, "log.jsonl", &size);
-    char *start = text;
+    size_t start = 0;
     for (int l = 0; l < number; l++) {
-        start = strchr(start, '\n') + 1;
+        start += strcspn(text + start, "\n") + 1;
     }
-    char *end = strchr(start, '\n');
-    json_t *json = end == NULL ? NULL : json_loadb(start, (size_t)(end - start), 0, NULL);
+    assert_true(start <= size);
+    json_t *json = json_loadb(text + start, strcspn(text + start, "\n"), 0, NULL);
     clod_memory_free(text);
     return json;
 }
@@ -121,8 +121,9 @@ static void threads_do_not_mix_their_lines(void **folder)
     char *text = temp_read(folder, "log.jsonl", &size);
     int seen[LINES] = {0};
     int lines = 0;
-    for (char *start = text, *end; (end = strchr(start, '\n')) != NULL; start = end + 1) {
-        json_t *json = json_loadb(start, (size_t)(end - start), 0, NULL);
+    for (size_t start = 0, length; start < size; start += length + 1) {
+        length = strcspn(text + start, "\n");
+        json_t *json = json_loadb(text + start, length, 0, NULL);
         assert_non_null(json);
         seen[json_integer_value(json_object_get(json, "number"))]++;
         json_decref(json);
