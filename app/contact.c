@@ -1,0 +1,180 @@
+/**
+ * @file contact.c
+ * clod contact CASE: drive one contact along a path and print what the law does.
+ */
+
+#include <argp.h>
+#include <errno.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app.h"
+#include "clod/contact_bench.h"
+
+typedef struct request {
+    const char *path;
+    const char *output; ///< NULL: standard output
+    bool summary;       ///< only the summary
+    const char **overrides;
+    size_t override_count;
+} request;
+
+static const struct argp_option OPTIONS[] = {
+    {"output", 'o', "FILE", 0, "write the table to FILE instead of standard output", 0},
+    {"summary", 's', NULL, 0, "print the summary alone, to standard output", 0},
+    {"set", 'S', "KEY=VALUE", 0,
+     "change a key of the case, for instance "
+     "contact_bench.adhesion='10 %'; may be given often",
+     0},
+    {0},
+};
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+    request *self = state->input;
+    switch (key) {
+    case 'o':
+        self->output = argument;
+        return 0;
+    case 's':
+        self->summary = true;
+        return 0;
+    case 'S':
+        self->overrides[self->override_count++] = argument;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (self->path != NULL) {
+            argp_error(state, "one case at a time");
+        }
+        self->path = argument;
+        return 0;
+    case ARGP_KEY_END:
+        if (self->path == NULL) {
+            argp_error(state, "which case? clod new contact-bench writes an example");
+        }
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static bool print_row(void *context, const clod_contact_bench_row *row, clod_status *status)
+{
+    FILE *out = context;
+    if (out == NULL) {
+        return true;
+    }
+    char line[CLOD_CONTACT_BENCH_LINE];
+    clod_contact_bench_line(row, line);
+    return fprintf(out, "%s\n", line) > 0 ||
+           clod_status_fail(status, CLOD_FAILED, "the table cannot be written: %s",
+                            strerror(errno));
+}
+
+static void print_summary(FILE *out, const clod_contact_bench_summary *s)
+{
+    const double overlap = s->d_before > 0.0 ? s->d_min / s->d_before : 0.0;
+    const double force = s->f_before > 0.0 ? -s->f_min / s->f_before : 0.0;
+    fprintf(out, "                              this path    closed form\n");
+    fprintf(out, "largest force             %11.6g N\n", s->f_max);
+    fprintf(out, "  at overlap              %11.6g m\n", s->d_max);
+    fprintf(out, "largest pull              %11.6g N\n", -s->f_min);
+    fprintf(out, "  at overlap              %11.6g m\n", s->d_min);
+    fprintf(out, "d_min / d_max             %11.6f      %11.6f\n", overlap,
+            s->pull_off_overlap);
+    fprintf(out, "|f_min| / f_max           %11.6f      %11.6f\n", force, s->pull_off_force);
+    fprintf(out, "restitution, law alone                     %11.6f%s\n", s->restitution_law,
+            s->restitution_law > 0.0 ? "" : "  (sticks)");
+    fprintf(out, "  dash-pot alone, as asked                 %11.6f\n", s->restitution_asked);
+    fprintf(out, "  both, a computed impact                  %9.4f%s\n", s->restitution_both,
+            s->restitution_both > 0.0 ? "" : "  (sticks)");
+    fprintf(out, "damping ratio                              %11.6f\n", s->damping_ratio);
+    fprintf(out, "gamma_n at the largest force               %11.6g N s/m\n",
+            s->damping_coefficient);
+}
+
+static bool run(const request *self, const clod_case *from, FILE *table,
+                clod_contact_bench_summary *summary, clod_status *status)
+{
+    if (table != NULL) {
+        fprintf(table, "%s\n", clod_contact_bench_header());
+    }
+    if (!clod_contact_bench_run(from, print_row, table, summary, status)) {
+        return false;
+    }
+    if (table != NULL && (fflush(table) != 0 || ferror(table))) {
+        return clod_status_fail(status, CLOD_FAILED, "%s cannot be written: %s",
+                                self->output != NULL ? self->output : "the table",
+                                strerror(errno));
+    }
+    return true;
+}
+
+/** Choose where the table goes, NULL for nowhere; false when the file cannot be made. */
+static bool open_table(const request *self, FILE **table, clod_status *status)
+{
+    *table = self->summary ? NULL : stdout;
+    if (self->output == NULL) {
+        return true;
+    }
+    *table = fopen(self->output, "w");
+    return *table != NULL || clod_status_fail(status, CLOD_FAILED, "%s: cannot be written: %s",
+                                              self->output, strerror(errno));
+}
+
+static bool work(const request *self, clod_status *status)
+{
+    clod_contact_bench_summary summary;
+    clod_case *from = clod_case_load(self->path, self->overrides, self->override_count, status);
+    FILE *table = NULL;
+    if (from == NULL) {
+        return false;
+    }
+    bool good = from->contact_bench.present ||
+                clod_status_fail(status, CLOD_USAGE,
+                                 "%s: there is no contact_bench in this case; clod new "
+                                 "contact-bench writes an example",
+                                 self->path);
+    good = good && open_table(self, &table, status) && run(self, from, table, &summary, status);
+    if (self->output != NULL && table != NULL) {
+        fclose(table);
+    }
+    if (good) {
+        print_summary(self->summary ? stdout : stderr, &summary);
+    }
+    clod_case_destroy(&from);
+    return good;
+}
+
+int clod_app_contact(int argc, char **argv)
+{
+    const struct argp argp = {
+        .options = OPTIONS,
+        .parser = parse,
+        .args_doc = "CASE",
+        .doc =
+            "Drive one contact along the path of contact_bench in CASE, with the very law of "
+            "the simulations, and print a table (CSV, units in the header); a summary beside "
+            "the closed forms goes to standard error."
+            "\vA leg's duration sets the speeds, and the speeds the dash-pots: on slow legs "
+            "(the default, 1 s) damping vanishes and the law alone is left. The branch is "
+            "loading (f1), unloading (f2), adhesive (f3) or open, as in eq. (4). "
+            "Restitutions do not depend on the speed of the impact.",
+    };
+    clod_status status = {CLOD_OK, ""};
+    request self = {.overrides = calloc((size_t)argc + 1, sizeof *self.overrides)};
+    if (self.overrides == NULL) {
+        fputs("clod contact: out of memory\n", stderr);
+        return CLOD_FAILED;
+    }
+    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    const bool good = work(&self, &status);
+    free(self.overrides);
+    if (!good) {
+        fprintf(stderr, "clod contact: %s\n", status.text);
+        return status.code == CLOD_OK ? CLOD_FAILED : (int)status.code;
+    }
+    return EXIT_SUCCESS;
+}
