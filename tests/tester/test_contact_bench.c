@@ -90,7 +90,9 @@ static void near(double value, double expected, double relative)
 /** As a value printed with six decimals. */
 static void printed(double value, double expected)
 {
-    assert_double_equal(value, expected, 5.1e-7);
+    if (!(fabs(value - expected) <= 5.1e-7)) {
+        fail_msg("%.10g is not %.10g", value, expected);
+    }
 }
 
 // Table of PHYSICS 1, "check values", n = 3/2, d_max = 3e-6 m.
