@@ -4,18 +4,18 @@
 #include "config/check.h"
 #include "config/suggest.h"
 
-#define PATH_SIZE 128
+#define PATH_SIZE 320
 
 static bool has(const clod_loader *loader, const char *path, const char *key)
 {
-    char whole[PATH_SIZE + 32];
+    char whole[PATH_SIZE + 96];
     snprintf(whole, sizeof whole, "%s.%s", path, key);
     return clod_check_has(loader, whole);
 }
 
 static void fail(clod_loader *loader, const char *path, const char *key, const char *message)
 {
-    char whole[PATH_SIZE + 32];
+    char whole[PATH_SIZE + 96];
     snprintf(whole, sizeof whole, "%s%s%s", path, key[0] == '\0' ? "" : ".", key);
     clod_check_fail(loader, whole, "%s", message);
 }
