@@ -261,6 +261,8 @@ static bool check_origin(const clod_checkpoint_file *file, const char *case_text
     return true;
 }
 
+// two more parameters than usual, all of them its own:
+// NOLINTNEXTLINE(readability-function-size)
 bool clod_checkpoint_read(const char *directory, const char *stem, clod_state *state,
                           clod_checkpoint_part *parts, size_t part_count, const char *case_text,
                           char *notice, size_t notice_size, clod_status *status)

@@ -37,6 +37,7 @@ static bool scan_head(const char text[CLOD_CHECKPOINT_HEAD_BYTES], clod_checkpoi
     char line[CLOD_CHECKPOINT_HEAD_BYTES + 1];
     memcpy(line, text, CLOD_CHECKPOINT_HEAD_BYTES);
     line[CLOD_CHECKPOINT_HEAD_BYTES] = '\0';
+    // a number out of range is found by printing the head again: NOLINTNEXTLINE(cert-err34-c)
     return sscanf(line,
                   "clod checkpoint: HDF5 behind 512 bytes format %" SCNd64 " sequence %" SCNd64
                   " step %" SCNd64 " time %lf s case %" SCNx64 " bytes %" SCNu64

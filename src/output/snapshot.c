@@ -22,15 +22,11 @@
 static const char *const KINDS[] = {"snap", "walls", "contacts"};
 enum { GRAINS, WALLS, CONTACTS };
 
-/** An array of numbers at every point or cell. */
-static void put_array(clod_hdf *hdf, const char *group, const char *name, const char *units,
-                      clod_hdf_type type, size_t components, size_t rows, const void *data,
-                      size_t stride)
+static void put_columns(clod_hdf *hdf, const clod_hdf_column *columns, size_t count)
 {
-    char path[128];
-    snprintf(path, sizeof path, "VTKHDF/%s%s%s", group, group[0] == '\0' ? "" : "/", name);
-    const clod_hdf_column column = {path, units, type, components, rows, data, stride};
-    clod_hdf_put(hdf, &column);
+    for (size_t c = 0; c < count; c++) {
+        clod_hdf_put(hdf, &columns[c]);
+    }
 }
 
 /** The cells: number c has the points c * corners ... c * corners + corners - 1. */
@@ -51,12 +47,15 @@ static bool put_cells(clod_hdf *hdf, size_t cells, uint8_t type, int64_t corners
         }
         memset(types, type, cells);
         const int64_t sizes[3] = {(int64_t)points, (int64_t)cells, (int64_t)points};
-        put_array(hdf, "", "NumberOfPoints", NULL, CLOD_HDF_I64, 1, 1, &sizes[0], 8);
-        put_array(hdf, "", "NumberOfCells", NULL, CLOD_HDF_I64, 1, 1, &sizes[1], 8);
-        put_array(hdf, "", "NumberOfConnectivityIds", NULL, CLOD_HDF_I64, 1, 1, &sizes[2], 8);
-        put_array(hdf, "", "Connectivity", NULL, CLOD_HDF_I64, 1, points, numbers, 8);
-        put_array(hdf, "", "Offsets", NULL, CLOD_HDF_I64, 1, cells + 1, offsets, 8);
-        put_array(hdf, "", "Types", NULL, CLOD_HDF_U8, 1, cells, types, 1);
+        const clod_hdf_column columns[] = {
+            {"VTKHDF/NumberOfPoints", NULL, CLOD_HDF_I64, 1, 1, &sizes[0], 8},
+            {"VTKHDF/NumberOfCells", NULL, CLOD_HDF_I64, 1, 1, &sizes[1], 8},
+            {"VTKHDF/NumberOfConnectivityIds", NULL, CLOD_HDF_I64, 1, 1, &sizes[2], 8},
+            {"VTKHDF/Connectivity", NULL, CLOD_HDF_I64, 1, points, numbers, 8},
+            {"VTKHDF/Offsets", NULL, CLOD_HDF_I64, 1, cells + 1, offsets, 8},
+            {"VTKHDF/Types", NULL, CLOD_HDF_U8, 1, cells, types, 1},
+        };
+        put_columns(hdf, columns, sizeof columns / sizeof *columns);
     } else {
         clod_status_fail(status, CLOD_FAILED, "No memory for a snapshot.");
     }
@@ -91,17 +90,19 @@ static bool put_grains(clod_hdf *hdf, const clod_state *state, clod_status *stat
     const bool some = n > 0;
     const double *radius = some ? &grains->place[0][3] : NULL;
     const double *mass = some ? &grains->motion[0][3] : NULL;
-    const char *at = "PointData";
-    put_array(hdf, "", "Points", "m", CLOD_HDF_F64, 3, n, grains->place, row);
-    put_array(hdf, at, "id", "1", CLOD_HDF_I64, 1, n, grains->id, sizeof *grains->id);
-    put_array(hdf, at, "type", "1", CLOD_HDF_U16, 1, n, grains->material,
-              sizeof *grains->material);
-    put_array(hdf, at, "radius", "m", CLOD_HDF_F64, 1, n, radius, row);
-    put_array(hdf, at, "velocity", "m s-1", CLOD_HDF_F64, 3, n, grains->motion, row);
-    put_array(hdf, at, "omega", "rad s-1", CLOD_HDF_F64, 3, n, grains->turning, row);
-    put_array(hdf, at, "force", "N", CLOD_HDF_F64, 3, n, grains->load, sizeof *grains->load);
-    put_array(hdf, at, "mass", "kg", CLOD_HDF_F64, 1, n, mass, row);
-    put_array(hdf, at, "coordination", "1", CLOD_HDF_I32, 1, n, contacts, sizeof *contacts);
+    const clod_hdf_column columns[] = {
+        {"VTKHDF/Points", "m", CLOD_HDF_F64, 3, n, grains->place, row},
+        {"VTKHDF/PointData/id", "1", CLOD_HDF_I64, 1, n, grains->id, sizeof *grains->id},
+        {"VTKHDF/PointData/type", "1", CLOD_HDF_U16, 1, n, grains->material,
+         sizeof *grains->material},
+        {"VTKHDF/PointData/radius", "m", CLOD_HDF_F64, 1, n, radius, row},
+        {"VTKHDF/PointData/velocity", "m s-1", CLOD_HDF_F64, 3, n, grains->motion, row},
+        {"VTKHDF/PointData/omega", "rad s-1", CLOD_HDF_F64, 3, n, grains->turning, row},
+        {"VTKHDF/PointData/force", "N", CLOD_HDF_F64, 3, n, grains->load, sizeof *grains->load},
+        {"VTKHDF/PointData/mass", "kg", CLOD_HDF_F64, 1, n, mass, row},
+        {"VTKHDF/PointData/coordination", "1", CLOD_HDF_I32, 1, n, contacts, sizeof *contacts},
+    };
+    put_columns(hdf, columns, sizeof columns / sizeof *columns);
     clod_memory_free(contacts);
     return put_cells(hdf, n, VTK_VERTEX, 1, status);
 }
@@ -112,14 +113,16 @@ static bool put_walls(clod_hdf *hdf, const clod_state *state, clod_status *statu
     bool good = clod_wall_mesh_make(&mesh, state, status);
     if (good) {
         const size_t n = mesh.count;
-        const char *at = "CellData";
-        put_array(hdf, "", "Points", "m", CLOD_HDF_F64, 3, 3 * n, mesh.corner,
-                  sizeof mesh.corner[0][0]);
-        put_array(hdf, at, "wall", "1", CLOD_HDF_I32, 1, n, mesh.wall, sizeof *mesh.wall);
-        put_array(hdf, at, "type", "1", CLOD_HDF_I32, 1, n, mesh.material,
-                  sizeof *mesh.material);
-        put_array(hdf, at, "velocity", "m s-1", CLOD_HDF_F64, 3, n, mesh.velocity,
-                  sizeof *mesh.velocity);
+        const clod_hdf_column columns[] = {
+            {"VTKHDF/Points", "m", CLOD_HDF_F64, 3, 3 * n, mesh.corner,
+             sizeof mesh.corner[0][0]},
+            {"VTKHDF/CellData/wall", "1", CLOD_HDF_I32, 1, n, mesh.wall, sizeof *mesh.wall},
+            {"VTKHDF/CellData/type", "1", CLOD_HDF_I32, 1, n, mesh.material,
+             sizeof *mesh.material},
+            {"VTKHDF/CellData/velocity", "m s-1", CLOD_HDF_F64, 3, n, mesh.velocity,
+             sizeof *mesh.velocity},
+        };
+        put_columns(hdf, columns, sizeof columns / sizeof *columns);
         good = put_cells(hdf, n, VTK_TRIANGLE, 3, status);
     }
     clod_wall_mesh_fini(&mesh);
@@ -166,17 +169,19 @@ static bool put_contacts(clod_hdf *hdf, const clod_state *state, clod_status *st
             lines[c] = contact_line(state, &contacts[c]);
             memcpy(ends[2 * c], lines[c].end, sizeof lines[c].end);
         }
-        const char *at = "CellData";
         const size_t row = sizeof *lines, history = sizeof *contacts;
         const double *values = n > 0 ? contacts[0].history : NULL;
-        put_array(hdf, "", "Points", "m", CLOD_HDF_F64, 3, 2 * n, ends, sizeof *ends);
-        put_array(hdf, at, "id", "1", CLOD_HDF_I64, 2, n, lines[0].id, row);
-        put_array(hdf, at, "overlap", "m", CLOD_HDF_F64, 1, n, &lines[0].overlap, row);
-        put_array(hdf, at, "plastic", "m^n", CLOD_HDF_F64, 1, n, values, history);
-        put_array(hdf, at, "spring", "m", CLOD_HDF_F64, 3, n, n > 0 ? values + 2 : NULL,
-                  history);
-        put_array(hdf, at, "roll", "rad", CLOD_HDF_F64, 3, n, n > 0 ? values + 5 : NULL,
-                  history);
+        const clod_hdf_column columns[] = {
+            {"VTKHDF/Points", "m", CLOD_HDF_F64, 3, 2 * n, ends, sizeof *ends},
+            {"VTKHDF/CellData/id", "1", CLOD_HDF_I64, 2, n, lines[0].id, row},
+            {"VTKHDF/CellData/overlap", "m", CLOD_HDF_F64, 1, n, &lines[0].overlap, row},
+            {"VTKHDF/CellData/plastic", "m^n", CLOD_HDF_F64, 1, n, values, history},
+            {"VTKHDF/CellData/spring", "m", CLOD_HDF_F64, 3, n, n > 0 ? values + 2 : NULL,
+             history},
+            {"VTKHDF/CellData/roll", "rad", CLOD_HDF_F64, 3, n, n > 0 ? values + 5 : NULL,
+             history},
+        };
+        put_columns(hdf, columns, sizeof columns / sizeof *columns);
         good = put_cells(hdf, n, VTK_LINE, 2, status);
     } else {
         clod_status_fail(status, CLOD_FAILED, "No memory for a snapshot of the contacts.");
