@@ -21,7 +21,7 @@
  *                largest id
  * @param grains  [in,out]
  * Errors  CLOD_USAGE with file:line:column; CLOD_FAILED when it cannot be read.
- * Threads pure.   Test  tests/setup/test_grains_file.c
+ * Threads pure.   Test  tests/setup/test_setup_grains_file.c
  */
 bool clod_grains_file_read(const clod_case *from, const clod_case_grains *group,
                            uint64_t *next_id, clod_grains *grains, clod_status *status);

@@ -32,7 +32,7 @@ typedef struct clod_insertion {
  * @param state  [in,out] walls and domain are read, grains are appended in order of id
  * Errors  CLOD_USAGE: they do not fit; the text has the wanted and the reached count.
  * Threads one at a time; same grains for the same seed.
- * Test    tests/setup/test_insertion.c
+ * Test    tests/setup/test_setup_insertion.c
  */
 bool clod_insert_region(clod_state *state, const clod_insertion *what, clod_status *status);
 

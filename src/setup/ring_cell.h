@@ -32,7 +32,7 @@ size_t clod_ring_cell_count(const clod_case *from, int64_t seed, clod_status *st
  * @param seed   of sizes and places; repeats use seed, seed + 1, ...
  * @param state  [out] owned by the caller (clod_state_fini), also after a failure
  * Errors  CLOD_USAGE: a cell that cannot be built or filled.   Threads  pure.
- * Test    tests/setup/test_ring_cell.c
+ * Test    tests/setup/test_setup_ring_cell.c
  */
 bool clod_setup_ring_cell(const clod_case *from, int64_t seed, clod_state *state,
                           clod_status *status);

@@ -15,7 +15,7 @@
  * @param seed   of sizes and places
  * @param state  [out] owned by the caller (clod_state_fini), also after a failure
  * Errors  CLOD_USAGE for a case or a file that cannot be built, CLOD_FAILED without memory.
- * Threads pure.   Test  tests/setup/test_state.c
+ * Threads pure.   Test  tests/setup/test_setup_state.c
  */
 bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
                       clod_status *status);

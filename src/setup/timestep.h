@@ -50,7 +50,7 @@ typedef struct clod_timestep {
 
 /**
  * Rayleigh time of a grain, pi R sqrt(rho/G)/(0.1631 nu + 0.8766), or 0 without E.
- * Source  PHYSICS 5.   Test  tests/setup/test_timestep.c
+ * Source  PHYSICS 5.   Test  tests/setup/test_setup_timestep.c
  */
 double clod_timestep_rayleigh(const clod_case_material *material, double radius);
 
@@ -91,6 +91,6 @@ double clod_timestep_force(double stress, double radius);
  *
  * @return  the step with all numbers behind it; with `time.step` given, that step
  * Errors  none: the case is checked.   Threads  pure.
- * Source  PHYSICS 5.   Test  tests/setup/test_timestep.c
+ * Source  PHYSICS 5.   Test  tests/setup/test_setup_timestep.c
  */
 clod_timestep clod_timestep_choose(const clod_case *from, const clod_timestep_grains *grains);

@@ -14,7 +14,7 @@
  * @param walls   [out] owned by the caller (clod_walls_fini), also after a failure; the damping
  *                of loaded walls is still 0 (clod_setup_wall_damping)
  * Errors  CLOD_USAGE: a name too long, a plane that would turn out of itself; CLOD_FAILED.
- * Threads pure.   Test  tests/setup/test_walls.c
+ * Threads pure.   Test  tests/setup/test_setup_walls.c
  */
 bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *status);
 

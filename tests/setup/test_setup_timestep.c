@@ -1,0 +1,201 @@
+// Time step of the copper ore (PHYSICS 5 and 6) and of simple pairs, worked out by hand.
+
+#include "setup/timestep.h"
+#include "support/check.h"
+
+enum { ORE, STEEL, MATERIALS };
+
+static clod_case_material materials[MATERIALS] = {
+    {.name = "ore", .density = 2481.3, .youngs_modulus = 119e9, .poissons_ratio = 0.34},
+    {.name = "steel", .density = 7800.0, .youngs_modulus = 200e9, .poissons_ratio = 0.3},
+};
+
+/** Table 1, 5 % moisture, for every pair. */
+static clod_case copper_ore(clod_case_contact pairs[MATERIALS * MATERIALS])
+{
+    for (int p = 0; p < MATERIALS * MATERIALS; p++) {
+        pairs[p] = (clod_case_contact){.law = CLOD_LAW_MEPA,
+                                       .exponent = 1.5,
+                                       .k1 = 4.75e8,
+                                       .k2 = 2.37e9,
+                                       .k_adh = 3.56e8,
+                                       .restitution = 0.5,
+                                       .friction = 0.35,
+                                       .tangential = CLOD_TANGENTIAL_TANGENT,
+                                       .tangential_ratio = 1.0,
+                                       .rolling = CLOD_ROLLING_EPSD2,
+                                       .rolling_friction = 0.3};
+    }
+    return (clod_case){.materials = materials,
+                       .material_count = MATERIALS,
+                       .pairs = pairs,
+                       .time = {.safety = 0.1, .rayleigh_limit = 0.15}};
+}
+
+static const bool ONLY_ORE[MATERIALS] = {true, false};
+static const bool NONE[MATERIALS] = {false, false};
+static const bool ONLY_STEEL[MATERIALS] = {false, true};
+
+// PHYSICS 5: 2.27e-6 s for R = 2.85 mm, so that 1e-7 s is 4.4 %.
+static void rayleigh_time_of_the_ore(void **state)
+{
+    (void)state;
+    const double rayleigh = clod_timestep_rayleigh(&materials[ORE], 2.85e-3);
+    check_close(rayleigh, 2.27e-6, 0.005e-6);
+    check_close(1e-7 / rayleigh, 0.044, 0.0005);
+    const clod_case_material unknown = {.density = 1000.0};
+    assert_true(clod_timestep_rayleigh(&unknown, 1.0) == 0.0);
+}
+
+// PHYSICS 5: at 54.8 kPa the normal period of the mean grain is 3.3e-5 s, auto is near 1e-6 s.
+static void automatic_step_of_the_ore(void **state)
+{
+    (void)state;
+    clod_case_contact pairs[MATERIALS * MATERIALS];
+    const clod_case from = copper_ore(pairs);
+    const clod_timestep_grains grains = {.radius_min = 3.175e-3,
+                                         .radius_mean = 3.175e-3,
+                                         .stress = 54.8e3,
+                                         .is_grain = ONLY_ORE,
+                                         .is_wall = NONE};
+    const clod_timestep t = clod_timestep_choose(&from, &grains);
+    check_close(t.force, 54.8e3 * 6.35e-3 * 6.35e-3, 1e-9); // on the square of a diameter
+    check_close(t.overlap, 2.787e-6, 0.002e-6);             // (2.2097/4.75e8)^(2/3)
+    check_close(t.period, 3.3e-5, 0.05e-5);
+    assert_int_equal(t.reason, CLOD_TIMESTEP_UNLOADING);
+    check_relative(t.step, 0.1 * t.period / 3.14159265358979, 1e-12);
+    check_close(t.step, 1e-6, 0.1e-6);
+    check_close(t.rayleigh_fraction, t.step / 2.53e-6, 0.005); // 2.27e-6 times 3.175/2.85
+}
+
+// The step goes with the lightest grain: mass of (2.85/3.175)^3 gives a period of its root.
+static void lightest_grain_sets_the_step(void **state)
+{
+    (void)state;
+    clod_case_contact pairs[MATERIALS * MATERIALS];
+    const clod_case from = copper_ore(pairs);
+    clod_timestep_grains grains = {.radius_min = 3.175e-3,
+                                   .radius_mean = 3.175e-3,
+                                   .stress = 54.8e3,
+                                   .is_grain = ONLY_ORE,
+                                   .is_wall = NONE};
+    const double mean = clod_timestep_choose(&from, &grains).step;
+    grains.radius_min = 2.85e-3;
+    const double light = clod_timestep_choose(&from, &grains).step;
+    check_relative(light / mean, pow(2.85 / 3.175, 1.5), 1e-12);
+}
+
+// By hand: T = 2 pi sqrt(2/7 m*/k_t) with k_t = 4.75e8 N/m and half the mass of an ore grain,
+// 0.5 * 3.32659e-4 kg: 1.98739e-6 s; sliding and turning are stiffest.
+static void literal_tangential_stiffness_sets_the_step(void **state)
+{
+    (void)state;
+    clod_case_contact pairs[MATERIALS * MATERIALS];
+    const clod_case from = copper_ore(pairs);
+    pairs[0].tangential = CLOD_TANGENTIAL_LITERAL;
+    pairs[0].rolling = CLOD_ROLLING_NONE;
+    const clod_timestep_grains grains = {.radius_min = 3.175e-3,
+                                         .radius_mean = 3.175e-3,
+                                         .stress = 54.8e3,
+                                         .is_grain = ONLY_ORE,
+                                         .is_wall = NONE};
+    const clod_timestep t = clod_timestep_choose(&from, &grains);
+    assert_int_equal(t.reason, CLOD_TIMESTEP_TANGENTIAL);
+    check_relative(t.period, 1.98739e-6, 2e-6);
+    assert_true(t.stiffness == 4.75e8);
+}
+
+// By hand: hooke, k = 1e5 N/m, zeta = 1. Normal: k/m*. Slip: 3.5 k/m*. Rolling at a wall
+// (epsd2): k/(0.4 m) = 2.5 k/m; so slip between grains sets the step, and at a wall (m* = m) it
+// is slower.
+static void hooke_is_set_by_the_turning_of_grains(void **state)
+{
+    (void)state;
+    clod_case_contact pairs[MATERIALS * MATERIALS];
+    const clod_case from = copper_ore(pairs);
+    for (int p = 0; p < MATERIALS * MATERIALS; p++) {
+        pairs[p].law = CLOD_LAW_HOOKE;
+        pairs[p].exponent = 1.0;
+        pairs[p].k1 = pairs[p].k2 = 1e5;
+    }
+    clod_timestep_grains grains = {.radius_min = 1e-3,
+                                   .radius_mean = 1e-3,
+                                   .stress = 1e3,
+                                   .is_grain = ONLY_ORE,
+                                   .is_wall = ONLY_STEEL};
+    const double mass = 2481.3 * 4.0 / 3.0 * M_PI * 1e-9;
+    const clod_timestep t = clod_timestep_choose(&from, &grains);
+    assert_int_equal(t.reason, CLOD_TIMESTEP_TANGENTIAL);
+    assert_false(t.wall);
+    check_relative(t.period, 2.0 * M_PI * sqrt(0.5 * mass / 3.5e5), 1e-12);
+    for (int p = 0; p < MATERIALS * MATERIALS; p++) {
+        pairs[p].friction = 0.0;
+        pairs[p].rolling = CLOD_ROLLING_NONE;
+    }
+    pairs[0 * MATERIALS + STEEL].k1 = pairs[0 * MATERIALS + STEEL].k2 = 1e6;
+    pairs[STEEL * MATERIALS].k1 = pairs[STEEL * MATERIALS].k2 = 1e6;
+    const clod_timestep wall = clod_timestep_choose(&from, &grains);
+    assert_int_equal(wall.reason, CLOD_TIMESTEP_UNLOADING);
+    assert_true(wall.wall && wall.material_a == ORE && wall.material_b == STEEL);
+    check_relative(wall.period, 2.0 * M_PI * sqrt(mass / 1e6), 1e-12);
+}
+
+static void hertz_takes_its_fraction_of_the_rayleigh_time(void **state)
+{
+    (void)state;
+    clod_case_contact pairs[MATERIALS * MATERIALS];
+    const clod_case from = copper_ore(pairs);
+    pairs[0].law = CLOD_LAW_HERTZ;
+    const clod_timestep_grains grains = {.radius_min = 2.85e-3,
+                                         .radius_mean = 3e-3,
+                                         .stress = 1e3,
+                                         .is_grain = ONLY_ORE,
+                                         .is_wall = NONE};
+    const clod_timestep t = clod_timestep_choose(&from, &grains);
+    assert_int_equal(t.reason, CLOD_TIMESTEP_RAYLEIGH);
+    check_relative(t.rayleigh_fraction, 0.15, 1e-12);
+    check_close(t.step, 0.15 * 2.27e-6, 0.001e-6);
+}
+
+// By hand: 1/2 m* v^2 = k1 d^2.5/2.5 with m* = 2e-4 kg, v = 1 m/s, k1 = 4.75e8: d = 1.21847e-5
+// m.
+static void impact_overlap_takes_all_energy(void **state)
+{
+    (void)state;
+    const clod_law law = {.kind = CLOD_LAW_MEPA, .exponent = 1.5, .k1 = 4.75e8, .k2 = 4.75e8};
+    const double d = clod_timestep_impact(&law, 1.0, 2e-4, 1.0);
+    check_relative(d, 1.22602e-5, 2e-6);
+    check_relative(clod_timestep_overlap(&law, 1.0, 4.75e8 * pow(d, 1.5)), d, 1e-12);
+    check_relative(clod_timestep_unloading(&law, 1.0, d), 1.5 * 4.75e8 * sqrt(d), 1e-12);
+}
+
+static void given_step_is_kept_and_auto_is_still_told(void **state)
+{
+    (void)state;
+    clod_case_contact pairs[MATERIALS * MATERIALS];
+    clod_case from = copper_ore(pairs);
+    from.time.step = 1e-7;
+    const clod_timestep_grains grains = {.radius_min = 2.85e-3,
+                                         .radius_mean = 3.175e-3,
+                                         .stress = 54.8e3,
+                                         .is_grain = ONLY_ORE,
+                                         .is_wall = NONE};
+    const clod_timestep t = clod_timestep_choose(&from, &grains);
+    assert_true(t.given && t.step == 1e-7 && t.automatic > 5e-7);
+    check_close(t.rayleigh_fraction, 0.044, 0.0005); // PHYSICS 5
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rayleigh_time_of_the_ore),
+        cmocka_unit_test(automatic_step_of_the_ore),
+        cmocka_unit_test(lightest_grain_sets_the_step),
+        cmocka_unit_test(literal_tangential_stiffness_sets_the_step),
+        cmocka_unit_test(hooke_is_set_by_the_turning_of_grains),
+        cmocka_unit_test(hertz_takes_its_fraction_of_the_rayleigh_time),
+        cmocka_unit_test(impact_overlap_takes_all_energy),
+        cmocka_unit_test(given_step_is_kept_and_auto_is_still_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
