@@ -4,6 +4,8 @@
  * Vectors of space whose components are vectors of lanes. Included by simd.h.
  */
 
+#include "simd/simd.h"
+
 typedef struct vreal3 {
     vreal x, y, z;
 } vreal3;

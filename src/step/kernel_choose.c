@@ -12,10 +12,13 @@ static bool machine_has(const clod_kernel *kernel)
 {
     __builtin_cpu_init();
     if (kernel == &clod_kernel_avx512) {
-        return __builtin_cpu_supports("x86-64-v4") != 0;
+        return machine_has(&clod_kernel_avx2) && __builtin_cpu_supports("avx512f") &&
+               __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
+               __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
     }
     if (kernel == &clod_kernel_avx2) {
-        return __builtin_cpu_supports("x86-64-v3") != 0;
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+               __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
     }
     return true;
 }

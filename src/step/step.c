@@ -77,12 +77,8 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
         self->thread[t].near_motion = self->thread[0].near_motion;
     }
     self->view.dt = self->state->dt;
-    if (self->threads == 1) {
-        advance_part(self, steps, 0);
-    } else {
 #pragma omp parallel num_threads(self->threads)
-        advance_part(self, steps, omp_get_thread_num());
-    }
+    advance_part(self, steps, omp_get_thread_num());
     self->state->build_motion = self->thread[0].build_motion;
     self->state->time = (double)self->state->step * self->state->dt;
     if (self->failed) {

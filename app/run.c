@@ -1,0 +1,200 @@
+/**
+ * @file run.c
+ * clod run CASE: run a case to its end, or go on with one that was interrupted.
+ */
+
+#include <argp.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "app.h"
+#include "clod/run.h"
+
+#define LOG_INTERVAL 10.0 ///< s between plain lines when standard error is not a terminal
+
+typedef struct request {
+    const char *path;
+    clod_run_options options;
+    const char **overrides;
+    size_t override_count;
+} request;
+
+/** What the progress line shows; parts report from their own threads. */
+typedef struct screen {
+    pthread_mutex_t lock;
+    bool terminal;
+    double last; ///< s, when a plain line was last written
+} screen;
+
+static volatile sig_atomic_t stop_signal;
+
+static void on_signal(int number)
+{
+    stop_signal = number;
+}
+
+static const struct argp_option OPTIONS[] = {
+    {"output", 'o', "DIR", 0, "results folder (run/NAME of the case)", 0},
+    {"threads", 't', "N", 0, "threads (all processors); results do not depend on it", 0},
+    {"set", 'S', "KEY=VALUE", 0,
+     "change a key of the case, for instance ring_shear.speed='10 mm/s'; may be given often",
+     0},
+    {"fresh", 'f', NULL, 0, "forget earlier results of the folder instead of going on", 0},
+    {"simd", 'i', "SET", 0,
+     "instruction set: scalar, avx2, avx512 (the best); results do not depend on it", 0},
+    {0},
+};
+
+static int read_threads(const char *text, const struct argp_state *state)
+{
+    char *end;
+    const long threads = strtol(text, &end, 10);
+    if (*end != '\0' || threads < 1 || threads > 1024) {
+        argp_error(state, "--threads %s: a whole number from 1 to 1024 is needed", text);
+    }
+    return (int)threads;
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+    request *self = state->input;
+    switch (key) {
+    case 'o':
+        self->options.directory = argument;
+        return 0;
+    case 't':
+        self->options.threads = read_threads(argument, state);
+        return 0;
+    case 'S':
+        self->overrides[self->override_count++] = argument;
+        return 0;
+    case 'f':
+        self->options.fresh = true;
+        return 0;
+    case 'i':
+        self->options.simd = argument;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (self->path != NULL) {
+            argp_error(state, "one case at a time");
+        }
+        self->path = argument;
+        return 0;
+    case ARGP_KEY_END:
+        if (self->path == NULL) {
+            argp_error(state, "which case? clod new ring-shear writes an example");
+        }
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static double clock_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void write_remaining(char text[80], double remaining)
+{
+    text[0] = '\0';
+    if (remaining >= 0.0) {
+        const long s = (long)remaining;
+        snprintf(text, 80, ", at most %ld:%02ld:%02ld left", s / 3600, s / 60 % 60, s % 60);
+    }
+}
+
+static void show_progress(void *context, const clod_progress *now)
+{
+    screen *self = context;
+    pthread_mutex_lock(&self->lock);
+    const double clock = clock_now();
+    if (self->terminal || now->finished || clock - self->last > LOG_INTERVAL) {
+        char remaining[80];
+        write_remaining(remaining, now->finished ? -1.0 : now->remaining);
+        fprintf(stderr, "%s%-16s %-12s %8.4f s, step %lld, %.3g grain-steps/s%s%s",
+                self->terminal ? "\r\033[K" : "", now->part, now->phase, now->time,
+                (long long)now->step, now->grain_steps_per_s, remaining,
+                self->terminal && !now->finished ? "" : "\n");
+        fflush(stderr);
+        self->last = clock;
+    }
+    pthread_mutex_unlock(&self->lock);
+}
+
+static void show_notice(void *context, const char *text)
+{
+    screen *self = context;
+    pthread_mutex_lock(&self->lock);
+    fprintf(stderr, "%sclod: %s\n", self->terminal ? "\r\033[K" : "", text);
+    pthread_mutex_unlock(&self->lock);
+}
+
+static int exit_status(const clod_status *status)
+{
+    if (status->code == CLOD_INTERRUPTED) {
+        return 128 + (int)stop_signal; // 130 after SIGINT, 143 after SIGTERM
+    }
+    return status->code == CLOD_USAGE ? 2 : 1;
+}
+
+static int run_case(request *self)
+{
+    screen shown = {.terminal = isatty(STDERR_FILENO) != 0, .last = -LOG_INTERVAL};
+    clod_status status = {0};
+    clod_case *from =
+        clod_case_load(self->path, self->overrides, self->override_count, &status);
+    if (from == NULL) {
+        fprintf(stderr, "%s\n", status.text);
+        return exit_status(&status);
+    }
+    pthread_mutex_init(&shown.lock, NULL);
+    self->options.stop = &stop_signal;
+    self->options.progress = show_progress;
+    self->options.notice = show_notice;
+    self->options.context = &shown;
+    char *report;
+    const bool ok = clod_run(from, &self->options, &report, &status);
+    if (ok && report != NULL) {
+        fputs(report, stdout);
+    } else if (!ok) {
+        fprintf(stderr, "%sclod: %s\n", shown.terminal ? "\r\033[K" : "", status.text);
+    }
+    clod_run_free(report);
+    clod_case_destroy(&from);
+    pthread_mutex_destroy(&shown.lock);
+    return ok ? 0 : exit_status(&status);
+}
+
+int clod_app_run(int argc, char **argv)
+{
+    const struct argp argp = {
+        .options = OPTIONS,
+        .parser = parse,
+        .args_doc = "CASE",
+        .doc = "Run a case file: a free run, or a ring shear test up to the yield locus.\v"
+               "The same command goes on from the last checkpoint after an interruption; "
+               "Ctrl-C and SIGTERM write one first (exit status 130 and 143). Results and "
+               "the log are in the results folder; the result table goes to standard output.",
+    };
+    request self = {.overrides = calloc((size_t)argc, sizeof(char *))};
+    if (self.overrides == NULL) {
+        fputs("clod: no memory\n", stderr);
+        return 1;
+    }
+    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    const struct sigaction action = {.sa_handler = on_signal};
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    const int result = run_case(&self);
+    free(self.overrides);
+    return result;
+}

@@ -1,0 +1,53 @@
+#pragma once
+/**
+ * @file run.h
+ * Run a case: a free run, or a ring shear test from filling to yield locus. The same call goes
+ * on from the checkpoints that an interrupted run left in its folder.
+ */
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "clod/case.h"
+#include "clod/status.h"
+
+/** How far a part of a run is; parts of a test run side by side. */
+typedef struct clod_progress {
+    const char *part;         ///< name of the part, for instance "preshear"
+    const char *phase;        ///< what it is doing
+    double time;              ///< s simulated
+    int64_t step;             ///< steps done
+    double grain_steps_per_s; ///< rate since the last call
+    double fraction;          ///< of the part that is done, 0 to 1; at least this much
+    double remaining;         ///< s of wall-clock time, at most; < 0 = not known
+    bool finished;
+} clod_progress;
+
+typedef struct clod_run_options {
+    const char *directory;             ///< results folder; NULL = run/NAME of the case
+    int threads;                       ///< 0 = all processors
+    const char *simd;                  ///< instruction set; NULL = the best
+    bool fresh;                        ///< forget earlier results of this folder
+    const volatile sig_atomic_t *stop; ///< not zero: write checkpoints and return; or NULL
+    void (*progress)(void *context, const clod_progress *now); ///< any thread; or NULL
+    void (*notice)(void *context, const char *text);           ///< a sentence for the user
+    void *context;
+} clod_run_options;
+
+/**
+ * Run a case to its end, or until *stop.
+ *
+ * @param self     checked case
+ * @param report   [out] owned text for people: result table and warnings (clod_run_free)
+ * @return         false: CLOD_INTERRUPTED when stopped (the same call goes on later), else what
+ *                 went wrong; checkpoints are written in either case
+ * Errors  CLOD_USAGE: the case cannot be built, the folder is in use or of another case;
+ *         CLOD_FAILED: disk, memory, physics gone wrong.   Threads  one per folder.
+ * Test    tests/sim/, tests/cli/
+ */
+bool clod_run(const clod_case *self, const clod_run_options *options, char **report,
+              clod_status *status);
+
+/** Free the report; NULL is fine. */
+void clod_run_free(char *report);

@@ -1,0 +1,21 @@
+#pragma once
+/**
+ * @file contacts.h
+ * What the contacts of a state say about the bed; state->contacts must be up to date.
+ */
+
+#include "state/state.h"
+
+typedef struct clod_measure_contacts {
+    size_t pairs, walls; ///< closed contacts: grain-grain, grain-wall
+    double coordination; ///< mean number of grain-grain contacts of a grain
+    double max_overlap;  ///< of grain pairs, as a fraction of the smaller radius
+    double mean_overlap; ///< likewise
+} clod_measure_contacts;
+
+/** Threads: pure. */
+clod_measure_contacts clod_measure_contacts_of(const clod_state *state);
+
+/** Kinetic energy of all grains, translation and rotation [J]; fastest grain [m/s]. */
+double clod_measure_kinetic_energy(const clod_state *state);
+double clod_measure_max_speed(const clod_state *state);

@@ -1,0 +1,279 @@
+#include "sim/job.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <time.h>
+
+#include "base/memory.h"
+#include "measure/contacts.h"
+#include "output/checkpoint.h"
+#include "output/series.h"
+#include "output/snapshot.h"
+#include "step/step.h"
+
+#define PATH_MAX_TEXT 4096
+#define PROGRESS_INTERVAL 0.5 ///< s of wall-clock time
+
+/** Jobs run side by side in threads, and HDF5 is not thread-safe: one at a time. */
+static pthread_mutex_t hdf5_lock = PTHREAD_MUTEX_INITIALIZER;
+
+/** What exists only while the loop runs. */
+typedef struct job_loop {
+    clod_job *job;
+    clod_laws laws;
+    clod_step step;
+    clod_series *series;
+    double *row;
+    double last_clock, last_progress, last_checkpoint; ///< s
+    int64_t progress_step;
+} job_loop;
+
+static double clock_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static size_t parts_of(clod_job *job, clod_checkpoint_part parts[2])
+{
+    parts[0] = (clod_checkpoint_part){"procedure", job->procedure.data, job->procedure.size};
+    parts[1] = (clod_checkpoint_part){"job", &job->memory, sizeof job->memory};
+    return 2;
+}
+
+static void stem_of(const clod_job *job, const char *suffix, char stem[80])
+{
+    snprintf(stem, 80, "restart-%s%s", job->name, suffix);
+}
+
+bool clod_job_resume(clod_job *job, clod_status *status)
+{
+    char stem[80];
+    char notice[1024] = "";
+    clod_checkpoint_part parts[2];
+    const size_t count = parts_of(job, parts);
+    stem_of(job, "", stem);
+    job->resumed = false;
+    if (!clod_checkpoint_exists(job->sim->directory, stem)) {
+        return true;
+    }
+    pthread_mutex_lock(&hdf5_lock);
+    const bool ok = clod_checkpoint_read(job->sim->directory, stem, &job->state, parts, count,
+                                         job->sim->effective, notice, sizeof notice, status);
+    pthread_mutex_unlock(&hdf5_lock);
+    if (!ok) {
+        return false;
+    }
+    job->resumed = true;
+    if (notice[0] != '\0' && job->sim->options->notice != NULL) {
+        job->sim->options->notice(job->sim->options->context, notice);
+    }
+    clod_eventlog_write(job->sim->log, "resume", "{s:s, s:I, s:f, s:s}", "part", job->name,
+                        "step", (json_int_t)job->state.step, "time_s", job->state.time,
+                        "notice", notice);
+    return true;
+}
+
+/** Bring the history into the state and write everything; the series first. */
+static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *status)
+{
+    clod_job *job = loop->job;
+    char stem[80];
+    clod_checkpoint_part parts[2];
+    const size_t count = parts_of(job, parts);
+    stem_of(job, suffix, stem);
+    const double now = clock_now();
+    job->memory.wall_clock += now - loop->last_clock;
+    loop->last_clock = loop->last_checkpoint = now;
+    job->memory.series_bytes = clod_series_bytes(loop->series);
+    if (!clod_series_sync(loop->series, status) || !clod_step_export(&loop->step, status)) {
+        return false;
+    }
+    pthread_mutex_lock(&hdf5_lock);
+    const bool ok = clod_checkpoint_write(job->sim->directory, stem, &job->state, parts, count,
+                                          job->sim->effective, status);
+    pthread_mutex_unlock(&hdf5_lock);
+    return ok;
+}
+
+static bool write_snapshot(job_loop *loop, clod_status *status)
+{
+    clod_job *job = loop->job;
+    if (!clod_step_export(&loop->step, status)) {
+        return false;
+    }
+    pthread_mutex_lock(&hdf5_lock);
+    const bool ok = clod_snapshot_write(job->sim->directory, job->name, job->memory.snapshots++,
+                                        &job->state, job->sim->from->output.contacts, status);
+    pthread_mutex_unlock(&hdf5_lock);
+    return ok;
+}
+
+static bool snapshot_if_due(job_loop *loop, bool finished, clod_status *status)
+{
+    clod_job *job = loop->job;
+    const double interval = job->sim->from->output.snapshot_interval;
+    const bool due = interval > 0.0 && job->state.time >= job->memory.next_snapshot;
+    if (due) {
+        job->memory.next_snapshot +=
+            interval *
+            ceil((job->state.time + 1e-3 * interval - job->memory.next_snapshot) / interval);
+    }
+    return !(due || finished) || write_snapshot(loop, status);
+}
+
+static void tell_progress(job_loop *loop, bool finished)
+{
+    const clod_job *job = loop->job;
+    const clod_run_options *options = job->sim->options;
+    const double now = clock_now();
+    const double since = now - loop->last_progress;
+    if (options->progress == NULL || (since < PROGRESS_INTERVAL && !finished)) {
+        return;
+    }
+    const double steps = (double)(job->state.step - loop->progress_step);
+    const double fraction =
+        job->procedure.fraction(job->procedure.data, job->procedure.context);
+    const double spent = job->memory.wall_clock + now - loop->last_clock;
+    options->progress(
+        options->context,
+        &(clod_progress){
+            .part = job->name,
+            .phase = job->procedure.phase(job->procedure.data, job->procedure.context),
+            .time = job->state.time,
+            .step = job->state.step,
+            .grain_steps_per_s = steps * (double)job->state.grains.count / since,
+            .fraction = fraction,
+            .remaining = fraction > 0.02 ? spent * (1.0 - fraction) / fraction : -1.0,
+            .finished = finished});
+    loop->last_progress = now;
+    loop->progress_step = job->state.step;
+}
+
+/** One turn of the loop: steps, measurement, output. */
+static bool turn(job_loop *loop, clod_status *status)
+{
+    clod_job *job = loop->job;
+    const clod_procedure *p = &job->procedure;
+    const int64_t steps = p->plan(p->data, p->context, &job->state);
+    const char *before = p->phase(p->data, p->context);
+    if (!clod_step_advance(&loop->step, steps, status)) {
+        clod_status ignored;
+        write_checkpoint(loop, "-failed", &ignored);
+        return false;
+    }
+    const bool finished = p->sample(p->data, p->context, &job->state, loop->row);
+    if (!clod_series_row(loop->series, loop->row, status)) {
+        return false;
+    }
+    clod_laws_set_adhesion(&loop->laws, job->state.adhesion);
+    const char *after = p->phase(p->data, p->context);
+    if (before != after) {
+        clod_eventlog_write(job->sim->log, "phase", "{s:s, s:s, s:s, s:I, s:f}", "part",
+                            job->name, "from", before, "to", after, "step",
+                            (json_int_t)job->state.step, "time_s", job->state.time);
+    }
+    job->memory.finished = finished;
+    tell_progress(loop, finished);
+    return snapshot_if_due(loop, finished, status);
+}
+
+static bool is_stopped(const clod_job *job)
+{
+    return job->sim->options->stop != NULL && *job->sim->options->stop != 0;
+}
+
+static bool loop_to_end(job_loop *loop, clod_status *status)
+{
+    clod_job *job = loop->job;
+    const double interval = job->sim->from->output.checkpoint_interval;
+    while (job->memory.finished == 0) {
+        if (!turn(loop, status)) {
+            return false;
+        }
+        const bool stop = is_stopped(job);
+        const bool due = clock_now() - loop->last_checkpoint > interval;
+        if ((due || stop || job->memory.finished != 0) && !write_checkpoint(loop, "", status)) {
+            return false;
+        }
+        if (stop && job->memory.finished == 0) {
+            return clod_status_fail(status, CLOD_INTERRUPTED,
+                                    "stopped at step %lld; the same command goes on from here",
+                                    (long long)job->state.step);
+        }
+    }
+    return true;
+}
+
+static bool open_loop(job_loop *loop, clod_status *status)
+{
+    clod_job *job = loop->job;
+    char path[PATH_MAX_TEXT];
+    snprintf(path, sizeof path, "%s/%s.csv", job->sim->directory, job->name);
+    loop->row = clod_memory_alloc(job->procedure.column_count, sizeof *loop->row);
+    if (loop->row == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for a row of %s", path);
+    }
+    if (job->resumed) {
+        pthread_mutex_lock(&hdf5_lock);
+        const bool ok =
+            clod_snapshot_resume(job->sim->directory, job->name, job->state.time, status);
+        pthread_mutex_unlock(&hdf5_lock);
+        if (!ok) {
+            return false;
+        }
+    }
+    loop->series = clod_series_open(path, job->procedure.columns, job->procedure.column_count,
+                                    job->resumed ? job->memory.series_bytes : -1, status);
+    const clod_step_options options = {.threads = job->threads,
+                                       .simd = job->sim->options->simd};
+    if (loop->series == NULL || !clod_laws_init(&loop->laws, job->sim->from, status)) {
+        return false;
+    }
+    clod_laws_set_adhesion(&loop->laws, job->state.adhesion);
+    if (!clod_step_init(&loop->step, &job->state, &loop->laws, &options, status)) {
+        return false;
+    }
+    loop->last_clock = loop->last_progress = loop->last_checkpoint = clock_now();
+    loop->progress_step = job->state.step;
+    return true;
+}
+
+static void log_end(const job_loop *loop, const clod_job *job, bool ok,
+                    const clod_status *status)
+{
+    const clod_measure_contacts bed = clod_measure_contacts_of(&job->state);
+    clod_eventlog_write(job->sim->log, ok ? "finished" : "stopped",
+                        "{s:s, s:I, s:f, s:f, s:i, s:I, s:I, s:I, s:f, s:f, s:s}", "part",
+                        job->name, "step", (json_int_t)job->state.step, "time_s",
+                        job->state.time, "wall_clock_s", job->memory.wall_clock, "threads",
+                        loop->step.threads, "rebuilds", (json_int_t)loop->step.rebuilds,
+                        "refreshes", (json_int_t)loop->step.refreshes, "contacts",
+                        (json_int_t)bed.pairs, "coordination", bed.coordination, "max_overlap",
+                        bed.max_overlap, "message", ok ? "" : status->text);
+}
+
+bool clod_job_run(clod_job *job, clod_status *status)
+{
+    if (job->memory.finished != 0) {
+        return true;
+    }
+    job_loop loop = {.job = job};
+    bool ok = open_loop(&loop, status);
+    if (ok) {
+        ok = loop_to_end(&loop, status);
+        log_end(&loop, job, ok, status);
+    }
+    clod_step_fini(&loop.step);
+    clod_laws_fini(&loop.laws);
+    clod_series_close(&loop.series);
+    clod_memory_free(loop.row);
+    return ok;
+}
+
+void clod_job_fini(clod_job *job)
+{
+    clod_state_fini(&job->state);
+}

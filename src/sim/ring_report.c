@@ -1,0 +1,156 @@
+#include "sim/ring_report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "clod/locus.h"
+#include "clod/version.h"
+#include "output/folder.h"
+#include "sim/ring_warnings.h"
+
+#define PATH_TEXT 4096
+
+static clod_locus_point point_of(const clod_ring_part *part)
+{
+    const clod_ring_shear *t = &part->test;
+    return (clod_locus_point){
+        .seed = part->seed,
+        .sigma_p = t->preshear_stress,
+        .tau_p = t->preshear_shear,
+        .sigma_s = t->shear_stress,
+        .tau_s = t->point_shear,
+        .rho_b = t->preshear_density,
+        .tau_p_error = isfinite(t->preshear_error) ? t->preshear_error : 0.0,
+        .tau_s_error = isfinite(t->point_error) ? t->point_error : 0.0,
+    };
+}
+
+static bool write_points(const char *directory, const clod_locus_point *points, int count,
+                         clod_status *status)
+{
+    char path[PATH_TEXT];
+    const size_t size = 256 + 256 * (size_t)count;
+    char *text = clod_memory_alloc(size, 1);
+    if (text == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for points.csv");
+    }
+    int used = snprintf(text, size,
+                        "seed,sigma_pre [Pa],tau_pre [Pa],sigma_sh [Pa],tau_sh [Pa],"
+                        "rho_b [kg/m3],tau_pre_error [Pa],tau_sh_error [Pa]\n");
+    for (int p = 0; p < count; p++) {
+        used += snprintf(text + used, size - (size_t)used,
+                         "%lld,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", (long long)points[p].seed,
+                         points[p].sigma_p, points[p].tau_p, points[p].sigma_s, points[p].tau_s,
+                         points[p].rho_b, points[p].tau_p_error, points[p].tau_s_error);
+    }
+    snprintf(path, sizeof path, "%s/points.csv", directory);
+    const bool ok = clod_folder_write(path, text, status);
+    clod_memory_free(text);
+    return ok;
+}
+
+static json_t *part_json(const clod_ring_part *part)
+{
+    const clod_ring_shear *t = &part->test;
+    json_t *j =
+        json_pack("{s:s, s:I, s:I, s:f, s:f, s:i, s:f, s:f, s:f, s:I}", "part", part->name,
+                  "seed", (json_int_t)part->seed, "steps", (json_int_t)part->steps, "dt_s",
+                  part->dt, "wall_clock_s", part->wall_clock, "grains", (int)part->grains,
+                  "coordination", part->coordination, "max_overlap", part->max_overlap,
+                  "mean_overlap", part->mean_overlap, "flags", (json_int_t)t->flags);
+    const bool point = part->point >= 0;
+    json_object_set_new(j, "normal_stress_Pa",
+                        json_real(point ? t->shear_stress : t->preshear_stress));
+    json_object_set_new(j, "measured_normal_stress_Pa",
+                        json_real(point ? t->point_normal : t->preshear_normal));
+    json_object_set_new(j, "shear_stress_Pa",
+                        json_real(point ? t->point_shear : t->preshear_shear));
+    json_object_set_new(j, "displacement_m",
+                        json_real(point ? t->point_displacement : t->preshear_displacement));
+    json_object_set_new(j, "bulk_density_kg_m3",
+                        json_real(point ? t->point_density : t->preshear_density));
+    json_object_set_new(j, "height_m", json_real(t->preshear_height));
+    json_object_set_new(j, "hanger_force_N",
+                        json_real((point ? t->shear_stress : t->preshear_stress) * t->area -
+                                  t->lid_mass * 9.80665));
+    return j;
+}
+
+static bool write_summary(const clod_sim *sim, const clod_ring_part *part, int parts,
+                          const clod_locus_study *study, const char *warnings,
+                          clod_status *status)
+{
+    char path[PATH_TEXT];
+    char *locus = clod_locus_json(study);
+    json_t *list = json_array();
+    for (int p = 0; p < parts; p++) {
+        json_array_append_new(list, part_json(&part[p]));
+    }
+    json_t *root = json_pack(
+        "{s:s, s:s, s:o, s:o?, s:s}", "title", sim->from->title != NULL ? sim->from->title : "",
+        "version", clod_version_text(), "parts", list, "locus",
+        locus != NULL ? json_loads(locus, 0, NULL) : NULL, "warnings", warnings);
+    clod_locus_free(locus);
+    snprintf(path, sizeof path, "%s/summary.json", sim->directory);
+    const bool ok = root != NULL && clod_folder_write_json(path, root, status);
+    json_decref(root);
+    return ok || clod_status_fail(status, CLOD_FAILED, "%s: cannot be written: %.900s", path,
+                                  status->text);
+}
+
+static double total_wall_clock(const clod_ring_part *part, int parts)
+{
+    double sum = 0.0;
+    for (int p = 0; p < parts; p++) {
+        sum += part[p].wall_clock;
+    }
+    return sum;
+}
+
+/** Title, yield locus, warnings, cost: what the engineer asked for. */
+static char *make_text(const clod_sim *sim, const clod_ring_part *part, int parts,
+                       const clod_locus_study *study, const char *warnings)
+{
+    char *table = clod_locus_table(study);
+    const size_t size = 1024 + (table != NULL ? strlen(table) : 0) + strlen(warnings);
+    char *text = clod_memory_alloc(size, 1);
+    if (text != NULL) {
+        snprintf(text, size,
+                 "%s\n%zu grains, dt %.4g s, coordination %.2f, largest overlap %.3g %% of a "
+                 "radius, %.0f s of work\n\n%s%s",
+                 sim->from->title != NULL ? sim->from->title : "ring shear test",
+                 part[0].grains, part[0].dt, part[0].coordination, 100.0 * part[0].max_overlap,
+                 total_wall_clock(part, parts), table != NULL ? table : "", warnings);
+    }
+    clod_locus_free(table);
+    return text;
+}
+
+bool clod_ring_report(const clod_sim *sim, const clod_ring_part *part, int preparations,
+                      int points, char **report, clod_status *status)
+{
+    clod_locus_point *point = clod_memory_alloc((size_t)points, sizeof *point);
+    char *warnings = clod_ring_warnings(sim->from, part, preparations + points);
+    if (point == NULL || warnings == NULL) {
+        clod_memory_free(point);
+        clod_memory_free(warnings);
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the report");
+    }
+    for (int p = 0; p < points; p++) {
+        point[p] = point_of(&part[preparations + p]);
+    }
+    bool ok = write_points(sim->directory, point, points, status);
+    clod_locus_study *study =
+        ok ? clod_locus_study_create(point, (size_t)points, status) : NULL;
+    ok = study != NULL &&
+         write_summary(sim, part, preparations + points, study, warnings, status);
+    if (ok) {
+        *report = make_text(sim, part, preparations + points, study, warnings);
+    }
+    clod_locus_study_destroy(&study);
+    clod_memory_free(point);
+    clod_memory_free(warnings);
+    return ok;
+}

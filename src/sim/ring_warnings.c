@@ -1,0 +1,115 @@
+#include "sim/ring_warnings.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+#define SERVO_LIMIT 0.01     ///< relative error of the mean normal stress
+#define OVERLAP_LIMIT 0.01   ///< largest overlap as a fraction of a radius
+#define INERTIA_LIMIT 1.2e-3 ///< inertial number: quasi-static up to 1e-3 (PHYSICS 5)
+#define GRAINS_LIMIT 5.0     ///< diameters across the smaller of ring width and height
+#define BOX_SIZE 32768
+
+typedef struct warning_box {
+    char *text;
+    size_t used;
+} warning_box;
+
+__attribute__((format(printf, 2, 3))) static void add(warning_box *box, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    if (box->used == 0) {
+        box->used = (size_t)snprintf(box->text, BOX_SIZE, "\nWARNINGS\n");
+    }
+    if (box->used + 600 < BOX_SIZE) {
+        box->used += (size_t)snprintf(box->text + box->used, BOX_SIZE - box->used, "  ! ");
+        box->used +=
+            (size_t)vsnprintf(box->text + box->used, BOX_SIZE - box->used, format, args);
+        box->used += (size_t)snprintf(box->text + box->used, BOX_SIZE - box->used, "\n");
+    }
+    va_end(args);
+}
+
+static void add_flags(warning_box *box, const clod_case *from, const clod_ring_part *part)
+{
+    const int64_t flags = part->test.flags;
+    // a point carries the flags of its preparation too: they are told once
+    if (part->point < 0 && (flags & CLOD_RING_SHEAR_NOT_STEADY) != 0) {
+        add(box,
+            "%s: not steady after %.0f mm of shear; the preshear values are means of the last "
+            "blocks. Raise ring_shear.preshear_max or steady_tolerance",
+            part->name, 1e3 * from->ring_shear.preshear_max);
+    }
+    if (part->point < 0 && (flags & CLOD_RING_SHEAR_NOT_SETTLED) != 0) {
+        add(box, "%s: filling or consolidation did not come to rest within its time limit",
+            part->name);
+    }
+    if (part->point >= 0 && (flags & CLOD_RING_SHEAR_NO_REVERSAL) != 0) {
+        add(box, "%s: shear stress did not fall to zero when sheared back", part->name);
+    }
+    if (part->point >= 0 && (flags & CLOD_RING_SHEAR_NO_PEAK) != 0) {
+        add(box,
+            "%s: no peak within %.0f mm of shear; the largest smoothed value is taken. Raise "
+            "ring_shear.shear_max",
+            part->name, 1e3 * from->ring_shear.shear_max);
+    }
+}
+
+static void add_servo(warning_box *box, const clod_ring_part *part)
+{
+    const clod_ring_shear *t = &part->test;
+    const double aim = part->point >= 0 ? t->shear_stress : t->preshear_stress;
+    const double mean = part->point >= 0 ? t->point_normal : t->preshear_normal;
+    if (fabs(mean / aim - 1.0) > SERVO_LIMIT) {
+        add(box,
+            "%s: the mean normal stress was %.4g kPa instead of %.4g kPa; lower "
+            "ring_shear.lid_damping or speed",
+            part->name, 1e-3 * mean, 1e-3 * aim);
+    }
+}
+
+/** I = shear rate d sqrt(rho/sigma), the shear spread over the whole height. */
+static double inertial_number(const clod_case *from, const clod_ring_part *part)
+{
+    const clod_ring_shear *t = &part->test;
+    const clod_case_material *ore =
+        &from->materials[clod_case_material_index(from, from->ring_shear.grain_material)];
+    const double speed = part->point >= 0 ? t->shear_speed : t->speed;
+    const double stress = part->point >= 0 ? t->shear_stress : t->preshear_stress;
+    return speed / t->preshear_height * 2.0 * from->ring_shear.radius_mean *
+           sqrt(ore->density / stress);
+}
+
+char *clod_ring_warnings(const clod_case *from, const clod_ring_part *part, int parts)
+{
+    warning_box box = {clod_memory_alloc(BOX_SIZE, 1), 0};
+    if (box.text == NULL) {
+        return NULL;
+    }
+    for (int p = 0; p < parts; p++) {
+        add_flags(&box, from, &part[p]);
+        add_servo(&box, &part[p]);
+        if (part[p].max_overlap > OVERLAP_LIMIT) {
+            add(&box, "%s: overlap up to %.2f %% of a radius; the stiffness is too low",
+                part[p].name, 100.0 * part[p].max_overlap);
+        }
+        if (inertial_number(from, &part[p]) > INERTIA_LIMIT) {
+            add(&box,
+                "%s: inertial number %.2g: not quasi-static (1e-3); lower ring_shear.speed",
+                part[p].name, inertial_number(from, &part[p]));
+        }
+    }
+    const clod_case_ring_shear *cell = &from->ring_shear;
+    const double gap =
+        fmin(cell->outer_radius - cell->inner_radius, part[0].test.preshear_height);
+    const double across = gap / (2.0 * cell->radius_mean);
+    if (across < GRAINS_LIMIT) {
+        add(&box, "only %.1f grain diameters across the specimen; %.0f are wanted", across,
+            GRAINS_LIMIT);
+    }
+    return box.text;
+}

@@ -1,0 +1,10 @@
+#pragma once
+/**
+ * @file ring_warnings.h
+ * The warning box: what is not right with a ring shear test, and what to do.
+ */
+
+#include "sim/ring_run.h"
+
+/** Owned text, empty when all is well; NULL without memory. */
+char *clod_ring_warnings(const clod_case *from, const clod_ring_part *part, int parts);

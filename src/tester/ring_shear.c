@@ -1,0 +1,414 @@
+#include "tester/ring_shear.h"
+
+#include <math.h>
+#include <string.h>
+
+// The programme below is the operator's hand: none of these numbers is physics, and the
+// results folder shows what each did. Displacements are at the mean radius r_m.
+#define SETTLED_SPEED 0.02     ///< m/s, root mean square of the grains at the end of filling
+#define FILL_TIME 0.6          ///< s at most
+#define LOWER_SPEED 0.1        ///< m/s of the lid on its way down
+#define TOUCH_FRACTION 0.05    ///< of the preshear stress: the lid carries
+#define RAMP_TIME 0.02         ///< s over which the load is raised or lowered
+#define CALM_SPEED 5e-4        ///< m/s of the lid, mean over a sample: nothing moves any more
+#define CALM_SAMPLES 5         ///< in a row
+#define CALM_FORCE 0.02        ///< relative error of the normal stress when calm
+#define SETTLE_TIME 0.3        ///< s at most, consolidation and reduction
+#define ACCELERATION 3.0       ///< m/s2: below it the inertia of the bed stays below 1 % of tau
+#define REVERSE_FRACTION 0.033 ///< of the preshear speed
+#define REVERSE_MAX 2e-3       ///< m
+#define FINE_STEPS 50          ///< steps per look while the speed changes
+#define COARSE_STEPS 200       ///< steps per look otherwise
+#define BLOCK_SAMPLES 50       ///< samples per block of preshear
+#define PEAK_WINDOW 2e-4       ///< m over which the peak is smoothed
+
+const char *const clod_ring_shear_columns[CLOD_RING_SHEAR_COLUMNS] = {
+    "time [s]",
+    "phase [1]",
+    "displacement [m]",
+    "normal_stress [Pa]",
+    "normal_stress_base [Pa]",
+    "shear_stress [Pa]",
+    "shear_stress_base [Pa]",
+    "height [m]",
+    "bulk_density [kg/m3]",
+    "speed [m/s]",
+    "power [W]",
+};
+
+const char *clod_ring_shear_phase_name(clod_ring_shear_phase phase)
+{
+    static const char *const NAMES[] = {"fill",    "lower",  "consolidate", "preshear",
+                                        "reverse", "reduce", "shear",       "done"};
+    return NAMES[phase];
+}
+
+static clod_wall *find_wall(const clod_state *state, const char *name)
+{
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        if (strcmp(state->walls.wall[w].name, name) == 0) {
+            return &state->walls.wall[w];
+        }
+    }
+    return NULL;
+}
+
+/** Height of the lid's plane above the base [m]. */
+static double lid_height(const clod_ring_shear *self, const clod_state *state)
+{
+    return self->lid_start + find_wall(state, "lid")->shift.z;
+}
+
+/** Stress of the solid that is above the shear plane, the tips of the lid's bars [Pa]. */
+static double solid_above(const clod_ring_shear *self, const clod_state *state)
+{
+    const double plane = lid_height(self, state) - self->bar_height;
+    double mass = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        mass += state->grains.place[g][2] > plane ? state->grains.motion[g][3] : 0.0;
+    }
+    return -mass * state->gravity[2] / self->area;
+}
+
+static double rms_speed(const clod_state *state)
+{
+    double sum = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        const double *v = state->grains.motion[g];
+        sum += v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    }
+    return sqrt(sum / (double)state->grains.count);
+}
+
+/** Turn trough and sides so that the solid is sheared with `speed` at r_m. */
+static void set_speed(const clod_ring_shear *self, clod_state *state, double speed)
+{
+    find_wall(state, "trough")->spin = speed / self->mean_radius;
+    find_wall(state, "sides")->spin = speed / self->mean_radius;
+}
+
+static double speed_now(const clod_ring_shear *self, const clod_state *state)
+{
+    return find_wall(state, "trough")->spin * self->mean_radius;
+}
+
+/** Load of the lid that gives a normal stress at the shear plane. */
+static void set_stress(const clod_ring_shear *self, clod_state *state, double stress)
+{
+    clod_wall *lid = find_wall(state, "lid");
+    lid->load_force = fmax((stress - solid_above(self, state)) * self->area, 0.0);
+}
+
+static void enter(clod_ring_shear *self, clod_state *state, clod_ring_shear_phase phase)
+{
+    self->phase = phase;
+    self->phase_start = (double)state->step * state->dt;
+    self->displacement = 0.0;
+    self->calm = 0;
+    self->normal_sum = 0.0;
+    self->error_sum = 0.0;
+    self->normal_count = 0;
+    clod_walls_reset_sums(&state->walls);
+}
+
+/** Volume of the bars of trough and lid [m3]. */
+static double all_bars(const clod_state *state)
+{
+    double volume = 0.0;
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        const clod_wall *wall = &state->walls.wall[w];
+        for (int32_t s = 0; s < wall->shape_count; s++) {
+            const double *half = wall->shapes[s].half;
+            volume += wall->shapes[s].kind == CLOD_SHAPE_BAR ? 8.0 * half[0] * half[1] * half[2]
+                                                             : 0.0;
+        }
+    }
+    return volume;
+}
+
+void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_state *state)
+{
+    const clod_case_ring_shear *cell = &from->ring_shear;
+    const double ri = cell->inner_radius;
+    const double ro = cell->outer_radius;
+    *self = (clod_ring_shear){
+        .area = M_PI * (ro * ro - ri * ri),
+        .mean_radius = 2.0 / 3.0 * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri),
+        .bars_volume = all_bars(state),
+        .bar_height = cell->bar_height,
+        .lid_start = find_wall(state, "lid")->shapes[0].center.z,
+        .lid_mass = cell->lid_mass,
+        .preshear_stress = cell->preshear_stress,
+        .speed = cell->speed,
+        .block_displacement = cell->block_displacement,
+        .preshear_max = cell->preshear_max,
+        .shear_max = cell->shear_max,
+    };
+    for (size_t g = 0; g < state->grains.count; g++) {
+        self->grain_mass += state->grains.motion[g][3];
+    }
+    clod_steady_init(&self->steady, cell->steady_blocks, BLOCK_SAMPLES, cell->steady_tolerance);
+    clod_peak_init(&self->peak, PEAK_WINDOW, cell->beyond_peak);
+    find_wall(state, "lid")->load = CLOD_LOAD_NONE;
+    enter(self, state, CLOD_RING_SHEAR_FILL);
+}
+
+void clod_ring_shear_branch(clod_ring_shear *self, double shear_stress, clod_state *state)
+{
+    self->shear_stress = shear_stress;
+    // shear rate with the square root of the stress: the same inertial number as in preshear
+    self->shear_speed = self->speed * sqrt(fmin(shear_stress / self->preshear_stress, 1.0));
+    self->target_speed = -REVERSE_FRACTION * self->speed;
+    self->target_stress = self->preshear_stress;
+    enter(self, state, CLOD_RING_SHEAR_REVERSE);
+}
+
+int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *state)
+{
+    const bool changing = speed_now(self, state) != self->target_speed;
+    switch (self->phase) {
+    case CLOD_RING_SHEAR_DONE:
+        return 0;
+    case CLOD_RING_SHEAR_REVERSE:
+        return FINE_STEPS;
+    case CLOD_RING_SHEAR_PRESHEAR:
+        if (!changing) {
+            const double sample = self->block_displacement / BLOCK_SAMPLES;
+            return (int64_t)fmax(1.0, round(sample / (self->speed * state->dt)));
+        }
+        return FINE_STEPS;
+    default:
+        return changing ? FINE_STEPS : COARSE_STEPS;
+    }
+}
+
+/** Mean of what the walls felt since the last look. */
+static void measure(const clod_ring_shear *self, const clod_state *state, double *row)
+{
+    const clod_wall *lid = find_wall(state, "lid");
+    const clod_wall *trough = find_wall(state, "trough");
+    const clod_wall *sides = find_wall(state, "sides");
+    const double steps = (double)(lid->sum_steps > 0 ? lid->sum_steps : 1);
+    const double arm = self->area * self->mean_radius;
+    const double height = lid_height(self, state);
+    const double torque_base = trough->sum_torque.z + sides->sum_torque.z;
+    row[CLOD_RING_SHEAR_TIME] = (double)state->step * state->dt;
+    row[CLOD_RING_SHEAR_PHASE] = (double)self->phase;
+    row[CLOD_RING_SHEAR_DISPLACEMENT] = self->displacement;
+    row[CLOD_RING_SHEAR_NORMAL_STRESS] =
+        lid->sum_force.z / (steps * self->area) + solid_above(self, state);
+    row[CLOD_RING_SHEAR_NORMAL_STRESS_BASE] = -trough->sum_force.z / (steps * self->area);
+    row[CLOD_RING_SHEAR_SHEAR_STRESS] = lid->sum_torque.z / (steps * arm);
+    row[CLOD_RING_SHEAR_SHEAR_STRESS_BASE] = -torque_base / (steps * arm);
+    row[CLOD_RING_SHEAR_HEIGHT] = height;
+    row[CLOD_RING_SHEAR_BULK_DENSITY] =
+        self->grain_mass / (self->area * height - self->bars_volume);
+    row[CLOD_RING_SHEAR_SPEED] = speed_now(self, state);
+    row[CLOD_RING_SHEAR_POWER] = (trough->sum_power + sides->sum_power) / steps;
+}
+
+/** Highest point of the grains [m]. */
+static double grains_top(const clod_state *state)
+{
+    double top = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        top = fmax(top, state->grains.place[g][2] + state->grains.place[g][3]);
+    }
+    return top;
+}
+
+/** Put the lid down to just above the settled grains; the neighbour search starts anew. */
+static void put_lid(clod_ring_shear *self, clod_state *state)
+{
+    clod_wall *lid = find_wall(state, "lid");
+    const double bars = self->bar_height;
+    const double drop = fmin(grains_top(state) + bars - lid_height(self, state), 0.0);
+    lid->shift.z += drop;
+    lid->velocity.z = -LOWER_SPEED;
+    state->build_motion = INFINITY;
+}
+
+static void after_fill(clod_ring_shear *self, clod_state *state, double in_phase)
+{
+    const bool late = in_phase > FILL_TIME;
+    if (late || (in_phase > 0.05 && rms_speed(state) < SETTLED_SPEED)) {
+        self->flags |= late ? CLOD_RING_SHEAR_NOT_SETTLED : 0;
+        put_lid(self, state);
+        enter(self, state, CLOD_RING_SHEAR_LOWER);
+    }
+}
+
+static void after_lower(clod_ring_shear *self, clod_state *state, const double *row)
+{
+    if (row[CLOD_RING_SHEAR_NORMAL_STRESS] > TOUCH_FRACTION * self->preshear_stress) {
+        clod_wall *lid = find_wall(state, "lid");
+        lid->load = CLOD_LOAD_STRESS;
+        lid->servo_velocity = LOWER_SPEED;
+        lid->velocity.z = 0.0;
+        state->adhesion = 1.0;
+        self->start_stress = row[CLOD_RING_SHEAR_NORMAL_STRESS];
+        self->target_stress = self->preshear_stress;
+        enter(self, state, CLOD_RING_SHEAR_CONSOLIDATE);
+    }
+}
+
+/** Whether the lid has been at rest under its load for long enough. */
+static bool is_calm(clod_ring_shear *self, const double *row, double interval)
+{
+    const double speed = fabs(row[CLOD_RING_SHEAR_HEIGHT] - self->last_height) / interval;
+    const double error = fabs(row[CLOD_RING_SHEAR_NORMAL_STRESS] / self->target_stress - 1.0);
+    self->calm = speed < CALM_SPEED && error < CALM_FORCE ? self->calm + 1 : 0;
+    return self->calm >= CALM_SAMPLES;
+}
+
+/** Raise or lower the load along its ramp; true when the ramp is over. */
+static bool ramp_load(clod_ring_shear *self, clod_state *state, double in_phase)
+{
+    const double part = fmin(in_phase / RAMP_TIME, 1.0);
+    set_stress(self, state,
+               self->start_stress + part * (self->target_stress - self->start_stress));
+    return part >= 1.0;
+}
+
+static void after_load(clod_ring_shear *self, clod_state *state, const double *row,
+                       double in_phase, double interval)
+{
+    const bool ramped = ramp_load(self, state, in_phase);
+    const bool late = in_phase > SETTLE_TIME;
+    const bool calm = is_calm(self, row, interval);
+    if (!ramped || !(calm || late)) {
+        return;
+    }
+    self->flags |= late ? CLOD_RING_SHEAR_NOT_SETTLED : 0;
+    const bool consolidated = self->phase == CLOD_RING_SHEAR_CONSOLIDATE;
+    self->target_speed = consolidated ? self->speed : self->shear_speed;
+    enter(self, state, consolidated ? CLOD_RING_SHEAR_PRESHEAR : CLOD_RING_SHEAR_SHEAR);
+}
+
+static void note_normal(clod_ring_shear *self, const double *row)
+{
+    self->normal_sum += row[CLOD_RING_SHEAR_NORMAL_STRESS];
+    self->normal_count++;
+}
+
+static void after_preshear(clod_ring_shear *self, clod_state *state, const double *row)
+{
+    set_stress(self, state, self->target_stress);
+    if (row[CLOD_RING_SHEAR_SPEED] != self->target_speed) {
+        return;
+    }
+    note_normal(self, row);
+    const bool steady = clod_steady_add(&self->steady, row[CLOD_RING_SHEAR_SHEAR_STRESS],
+                                        row[CLOD_RING_SHEAR_HEIGHT]);
+    const bool late = self->displacement > self->preshear_max;
+    if (!steady && !late) {
+        return;
+    }
+    const clod_steady_result mean = clod_steady_summary(&self->steady);
+    self->flags |= steady ? 0 : CLOD_RING_SHEAR_NOT_STEADY;
+    self->preshear_normal = self->normal_sum / (double)self->normal_count;
+    self->preshear_shear = mean.tau.value;
+    self->preshear_error = mean.tau.error;
+    self->preshear_height = mean.height.value;
+    self->preshear_density =
+        self->grain_mass / (self->area * mean.height.value - self->bars_volume);
+    self->preshear_displacement = self->displacement;
+    enter(self, state, CLOD_RING_SHEAR_DONE);
+}
+
+static void after_reverse(clod_ring_shear *self, clod_state *state, const double *row)
+{
+    set_stress(self, state, self->target_stress);
+    const bool late = self->displacement > REVERSE_MAX;
+    if (row[CLOD_RING_SHEAR_SHEAR_STRESS] > 0.0 && !late) {
+        return;
+    }
+    self->flags |= late ? CLOD_RING_SHEAR_NO_REVERSAL : 0;
+    self->target_speed = 0.0;
+    self->start_stress = self->preshear_stress;
+    self->target_stress = self->shear_stress;
+    enter(self, state, CLOD_RING_SHEAR_REDUCE);
+}
+
+static void after_shear(clod_ring_shear *self, clod_state *state, const double *row)
+{
+    set_stress(self, state, self->target_stress);
+    note_normal(self, row);
+    const bool passed =
+        clod_peak_add(&self->peak, self->displacement, row[CLOD_RING_SHEAR_SHEAR_STRESS]);
+    const double before = self->point_shear;
+    const clod_peak_result peak = clod_peak_summary(&self->peak);
+    self->point_shear = peak.tau;
+    self->point_error = peak.tau_error;
+    self->point_displacement = peak.displacement;
+    if (peak.tau > before) {
+        self->point_density = row[CLOD_RING_SHEAR_BULK_DENSITY];
+    }
+    const bool late = self->displacement > self->shear_max;
+    if (passed || late) {
+        self->flags |= passed ? 0 : CLOD_RING_SHEAR_NO_PEAK;
+        self->point_normal = self->normal_sum / (double)self->normal_count;
+        enter(self, state, CLOD_RING_SHEAR_DONE);
+    }
+}
+
+/** Bring the speed of shear towards its target without a blow. */
+static void slew(const clod_ring_shear *self, clod_state *state, double interval)
+{
+    const double now = speed_now(self, state);
+    const double change = self->target_speed - now;
+    const double most = ACCELERATION * interval;
+    if (change != 0.0) {
+        set_speed(self, state,
+                  fabs(change) <= most ? self->target_speed : now + copysign(most, change));
+    }
+}
+
+bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *row)
+{
+    const double interval = (double)find_wall(state, "lid")->sum_steps * state->dt;
+    const double in_phase = (double)state->step * state->dt - self->phase_start;
+    self->displacement += fabs(speed_now(self, state)) * interval;
+    measure(self, state, row);
+    clod_walls_reset_sums(&state->walls);
+    switch (self->phase) {
+    case CLOD_RING_SHEAR_FILL:
+        after_fill(self, state, in_phase);
+        break;
+    case CLOD_RING_SHEAR_LOWER:
+        after_lower(self, state, row);
+        break;
+    case CLOD_RING_SHEAR_CONSOLIDATE:
+    case CLOD_RING_SHEAR_REDUCE:
+        after_load(self, state, row, in_phase, interval);
+        break;
+    case CLOD_RING_SHEAR_PRESHEAR:
+        after_preshear(self, state, row);
+        break;
+    case CLOD_RING_SHEAR_REVERSE:
+        after_reverse(self, state, row);
+        break;
+    case CLOD_RING_SHEAR_SHEAR:
+        after_shear(self, state, row);
+        break;
+    default:
+        break;
+    }
+    self->last_height = row[CLOD_RING_SHEAR_HEIGHT];
+    slew(self, state, interval);
+    return self->phase == CLOD_RING_SHEAR_DONE;
+}
+
+double clod_ring_shear_progress(const clod_ring_shear *self)
+{
+    switch (self->phase) {
+    case CLOD_RING_SHEAR_PRESHEAR:
+        return fmin(self->displacement / self->preshear_max, 1.0);
+    case CLOD_RING_SHEAR_SHEAR:
+        return fmin(self->displacement / self->shear_max, 1.0);
+    case CLOD_RING_SHEAR_DONE:
+        return 1.0;
+    default:
+        return 0.0;
+    }
+}

@@ -1,0 +1,119 @@
+#pragma once
+/**
+ * @file ring_shear.h
+ * The procedure of the Schulze ring shear test (ASTM D6773; PHYSICS 7), as a state machine that
+ * looks at the walls between steps and tells them what to do next. It holds plain data only, so
+ * a checkpoint stores it as it is.
+ *
+ * One procedure prepares the specimen: fill, lower the lid, consolidate, preshear until steady.
+ * For each shear point another one starts from that same state: reverse to zero shear stress,
+ * reduce the load, shear to the peak and beyond.
+ */
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "clod/case.h"
+#include "measure/peak.h"
+#include "measure/steady.h"
+#include "state/state.h"
+
+typedef enum clod_ring_shear_phase {
+    CLOD_RING_SHEAR_FILL,        ///< grains fall and come to rest, adhesion reduced
+    CLOD_RING_SHEAR_LOWER,       ///< the lid comes down until it carries
+    CLOD_RING_SHEAR_CONSOLIDATE, ///< load raised to the preshear stress, full adhesion
+    CLOD_RING_SHEAR_PRESHEAR,    ///< shear at the preshear stress until steady
+    CLOD_RING_SHEAR_REVERSE,     ///< shear back until the shear stress is zero
+    CLOD_RING_SHEAR_REDUCE,      ///< load lowered to the point's normal stress
+    CLOD_RING_SHEAR_SHEAR,       ///< shear to the peak and beyond
+    CLOD_RING_SHEAR_DONE,
+} clod_ring_shear_phase;
+
+/** Things that went not as they should; bits, for the warning box. */
+typedef enum clod_ring_shear_flag {
+    CLOD_RING_SHEAR_NOT_SETTLED = 1, ///< fill, consolidate or reduce ran into its time limit
+    CLOD_RING_SHEAR_NOT_STEADY = 2,  ///< preshear ended at preshear_max
+    CLOD_RING_SHEAR_NO_REVERSAL = 4, ///< shear stress did not come down to zero
+    CLOD_RING_SHEAR_NO_PEAK = 8,     ///< shear_max reached before the peak was passed
+} clod_ring_shear_flag;
+
+/** Columns of the test's series, in this order; texts in clod_ring_shear_columns. */
+typedef enum clod_ring_shear_column {
+    CLOD_RING_SHEAR_TIME,
+    CLOD_RING_SHEAR_PHASE,
+    CLOD_RING_SHEAR_DISPLACEMENT,
+    CLOD_RING_SHEAR_NORMAL_STRESS,
+    CLOD_RING_SHEAR_NORMAL_STRESS_BASE,
+    CLOD_RING_SHEAR_SHEAR_STRESS,
+    CLOD_RING_SHEAR_SHEAR_STRESS_BASE,
+    CLOD_RING_SHEAR_HEIGHT,
+    CLOD_RING_SHEAR_BULK_DENSITY,
+    CLOD_RING_SHEAR_SPEED,
+    CLOD_RING_SHEAR_POWER,
+    CLOD_RING_SHEAR_COLUMNS,
+} clod_ring_shear_column;
+
+typedef struct clod_ring_shear {
+    // the cell
+    double area;        ///< m2
+    double mean_radius; ///< r_m [m]
+    double grain_mass;  ///< kg, all grains
+    double bars_volume; ///< m3, of all bars
+    double bar_height;  ///< m
+    double lid_start;   ///< m, height of the lid's plane at shift 0
+    double lid_mass;    ///< kg
+    // the programme
+    double preshear_stress, shear_stress;               ///< Pa
+    double speed, shear_speed;                          ///< m/s at r_m
+    double block_displacement, preshear_max, shear_max; ///< m
+    // where it is
+    clod_ring_shear_phase phase;
+    double phase_start;   ///< s
+    double displacement;  ///< m at r_m since the phase began
+    double target_stress; ///< Pa, at the shear plane
+    double start_stress;  ///< Pa, from which the load is ramped
+    double target_speed;  ///< m/s at r_m
+    int64_t calm;         ///< samples in a row in which nothing moved
+    double last_height;   ///< m
+    int64_t flags;        ///< clod_ring_shear_flag
+    clod_steady steady;
+    clod_peak peak;
+    double normal_sum; ///< Pa, normal stress summed over the samples of the main phase
+    double error_sum;  ///< Pa, |normal stress - target| of block means
+    int64_t normal_count;
+    // results
+    double preshear_normal, preshear_shear, preshear_error; ///< Pa; error of the mean
+    double preshear_height, preshear_density;
+    double preshear_displacement;                  ///< m
+    double point_normal, point_shear, point_error; ///< Pa, peak
+    double point_displacement;                     ///< m, from the start of shear to the peak
+    double point_density;                          ///< kg/m3 at the peak
+} clod_ring_shear;
+
+/** Header texts of the series. */
+extern const char *const clod_ring_shear_columns[CLOD_RING_SHEAR_COLUMNS];
+
+/** Name of a phase, for logs. */
+const char *clod_ring_shear_phase_name(clod_ring_shear_phase phase);
+
+/** Begin with the filling of a fresh cell (setup/ring_cell.h). */
+void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_state *state);
+
+/** Begin a shear point from the presheared state: `self` is the copy of the preparing one. */
+void clod_ring_shear_branch(clod_ring_shear *self, double shear_stress, clod_state *state);
+
+/** Steps until the next look. */
+int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *state);
+
+/**
+ * Look at the walls after the planned steps: fill a row of the series, and move on.
+ *
+ * @param row  [out] [CLOD_RING_SHEAR_COLUMNS] means over the steps since the last look
+ * @return     true when the preparation or the point is finished
+ * Errors  none: what is not right is noted in flags.   Threads  one per state.
+ * Source  PHYSICS 7.   Test  tests/tester/test_ring_shear.c
+ */
+bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *row);
+
+/** Part of the shear displacement of this procedure that is done, 0 to 1, at most. */
+double clod_ring_shear_progress(const clod_ring_shear *self);
