@@ -15,7 +15,7 @@
 /** Random places that are tried for one grain. */
 #define TRIES 4000
 /** Random places that are tried in a column before its filling front rises. */
-#define COLUMN_TRIES 60
+#define COLUMN_TRIES 500
 /** Solid fraction that a column reaches at the very least. */
 #define COLUMN_LEAST 0.1
 /** First draw of the layers' random numbers, beyond all tries. */
