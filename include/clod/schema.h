@@ -9,15 +9,16 @@
 /**
  * What a key means: kind, unit, allowed range, default, source.
  *
- * @param key     path such as "ring_shear.depth" or "grains.0.count", the last part of one such as
- *                "k_adh", or NULL for a list of all keys
+ * @param key     path such as "ring_shear.depth" or "grains.0.count", the last part of one such
+ * as "k_adh", or NULL for a list of all keys
  * @param status  [out] when there is no such key: what may have been meant
  * @return        owned text (clod_schema_free), or NULL
  * Errors  CLOD_USAGE, CLOD_FAILED.   Threads  pure.   Test  tests/config/test_schema.c
  */
 char *clod_schema_explain(const char *key, clod_status *status);
 
-/** The JSON Schema (draft 2020-12) of case files, for editors; owned text, NULL without memory. */
+/** The JSON Schema (draft 2020-12) of case files, for editors; owned text, NULL without memory.
+ */
 char *clod_schema_json(void);
 
 /** The manual of all keys in Markdown; owned text, NULL without memory. */
