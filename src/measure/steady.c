@@ -103,7 +103,7 @@ static clod_steady_mean summary_of(const clod_steady *self, int signal, int64_t 
         for (int64_t k = 0; k < window; k++) {
             sum += block_at(self, signal, window, k);
         }
-        return (clod_steady_mean){window == 0 ? NAN : sum / (double)window, NAN, NAN};
+        return (clod_steady_mean){sum / (double)window, NAN, NAN}; // 0/0 is NAN
     }
     return average(self, signal, window, NULL);
 }

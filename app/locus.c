@@ -1,0 +1,118 @@
+/**
+ * @file locus.c
+ * clod locus POINTS.csv: yield loci and flow function of shear points.
+ */
+
+#include <argp.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app.h"
+#include "clod/locus.h"
+
+enum { KEY_JSON = 256, KEY_CSV, KEY_SIGMA, KEY_TAU };
+
+typedef struct request {
+    const char *points, *output;
+    clod_locus_defaults defaults;
+    char *(*write)(const clod_locus_study *study);
+} request;
+
+static const struct argp_option OPTIONS[] = {
+    {"json", KEY_JSON, NULL, 0, "print everything as JSON", 0},
+    {"csv", KEY_CSV, NULL, 0, "print one row per consolidation stress as CSV", 0},
+    {"output", 'o', "FILE", 0, "write to FILE", 0},
+    {"sigma-pre", KEY_SIGMA, "STRESS", 0, "preshear normal stress of rows without, e.g. 10kPa",
+     0},
+    {"tau-pre", KEY_TAU, "STRESS", 0, "preshear shear stress of rows without", 0},
+    {0},
+};
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+    request *self = state->input;
+    switch (key) {
+    case KEY_JSON:
+        self->write = clod_locus_json;
+        return 0;
+    case KEY_CSV:
+        self->write = clod_locus_csv;
+        return 0;
+    case 'o':
+        self->output = argument;
+        return 0;
+    case KEY_SIGMA:
+        self->defaults.sigma_pre = argument;
+        return 0;
+    case KEY_TAU:
+        self->defaults.tau_pre = argument;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (self->points != NULL) {
+            argp_error(state, "one file of points at a time");
+        }
+        self->points = argument;
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        argp_error(state, "which file of points?");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static bool put(const char *path, const char *text, clod_status *status)
+{
+    FILE *out = path == NULL ? stdout : fopen(path, "w");
+    bool done = out != NULL && fputs(text, out) >= 0 && fflush(out) == 0;
+    const int error = errno;
+    if (out != NULL && path != NULL) {
+        done = fclose(out) == 0 && done;
+    }
+    return done || clod_status_fail(status, CLOD_FAILED, "Cannot write %s: %s.",
+                                    path == NULL ? "the result" : path, strerror(error));
+}
+
+static bool run(const request *self, clod_status *status)
+{
+    clod_locus_point *points;
+    size_t count;
+    if (!clod_locus_read(self->points, &self->defaults, &points, &count, status)) {
+        return false;
+    }
+    clod_locus_study *study = clod_locus_study_create(points, count, status);
+    clod_locus_free(points);
+    if (study == NULL) {
+        return false;
+    }
+    char *text = self->write(study);
+    const bool done = text != NULL
+                          ? put(self->output, text, status)
+                          : clod_status_fail(status, CLOD_FAILED, "No memory for the result.");
+    clod_locus_free(text);
+    clod_locus_study_destroy(&study);
+    return done;
+}
+
+int clod_app_locus(int argc, char **argv)
+{
+    const struct argp argp = {
+        .options = OPTIONS,
+        .parser = parse,
+        .args_doc = "POINTS.csv",
+        .doc = "Evaluate shear points, simulated or measured: yield locus, Mohr circles, flow "
+               "function.\vColumns of the file, units in its header: sigma_pre [kPa], tau_pre "
+               "[kPa], sigma_sh [kPa], tau_sh [kPa]; optional seed, rho_b [kg/m3], "
+               "tau_pre_error [kPa], tau_sh_error [kPa], rho_b_error [kg/m3].",
+    };
+    request self = {.write = clod_locus_table};
+    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    clod_status status = {CLOD_OK, ""};
+    if (!run(&self, &status)) {
+        fprintf(stderr, "clod locus: %s\n", status.text);
+        return (int)status.code;
+    }
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,287 @@
+#include "clod/locus.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "analysis/spread.h"
+#include "analysis/warnings.h"
+#include "base/memory.h"
+
+void clod_locus_free(void *memory)
+{
+    clod_memory_free(memory);
+}
+
+void clod_locus_fini(clod_locus *self)
+{
+    clod_memory_free(self->marks);
+    self->marks = NULL;
+    self->point_count = 0;
+}
+
+const char *clod_locus_flow(double ffc)
+{
+    static const struct {
+        double below;
+        const char *text;
+    } CLASSES[] = {{1.0, "not flowing"},
+                   {2.0, "very cohesive"},
+                   {4.0, "cohesive"},
+                   {10.0, "easy flowing"},
+                   {INFINITY, "free flowing"}};
+    if (isnan(ffc)) {
+        return "undefined";
+    }
+    size_t at = 0;
+    while (ffc >= CLASSES[at].below && at + 1 < sizeof CLASSES / sizeof CLASSES[0]) {
+        at++;
+    }
+    return CLASSES[at].text;
+}
+
+static bool check_point(const clod_locus_point *p, size_t number, clod_status *status)
+{
+    const struct {
+        const char *name;
+        double value;
+        bool positive; ///< 0 is not allowed
+    } VALUES[] = {{"preshear normal stress", p->sigma_p, true},
+                  {"preshear shear stress", p->tau_p, true},
+                  {"normal stress", p->sigma_s, false},
+                  {"peak shear stress", p->tau_s, false},
+                  {"bulk density", p->rho_b, false},
+                  {"error of the preshear shear stress", p->tau_p_error, false},
+                  {"error of the peak shear stress", p->tau_s_error, false},
+                  {"error of the bulk density", p->rho_b_error, false}};
+    for (size_t i = 0; i < sizeof VALUES / sizeof VALUES[0]; i++) {
+        const double value = VALUES[i].value;
+        if (!isfinite(value) || value < 0.0 || (VALUES[i].positive && value == 0.0)) {
+            return clod_status_fail(
+                status, CLOD_USAGE, "Point %zu: the %s is %g; it must be %s.", number + 1,
+                VALUES[i].name, value, VALUES[i].positive ? "above 0" : "0 or more");
+        }
+    }
+    return true;
+}
+
+static bool check_points(const clod_locus_point *points, size_t count, clod_status *status)
+{
+    if (count < 2) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "A yield locus needs at least two points, better four; there %s "
+            "%zu.",
+            count == 1 ? "is" : "are", count);
+    }
+    bool differ = false;
+    for (size_t i = 0; i < count; i++) {
+        if (!check_point(&points[i], i, status)) {
+            return false;
+        }
+        differ = differ || points[i].sigma_s != points[0].sigma_s;
+    }
+    return differ || clod_status_fail(status, CLOD_USAGE,
+                                      "All %zu points have the same normal stress, %.3f kPa: a "
+                                      "line needs points at different normal stresses.",
+                                      count, points[0].sigma_s / 1000.0);
+}
+
+/** Mean and standard error of values; `stated` is the sum of their squared stated errors. */
+static clod_locus_value mean_of(const double *value, size_t count, double stated)
+{
+    if (count == 0) {
+        return (clod_locus_value){NAN, NAN, NAN};
+    }
+    const double n = (double)count;
+    double mean = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        mean += value[i] / n;
+    }
+    double squares = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        squares += (value[i] - mean) * (value[i] - mean);
+    }
+    const double between = count > 1 ? squares / (n - 1.0) / n : 0.0;
+    const double variance = fmax(between, stated / n / n);
+    return (clod_locus_value){mean, count > 1 || stated > 0.0 ? sqrt(variance) : (double)NAN,
+                              NAN};
+}
+
+/** Bulk density and normal stress of preshear: plain means over the points. */
+static void fill_means(clod_locus *self, const clod_locus_point *points, size_t count,
+                       double *scratch)
+{
+    for (size_t i = 0; i < count; i++) {
+        scratch[i] = points[i].sigma_p;
+    }
+    self->sigma_p = mean_of(scratch, count, 0.0);
+    size_t known = 0;
+    double stated = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        if (points[i].rho_b > 0.0) {
+            scratch[known++] = points[i].rho_b;
+            stated += points[i].rho_b_error * points[i].rho_b_error;
+        }
+    }
+    self->rho_b = mean_of(scratch, known, stated);
+}
+
+/** Whether errors can be told: three points scatter, or all of them state theirs. */
+static bool errors_known(const clod_locus_point *points, size_t count)
+{
+    bool stated = true;
+    for (size_t i = 0; i < count; i++) {
+        stated = stated && points[i].tau_s_error > 0.0 && points[i].tau_p_error > 0.0;
+    }
+    return stated || count > 2;
+}
+
+static void fill_values(clod_locus *self, const clod_spread_result *best, const double *error)
+{
+    const bool known = self->errors != CLOD_LOCUS_ERRORS_NONE;
+    for (clod_field_index k = CLOD_FIELD_TAU_P; k < CLOD_FIELD_RHO_B; k++) {
+        const double value = best->field[k];
+        *clod_field_of(self, k) =
+            (clod_locus_value){value, known && isfinite(value) ? error[k] : (double)NAN, NAN};
+    }
+    const double half = 0.5 * self->sigma_c.value;
+    self->r_squared = best->fit.r_squared;
+    self->parallel = best->steady.parallel;
+    self->flow = clod_locus_flow(self->ffc.value);
+    self->steady = (clod_locus_circle){best->steady.centre, best->steady.radius};
+    self->unconfined = (clod_locus_circle){half, half};
+}
+
+static void fill_marks(clod_locus *self, const clod_locus_point *points, const clod_fit *fit,
+                       const double *prorated)
+{
+    for (size_t i = 0; i < self->point_count; i++) {
+        const double sigma = points[i].sigma_s;
+        self->marks[i] = (clod_locus_mark){points[i].seed, sigma, points[i].tau_s, prorated[i],
+                                           fit->intercept + fit->slope * sigma};
+    }
+}
+
+bool clod_locus_evaluate(const clod_locus_point *points, size_t count, clod_locus *locus,
+                         clod_status *status)
+{
+    memset(locus, 0, sizeof *locus);
+    if (!check_points(points, count, status)) {
+        return false;
+    }
+    double *work = clod_memory_alloc(4 * count, sizeof *work);
+    clod_locus_point *changed = clod_memory_alloc(count, sizeof *changed);
+    locus->marks = clod_memory_alloc(count, sizeof *locus->marks);
+    const bool done = work != NULL && changed != NULL && locus->marks != NULL;
+    if (done) {
+        double error[CLOD_FIELD_COUNT];
+        const double *prorated = work + count;
+        const clod_spread_result best = clod_spread_evaluate(points, count, work, work + count);
+        clod_spread_errors(points, count, &best, work + 2 * count, changed, error);
+        locus->errors =
+            errors_known(points, count) ? CLOD_LOCUS_ERRORS_FIT : CLOD_LOCUS_ERRORS_NONE;
+        locus->seed_count = 1;
+        locus->point_count = count;
+        fill_values(locus, &best, error);
+        fill_means(locus, points, count, work + 2 * count);
+        fill_marks(locus, points, &best.fit, prorated);
+        const clod_warnings_line line = {best.fit, work, prorated, count};
+        clod_warnings_check(locus, points, count, &line);
+    } else {
+        clod_locus_fini(locus);
+    }
+    clod_memory_free(work);
+    clod_memory_free(changed);
+    return done || clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
+}
+
+/** Mean over the seeds; NAN when one of them is, so that nothing is left out unseen. */
+static clod_locus_value combine_field(const clod_locus *loci, size_t count,
+                                      clod_field_index index)
+{
+    const double n = (double)count;
+    double mean = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        mean += clod_field_get(&loci[i], index).value / n;
+    }
+    double squares = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        const double off = clod_field_get(&loci[i], index).value - mean;
+        squares += off * off;
+    }
+    const double scatter = sqrt(squares / (n - 1.0));
+    return (clod_locus_value){mean, scatter / sqrt(n), scatter};
+}
+
+static void combine_warnings(const clod_locus *loci, size_t count, clod_locus *self)
+{
+    size_t undefined = 0;
+    for (size_t i = 0; i < count; i++) {
+        undefined += isnan(loci[i].sigma_c.value) ? 1 : 0;
+    }
+    if (undefined > 0) {
+        clod_warnings_add(self,
+                          "sigma_c and ffc are undefined in %zu of %zu seeds, so they have no "
+                          "mean.%s",
+                          undefined, count,
+                          fabs(self->c.value) <= 2.0 * self->c.error
+                              ? " Cohesion is zero within two standard errors: the solid flows "
+                                "freely."
+                              : "");
+    }
+    for (size_t i = 0; i < count; i++) {
+        for (size_t k = 0; k < loci[i].warning_count; k++) {
+            clod_warnings_add(self, "Seed %lld: %s", (long long)loci[i].marks[0].seed,
+                              loci[i].warnings[k]);
+        }
+    }
+}
+
+static void combine_values(const clod_locus *loci, size_t count, clod_locus *self)
+{
+    self->errors = CLOD_LOCUS_ERRORS_SEEDS;
+    for (clod_field_index k = 0; k < CLOD_FIELD_COUNT; k++) {
+        *clod_field_of(self, k) = combine_field(loci, count, k);
+    }
+    self->r_squared = loci[0].r_squared;
+    for (size_t i = 0; i < count; i++) {
+        self->r_squared = fmin(self->r_squared, loci[i].r_squared);
+        self->parallel = self->parallel || loci[i].parallel;
+    }
+    const double half = 0.5 * self->sigma_c.value;
+    self->flow = clod_locus_flow(self->ffc.value);
+    self->steady = (clod_locus_circle){0.5 * (self->sigma_1.value + self->sigma_2.value),
+                                       0.5 * (self->sigma_1.value - self->sigma_2.value)};
+    self->unconfined = (clod_locus_circle){half, half};
+    combine_warnings(loci, count, self);
+}
+
+bool clod_locus_combine(const clod_locus *loci, size_t count, clod_locus *locus,
+                        clod_status *status)
+{
+    memset(locus, 0, sizeof *locus);
+    if (count == 0) {
+        return clod_status_fail(status, CLOD_USAGE, "There is no yield locus to combine.");
+    }
+    size_t points = 0;
+    for (size_t i = 0; i < count; i++) {
+        points += loci[i].point_count;
+    }
+    clod_locus_mark *marks = clod_memory_alloc(points, sizeof *marks);
+    if (marks == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", points);
+    }
+    if (count == 1) {
+        *locus = loci[0];
+    } else {
+        combine_values(loci, count, locus);
+    }
+    locus->marks = marks;
+    locus->point_count = 0;
+    locus->seed_count = count;
+    for (size_t i = 0; i < count; i++) {
+        memcpy(marks + locus->point_count, loci[i].marks, loci[i].point_count * sizeof *marks);
+        locus->point_count += loci[i].point_count;
+    }
+    return true;
+}

@@ -1,0 +1,49 @@
+#pragma once
+/**
+ * @file spread.h
+ * Values of a yield locus from its points, and how errors of the points carry over to them.
+ */
+
+#include "analysis/fields.h"
+#include "analysis/fit.h"
+#include "analysis/mohr.h"
+
+/** Everything that follows from a set of points. */
+typedef struct clod_spread_result {
+    double field[CLOD_FIELD_COUNT]; ///< in the order of CLOD_FIELDS; rho_b stays 0
+    double sigma_c;                 ///< also of negative cohesion, unlike the field
+    clod_fit fit;
+    clod_mohr steady;
+} clod_spread_result;
+
+/**
+ * Evaluate points by the equations of PHYSICS 7.
+ *
+ * @param points    [count]
+ * @param sigma     [count] [out] normal stresses
+ * @param prorated  [count] [out] prorated shear stresses
+ */
+clod_spread_result clod_spread_evaluate(const clod_locus_point *points, size_t count,
+                                        double *sigma, double *prorated);
+
+/**
+ * Standard errors of the fields by propagation. Each point has three independent errors:
+ *
+ * - what was stated for tau_p and for tau_s,
+ * - what the specimens differ by: scatter of tau_p beyond the stated errors, taken to act on
+ *   tau_p and tau_s of a point by the same factor, as prorating supposes,
+ * - what the points scatter about the line beyond all that, taken to be in tau_s.
+ *
+ * Every error is carried over by evaluating the points at plus and minus one of it. Without
+ * stated errors the third one is the usual covariance of a regression.
+ *
+ * @param points   [count]
+ * @param best     of the points as they are
+ * @param scratch  [2 * count] overwritten
+ * @param changed  [count] overwritten
+ * @param error    [CLOD_FIELD_COUNT] [out]; 0 for sigma_p and rho_b
+ * Errors  none.   Threads  pure.   Test  tests/analysis/test_locus_errors.c
+ */
+void clod_spread_errors(const clod_locus_point *points, size_t count,
+                        const clod_spread_result *best, double *scratch,
+                        clod_locus_point *changed, double error[CLOD_FIELD_COUNT]);

@@ -1,0 +1,168 @@
+/**
+ * @file study.c
+ * Points sorted into consolidation stresses and seeds, each evaluated, seeds combined.
+ */
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "clod/locus.h"
+
+#define SAME_STRESS 1.02 // preshear stresses of one consolidation are no further apart
+
+/** A point with the place where it belongs. */
+typedef struct sorted {
+    clod_locus_point point;
+    size_t group;
+    size_t index; ///< in the points as given: their order is kept
+} sorted;
+
+static int by_stress(const void *left, const void *right)
+{
+    const double a = ((const sorted *)left)->point.sigma_p;
+    const double b = ((const sorted *)right)->point.sigma_p;
+    return (a > b) - (a < b);
+}
+
+static int by_place(const void *left, const void *right)
+{
+    const sorted *a = left;
+    const sorted *b = right;
+    if (a->group != b->group) {
+        return a->group > b->group ? 1 : -1;
+    }
+    if (a->point.seed != b->point.seed) {
+        return a->point.seed > b->point.seed ? 1 : -1;
+    }
+    return (a->index > b->index) - (a->index < b->index);
+}
+
+/** Sort points by group, seed and their own order; returns the number of groups. */
+static size_t sort_points(const clod_locus_point *points, size_t count, sorted *items)
+{
+    for (size_t i = 0; i < count; i++) {
+        items[i] = (sorted){points[i], 0, i};
+    }
+    qsort(items, count, sizeof *items, by_stress);
+    size_t first = 0;
+    for (size_t i = 1; i < count; i++) {
+        const bool apart = items[i].point.sigma_p > SAME_STRESS * items[first].point.sigma_p;
+        items[i].group = items[i - 1].group + (apart ? 1 : 0);
+        first = apart ? i : first;
+    }
+    const size_t groups = items[count - 1].group + 1;
+    qsort(items, count, sizeof *items, by_place);
+    return groups;
+}
+
+/** End of the run of items that share group and, if asked, seed with the first. */
+static size_t run_end(const sorted *items, size_t first, size_t count, bool same_seed)
+{
+    size_t at = first;
+    while (at < count && items[at].group == items[first].group &&
+           (!same_seed || items[at].point.seed == items[first].point.seed)) {
+        at++;
+    }
+    return at;
+}
+
+static bool evaluate_seed(const sorted *items, size_t count, clod_locus_point *points,
+                          clod_locus *locus, clod_status *status)
+{
+    for (size_t i = 0; i < count; i++) {
+        points[i] = items[i].point;
+    }
+    if (clod_locus_evaluate(points, count, locus, status)) {
+        return true;
+    }
+    char text[512];
+    snprintf(text, sizeof text, "%.*s", (int)sizeof text - 1, status->text);
+    return clod_status_fail(status, status->code, "Preshear at %.3f kPa, seed %lld: %s",
+                            points[0].sigma_p / 1000.0, (long long)points[0].seed, text);
+}
+
+static bool evaluate_group(const sorted *items, size_t count, clod_locus_point *points,
+                           clod_locus_group *group, clod_status *status)
+{
+    size_t seeds = 0;
+    for (size_t at = 0; at < count; at = run_end(items, at, count, true)) {
+        seeds++;
+    }
+    group->seeds = clod_memory_alloc(seeds, sizeof *group->seeds);
+    if (group->seeds == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %zu seeds.", seeds);
+    }
+    size_t at = 0;
+    while (at < count) {
+        const size_t end = run_end(items, at, count, true);
+        if (!evaluate_seed(items + at, end - at, points, &group->seeds[group->seed_count],
+                           status)) {
+            return false;
+        }
+        group->seed_count++;
+        at = end;
+    }
+    return clod_locus_combine(group->seeds, seeds, &group->locus, status);
+}
+
+static bool evaluate_all(clod_locus_study *self, const sorted *items, size_t count,
+                         clod_locus_point *points, clod_status *status)
+{
+    size_t at = 0;
+    for (size_t g = 0; at < count; g++) {
+        const size_t end = run_end(items, at, count, false);
+        if (!evaluate_group(items + at, end - at, points, &self->groups[g], status)) {
+            return false;
+        }
+        at = end;
+    }
+    return true;
+}
+
+clod_locus_study *clod_locus_study_create(const clod_locus_point *points, size_t count,
+                                          clod_status *status)
+{
+    if (count == 0) {
+        clod_status_fail(status, CLOD_USAGE, "There are no shear points.");
+        return NULL;
+    }
+    clod_locus_study *self = clod_memory_alloc(1, sizeof *self);
+    sorted *items = clod_memory_alloc(count, sizeof *items);
+    clod_locus_point *scratch = clod_memory_alloc(count, sizeof *scratch);
+    bool done = self != NULL && items != NULL && scratch != NULL;
+    if (done) {
+        self->count = sort_points(points, count, items);
+        self->groups = clod_memory_alloc(self->count, sizeof *self->groups);
+        done = self->groups != NULL;
+    }
+    if (!done) {
+        clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
+    }
+    done = done && evaluate_all(self, items, count, scratch, status);
+    clod_memory_free(items);
+    clod_memory_free(scratch);
+    if (!done) {
+        clod_locus_study_destroy(&self);
+    }
+    return self;
+}
+
+void clod_locus_study_destroy(clod_locus_study **self)
+{
+    if (*self == NULL) {
+        return;
+    }
+    for (size_t g = 0; (*self)->groups != NULL && g < (*self)->count; g++) {
+        clod_locus_group *group = &(*self)->groups[g];
+        for (size_t s = 0; s < group->seed_count; s++) {
+            clod_locus_fini(&group->seeds[s]);
+        }
+        clod_memory_free(group->seeds);
+        clod_locus_fini(&group->locus);
+    }
+    clod_memory_free((*self)->groups);
+    clod_memory_free(*self);
+    *self = NULL;
+}

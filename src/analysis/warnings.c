@@ -1,0 +1,205 @@
+#include "analysis/warnings.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "analysis/mohr.h"
+
+#define KILO 1000.0
+#define DEGREES (180.0 / 3.14159265358979323846)
+#define PHI_LOW 5.0 // deg; angles of dry and of very rough solids lie well inside
+#define PHI_HIGH 65.0
+#define RANGE_LOW 0.2 // of sigma_p, PHYSICS 7
+#define RANGE_HIGH 0.8
+#define RANGE_SLACK 0.01    // of sigma_p: a servo does not hold a stress exactly
+#define PRESHEAR_SLACK 0.02 // relative: more than this is another consolidation
+#define MORE " ..."
+#define SAG_SLACK 0.02 // of the mean shear stress: less does not matter
+
+void clod_warnings_add(clod_locus *locus, const char *format, ...)
+{
+    if (locus->warning_count == CLOD_LOCUS_WARNINGS) {
+        snprintf(locus->warnings[CLOD_LOCUS_WARNINGS - 1], CLOD_LOCUS_WARNING_TEXT,
+                 "There are more warnings than these.");
+        return;
+    }
+    va_list args;
+    va_start(args, format);
+    vsnprintf(locus->warnings[locus->warning_count], CLOD_LOCUS_WARNING_TEXT, format, args);
+    va_end(args);
+    locus->warning_count++;
+}
+
+/** Normal stresses that are complained about, as a text "2.000, 3.000 kPa". */
+typedef struct stress_list {
+    size_t count;
+    char text[96];
+} stress_list;
+
+static void list_add(stress_list *self, double stress)
+{
+    const size_t used = strlen(self->text);
+    if (used + 24 < sizeof self->text) {
+        snprintf(self->text + used, sizeof self->text - used - sizeof MORE, "%s%.3f",
+                 used > 0 ? ", " : "", stress / KILO);
+    } else if (self->text[used - 1] != '.') {
+        memcpy(self->text + used, MORE, sizeof MORE);
+    }
+    self->count++;
+}
+
+static void check_line(clod_locus *locus, size_t count)
+{
+    if (count < 3) {
+        clod_warnings_add(locus,
+                          "Only %zu points: any two points lie on a line; measure at "
+                          "least three.",
+                          count);
+    }
+    const double phi = locus->phi_lin.value * DEGREES;
+    if (phi < 0.0) {
+        clod_warnings_add(
+            locus,
+            "The line falls (phi_lin = %.2f deg): peak shear stress must rise with "
+            "normal stress; check the columns and units.",
+            phi);
+    } else if (phi < PHI_LOW || phi > PHI_HIGH) {
+        clod_warnings_add(
+            locus,
+            "phi_lin = %.2f deg is outside %.0f to %.0f deg; check the columns and "
+            "units.",
+            phi, PHI_LOW, PHI_HIGH);
+    }
+}
+
+static void check_cohesion(clod_locus *locus)
+{
+    const double c = locus->c.value;
+    if (c < 0.0) {
+        const bool near_zero = c + 2.0 * locus->c.error >= 0.0;
+        clod_warnings_add(locus,
+                          "Cohesion is negative (%.3f kPa): sigma_c and ffc are undefined.%s",
+                          c / KILO,
+                          near_zero ? " It is zero within two standard errors: the solid flows "
+                                      "freely."
+                                    : " Points at low normal stress bend down, or are wrong.");
+    }
+}
+
+static void check_circles(clod_locus *locus)
+{
+    const double at = locus->c.value + tan(locus->phi_lin.value) * locus->sigma_p.value;
+    if (locus->parallel) {
+        clod_warnings_add(locus,
+                          "The preshear point (%.3f, %.3f) kPa lies above the line (%.3f kPa "
+                          "there): sigma_1 is from the parallel line through it.",
+                          locus->sigma_p.value / KILO, locus->tau_p.value / KILO, at / KILO);
+    }
+    if (isnan(locus->phi_e.value)) {
+        clod_warnings_add(locus, "sigma_2 = %.3f kPa is tension: phi_e is undefined.",
+                          locus->sigma_2.value / KILO);
+    }
+}
+
+static void check_preshear(clod_locus *locus, const clod_locus_point *points, size_t count)
+{
+    double low = INFINITY;
+    double high = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        low = fmin(low, points[i].sigma_p);
+        high = fmax(high, points[i].sigma_p);
+    }
+    if (high > (1.0 + PRESHEAR_SLACK) * low) {
+        clod_warnings_add(
+            locus,
+            "Preshear stresses from %.3f to %.3f kPa are more than %.0f %% apart: "
+            "the points do not belong to one consolidation.",
+            low / KILO, high / KILO, 100.0 * PRESHEAR_SLACK);
+    }
+}
+
+static void check_range(clod_locus *locus, const clod_locus_point *points, size_t count)
+{
+    stress_list over = {0};
+    stress_list outside = {0};
+    for (size_t i = 0; i < count; i++) {
+        const double ratio = points[i].sigma_s / points[i].sigma_p;
+        if (ratio > 1.0) {
+            list_add(&over, points[i].sigma_s);
+        } else if (ratio < RANGE_LOW - RANGE_SLACK || ratio > RANGE_HIGH + RANGE_SLACK) {
+            list_add(&outside, points[i].sigma_s);
+        }
+    }
+    if (over.count > 0) {
+        clod_warnings_add(
+            locus,
+            "Shear at %s kPa is above the preshear stress: it consolidates anew and "
+            "does not belong to this locus.",
+            over.text);
+    }
+    if (outside.count > 0) {
+        clod_warnings_add(locus,
+                          "Shear at %s kPa is outside %.0f to %.0f %% of the preshear "
+                          "stress.",
+                          outside.text, 100.0 * RANGE_LOW, 100.0 * RANGE_HIGH);
+    }
+}
+
+/** Points must lie between the places where the two Mohr circles touch the locus. */
+static void check_touch(clod_locus *locus, const clod_locus_point *points, size_t count)
+{
+    const double t = tan(locus->phi_lin.value);
+    const double left = // a comparison with NAN is false: no circle, no complaint
+        clod_mohr_touch(locus->unconfined.centre, locus->unconfined.radius, t);
+    const double right = clod_mohr_touch(locus->steady.centre, locus->steady.radius, t);
+    stress_list below = {0};
+    stress_list above = {0};
+    for (size_t i = 0; i < count; i++) {
+        if (points[i].sigma_s < left) {
+            list_add(&below, points[i].sigma_s);
+        } else if (points[i].sigma_s > right) {
+            list_add(&above, points[i].sigma_s);
+        }
+    }
+    if (below.count > 0) {
+        clod_warnings_add(locus,
+                          "Shear at %s kPa is left of where the unconfined circle touches the "
+                          "line (%.3f kPa); shear at higher normal stress.",
+                          below.text, left / KILO);
+    }
+    if (above.count > 0) {
+        clod_warnings_add(
+            locus,
+            "Shear at %s kPa is right of where the steady-state circle touches the "
+            "line (%.3f kPa); shear at lower normal stress.",
+            above.text, right / KILO);
+    }
+}
+
+static void check_bend(clod_locus *locus, const clod_warnings_line *line)
+{
+    double error;
+    const double sag = clod_fit_sag(&line->fit, line->x, line->y, line->count, &error);
+    const double middle = line->fit.intercept + line->fit.slope * line->fit.mean_x;
+    if (fabs(sag) > error && fabs(sag) > SAG_SLACK * fabs(middle)) {
+        clod_warnings_add(locus,
+                          "The points bend: ends lie %.3f kPa %s the line against the middle; "
+                          "cohesion and sigma_c of a straight line are too %s.",
+                          fabs(sag) / KILO, sag > 0.0 ? "below" : "above",
+                          sag > 0.0 ? "high" : "low");
+    }
+}
+
+void clod_warnings_check(clod_locus *locus, const clod_locus_point *points, size_t count,
+                         const clod_warnings_line *line)
+{
+    check_line(locus, count);
+    check_preshear(locus, points, count);
+    check_range(locus, points, count);
+    check_cohesion(locus);
+    check_circles(locus);
+    check_touch(locus, points, count);
+    check_bend(locus, line);
+}

@@ -1,0 +1,30 @@
+#pragma once
+/**
+ * @file warnings.h
+ * What is not right with a yield locus.
+ */
+
+#include "analysis/fit.h"
+#include "clod/locus.h"
+
+/** The line and the prorated points it goes through. */
+typedef struct clod_warnings_line {
+    clod_fit fit;
+    const double *x, *y; ///< [count]
+    size_t count;
+} clod_warnings_line;
+
+/** Add a warning; when there is no room left, the last one says so. */
+void clod_warnings_add(clod_locus *locus, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/**
+ * Look at an evaluated locus and its points and add warnings.
+ *
+ * @param locus   [in,out] complete but for its warnings
+ * @param points  [count] it was evaluated from
+ * @param line    through the prorated points
+ * Test  tests/analysis/test_warnings.c
+ */
+void clod_warnings_check(clod_locus *locus, const clod_locus_point *points, size_t count,
+                         const clod_warnings_line *line);
