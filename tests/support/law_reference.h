@@ -1,0 +1,233 @@
+#pragma once
+/**
+ * @file law_reference.h
+ * PHYSICS 1-4 once more, as printed: explicit branches and a stored maximum overlap instead of
+ * the clamp, turns by sine and cosine, long double. Slow and obvious; shares nothing with
+ * src/law.
+ */
+
+#include <math.h>
+#include <string.h>
+
+#include "clod/case.h"
+
+typedef long double quad;
+
+/** One contact's past: the largest power of the overlap that the branches remember. */
+typedef struct ref_memory {
+    quad most; ///< dmax^n as eq. (2) needs it
+    quad tangent;
+    quad spring[3], roll[3];
+} ref_memory;
+
+typedef struct ref_motion {
+    quad overlap, normal[3], velocity[3], spin_i[3], spin_j[3];
+    quad arm_i, arm_j, m_star, r_star, roll_inertia;
+} ref_motion;
+
+typedef struct ref_result {
+    quad force[3], torque_i[3], torque_j[3];
+    quad f_hys, f_t[3], roll[3], limit, stiffness, gamma_n;
+} ref_result;
+
+/** Parameters of a pair with hertz worked out for this contact's R*. */
+typedef struct ref_law {
+    quad n, k1, k2, k_adh, tangential, damping;
+} ref_law;
+
+static inline quad ref_dot(const quad a[3], const quad b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline void ref_cross(const quad a[3], const quad b[3], quad out[3])
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/** Eq. (1)-(4) as printed; `most` is the stored maximum of d^n, forgotten along f3. */
+static inline quad ref_normal(const ref_law *law, quad x, quad *most)
+{
+    const quad share = 1.0L - law->k1 / law->k2; // dp^n = share dmax^n, where f2 meets f1
+    const quad f1 = law->k1 * x;
+    const quad f2 = law->k2 * (x - share * *most);
+    const quad f3 = -law->k_adh * x;
+    if (f2 >= f1) {
+        *most = x;
+        return f1;
+    }
+    if (f3 >= f2) { // f2 = f3 here: the maximum that would have led to this point
+        *most = (x + law->k_adh / law->k2 * x) / share;
+        return f3;
+    }
+    return f2;
+}
+
+static inline ref_law ref_law_of(const clod_case_contact *c, const clod_case_material *a,
+                                 const clod_case_material *b, quad fraction, quad r_star,
+                                 quad overlap)
+{
+    ref_law law = {c->exponent, c->k1, c->k2, fraction * (quad)c->k_adh, 0.0L, 0.0L};
+    if (c->law != CLOD_LAW_MEPA) {
+        law.k2 = law.k1;
+        law.k_adh = 0.0L;
+    }
+    if (c->law == CLOD_LAW_HERTZ) {
+        const quad ea = a->youngs_modulus, eb = b->youngs_modulus;
+        const quad na = a->poissons_ratio, nb = b->poissons_ratio;
+        const quad ga = ea / (2.0L * (1.0L + na)), gb = eb / (2.0L * (1.0L + nb));
+        const quad e_star = ea * eb / ((1.0L - na * na) * eb + (1.0L - nb * nb) * ea);
+        const quad g_star = ga * gb / ((2.0L - na) * gb + (2.0L - nb) * ga);
+        law.n = 1.5L;
+        law.k1 = law.k2 = 4.0L * e_star * sqrtl(r_star) / 3.0L;
+        law.tangential = 8.0L * g_star * sqrtl(r_star * overlap);
+    } else if (c->tangential == CLOD_TANGENTIAL_LITERAL && c->law == CLOD_LAW_MEPA) {
+        law.tangential = law.k1;
+    } else {
+        law.tangential = (quad)c->tangential_ratio * law.n * law.k1 * powl(overlap, law.n - 1);
+    }
+    const quad l = logl((quad)c->restitution);
+    const quad pi = 3.14159265358979323846264338327950288L;
+    // 1 for n = 1, sqrt(5/6) for n = 3/2 (PHYSICS 2)
+    law.damping = -2.0L * l / sqrtl(l * l + pi * pi) * sqrtl((1.0L + 1.0L / law.n) / 2.0L);
+    return law;
+}
+
+/** Into today's tangent plane: project, turn about the normal, restore the length, shrink. */
+static inline void ref_carry(quad spring[3], const quad n[3], quad turn, quad soften)
+{
+    const quad length = sqrtl(ref_dot(spring, spring));
+    const quad off = ref_dot(spring, n);
+    quad flat[3], across[3];
+    for (int c = 0; c < 3; c++) {
+        flat[c] = spring[c] - off * n[c];
+    }
+    const quad left = sqrtl(ref_dot(flat, flat));
+    ref_cross(n, flat, across);
+    const quad angle = atanl(turn);
+    for (int c = 0; c < 3; c++) {
+        const quad turned = cosl(angle) * flat[c] + sinl(angle) * across[c];
+        spring[c] = left > 0.0L ? turned / left * length * soften : 0.0L;
+    }
+}
+
+/** Eq. (6): cut to the limit and reset the spring. */
+static inline void ref_cut(quad force[3], quad limit, quad stiffness, quad spring[3])
+{
+    const quad length = sqrtl(ref_dot(force, force));
+    if (length > limit) {
+        for (int c = 0; c < 3; c++) {
+            force[c] = force[c] / length * limit;
+            spring[c] = -force[c] / stiffness;
+        }
+    }
+}
+
+static inline quad ref_measure(const clod_case_contact *c, const ref_law *law, quad x, quad f)
+{
+    if (c->coulomb == CLOD_COULOMB_PAPER) {
+        return f > 0.0L ? f : 0.0L;
+    }
+    return c->coulomb == CLOD_COULOMB_FORCE ? fabsl(f) : f + law->k_adh * x;
+}
+
+static inline void ref_rolling(const clod_case_contact *c, const ref_motion *m, quad measure,
+                               quad dk, quad k_t, quad soften_t, quad soften, quad turn,
+                               quad dt, ref_memory *memory, quad out[3])
+{
+    quad spin[3], off = 0.0L;
+    for (int a = 0; a < 3; a++) {
+        spin[a] = m->spin_i[a] - m->spin_j[a];
+        off += spin[a] * m->normal[a];
+    }
+    for (int a = 0; a < 3; a++) {
+        spin[a] -= off * m->normal[a];
+    }
+    const quad cap = (quad)c->rolling_friction * m->r_star * measure;
+    if (c->rolling == CLOD_ROLLING_CDT) {
+        const quad rate = sqrtl(ref_dot(spin, spin));
+        for (int a = 0; a < 3; a++) {
+            out[a] = rate > 0.0L ? -cap * spin[a] / rate : 0.0L;
+        }
+        return;
+    }
+    const bool dash_pot = c->rolling == CLOD_ROLLING_EPSD;
+    const quad mu = c->rolling_friction;
+    const quad k_r = m->r_star * m->r_star * (dash_pot ? 2.25L * mu * mu * dk : k_t);
+    ref_carry(memory->roll, m->normal, turn, dash_pot ? soften : soften_t);
+    for (int a = 0; a < 3; a++) {
+        memory->roll[a] += dt * spin[a];
+        out[a] = -k_r * memory->roll[a];
+    }
+    const bool below = sqrtl(ref_dot(out, out)) < cap;
+    ref_cut(out, cap, k_r, memory->roll);
+    for (int a = 0; a < 3 && dash_pot && below; a++) {
+        out[a] -= 2.0L * (quad)c->rolling_damping * sqrtl(m->roll_inertia * k_r) * spin[a];
+    }
+}
+
+/** Velocity of i against j at the contact along the tangent plane (PHYSICS 3). */
+static inline quad ref_slip(const ref_motion *m, quad slip[3])
+{
+    quad arms[3], turn[3], v[3];
+    for (int c = 0; c < 3; c++) {
+        arms[c] = m->arm_i * m->spin_i[c] + m->arm_j * m->spin_j[c];
+    }
+    ref_cross(arms, m->normal, turn);
+    for (int c = 0; c < 3; c++) {
+        v[c] = m->velocity[c] - turn[c];
+    }
+    const quad v_n = ref_dot(v, m->normal);
+    for (int c = 0; c < 3; c++) {
+        slip[c] = v[c] - v_n * m->normal[c];
+    }
+    return v_n;
+}
+
+/** Force on i and torques on i and j of one contact; an open one forgets everything. */
+static inline ref_result ref_contact(const clod_case_contact *c, const clod_case_material *a,
+                                     const clod_case_material *b, quad fraction,
+                                     const ref_motion *m, quad dt, ref_memory *memory)
+{
+    ref_result r;
+    memset(&r, 0, sizeof r);
+    if (!(m->overlap > 0.0L)) {
+        memset(memory, 0, sizeof *memory);
+        return r;
+    }
+    const ref_law law = ref_law_of(c, a, b, fraction, m->r_star, m->overlap);
+    const quad x = powl(m->overlap, law.n);
+    const quad dk = law.n * law.k1 * powl(m->overlap, law.n - 1.0L);
+    r.f_hys = ref_normal(&law, x, &memory->most);
+    quad slip[3], moment[3];
+    const quad v_n = ref_slip(m, slip);
+    r.gamma_n = law.damping * sqrtl(m->m_star * dk);
+    const quad turn = dt * (ref_dot(m->spin_i, m->normal) + ref_dot(m->spin_j, m->normal)) / 2;
+    const quad soften = memory->tangent < dk ? memory->tangent / dk : 1.0L;
+    const bool literal = c->tangential == CLOD_TANGENTIAL_LITERAL && c->law == CLOD_LAW_MEPA;
+    const quad soften_t = literal ? 1.0L : soften;
+    const quad measure = ref_measure(c, &law, x, r.f_hys);
+    ref_carry(memory->spring, m->normal, turn, soften_t);
+    for (int k = 0; k < 3; k++) {
+        memory->spring[k] += dt * slip[k];
+        r.f_t[k] = -law.tangential * memory->spring[k] -
+                   law.damping * sqrtl(m->m_star * law.tangential) * slip[k];
+    }
+    r.limit = (quad)c->friction * measure;
+    r.stiffness = law.tangential;
+    ref_cut(r.f_t, r.limit, law.tangential, memory->spring);
+    if (c->rolling != CLOD_ROLLING_NONE) {
+        ref_rolling(c, m, measure, dk, law.tangential, soften_t, soften, turn, dt, memory,
+                    r.roll);
+    }
+    ref_cross(m->normal, r.f_t, moment);
+    for (int k = 0; k < 3; k++) {
+        r.force[k] = (r.f_hys - r.gamma_n * v_n) * m->normal[k] + r.f_t[k];
+        r.torque_i[k] = -m->arm_i * moment[k] + r.roll[k];
+        r.torque_j[k] = -m->arm_j * moment[k] - r.roll[k];
+    }
+    memory->tangent = dk;
+    return r;
+}
