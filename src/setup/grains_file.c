@@ -270,28 +270,31 @@ static char *load(const char *path, clod_status *status)
     char *text = NULL;
     size_t size = 0;
     size_t capacity = 0;
-    do {
+    bool memory = true;
+    while (memory && size + 1 >= capacity && ferror(file) == 0) {
         const size_t wanted = capacity == 0 ? 65536 : 2 * capacity;
         char *grown = clod_memory_grow(text, capacity, wanted, 1);
-        if (grown == NULL) {
-            clod_status_fail(status, CLOD_FAILED, "%s: no memory to read it", path);
-            break;
+        memory = grown != NULL;
+        if (memory) {
+            text = grown;
+            capacity = wanted;
+            size += fread(text + size, 1, capacity - size - 1, file);
         }
-        text = grown;
-        capacity = wanted;
-        size += fread(text + size, 1, capacity - size - 1, file);
-    } while (size == capacity - 1);
-    const bool bad = ferror(file) != 0 || size == capacity - 1 || text == NULL;
-    fclose(file);
-    if (bad) {
-        if (status->code == CLOD_OK) {
-            clod_status_fail(status, CLOD_FAILED, "%s: cannot be read: %s", path,
-                             strerror(errno));
-        }
-        clod_memory_free(text);
-        return NULL;
     }
-    return text;
+    const int problem = ferror(file) != 0 ? errno : 0;
+    fclose(file);
+    if (!memory) {
+        clod_status_fail(status, CLOD_FAILED, "%s: no memory to read it", path);
+    } else if (problem != 0) {
+        clod_status_fail(status, CLOD_FAILED, "%s: cannot be read: %s", path,
+                         strerror(problem));
+    } else if (strlen(text) != size) {
+        clod_status_fail(status, CLOD_USAGE, "%s: it is no text file", path);
+    } else {
+        return text;
+    }
+    clod_memory_free(text);
+    return NULL;
 }
 
 bool clod_grains_file_read(const clod_case *from, const clod_case_grains *group,

@@ -52,8 +52,8 @@ bool clod_insertion_space_init(clod_insertion_space *self, const clod_case_regio
             period[a] = state->domain.max[a] - state->domain.min[a];
         }
     }
-    return clod_insertion_grid_init(&self->grid, self->low, self->high, period, largest, grains,
-                                    status) &&
+    return clod_insertion_grid_init(&self->grid, self->low, self->high, period, largest,
+                                    grains + state->grains.count, status) &&
            note_grains(self, status);
 }
 
