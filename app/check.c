@@ -1,0 +1,128 @@
+/**
+ * @file check.c
+ * clod check CASE: what a case will be like and what it will cost, without running it.
+ */
+
+#include <argp.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "app.h"
+#include "clod/check.h"
+
+#define KEY_JSON 0x100
+
+typedef struct request {
+    const char *path;
+    bool json;
+    clod_check_options options;
+    const char **overrides;
+    size_t override_count;
+} request;
+
+static const struct argp_option OPTIONS[] = {
+    {"output", 'o', "DIR", 0, "results folder meant for the run: its disk is looked at", 0},
+    {"threads", 't', "N", 0, "threads meant for the run; all processors unless given", 0},
+    {"set", 'S', "KEY=VALUE", 0, "change a key of the case; may be given often", 0},
+    {"json", KEY_JSON, NULL, 0, "print one JSON object instead of text", 0},
+    {0},
+};
+
+static void set_threads(request *self, const char *argument, struct argp_state *state)
+{
+    char *end;
+    const long threads = strtol(argument, &end, 10);
+    if (*argument == '\0' || *end != '\0' || threads < 1 || threads > 4096) {
+        argp_error(state, "--threads %s: a whole number from 1 to 4096", argument);
+    }
+    self->options.threads = (int)threads;
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+    request *self = state->input;
+    switch (key) {
+    case 'o':
+        self->options.directory = argument;
+        return 0;
+    case 't':
+        set_threads(self, argument, state);
+        return 0;
+    case 'S':
+        self->overrides[self->override_count++] = argument;
+        return 0;
+    case KEY_JSON:
+        self->json = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (self->path != NULL) {
+            argp_error(state, "one case at a time");
+        }
+        self->path = argument;
+        return 0;
+    case ARGP_KEY_END:
+        if (self->path == NULL) {
+            argp_error(state, "which case? clod new writes an example");
+        }
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static bool work(const request *self, clod_status *status)
+{
+    clod_case *from = clod_case_load(self->path, self->overrides, self->override_count, status);
+    if (from == NULL) {
+        return false;
+    }
+    clod_check_report report;
+    char *text = malloc(CLOD_CHECK_TEXT);
+    bool good = text != NULL || clod_status_fail(status, CLOD_FAILED, "out of memory");
+    good = good && clod_check_report_make(from, &self->options, &report, status);
+    if (good && !self->json) {
+        clod_check_report_text(&report, text);
+        fputs(text, stdout);
+    } else if (good) {
+        good = clod_check_report_json(&report, text)
+                   ? puts(text) >= 0
+                   : clod_status_fail(status, CLOD_FAILED, "out of memory");
+    }
+    free(text);
+    clod_case_destroy(&from);
+    return good;
+}
+
+int clod_app_check(int argc, char **argv)
+{
+    const struct argp argp = {
+        .options = OPTIONS,
+        .parser = parse,
+        .args_doc = "CASE",
+        .doc =
+            "Check CASE and tell what it will be like and what it will cost; nothing is run or "
+            "written. Grains are inserted to count them, and the step is timed for a moment on "
+            "a small packing."
+            "\vThe overlap is that of two mean grains under the target stress. The Bond number "
+            "is the largest pull of a contact that was pressed by that stress, over the weight "
+            "of a mean grain. The inertial number I = (shear rate) d sqrt(density/stress) "
+            "should stay near 1e-3 or below. \"Likely\" times are those of copper ore, \"at "
+            "most\" is what the limits of the case allow. Warnings do not change the exit "
+            "status: 0 for a good case, 2 for a wrong one.",
+    };
+    clod_status status = {CLOD_OK, ""};
+    request self = {.overrides = calloc((size_t)argc + 1, sizeof *self.overrides)};
+    if (self.overrides == NULL) {
+        fputs("clod check: out of memory\n", stderr);
+        return CLOD_FAILED;
+    }
+    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    const bool good = work(&self, &status);
+    free(self.overrides);
+    if (!good) {
+        fprintf(stderr, "clod check: %s\n", status.text);
+        return status.code == CLOD_OK ? CLOD_FAILED : (int)status.code;
+    }
+    return EXIT_SUCCESS;
+}

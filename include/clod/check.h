@@ -1,0 +1,97 @@
+#pragma once
+/**
+ * @file check.h
+ * The preflight: what a case will be like and what it will cost, without running it.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "clod/case.h"
+#include "clod/status.h"
+
+#define CLOD_CHECK_WARNINGS 24
+#define CLOD_CHECK_WARNING_TEXT 320
+#define CLOD_CHECK_TEXT 32768 ///< enough for either form of the report
+
+typedef enum clod_check_kind {
+    CLOD_CHECK_FREE_RUN,
+    CLOD_CHECK_RING_SHEAR,
+    CLOD_CHECK_CONTACT_BENCH, ///< nothing to estimate: all numbers are 0
+} clod_check_kind;
+
+typedef struct clod_check_options {
+    int threads;           ///< 0 = all processors
+    const char *simd;      ///< instruction set; NULL = the best
+    const char *directory; ///< results folder, for the disk space; NULL = run/NAME of the case
+} clod_check_options;
+
+/** Numbers in SI; 0 = not known or not meant for this kind of case. */
+typedef struct clod_check_report {
+    clod_check_kind kind;
+    const char *path, *title; ///< borrowed from the case; title may be NULL
+    // grains
+    size_t grains;
+    double radius_min, radius_mean, radius_max; ///< m
+    double mass, solid_volume;                  ///< kg, m3
+    // time step
+    double step, automatic, critical; ///< s; critical: of the stiffest pair
+    bool step_given;
+    const char *reason;            ///< what sets the automatic step; static
+    const char *pair_1, *pair_2;   ///< materials of the stiffest pair, borrowed
+    bool pair_wall;                ///< the second one is a wall's
+    double stiffness, spring_mass; ///< N/m, kg
+    double rayleigh;               ///< s
+    double rayleigh_fraction;      ///< step / rayleigh
+    bool rayleigh_imposed;         ///< hertz: it sets the automatic step
+    // a contact at the target stress
+    double stress;        ///< Pa
+    double contact_force; ///< N, stress (2R)^2
+    double overlap;       ///< m
+    double overlap_ratio; ///< overlap / mean radius
+    double pull_off;      ///< N, largest pull after that force
+    double weight;        ///< N, of a mean grain
+    double bond;          ///< pull_off / weight
+    // ring shear test
+    double inertial_preshear;              ///< inertial number
+    double inertial_lowest, lowest_stress; ///< at the lowest shear stress, Pa
+    double lowest_speed;                   ///< m/s, shear at that stress
+    double across_width, across_depth;     ///< grain diameters
+    double bar_diameters;                  ///< bar height in grain diameters
+    // loaded walls: the lid, or the one with the shortest period
+    double servo_period; ///< s, of the wall on the stiffness of the bed
+    // run
+    double time_likely, time_most;      ///< s simulated, all parts one after the other
+    double steps_likely, steps_most;    ///< of all parts together
+    int processors, threads;            ///< available, used
+    int side_by_side;                   ///< parts that run at the same time, at most
+    const char *simd;                   ///< instruction set; static
+    size_t sample_grains;               ///< of the packing on which the rate was measured
+    double rate_one, rate;              ///< grain-steps/s with one and with all threads
+    double clock_likely, clock_most;    ///< s on the clock
+    double memory;                      ///< bytes
+    double disk_series, disk_snapshots; ///< bytes
+    double disk_checkpoints, disk;      ///< bytes; all together
+    double disk_free;                   ///< bytes
+    size_t warning_count;
+    char warning[CLOD_CHECK_WARNINGS][CLOD_CHECK_WARNING_TEXT];
+} clod_check_report;
+
+/**
+ * Look at a case before it runs: grains are inserted and the step is timed for a moment on a
+ * small packing, nothing is simulated or written.
+ *
+ * @param from    checked case; the report borrows texts from it
+ * @param report  [out]
+ * Errors  CLOD_USAGE: a case that cannot be built, an unknown instruction set; CLOD_FAILED.
+ * Threads one per report.   Source  PHYSICS 1, 5, 7.   Test  tests/sim/test_check.c
+ */
+bool clod_check_report_make(const clod_case *from, const clod_check_options *options,
+                            clod_check_report *report, clod_status *status);
+
+/** The report for people. */
+void clod_check_report_text(const clod_check_report *report, char text[CLOD_CHECK_TEXT]);
+
+/** The report as one JSON object, keys with their units; false without memory. */
+bool clod_check_report_json(const clod_check_report *report, char text[CLOD_CHECK_TEXT]);

@@ -1,0 +1,288 @@
+#include <math.h>
+#include <time.h>
+
+#include "base/memory.h"
+#include "base/random.h"
+#include "output/folder.h"
+#include "parallel/threads.h"
+#include "sim/check.h"
+#include "step/step.h"
+
+// The packing on which the step is timed: a cubic lattice, six contacts for each grain as in a
+// dense bed, pressed to the overlap of the target stress and stirred a little.
+#define SAMPLE_SIDE_MIN 6 ///< grains along an edge
+#define SAMPLE_SIDE_MAX 32
+#define SAMPLE_SPEED 3e-3 ///< m/s at most along each axis, as between neighbours in slow shear
+#define SAMPLE_WARM_UP 20 ///< steps
+#define SAMPLE_CHUNK 20   ///< steps between two looks at the clock
+#define SAMPLE_TIME 0.15  ///< s on the clock, for each number of threads
+
+// Duration of the phases of a ring shear test, besides preshear and shear: their limits in the
+// procedure (tester/ring_shear.c), and what copper ore needs.
+#define FILL_LIKELY 0.25 ///< s
+#define FILL_MOST 0.66
+#define LOAD_LIKELY 0.06 ///< s, to consolidate or to reduce the load
+#define LOAD_MOST 0.3
+#define REVERSE_SPEED 0.033 ///< of the speed of preshear
+#define REVERSE_LIKELY 2e-4 ///< m
+#define REVERSE_MOST 2e-3
+#define PRESHEAR_LIKELY 2.5 ///< times the least displacement
+#define PEAK_LIKELY 4e-3    ///< m of shear
+#define ROW_STEPS 200.0     ///< steps for each row of the series
+#define ROW_COLUMNS 11.0
+
+#define NUMBER_BYTES 18.0 ///< of a number in a series
+#define FREE_COLUMNS 4.0  ///< columns of the series of a free run, and of each wall of it
+#define WALL_COLUMNS 11.0
+#define PICTURE_GRAIN 80.0 ///< bytes of a grain in a snapshot, compressed
+#define PICTURE_CONTACT 75.0
+#define STORED_GRAIN 190.0 ///< bytes of a grain in a checkpoint
+#define STORED_CONTACT 76.0
+#define CONTACTS 3.0 ///< contacts for each grain
+
+/** What the parts of a run ask for; parts of one batch run side by side. */
+typedef struct batch {
+    int count;
+    double time, longest; ///< s simulated: sum over the parts, and of the longest
+} batch;
+
+static double clock_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static bool add_sample_grain(const clod_check_subject *subject, const clod_check_report *report,
+                             int side, int number, clod_state *state, clod_status *status)
+{
+    const double spacing = 2.0 * report->radius_mean - report->overlap;
+    const double density = subject->from->materials[subject->material].density;
+    const int cell[3] = {number % side, number / side % side, number / (side * side)};
+    double place[4] = {0.0, 0.0, 0.0, report->radius_mean};
+    double speed[3];
+    for (int a = 0; a < 3; a++) {
+        const double u =
+            clod_random_uniform(1, CLOD_RANDOM_VELOCITY, (uint64_t)number, (uint64_t)a);
+        place[a] = (0.5 + cell[a]) * spacing;
+        speed[a] = (2.0 * u - 1.0) * SAMPLE_SPEED;
+    }
+    return clod_grains_add(&state->grains, place, speed, (double[3]){0.0}, density,
+                           (uint16_t)subject->material, (uint64_t)number + 1, status);
+}
+
+static bool make_sample(const clod_check_subject *subject, const clod_check_report *report,
+                        clod_state *state, clod_status *status)
+{
+    const double edge = round(cbrt((double)report->grains));
+    const int side = (int)fmin(fmax(edge, SAMPLE_SIDE_MIN), SAMPLE_SIDE_MAX);
+    const double spacing = 2.0 * report->radius_mean - report->overlap;
+    *state = (clod_state){
+        .dt = fmin(report->step, report->automatic), .adhesion = 1.0, .build_motion = -1.0};
+    for (int a = 0; a < 3; a++) {
+        state->domain.max[a] = side * spacing;
+        state->domain.periodic[a] = true;
+    }
+    bool good = true;
+    for (int n = 0; good && n < side * side * side; n++) {
+        good = add_sample_grain(subject, report, side, n, state, status);
+    }
+    return good;
+}
+
+/** Bytes that state and step take for each grain. */
+static double bytes_per_grain(const clod_step *step)
+{
+    const clod_neighbour *near = &step->neighbour;
+    const clod_near *list = &step->near;
+    const clod_state *state = step->state;
+    const double grains = (double)state->grains.capacity;
+    const double rows = grains * (3 * 4 + 8 + 1 + 4) * sizeof(double) + 2 * grains;
+    const double contacts = (double)(state->contact_capacity + near->contact_scratch_capacity) *
+                            (double)sizeof(clod_contact);
+    const double candidates = (double)near->pairs.capacity * sizeof(clod_candidate);
+    const double sorting = 2.0 * (double)near->sort_capacity * sizeof(clod_sort_item) +
+                           (double)near->grain_capacity * (64 + 3 * sizeof(int32_t));
+    const double blocks = (double)(list->pairs.capacity + list->pairs.old_capacity) *
+                              (double)sizeof(clod_contact_block) +
+                          (double)list->slot_capacity * 8 * sizeof(double);
+    return (rows + contacts + candidates + sorting + blocks) / (double)state->grains.count;
+}
+
+/** Rate of the step on a copy of the sample [grain-steps/s]. */
+static bool time_step(const clod_state *sample, const clod_laws *laws,
+                      const clod_step_options *options, double *rate, double *bytes,
+                      const char **simd, clod_status *status)
+{
+    clod_state state = {0};
+    clod_step step;
+    if (!clod_state_copy(&state, sample, status) ||
+        !clod_step_init(&step, &state, laws, options, status)) {
+        clod_state_fini(&state);
+        return false;
+    }
+    bool good = clod_step_advance(&step, SAMPLE_WARM_UP, status);
+    const double begin = clock_now();
+    double steps = 0.0;
+    double spent = 0.0;
+    while (good && spent < SAMPLE_TIME) {
+        good = clod_step_advance(&step, SAMPLE_CHUNK, status);
+        steps += SAMPLE_CHUNK;
+        spent = clock_now() - begin;
+    }
+    good = good && clod_step_export(&step, status);
+    if (good) {
+        *rate = steps * (double)state.grains.count / spent;
+        *bytes = bytes_per_grain(&step);
+        *simd = step.kernel->name;
+    }
+    clod_step_fini(&step);
+    clod_state_fini(&state);
+    return good;
+}
+
+static bool measure_rate(const clod_check_subject *subject, clod_check_report *report,
+                         double *bytes, clod_status *status)
+{
+    clod_state sample;
+    clod_laws laws;
+    if (!clod_laws_init(&laws, subject->from, status)) {
+        return false;
+    }
+    bool good = make_sample(subject, report, &sample, status);
+    report->sample_grains = sample.grains.count;
+    clod_step_options options = {.threads = 1, .simd = subject->options->simd};
+    good = good &&
+           time_step(&sample, &laws, &options, &report->rate_one, bytes, &report->simd, status);
+    report->rate = report->rate_one;
+    if (good && report->threads > 1) {
+        options.threads = report->threads;
+        good = time_step(&sample, &laws, &options, &report->rate, bytes, &report->simd, status);
+    }
+    clod_state_fini(&sample);
+    clod_laws_fini(&laws);
+    return good;
+}
+
+/** Clock time of a batch: as many workers as there are parts and threads, threads shared. */
+static double batch_clock(const clod_check_report *report, const batch *parts)
+{
+    const int threads = report->threads;
+    const int workers = parts->count < threads ? parts->count : threads;
+    const int each = threads / workers;
+    const double part = threads > 1 ? (double)(each - 1) / (threads - 1) : 0.0;
+    const double rate = report->rate_one + part * (report->rate - report->rate_one);
+    const double time = fmax(parts->time / workers, parts->longest);
+    return time / report->step * (double)report->grains / rate;
+}
+
+static batch preparations(const clod_case_ring_shear *ring, bool most)
+{
+    const double least = (double)ring->steady_blocks * ring->block_displacement;
+    const double shear =
+        most ? ring->preshear_max : fmin(PRESHEAR_LIKELY * least, ring->preshear_max);
+    const double time =
+        (most ? FILL_MOST + LOAD_MOST : FILL_LIKELY + LOAD_LIKELY) + shear / ring->speed;
+    return (batch){(int)ring->seeds, (double)ring->seeds * time, time};
+}
+
+static batch points(const clod_case_ring_shear *ring, bool most)
+{
+    batch all = {(int)(ring->seeds * (int64_t)ring->shear_stress_count), 0.0, 0.0};
+    const double reverse =
+        (most ? REVERSE_MOST : REVERSE_LIKELY) / (REVERSE_SPEED * ring->speed);
+    const double peak = fmin(PEAK_LIKELY + ring->beyond_peak, ring->shear_max);
+    for (size_t s = 0; s < ring->shear_stress_count; s++) {
+        const double speed =
+            ring->speed * sqrt(ring->shear_stresses[s] / ring->preshear_stress);
+        const double time = reverse + (most ? LOAD_MOST : LOAD_LIKELY) +
+                            (most ? ring->shear_max : peak) / speed;
+        all.time += (double)ring->seeds * time;
+        all.longest = fmax(all.longest, time);
+    }
+    return all;
+}
+
+static batch stages(const clod_case *from)
+{
+    batch all = {1, 0.0, 0.0};
+    for (size_t s = 0; s < from->stage_count; s++) {
+        all.time += from->stages[s].duration;
+    }
+    all.longest = all.time;
+    return all;
+}
+
+static void plan_run(const clod_case *from, clod_check_report *report)
+{
+    const bool ring = from->ring_shear.present;
+    for (int most = 0; most < 2; most++) {
+        const batch first = ring ? preparations(&from->ring_shear, most != 0) : stages(from);
+        const batch second = ring ? points(&from->ring_shear, most != 0) : (batch){0};
+        const int count = first.count > second.count ? first.count : second.count;
+        const double clock = batch_clock(report, &first) +
+                             (second.count > 0 ? batch_clock(report, &second) : 0.0);
+        report->side_by_side = count < report->threads ? count : report->threads;
+        *(most != 0 ? &report->time_most : &report->time_likely) = first.time + second.time;
+        *(most != 0 ? &report->steps_most : &report->steps_likely) =
+            (first.time + second.time) / report->step;
+        *(most != 0 ? &report->clock_most : &report->clock_likely) = clock;
+    }
+}
+
+static void plan_disk(const clod_check_subject *subject, clod_check_report *report)
+{
+    const clod_case *from = subject->from;
+    const clod_case_ring_shear *ring = &from->ring_shear;
+    double parts = 1.0;
+    double rows = report->time_most / from->output.series_interval;
+    double columns = FREE_COLUMNS + WALL_COLUMNS * (double)subject->state.walls.count;
+    double pictures = 1.0;
+    if (ring->present) {
+        parts = (double)ring->seeds * (1.0 + (double)ring->shear_stress_count);
+        rows = report->steps_most / ROW_STEPS;
+        columns = ROW_COLUMNS;
+        pictures = parts;
+    }
+    if (from->output.snapshot_interval > 0.0) {
+        pictures += report->time_most / from->output.snapshot_interval;
+    }
+    const double grains = (double)report->grains;
+    const double contacts = from->output.contacts ? CONTACTS * PICTURE_CONTACT : 0.0;
+    report->disk_series = rows * columns * NUMBER_BYTES;
+    report->disk_snapshots = pictures * grains * (PICTURE_GRAIN + contacts);
+    // two of each part are kept, and a third is there while it is written
+    report->disk_checkpoints =
+        3.0 * parts * grains * (STORED_GRAIN + CONTACTS * STORED_CONTACT);
+    report->disk = report->disk_series + report->disk_snapshots + report->disk_checkpoints;
+}
+
+static bool find_space(const clod_check_subject *subject, clod_check_report *report,
+                       clod_status *status)
+{
+    char *folder = subject->options->directory != NULL
+                       ? clod_memory_text(subject->options->directory)
+                       : clod_folder_default(subject->from->path);
+    if (folder == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the name of a folder");
+    }
+    const bool good = clod_folder_space(folder, &report->disk_free, status);
+    clod_memory_free(folder);
+    return good;
+}
+
+bool clod_check_cost(const clod_check_subject *subject, clod_check_report *report,
+                     clod_status *status)
+{
+    double bytes = 0.0;
+    const int threads = subject->options->threads;
+    report->processors = clod_threads_available();
+    report->threads = threads > 0 ? threads : report->processors;
+    if (!measure_rate(subject, report, &bytes, status)) {
+        return false;
+    }
+    plan_run(subject->from, report);
+    plan_disk(subject, report);
+    report->memory = bytes * (double)report->grains * report->side_by_side;
+    return find_space(subject, report, status);
+}

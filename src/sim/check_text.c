@@ -1,0 +1,273 @@
+#include <jansson.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "sim/check.h"
+
+/** Text that grows in the caller's buffer. */
+typedef struct page {
+    char *text;
+    size_t used;
+} page;
+
+__attribute__((format(printf, 3, 4))) static void line(page *to, const char *name,
+                                                       const char *format, ...)
+{
+    va_list args;
+    char words[1024];
+    va_start(args, format);
+    vsnprintf(words, sizeof words, format, args);
+    va_end(args);
+    const size_t room = CLOD_CHECK_TEXT - to->used;
+    const int length = snprintf(to->text + to->used, room, "%-18s %s\n", name, words);
+    to->used += length > 0 && (size_t)length < room ? (size_t)length : 0;
+}
+
+/** A time on the clock in words, such as "2 h 05 min". */
+static const char *clock_words(double seconds, char words[32])
+{
+    if (seconds < 90.0) {
+        snprintf(words, 32, "%.0f s", seconds);
+    } else if (seconds < 5400.0) {
+        snprintf(words, 32, "%.0f min", seconds / 60.0);
+    } else if (seconds < 2.0 * 86400.0) {
+        const int minutes = (int)(seconds / 60.0);
+        snprintf(words, 32, "%d h %02d min", minutes / 60, minutes % 60);
+    } else {
+        snprintf(words, 32, "%.1f days", seconds / 86400.0);
+    }
+    return words;
+}
+
+static const char *byte_words(double bytes, char words[32])
+{
+    static const char *const UNITS[] = {"B", "kB", "MB", "GB", "TB"};
+    int unit = 0;
+    while (bytes >= 999.5 && unit < 4) {
+        bytes /= 1000.0;
+        unit++;
+    }
+    snprintf(words, 32, "%.3g %s", bytes, UNITS[unit]);
+    return words;
+}
+
+static void write_grains(page *to, const clod_check_report *r)
+{
+    line(to, "grains", "%zu, radius %.4g .. %.4g mm, mean %.4g mm", r->grains,
+         1e3 * r->radius_min, 1e3 * r->radius_max, 1e3 * r->radius_mean);
+    line(to, "", "mass %.4g kg, solid volume %.4g cm3", r->mass, 1e6 * r->solid_volume);
+}
+
+static void write_step(page *to, const clod_check_report *r)
+{
+    line(to, "time step", "%.4g s (%s)", r->step, r->step_given ? "given by the case" : "auto");
+    if (r->step_given) {
+        line(to, "", "auto would take %.4g s", r->automatic);
+    }
+    line(to, "", "set by the %s between %s and %s%s", r->reason, r->pair_1, r->pair_2,
+         r->pair_wall ? " (wall)" : "");
+    line(to, "stiffest contact", "%.4g N/m on %.4g kg: critical step %.4g s", r->stiffness,
+         r->spring_mass, r->critical);
+    if (r->rayleigh > 0.0) {
+        line(to, "Rayleigh time", "%.4g s; the step is %.3g %% of it%s", r->rayleigh,
+             100.0 * r->rayleigh_fraction,
+             r->rayleigh_imposed ? ""
+                                 : " (for comparison: stiffness is given, E does not enter)");
+    }
+    if (r->servo_period > 0.0) {
+        line(to, "loaded wall", "swings on the bed in about %.3g s, %.0f steps",
+             r->servo_period, r->servo_period / r->step);
+    }
+}
+
+static void write_contact(page *to, const clod_check_report *r)
+{
+    if (r->kind == CLOD_CHECK_RING_SHEAR) {
+        line(to, "preshear stress", "%.4g kPa: %.4g N on a contact", 1e-3 * r->stress,
+             r->contact_force);
+    } else {
+        line(to, "largest load", "%.4g N on a contact, as under %.4g kPa", r->contact_force,
+             1e-3 * r->stress);
+    }
+    line(to, "overlap", "%.4g um there, %.3g %% of the radius", 1e6 * r->overlap,
+         100.0 * r->overlap_ratio);
+    if (r->weight > 0.0) {
+        line(to, "Bond number", "%.4g (largest pull %.4g N over a grain's weight)", r->bond,
+             r->pull_off);
+    }
+}
+
+static void write_ring(page *to, const clod_check_report *r)
+{
+    line(to, "inertial number", "%.3g at preshear; %.3g at %.4g kPa, sheared with %.3g mm/s",
+         r->inertial_preshear, r->inertial_lowest, 1e-3 * r->lowest_stress,
+         1e3 * r->lowest_speed);
+    line(to, "cell", "%.1f grain diameters wide, %.1f deep; bars %.2f high", r->across_width,
+         r->across_depth, r->bar_diameters);
+}
+
+static void write_cost(page *to, const clod_check_report *r)
+{
+    char a[32], b[32], c[32], d[32];
+    line(to, "simulated time", "likely %.3g s, at most %.3g s%s", r->time_likely, r->time_most,
+         r->kind == CLOD_CHECK_RING_SHEAR ? ", all parts together" : "");
+    line(to, "steps", "likely %.3g, at most %.3g", r->steps_likely, r->steps_most);
+    line(to, "rate",
+         "%.3g grain-steps/s with %d thread%s, %.3g with one (%s, measured on %zu "
+         "grains)",
+         r->rate, r->threads, r->threads > 1 ? "s" : "", r->rate_one, r->simd,
+         r->sample_grains);
+    line(to, "wall-clock", "likely %s, at most %s; up to %d part%s side by side",
+         clock_words(r->clock_likely, a), clock_words(r->clock_most, b), r->side_by_side,
+         r->side_by_side > 1 ? "s" : "");
+    line(to, "memory", "%s", byte_words(r->memory, a));
+    line(to, "disk", "%s: series %s, snapshots %s, checkpoints %s", byte_words(r->disk, a),
+         byte_words(r->disk_series, b), byte_words(r->disk_snapshots, c),
+         byte_words(r->disk_checkpoints, d));
+    line(to, "", "%s free", byte_words(r->disk_free, a));
+}
+
+void clod_check_report_text(const clod_check_report *r, char text[CLOD_CHECK_TEXT])
+{
+    page to = {text, 0};
+    text[0] = '\0';
+    line(&to, "case", "%s", r->path != NULL ? r->path : "");
+    if (r->title != NULL) {
+        line(&to, "", "%s", r->title);
+    }
+    if (r->kind == CLOD_CHECK_CONTACT_BENCH) {
+        line(&to, "contact bench", "nothing to estimate; clod contact runs it at once");
+        return;
+    }
+    write_grains(&to, r);
+    write_step(&to, r);
+    write_contact(&to, r);
+    if (r->kind == CLOD_CHECK_RING_SHEAR) {
+        write_ring(&to, r);
+    }
+    write_cost(&to, r);
+    for (size_t w = 0; w < r->warning_count; w++) {
+        line(&to, "WARNING", "%s", r->warning[w]);
+    }
+    if (r->warning_count == 0) {
+        line(&to, "warnings", "none");
+    }
+}
+
+/** A number of the report and its key. */
+typedef struct entry {
+    const char *key;
+    size_t offset;
+} entry;
+
+#define REAL(key, field)                                                                       \
+    {                                                                                          \
+        key, offsetof(clod_check_report, field)                                                \
+    }
+
+static const entry REALS[] = {
+    REAL("radius_min_m", radius_min),
+    REAL("radius_mean_m", radius_mean),
+    REAL("radius_max_m", radius_max),
+    REAL("mass_kg", mass),
+    REAL("solid_volume_m3", solid_volume),
+    REAL("step_s", step),
+    REAL("step_auto_s", automatic),
+    REAL("step_critical_s", critical),
+    REAL("stiffness_N_per_m", stiffness),
+    REAL("spring_mass_kg", spring_mass),
+    REAL("rayleigh_time_s", rayleigh),
+    REAL("rayleigh_fraction", rayleigh_fraction),
+    REAL("stress_Pa", stress),
+    REAL("contact_force_N", contact_force),
+    REAL("overlap_m", overlap),
+    REAL("overlap_ratio", overlap_ratio),
+    REAL("pull_off_N", pull_off),
+    REAL("weight_N", weight),
+    REAL("bond_number", bond),
+    REAL("servo_period_s", servo_period),
+    REAL("time_likely_s", time_likely),
+    REAL("time_most_s", time_most),
+    REAL("steps_likely", steps_likely),
+    REAL("steps_most", steps_most),
+    REAL("rate_one_thread_per_s", rate_one),
+    REAL("rate_per_s", rate),
+    REAL("wall_clock_likely_s", clock_likely),
+    REAL("wall_clock_most_s", clock_most),
+    REAL("memory_bytes", memory),
+    REAL("disk_series_bytes", disk_series),
+    REAL("disk_snapshots_bytes", disk_snapshots),
+    REAL("disk_checkpoints_bytes", disk_checkpoints),
+    REAL("disk_bytes", disk),
+    REAL("disk_free_bytes", disk_free),
+};
+
+static const entry RING_REALS[] = {
+    REAL("inertial_number_preshear", inertial_preshear),
+    REAL("inertial_number_lowest", inertial_lowest),
+    REAL("lowest_stress_Pa", lowest_stress),
+    REAL("lowest_speed_m_per_s", lowest_speed),
+    REAL("diameters_across_width", across_width),
+    REAL("diameters_across_depth", across_depth),
+    REAL("bar_height_diameters", bar_diameters),
+};
+
+static void put_reals(json_t *to, const clod_check_report *r, const entry *entries,
+                      size_t count)
+{
+    for (size_t e = 0; e < count; e++) {
+        double value;
+        memcpy(&value, (const char *)r + entries[e].offset, sizeof value);
+        json_object_set_new(to, entries[e].key, json_real(value));
+    }
+}
+
+static void put_text(json_t *to, const char *key, const char *text)
+{
+    json_object_set_new(to, key, text != NULL ? json_string(text) : json_null());
+}
+
+static json_t *make_json(const clod_check_report *r)
+{
+    static const char *const KINDS[] = {"free_run", "ring_shear", "contact_bench"};
+    json_t *to = json_object();
+    put_text(to, "case", r->path);
+    put_text(to, "title", r->title);
+    put_text(to, "kind", KINDS[r->kind]);
+    if (r->kind == CLOD_CHECK_CONTACT_BENCH) {
+        return to;
+    }
+    json_object_set_new(to, "grains", json_integer((json_int_t)r->grains));
+    json_object_set_new(to, "step_given", json_boolean(r->step_given));
+    put_text(to, "step_reason", r->reason);
+    put_text(to, "stiffest_material_1", r->pair_1);
+    put_text(to, "stiffest_material_2", r->pair_2);
+    json_object_set_new(to, "stiffest_is_wall", json_boolean(r->pair_wall));
+    json_object_set_new(to, "rayleigh_imposed", json_boolean(r->rayleigh_imposed));
+    json_object_set_new(to, "processors", json_integer(r->processors));
+    json_object_set_new(to, "threads", json_integer(r->threads));
+    json_object_set_new(to, "parts_side_by_side", json_integer(r->side_by_side));
+    put_text(to, "simd", r->simd);
+    put_reals(to, r, REALS, sizeof REALS / sizeof REALS[0]);
+    if (r->kind == CLOD_CHECK_RING_SHEAR) {
+        put_reals(to, r, RING_REALS, sizeof RING_REALS / sizeof RING_REALS[0]);
+    }
+    json_t *warnings = json_array();
+    for (size_t w = 0; w < r->warning_count; w++) {
+        json_array_append_new(warnings, json_string(r->warning[w]));
+    }
+    json_object_set_new(to, "warnings", warnings);
+    return to;
+}
+
+bool clod_check_report_json(const clod_check_report *r, char text[CLOD_CHECK_TEXT])
+{
+    json_t *json = make_json(r);
+    const size_t length = json_dumpb(json, text, CLOD_CHECK_TEXT - 1, JSON_INDENT(2));
+    json_decref(json);
+    const bool good = length > 0 && length < CLOD_CHECK_TEXT;
+    text[good ? length : 0] = '\0';
+    return good;
+}
