@@ -1,5 +1,5 @@
 # Checks of the sources beside the test programs; in ctest with -DCLOD_CHECKS=ON (make test).
-# Labels: lint, build, sanitize, package.
+# Labels: lint, build, sanitize, mutation, package.
 file(GLOB_RECURSE CLOD_LAYERED CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
   src/*.[ch] include/*.h app/*.[ch])
 file(GLOB_RECURSE CLOD_BESIDE CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
@@ -41,5 +41,9 @@ set_tests_properties(lint/tidy sanitize/asan PROPERTIES FIXTURES_REQUIRED asan_t
 set_tests_properties(sanitize/tsan PROPERTIES FIXTURES_REQUIRED tsan_tree)
 set_tests_properties(build/asan build/tsan lint/tidy sanitize/asan sanitize/tsan lint/cppcheck
   PROPERTIES PROCESSORS 2)
+
+# Every sign and factor of the laws broken in turn (about 45 s on two cores).
+clod_add_check(mutation/law 600 tools/mutate-law $<TARGET_FILE:clod_core>)
+set_tests_properties(mutation/law PROPERTIES PROCESSORS 2)
 
 clod_add_check(package/deb 300 tools/check-package ${CMAKE_BINARY_DIR})
