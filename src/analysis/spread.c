@@ -124,11 +124,12 @@ void clod_spread_errors(const clod_locus_point *points, size_t count,
     const excess more = find_excess(points, count, best);
     for (size_t i = 0; i < count; i++) {
         const clod_locus_point *p = &points[i];
-        const double scale = p->tau_p / best->field[CLOD_FIELD_TAU_P];
+        const double tau_p = best->field[CLOD_FIELD_TAU_P];
+        const double scale = p->tau_p / tau_p;
         add_effect(&self, i, p->tau_p_error, 0.0);
         add_effect(&self, i, 0.0, p->tau_s_error);
         add_effect(&self, i, 0.0, more.line * scale);
-        add_effect(&self, i, more.specimen * p->tau_p, more.specimen * p->tau_s);
+        add_effect(&self, i, more.specimen * tau_p, more.specimen * p->tau_s / scale);
     }
     for (int k = 0; k < CLOD_FIELD_COUNT; k++) {
         error[k] = sqrt(self.variance[k]);

@@ -14,6 +14,7 @@
 #define RANGE_LOW 0.2 // of sigma_p, PHYSICS 7
 #define RANGE_HIGH 0.8
 #define RANGE_SLACK 0.01    // of sigma_p: a servo does not hold a stress exactly
+#define TOUCH_SLACK 0.1     // of sigma_p: 80 % often lies a little beyond, and does no harm
 #define PRESHEAR_SLACK 0.02 // relative: more than this is another consolidation
 #define MORE " ..."
 #define SAG_SLACK 0.02 // of the mean shear stress: less does not matter
@@ -147,7 +148,7 @@ static void check_range(clod_locus *locus, const clod_locus_point *points, size_
     }
 }
 
-/** Points must lie between the places where the two Mohr circles touch the locus. */
+/** Points belong between the places where the two Mohr circles touch the locus. */
 static void check_touch(clod_locus *locus, const clod_locus_point *points, size_t count)
 {
     const double t = tan(locus->phi_lin.value);
@@ -159,7 +160,7 @@ static void check_touch(clod_locus *locus, const clod_locus_point *points, size_
     for (size_t i = 0; i < count; i++) {
         if (points[i].sigma_s < left) {
             list_add(&below, points[i].sigma_s);
-        } else if (points[i].sigma_s > right) {
+        } else if (points[i].sigma_s > right + TOUCH_SLACK * points[i].sigma_p) {
             list_add(&above, points[i].sigma_s);
         }
     }
@@ -172,7 +173,7 @@ static void check_touch(clod_locus *locus, const clod_locus_point *points, size_
     if (above.count > 0) {
         clod_warnings_add(
             locus,
-            "Shear at %s kPa is right of where the steady-state circle touches the "
+            "Shear at %s kPa is far right of where the steady-state circle touches the "
             "line (%.3f kPa); shear at lower normal stress.",
             above.text, right / KILO);
     }

@@ -1,0 +1,68 @@
+#pragma once
+// Shared by the tests of the evaluation: points on a line, normal random numbers.
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "clod/locus.h"
+
+#define PI 3.14159265358979323846
+#define DEG (PI / 180.0)
+
+/** Points exactly on tau = c + sigma tan(phi), all with the same preshear. */
+static inline void points_on_line(double c, double phi, double sigma_p, double tau_p,
+                                  const double *sigma, size_t count, clod_locus_point *points)
+{
+    for (size_t i = 0; i < count; i++) {
+        points[i] = (clod_locus_point){.sigma_p = sigma_p,
+                                       .tau_p = tau_p,
+                                       .sigma_s = sigma[i],
+                                       .tau_s = c + sigma[i] * tan(phi)};
+    }
+}
+
+/** Standard normal random number by Box and Muller. */
+static inline double normal(uint64_t seed, uint64_t item, uint64_t draw)
+{
+    const double u = clod_random_uniform(seed, CLOD_RANDOM_TEST, item, 2 * draw);
+    const double v = clod_random_uniform(seed, CLOD_RANDOM_TEST, item, 2 * draw + 1);
+    return sqrt(-2.0 * log(u)) * cos(2.0 * PI * v);
+}
+
+/** |a - b| <= relative * |b| */
+#define assert_near(a, b, relative)                                                            \
+    do {                                                                                       \
+        const double near_a = (a);                                                             \
+        const double near_b = (b);                                                             \
+        if (!(fabs(near_a - near_b) <= (relative)*fabs(near_b))) {                             \
+            fail_msg("%s = %.17g, expected %.17g within %g", #a, near_a, near_b,               \
+                     (double)(relative));                                                      \
+        }                                                                                      \
+    } while (0)
+
+#define assert_within(a, low, high)                                                            \
+    do {                                                                                       \
+        const double within_a = (a);                                                           \
+        if (!(within_a >= (low) && within_a <= (high))) {                                      \
+            fail_msg("%s = %.17g, expected %g to %g", #a, within_a, (double)(low),             \
+                     (double)(high));                                                          \
+        }                                                                                      \
+    } while (0)
+
+static inline bool has_warning(const clod_locus *locus, const char *part)
+{
+    for (size_t i = 0; i < locus->warning_count; i++) {
+        if (strstr(locus->warnings[i], part) != NULL) {
+            return true;
+        }
+    }
+    return false;
+}
