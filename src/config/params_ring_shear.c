@@ -54,7 +54,7 @@ static const clod_param ROWS[] = {
     REAL(lid_mass, "kg", CLOD_ABOVE(0, 1e4), "1 kg",
          "Mass with which the lid moves; its weight is part of the normal stress.",
          "PHYSICS 7"),
-    REAL(lid_damping, "1", CLOD_FROM(0, 100), "1",
+    REAL(lid_damping, "1", CLOD_FROM(0, 100), "0.002",
          "Damping of the lid as a fraction of critical against the stiffness of the bed.",
          "PHYSICS 7"),
     {.key = "grain_count",

@@ -48,7 +48,7 @@ void clod_step_near(clod_step *self, int part)
     if (!finite || !(again || thin)) { // positions that are not finite cannot be sorted
         return;
     }
-#pragma omp barrier
+    clod_barrier_wait(&self->barrier);
     if (part == 0) {
         if (again) {
             rebuild(self);
@@ -58,7 +58,7 @@ void clod_step_near(clod_step *self, int part)
         self->view.slots = self->near.slots;
         self->view.wall_slots = self->near.wall_slots;
     }
-#pragma omp barrier
+    clod_barrier_wait(&self->barrier);
     mine->near_motion = 0.0;
     mine->build_motion = again ? 0.0 : mine->build_motion;
 }

@@ -55,7 +55,7 @@ static void advance_part(clod_step *self, int64_t steps, int part)
         for (size_t k = 0; k < STAGE_COUNT; k++) {
             STAGES[k].run(self, part);
             if (STAGES[k].wait) {
-#pragma omp barrier
+                clod_barrier_wait(&self->barrier);
             }
             if (self->failed) { // set between barriers: all threads see it here
                 return;
@@ -194,6 +194,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
         return false;
     }
     look(self);
+    clod_barrier_init(&self->barrier, self->threads);
     return !fresh || first_forces(self, status);
 }
 

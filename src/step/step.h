@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "law/law.h"
+#include "parallel/barrier.h"
 #include "state/state.h"
 #include "step/kernel.h"
 #include "step/near.h"
@@ -34,6 +35,7 @@ typedef struct clod_step {
     const clod_laws *laws; ///< borrowed; adhesion may change between calls of advance
     const clod_kernel *kernel;
     int threads;
+    clod_barrier barrier;
     clod_step_thread *thread; ///< [threads]
     clod_neighbour neighbour; ///< candidates
     clod_near near;           ///< contact blocks, slots
