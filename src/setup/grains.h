@@ -14,7 +14,7 @@
  *
  * @param seed   of sizes and places
  * Errors  CLOD_USAGE: grains that do not fit, a wrong file, an id twice; CLOD_FAILED.
- * Threads pure.   Test  tests/setup/test_setup_grains.c
+ * Threads pure.   Test  tests/setup/test_setup_state.c
  */
 bool clod_setup_grains(const clod_case *from, int64_t seed, clod_state *state,
                        clod_status *status);
