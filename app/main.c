@@ -23,6 +23,7 @@ typedef struct verb {
 static const verb VERBS[] = {
     {"new", clod_app_new, "write an example case to start from"},
     {"run", clod_app_run, "run a case, or go on with one that was interrupted"},
+    {"check", clod_app_check, "tell what a case will be like and what it will cost"},
     {"contact", clod_app_contact, "drive one contact along a path and print force and history"},
     {"locus", clod_app_locus, "evaluate shear points, simulated or measured, as a yield locus"},
     {"explain", clod_app_explain, "tell what a key of a case file means"},

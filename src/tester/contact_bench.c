@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "base/assert.h"
 #include "law/law_contact.h"
@@ -259,9 +260,9 @@ static void finish(const clod_case *from, const bench *self,
         summary->restitution_both = clod_contact_bench_impact(law, self->m_star, self->r_star);
     }
     const double n = law->exponent;
-    summary->damping_ratio = 0.5 * law->damping / sqrt((n + 1.0) / (2.0 * n));
+    summary->damping_ratio = 0.5 * law->damping / sqrt((n + 1.0) / (2.0 * n)) + 0.0; // not -0
     const double tangent = clod_law_tangent(law, summary->d_max, self->r_star);
-    summary->damping_coefficient = law->damping * sqrt(self->m_star * tangent);
+    summary->damping_coefficient = law->damping * sqrt(self->m_star * tangent) + 0.0;
 }
 
 bool clod_contact_bench_run(const clod_case *from, clod_contact_bench_sink sink, void *context,
@@ -301,11 +302,22 @@ const char *clod_contact_bench_header(void)
            "coulomb_limit [N],sliding";
 }
 
-/** Append `count` numbers, a comma behind each; returns where the line ends. */
+/** Append a number with as few digits as read back exactly, and a comma. */
+static char *put_number(char *at, double value)
+{
+    for (int digits = 15; digits <= 17; digits++) {
+        const int length = snprintf(at, 32, "%.*g,", digits, value == 0.0 ? 0.0 : value);
+        if (strtod(at, NULL) == value || digits == 17) {
+            return at + length;
+        }
+    }
+    return at;
+}
+
 static char *put(char *at, const double *values, size_t count)
 {
     for (size_t v = 0; v < count; v++) {
-        at += snprintf(at, 32, "%.17g,", values[v] == 0.0 ? 0.0 : values[v]);
+        at = put_number(at, values[v]);
     }
     return at;
 }
