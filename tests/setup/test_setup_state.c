@@ -167,9 +167,9 @@ static void impact_of_a_fall_by_hand(void **state)
     end_with_file(&from);
 }
 
-// By hand: the load goes from 10 to 3600 N/m2 in a later stage; on 0.01 m2 with 2 kg and g = 10
-// that is 36 N + 20 N, 5600 Pa, and a contact carries 5600 * (2 mm)^2 = 0.0224 N: d = 2.24e-7
-// m.
+// By hand: the load goes from 10 to 3600 N/m2 in a later stage; on 0.01 m2 with 2000 kg and g =
+// 10 that is 36 N + 20000 N, and a contact carries 2.0036e6 Pa * (2 mm)^2 = 8.0144 N: d
+// = 8.0144e-5 m. A fall through 2 mm at 0.2 m/s has d = 0.2 * 6.47208e-6 m, as above.
 static void largest_load_of_all_stages_counts(void **state)
 {
     (void)state;
@@ -178,7 +178,7 @@ static void largest_load_of_all_stages_counts(void **state)
                        "gravity: [0 m/s2, 0 m/s2, -10 m/s2]\n"
                        "walls: {lid: {material: steel,"
                        " shapes: [{disc: {center: [0 m, 0 m, 2 mm], radius: 1 mm}}],"
-                       " load: {stress: 10 Pa, area: 0.01 m2, mass: 2 kg}}}\n");
+                       " load: {stress: 10 Pa, area: 0.01 m2, mass: 2000 kg}}}\n");
     clod_case_wall_change change = {.name = "lid", .has_stress = true, .stress = 3600.0};
     from->stages[0].walls = &change;
     from->stages[0].wall_count = 1;
@@ -187,11 +187,13 @@ static void largest_load_of_all_stages_counts(void **state)
     clod_timestep t;
     clod_status status = {0};
     assert_true(clod_setup_timestep(from, &s, &t, &status));
-    // the fall through 2 mm at 0.2 m/s has d = 0.2 * 6.47e-6 = 1.29e-6 m and is larger
-    check_relative(t.overlap, 0.2 * 6.47208e-6, 1e-5);
-    from->time.design_stress = 5600.0;
+    check_relative(t.overlap, 8.0144e-5, 1e-12);
+    s.walls.wall[0].mass = 0.0;
     assert_true(clod_setup_timestep(from, &s, &t, &status));
-    check_relative(t.overlap, 2.24e-7, 1e-12);
+    check_relative(t.overlap, 0.2 * 6.47208e-6, 1e-5);
+    from->time.design_stress = 5600.0; // takes the place of loads and falls
+    assert_true(clod_setup_timestep(from, &s, &t, &status));
+    check_relative(t.overlap, 5600.0 * 4e-6 / 1e5, 1e-12);
     s.gravity[2] = 0.0; // no fall, no weight: 3600 Pa
     from->time.design_stress = 0.0;
     assert_true(clod_setup_timestep(from, &s, &t, &status));
