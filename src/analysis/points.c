@@ -15,7 +15,6 @@
 #include "output/file.h"
 
 #define MOST_COLUMNS 64
-#define FAULT 512 // bytes of a message about one cell
 
 /** What a column means. */
 typedef struct column {
@@ -104,6 +103,13 @@ static const column *find_column(const char *name)
     return NULL;
 }
 
+/** What ends a sentence behind a text that may be a question already. */
+static const char *full_stop(const char *text)
+{
+    const size_t length = strlen(text);
+    return length > 0 && text[length - 1] == '?' ? "" : ".";
+}
+
 static bool fail_unknown(const reader *self, const char *name)
 {
     char hint[64];
@@ -111,11 +117,12 @@ static bool fail_unknown(const reader *self, const char *name)
     for (size_t i = 0; i < COLUMN_COUNT; i++) {
         clod_suggest_offer(&near, COLUMNS[i].names[0]);
     }
+    clod_suggest_text(&near, hint, sizeof hint);
     return clod_status_fail(
         self->status, CLOD_USAGE,
-        "%s:%zu: there is no column \"%.64s\"%s. Known are sigma_sh, tau_sh, sigma_pre, "
+        "%s:%zu: there is no column \"%.64s\"%s%s Known are sigma_sh, tau_sh, sigma_pre, "
         "tau_pre, seed, rho_b, tau_pre_error, tau_sh_error, rho_b_error.",
-        self->path, self->line, name, clod_suggest_text(&near, hint, sizeof hint));
+        self->path, self->line, name, hint, full_stop(hint));
 }
 
 /** "sigma_pre [kPa]" or "sigma_pre (kPa)": cut off the unit, "" when there is none. */
@@ -154,8 +161,9 @@ static bool check_unit(const reader *self, const column *kind, const char *unit)
     char message[CLOD_UNIT_MESSAGE];
     double one = 1.0;
     return clod_unit_convert(unit, kind->unit, &one, message) ||
-           clod_status_fail(self->status, CLOD_USAGE, "%s:%zu: column %s [%.64s]: %s.",
-                            self->path, self->line, kind->names[0], unit, message);
+           clod_status_fail(self->status, CLOD_USAGE, "%s:%zu: column %s [%.64s]: %s%s",
+                            self->path, self->line, kind->names[0], unit, message,
+                            full_stop(message));
 }
 
 static bool has_column(const reader *self, size_t index)
@@ -353,8 +361,8 @@ static bool read_default(const char *text, size_t index, double *value, clod_sta
     char message[CLOD_UNIT_MESSAGE] = "is not a number with a unit, such as 54.8 kPa";
     const char *unit = clod_unit_number(text, value);
     if (unit == NULL || !clod_unit_convert(unit, "Pa", value, message)) {
-        return clod_status_fail(status, CLOD_USAGE, "%s for all rows, \"%.64s\": %s.",
-                                COLUMNS[index].names[0], text, message);
+        return clod_status_fail(status, CLOD_USAGE, "%s for all rows, \"%.64s\": %s%s",
+                                COLUMNS[index].names[0], text, message, full_stop(message));
     }
     return *value > 0.0 ||
            clod_status_fail(status, CLOD_USAGE, "%s for all rows, \"%.64s\": must be above 0.",
