@@ -7,6 +7,7 @@
 #define INERTIAL_LIMIT 1.2e-3 ///< as in the result: quasi-static up to about 1e-3 (PHYSICS 5)
 #define OVERLAP_LIMIT 0.01    ///< of a radius
 #define RAYLEIGH_LIMIT 0.2
+#define BAR_LIMIT 0.98      ///< grain diameters, as good as one
 #define ACROSS_LIMIT 5.0    ///< grain diameters
 #define SERVO_STEPS 20.0    ///< steps in one period of a loaded wall
 #define THREAD_GRAINS 500.0 ///< grains below which a further thread does not pay
@@ -80,7 +81,7 @@ static void warn_ring(const clod_case_ring_shear *ring, clod_check_report *r)
     if (ring->bar_count == 0) {
         warn(r, "ring_shear.bar_count is 0: lid and base grip by friction alone and the solid "
                 "may slip along them");
-    } else if (r->bar_diameters < 1.0) {
+    } else if (r->bar_diameters < BAR_LIMIT) {
         warn(r,
              "the bars are %.2f grain diameters high: grains slip over them. Raise "
              "ring_shear.bar_height to %.3g mm",
@@ -125,6 +126,13 @@ static void warn_machine(clod_check_report *r)
     if (r->threads > r->processors) {
         warn(r, "%d threads on %d processors slow each other down. Use --threads %d",
              r->threads, r->processors, r->processors);
+    }
+    if (r->rate < r->rate_one) {
+        warn(
+            r,
+            "%d threads were slower than one when measured: the machine is busy, or the grains "
+            "are too few. Run when it is quiet, or use --threads 1",
+            r->threads);
     }
     const double each = (double)r->grains * r->side_by_side / r->threads;
     if (r->threads > 1 && each < THREAD_GRAINS) {
