@@ -40,6 +40,7 @@ void clod_step_near(clod_step *self, int part)
         speed2 = fmax(speed2, self->thread[t].max_speed2);
         finite &= self->thread[t].finite;
     }
+    mine->all_finite = finite;
     const double speed = sqrt(speed2);
     mine->build_motion += speed * self->state->dt;
     mine->near_motion += speed * self->state->dt;

@@ -38,11 +38,12 @@ static const clod_stage STAGES[] = {
 };
 #define STAGE_COUNT (sizeof STAGES / sizeof *STAGES)
 
-static bool has_trouble(const clod_step *self)
+/** Trouble as one thread sees it, from flags that stay until all threads have looked. */
+static bool has_trouble(const clod_step *self, int part)
 {
-    bool trouble = self->failed;
+    bool trouble = self->failed || !self->thread[part].all_finite;
     for (int t = 0; t < self->threads; t++) {
-        trouble |= !self->thread[t].finite || self->thread[t].excess;
+        trouble |= self->thread[t].excess;
     }
     return trouble;
 }
@@ -64,9 +65,26 @@ static void advance_part(clod_step *self, int64_t steps, int part)
         if (part == 0) {
             self->state->step = first + s + 1;
         }
-        if (has_trouble(self)) { // flags were written before the last barrier: all agree
+        if (has_trouble(self, part)) { // all agree
             break;
         }
+    }
+}
+
+/** All threads at once; alone when the run-time library does not give as many. */
+static void advance_all(clod_step *self, int64_t steps)
+{
+    bool alone = false;
+#pragma omp parallel num_threads(self->threads)
+    if (omp_get_num_threads() == self->threads) {
+        advance_part(self, steps, omp_get_thread_num());
+    } else if (omp_get_thread_num() == 0) {
+        alone = true;
+    }
+    if (alone) {
+        self->threads = 1;
+        clod_barrier_init(&self->barrier, 1);
+        advance_part(self, steps, 0);
     }
 }
 
@@ -77,15 +95,14 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
         self->thread[t].near_motion = self->thread[0].near_motion;
     }
     self->view.dt = self->state->dt;
-#pragma omp parallel num_threads(self->threads)
-    advance_part(self, steps, omp_get_thread_num());
+    advance_all(self, steps);
     self->state->build_motion = self->thread[0].build_motion;
     self->state->time = (double)self->state->step * self->state->dt;
     if (self->failed) {
         *status = self->status;
         return false;
     }
-    return !has_trouble(self) || clod_trouble_report(self, status);
+    return !has_trouble(self, 0) || clod_trouble_report(self, status);
 }
 
 static bool allocate(clod_step *self)
@@ -97,7 +114,7 @@ static bool allocate(clod_step *self)
         return false;
     }
     for (int t = 0; t < self->threads; t++) {
-        self->thread[t].finite = true;
+        self->thread[t].finite = self->thread[t].all_finite = true;
     }
     for (size_t w = 0; w < walls; w++) {
         self->pose[w] = clod_wall_pose_now(&self->state->walls.wall[w]);
@@ -169,7 +186,7 @@ static bool first_forces(clod_step *self, clod_status *status)
         clod_step_servo(self, t);
     }
     clod_walls_reset_sums(&self->state->walls);
-    return !has_trouble(self) || clod_trouble_report(self, status);
+    return !has_trouble(self, 0) || clod_trouble_report(self, status);
 }
 
 bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,

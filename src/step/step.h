@@ -26,8 +26,9 @@ typedef struct clod_step_thread {
     _Alignas(64) double max_speed2; ///< m2/s2, of its grains (and of the walls: thread 0)
     double build_motion;            ///< m, bound of any motion since the last rebuild
     double near_motion;             ///< m, since the last near list
-    bool finite;
-    bool excess; ///< an overlap beyond the laws' range
+    bool finite;                    ///< its grains' numbers
+    bool all_finite;                ///< those of all threads in this step
+    bool excess;                    ///< an overlap beyond the laws' range
 } clod_step_thread;
 
 typedef struct clod_step {
