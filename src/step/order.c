@@ -72,7 +72,8 @@ static bool wrap(clod_state *state, clod_status *status)
             const double max = state->domain.max[a];
             if (state->domain.periodic[a]) {
                 *x -= (max - min) * floor((*x - min) / (max - min));
-            } else if (!(*x >= min && *x <= max)) {
+            }
+            if (state->domain.periodic[a] ? !isfinite(*x) : !(*x >= min && *x <= max)) {
                 return clod_status_fail(
                     status, CLOD_FAILED,
                     "step %lld: grain %llu has left the domain: %c = %g m, allowed %g to %g m; "
