@@ -1,0 +1,204 @@
+// The same bits whatever the instruction set, the number of threads, the search, the thin skin
+// and the way in which the steps are asked for.
+
+#include <omp.h>
+
+#include "support/bed.h"
+#include "support/bits.h"
+
+#define STEPS 2500
+
+static void run_bed(scene *s, bed_kind kind, clod_step_options options)
+{
+    clod_status status = {0};
+    bed_init(s, kind, 1);
+    scene_start_with(s, options);
+    scene_run(s, STEPS);
+    assert_true(clod_step_export(&s->step, &status));
+}
+
+/** The reference run: scalar, one thread. It must be worth comparing with. */
+static void run_reference(scene *s, bed_kind kind)
+{
+    run_bed(s, kind, (clod_step_options){.threads = 1, .simd = "scalar"});
+    assert_true(s->step.rebuilds >= 2 && s->step.refreshes > s->step.rebuilds);
+    assert_true(s->state.contact_count > s->state.grains.count / 4);
+    assert_true(kind == BED_CLUSTER || s->state.wall_contact_count > 5);
+}
+
+static void compare(clod_step_options options)
+{
+    for (int kind = 0; kind < BED_KINDS; kind++) {
+        scene a, b;
+        run_reference(&a, (bed_kind)kind);
+        run_bed(&b, (bed_kind)kind, options);
+        check_same_bits(&a.state, &b.state);
+        scene_end(&a);
+        scene_end(&b);
+    }
+}
+
+static void compare_sets(const char *simd)
+{
+    if (clod_kernel_choose(simd) == NULL) {
+        print_message("this machine has no %s: not compared\n", simd);
+        skip();
+    }
+    compare((clod_step_options){.threads = 1, .simd = simd});
+}
+
+static void avx2_gives_the_bits_of_scalar(void **state)
+{
+    (void)state;
+    compare_sets("avx2");
+}
+
+static void avx512_gives_the_bits_of_scalar(void **state)
+{
+    (void)state;
+    compare_sets("avx512");
+}
+
+static void two_threads_give_the_bits_of_one(void **state)
+{
+    (void)state;
+    compare((clod_step_options){.threads = 2});
+}
+
+static void four_threads_give_the_bits_of_one(void **state)
+{
+    (void)state;
+    compare((clod_step_options){.threads = 4});
+}
+
+static void all_pairs_give_the_bits_of_cells(void **state)
+{
+    (void)state;
+    compare((clod_step_options){.threads = 1, .brute_force = true});
+}
+
+/** More threads than grains: some have nothing to do. */
+static void threads_without_work_do_no_harm(void **state)
+{
+    (void)state;
+    scene s[2];
+    for (int k = 0; k < 2; k++) {
+        const clod_case_contact contact = contact_ore();
+        scene_init(&s[k], 1e-6, &contact);
+        scene_grain(&s[k], 0.0, 0.0, 0.0, 3e-3);
+        scene_grain(&s[k], 0.0, 0.0, 5.9999e-3, 3e-3);
+        scene_start_with(&s[k], (clod_step_options){.threads = k == 0 ? 1 : 4});
+        scene_run(&s[k], 500);
+        assert_true(clod_step_export(&s[k].step, &s[k].step.status));
+    }
+    check_same_bits(&s[0].state, &s[1].state);
+    scene_end(&s[0]);
+    scene_end(&s[1]);
+}
+
+/** The run-time library gives one thread where four are asked for. */
+static void fewer_threads_than_asked_for_are_enough(void **state)
+{
+    (void)state;
+    const int levels = omp_get_max_active_levels();
+    omp_set_max_active_levels(0);
+    compare((clod_step_options){.threads = 4});
+    omp_set_max_active_levels(levels);
+}
+
+/** A near list that is made anew in every step (thin skin of nothing) changes no bit. */
+static void the_thin_skin_does_not_matter(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < BED_KINDS; kind++) {
+        clod_status status = {0};
+        scene a, b;
+        run_reference(&a, (bed_kind)kind);
+        bed_init(&b, (bed_kind)kind, 1);
+        scene_start(&b);
+        for (int k = 0; k < STEPS; k++) {
+            b.step.near.skin = 0.0;
+            scene_run(&b, 1);
+        }
+        assert_true(clod_step_export(&b.step, &status));
+        assert_true(b.step.refreshes + b.step.rebuilds == STEPS);
+        check_same_bits(&a.state, &b.state);
+        scene_end(&a);
+        scene_end(&b);
+    }
+}
+
+/** 2500 steps at once, in pieces, and with exports between them. */
+static void the_way_of_asking_does_not_matter(void **state)
+{
+    (void)state;
+    clod_status status = {0};
+    scene a, b;
+    run_reference(&a, BED_DRUM);
+    bed_init(&b, BED_DRUM, 1);
+    scene_start(&b);
+    dice roll = {3};
+    int left = STEPS;
+    while (left > 0) {
+        const int piece = dice_pick(&roll, 40) < left ? dice_pick(&roll, 40) : left;
+        const int steps = piece < left ? piece : left;
+        scene_run(&b, steps);
+        left -= steps;
+        if (dice_pick(&roll, 2) == 0) {
+            assert_true(clod_step_export(&b.step, &status));
+        }
+    }
+    assert_true(clod_step_export(&b.step, &status));
+    check_same_bits(&a.state, &b.state);
+    scene_end(&a);
+    scene_end(&b);
+}
+
+/** Grains given in another order, with the same ids: the order of sums is the curve's. */
+static void the_order_of_the_input_does_not_matter(void **state)
+{
+    (void)state;
+    scene a, b;
+    run_reference(&a, BED_SLIT);
+    bed_init(&b, BED_SLIT, 1);
+    clod_grains *g = &b.state.grains;
+    for (size_t k = 0; k < g->count / 2; k++) {
+        const size_t other = g->count - 1 - k;
+        double row[3][4];
+        double(*rows[3])[4] = {g->place, g->motion, g->turning};
+        for (int r = 0; r < 3; r++) {
+            memcpy(row[r], rows[r][k], sizeof row[r]);
+            memcpy(rows[r][k], rows[r][other], sizeof row[r]);
+            memcpy(rows[r][other], row[r], sizeof row[r]);
+        }
+        const uint64_t id = g->id[k];
+        g->id[k] = g->id[other];
+        g->id[other] = id;
+        const uint16_t material = g->material[k];
+        g->material[k] = g->material[other];
+        g->material[other] = material;
+    }
+    scene_start(&b);
+    scene_run(&b, STEPS);
+    assert_true(clod_step_export(&b.step, &b.step.status));
+    check_same_bits(&a.state, &b.state);
+    scene_end(&a);
+    scene_end(&b);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(avx2_gives_the_bits_of_scalar),
+        cmocka_unit_test(avx512_gives_the_bits_of_scalar),
+        cmocka_unit_test(two_threads_give_the_bits_of_one),
+        cmocka_unit_test(four_threads_give_the_bits_of_one),
+        cmocka_unit_test(all_pairs_give_the_bits_of_cells),
+        cmocka_unit_test(threads_without_work_do_no_harm),
+        cmocka_unit_test(fewer_threads_than_asked_for_are_enough),
+        cmocka_unit_test(the_thin_skin_does_not_matter),
+        cmocka_unit_test(the_way_of_asking_does_not_matter),
+        cmocka_unit_test(the_order_of_the_input_does_not_matter),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
