@@ -5,6 +5,7 @@
 
 #include <argp.h>
 #include <errno.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -76,20 +77,20 @@ static bool print_row(void *context, const clod_contact_bench_row *row, clod_sta
 static void print_summary(FILE *out, const clod_contact_bench_summary *s)
 {
     const double overlap = s->d_before > 0.0 ? s->d_min / s->d_before : 0.0;
-    const double force = s->f_before > 0.0 ? -s->f_min / s->f_before : 0.0;
+    const double force = s->f_before > 0.0 ? fabs(s->f_min) / s->f_before : 0.0;
     fprintf(out, "                              this path    closed form\n");
     fprintf(out, "largest force             %11.6g N\n", s->f_max);
     fprintf(out, "  at overlap              %11.6g m\n", s->d_max);
-    fprintf(out, "largest pull              %11.6g N\n", -s->f_min);
+    fprintf(out, "largest pull              %11.6g N\n", fabs(s->f_min));
     fprintf(out, "  at overlap              %11.6g m\n", s->d_min);
     fprintf(out, "d_min / d_max             %11.6f      %11.6f\n", overlap,
             s->pull_off_overlap);
     fprintf(out, "|f_min| / f_max           %11.6f      %11.6f\n", force, s->pull_off_force);
     fprintf(out, "restitution, law alone                     %11.6f%s\n", s->restitution_law,
-            s->restitution_law > 0.0 ? "" : "  (sticks)");
+            s->restitution_law > 0.0 ? "" : "  (does not part)");
     fprintf(out, "  dash-pot alone, as asked                 %11.6f\n", s->restitution_asked);
     fprintf(out, "  both, a computed impact                  %9.4f%s\n", s->restitution_both,
-            s->restitution_both > 0.0 ? "" : "  (sticks)");
+            s->restitution_both > 0.0 ? "" : "  (does not part)");
     fprintf(out, "damping ratio                              %11.6f\n", s->damping_ratio);
     fprintf(out, "gamma_n at the largest force               %11.6g N s/m\n",
             s->damping_coefficient);

@@ -55,8 +55,8 @@ typedef struct clod_contact_bench_summary {
     double pull_off_overlap;    ///< closed form d_min/d_max
     double pull_off_force;      ///< closed form |f_min|/f_max
     double restitution_asked;   ///< e of the dash-pot
-    double restitution_law;     ///< closed form, the law without dash-pot; 0: it sticks
-    double restitution_both;    ///< an impact with law and dash-pot, integrated; 0: it sticks
+    double restitution_law;     ///< closed form, the law without dash-pot; 0: no parting
+    double restitution_both;    ///< an impact with law and dash-pot, integrated; 0: no parting
     double damping_ratio;       ///< z of PHYSICS 2
     double damping_coefficient; ///< gamma_n at d_max [N s/m]
 } clod_contact_bench_summary;

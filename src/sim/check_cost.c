@@ -28,7 +28,7 @@
 #define REVERSE_SPEED 0.033 ///< of the speed of preshear
 #define REVERSE_LIKELY 2e-4 ///< m
 #define REVERSE_MOST 2e-3
-#define PRESHEAR_LIKELY 2.5 ///< times the least displacement
+#define PRESHEAR_LIKELY 5.0 ///< times the least displacement
 #define PEAK_LIKELY 4e-3    ///< m of shear
 #define ROW_STEPS 200.0     ///< steps for each row of the series
 #define ROW_COLUMNS 11.0
