@@ -4,20 +4,20 @@
 #include <string.h>
 
 #include "base/assert.h"
-
-#define HEIGHT_SHARE 0.2 // tolerance of the height, as a part of that of the shear stress
+#define BLIND 1.5 // largest error of the trend, in tolerances
 
 enum { TAU, HEIGHT };
 
 void clod_steady_init(clod_steady *self, int64_t blocks_needed, int64_t samples_per_block,
-                      double tolerance)
+                      double tolerance, double height_tolerance)
 {
     CLOD_ASSERT(blocks_needed >= CLOD_STEADY_MIN && blocks_needed <= CLOD_STEADY_MAX);
-    CLOD_ASSERT(samples_per_block >= 1 && tolerance > 0.0);
+    CLOD_ASSERT(samples_per_block >= 1 && tolerance > 0.0 && height_tolerance > 0.0);
     memset(self, 0, sizeof *self);
     self->blocks_needed = blocks_needed;
     self->samples_per_block = samples_per_block;
     self->tolerance = tolerance;
+    self->height_tolerance = height_tolerance;
 }
 
 /** Block average number `k` of the last `window` blocks. */
@@ -61,7 +61,7 @@ static bool is_level(const clod_steady *self, int signal, int64_t window, double
     const double limit = tolerance * fabs(mean.value);
     const double trend = fabs(mean.trend);
     const bool certain = trend > 2.0 * trend_error;
-    return trend <= (certain ? 0.5 * limit : limit) && mean.error <= limit;
+    return trend <= (certain ? 0.5 * limit : limit) && trend_error <= BLIND * limit;
 }
 
 /** Largest window that is steady, 0 when none is. */
@@ -71,7 +71,7 @@ static int64_t find_window(const clod_steady *self)
         self->block_count < CLOD_STEADY_MAX ? self->block_count : CLOD_STEADY_MAX;
     for (int64_t window = kept; window >= self->blocks_needed; window--) {
         if (is_level(self, TAU, window, self->tolerance) &&
-            is_level(self, HEIGHT, window, HEIGHT_SHARE * self->tolerance)) {
+            is_level(self, HEIGHT, window, self->height_tolerance)) {
             return window;
         }
     }

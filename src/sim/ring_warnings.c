@@ -9,6 +9,7 @@
 
 #define SERVO_LIMIT 0.01     ///< relative error of the mean normal stress
 #define OVERLAP_LIMIT 0.01   ///< largest overlap as a fraction of a radius
+#define DILATION_LIMIT 0.01  ///< change of height per shear displacement
 #define INERTIA_LIMIT 1.2e-3 ///< inertial number: quasi-static up to 1e-3 (PHYSICS 5)
 #define GRAINS_LIMIT 5.0     ///< diameters across the smaller of ring width and height
 #define BOX_SIZE 32768
@@ -59,6 +60,18 @@ static void add_flags(warning_box *box, const clod_case *from, const clod_ring_p
     }
 }
 
+/** The height decides nothing in preshear, but critical state means that it is constant. */
+static void add_dilation(warning_box *box, const clod_ring_part *part)
+{
+    const double rate = part->test.preshear_dilation;
+    if (part->point < 0 && fabs(rate) > DILATION_LIMIT) {
+        add(box,
+            "%s: the shear stress is steady, but the specimen still %s by %.3f mm per mm of "
+            "shear: not the critical state. Raise ring_shear.steady_blocks to go further",
+            part->name, rate > 0.0 ? "dilates" : "contracts", fabs(rate));
+    }
+}
+
 static void add_servo(warning_box *box, const clod_ring_part *part)
 {
     const clod_ring_shear *t = &part->test;
@@ -93,6 +106,7 @@ char *clod_ring_warnings(const clod_case *from, const clod_ring_part *part, int 
     for (int p = 0; p < parts; p++) {
         add_flags(&box, from, &part[p]);
         add_servo(&box, &part[p]);
+        add_dilation(&box, &part[p]);
         if (part[p].max_overlap > OVERLAP_LIMIT) {
             add(&box, "%s: overlap up to %.2f %% of a radius; the stiffness is too low",
                 part[p].name, 100.0 * part[p].max_overlap);

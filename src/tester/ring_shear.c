@@ -147,7 +147,10 @@ void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_st
     for (size_t g = 0; g < state->grains.count; g++) {
         self->grain_mass += state->grains.motion[g][3];
     }
-    clod_steady_init(&self->steady, cell->steady_blocks, BLOCK_SAMPLES, cell->steady_tolerance);
+    // as the operator of a shear tester: steady is when the shear stress is (ASTM D6773); a
+    // height that still changes is told in the warning box
+    clod_steady_init(&self->steady, cell->steady_blocks, BLOCK_SAMPLES, cell->steady_tolerance,
+                     INFINITY);
     clod_peak_init(&self->peak, PEAK_WINDOW, cell->beyond_peak);
     find_wall(state, "lid")->load = CLOD_LOAD_NONE;
     enter(self, state, CLOD_RING_SHEAR_FILL);
@@ -312,6 +315,8 @@ static void after_preshear(clod_ring_shear *self, clod_state *state, const doubl
     self->preshear_height = mean.height.value;
     self->preshear_density =
         self->grain_mass / (self->area * mean.height.value - self->bars_volume);
+    self->preshear_dilation =
+        mean.height.trend / (((double)mean.blocks - 1.0) * self->block_displacement);
     self->preshear_displacement = self->displacement;
     enter(self, state, CLOD_RING_SHEAR_DONE);
 }

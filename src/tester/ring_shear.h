@@ -84,7 +84,8 @@ typedef struct clod_ring_shear {
     // results
     double preshear_normal, preshear_shear, preshear_error; ///< Pa; error of the mean
     double preshear_height, preshear_density;
-    double preshear_displacement;                  ///< m
+    double preshear_displacement; ///< m
+    double preshear_dilation;     ///< change of height per shear displacement, steady blocks
     double point_normal, point_shear, point_error; ///< Pa, peak
     double point_displacement;                     ///< m, from the start of shear to the peak
     double point_density;                          ///< kg/m3 at the peak
