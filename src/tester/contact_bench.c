@@ -147,7 +147,7 @@ static void advance(bench *self, const pace *speed, clod_contact_bench_row *row)
     const clod_law_memory *m = &self->memory;
     double plastic = m->plastic; // inside the clamp by now: it stays
     row->force = clod_law_normal_force(law, s, &plastic);
-    row->damping = clod_law_damping(law, s, motion.m_star) * speed->closing;
+    row->damping = -clod_law_damping(law, s, motion.m_star) * motion.velocity.z;
     row->friction[0] = result.force.x;
     row->friction[1] = result.force.y;
     const vreal3 torque = vreal3_axpy(result.roll, -motion.arm_i, result.lever);

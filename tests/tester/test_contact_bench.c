@@ -269,6 +269,29 @@ static void rolling_resists_without_slip(void **state)
     assert_true(fabs(p->row[199].friction[0]) < 1e-9);
 }
 
+// At a wall the lever arm is R - d, and epsd's dash-pot 2 z_r sqrt(I k_r) with I = 7/5 m R^2
+// about the contact, k_r = 2.25 mu_r^2 dk R^2; the grain rolls 1e-6 rad in 1 us steps of 1e-7
+// rad.
+static void a_wall_has_the_whole_overlap(void **state)
+{
+    (void)state;
+    const path *p =
+        drive(MEPA("3.56e8") ", rolling: epsd, rolling_friction: 0.3, "
+                             "rolling_damping: 0.25",
+              WALL "    - {overlap: 3 um}\n"
+                   "    - {overlap: 3 um, roll: 1e-6 rad, duration: 10 us, steps: 10}\n"
+                   "    - {overlap: 3 um, slip: [0.3 um, 0 um]}\n");
+    const double tangent = 1.5 * K1 * sqrt(3e-6);
+    const double mass = 2481.3 * 4.0 / 3.0 * M_PI * 27e-9;
+    const double k_r = 2.25 * 0.09 * tangent * 9e-6;
+    const double dash_pot = 2.0 * 0.25 * sqrt(1.4 * mass * 9e-6 * k_r) * 1e-6 / 10e-6;
+    near(p->row[109].roll_torque[1], -k_r * 1e-6 - dash_pot, 1e-9);
+    const clod_contact_bench_row *slip = &p->row[209];
+    const double arm = 3e-3 - 3e-6; // its torque about t2 is -arm F_t1, the rest is rolling
+    near(slip->friction[0], -tangent * 0.3e-6, 1e-9);
+    near(slip->torque[1] - slip->roll_torque[1], arm * tangent * 0.3e-6, 1e-9);
+}
+
 // Twist turns grain 1 alone, the pair by half of it: 180 deg carry the spring from t1 to t2.
 static void twist_carries_the_spring_along(void **state)
 {
@@ -385,6 +408,7 @@ int main(void)
         cmocka_unit_test(damping_follows_from_the_duration),
         cmocka_unit_test(friction_is_a_spring_up_to_its_limit),
         cmocka_unit_test(rolling_resists_without_slip),
+        cmocka_unit_test(a_wall_has_the_whole_overlap),
         cmocka_unit_test(twist_carries_the_spring_along),
         cmocka_unit_test(adhesion_is_a_fraction_of_its_value),
         cmocka_unit_test(a_gap_forgets_everything),
