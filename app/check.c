@@ -4,9 +4,11 @@
  */
 
 #include <argp.h>
+#include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "app.h"
 #include "clod/check.h"
@@ -81,13 +83,15 @@ static bool work(const request *self, clod_status *status)
     char *text = malloc(CLOD_CHECK_TEXT);
     bool good = text != NULL || clod_status_fail(status, CLOD_FAILED, "out of memory");
     good = good && clod_check_report_make(from, &self->options, &report, status);
-    if (good && !self->json) {
-        clod_check_report_text(&report, text);
-        fputs(text, stdout);
+    if (good && self->json) {
+        good = clod_check_report_json(&report, text) ||
+               clod_status_fail(status, CLOD_FAILED, "out of memory");
     } else if (good) {
-        good = clod_check_report_json(&report, text)
-                   ? puts(text) >= 0
-                   : clod_status_fail(status, CLOD_FAILED, "out of memory");
+        clod_check_report_text(&report, text);
+    }
+    if (good && (printf("%s%s", text, self->json ? "\n" : "") < 0 || fflush(stdout) != 0)) {
+        good = clod_status_fail(status, CLOD_FAILED, "the report cannot be written: %s",
+                                strerror(errno));
     }
     free(text);
     clod_case_destroy(&from);

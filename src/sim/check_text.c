@@ -111,17 +111,25 @@ static void write_ring(page *to, const clod_check_report *r)
 static void write_cost(page *to, const clod_check_report *r)
 {
     char a[32], b[32], c[32], d[32];
-    line(to, "simulated time", "likely %.3g s, at most %.3g s%s", r->time_likely, r->time_most,
-         r->kind == CLOD_CHECK_RING_SHEAR ? ", all parts together" : "");
-    line(to, "steps", "likely %.3g, at most %.3g", r->steps_likely, r->steps_most);
+    if (r->kind == CLOD_CHECK_RING_SHEAR) {
+        line(to, "simulated time", "likely %.3g s, at most %.3g s, all parts together",
+             r->time_likely, r->time_most);
+        line(to, "steps", "likely %.3g, at most %.3g", r->steps_likely, r->steps_most);
+    } else {
+        line(to, "simulated time", "%.3g s at most, %.3g steps", r->time_most, r->steps_most);
+    }
     line(to, "rate",
          "%.3g grain-steps/s with %d thread%s, %.3g with one (%s, measured on %zu "
          "grains)",
          r->rate, r->threads, r->threads > 1 ? "s" : "", r->rate_one, r->simd,
          r->sample_grains);
-    line(to, "wall-clock", "likely %s, at most %s; up to %d part%s side by side",
-         clock_words(r->clock_likely, a), clock_words(r->clock_most, b), r->side_by_side,
-         r->side_by_side > 1 ? "s" : "");
+    if (r->kind == CLOD_CHECK_RING_SHEAR) {
+        line(to, "wall-clock", "likely %s, at most %s; up to %d part%s side by side",
+             clock_words(r->clock_likely, a), clock_words(r->clock_most, b), r->side_by_side,
+             r->side_by_side > 1 ? "s" : "");
+    } else {
+        line(to, "wall-clock", "%s at most", clock_words(r->clock_most, a));
+    }
     line(to, "memory", "%s", byte_words(r->memory, a));
     line(to, "disk", "%s: series %s, snapshots %s, checkpoints %s", byte_words(r->disk, a),
          byte_words(r->disk_series, b), byte_words(r->disk_snapshots, c),

@@ -67,7 +67,7 @@ static void warn_ring(const clod_case_ring_shear *ring, clod_check_report *r)
     const double worst = fmax(r->inertial_preshear, r->inertial_lowest);
     if (worst > INERTIAL_LIMIT) {
         warn(r,
-             "inertial number %.2g: the grains' inertia adds to the shear stress (1e-3 is "
+             "inertial number %.3g: the grains' inertia adds to the shear stress (1e-3 is "
              "quasi-static). Lower ring_shear.speed to %.2g mm/s",
              worst, 1e3 * ring->speed * 1e-3 / worst);
     }
