@@ -33,9 +33,9 @@ lint: setup-test ## only the checks of the sources
 	@cmake --preset test --log-level=WARNING
 	@ctest --preset test -j $(JOBS) -L lint
 
-bench: build ## build the programs that measure speed, into build/release/bench
+bench: setup-test build ## measure the speed of the step; prints bench/results/step.md
 	@cmake --build --preset release --target bench
-	@ls $(RELEASE)/bench
+	@bench/run-step $(RELEASE)/bench/bench_step
 
 format: setup-test ## put all sources into the house format
 	clang-format-14 -i $$(find src include app tests bench -name '*.[ch]')
