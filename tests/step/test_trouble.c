@@ -1,0 +1,217 @@
+// What a run says when physics goes wrong: exact texts, with the grain and the step.
+
+#include <float.h>
+
+#include "support/bed.h"
+
+static void expect(scene *s, int64_t steps, clod_code code, const char *text)
+{
+    clod_status status = {0};
+    assert_false(clod_step_advance(&s->step, steps, &status));
+    assert_string_equal(status.text, text);
+    assert_int_equal(status.code, code);
+}
+
+static void expect_at_start(scene *s, clod_step_options options, clod_code code,
+                            const char *text)
+{
+    clod_status status = {0};
+    assert_false(clod_step_init(&s->step, &s->state, &s->laws, &options, &status));
+    assert_string_equal(status.text, text);
+    assert_int_equal(status.code, code);
+    scene_end(s);
+}
+
+static void two_grains(scene *s, double apart)
+{
+    const clod_case_contact contact = contact_ore();
+    scene_init(s, 1e-6, &contact);
+    scene_grain(s, 0.0, 0.0, 0.0, 3e-3);
+    scene_grain(s, apart, 0.0, 0.0, 3e-3);
+}
+
+static void an_unknown_instruction_set(void **state)
+{
+    (void)state;
+    scene s;
+    two_grains(&s, 0.01);
+    expect_at_start(&s, (clod_step_options){.threads = 1, .simd = "mmx"}, CLOD_USAGE,
+                    "instruction set 'mmx' is unknown or not in this machine; use scalar, "
+                    "avx2 or avx512, or leave it out for the best");
+}
+
+/** 4 R + 2 skin, skin 0.3 R, R = 3 mm: 13.8 mm. */
+static void a_period_that_is_too_short(void **state)
+{
+    (void)state;
+    scene s;
+    two_grains(&s, 0.008);
+    s.state.domain.periodic[1] = true;
+    s.state.domain.min[1] = 0.0;
+    s.state.domain.max[1] = 0.0138;
+    expect_at_start(&s, (clod_step_options){.threads = 1}, CLOD_USAGE,
+                    "domain: the period along y is 0.0138 m, but a grain would meet its own "
+                    "neighbours twice; at least 0.0138 m is needed for these grains");
+    two_grains(&s, 0.008);
+    s.state.domain.periodic[1] = true;
+    s.state.domain.min[1] = 0.0;
+    s.state.domain.max[1] = 0.0139;
+    scene_start(&s);
+    scene_end(&s);
+}
+
+static void a_grain_outside_at_the_start(void **state)
+{
+    (void)state;
+    scene s;
+    two_grains(&s, 0.01);
+    s.state.domain.min[2] = 0.001;
+    expect_at_start(&s, (clod_step_options){.threads = 1}, CLOD_FAILED,
+                    "step 0: grain 0 has left the domain: z = 0 m, allowed 0.001 to 10 m; "
+                    "enlarge domain, close the gap in the walls, or take a smaller time step");
+}
+
+static void a_position_that_is_not_a_number(void **state)
+{
+    (void)state;
+    for (int periodic = 0; periodic < 2; periodic++) {
+        scene s;
+        two_grains(&s, 0.01);
+        s.state.domain.periodic[0] = periodic == 1;
+        s.state.grains.place[1][0] = NAN;
+        expect_at_start(
+            &s, (clod_step_options){.threads = 1}, CLOD_FAILED,
+            "step 0: grain 1 has left the domain: x = nan m, allowed -10 to 10 m; "
+            "enlarge domain, close the gap in the walls, or take a smaller time step");
+    }
+}
+
+/** The domain is looked at when the grains are sorted: when the wide skin is used up. */
+static void a_grain_that_leaves(void **state)
+{
+    (void)state;
+    for (int threads = 1; threads <= 2; threads++) {
+        scene s;
+        two_grains(&s, 0.01);
+        scene_move(&s, 1, 1.0, 0.0, 0.0);
+        s.state.domain.max[0] = 0.0103;
+        scene_start_with(&s, (clod_step_options){.threads = threads});
+        // skin 0.9 mm: rebuilt after more than 0.45 mm, in step 450 or 451 by rounding
+        clod_status status = {0};
+        assert_false(clod_step_advance(&s.step, 1000, &status));
+        assert_non_null(strstr(status.text,
+                               "grain 1 has left the domain: x = 0.01045 m, allowed -10 to "
+                               "0.0103 m; enlarge domain, close the gap in the walls, or take "
+                               "a smaller time step"));
+        assert_in_range(s.state.step, 449, 451);
+        scene_end(&s);
+    }
+}
+
+/** 10 m/s against 3 mm: an overlap of 20 % of 3 mm is reached at 0.6 mm. */
+static void an_overlap_beyond_the_laws(void **state)
+{
+    (void)state;
+    for (int threads = 1; threads <= 2; threads++) {
+        scene s;
+        two_grains(&s, 0.0061);
+        for (int l = 0; l < SCENE_LAWS; l++) {
+            s.law[l].k1 = s.law[l].k2 = 1.0; // nothing holds it back
+        }
+        scene_move(&s, 1, -10.0, 0.0, 0.0);
+        scene_start_with(&s, (clod_step_options){.threads = threads});
+        // 0.1 mm free, then 0.6 mm: beyond after 0.7 mm, 71 steps of 10 um
+        clod_status status = {0};
+        assert_false(clod_step_advance(&s.step, 1000, &status));
+        assert_in_range(s.state.step, 70, 71);
+        char text[512];
+        snprintf(
+            text, sizeof text,
+            "step %d: grain 0 overlaps grain 1 by %s %% of its radius; the contact laws "
+            "hold up to 20 %%. Stiffen the contact, lower the load, or take a smaller time "
+            "step (now 1e-06 s)",
+            (int)s.state.step, s.state.step == 70 ? "20.0" : "20.3");
+        assert_string_equal(status.text, text);
+        scene_end(&s);
+    }
+}
+
+static void an_overlap_with_a_wall_at_the_start(void **state)
+{
+    (void)state;
+    scene s;
+    two_grains(&s, 0.01);
+    scene_wall(&s, "the floor", shape_floor(-0.00225));
+    expect_at_start(
+        &s, (clod_step_options){.threads = 1}, CLOD_FAILED,
+        "step 0: grain 0 overlaps wall 'the floor' by 25.0 % of its radius; the "
+        "contact laws hold up to 20 %. Stiffen the contact, lower the load, or take "
+        "a smaller time step (now 1e-06 s)");
+}
+
+static void a_velocity_that_is_not_a_number(void **state)
+{
+    (void)state;
+    for (int threads = 1; threads <= 2; threads++) {
+        scene s;
+        two_grains(&s, 0.01);
+        s.state.grains.motion[1][2] = NAN;
+        s.state.step = 41;
+        scene_start_with(&s, (clod_step_options){.threads = threads});
+        expect(
+            &s, 1000, CLOD_FAILED,
+            "step 42: position, velocity or spin of grain 1 is not a finite number; the time "
+            "step (1e-06 s) is most likely too large, see clod check");
+        scene_end(&s);
+    }
+}
+
+static void a_spin_without_bounds(void **state)
+{
+    (void)state;
+    scene s;
+    two_grains(&s, 0.01);
+    scene_turn(&s, 0, 0.0, DBL_MAX, 0.0);
+    scene_start(&s);
+    expect(&s, 1000, CLOD_FAILED,
+           "step 1: position, velocity or spin of grain 0 is not a finite number; the time "
+           "step (1e-06 s) is most likely too large, see clod check");
+    scene_end(&s);
+}
+
+/** A time step far too long must end in one of the texts, never in silence or a crash. */
+static void a_time_step_far_too_long_is_found_out(void **state)
+{
+    (void)state;
+    const double steps[] = {1e-4, 1e-3, 1e-2, 1.0};
+    for (int kind = 0; kind < BED_KINDS; kind++) {
+        for (int k = 0; k < 4; k++) {
+            scene s;
+            clod_status status = {0};
+            bed_init(&s, (bed_kind)kind, 4);
+            s.state.dt = steps[k];
+            scene_start_with(&s, (clod_step_options){.threads = 1 + k % 2});
+            assert_false(clod_step_advance(&s.step, 20000, &status));
+            assert_int_equal(status.code, CLOD_FAILED);
+            assert_int_equal(strncmp(status.text, "step ", 5), 0);
+            scene_end(&s);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_unknown_instruction_set),
+        cmocka_unit_test(a_period_that_is_too_short),
+        cmocka_unit_test(a_grain_outside_at_the_start),
+        cmocka_unit_test(a_position_that_is_not_a_number),
+        cmocka_unit_test(a_grain_that_leaves),
+        cmocka_unit_test(an_overlap_beyond_the_laws),
+        cmocka_unit_test(an_overlap_with_a_wall_at_the_start),
+        cmocka_unit_test(a_velocity_that_is_not_a_number),
+        cmocka_unit_test(a_spin_without_bounds),
+        cmocka_unit_test(a_time_step_far_too_long_is_found_out),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
