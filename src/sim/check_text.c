@@ -118,11 +118,11 @@ static void write_cost(page *to, const clod_check_report *r)
     } else {
         line(to, "simulated time", "%.3g s at most, %.3g steps", r->time_most, r->steps_most);
     }
-    line(to, "rate",
-         "%.3g grain-steps/s with %d thread%s, %.3g with one (%s, measured on %zu "
-         "grains)",
-         r->rate, r->threads, r->threads > 1 ? "s" : "", r->rate_one, r->simd,
-         r->sample_grains);
+    line(to, "rate", "%.3g grain-steps/s with %d thread%s (%s, measured on %zu grains)",
+         r->rate, r->threads, r->threads > 1 ? "s" : "", r->simd, r->sample_grains);
+    if (r->threads > 1) {
+        line(to, "", "%.3g with one", r->rate_one);
+    }
     if (r->kind == CLOD_CHECK_RING_SHEAR) {
         line(to, "wall-clock", "likely %s, at most %s; up to %d part%s side by side",
              clock_words(r->clock_likely, a), clock_words(r->clock_most, b), r->side_by_side,
