@@ -51,7 +51,7 @@ static bool write_points(const char *directory, const clod_locus_point *points, 
     return ok;
 }
 
-static json_t *part_json(const clod_ring_part *part)
+static json_t *part_json(const clod_case *from, const clod_ring_part *part)
 {
     const clod_ring_shear *t = &part->test;
     json_t *j =
@@ -74,7 +74,7 @@ static json_t *part_json(const clod_ring_part *part)
     json_object_set_new(j, "height_m", json_real(t->preshear_height));
     json_object_set_new(j, "hanger_force_N",
                         json_real((point ? t->shear_stress : t->preshear_stress) * t->area -
-                                  t->lid_mass * 9.80665));
+                                  t->lid_mass * -from->gravity[2]));
     return j;
 }
 
@@ -86,7 +86,7 @@ static bool write_summary(const clod_sim *sim, const clod_ring_part *part, int p
     char *locus = clod_locus_json(study);
     json_t *list = json_array();
     for (int p = 0; p < parts; p++) {
-        json_array_append_new(list, part_json(&part[p]));
+        json_array_append_new(list, part_json(sim->from, &part[p]));
     }
     json_t *root = json_pack(
         "{s:s, s:s, s:o, s:o?, s:s}", "title", sim->from->title != NULL ? sim->from->title : "",

@@ -52,7 +52,7 @@ static void name_part(const clod_case *from, int64_t seed, int64_t point, char n
     if (point < 0) {
         snprintf(name, 48, "%spreshear", prefix);
     } else {
-        snprintf(name, 48, "%spoint-%lld", prefix, (long long)(point + 1));
+        snprintf(name, 48, "%spoint-%lld", prefix, (long long)point + 1);
     }
 }
 

@@ -24,10 +24,10 @@ __attribute__((format(printf, 2, 3))) static void add(warning_box *box, const ch
     va_list args;
     va_start(args, format);
     if (box->used == 0) {
-        box->used = (size_t)snprintf(box->text, BOX_SIZE, "\nWARNINGS\n");
+        box->used = (size_t)snprintf(box->text, BOX_SIZE, "\n  Warnings of the simulation\n");
     }
     if (box->used + 600 < BOX_SIZE) {
-        box->used += (size_t)snprintf(box->text + box->used, BOX_SIZE - box->used, "  ! ");
+        box->used += (size_t)snprintf(box->text + box->used, BOX_SIZE - box->used, "  - ");
         box->used +=
             (size_t)vsnprintf(box->text + box->used, BOX_SIZE - box->used, format, args);
         box->used += (size_t)snprintf(box->text + box->used, BOX_SIZE - box->used, "\n");
