@@ -153,12 +153,21 @@ static void ring_numbers(void **state)
     near(r->across_width, 50.0 / 6.0, 1e-3);
     near(r->across_depth, 40.0 / 6.0, 1e-3);
     near(r->bar_diameters, 6.35 / 6.0, 1e-3);
-    // at most: preshear 120 mm at 30 mm/s, shear 15 mm at 15, 21.2 and 26.8 mm/s, and the rest
-    const double shear = 4.0 + 1.0 + 0.5 * sqrt(2.0) + 0.5 / sqrt(0.8);
-    assert_true(r->time_most > shear && r->time_most < shear + 10.0);
     assert_true(r->time_likely > 0.0 && r->time_likely < r->time_most);
     near(r->steps_most, r->time_most / r->step, 1e-12);
     assert_true(r->clock_likely > 0.0 && r->clock_likely < r->clock_most);
+}
+
+// At most: preshear_max at 30 mm/s, shear_max at 15, 21.2 and 26.8 mm/s, and what is the same.
+static void limits_of_shear_bound_the_time(void **state)
+{
+    const double usual = check(state, RING, NULL)->time_most;
+    const double preshear = check(state, RING, "ring_shear.preshear_max=240 mm")->time_most;
+    const double shear = check(state, RING, "ring_shear.shear_max=30 mm")->time_most;
+    const double twice = check(state, RING, "ring_shear.seeds=2")->time_most;
+    near(preshear - usual, 4.0, 1e-9);
+    near(shear - usual, 1.0 + 0.5 * sqrt(2.0) + 0.5 / sqrt(0.8), 1e-9);
+    near(twice, 2.0 * usual, 1e-9);
 }
 
 // No contact, no walls: 0.3 s of 2e-7 s. Bond number without gravity has no meaning.
@@ -307,6 +316,7 @@ int main(void)
         cmocka_unit_test(contact_at_the_target_stress),
         cmocka_unit_test(step_and_what_sets_it),
         cmocka_unit_test(ring_numbers),
+        cmocka_unit_test(limits_of_shear_bound_the_time),
         cmocka_unit_test(free_run_numbers),
         cmocka_unit_test(a_good_case_has_no_warning),
         cmocka_unit_test(each_fault_has_its_warning),
