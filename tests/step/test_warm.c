@@ -28,12 +28,12 @@ static void warm_steps_allocate_nothing(void **state)
             scene s;
             gas_init(&s, (bed_kind)kind);
             scene_start_with(&s, (clod_step_options){.threads = threads});
-            scene_run(&s, 20000);
+            scene_run(&s, 8000);
             assert_true(clod_step_export(&s.step, &status));
             const int64_t rebuilds = s.step.rebuilds;
             const int64_t refreshes = s.step.refreshes;
             const uint64_t before = clod_memory_count();
-            scene_run(&s, 3000);
+            scene_run(&s, 2000);
             assert_true(clod_step_export(&s.step, &status));
             assert_int_equal(clod_memory_count() - before, 0);
             assert_true(s.step.rebuilds > rebuilds + 3); // all paths were taken
