@@ -5,15 +5,6 @@
 #include "base/assert.h"
 #include "base/memory.h"
 
-clod_vec3 clod_wall_velocity_at(const clod_wall *self, clod_vec3 point)
-{
-    const clod_vec3 origin = clod_vec3_add(self->spin_point, self->shift);
-    const clod_vec3 arm = clod_vec3_sub(point, origin);
-    clod_vec3 v = clod_vec3_add(self->velocity, self->surface_velocity);
-    v = clod_vec3_axpy(v, self->servo_velocity, self->load_axis);
-    return clod_vec3_axpy(v, self->spin, clod_vec3_cross(self->spin_axis, arm));
-}
-
 /** Distance of a point of the frame from the spin axis [m]. */
 static double axis_distance(const clod_wall *self, clod_vec3 point)
 {

@@ -61,7 +61,14 @@ typedef struct clod_walls {
 } clod_walls;
 
 /** Velocity of the wall's material at a point of space [m/s], belt motion included. */
-clod_vec3 clod_wall_velocity_at(const clod_wall *self, clod_vec3 point);
+static inline clod_vec3 clod_wall_velocity_at(const clod_wall *self, clod_vec3 point)
+{
+    const clod_vec3 origin = clod_vec3_add(self->spin_point, self->shift);
+    const clod_vec3 arm = clod_vec3_sub(point, origin);
+    clod_vec3 v = clod_vec3_add(self->velocity, self->surface_velocity);
+    v = clod_vec3_axpy(v, self->servo_velocity, self->load_axis);
+    return clod_vec3_axpy(v, self->spin, clod_vec3_cross(self->spin_axis, arm));
+}
 
 /** Upper bound of the speed with which any point of the wall's shapes moves [m/s]. */
 double clod_wall_speed_bound(const clod_wall *self);
