@@ -98,7 +98,7 @@ static const clod_param ROWS[] = {
     REAL(block_displacement, "m", CLOD_ABOVE(0, 1), "2 mm",
          "Shear displacement at r_m over which one block average of the shear stress goes.",
          "PHYSICS 7"),
-    WHOLE(steady_blocks, CLOD_FROM(2, 1000), "5",
+    WHOLE(steady_blocks, CLOD_FROM(3, 64), "5",
           "Number of blocks in a row that must agree for preshear to count as steady.",
           "PHYSICS 7"),
     REAL(steady_tolerance, "1", CLOD_ABOVE(0, 1), "2 %",

@@ -5,9 +5,9 @@
  *
  * Samples are averaged in blocks. After every block, windows of the last w blocks are looked
  * at, from as many as are kept down to `blocks_needed`; the signal is steady when one of them
- * satisfies, for shear stress and height alike, with m the mean over the window, D the change
- * across it by a straight line fitted to the block averages, e_D the standard error of D, and t
- * the tolerance:
+ * satisfies, for shear stress and height, each with its tolerance t, with m the mean over the
+ * window, D the change across it by a straight line fitted to the block averages, and e_D the
+ * standard error of D:
  *
  *     |D| <= t |m|       what is left of a trend is small,
  *     |D| <= t |m| / 2   when it is a trend for sure (|D| > 2 e_D), for it will go on,
@@ -18,8 +18,9 @@
  * approach that decays over more blocks than the window has is always cut off early, by a few
  * times t: make blocks as long as the material needs.
  *
- * The height must hold t/5: at 2 %, 40 mm of height and 10 mm of shear that is a rate of
- * dilation of 1.6 %, whose share of tau/sigma is then of the order of t as well.
+ * The height has a tolerance of its own, INFINITY when it is not to decide. A fifth of that of
+ * the shear stress asks for the critical state: 0.4 % of 40 mm over 10 mm of shear is a rate of
+ * dilation of 1.6 %, whose share of tau/sigma is of the order of 2 %.
  * The largest such window gives mean and standard error. Blocks must be longer than the
  * signal's correlation; then their averages count as independent, and the scatter of the
  * averages has the correlation of the samples in it.

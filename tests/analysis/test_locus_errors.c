@@ -118,6 +118,81 @@ static void scatter_of_specimens_moves_the_line(void **state)
     clod_locus_fini(&locus);
 }
 
+/** Three points at 3, 5, 7 kPa of c = 2 kPa, phi = 35 deg, off the line by a, -2a, a. */
+static void bent_points(double a, clod_locus_point points[3])
+{
+    const double sigma[] = {3e3, 5e3, 7e3};
+    points_on_line(2e3, 35.0 * DEG, 10e3, 8.5e3, sigma, 3, points);
+    points[0].tau_s += a;
+    points[1].tau_s -= 2.0 * a;
+    points[2].tau_s += a;
+}
+
+static double cohesion_error(const clod_locus_point *points, size_t count)
+{
+    static clod_status status;
+    clod_locus locus;
+    assert_true(clod_locus_evaluate(points, count, &locus, &status));
+    const double error = locus.c.error;
+    clod_locus_fini(&locus);
+    return error;
+}
+
+// Off the line by a, -2a, a the fit stays and SSE = 6 a^2; leverages are 5/6, 1/3, 5/6, so
+// stated errors e of tau_s explain (1/6 + 2/3 + 1/6) e^2 = e^2 of it. e^2 = 2 a^2 leaves 4 a^2
+// for one degree of freedom: variance 2 a^2 + 4 a^2 per point; var c = that times
+// (1/3 + 25/8).
+static void scatter_beyond_the_stated_errors_is_added(void **state)
+{
+    (void)state;
+    clod_locus_point points[3];
+    const double factor = sqrt(1.0 / 3.0 + 25.0 / 8.0);
+    bent_points(30.0, points);
+    assert_near(cohesion_error(points, 3), 30.0 * sqrt(6.0) * factor, 1e-9);
+    for (size_t i = 0; i < 3; i++) {
+        points[i].tau_s_error = 30.0 * sqrt(2.0);
+    }
+    assert_near(cohesion_error(points, 3), 30.0 * sqrt(6.0) * factor, 1e-9);
+    for (size_t i = 0; i < 3; i++) {
+        points[i].tau_s_error = 300.0; // explains all of it
+    }
+    assert_near(cohesion_error(points, 3), 300.0 * factor, 1e-9);
+}
+
+// Errors of tau_p explain scatter of the prorated points as well: then nothing is added, and a
+// small bend changes the error by its second order only.
+static void errors_of_preshear_explain_scatter(void **state)
+{
+    (void)state;
+    clod_locus_point straight[3];
+    clod_locus_point bent[3];
+    bent_points(0.0, straight);
+    bent_points(30.0, bent);
+    for (size_t i = 0; i < 3; i++) {
+        straight[i].tau_p_error = 200.0;
+        bent[i].tau_p_error = 200.0;
+    }
+    assert_near(cohesion_error(bent, 3), cohesion_error(straight, 3), 0.02);
+}
+
+// The same prorated points from specimens that differ: the error of the line stays, the one of
+// mean(tau_p) comes in addition, c times its relative error.
+static void specimens_do_not_change_the_error_of_the_line(void **state)
+{
+    (void)state;
+    const double share[] = {0.6, 1.5, 0.9}; // mean 1, so that mean(tau_p) stays 8.5 kPa
+    clod_locus_point points[3];
+    bent_points(30.0, points);
+    const double alike = cohesion_error(points, 3);
+    for (size_t i = 0; i < 3; i++) {
+        points[i].tau_p *= share[i];
+        points[i].tau_s *= share[i];
+    }
+    const double of_mean = sqrt((0.16 + 0.25 + 0.01) / 2.0 / 3.0);
+    const double total = cohesion_error(points, 3);
+    assert_near(sqrt(total * total - pow(2e3 * of_mean, 2.0)), alike, 1e-6);
+}
+
 // Monte Carlo, errors not stated: the root mean square of the reported errors is the standard
 // deviation between repeats. 4000 repeats tell both to about 2 %; the rest is curvature.
 static void monte_carlo_with_scatter_only(void **state)
@@ -239,6 +314,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(errors_of_the_line_are_those_of_a_regression),
         cmocka_unit_test(scatter_of_specimens_moves_the_line),
+        cmocka_unit_test(scatter_beyond_the_stated_errors_is_added),
+        cmocka_unit_test(errors_of_preshear_explain_scatter),
+        cmocka_unit_test(specimens_do_not_change_the_error_of_the_line),
         cmocka_unit_test(monte_carlo_with_scatter_only),
         cmocka_unit_test(monte_carlo_with_stated_errors),
         cmocka_unit_test(monte_carlo_with_two_points),

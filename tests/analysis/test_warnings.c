@@ -2,6 +2,8 @@
 
 #include "locus_helpers.h"
 
+#include "analysis/fit.h"
+
 /** A good test: warnings none. */
 static void good_points(clod_locus_point points[4])
 {
@@ -156,6 +158,32 @@ static void points_that_bend(void **state)
     expect(points, 5, NULL, NULL);
 }
 
+// An exact parabola at uneven places leaves no scatter about the parabola. The sag is the
+// coefficient times the range of what is left of x^2 when its line is taken off.
+static void sag_of_uneven_points(void **state)
+{
+    (void)state;
+    const double x[] = {0.0, 1.0, 2.0, 6.0, 7.0};
+    double y[5];
+    double square[5];
+    double zero;
+    for (size_t i = 0; i < 5; i++) {
+        square[i] = x[i] * x[i];
+        y[i] = 1.0 + 2.0 * x[i] - 0.3 * square[i];
+    }
+    const clod_fit line = clod_fit_line(x, y, 5);
+    const clod_fit of_square = clod_fit_line(x, square, 5);
+    double low = 0.0;
+    double high = 0.0;
+    for (size_t i = 0; i < 5; i++) {
+        const double bow = square[i] - of_square.intercept - of_square.slope * x[i];
+        low = fmin(low, bow);
+        high = fmax(high, bow);
+    }
+    assert_near(clod_fit_sag(&line, x, y, 5, &zero), 0.3 * (high - low), 1e-12);
+    assert_true(zero < 1e-6);
+}
+
 static void tension_at_steady_state(void **state)
 {
     (void)state;
@@ -248,6 +276,7 @@ int main(void)
         cmocka_unit_test(point_right_of_the_steady_circle),
         cmocka_unit_test(preshear_of_different_consolidations),
         cmocka_unit_test(points_that_bend),
+        cmocka_unit_test(sag_of_uneven_points),
         cmocka_unit_test(tension_at_steady_state),
         cmocka_unit_test(negative_cohesion_within_its_error),
         cmocka_unit_test(room_for_warnings_ends),

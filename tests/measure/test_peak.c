@@ -157,6 +157,22 @@ static void blocking_sees_correlation(void **state)
     assert_true(sqrt(reported) > 8.5 && sqrt(reported) < 12.0);
 }
 
+static double slope(double x)
+{
+    return 1e5 * x;
+}
+
+/** A straight rise has no noise, however steep. */
+static void a_trend_is_no_noise(void **state)
+{
+    (void)state;
+    clod_peak self;
+    shear(slope, 0.0, 0, STEP, &self);
+    const clod_peak_result found = clod_peak_summary(&self);
+    // the curve rises by 100 Pa over the window; bins take one sample more or less: 0.5 Pa
+    assert_true(found.tau > 1400.0 && found.tau_error < 0.25);
+}
+
 /** Samples further apart than a bin: bins grow with them. */
 static void coarse_samples_work(void **state)
 {
@@ -212,6 +228,7 @@ int main(void)
         cmocka_unit_test(constant_curve_passes_beyond_its_first_window),
         cmocka_unit_test(noisy_peak_is_found),
         cmocka_unit_test(blocking_sees_correlation),
+        cmocka_unit_test(a_trend_is_no_noise),
         cmocka_unit_test(coarse_samples_work),
         cmocka_unit_test(before_a_window_is_full),
         cmocka_unit_test(bytes_are_enough),

@@ -123,6 +123,8 @@ static void slow_dilation_is_not_steady(void **state)
     (void)state;
     clod_steady self;
     assert_int_equal(run(constant, dilating, 5, 0.02, 64, &self), 65);
+    clod_steady_init(&self, 5, SAMPLES, 0.02, (double)INFINITY); // the height does not decide
+    assert_int_equal(blocks_to_steady(&self, constant, dilating, 1, 64), 5);
 }
 
 static double approach(uint64_t seed, int k)
