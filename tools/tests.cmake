@@ -41,6 +41,17 @@ foreach(source IN LISTS CLOD_TEST_SOURCES)
     TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 endforeach()
 
+# tests/simd/vocabulary.c once per instruction set, with the flags of the kernels.
+foreach(set IN LISTS CLOD_SETS)
+  string(TOUPPER ${set} SET_UPPER)
+  add_library(clod_vocabulary_${set} OBJECT tests/simd/vocabulary.c)
+  target_compile_options(clod_vocabulary_${set} PRIVATE ${CLOD_SCALAR} ${CLOD_${SET_UPPER}})
+  target_compile_definitions(clod_vocabulary_${set} PRIVATE CLOD_SIMD_${SET_UPPER}=1
+    CLOD_SIMD_SUFFIX=${set})
+  target_link_libraries(clod_vocabulary_${set} PRIVATE clod_flags)
+  target_sources(test_simd PRIVATE $<TARGET_OBJECTS:clod_vocabulary_${set}>)
+endforeach()
+
 if(NOT CLOD_FUZZ)
   return()
 endif()

@@ -1,0 +1,226 @@
+// The vocabulary of every instruction set against plain C, bit for bit, with infinities, NaN,
+// signed zeros, subnormal numbers and ties.
+
+#include <float.h>
+#include <string.h>
+
+#include "step/kernel.h"
+#include "support/check.h"
+#include "support/dice.h"
+#include "vocabulary.h"
+
+static const double SPECIAL[] = {0.0,     -0.0,     1.0,     -1.0,       0.5,        -0.5,
+                                 1.5,     -2.5,     2.5,     INFINITY,   -INFINITY,  NAN,
+                                 DBL_MAX, -DBL_MAX, DBL_MIN, 4.94e-324,  -4.94e-324, 1e16,
+                                 3.7,     -1e-300,  0x1p52,  0x1p52 + 1, 1e308,      0.1};
+#define SPECIALS ((int)(sizeof SPECIAL / sizeof *SPECIAL))
+
+static double any_number(dice *roll)
+{
+    const int kind = dice_pick(roll, 4);
+    if (kind == 0) {
+        return SPECIAL[dice_pick(roll, SPECIALS)];
+    }
+    if (kind == 1) { // any bits at all
+        const uint64_t bits = dice_bits(roll);
+        double number;
+        memcpy(&number, &bits, sizeof number);
+        return isnan(number) ? (double)NAN
+                             : number; // one kind of NaN: its bits are not promised
+    }
+    return dice_real(roll, -10.0, 10.0);
+}
+
+/** What simd.h says, in plain C. */
+static double expected_of(vocabulary_operation operation, double a, double b, double first)
+{
+    switch (operation) {
+    case OP_ADD:
+        return a + b;
+    case OP_SUB:
+        return a - b;
+    case OP_MUL:
+        return a * b;
+    case OP_DIV:
+        return a / b;
+    case OP_MIN:
+        return a < b ? a : b;
+    case OP_MAX:
+        return a > b ? a : b;
+    case OP_SELECT_LESS:
+        return a < b ? b : a;
+    case OP_SQRT:
+        return sqrt(a);
+    case OP_ABS:
+        return fabs(a);
+    case OP_ROUND:
+        return rint(a);
+    case OP_NEGATIVE:
+        return -a;
+    case OP_SET:
+        return first;
+    default:
+        return 3.0 * a - b / 2.0;
+    }
+}
+
+static void check_bits(double found, double expected)
+{
+    if (isnan(expected)) {
+        assert_true(isnan(found));
+    } else if (memcmp(&found, &expected, sizeof found) != 0) {
+        fail_msg("%a, expected %a", found, expected);
+    }
+}
+
+static void check_operations(const vocabulary *v)
+{
+    dice roll = {1};
+    for (int k = 0; k < 200000; k++) {
+        double a[8], b[8], out[8];
+        for (int l = 0; l < 8; l++) {
+            a[l] = any_number(&roll);
+            b[l] = dice_pick(&roll, 6) == 0 ? a[l] : any_number(&roll);
+        }
+        const vocabulary_operation operation = (vocabulary_operation)(k % OP_COUNT);
+        v->apply(operation, a, b, out);
+        for (int l = 0; l < 8; l++) {
+            check_bits(out[l], expected_of(operation, a[l], b[l], a[0]));
+        }
+    }
+}
+
+static void check_truths(const vocabulary *v)
+{
+    dice roll = {2};
+    for (int k = 0; k < 20000; k++) {
+        double a[8], b[8];
+        bool out[8];
+        for (int l = 0; l < 8; l++) {
+            b[l] = any_number(&roll);
+            a[l] = dice_pick(&roll, 9) == 0 ? any_number(&roll) : b[l]; // mostly not less
+        }
+        v->any_less(a, b, out);
+        for (int l = 0; l < 8; l += v->width) {
+            bool any = false;
+            for (int w = 0; w < v->width; w++) {
+                any |= a[l + w] < b[l + w];
+            }
+            assert_true(out[l] == any);
+        }
+    }
+}
+
+static void check_rows(const vocabulary *v)
+{
+    dice roll = {3};
+    _Alignas(64) double rows[50][4], wide[50][8], before[50][8];
+    for (int k = 0; k < 5000; k++) {
+        int32_t index[8];
+        double columns[8][8];
+        for (int r = 0; r < 50; r++) {
+            for (int c = 0; c < 8; c++) {
+                rows[r][c % 4] = any_number(&roll);
+                wide[r][c] = before[r][c] = any_number(&roll);
+            }
+        }
+        for (int l = 0; l < 8; l++) { // different rows, as slots are
+            index[l] = 6 * l + dice_pick(&roll, 6);
+            for (int c = 0; c < 8; c++) {
+                columns[c][l] = any_number(&roll);
+            }
+        }
+        double loaded[4][8];
+        v->load_rows((const double(*)[4])rows, index, loaded);
+        v->store_rows(wide, index, columns);
+        for (int l = 0; l < 8; l++) {
+            for (int c = 0; c < 8; c++) {
+                check_bits(loaded[c % 4][l], rows[index[l]][c % 4]);
+                check_bits(wide[index[l]][c], columns[c][l]);
+                before[index[l]][c] = wide[index[l]][c];
+            }
+        }
+        assert_memory_equal(wide, before, sizeof wide); // no other row was touched
+    }
+}
+
+static void check_vectors(const vocabulary *v)
+{
+    dice roll = {4};
+    for (int k = 0; k < 20000; k++) {
+        double in[7][8], out[18][8];
+        for (int c = 0; c < 7; c++) {
+            for (int l = 0; l < 8; l++) {
+                in[c][l] = dice_real(&roll, -1.0, 1.0) * pow(2.0, dice_pick(&roll, 40));
+            }
+        }
+        v->vectors(in, out);
+        for (int l = 0; l < 8; l++) {
+            double a[3], b[3];
+            for (int c = 0; c < 3; c++) {
+                a[c] = in[c][l];
+                b[c] = in[3 + c][l];
+                check_bits(out[c][l], a[c] + b[c]);
+                check_bits(out[3 + c][l], a[c] - b[c]);
+                check_bits(out[9 + c][l], a[c] + in[6][l] * b[c]);
+                check_bits(out[12 + c][l], a[c] * in[6][l]);
+            }
+            check_bits(out[6][l], a[1] * b[2] - a[2] * b[1]);
+            check_bits(out[7][l], a[2] * b[0] - a[0] * b[2]);
+            check_bits(out[8][l], a[0] * b[1] - a[1] * b[0]);
+            check_bits(out[15][l], a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+            check_bits(out[16][l], a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+        }
+    }
+}
+
+static void check_all(const vocabulary *v)
+{
+    check_operations(v);
+    check_truths(v);
+    check_rows(v);
+    check_vectors(v);
+}
+
+static void scalar_is_plain_c(void **state)
+{
+    (void)state;
+    assert_int_equal(vocabulary_scalar.width, 1);
+    check_all(&vocabulary_scalar);
+}
+
+#if defined(__x86_64__)
+static void check_set(const char *name, const vocabulary *v, int width)
+{
+    assert_int_equal(v->width, width);
+    if (clod_kernel_choose(name) == NULL) {
+        print_message("this machine has no %s: not tested\n", name);
+        skip();
+    }
+    check_all(v);
+}
+
+static void avx2_is_plain_c(void **state)
+{
+    (void)state;
+    check_set("avx2", &vocabulary_avx2, 4);
+}
+
+static void avx512_is_plain_c(void **state)
+{
+    (void)state;
+    check_set("avx512", &vocabulary_avx512, 8);
+}
+#endif
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(scalar_is_plain_c),
+#if defined(__x86_64__)
+        cmocka_unit_test(avx2_is_plain_c),
+        cmocka_unit_test(avx512_is_plain_c),
+#endif
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
