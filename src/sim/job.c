@@ -36,34 +36,50 @@ static double clock_now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static size_t parts_of(clod_job *job, clod_checkpoint_part parts[2])
+static size_t parts_of(clod_job *job, clod_job_memory *memory, clod_checkpoint_part parts[2])
 {
     parts[0] = (clod_checkpoint_part){"procedure", job->procedure.data, job->procedure.size};
-    parts[1] = (clod_checkpoint_part){"job", &job->memory, sizeof job->memory};
+    parts[1] = (clod_checkpoint_part){"job", memory, sizeof *memory};
     return 2;
 }
 
-static void stem_of(const clod_job *job, const char *suffix, char stem[80])
+static void stem_of(const char *name, const char *suffix, char stem[80])
 {
-    snprintf(stem, 80, "restart-%s%s", job->name, suffix);
+    snprintf(stem, 80, "restart-%s%s", name, suffix);
+}
+
+/** Read the checkpoint of the job called `name` into this one. */
+static bool read_checkpoint(clod_job *job, const char *name, clod_job_memory *memory,
+                            char *notice, size_t notice_size, clod_status *status)
+{
+    char stem[80];
+    clod_checkpoint_part parts[2];
+    const size_t count = parts_of(job, memory, parts);
+    stem_of(name, "", stem);
+    pthread_mutex_lock(&hdf5_lock);
+    const bool ok = clod_checkpoint_read(job->sim->directory, stem, &job->state, parts, count,
+                                         job->sim->effective, notice, notice_size, status);
+    pthread_mutex_unlock(&hdf5_lock);
+    return ok;
+}
+
+bool clod_job_begin_from(clod_job *job, const char *name, clod_status *status)
+{
+    char told[1]; // what is wrong with a checkpoint was told when that job went on from it
+    clod_job_memory of_that_job;
+    return read_checkpoint(job, name, &of_that_job, told, 0, status);
 }
 
 bool clod_job_resume(clod_job *job, clod_status *status)
 {
     char stem[80];
     char notice[1024] = "";
-    clod_checkpoint_part parts[2];
-    const size_t count = parts_of(job, parts);
-    stem_of(job, "", stem);
+    stem_of(job->name, "", stem);
     job->resumed = false;
     if (!clod_checkpoint_exists(job->sim->directory, stem)) {
         return true;
     }
-    pthread_mutex_lock(&hdf5_lock);
-    const bool ok = clod_checkpoint_read(job->sim->directory, stem, &job->state, parts, count,
-                                         job->sim->effective, notice, sizeof notice, status);
-    pthread_mutex_unlock(&hdf5_lock);
-    if (!ok) {
+    if (!read_checkpoint(job, job->name, &job->memory, notice, sizeof notice, status)) {
         return false;
     }
     job->resumed = true;
@@ -82,8 +98,8 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
     clod_job *job = loop->job;
     char stem[80];
     clod_checkpoint_part parts[2];
-    const size_t count = parts_of(job, parts);
-    stem_of(job, suffix, stem);
+    const size_t count = parts_of(job, &job->memory, parts);
+    stem_of(job->name, suffix, stem);
     const double now = clock_now();
     job->memory.wall_clock += now - loop->last_clock;
     loop->last_clock = loop->last_checkpoint = now;
@@ -111,7 +127,7 @@ static bool write_snapshot(job_loop *loop, clod_status *status)
     return ok;
 }
 
-static bool snapshot_if_due(job_loop *loop, bool finished, clod_status *status)
+static bool snapshot_if_due(job_loop *loop, bool ended, clod_status *status)
 {
     clod_job *job = loop->job;
     const double interval = job->sim->from->output.snapshot_interval;
@@ -121,7 +137,7 @@ static bool snapshot_if_due(job_loop *loop, bool finished, clod_status *status)
             interval *
             ceil((job->state.time + 1e-3 * interval - job->memory.next_snapshot) / interval);
     }
-    return !(due || finished) || write_snapshot(loop, status);
+    return !(due || ended) || write_snapshot(loop, status);
 }
 
 static void tell_progress(job_loop *loop, bool finished)
@@ -177,7 +193,7 @@ static bool turn(job_loop *loop, clod_status *status)
     }
     job->memory.finished = finished;
     tell_progress(loop, finished);
-    return snapshot_if_due(loop, finished, status);
+    return snapshot_if_due(loop, finished || before != after, status);
 }
 
 static bool is_stopped(const clod_job *job)

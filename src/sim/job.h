@@ -61,6 +61,14 @@ typedef struct clod_job {
 bool clod_job_resume(clod_job *job, clod_status *status);
 
 /**
+ * Begin with the end of another job of this run instead of a state of its own.
+ *
+ * @param job   state with the walls of the case; procedure.data of the right size
+ * @param name  of the finished job
+ */
+bool clod_job_begin_from(clod_job *job, const char *name, clod_status *status);
+
+/**
  * Advance until the procedure is finished; does nothing when it already is.
  *
  * @return  false: CLOD_INTERRUPTED, or what went wrong. Checkpoints are written first; when

@@ -5,7 +5,6 @@
 
 #include "base/memory.h"
 #include "measure/contacts.h"
-#include "output/checkpoint.h"
 #include "parallel/threads.h"
 #include "setup/ring_cell.h"
 #include "sim/ring_report.h"
@@ -74,20 +73,13 @@ static void init_job(const ring_batch *batch, clod_ring_part *part, clod_job *jo
 static bool branch(const ring_batch *batch, clod_ring_part *part, clod_job *job,
                    clod_status *status)
 {
-    clod_job prepared = *job;
-    name_part(batch->sim->from, part->seed, -1, prepared.name);
-    if (!clod_job_resume(&prepared, status)) {
+    const clod_case_ring_shear *cell = &batch->sim->from->ring_shear;
+    char prepared[48];
+    name_part(batch->sim->from, part->seed, -1, prepared);
+    if (!clod_job_begin_from(job, prepared, status)) {
         return false;
     }
-    job->state = prepared.state;
-    if (!prepared.resumed) {
-        return clod_status_fail(status, CLOD_FAILED,
-                                "%s: the checkpoint of the presheared state (%s) is gone; run "
-                                "again with --fresh",
-                                batch->sim->directory, prepared.name);
-    }
-    clod_ring_shear_branch(
-        &part->test, batch->sim->from->ring_shear.shear_stresses[part->point], &job->state);
+    clod_ring_shear_branch(&part->test, cell->shear_stresses[part->point], &job->state);
     return true;
 }
 
@@ -176,10 +168,6 @@ bool clod_ring_run(const clod_sim *sim, char **report, clod_status *status)
     ring_batch first = {.sim = sim, .part = part, .count = preparations};
     ring_batch second = {.sim = sim, .part = part + preparations, .count = points};
     bool ok = run_batch(&first, status);
-    for (int p = 0; ok && p < points; p++) { // a point begins with what preshear has measured
-        const int seed = p / (int)sim->from->ring_shear.shear_stress_count;
-        second.part[p].test = part[seed].test;
-    }
     ok = ok && run_batch(&second, status) &&
          clod_ring_report(sim, part, preparations, points, report, status);
     clod_memory_free(part);
