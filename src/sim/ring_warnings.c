@@ -38,21 +38,20 @@ __attribute__((format(printf, 2, 3))) static void add(warning_box *box, const ch
 static void add_flags(warning_box *box, const clod_case *from, const clod_ring_part *part)
 {
     const int64_t flags = part->test.flags;
-    // a point carries the flags of its preparation too: they are told once
-    if (part->point < 0 && (flags & CLOD_RING_SHEAR_NOT_STEADY) != 0) {
+    if ((flags & CLOD_RING_SHEAR_NOT_STEADY) != 0) {
         add(box,
             "%s: not steady after %.0f mm of shear; the preshear values are means of the last "
             "blocks. Raise ring_shear.preshear_max or steady_tolerance",
             part->name, 1e3 * from->ring_shear.preshear_max);
     }
-    if (part->point < 0 && (flags & CLOD_RING_SHEAR_NOT_SETTLED) != 0) {
-        add(box, "%s: filling or consolidation did not come to rest within its time limit",
-            part->name);
+    if ((flags & CLOD_RING_SHEAR_NOT_SETTLED) != 0) {
+        add(box, "%s: %s did not come to rest within its time limit", part->name,
+            part->point < 0 ? "filling or consolidation" : "the lid under the reduced load");
     }
-    if (part->point >= 0 && (flags & CLOD_RING_SHEAR_NO_REVERSAL) != 0) {
+    if ((flags & CLOD_RING_SHEAR_NO_REVERSAL) != 0) {
         add(box, "%s: shear stress did not fall to zero when sheared back", part->name);
     }
-    if (part->point >= 0 && (flags & CLOD_RING_SHEAR_NO_PEAK) != 0) {
+    if ((flags & CLOD_RING_SHEAR_NO_PEAK) != 0) {
         add(box,
             "%s: no peak within %.0f mm of shear; the largest smoothed value is taken. Raise "
             "ring_shear.shear_max",
@@ -65,10 +64,13 @@ static void add_dilation(warning_box *box, const clod_ring_part *part)
 {
     const double rate = part->test.preshear_dilation;
     if (part->point < 0 && fabs(rate) > DILATION_LIMIT) {
+        const bool steady = (part->test.flags & CLOD_RING_SHEAR_NOT_STEADY) == 0;
         add(box,
-            "%s: the shear stress is steady, but the specimen still %s by %.3f mm per mm of "
-            "shear: not the critical state. Raise ring_shear.steady_blocks to go further",
-            part->name, rate > 0.0 ? "dilates" : "contracts", fabs(rate));
+            "%s: %sthe specimen still %s by %.3f mm per mm of shear: not the critical state. "
+            "Raise ring_shear.%s to go further",
+            part->name, steady ? "the shear stress is steady, but " : "",
+            rate > 0.0 ? "dilates" : "contracts", fabs(rate),
+            steady ? "steady_blocks" : "preshear_max");
     }
 }
 

@@ -106,7 +106,6 @@ static void enter(clod_ring_shear *self, clod_state *state, clod_ring_shear_phas
     self->displacement = 0.0;
     self->calm = 0;
     self->normal_sum = 0.0;
-    self->error_sum = 0.0;
     self->normal_count = 0;
     clod_walls_reset_sums(&state->walls);
 }
@@ -163,6 +162,7 @@ void clod_ring_shear_branch(clod_ring_shear *self, double shear_stress, clod_sta
     self->shear_speed = self->speed * sqrt(fmin(shear_stress / self->preshear_stress, 1.0));
     self->target_speed = -REVERSE_FRACTION * self->speed;
     self->target_stress = self->preshear_stress;
+    self->flags = 0; // what was not right with the preparation stands in its own
     enter(self, state, CLOD_RING_SHEAR_REVERSE);
 }
 

@@ -79,7 +79,6 @@ typedef struct clod_ring_shear {
     clod_steady steady;
     clod_peak peak;
     double normal_sum; ///< Pa, normal stress summed over the samples of the main phase
-    double error_sum;  ///< Pa, |normal stress - target| of block means
     int64_t normal_count;
     // results
     double preshear_normal, preshear_shear, preshear_error; ///< Pa; error of the mean
