@@ -94,10 +94,13 @@ static bool write_summary(const clod_sim *sim, const clod_ring_part *part, int p
         locus != NULL ? json_loads(locus, 0, NULL) : NULL, "warnings", warnings);
     clod_locus_free(locus);
     snprintf(path, sizeof path, "%s/summary.json", sim->directory);
-    const bool ok = root != NULL && clod_folder_write_json(path, root, status);
+    const bool ok = root != NULL ? clod_folder_write_json(path, root, status)
+                                 : clod_status_fail(status, CLOD_FAILED,
+                                                    "%s: no memory, or a number in it is not "
+                                                    "finite",
+                                                    path);
     json_decref(root);
-    return ok || clod_status_fail(status, CLOD_FAILED, "%s: cannot be written: %.900s", path,
-                                  status->text);
+    return ok;
 }
 
 static double total_wall_clock(const clod_ring_part *part, int parts)

@@ -1,9 +1,13 @@
 #include "clod/run.h"
 
+#include <dirent.h>
+#include <fnmatch.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "clod/version.h"
+#include "output/file.h"
 #include "output/folder.h"
 #include "sim/free_run.h"
 #include "sim/ring_run.h"
@@ -12,14 +16,55 @@
 
 /** Files of a ring shear test that --fresh removes beside the usual ones. */
 static const char *const OWN_FILES[] = {
-    "points.csv",        "preshear.csv",   "point-[0-9]*.csv",   "seed-[0-9]*-*.csv",
-    "restart-*_[ab].h5", "preshear_*.hdf", "point-[0-9]*_*.hdf", "seed-[0-9]*_*.hdf",
+    "points.csv",        "preshear.csv",    "point-[0-9]*.csv",
+    "seed-[0-9]*-*.csv", "points.csv.part", "restart-*_[ab].h5",
 };
+
+/** Whether there are checkpoints in the folder. */
+static bool has_checkpoints(const char *directory)
+{
+    DIR *folder = opendir(directory);
+    bool any = false;
+    for (struct dirent *entry; folder != NULL && !any && (entry = readdir(folder)) != NULL;) {
+        any = fnmatch("restart-*_[ab].h5", entry->d_name, 0) == 0;
+    }
+    if (folder != NULL) {
+        closedir(folder);
+    }
+    return any;
+}
+
+/**
+ * Refuse to go on with another case before its copies in the folder are replaced. Checkpoints
+ * know their case too; this is for the copies.
+ */
+static bool check_same_case(const clod_sim *sim, clod_status *status)
+{
+    char path[PATH_TEXT];
+    void *before;
+    size_t size;
+    clod_status unread;
+    snprintf(path, sizeof path, "%s/case-complete.yaml", sim->directory);
+    if (sim->options->fresh || !has_checkpoints(sim->directory) ||
+        !clod_file_read(path, &before, &size, &unread)) {
+        return true;
+    }
+    const bool same = strcmp(before, sim->effective) == 0;
+    clod_memory_free(before);
+    return same || clod_status_fail(status, CLOD_USAGE,
+                                    "The case has changed since the run in %s was begun; a run "
+                                    "cannot go on with another case. Start over with --fresh, "
+                                    "or write to another folder with -o.",
+                                    sim->directory);
+}
 
 /** Make the folder ready: clear it when asked, write the copies of the case, open the log. */
 static bool open_folder(clod_sim *sim, char *effective, clod_status *status)
 {
     char path[PATH_TEXT];
+    if (!check_same_case(sim, status)) {
+        return false;
+    }
     if (sim->options->fresh &&
         !clod_folder_clear(sim->directory, OWN_FILES, sizeof OWN_FILES / sizeof *OWN_FILES,
                            status)) {
@@ -56,12 +101,20 @@ bool clod_run(const clod_case *self, const clod_run_options *options, char **rep
     char *standard = options->directory == NULL ? clod_folder_default(self->path) : NULL;
     char *effective = clod_case_echo(self);
     const char *directory = standard != NULL ? standard : options->directory;
-    clod_folder *folder =
-        directory != NULL && effective != NULL ? clod_folder_open(directory, status) : NULL;
     clod_sim sim = {
         .from = self, .options = options, .directory = directory, .effective = effective};
-    bool ok = folder != NULL && open_folder(&sim, effective, status) &&
-              run_case(&sim, report, status);
+    clod_folder *folder = NULL;
+    bool ok = false;
+    if (directory == NULL || effective == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "no memory for %s", self->path);
+    } else {
+        folder = clod_folder_open(directory, status);
+        ok = folder != NULL && open_folder(&sim, effective, status) &&
+             run_case(&sim, report, status);
+    }
+    if (ok && *report == NULL) {
+        ok = clod_status_fail(status, CLOD_FAILED, "no memory for the report");
+    }
     clod_status log_status;
     if (!clod_eventlog_close(&sim.log, &log_status) && ok) {
         *status = log_status;
