@@ -162,9 +162,12 @@ static int run_case(request *self)
     self->options.notice = show_notice;
     self->options.context = &shown;
     char *report;
-    const bool ok = clod_run(from, &self->options, &report, &status);
-    if (ok && report != NULL) {
-        fputs(report, stdout);
+    bool ok = clod_run(from, &self->options, &report, &status);
+    if (ok && (fputs(report, stdout) == EOF || fflush(stdout) != 0)) {
+        fputs("clod: the results cannot be written to standard output; they are in the results "
+              "folder\n",
+              stderr);
+        ok = false;
     } else if (!ok) {
         fprintf(stderr, "%sclod: %s\n", shown.terminal ? "\r\033[K" : "", status.text);
     }
@@ -194,6 +197,7 @@ int clod_app_run(int argc, char **argv)
     const struct sigaction action = {.sa_handler = on_signal};
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
+    signal(SIGXFSZ, SIG_IGN); // a file at its size limit is an error of its writer, with a text
     const int result = run_case(&self);
     free(self.overrides);
     return result;
