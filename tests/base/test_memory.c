@@ -1,0 +1,91 @@
+// Heap memory: zeroed, aligned, counted, and NULL where there is none.
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "support/check.h"
+
+static void memory_is_zero_and_aligned(void **state)
+{
+    (void)state;
+    for (size_t size = 0; size < 300; size++) {
+        unsigned char *memory = clod_memory_alloc(size, 3);
+        assert_non_null(memory);
+        assert_int_equal((uintptr_t)memory % CLOD_MEMORY_ALIGNMENT, 0);
+        for (size_t k = 0; k < 3 * size; k++) {
+            assert_int_equal(memory[k], 0);
+        }
+        memset(memory, 0xff, 3 * size); // so that the next one gets used memory
+        clod_memory_free(memory);
+    }
+    clod_memory_free(NULL);
+}
+
+static void growing_keeps_the_old_and_zeroes_the_new(void **state)
+{
+    (void)state;
+    int *items = clod_memory_grow(NULL, 0, 10, sizeof *items);
+    assert_non_null(items);
+    for (int k = 0; k < 10; k++) {
+        assert_int_equal(items[k], 0);
+        items[k] = k + 1;
+    }
+    items = clod_memory_grow(items, 10, 1000, sizeof *items);
+    assert_non_null(items);
+    for (int k = 0; k < 1000; k++) {
+        assert_int_equal(items[k], k < 10 ? k + 1 : 0);
+    }
+    clod_memory_free(items);
+}
+
+static void sizes_beyond_all_memory_give_null(void **state)
+{
+    (void)state;
+    int item = 5;
+    assert_null(clod_memory_alloc(SIZE_MAX, 2));
+    assert_null(clod_memory_alloc(SIZE_MAX / 8 + 1, 8));
+    assert_null(clod_memory_alloc(2, SIZE_MAX));
+    assert_null(clod_memory_alloc(SIZE_MAX, 1));
+    assert_null(clod_memory_grow(&item, 1, SIZE_MAX, 8)); // the old memory is kept
+    assert_int_equal(item, 5);
+}
+
+static void texts_are_copied(void **state)
+{
+    (void)state;
+    char text[] = "copper ore";
+    char *copy = clod_memory_text(text);
+    text[0] = 'k';
+    assert_string_equal(copy, "copper ore");
+    clod_memory_free(copy);
+    copy = clod_memory_text("");
+    assert_string_equal(copy, "");
+    clod_memory_free(copy);
+    assert_null(clod_memory_text(NULL));
+}
+
+static void allocations_are_counted(void **state)
+{
+    (void)state;
+    const uint64_t before = clod_memory_count();
+    void *a = clod_memory_alloc(1, 1);
+    void *b = clod_memory_grow(a, 1, 2, 1);
+    char *c = clod_memory_text("x");
+    assert_int_equal(clod_memory_count() - before, 3);
+    clod_memory_free(b);
+    clod_memory_free(c);
+    assert_int_equal(clod_memory_count() - before, 3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(memory_is_zero_and_aligned),
+        cmocka_unit_test(growing_keeps_the_old_and_zeroes_the_new),
+        cmocka_unit_test(sizes_beyond_all_memory_give_null),
+        cmocka_unit_test(texts_are_copied),
+        cmocka_unit_test(allocations_are_counted),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
