@@ -243,7 +243,7 @@ static void copper_ore_is_that_of_the_paper(void **state)
         same(ring->bar_height, 0.00635);
         same(ring->bar_width, 0.003);
         same(ring->lid_mass, 1.0);
-        same(ring->speed, 0.03);
+        same(ring->speed, 0.04);
         same(ring->fill_adhesion, 0.1);
         assert_int_equal(ring->steady_blocks, 5);
         same(ring->steady_tolerance, 0.02);
