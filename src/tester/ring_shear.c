@@ -92,6 +92,12 @@ static double speed_now(const clod_ring_shear *self, const clod_state *state)
     return find_wall(state, "trough")->spin * self->mean_radius;
 }
 
+/** Whether the speed has reached its target: the very number that set_speed has put there. */
+static bool is_at_speed(const clod_ring_shear *self, const clod_state *state)
+{
+    return find_wall(state, "trough")->spin == self->target_speed / self->mean_radius;
+}
+
 /** Load of the lid that gives a normal stress at the shear plane. */
 static void set_stress(const clod_ring_shear *self, clod_state *state, double stress)
 {
@@ -168,7 +174,7 @@ void clod_ring_shear_branch(clod_ring_shear *self, double shear_stress, clod_sta
 
 int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *state)
 {
-    const bool changing = speed_now(self, state) != self->target_speed;
+    const bool changing = !is_at_speed(self, state);
     switch (self->phase) {
     case CLOD_RING_SHEAR_DONE:
         return 0;
@@ -297,7 +303,7 @@ static void note_normal(clod_ring_shear *self, const double *row)
 static void after_preshear(clod_ring_shear *self, clod_state *state, const double *row)
 {
     set_stress(self, state, self->target_stress);
-    if (row[CLOD_RING_SHEAR_SPEED] != self->target_speed) {
+    if (!is_at_speed(self, state)) {
         return;
     }
     note_normal(self, row);
@@ -363,7 +369,7 @@ static void slew(const clod_ring_shear *self, clod_state *state, double interval
     const double now = speed_now(self, state);
     const double change = self->target_speed - now;
     const double most = ACCELERATION * interval;
-    if (change != 0.0) {
+    if (!is_at_speed(self, state)) {
         set_speed(self, state,
                   fabs(change) <= most ? self->target_speed : now + copysign(most, change));
     }
