@@ -2,6 +2,7 @@
 #
 # tests/FOLDER/test_NAME.c  is a cmocka program of its own, labelled FOLDER; a name that ends in
 #                           _slow is labelled slow as well, which `make test` leaves out.
+# tests/FOLDER/test_NAME.py runs the program as a user does, labelled FOLDER.
 # tests/FOLDER/fuzz_NAME.c  is a libFuzzer target, labelled fuzz; built in the asan tree, started
 #                           from the files in tests/FOLDER/seeds and from cases/.
 pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
@@ -11,6 +12,7 @@ set(CLOD_FUZZ_SECONDS 20)
 set(CLOD_TEST_ENVIRONMENT CLOD_BINARY=${CMAKE_BINARY_DIR}/clod)
 if(CLOD_SANITIZE)
   set(CLOD_TEST_SECONDS 900)
+  list(APPEND CLOD_TEST_ENVIRONMENT CLOD_SANITIZED=1)
   find_program(SYMBOLIZER NAMES llvm-symbolizer-14 llvm-symbolizer)
   find_library(ARCHER NAMES archer PATHS /usr/lib/llvm-14/lib)
   list(APPEND CLOD_TEST_ENVIRONMENT ASAN_SYMBOLIZER_PATH=${SYMBOLIZER}
@@ -50,6 +52,17 @@ foreach(set IN LISTS CLOD_SETS)
     CLOD_SIMD_SUFFIX=${set})
   target_link_libraries(clod_vocabulary_${set} PRIVATE clod_flags)
   target_sources(test_simd PRIVATE $<TARGET_OBJECTS:clod_vocabulary_${set}>)
+endforeach()
+
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+file(GLOB CLOD_TEST_SCRIPTS CONFIGURE_DEPENDS tests/*/test_*.py)
+foreach(script IN LISTS CLOD_TEST_SCRIPTS)
+  cmake_path(GET script STEM name)
+  cmake_path(GET script PARENT_PATH folder)
+  cmake_path(GET folder FILENAME folder)
+  add_test(NAME ${folder}/${name} COMMAND ${Python3_EXECUTABLE} -B ${script})
+  set_tests_properties(${folder}/${name} PROPERTIES LABELS ${folder}
+    TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 endforeach()
 
 if(NOT CLOD_FUZZ)

@@ -1,0 +1,237 @@
+"""An interrupted run ends with the same bytes as one that was not, however it was stopped."""
+
+import os
+import random
+import shutil
+import signal
+import sys
+import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+RING = clod.source("tests/restart/ring.yaml")
+BOX = clod.source("tests/restart/box.yaml")
+PARTS = {RING: ["preshear", "point-1", "point-2"], BOX: ["series"]}
+SETS = ["scalar", "avx2", "avx512"]
+SEED = int(os.environ.get("CLOD_TEST_SEED", time.time_ns() % 1000000))
+
+
+class Restart(clod.Case):
+
+    @classmethod
+    def setUpClass(cls):
+        """Undisturbed runs to compare with, in folders that outlive the tests."""
+        cls.whole = {}
+        for case in (RING, BOX):
+            folder = clod.tempfile.mkdtemp(prefix="clod-whole-")
+            cls.addClassCleanup(shutil.rmtree, folder)
+            done = clod.run("run", case, "-o", folder, "-t", "1")
+            assert done.returncode == 0, done.stderr
+            cls.whole[case] = (folder, done.stdout)
+
+    def assert_whole(self, case, folder):
+        self.assert_same_end(self.whole[case][0], folder, PARTS[case])
+
+    def go_on(self, case, folder, *options):
+        """The same command to its end."""
+        done = clod.run("run", case, "-o", folder, *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_whole(case, folder)
+        return done
+
+    def interrupt(self, case, folder, number, ready, *options):
+        """Send a signal when `ready`; returns stderr."""
+        process = clod.start("run", case, "-o", folder, *options)
+        self.assertTrue(clod.wait_until(ready, process), "ended before it was interrupted")
+        process.send_signal(number)
+        out, err = process.communicate(timeout=100)
+        self.assertEqual(process.returncode, 128 + number, err)
+        self.assertEqual(out, "")
+        self.assertIn("the same command goes on from here", err)
+        return err
+
+    def has(self, folder, **fields):
+        """Whether the log has an event with these fields."""
+        return lambda: any(fields.items() <= event.items() for event in clod.log(folder))
+
+    def test_signals(self):
+        for number, phase, threads in ((signal.SIGINT, "lower", "2"),
+                                       (signal.SIGTERM, "shear", "1"),
+                                       (signal.SIGINT, "reduce", "4")):
+            with self.subTest(number=number, phase=phase, threads=threads):
+                folder = self.path(phase)
+                self.interrupt(RING, folder, number, self.has(folder, event="phase", to=phase),
+                               "-t", threads)
+                self.go_on(RING, folder, "-t", "1" if threads == "2" else "2")
+
+    def test_signals_again_and_again(self):
+        folder = self.path("often")
+        for phase in ("lower", "consolidate", "preshear", "reduce"):
+            self.interrupt(RING, folder, signal.SIGTERM,
+                           self.has(folder, event="phase", to=phase), "-t", "1")
+        self.go_on(RING, folder, "-t", "1")
+
+    def test_free_run(self):
+        for number, stage, threads in ((signal.SIGINT, "compress", "1"),
+                                       (signal.SIGTERM, "drag", "2")):
+            with self.subTest(stage=stage):
+                folder = self.path(stage)
+                self.interrupt(BOX, folder, number, self.has(folder, event="phase", to=stage),
+                               "-t", threads)
+                done = self.go_on(BOX, folder, "-t", "1")
+                self.assertEqual(done.stdout, self.whole[BOX][1])
+
+    def test_finished_run_only_reports(self):
+        for case in (RING, BOX):
+            folder = self.path(os.path.basename(case))
+            shutil.copytree(self.whole[case][0], folder)
+            before = {name: os.stat(os.path.join(folder, name)).st_mtime_ns
+                      for name in os.listdir(folder) if name.startswith("restart-")}
+            done = self.go_on(case, folder, "-t", "1")
+            self.assertEqual(done.stdout, self.whole[case][1])
+            self.assertEqual(done.stderr, "")
+            for name, moment in before.items():
+                self.assertEqual(os.stat(os.path.join(folder, name)).st_mtime_ns, moment)
+
+    def test_instruction_sets(self):
+        """Every set to the same end; begun with one and finished with the next."""
+        sets = [name for name in SETS if clod.run(
+            "run", BOX, "-o", self.path("try"), "--fresh", "-i", name).returncode == 0]
+        self.assertIn("scalar", sets)
+        for k, name in enumerate(sets):
+            folder = self.path(name)
+            self.interrupt(BOX, folder, signal.SIGINT,
+                           self.has(folder, event="phase", to="compress"), "-t", "1", "-i", name)
+            self.go_on(BOX, folder, "-t", "1", "-i", sets[(k + 1) % len(sets)])
+
+    def kill_until_done(self, case, folder, threads, seconds):
+        """SIGKILL at random moments until a run comes to its end; returns how many kills."""
+        dice = random.Random(f"{SEED} {threads} {case}")
+        kills = 0
+        while True:
+            process = clod.start("run", case, "-o", folder, "-t", str(threads))
+            try:
+                # longer from time to time, so that slow machines get there too
+                process.wait(seconds * dice.random() * (1.0 + 0.2 * kills))
+            except clod.subprocess.TimeoutExpired:
+                process.kill()
+                kills += 1
+            _, err = process.communicate()
+            if process.returncode == 0:
+                return kills
+            self.assertEqual(process.returncode, -signal.SIGKILL, err)
+
+    def test_killed(self):
+        print(f"CLOD_TEST_SEED={SEED}")
+        for case, threads, seconds in ((RING, 1, 1.0), (RING, 2, 1.5), (BOX, 1, 0.5)):
+            with self.subTest(case=os.path.basename(case), threads=threads, seed=SEED):
+                folder = self.path(f"{os.path.basename(case)}-{threads}")
+                kills = self.kill_until_done(case, folder, threads, seconds)
+                print(f"{os.path.basename(case)}, {threads} threads: {kills} kills")
+                self.assert_whole(case, folder)
+
+    def damage(self, path, how):
+        whole = clod.read(path)
+        middle = len(whole) // 2
+        damaged = {"cut": whole[:middle],
+                   "empty": b"",
+                   "bit": whole[:middle] + bytes([whole[middle] ^ 4]) + whole[middle + 1:],
+                   "head": whole.replace(b"\nstep ", b"\nstep 1", 1)[:len(whole)]}[how]
+        self.assertNotEqual(whole, damaged)
+        with open(path, "wb") as file:
+            file.write(damaged)
+
+    def stopped(self, name):
+        """A ring shear test stopped in preshear, with two checkpoints."""
+        folder = self.path(name)
+        for phase in ("lower", "preshear"):
+            self.interrupt(RING, folder, signal.SIGTERM,
+                           self.has(folder, event="phase", to=phase), "-t", "1")
+        self.assertEqual(len(clod.checkpoints(folder, "preshear")), 2)
+        return folder
+
+    def test_damaged_checkpoint(self):
+        begun = self.stopped("begun")
+        for how in ("cut", "bit"):
+            with self.subTest(how=how):
+                folder = self.path(how)
+                shutil.copytree(begun, folder)
+                newest, older = clod.checkpoints(folder, "preshear")
+                self.damage(newest, how)
+                done = self.go_on(RING, folder, "-t", "1")
+                self.assertEqual(done.stderr.count(f"{newest} cannot be used"), 1, done.stderr)
+                self.assertIn(f"Going on from {older}", done.stderr)
+
+    def test_damaged_presheared_state(self):
+        """The end of preshear is lost while points wait for it: preshear's end is run again."""
+        folder = self.path("points")
+        self.interrupt(RING, folder, signal.SIGTERM,
+                       self.has(folder, event="phase", to="reduce"), "-t", "1")
+        newest = clod.checkpoints(folder, "preshear")[0]
+        self.damage(newest, "bit")
+        done = self.go_on(RING, folder, "-t", "1")
+        self.assertEqual(done.stderr.count("cannot be used"), 1, done.stderr)
+
+    def test_both_checkpoints_damaged(self):
+        folder = self.stopped("both")
+        for path, how in zip(clod.checkpoints(folder, "preshear"), ("head", "empty")):
+            self.damage(path, how)
+        done = clod.run("run", RING, "-o", folder, "-t", "1")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(done.stderr.count("cannot be used"), 2, done.stderr)
+        self.assertIn("--fresh", done.stderr)
+        self.go_on(RING, folder, "-t", "1", "--fresh")
+
+    def test_changed_case(self):
+        folder = self.stopped("changed")
+        before = {name: clod.read(os.path.join(folder, name)) for name in os.listdir(folder)
+                  if name not in ("log.jsonl", ".clod-lock")}
+        done = clod.run("run", RING, "-o", folder, "-t", "1", "--set", "seed=8")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stdout, "")
+        for text in ("The case has changed", "--fresh", "-o"):
+            self.assertIn(text, done.stderr)
+        for name, content in before.items():
+            self.assertEqual(clod.read(os.path.join(folder, name)), content, name)
+        self.go_on(RING, folder, "-t", "1")
+
+    def test_complete_case_is_the_same_case(self):
+        """The copy with all defaults goes on where the case itself was stopped."""
+        folder = self.stopped("complete")
+        done = clod.run("run", os.path.join(folder, "case-complete.yaml"), "-o", folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        shutil.copy(RING, os.path.join(folder, "case.yaml"))
+        self.assert_whole(RING, folder)
+
+    def test_folder_in_use(self):
+        folder = self.path("used")
+        process = clod.start("run", RING, "-o", folder, "-t", "1")
+        self.assertTrue(clod.wait_until(self.has(folder, event="start"), process))
+        done = clod.run("run", RING, "-o", folder, "-t", "1", "--fresh")
+        process.kill()
+        process.communicate()
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn(f"(process {process.pid})", done.stderr)
+        self.go_on(RING, folder, "-t", "1")
+
+    def test_fresh_keeps_what_is_not_ours(self):
+        folder = self.path("fresh")
+        shutil.copytree(self.whole[BOX][0], folder)
+        with open(os.path.join(folder, "notes.txt"), "w") as file:
+            file.write("mine")
+        self.go_on_with_notes(folder)
+
+    def go_on_with_notes(self, folder):
+        done = clod.run("run", BOX, "-o", folder, "-t", "1", "--fresh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        notes = os.path.join(folder, "notes.txt")
+        self.assertEqual(clod.read(notes), b"mine")
+        os.remove(notes)
+        self.assert_whole(BOX, folder)
+        self.assertEqual(len([e for e in clod.log(folder) if e["event"] == "start"]), 1)
+
+
+if __name__ == "__main__":
+    clod.main()

@@ -1,0 +1,124 @@
+"""Runs the program as a user does, and compares what two runs left behind.
+
+CTest gives the program in CLOD_BINARY and, in a tree with sanitizers, CLOD_SANITIZED=1.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+BINARY = os.environ.get("CLOD_BINARY", "clod")
+SANITIZED = os.environ.get("CLOD_SANITIZED", "") == "1"
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+HEAD = 512  # bytes of text in front of the HDF5 data of a checkpoint
+CLOCK = 32  # most bytes by which two checkpoints of one moment differ: clock time and checksum
+
+
+def source(path):
+    """Absolute path of a file of the repository."""
+    return os.path.join(SOURCE, path)
+
+
+def run(*arguments, timeout=200, **more):
+    """Run clod to its end; stdout and stderr as text."""
+    more = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **more}
+    return subprocess.run([BINARY, *arguments], text=True, timeout=timeout, **more)
+
+
+def start(*arguments):
+    """Start clod and return at once."""
+    return subprocess.Popen([BINARY, *arguments], text=True, stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE)
+
+
+def log(folder):
+    """Events of a results folder; none before there is a log."""
+    path = os.path.join(folder, "log.jsonl")
+    if not os.path.exists(path):
+        return []
+    with open(path) as lines:
+        return [json.loads(line) for line in lines if line.endswith("\n")]
+
+
+def checkpoints(folder, part):
+    """Paths of the checkpoints of a part, the newest first."""
+    found = []
+    for letter in "ab":
+        path = os.path.join(folder, f"restart-{part}_{letter}.h5")
+        if os.path.exists(path):
+            with open(path, "rb") as file:
+                lines = file.read(HEAD).decode().splitlines()
+            sequence = [line for line in lines if line.startswith("sequence ")]
+            found.append((int(sequence[0].split()[1]), path))
+    return [path for _, path in sorted(found, reverse=True)]
+
+
+def wait_until(condition, process=None, seconds=100):
+    """Wait for a condition; false when the process ended first."""
+    end = time.monotonic() + seconds
+    while not condition():
+        if process is not None and process.poll() is not None:
+            return False
+        if time.monotonic() > end:
+            raise TimeoutError("waited in vain")
+        time.sleep(0.003)
+    return True
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def without_clock(summary):
+    """A summary without its time on the clock."""
+    table = json.loads(summary)
+    for part in table["parts"]:
+        del part["wall_clock_s"]
+    return table
+
+
+class Case(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    maxDiff = 4000
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="clod-")
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def assert_same_state(self, one, other):
+        """Two checkpoints hold the same bytes but for the clock."""
+        a, b = read(one)[HEAD:], read(other)[HEAD:]
+        self.assertEqual(len(a), len(b), f"{one} and {other}")
+        differ = [k for k in range(len(a)) if a[k] != b[k]]
+        width = differ[-1] - differ[0] + 1 if differ else 0
+        self.assertLessEqual(width, CLOCK, f"{one} and {other} differ in {len(differ)} bytes")
+
+    def assert_same_end(self, one, other, parts):
+        """Two results folders hold the same tables, pictures, results and last states."""
+        own = ("log.jsonl", ".clod-lock", "summary.json")
+        names = [sorted(name for name in os.listdir(folder)
+                        if name not in own and not name.startswith("restart-"))
+                 for folder in (one, other)]
+        self.assertEqual(names[0], names[1])
+        for name in names[0]:
+            self.assertTrue(read(os.path.join(one, name)) == read(os.path.join(other, name)),
+                            f"{name} differs in {one} and {other}")
+        for part in parts:
+            self.assert_same_state(checkpoints(one, part)[0], checkpoints(other, part)[0])
+        if os.path.exists(os.path.join(one, "summary.json")):
+            self.assertEqual(without_clock(read(os.path.join(one, "summary.json"))),
+                             without_clock(read(os.path.join(other, "summary.json"))))
+
+
+def main():
+    unittest.main(argv=[sys.argv[0], "-v", *sys.argv[1:]])
