@@ -93,9 +93,9 @@ static int compare(const clod_candidate *c, const clod_contact *k)
     return (c->shape > k->shape) - (c->shape < k->shape);
 }
 
-/** Both lists ascend: one walk tells each candidate its contact. False: a contact is left. */
-static bool attach(clod_candidates *self, const clod_contact *contacts, size_t begin,
-                   size_t end)
+/** Both lists ascend: one walk tells each candidate its contact; the first one left, or end. */
+static size_t attach(clod_candidates *self, const clod_contact *contacts, size_t begin,
+                     size_t end)
 {
     size_t k = begin;
     for (size_t c = 0; c < self->count && k < end; c++) {
@@ -103,7 +103,7 @@ static bool attach(clod_candidates *self, const clod_contact *contacts, size_t b
             self->item[c].lane = (int32_t)k++;
         }
     }
-    return k == end;
+    return k;
 }
 
 bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
@@ -118,12 +118,17 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
                                 state->grains.count);
     }
     const size_t pairs = state->contact_count - state->wall_contact_count;
-    if (!attach(&self->pairs, state->contacts, 0, pairs) ||
-        !attach(&self->walls, state->contacts, pairs, state->contact_count)) {
+    size_t left = attach(&self->pairs, state->contacts, 0, pairs);
+    if (left == pairs) {
+        left = attach(&self->walls, state->contacts, pairs, state->contact_count);
+    }
+    if (left < state->contact_count) {
+        const uint64_t grain = state->grains.id[state->contacts[left].i];
         return clod_status_fail(status, CLOD_FAILED,
-                                "step %lld: the contacts do not belong to the positions; the "
-                                "checkpoint or state is not consistent, start afresh",
-                                (long long)state->step);
+                                "step %lld: grain %llu is far away from a grain or wall that "
+                                "it touched one step before; the time step (%g s) is most "
+                                "likely too large, see clod check",
+                                (long long)state->step, (unsigned long long)grain, state->dt);
     }
     return true;
 }
