@@ -1,0 +1,69 @@
+"""A disk that is full, or a file at its size limit: a clear error, nothing lost, and on it goes."""
+
+import os
+import resource
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+BOX = clod.source("tests/restart/box.yaml")
+# Series and checkpoints grow; pictures would fill the disk before there is any checkpoint.
+OPTIONS = ["-t", "1", "--set", "output.snapshot_interval=0 s"]
+
+
+class Disk(clod.Case):
+
+    def whole(self):
+        folder = self.path("whole")
+        done = clod.run("run", BOX, "-o", folder, *OPTIONS)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return folder
+
+    def fails(self, folder, reason, **more):
+        done = clod.run("run", BOX, "-o", folder, *OPTIONS, **more)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(done.stderr.count(reason), 1, done.stderr)
+        self.assertIn(folder, done.stderr)
+
+    def goes_on(self, folder):
+        before = len(clod.log(folder))
+        done = clod.run("run", BOX, "-o", folder, *OPTIONS)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return [event["event"] for event in clod.log(folder)[before:]]
+
+    def test_size_limit(self):
+        whole = self.whole()
+        folder = self.path("limit")
+        limit = os.path.getsize(os.path.join(whole, "series.csv")) // 2
+        set_limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+        self.fails(folder, "File too large", preexec_fn=set_limit)
+        self.fails(folder, "File too large", preexec_fn=set_limit)  # again: nothing is lost
+        self.assertGreater(len(clod.checkpoints(folder, "series")), 0)
+        self.assertIn("resume", self.goes_on(folder))
+        self.assert_same_end(whole, folder, ["series"])
+
+    def test_full_disk(self):
+        disk = self.path("disk")
+        os.mkdir(disk)
+        whole = self.whole()
+        size = sum(os.path.getsize(os.path.join(whole, name)) for name in os.listdir(whole))
+        mount = ["mount", "-t", "tmpfs", "-o", f"size={6 * size // 10 // 1024}k", "none", disk]
+        if os.geteuid() != 0 or subprocess.run(mount, capture_output=True).returncode != 0:
+            self.skipTest("a small disk needs the right to mount one; see test_size_limit")
+        try:
+            folder = os.path.join(disk, "run")
+            self.fails(folder, "No space left on device")
+            self.assertGreater(len(clod.checkpoints(folder, "series")), 0)
+            self.fails(folder, "No space left on device")
+            subprocess.run(["mount", "-o", f"remount,size={2 * size // 1024}k", disk], check=True)
+            self.assertIn("resume", self.goes_on(folder))
+            self.assert_same_end(whole, folder, ["series"])
+        finally:
+            subprocess.run(["umount", disk], check=True)
+
+
+if __name__ == "__main__":
+    clod.main()

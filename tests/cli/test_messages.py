@@ -1,0 +1,153 @@
+"""Exit codes, messages, and what goes to standard output and what to standard error."""
+
+import json
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+BOX = clod.source("tests/restart/box.yaml")
+RING = clod.source("tests/restart/ring.yaml")
+VERBS = ["new", "run", "check", "contact", "locus", "explain", "schema"]
+
+
+class Messages(clod.Case):
+
+    def refused(self, arguments, *texts, code=2):
+        """Exit status, nothing on standard output, each text once on standard error."""
+        done = clod.run(*arguments, cwd=self.folder)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(done.stdout, "")
+        for text in texts:
+            self.assertEqual(done.stderr.count(text), 1, f"{text!r} in {done.stderr}")
+        lines = [line for line in done.stderr.splitlines() if line.strip()]
+        self.assertEqual(len(lines), len(set(lines)), f"a line is there twice: {done.stderr}")
+        return done.stderr
+
+    def answered(self, *arguments):
+        """Exit status 0 and nothing on standard error; returns standard output."""
+        done = clod.run(*arguments, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        return done.stdout
+
+    def test_version(self):
+        # CMakeLists.txt: project(clod VERSION ...)
+        with open(clod.source("CMakeLists.txt")) as file:
+            version = re.search(r"project\(clod VERSION (\S+)", file.read())[1]
+        self.assertTrue(self.answered("--version").startswith(f"clod {version} ("))
+        self.assertEqual(self.answered("run", "--version"), self.answered("-V"))
+
+    def test_help(self):
+        text = self.answered("--help")
+        for verb in VERBS:
+            self.assertIn(f"\n  {verb} ", text)
+            help_of_verb = self.answered(verb, "--help")
+            self.assertTrue(help_of_verb.startswith(f"Usage: clod {verb} "), help_of_verb)
+            for line in help_of_verb.splitlines():
+                self.assertLessEqual(len(line), 80)
+
+    def test_verbs(self):
+        self.refused([], "Usage: clod", "clod VERB --help")
+        self.refused(["rnu", BOX], "there is no verb rnu; did you mean run?")
+        self.refused(["xyzzy"], "there is no verb xyzzy\n", "clod --help lists the verbs")
+
+    def test_options(self):
+        for wrong in ("0", "-1", "two", "", "2.5", "100000"):
+            self.refused(["run", BOX, f"--threads={wrong}"],
+                         f"--threads {wrong}: a whole number from 1 to 1024 is needed")
+        self.refused(["run", BOX, "--treads", "2"], "unrecognized option '--treads'", "--help")
+        self.refused(["run"], "which case?", "clod new ring-shear")
+        self.refused(["run", BOX, RING], "one case at a time")
+        self.refused(["run", BOX, "--set"], "requires an argument")
+        self.refused(["run", BOX, "--simd", "neon", "-o", "x"],
+                     "instruction set 'neon' is unknown", "scalar, avx2 or avx512")
+
+    def test_cases(self):
+        self.refused(["run", "missing.yaml"], "missing.yaml: cannot be opened: No such file")
+        self.refused(["run", "."], "cannot be")
+        self.refused(["run", BOX, "--set", "seeed=3"], "seeed: this key is not known; did you "
+                     "mean seed?")
+        self.refused(["run", BOX, "--set", "seed"], "key.path=value")
+        self.refused(["run", clod.source("cases/contact-bench/case.yaml")],
+                     "nothing to run", "clod contact")
+
+    def test_unknown_key_with_its_place(self):
+        with open(BOX) as file:
+            text = file.read()
+        with open(self.path("wrong.yaml"), "w") as file:
+            file.write(text.replace("    restitution:", "    restitutoin:"))
+        line = text.splitlines().index("    restitution: 0.3") + 1
+        said = self.refused(["run", "wrong.yaml"], f"wrong.yaml:{line}:5: ",
+                            "did you mean restitution?").splitlines()
+        # the line itself, and a caret below the key's first letter
+        at = [k for k, row in enumerate(said) if row.endswith("    restitutoin: 0.3")]
+        self.assertEqual(len(at), 1)
+        self.assertEqual(said[at[0] + 1].index("^"), said[at[0]].index("restitutoin"))
+        self.assertFalse(os.path.exists(self.path("run")), "a refused case leaves no folder")
+
+    def test_folders(self):
+        with open(self.path("file"), "w") as file:
+            file.write("mine")
+        self.refused(["run", BOX, "-o", "file"], "Cannot make the folder file", code=1)
+        self.refused(["run", BOX, "-o", "file/deep"], "Cannot make the folder file", code=1)
+        self.assertEqual(clod.read(self.path("file")), b"mine")
+
+    def test_default_folder(self):
+        done = clod.run("run", BOX, "-t", "1", "--set", "stages.0.duration=1 ms",
+                        "--set", "stages.1.duration=1 ms", "--set", "stages.2.duration=1 ms",
+                        cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(os.path.exists(self.path("run/box/series.csv")))
+
+    def test_where_output_goes(self):
+        """The result alone on standard output; progress in plain lines when not a terminal."""
+        done = clod.run("run", BOX, "-o", "out", "-t", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("time 0.39999"), done.stdout)
+        self.assertEqual(len(done.stdout.splitlines()), 3)  # the bed, two walls
+        self.assertNotIn("\r", done.stderr)
+        self.assertNotIn("\033", done.stderr)
+        # a short run: one line at most on the way, and one at its end
+        self.assertIn(len(done.stderr.splitlines()), (1, 2), done.stderr)
+        self.assertRegex(done.stderr.splitlines()[-1],
+                         r"^series +drag +0\.4\d* s, step \d+, \S+ grain-steps/s$")
+
+    def test_output_that_cannot_be_written(self):
+        with open("/dev/full", "w") as full:
+            done = clod.run("run", BOX, "-o", "out", "-t", "1", cwd=self.folder, stdout=full)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("cannot be written to standard output", done.stderr)
+
+    def physics(self, case, folder, part):
+        # 1 ms is about 10 times the critical step that `clod check` prints for these cases
+        said = self.refused(["run", case, "-o", folder, "-t", "1", "--set", "time.step=1 ms"],
+                            "the time step", code=1)
+        self.assertRegex(said, r"step \d+: .*grain \d+.*time step .*clod check")
+        self.assertTrue(os.path.exists(self.path(f"{folder}/restart-{part}-failed_a.h5")))
+        self.assertEqual([event["event"] for event in clod.log(self.path(folder))],
+                         ["start", "stopped"])
+
+    def test_physics_gone_wrong(self):
+        self.physics(BOX, "box", "series")
+        self.physics(RING, "ring", "preshear")
+
+    def test_log(self):
+        done = clod.run("run", BOX, "-o", "out", "-t", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        events = clod.log(self.path("out"))
+        self.assertEqual([event["event"] for event in events],
+                         ["start", "phase", "phase", "finished"])
+        self.assertEqual([(event["from"], event["to"]) for event in events[1:3]],
+                         [("settle", "compress"), ("compress", "drag")])
+        with open(self.path("out/series.hdf.series")) as file:
+            times = [entry["time"] for entry in json.load(file)["files"]]
+        self.assertEqual(times, sorted(set(times)))
+        for event in events[1:]:  # every stage's end is a snapshot
+            self.assertIn(round(event["time_s"], 9), [round(time, 9) for time in times])
+
+
+if __name__ == "__main__":
+    clod.main()
