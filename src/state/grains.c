@@ -76,6 +76,9 @@ bool clod_grains_copy(clod_grains *self, const clod_grains *from, clod_status *s
         return false;
     }
     const size_t n = from->count;
+    if (n == 0) {
+        return true;
+    }
     self->count = n;
     memcpy(self->place, from->place, n * sizeof *self->place);
     memcpy(self->motion, from->motion, n * sizeof *self->motion);

@@ -140,20 +140,22 @@ static void rename_contact(const clod_neighbour *self, clod_contact *c)
     }
 }
 
-static void sort_part(clod_neighbour *self, clod_contact *contacts, size_t count)
+/** Sort `count` contacts from `first` on. */
+static void sort_part(clod_neighbour *self, clod_contact *contacts, size_t first, size_t count)
 {
     for (size_t k = 0; k < count; k++) {
-        const uint64_t low = contacts[k].shape < 0 ? (uint64_t)(uint32_t)contacts[k].j
-                                                   : (uint64_t)(uint32_t)contacts[k].j << 16 |
-                                                         (uint64_t)(uint32_t)contacts[k].shape;
-        self->sort[k] = (clod_sort_item){(uint64_t)(uint32_t)contacts[k].i << 32 | low, k};
+        const clod_contact *c = &contacts[first + k];
+        const uint64_t low =
+            c->shape < 0 ? (uint64_t)(uint32_t)c->j
+                         : (uint64_t)(uint32_t)c->j << 16 | (uint64_t)(uint32_t)c->shape;
+        self->sort[k] = (clod_sort_item){(uint64_t)(uint32_t)c->i << 32 | low, k};
     }
     clod_sort(self->sort, self->sort_scratch, count);
     for (size_t k = 0; k < count; k++) {
-        self->contact_scratch[k] = contacts[self->sort[k].index];
+        self->contact_scratch[k] = contacts[first + self->sort[k].index];
     }
     if (count > 0) {
-        memcpy(contacts, self->contact_scratch, count * sizeof *contacts);
+        memcpy(&contacts[first], self->contact_scratch, count * sizeof *contacts);
     }
 }
 
@@ -170,8 +172,8 @@ bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_
                                 state->contact_count);
     }
     const size_t pairs = state->contact_count - state->wall_contact_count;
-    sort_part(self, state->contacts, pairs);
-    sort_part(self, state->contacts + pairs, state->wall_contact_count);
+    sort_part(self, state->contacts, 0, pairs);
+    sort_part(self, state->contacts, pairs, state->wall_contact_count);
     return true;
 }
 
