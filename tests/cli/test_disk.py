@@ -10,7 +10,8 @@ import clod
 
 BOX = clod.source("tests/restart/box.yaml")
 # Series and checkpoints grow; pictures would fill the disk before there is any checkpoint.
-OPTIONS = ["-t", "1", "--set", "output.snapshot_interval=0 s"]
+OPTIONS = ["-t", "1", "--set", "output.snapshot_interval=0 s", "--set",
+           "output.checkpoint_interval=0.02 s"]
 
 
 class Disk(clod.Case):
