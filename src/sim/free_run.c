@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "clod/version.h"
 #include "measure/contacts.h"
+#include "output/folder.h"
 #include "setup/state.h"
 
 /** Columns before those of the walls, and of each wall. */
@@ -188,6 +190,40 @@ static char *make_report(const clod_state *state)
     return text;
 }
 
+static json_t *wall_json(const clod_wall *wall)
+{
+    return json_pack("{s:s, s:[fff], s:[fff], s:[fff], s:f}", "name", wall->name, "force_N",
+                     wall->force.x, wall->force.y, wall->force.z, "torque_Nm", wall->torque.x,
+                     wall->torque.y, wall->torque.z, "shift_m", wall->shift.x, wall->shift.y,
+                     wall->shift.z, "angle_rad", wall->angle);
+}
+
+static bool write_summary(const clod_job *job, clod_status *status)
+{
+    char path[4096];
+    const clod_state *state = &job->state;
+    const clod_measure_contacts bed = clod_measure_contacts_of(state);
+    json_t *walls = json_array();
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        json_array_append_new(walls, wall_json(&state->walls.wall[w]));
+    }
+    const char *title = job->sim->from->title;
+    json_t *root =
+        json_pack("{s:s, s:s, s:f, s:f, s:I, s:I, s:I, s:f, s:f, s:f, s:f, s:o}", "title",
+                  title != NULL ? title : "", "version", clod_version_text(), "time_s",
+                  state->time, "dt_s", state->dt, "steps", (json_int_t)state->step, "grains",
+                  (json_int_t)state->grains.count, "contacts", (json_int_t)bed.pairs,
+                  "coordination", bed.coordination, "max_overlap", bed.max_overlap,
+                  "kinetic_energy_J", clod_measure_kinetic_energy(state), "wall_clock_s",
+                  job->memory.wall_clock, "walls", walls);
+    snprintf(path, sizeof path, "%s/summary.json", job->sim->directory);
+    const bool ok = root != NULL
+                        ? clod_folder_write_json(path, root, status)
+                        : clod_status_fail(status, CLOD_FAILED, "no memory for %s", path);
+    json_decref(root);
+    return ok;
+}
+
 static bool run_stages(clod_job *job, free_memory *memory, clod_status *status)
 {
     if (!job->resumed) {
@@ -200,7 +236,7 @@ static bool run_stages(clod_job *job, free_memory *memory, clod_status *status)
 bool clod_free_run(const clod_sim *sim, char **report, clod_status *status)
 {
     free_memory memory = {0};
-    clod_job job = {.sim = sim, .name = "series", .threads = sim->options->threads};
+    clod_job job = {.sim = sim, .name = "run", .threads = sim->options->threads};
     bool ok = clod_setup_state(sim->from, sim->from->seed, &job.state, status);
     const size_t count = FIRST_COUNT + PER_WALL_COUNT * (size_t)job.state.walls.count;
     const char **columns = clod_memory_alloc(count, sizeof *columns);
@@ -210,7 +246,8 @@ bool clod_free_run(const clod_sim *sim, char **report, clod_status *status)
     }
     job.procedure = (clod_procedure){&memory,   sizeof memory, sim->from,  columns,      count,
                                      free_plan, free_sample,   free_phase, free_fraction};
-    ok = ok && clod_job_resume(&job, status) && run_stages(&job, &memory, status);
+    ok = ok && clod_job_resume(&job, status) && run_stages(&job, &memory, status) &&
+         write_summary(&job, status);
     if (ok) {
         *report = make_report(&job.state);
     }

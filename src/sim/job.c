@@ -3,6 +3,7 @@
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
+#include <string.h>
 #include <time.h>
 
 #include "base/memory.h"
@@ -43,9 +44,20 @@ static size_t parts_of(clod_job *job, clod_job_memory *memory, clod_checkpoint_p
     return 2;
 }
 
+/** The only job of a free run is `run`: its files have plain names, those of others their own.
+ */
+static bool is_plain(const char *name)
+{
+    return strcmp(name, "run") == 0;
+}
+
 static void stem_of(const char *name, const char *suffix, char stem[80])
 {
-    snprintf(stem, 80, "restart-%s%s", name, suffix);
+    if (is_plain(name)) {
+        snprintf(stem, 80, "restart%s", suffix);
+    } else {
+        snprintf(stem, 80, "restart-%s%s", name, suffix);
+    }
 }
 
 /** Read the checkpoint of the job called `name` into this one. */
@@ -227,7 +239,8 @@ static bool open_loop(job_loop *loop, clod_status *status)
 {
     clod_job *job = loop->job;
     char path[PATH_MAX_TEXT];
-    snprintf(path, sizeof path, "%s/%s.csv", job->sim->directory, job->name);
+    snprintf(path, sizeof path, "%s/%s.csv", job->sim->directory,
+             is_plain(job->name) ? "series" : job->name);
     loop->row = clod_memory_alloc(job->procedure.column_count, sizeof *loop->row);
     if (loop->row == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for a row of %s", path);

@@ -8,7 +8,7 @@
 #include "base/memory.h"
 
 #define SERVO_LIMIT 0.01     ///< relative error of the mean normal stress
-#define OVERLAP_LIMIT 0.01   ///< largest overlap as a fraction of a radius
+#define OVERLAP_LIMIT 0.05   ///< largest overlap as a fraction of a radius
 #define DILATION_LIMIT 0.01  ///< change of height per shear displacement
 #define INERTIA_LIMIT 1.2e-3 ///< inertial number: quasi-static up to 1e-3 (PHYSICS 5)
 #define GRAINS_LIMIT 5.0     ///< diameters across the smaller of ring width and height
@@ -110,7 +110,9 @@ char *clod_ring_warnings(const clod_case *from, const clod_ring_part *part, int 
         add_servo(&box, &part[p]);
         add_dilation(&box, &part[p]);
         if (part[p].max_overlap > OVERLAP_LIMIT) {
-            add(&box, "%s: overlap up to %.2f %% of a radius; the stiffness is too low",
+            add(&box,
+                "%s: overlap up to %.1f %% of a radius; the laws assume small ones: raise the "
+                "stiffness",
                 part[p].name, 100.0 * part[p].max_overlap);
         }
         if (inertial_number(from, &part[p]) > INERTIA_LIMIT) {
