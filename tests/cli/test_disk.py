@@ -11,7 +11,8 @@ import clod
 BOX = clod.source("tests/restart/box.yaml")
 # Series and checkpoints grow; pictures would fill the disk before there is any checkpoint.
 OPTIONS = ["-t", "1", "--set", "output.snapshot_interval=0 s", "--set",
-           "output.checkpoint_interval=0.02 s"]
+           "output.checkpoint_interval=0.02 s", "--set",
+           "output.series_interval=0.25 ms"]
 
 
 class Disk(clod.Case):
@@ -38,6 +39,7 @@ class Disk(clod.Case):
     def test_size_limit(self):
         whole = self.whole()
         folder = self.path("limit")
+        # between the size of a checkpoint and that of the whole series
         limit = os.path.getsize(os.path.join(whole, "series.csv")) // 2
         set_limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
         self.fails(folder, "File too large", preexec_fn=set_limit)

@@ -24,7 +24,7 @@ class Restart(clod.Case):
         """Undisturbed runs to compare with, in folders that outlive the tests."""
         cls.whole = {}
         for case in (RING, BOX):
-            folder = clod.tempfile.mkdtemp(prefix="clod-whole-")
+            folder = clod.make_folder()
             cls.addClassCleanup(shutil.rmtree, folder)
             done = clod.run("run", case, "-o", folder, "-t", "1")
             assert done.returncode == 0, done.stderr
@@ -65,6 +65,7 @@ class Restart(clod.Case):
                                "-t", threads)
                 self.go_on(RING, folder, "-t", "1" if threads == "2" else "2")
 
+    @clod.quick_only
     def test_signals_again_and_again(self):
         folder = self.path("often")
         for phase in ("lower", "consolidate", "preshear", "reduce"):
@@ -94,6 +95,7 @@ class Restart(clod.Case):
             for name, moment in before.items():
                 self.assertEqual(os.stat(os.path.join(folder, name)).st_mtime_ns, moment)
 
+    @clod.quick_only
     def test_instruction_sets(self):
         """Every set to the same end; begun with one and finished with the next."""
         sets = [name for name in SETS if clod.run(
@@ -122,6 +124,7 @@ class Restart(clod.Case):
                 return kills
             self.assertEqual(process.returncode, -signal.SIGKILL, err)
 
+    @clod.quick_only
     def test_killed(self):
         print(f"CLOD_TEST_SEED={SEED}")
         for case, threads, seconds in ((RING, 1, 1.0), (RING, 2, 1.5), (BOX, 1, 0.5)):
@@ -151,6 +154,7 @@ class Restart(clod.Case):
         self.assertEqual(len(clod.checkpoints(folder, "preshear")), 2)
         return folder
 
+    @clod.quick_only
     def test_damaged_checkpoint(self):
         begun = self.stopped("begun")
         for how in ("cut", "bit"):
@@ -173,6 +177,7 @@ class Restart(clod.Case):
         done = self.go_on(RING, folder, "-t", "1")
         self.assertEqual(done.stderr.count("cannot be used"), 1, done.stderr)
 
+    @clod.quick_only
     def test_both_checkpoints_damaged(self):
         folder = self.stopped("both")
         for path, how in zip(clod.checkpoints(folder, "preshear"), ("head", "empty")):
@@ -184,6 +189,7 @@ class Restart(clod.Case):
         self.assertIn("--fresh", done.stderr)
         self.go_on(RING, folder, "-t", "1", "--fresh")
 
+    @clod.quick_only
     def test_changed_case(self):
         folder = self.stopped("changed")
         before = {name: clod.read(os.path.join(folder, name)) for name in os.listdir(folder)
@@ -197,6 +203,7 @@ class Restart(clod.Case):
             self.assertEqual(clod.read(os.path.join(folder, name)), content, name)
         self.go_on(RING, folder, "-t", "1")
 
+    @clod.quick_only
     def test_complete_case_is_the_same_case(self):
         """The copy with all defaults goes on where the case itself was stopped."""
         folder = self.stopped("complete")
@@ -216,6 +223,7 @@ class Restart(clod.Case):
         self.assertIn(f"(process {process.pid})", done.stderr)
         self.go_on(RING, folder, "-t", "1")
 
+    @clod.quick_only
     def test_fresh_keeps_what_is_not_ours(self):
         folder = self.path("fresh")
         shutil.copytree(self.whole[BOX][0], folder)

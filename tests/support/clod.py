@@ -15,6 +15,9 @@ import unittest
 BINARY = os.environ.get("CLOD_BINARY", "clod")
 SANITIZED = os.environ.get("CLOD_SANITIZED", "") == "1"
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+# In memory where there is such a folder: some thousand files are brought to the disk.
+MEMORY = "/dev/shm"
+TEMPORARY = MEMORY if os.access(MEMORY, os.W_OK) else None
 HEAD = 512  # bytes of text in front of the HDF5 data of a checkpoint
 CLOCK = 32  # most bytes by which two checkpoints of one moment differ: clock time and checksum
 
@@ -83,13 +86,21 @@ def without_clock(summary):
     return table
 
 
+# Ten times slower with sanitizers, and nothing that other tests do not run as well.
+quick_only = unittest.skipIf(SANITIZED, "left out in a tree with sanitizers")
+
+
+def make_folder():
+    return tempfile.mkdtemp(prefix="clod-", dir=TEMPORARY)
+
+
 class Case(unittest.TestCase):
     """A test with a folder of its own."""
 
     maxDiff = 4000
 
     def setUp(self):
-        self.folder = tempfile.mkdtemp(prefix="clod-")
+        self.folder = make_folder()
         self.addCleanup(shutil.rmtree, self.folder)
 
     def path(self, name):
