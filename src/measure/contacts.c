@@ -6,11 +6,7 @@ static double pair_distance(const clod_state *state, const double a[4], const do
 {
     double sum = 0.0;
     for (int c = 0; c < 3; c++) {
-        double s = a[c] - b[c];
-        if (state->domain.periodic[c]) {
-            const double period = state->domain.max[c] - state->domain.min[c];
-            s -= period * nearbyint(s / period);
-        }
+        const double s = clod_domain_separation(&state->domain, c, a[c], b[c]);
         sum += s * s;
     }
     return sqrt(sum);

@@ -12,23 +12,12 @@ typedef struct cell_grid {
     bool periodic[3];
 } cell_grid;
 
-/** Separation along one axis, by the nearest image where the domain is periodic. */
-static double separation(const clod_domain *domain, int axis, double a, double b)
-{
-    const double s = a - b;
-    if (!domain->periodic[axis]) {
-        return s;
-    }
-    const double period = domain->max[axis] - domain->min[axis];
-    return s - period * nearbyint(s * (1.0 / period));
-}
-
 static bool within_skin(const clod_state *state, const double a[4], const double b[4],
                         double skin)
 {
-    const double x = separation(&state->domain, 0, a[0], b[0]);
-    const double y = separation(&state->domain, 1, a[1], b[1]);
-    const double z = separation(&state->domain, 2, a[2], b[2]);
+    const double x = clod_domain_separation(&state->domain, 0, a[0], b[0]);
+    const double y = clod_domain_separation(&state->domain, 1, a[1], b[1]);
+    const double z = clod_domain_separation(&state->domain, 2, a[2], b[2]);
     const double reach = a[3] + b[3] + skin;
     return x * x + y * y + z * z < reach * reach;
 }

@@ -14,23 +14,13 @@ typedef struct near_job {
     size_t *fill;                 ///< [laws] contacts placed so far
 } near_job;
 
-static double axis_distance(const clod_domain *domain, int axis, double a, double b)
-{
-    const double s = a - b;
-    if (!domain->periodic[axis]) {
-        return s;
-    }
-    const double period = domain->max[axis] - domain->min[axis];
-    return s - period * nearbyint(s * (1.0 / period));
-}
-
 static bool pair_is_near(const clod_state *state, const clod_candidate *c, double skin)
 {
     const double *a = state->grains.place[c->i];
     const double *b = state->grains.place[c->j];
-    const double x = axis_distance(&state->domain, 0, a[0], b[0]);
-    const double y = axis_distance(&state->domain, 1, a[1], b[1]);
-    const double z = axis_distance(&state->domain, 2, a[2], b[2]);
+    const double x = clod_domain_separation(&state->domain, 0, a[0], b[0]);
+    const double y = clod_domain_separation(&state->domain, 1, a[1], b[1]);
+    const double z = clod_domain_separation(&state->domain, 2, a[2], b[2]);
     const double reach = a[3] + b[3] + skin;
     return x * x + y * y + z * z < reach * reach;
 }
@@ -117,6 +107,19 @@ static void history_get(const clod_history *from, int lane, double to[8])
     }
 }
 
+/** History of a candidate from where it was, or none, into its new lane. */
+static void carry_history(const near_job *job, const clod_candidate *c,
+                          const clod_history *before, clod_history *to, int lane)
+{
+    double history[8] = {0.0};
+    if (c->lane >= 0 && job->contacts != NULL) {
+        memcpy(history, job->contacts[c->lane].history, sizeof history);
+    } else if (c->lane >= 0) {
+        history_get(before, c->lane % CLOD_LANES, history);
+    }
+    history_put(to, lane, history);
+}
+
 static void place_pair(near_job *job, clod_candidate *c)
 {
     clod_near *near = job->near;
@@ -129,13 +132,9 @@ static void place_pair(near_job *job, clod_candidate *c)
     block->j[lane] = c->j;
     block->slot_i[lane] = near->slot_fill[c->i]++;
     block->slot_j[lane] = near->slot_fill[c->j]++;
-    double history[8] = {0.0};
-    if (c->lane >= 0 && job->contacts != NULL) {
-        memcpy(history, job->contacts[c->lane].history, sizeof history);
-    } else if (c->lane >= 0) {
-        history_get(&old[c->lane / CLOD_LANES].history, c->lane % CLOD_LANES, history);
-    }
-    history_put(&block->history, lane, history);
+    const clod_history *before =
+        c->lane < 0 || job->contacts != NULL ? NULL : &old[c->lane / CLOD_LANES].history;
+    carry_history(job, c, before, &block->history, lane);
     c->lane = (int32_t)at;
 }
 
@@ -152,13 +151,9 @@ static void place_wall(near_job *job, clod_candidate *c)
     block->shape[lane] = c->shape;
     block->slot_i[lane] = near->slot_fill[c->i]++;
     block->slot_wall[lane] = near->wall_slot_fill[c->j]++;
-    double history[8] = {0.0};
-    if (c->lane >= 0 && job->contacts != NULL) {
-        memcpy(history, job->contacts[c->lane].history, sizeof history);
-    } else if (c->lane >= 0) {
-        history_get(&old[c->lane / CLOD_LANES].history, c->lane % CLOD_LANES, history);
-    }
-    history_put(&block->history, lane, history);
+    const clod_history *before =
+        c->lane < 0 || job->contacts != NULL ? NULL : &old[c->lane / CLOD_LANES].history;
+    carry_history(job, c, before, &block->history, lane);
     c->lane = (int32_t)at;
 }
 

@@ -41,8 +41,7 @@ static double overlap_fraction(const clod_step *self, int32_t i, int32_t j)
     const double *b = self->state->grains.place[j];
     double s2 = 0.0;
     for (int c = 0; c < 3; c++) {
-        double s = a[c] - b[c];
-        s -= self->view.period[c] * nearbyint(s * self->view.inverse_period[c]);
+        const double s = clod_domain_separation(&self->state->domain, c, a[c], b[c]);
         s2 += s * s;
     }
     return (a[3] + b[3] - sqrt(s2)) / fmin(a[3], b[3]);
