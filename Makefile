@@ -33,9 +33,11 @@ lint: setup-test ## only the checks of the sources
 	@cmake --preset test --log-level=WARNING
 	@ctest --preset test -j $(JOBS) -L lint
 
-bench: setup-test build ## measure the speed of the step; prints bench/results/step.md
+bench: setup-test build ## measure the speed of the step into bench/results/step.md
 	@cmake --build --preset release --target bench
-	@bench/run-step $(RELEASE)/bench/bench_step
+	@bench/run-step $(RELEASE)/bench/bench_step >bench/results/step.part
+	@mv bench/results/step.part bench/results/step.md
+	@cat bench/results/step.md
 
 format: setup-test ## put all sources into the house format
 	clang-format-14 -i $$(find src include app tests bench -name '*.[ch]')
