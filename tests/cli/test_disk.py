@@ -44,9 +44,9 @@ class Disk(clod.Case):
         set_limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
         self.fails(folder, "File too large", preexec_fn=set_limit)
         self.fails(folder, "File too large", preexec_fn=set_limit)  # again: nothing is lost
-        self.assertGreater(len(clod.checkpoints(folder, "series")), 0)
+        self.assertGreater(len(clod.checkpoints(folder, "run")), 0)
         self.assertIn("resume", self.goes_on(folder))
-        self.assert_same_end(whole, folder, ["series"])
+        self.assert_same_end(whole, folder, ["run"])
 
     def test_full_disk(self):
         disk = self.path("disk")
@@ -59,11 +59,11 @@ class Disk(clod.Case):
         try:
             folder = os.path.join(disk, "run")
             self.fails(folder, "No space left on device")
-            self.assertGreater(len(clod.checkpoints(folder, "series")), 0)
+            self.assertGreater(len(clod.checkpoints(folder, "run")), 0)
             self.fails(folder, "No space left on device")
             subprocess.run(["mount", "-o", f"remount,size={2 * size // 1024}k", disk], check=True)
             self.assertIn("resume", self.goes_on(folder))
-            self.assert_same_end(whole, folder, ["series"])
+            self.assert_same_end(whole, folder, ["run"])
         finally:
             subprocess.run(["umount", disk], check=True)
 

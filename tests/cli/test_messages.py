@@ -113,7 +113,7 @@ class Messages(clod.Case):
         # a short run: one line at most on the way, and one at its end
         self.assertIn(len(done.stderr.splitlines()), (1, 2), done.stderr)
         self.assertRegex(done.stderr.splitlines()[-1],
-                         r"^series +drag +0\.4\d* s, step \d+, \S+ grain-steps/s$")
+                         r"^run +drag +0\.4\d* s, step \d+, \S+ grain-steps/s$")
 
     def test_output_that_cannot_be_written(self):
         with open("/dev/full", "w") as full:
@@ -121,18 +121,18 @@ class Messages(clod.Case):
         self.assertEqual(done.returncode, 1)
         self.assertIn("cannot be written to standard output", done.stderr)
 
-    def physics(self, case, folder, part):
+    def physics(self, case, folder, stem):
         # 1 ms is about 10 times the critical step that `clod check` prints for these cases
         said = self.refused(["run", case, "-o", folder, "-t", "1", "--set", "time.step=1 ms"],
                             "the time step", code=1)
         self.assertRegex(said, r"step \d+: .*grain \d+.*time step .*clod check")
-        self.assertTrue(os.path.exists(self.path(f"{folder}/restart-{part}-failed_a.h5")))
+        self.assertTrue(os.path.exists(self.path(f"{folder}/{stem}-failed_a.h5")))
         self.assertEqual([event["event"] for event in clod.log(self.path(folder))],
                          ["start", "stopped"])
 
     def test_physics_gone_wrong(self):
-        self.physics(BOX, "box", "series")
-        self.physics(RING, "ring", "preshear")
+        self.physics(BOX, "box", "restart")
+        self.physics(RING, "ring", "restart-preshear")
 
     def test_log(self):
         done = clod.run("run", BOX, "-o", "out", "-t", "1", cwd=self.folder)
@@ -142,7 +142,7 @@ class Messages(clod.Case):
                          ["start", "phase", "phase", "finished"])
         self.assertEqual([(event["from"], event["to"]) for event in events[1:3]],
                          [("settle", "compress"), ("compress", "drag")])
-        with open(self.path("out/series.hdf.series")) as file:
+        with open(self.path("out/run.hdf.series")) as file:
             times = [entry["time"] for entry in json.load(file)["files"]]
         self.assertEqual(times, sorted(set(times)))
         for event in events[1:]:  # every stage's end is a snapshot

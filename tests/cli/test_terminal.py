@@ -48,7 +48,7 @@ class Terminal(clod.Case):
         self.assertEqual(lines[0], "")
         for line in lines[1:-1]:  # each overwritten by the next: no line ends
             self.assertNotIn("\n", line)
-            self.assertRegex(line, r"^series +\w+ +\d+\.\d{4} s, step \d+, \S+ grain-steps/s"
+            self.assertRegex(line, r"^run +\w+ +\d+\.\d{4} s, step \d+, \S+ grain-steps/s"
                                    r"(, at most \d+:\d\d:\d\d left)?$")
         times = [float(re.search(r"([\d.]+) s,", line)[1]) for line in lines[1:-1]]
         self.assertEqual(times, sorted(set(times)))
@@ -68,7 +68,7 @@ class Terminal(clod.Case):
         code, shown, out = self.on_terminal("run", BOX, "-o", "out", "-t", "1")
         self.assertEqual(code, 0, shown)
         self.assertRegex(shown.split(CLEAR)[-1],
-                         r"^series +drag +0\.4\d* s, step \d+, \S+ grain-steps/s\r\n$")
+                         r"^run +drag +0\.4\d* s, step \d+, \S+ grain-steps/s\r\n$")
         self.assertTrue(out.startswith("time 0.39999"), out)
 
 

@@ -12,7 +12,7 @@ import clod
 
 RING = clod.source("tests/restart/ring.yaml")
 BOX = clod.source("tests/restart/box.yaml")
-PARTS = {RING: ["preshear", "point-1", "point-2"], BOX: ["series"]}
+PARTS = {RING: ["preshear", "point-1", "point-2"], BOX: ["run"]}
 SETS = ["scalar", "avx2", "avx512"]
 SEED = int(os.environ.get("CLOD_TEST_SEED", time.time_ns() % 1000000))
 
@@ -88,7 +88,7 @@ class Restart(clod.Case):
             folder = self.path(os.path.basename(case))
             shutil.copytree(self.whole[case][0], folder)
             before = {name: os.stat(os.path.join(folder, name)).st_mtime_ns
-                      for name in os.listdir(folder) if name.startswith("restart-")}
+                      for name in os.listdir(folder) if name.startswith("restart")}
             done = self.go_on(case, folder, "-t", "1")
             self.assertEqual(done.stdout, self.whole[case][1])
             self.assertEqual(done.stderr, "")
@@ -191,17 +191,26 @@ class Restart(clod.Case):
 
     @clod.quick_only
     def test_changed_case(self):
-        folder = self.stopped("changed")
+        self.changed(RING, self.stopped("changed"))
+        self.changed(BOX, self.copy_of_whole("box"))
+
+    def copy_of_whole(self, name):
+        folder = self.path(name)
+        shutil.copytree(self.whole[BOX][0], folder)
+        return folder
+
+    def changed(self, case, folder):
+        """Another case is refused and changes nothing; the case itself goes on."""
         before = {name: clod.read(os.path.join(folder, name)) for name in os.listdir(folder)
                   if name not in ("log.jsonl", ".clod-lock")}
-        done = clod.run("run", RING, "-o", folder, "-t", "1", "--set", "seed=8")
+        done = clod.run("run", case, "-o", folder, "-t", "1", "--set", "seed=8")
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertEqual(done.stdout, "")
         for text in ("The case has changed", "--fresh", "-o"):
             self.assertIn(text, done.stderr)
         for name, content in before.items():
             self.assertEqual(clod.read(os.path.join(folder, name)), content, name)
-        self.go_on(RING, folder, "-t", "1")
+        self.go_on(case, folder, "-t", "1")
 
     @clod.quick_only
     def test_complete_case_is_the_same_case(self):
@@ -225,8 +234,7 @@ class Restart(clod.Case):
 
     @clod.quick_only
     def test_fresh_keeps_what_is_not_ours(self):
-        folder = self.path("fresh")
-        shutil.copytree(self.whole[BOX][0], folder)
+        folder = self.copy_of_whole("fresh")
         with open(os.path.join(folder, "notes.txt"), "w") as file:
             file.write("mine")
         self.go_on_with_notes(folder)

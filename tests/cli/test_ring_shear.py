@@ -1,0 +1,250 @@
+"""A small ring shear test from the case file to the yield locus.
+
+The bounds are those of mechanics, not of the material: torque and force of lid and base balance
+but for the inertia of the bed, mass is kept, and the programme runs in its order. The case is
+too small and too fast for a result worth having.
+"""
+
+import csv
+import json
+import math
+import os
+import shutil
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+CASE = clod.source("tests/cli/ring_shear.yaml")
+TINY = clod.source("tests/restart/ring.yaml")
+GRAVITY = 9.80665
+# CASE
+RI, RO = 0.020, 0.040
+PRESHEAR, STRESSES, SPEED = 10e3, [3e3, 5e3, 7e3], 0.080
+BARS, BAR_HEIGHT, BAR_WIDTH = 8, 0.005, 0.002
+AREA = math.pi * (RO ** 2 - RI ** 2)
+FILL, LOWER, CONSOLIDATE, SHEARED, REVERSE, REDUCE, SHEAR = range(7)
+
+
+def table(path):
+    """A CSV file as a list of rows of numbers by name, units cut off the names."""
+    with open(path, newline="") as file:
+        rows = csv.reader(file)
+        names = [name.split(" [")[0] for name in next(rows)]
+        return [dict(zip(names, map(float, row))) for row in rows]
+
+
+def mean(rows, name):
+    return sum(row[name] for row in rows) / len(rows)
+
+
+class RingShear(clod.Case):
+
+    @classmethod
+    def setUpClass(cls):
+        cls.out = clod.make_folder()
+        cls.addClassCleanup(shutil.rmtree, cls.out)
+        done = clod.run("run", CASE, "-o", cls.out)
+        assert done.returncode == 0, done.stderr
+        cls.report = done.stdout
+        with open(os.path.join(cls.out, "summary.json")) as file:
+            cls.summary = json.load(file)
+        cls.part = {part["part"]: part for part in cls.summary["parts"]}
+        cls.series = {name: table(os.path.join(cls.out, f"{name}.csv")) for name in cls.part}
+        cls.points = table(os.path.join(cls.out, "points.csv"))
+
+    def steady(self):
+        """Preshear at full speed, the last 4 mm: the blocks that the result is the mean of."""
+        rows = [row for row in self.series["preshear"] if row["phase"] == SHEARED]
+        return [row for row in rows if row["displacement"] > rows[-1]["displacement"] - 4e-3]
+
+    def mass(self):
+        """Mass of all grains, as the preflight counts them."""
+        return json.loads(clod.run("check", CASE, "--json").stdout)["mass_kg"]
+
+    def test_phases_come_in_order(self):
+        phases = {name: [row["phase"] for row in rows] for name, rows in self.series.items()}
+        self.assertEqual(sorted(set(phases["preshear"])), [FILL, LOWER, CONSOLIDATE, SHEARED])
+        for point in ("point-1", "point-2", "point-3"):
+            self.assertEqual(sorted(set(phases[point])), [REVERSE, REDUCE, SHEAR])
+        for name, rows in self.series.items():
+            self.assertEqual(phases[name], sorted(phases[name]), name)
+            times = [row["time"] for row in rows]
+            self.assertEqual(times, sorted(set(times)), name)
+
+    def test_points_begin_at_the_presheared_state(self):
+        last = self.series["preshear"][-1]
+        for point in ("point-1", "point-2", "point-3"):
+            first = self.series[point][0]
+            self.assertGreater(first["time"], last["time"])
+            self.assertLess(first["time"] - last["time"], 2e-4)  # 50 steps of 2.5 us
+            self.assertAlmostEqual(first["height"], last["height"], delta=2e-5)
+
+    def test_speeds(self):
+        self.assertEqual({row["speed"] for row in self.steady()}, {SPEED})
+        for name, stress in zip(("point-1", "point-2", "point-3"), STRESSES):
+            # the inertial number of preshear: speed ~ sqrt(stress)
+            top = max(row["speed"] for row in self.series[name] if row["phase"] == SHEAR)
+            self.assertAlmostEqual(top, SPEED * math.sqrt(stress / PRESHEAR), delta=1e-9)
+            self.assertLess(min(row["speed"] for row in self.series[name]), 0.0)
+
+    def test_torques_balance(self):
+        """No torque from outside but the two: they differ by the change of spin of the bed."""
+        rows = self.steady()
+        lid, base = mean(rows, "shear_stress"), mean(rows, "shear_stress_base")
+        self.assertGreater(lid, 0.2 * PRESHEAR)
+        self.assertAlmostEqual(lid / base, 1.0, delta=0.01)
+
+    def test_normal_stress(self):
+        rows = self.steady()
+        plane, base = mean(rows, "normal_stress"), mean(rows, "normal_stress_base")
+        self.assertAlmostEqual(plane / PRESHEAR, 1.0, delta=0.02)
+        # the base carries the solid below the shear plane as well, h - h_bar of h
+        height = mean(rows, "height")
+        below = self.mass() * GRAVITY / AREA * (1.0 - BAR_HEIGHT / height)
+        self.assertAlmostEqual(base - plane, below, delta=0.25 * below)
+
+    def test_normal_stress_of_the_points(self):
+        for name, stress in zip(("point-1", "point-2", "point-3"), STRESSES):
+            rows = [row for row in self.series[name] if row["phase"] == SHEAR]
+            self.assertAlmostEqual(mean(rows, "normal_stress") / stress, 1.0, delta=0.04)
+            self.assertEqual(self.part[name]["normal_stress_Pa"], stress)
+            self.assertAlmostEqual(self.part[name]["measured_normal_stress_Pa"],
+                                   mean(rows, "normal_stress"), delta=1e-6)
+
+    def test_bulk_density_is_mass_over_volume(self):
+        """Whatever the height: mass = density (A h - V) with one volume V, that of the bars."""
+        mass = self.mass()
+        volumes = [AREA * row["height"] - mass / row["bulk_density"]
+                   for rows in self.series.values() for row in rows]
+        most = 2 * BARS * BAR_HEIGHT * BAR_WIDTH * (RO - RI)  # bars from wall to wall
+        self.assertLess(max(volumes) - min(volumes), 1e-9 * AREA * 0.02)
+        self.assertLess(volumes[0], most)
+        self.assertGreater(volumes[0], 0.8 * most)
+        density = mean(self.steady(), "bulk_density")
+        self.assertAlmostEqual(self.part["preshear"]["bulk_density_kg_m3"] / density, 1.0,
+                               delta=0.005)
+
+    def test_power_is_torque_times_spin(self):
+        """The walls turn as one: power = tau A r_m * speed / r_m, whatever the mean radius."""
+        rows = self.steady()
+        work = mean(rows, "shear_stress_base") * AREA * SPEED
+        self.assertAlmostEqual(mean(rows, "power") / work, 1.0, delta=1e-6)
+
+    def test_reversal(self):
+        for point in ("point-1", "point-2", "point-3"):
+            rows = [row for row in self.series[point] if row["phase"] == REVERSE]
+            self.assertGreater(rows[0]["shear_stress"], 0.0)
+            self.assertGreater(min(row["shear_stress"] for row in rows[:-1]), 0.0)
+            self.assertLessEqual(rows[-1]["shear_stress"], 0.0)
+
+    def test_results_are_those_of_the_series(self):
+        rows = self.steady()
+        self.assertEqual(self.part["preshear"]["flags"], 0)
+        self.assertAlmostEqual(self.part["preshear"]["shear_stress_Pa"],
+                               mean(rows, "shear_stress"), delta=0.01 * PRESHEAR)
+        for name in ("point-1", "point-2", "point-3"):
+            shear = [row["shear_stress"] for row in self.series[name] if row["phase"] == SHEAR]
+            # the smoothed peak: below the largest sample, above the mean
+            self.assertLess(self.part[name]["shear_stress_Pa"], max(shear))
+            self.assertGreater(self.part[name]["shear_stress_Pa"], sum(shear) / len(shear))
+
+    def test_points_file(self):
+        self.assertEqual([row["sigma_sh"] for row in self.points], STRESSES)
+        for row, name in zip(self.points, ("point-1", "point-2", "point-3")):
+            self.assertEqual(row["seed"], 5)
+            self.assertEqual(row["sigma_pre"], PRESHEAR)
+            for column, value in (("tau_sh", self.part[name]["shear_stress_Pa"]),
+                                  ("tau_pre", self.part["preshear"]["shear_stress_Pa"]),
+                                  ("rho_b", self.part["preshear"]["bulk_density_kg_m3"])):
+                self.assertAlmostEqual(row[column] / value, 1.0, delta=1e-8)
+
+    def numbers(self, tree):
+        if isinstance(tree, dict):
+            return {key: self.numbers(value) for key, value in tree.items()}
+        if isinstance(tree, list):
+            return [self.numbers(value) for value in tree]
+        return float(f"{tree:.7g}") if isinstance(tree, float) else tree
+
+    def test_locus_of_the_points_file(self):
+        path = os.path.join(self.out, "points.csv")
+        done = clod.run("locus", path, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        # points.csv has 9 digits
+        self.assertEqual(self.numbers(json.loads(done.stdout)),
+                         self.numbers(self.summary["locus"]))
+        shown = clod.run("locus", path).stdout
+        for line in shown.splitlines():
+            self.assertIn(line, self.report)
+
+    def test_locus_by_hand(self):
+        """Least squares through the three points, for themselves (PHYSICS 7)."""
+        x = [row["sigma_sh"] for row in self.points]
+        y = [row["tau_sh"] for row in self.points]
+        x0, y0 = sum(x) / 3, sum(y) / 3
+        slope = (sum((a - x0) * (b - y0) for a, b in zip(x, y)) /
+                 sum((a - x0) ** 2 for a in x))
+        text = json.dumps(self.summary["locus"])
+        for value in (y0 - slope * x0, math.degrees(math.atan(slope))):
+            self.assertTrue(any(abs(number / value - 1.0) < 1e-6 for number in
+                                self.floats(self.summary["locus"])), f"{value} in {text}")
+
+    def floats(self, tree):
+        if isinstance(tree, (dict, list)):
+            for value in tree.values() if isinstance(tree, dict) else tree:
+                yield from self.floats(value)
+        elif isinstance(tree, float):
+            yield tree
+
+    def test_warnings(self):
+        """Steady, so nothing about that; small and fast, so those are told, each once."""
+        self.assertIn("Warnings of the simulation", self.report)
+        self.assertNotIn("not steady after", self.report)
+        for text in ("preshear: inertial number", "point-1: inertial number",
+                     "preshear: overlap up to",
+                     "grain diameters across the specimen"):
+            self.assertEqual(self.report.count(text), 1, self.report)
+        self.assertIn(self.summary["warnings"].strip(), self.report)
+
+
+class Provoked(clod.Case):
+
+    def report(self, *options):
+        done = clod.run("run", TINY, "-o", self.path("out"), *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def test_warnings(self):
+        text = self.report("--set", "ring_shear.preshear_max=2 mm", "--set",
+                           "ring_shear.lid_damping=20")
+        # so much damping that the lid does not come down to the grains in time
+        for warning in ("preshear: not steady after",
+                        "preshear: filling or consolidation did not come to rest",
+                        "preshear: the mean normal stress was", "preshear: inertial number",
+                        "point-1: the lid under the reduced load did not come to rest",
+                        "grain diameters across the specimen"):
+            self.assertEqual(text.count(warning), 1, text)
+
+    def test_seeds(self):
+        text = self.report("--set", "ring_shear.seeds=2")
+        with open(self.path("out/summary.json")) as file:
+            summary = json.load(file)
+        names = [f"seed-{seed}-{part}" for seed in (7, 8)
+                 for part in ("preshear", "point-1", "point-2")]
+        self.assertEqual(sorted(part["part"] for part in summary["parts"]), sorted(names))
+        points = table(self.path("out/points.csv"))
+        self.assertEqual([row["seed"] for row in points], [7, 7, 8, 8])
+        self.assertNotEqual(points[0]["tau_sh"], points[2]["tau_sh"])
+        self.assertIn("2 seeds", text)
+        # the first seed is the test of one seed, byte for byte
+        done = clod.run("run", TINY, "-o", self.path("one"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for part in ("preshear", "point-1", "point-2"):
+            self.assertEqual(clod.read(self.path(f"out/seed-7-{part}.csv")),
+                             clod.read(self.path(f"one/{part}.csv")))
+            self.assertNotEqual(clod.read(self.path(f"out/seed-8-{part}.csv")),
+                                clod.read(self.path(f"one/{part}.csv")))
+
+
+if __name__ == "__main__":
+    clod.main()
