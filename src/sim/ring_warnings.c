@@ -42,7 +42,7 @@ static void add_flags(warning_box *box, const clod_case *from, const clod_ring_p
         add(box,
             "%s: not steady after %.0f mm of shear; the preshear values are means of the last "
             "blocks. Raise ring_shear.preshear_max or steady_tolerance",
-            part->name, 1e3 * from->ring_shear.preshear_max);
+            part->name, 1e3 * part->test.preshear_displacement);
     }
     if ((flags & CLOD_RING_SHEAR_NOT_SETTLED) != 0) {
         add(box, "%s: %s did not come to rest within its time limit", part->name,

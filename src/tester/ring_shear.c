@@ -309,7 +309,9 @@ static void after_preshear(clod_ring_shear *self, clod_state *state, const doubl
     note_normal(self, row);
     const bool steady = clod_steady_add(&self->steady, row[CLOD_RING_SHEAR_SHEAR_STRESS],
                                         row[CLOD_RING_SHEAR_HEIGHT]);
-    const bool late = self->displacement > self->preshear_max;
+    // never without the blocks that a mean with an error needs, however short the limit
+    const bool late =
+        self->displacement > self->preshear_max && self->steady.block_count >= CLOD_STEADY_MIN;
     if (!steady && !late) {
         return;
     }
