@@ -26,7 +26,7 @@ static bool has_checkpoints(const char *directory)
     DIR *folder = opendir(directory);
     bool any = false;
     for (struct dirent *entry; folder != NULL && !any && (entry = readdir(folder)) != NULL;) {
-        any = fnmatch("restart-*_[ab].h5", entry->d_name, 0) == 0;
+        any = fnmatch("restart*_[ab].h5", entry->d_name, 0) == 0;
     }
     if (folder != NULL) {
         closedir(folder);
