@@ -172,23 +172,28 @@ void clod_ring_shear_branch(clod_ring_shear *self, double shear_stress, clod_sta
     enter(self, state, CLOD_RING_SHEAR_REVERSE);
 }
 
+/** Steps in which the solid is sheared by `displacement` [m] at `speed`. */
+static int64_t steps_for(double displacement, double speed, const clod_state *state)
+{
+    return (int64_t)fmax(1.0, round(displacement / (speed * state->dt)));
+}
+
 int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *state)
 {
-    const bool changing = !is_at_speed(self, state);
-    switch (self->phase) {
-    case CLOD_RING_SHEAR_DONE:
+    if (self->phase == CLOD_RING_SHEAR_DONE) {
         return 0;
-    case CLOD_RING_SHEAR_REVERSE:
-        return FINE_STEPS;
-    case CLOD_RING_SHEAR_PRESHEAR:
-        if (!changing) {
-            const double sample = self->block_displacement / BLOCK_SAMPLES;
-            return (int64_t)fmax(1.0, round(sample / (self->speed * state->dt)));
-        }
-        return FINE_STEPS;
-    default:
-        return changing ? FINE_STEPS : COARSE_STEPS;
     }
+    if (self->phase == CLOD_RING_SHEAR_REVERSE || !is_at_speed(self, state)) {
+        return FINE_STEPS;
+    }
+    if (self->phase == CLOD_RING_SHEAR_PRESHEAR) {
+        return steps_for(self->block_displacement / BLOCK_SAMPLES, self->speed, state);
+    }
+    if (self->phase == CLOD_RING_SHEAR_SHEAR) { // a sample for every bin of the peak at least
+        const int64_t bin = steps_for(PEAK_WINDOW / CLOD_PEAK_BINS, self->shear_speed, state);
+        return bin < COARSE_STEPS ? bin : COARSE_STEPS;
+    }
+    return COARSE_STEPS;
 }
 
 /** Mean of what the walls felt since the last look. */

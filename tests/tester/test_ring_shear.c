@@ -1,0 +1,379 @@
+// The procedure of the ring shear test on fabricated states: what the walls feel is prescribed.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "tester/ring_shear.h"
+
+// A cell with round numbers: 50 to 100 mm, so that
+//   A = pi (0.1^2 - 0.05^2) = 0.0235619 m2,
+//   r_m = (2/3)(0.1^3 - 0.05^3)/(0.1^2 - 0.05^2) = 0.0777778 m (PHYSICS 7).
+#define AREA 0.023561944901923448
+#define MEAN_RADIUS 0.07777777777777778
+#define DT 1e-5
+#define LID_START 0.06
+#define BAR_HEIGHT 0.006
+#define PRESHEAR 10e3
+#define SPEED 0.03
+#define GRAIN_MASS 2.0
+
+typedef struct cell {
+    clod_case from;
+    clod_state state;
+    clod_wall wall[3];
+    clod_shape shape[3];
+    double place[4][4], motion[4][4];
+    clod_ring_shear test;
+    double row[CLOD_RING_SHEAR_COLUMNS];
+} cell;
+
+static cell now;
+
+/** Four grains of 0.5 kg: three below the tips of the lid's bars, one above. */
+static int make_cell(void **context)
+{
+    static const char *const NAMES[] = {"trough", "sides", "lid"};
+    (void)context;
+    memset(&now, 0, sizeof now);
+    now.from.ring_shear = (clod_case_ring_shear){.inner_radius = 0.05,
+                                                 .outer_radius = 0.1,
+                                                 .bar_height = BAR_HEIGHT,
+                                                 .lid_mass = 1.0,
+                                                 .preshear_stress = PRESHEAR,
+                                                 .speed = SPEED,
+                                                 .block_displacement = 1e-3,
+                                                 .steady_blocks = 3,
+                                                 .steady_tolerance = 0.02,
+                                                 .preshear_max = 20e-3,
+                                                 .shear_max = 5e-3,
+                                                 .beyond_peak = 1e-3};
+    for (int w = 0; w < 3; w++) {
+        snprintf(now.wall[w].name, sizeof now.wall[w].name, "%s", NAMES[w]);
+        now.wall[w].shapes = &now.shape[w];
+        now.wall[w].shape_count = 1;
+    }
+    now.shape[0] = (clod_shape){.kind = CLOD_SHAPE_BAR, .half = {0.02, 0.001, 0.003}};
+    now.shape[1].kind = CLOD_SHAPE_CYLINDER;
+    now.shape[2] = (clod_shape){.kind = CLOD_SHAPE_ANNULUS, .center = {0.0, 0.0, LID_START}};
+    now.wall[2].load = CLOD_LOAD_STRESS;
+    now.state.walls.wall = now.wall;
+    now.state.walls.count = 3;
+    now.state.grains.place = now.place;
+    now.state.grains.motion = now.motion;
+    now.state.grains.count = 4;
+    for (int g = 0; g < 4; g++) {
+        now.place[g][2] = g < 3 ? 0.01 : 0.036; // the lid comes to 0.045 with tips at 0.039
+        now.place[g][3] = 0.003;
+        now.motion[g][3] = GRAIN_MASS / 4;
+    }
+    now.state.gravity[2] = -9.81;
+    now.state.dt = DT;
+    now.state.adhesion = 0.1;
+    clod_ring_shear_begin(&now.test, &now.from, &now.state);
+    return 0;
+}
+
+/** Advance by the planned steps under a stress at the lid and a shear stress, then look. */
+static bool look(double lid_stress, double shear_stress)
+{
+    const int64_t steps = clod_ring_shear_plan(&now.test, &now.state);
+    const double n = (double)steps;
+    const double torque = shear_stress * AREA * MEAN_RADIUS * n;
+    assert_true(steps > 0);
+    for (int w = 0; w < 3; w++) {
+        now.wall[w].sum_steps += steps;
+        now.wall[w].shift.z += now.wall[w].velocity.z * n * DT;
+    }
+    now.wall[2].sum_force.z += lid_stress * AREA * n;
+    now.wall[2].sum_torque.z += torque;
+    now.wall[0].sum_force.z -= (lid_stress * AREA + GRAIN_MASS * 9.81) * n;
+    now.wall[0].sum_torque.z -= 0.75 * torque; // whatever the shares of trough and sides
+    now.wall[1].sum_torque.z -= 0.25 * torque;
+    now.state.step += steps;
+    return clod_ring_shear_sample(&now.test, &now.state, now.row);
+}
+
+/** Look until a phase is left; the number of looks, at most `most`. */
+static int look_while(clod_ring_shear_phase phase, double lid_stress, double shear_stress,
+                      int most)
+{
+    int looks = 0;
+    while (now.test.phase == phase && looks < most) {
+        look(lid_stress, shear_stress);
+        looks++;
+    }
+    assert_int_not_equal(now.test.phase, phase);
+    return looks;
+}
+
+static void go_to_preshear(void)
+{
+    look_while(CLOD_RING_SHEAR_FILL, 0.0, 0.0, 1000);
+    look_while(CLOD_RING_SHEAR_LOWER, 0.1 * PRESHEAR, 0.0, 1000);
+    look_while(CLOD_RING_SHEAR_CONSOLIDATE, PRESHEAR, 0.0, 1000);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_PRESHEAR);
+}
+
+static void go_to_the_end_of_preshear(void)
+{
+    go_to_preshear();
+    look_while(CLOD_RING_SHEAR_PRESHEAR, PRESHEAR, 6e3, 100000);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_DONE);
+}
+
+static void geometry_is_that_of_the_cell(void **context)
+{
+    (void)context;
+    assert_true(fabs(now.test.area / AREA - 1.0) < 1e-14);
+    assert_true(fabs(now.test.mean_radius / MEAN_RADIUS - 1.0) < 1e-14);
+    // 8 * 0.02 * 0.001 * 0.003
+    assert_true(fabs(now.test.bars_volume / 4.8e-7 - 1.0) < 1e-14);
+    assert_true(now.test.grain_mass == GRAIN_MASS);
+}
+
+static void filling_waits_for_rest(void **context)
+{
+    (void)context;
+    now.motion[2][0] = 1.0; // rms of four: 0.5 m/s
+    for (int k = 0; k < 100; k++) {
+        look(0.0, 0.0);
+    }
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_FILL);
+    now.motion[2][0] = 0.0;
+    look(0.0, 0.0);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_LOWER);
+    assert_int_equal(now.test.flags, 0);
+    // bars' tips at the top of the grains, 0.036 + 0.003 m: the plane at 0.045 m
+    assert_true(fabs(LID_START + now.wall[2].shift.z - 0.045) < 1e-12);
+    assert_true(now.wall[2].velocity.z < 0.0);
+    assert_true(now.state.build_motion > 1.0); // the neighbour search starts anew
+}
+
+static void filling_that_never_rests_is_told(void **context)
+{
+    (void)context;
+    now.motion[2][0] = 1.0;
+    look_while(CLOD_RING_SHEAR_FILL, 0.0, 0.0, 100000);
+    assert_int_equal(now.test.flags, CLOD_RING_SHEAR_NOT_SETTLED);
+}
+
+static void lid_carries_then_the_load_is_raised(void **context)
+{
+    (void)context;
+    look_while(CLOD_RING_SHEAR_FILL, 0.0, 0.0, 1000);
+    assert_int_equal(now.wall[2].load, CLOD_LOAD_NONE);
+    look(0.0, 0.0);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_LOWER);
+    assert_true(now.state.adhesion == 0.1);
+    look(0.1 * PRESHEAR, 0.0);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_CONSOLIDATE);
+    assert_int_equal(now.wall[2].load, CLOD_LOAD_STRESS);
+    assert_true(now.state.adhesion == 1.0);
+    assert_true(now.wall[2].velocity.z == 0.0);
+    double before = 0.0;
+    for (int k = 0; k < 12; k++) { // 2 ms each: the ramp is over after 20 ms
+        look(0.1 * PRESHEAR, 0.0);
+        assert_true(now.wall[2].load_force >= before);
+        before = now.wall[2].load_force;
+    }
+    // at the shear plane: less what the solid above it weighs, and the lid's tips are at
+    // 0.036 m or less by now, so that is one grain at 0.036 m or none
+    const double solid =
+        now.place[3][2] > LID_START + now.wall[2].shift.z - BAR_HEIGHT ? 0.5 : 0.0;
+    assert_true(fabs(before - (PRESHEAR * AREA - solid * 9.81)) < 1e-9 * PRESHEAR);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_CONSOLIDATE); // not at its stress yet
+}
+
+static void stresses_are_forces_and_torques_over_the_area(void **context)
+{
+    (void)context;
+    go_to_preshear();
+    now.place[3][2] = 0.2; // 0.5 kg above the plane
+    look(9e3, 6e3);
+    const double *row = now.row;
+    assert_true(fabs(row[CLOD_RING_SHEAR_NORMAL_STRESS] / (9e3 + 0.5 * 9.81 / AREA) - 1) <
+                1e-12);
+    assert_true(fabs(row[CLOD_RING_SHEAR_NORMAL_STRESS_BASE] / (9e3 + 2.0 * 9.81 / AREA) - 1) <
+                1e-12);
+    assert_true(fabs(row[CLOD_RING_SHEAR_SHEAR_STRESS] / 6e3 - 1) < 1e-12);
+    assert_true(fabs(row[CLOD_RING_SHEAR_SHEAR_STRESS_BASE] / 6e3 - 1) < 1e-12);
+    const double height = LID_START + now.wall[2].shift.z;
+    assert_true(fabs(row[CLOD_RING_SHEAR_HEIGHT] / height - 1) < 1e-14);
+    assert_true(fabs(row[CLOD_RING_SHEAR_BULK_DENSITY] / (2.0 / (AREA * height - 4.8e-7)) - 1) <
+                1e-12);
+    assert_true(row[CLOD_RING_SHEAR_PHASE] == CLOD_RING_SHEAR_PRESHEAR);
+    // the load makes up for the solid above
+    assert_true(fabs(now.wall[2].load_force - (PRESHEAR * AREA - 0.5 * 9.81)) < 1e-9);
+}
+
+static void sums_begin_anew_after_every_look(void **context)
+{
+    (void)context;
+    go_to_preshear();
+    look(PRESHEAR, 6e3);
+    look(PRESHEAR, 1e3);
+    assert_true(fabs(now.row[CLOD_RING_SHEAR_SHEAR_STRESS] / 1e3 - 1) < 1e-12);
+    assert_int_equal(now.wall[0].sum_steps, 0);
+}
+
+static void speed_rises_without_a_blow(void **context)
+{
+    (void)context;
+    go_to_preshear();
+    double before = now.wall[0].spin * MEAN_RADIUS;
+    double travelled = 0.0;
+    while (before < SPEED) {
+        const double time = (double)now.state.step * DT;
+        look(PRESHEAR, 6e3);
+        const double interval = (double)now.state.step * DT - time;
+        travelled += before * interval;
+        const double speed = now.wall[0].spin * MEAN_RADIUS;
+        assert_true(now.wall[1].spin == now.wall[0].spin); // sides turn with the trough
+        assert_true(speed > before && speed - before <= 3.0 * interval * (1.0 + 1e-12));
+        before = speed;
+    }
+    assert_true(fabs(before - SPEED) < 1e-15);
+    assert_true(fabs(now.test.displacement - travelled) < 1e-12);
+}
+
+static void steady_shear_ends_preshear(void **context)
+{
+    (void)context;
+    go_to_the_end_of_preshear();
+    assert_int_equal(now.test.flags, 0);
+    assert_true(fabs(now.test.preshear_shear / 6e3 - 1.0) < 1e-12);
+    assert_true(fabs(now.test.preshear_dilation) < 1e-12);
+    // three blocks of 1 mm, after the way of the start (0.03 m/s at 3 m/s2: 0.15 mm)
+    assert_true(now.test.preshear_displacement > 3.0e-3);
+    assert_true(now.test.preshear_displacement < 3.4e-3);
+    assert_int_equal(clod_ring_shear_plan(&now.test, &now.state), 0);
+    assert_true(clod_ring_shear_progress(&now.test) == 1.0);
+}
+
+static void rising_shear_ends_at_the_limit_and_is_told(void **context)
+{
+    (void)context;
+    go_to_preshear();
+    for (int k = 0; k < 100000 && now.test.phase == CLOD_RING_SHEAR_PRESHEAR; k++) {
+        look(PRESHEAR, 1e3 + 4e5 * now.test.displacement);
+    }
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_DONE);
+    assert_int_equal(now.test.flags, CLOD_RING_SHEAR_NOT_STEADY);
+    assert_true(now.test.preshear_displacement > 20e-3);
+    assert_true(now.test.preshear_displacement < 20.1e-3);
+    // the mean of the last three blocks of 1 mm, 17 to 20 mm: 1 kPa + 0.4 kPa/mm * 18.5 mm
+    assert_true(fabs(now.test.preshear_shear / 8.4e3 - 1.0) < 0.05);
+    assert_true(now.test.preshear_error > 0.0);
+}
+
+static void short_limit_still_gives_a_mean(void **context)
+{
+    (void)context;
+    now.test.preshear_max = 1e-6;
+    go_to_preshear();
+    for (int k = 0; k < 100000 && now.test.phase == CLOD_RING_SHEAR_PRESHEAR; k++) {
+        look(PRESHEAR, 1e3 + 4e5 * now.test.displacement);
+    }
+    assert_true(isfinite(now.test.preshear_shear) && isfinite(now.test.preshear_error));
+    assert_true(isfinite(now.test.preshear_density) && isfinite(now.test.preshear_dilation));
+}
+
+static void point_goes_back_reduces_and_shears_to_the_peak(void **context)
+{
+    (void)context;
+    go_to_the_end_of_preshear();
+    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_REVERSE);
+    for (int k = 0; k < 300; k++) { // from 30 mm/s to -1 mm/s at 3 m/s2 takes 10.3 ms
+        look(PRESHEAR, 3e3);
+    }
+    assert_true(fabs(now.wall[0].spin * MEAN_RADIUS + 0.033 * SPEED) < 1e-12);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_REVERSE);
+    look(PRESHEAR, -1.0);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_REDUCE);
+    assert_int_equal(now.test.flags, 0);
+    look_while(CLOD_RING_SHEAR_REDUCE, 4e3, 0.0, 1000);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_SHEAR);
+    assert_true(fabs(now.wall[2].load_force - 4e3 * AREA) < 6.0); // less 0.5 kg at most
+    assert_true(now.wall[0].spin == 0.0 || now.wall[0].spin > 0.0);
+    // a smooth peak of 3.5 kPa at 1 mm
+    for (int k = 0; k < 100000 && now.test.phase == CLOD_RING_SHEAR_SHEAR; k++) {
+        const double x = (now.test.displacement - 1e-3) / 1e-3;
+        look(4e3, 3.5e3 / (1.0 + x * x));
+    }
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_DONE);
+    assert_int_equal(now.test.flags, 0);
+    // smoothed over 0.2 mm: lower by 0.2^2/24 of the curvature 2 * 3.5 kPa/mm2, 0.33 %
+    assert_true(fabs(now.test.point_shear / (3.5e3 * (1.0 - 0.0033)) - 1.0) < 1e-3);
+    assert_true(fabs(now.test.point_displacement - 1e-3) < 2e-5);
+    assert_true(now.row[CLOD_RING_SHEAR_DISPLACEMENT] > 2e-3 &&
+                now.row[CLOD_RING_SHEAR_DISPLACEMENT] < 2.2e-3);
+    // speed with the square root of the stress
+    assert_true(fabs(now.test.shear_speed / (SPEED * sqrt(0.4)) - 1.0) < 1e-12);
+}
+
+static void reversal_that_never_ends_is_told(void **context)
+{
+    (void)context;
+    go_to_the_end_of_preshear();
+    now.test.flags = CLOD_RING_SHEAR_NOT_STEADY; // of the preparation, not of the point
+    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    look_while(CLOD_RING_SHEAR_REVERSE, PRESHEAR, 3e3, 100000);
+    assert_int_equal(now.test.flags, CLOD_RING_SHEAR_NO_REVERSAL);
+}
+
+static void shear_without_a_peak_is_told(void **context)
+{
+    (void)context;
+    go_to_the_end_of_preshear();
+    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    look_while(CLOD_RING_SHEAR_REVERSE, PRESHEAR, -1.0, 10);
+    look_while(CLOD_RING_SHEAR_REDUCE, 4e3, 0.0, 1000);
+    for (int k = 0; k < 100000 && now.test.phase == CLOD_RING_SHEAR_SHEAR; k++) {
+        look(4e3, 1e6 * now.test.displacement);
+    }
+    assert_int_equal(now.test.flags, CLOD_RING_SHEAR_NO_PEAK);
+    assert_true(now.row[CLOD_RING_SHEAR_DISPLACEMENT] > 5e-3);
+    // the last 0.2 mm before 5 mm: 4.9 kPa
+    assert_true(fabs(now.test.point_shear / 4.9e3 - 1.0) < 0.01);
+    assert_true(fabs(now.test.point_normal - 4e3) <
+                0.06 * 4e3); // 0.5 kg above the plane at most
+}
+
+static void reduced_load_that_is_never_reached_is_told(void **context)
+{
+    (void)context;
+    go_to_the_end_of_preshear();
+    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    look_while(CLOD_RING_SHEAR_REVERSE, PRESHEAR, -1.0, 10);
+    look_while(CLOD_RING_SHEAR_REDUCE, 6e3, 0.0, 100000);
+    assert_int_equal(now.test.flags, CLOD_RING_SHEAR_NOT_SETTLED);
+}
+
+int main(void)
+{
+#define T(name) cmocka_unit_test_setup(name, make_cell)
+    const struct CMUnitTest tests[] = {
+        T(geometry_is_that_of_the_cell),
+        T(filling_waits_for_rest),
+        T(filling_that_never_rests_is_told),
+        T(lid_carries_then_the_load_is_raised),
+        T(stresses_are_forces_and_torques_over_the_area),
+        T(sums_begin_anew_after_every_look),
+        T(speed_rises_without_a_blow),
+        T(steady_shear_ends_preshear),
+        T(rising_shear_ends_at_the_limit_and_is_told),
+        T(short_limit_still_gives_a_mean),
+        T(point_goes_back_reduces_and_shears_to_the_peak),
+        T(reversal_that_never_ends_is_told),
+        T(shear_without_a_peak_is_told),
+        T(reduced_load_that_is_never_reached_is_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
