@@ -6,6 +6,7 @@
 #include <argp.h>
 #include <pthread.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,11 +33,11 @@ typedef struct screen {
     double last; ///< s, when a plain line was last written
 } screen;
 
-static volatile sig_atomic_t stop_signal;
+static atomic_int stop_signal; // read by the threads of all parts; lock-free, so safe here
 
 static void on_signal(int number)
 {
-    stop_signal = number;
+    atomic_store(&stop_signal, number);
 }
 
 static const struct argp_option OPTIONS[] = {
@@ -141,7 +142,7 @@ static void show_notice(void *context, const char *text)
 static int exit_status(const clod_status *status)
 {
     if (status->code == CLOD_INTERRUPTED) {
-        return 128 + (int)stop_signal; // 130 after SIGINT, 143 after SIGTERM
+        return 128 + atomic_load(&stop_signal); // 130 after SIGINT, 143 after SIGTERM
     }
     return status->code == CLOD_USAGE ? 2 : 1;
 }

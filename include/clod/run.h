@@ -5,7 +5,7 @@
  * on from the checkpoints that an interrupted run left in its folder.
  */
 
-#include <signal.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -25,11 +25,11 @@ typedef struct clod_progress {
 } clod_progress;
 
 typedef struct clod_run_options {
-    const char *directory;             ///< results folder; NULL = run/NAME of the case
-    int threads;                       ///< 0 = all processors
-    const char *simd;                  ///< instruction set; NULL = the best
-    bool fresh;                        ///< forget earlier results of this folder
-    const volatile sig_atomic_t *stop; ///< not zero: write checkpoints and return; or NULL
+    const char *directory; ///< results folder; NULL = run/NAME of the case
+    int threads;           ///< 0 = all processors
+    const char *simd;      ///< instruction set; NULL = the best
+    bool fresh;            ///< forget earlier results of this folder
+    atomic_int *stop;      ///< not zero: write checkpoints and return; or NULL
     void (*progress)(void *context, const clod_progress *now); ///< any thread; or NULL
     void (*notice)(void *context, const char *text);           ///< a sentence for the user
     void *context;

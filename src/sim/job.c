@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <pthread.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -210,7 +211,7 @@ static bool turn(job_loop *loop, clod_status *status)
 
 static bool is_stopped(const clod_job *job)
 {
-    return job->sim->options->stop != NULL && *job->sim->options->stop != 0;
+    return job->sim->options->stop != NULL && atomic_load(job->sim->options->stop) != 0;
 }
 
 static bool loop_to_end(job_loop *loop, clod_status *status)
