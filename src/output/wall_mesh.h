@@ -25,7 +25,7 @@ typedef struct clod_wall_mesh {
  * shapes as polygons of CLOD_WALL_MESH_SEGMENTS edges whose corners are on the surface.
  *
  * @param self  [out] owned (clod_wall_mesh_fini), also after a failure
- * Errors  CLOD_FAILED: no memory.   Threads  pure.   Test  tests/output/test_snapshot.c
+ * Errors  CLOD_FAILED: no memory.   Threads  pure.   Test  tests/output/test_wall_mesh.c
  */
 bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_status *status);
 

@@ -1,6 +1,7 @@
-// Chunks that cover everything once, jobs that all run, and the barrier.
+// Chunks that cover everything once, jobs that all run, and the barrier. Jobs with threads of
+// their own: tests/step/test_side_by_side.c.
 
-#include <omp.h>
+#include <pthread.h>
 #include <stdatomic.h>
 
 #include "parallel/barrier.h"
@@ -35,7 +36,6 @@ static void there_is_a_processor(void **state)
 typedef struct jobs {
     atomic_int runs[50];
     atomic_int running, most;
-    atomic_int inner; ///< threads seen inside the jobs
 } jobs;
 
 static void job(void *context, int number)
@@ -46,16 +46,10 @@ static void job(void *context, int number)
     while (running > most && !atomic_compare_exchange_weak(&self->most, &most, running)) {
     }
     atomic_fetch_add(&self->runs[number], 1);
-#pragma omp parallel num_threads(2)
-    {
-        if (omp_get_thread_num() == 0) {
-            atomic_fetch_add(&self->inner, omp_get_num_threads());
-        }
-    }
     atomic_fetch_sub(&self->running, 1);
 }
 
-/** Every job runs once, at most `workers` at a time, and may use threads of its own. */
+/** Every job runs once, at most `workers` at a time. */
 static void every_job_runs_once(void **state)
 {
     (void)state;
@@ -66,11 +60,38 @@ static void every_job_runs_once(void **state)
             assert_int_equal(atomic_load(&all.runs[k]), 1);
         }
         assert_true(atomic_load(&all.most) <= workers);
-        assert_int_equal(atomic_load(&all.inner), 100);
     }
     jobs none = {0};
     clod_threads_run(0, 2, job, &none);
     assert_int_equal(atomic_load(&none.most), 0);
+}
+
+#define ROUNDS 500
+
+typedef struct meeting {
+    clod_barrier barrier;
+    int written[4]; ///< not atomic: the barrier orders them
+} meeting;
+
+typedef struct member {
+    meeting *meeting;
+    int number;
+    int wrong;
+} member;
+
+static void *take_part(void *argument)
+{
+    member *self = argument;
+    meeting *all = self->meeting;
+    for (int round = 1; round <= ROUNDS; round++) {
+        all->written[self->number] = round;
+        clod_barrier_wait(&all->barrier);
+        for (int t = 0; t < all->barrier.threads; t++) {
+            self->wrong += all->written[t] != round;
+        }
+        clod_barrier_wait(&all->barrier);
+    }
+    return NULL;
 }
 
 /** Behind the barrier everybody sees what was written before it, round after round. */
@@ -78,23 +99,19 @@ static void a_barrier_separates_rounds(void **state)
 {
     (void)state;
     for (int threads = 1; threads <= 4; threads++) {
-        clod_barrier barrier;
-        clod_barrier_init(&barrier, threads);
-        int written[4] = {0}; // not atomic: the barrier orders them
-        int wrong = 0;
-#pragma omp parallel num_threads(threads) reduction(+ : wrong)
-        {
-            const int me = omp_get_thread_num();
-            for (int round = 1; round <= 500; round++) {
-                written[me] = round;
-                clod_barrier_wait(&barrier);
-                for (int t = 0; t < threads; t++) {
-                    wrong += written[t] != round;
-                }
-                clod_barrier_wait(&barrier);
-            }
+        meeting all = {0};
+        member members[4];
+        pthread_t thread[4];
+        clod_barrier_init(&all.barrier, threads);
+        for (int t = 0; t < threads; t++) {
+            members[t] = (member){&all, t, 0};
+            assert_int_equal(pthread_create(&thread[t], NULL, take_part, &members[t]), 0);
         }
-        assert_int_equal(wrong, 0);
+        for (int t = 0; t < threads; t++) {
+            assert_int_equal(pthread_join(thread[t], NULL), 0);
+            assert_int_equal(members[t].wrong, 0);
+            assert_int_equal(all.written[t], ROUNDS);
+        }
     }
 }
 
