@@ -161,9 +161,11 @@ static bool layer_box(clod_insertion_batch *batch, clod_insertion_space *space, 
     const int64_t nx = pieces(wide[0], 2.0 * batch->largest);
     const int64_t ny = pieces(wide[1], 2.0 * batch->largest);
     for (int64_t c = 0; c < nx * ny; c++) {
+        const int64_t column = c % nx;
+        const int64_t row = c / nx;
         const double pitch[3] = {wide[0] / (double)nx, wide[1] / (double)ny, height};
-        const double site[3] = {space->low[0] + ((double)(c % nx) + 0.5) * pitch[0],
-                                space->low[1] + ((double)(c / nx) + 0.5) * pitch[1], z};
+        const double site[3] = {space->low[0] + ((double)column + 0.5) * pitch[0],
+                                space->low[1] + ((double)row + 0.5) * pitch[1], z};
         if (!take_site(batch, space, site, pitch, status)) {
             return false;
         }

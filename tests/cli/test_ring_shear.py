@@ -38,6 +38,7 @@ def mean(rows, name):
     return sum(row[name] for row in rows) / len(rows)
 
 
+@clod.quick_only
 class RingShear(clod.Case):
 
     @classmethod

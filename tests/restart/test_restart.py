@@ -45,7 +45,7 @@ class Restart(clod.Case):
         process = clod.start("run", case, "-o", folder, *options)
         self.assertTrue(clod.wait_until(ready, process), "ended before it was interrupted")
         process.send_signal(number)
-        out, err = process.communicate(timeout=100)
+        out, err = process.communicate(timeout=1000)
         self.assertEqual(process.returncode, 128 + number, err)
         self.assertEqual(out, "")
         self.assertIn("the same command goes on from here", err)

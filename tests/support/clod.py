@@ -27,7 +27,7 @@ def source(path):
     return os.path.join(SOURCE, path)
 
 
-def run(*arguments, timeout=200, **more):
+def run(*arguments, timeout=1000, **more):
     """Run clod to its end; stdout and stderr as text."""
     more = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **more}
     return subprocess.run([BINARY, *arguments], text=True, timeout=timeout, **more)
@@ -62,7 +62,7 @@ def checkpoints(folder, part):
     return [path for _, path in sorted(found, reverse=True)]
 
 
-def wait_until(condition, process=None, seconds=100):
+def wait_until(condition, process=None, seconds=1000):
     """Wait for a condition; false when the process ended first."""
     end = time.monotonic() + seconds
     while not condition():
