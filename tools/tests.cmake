@@ -7,12 +7,16 @@
 #                           from the files in tests/FOLDER/seeds and from cases/.
 pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
 
-set(CLOD_TEST_SECONDS 300)
+set(CLOD_TEST_SECONDS 1200) # only ends what hangs, on a busy machine too
 set(CLOD_FUZZ_SECONDS 20)
 set(CLOD_TEST_ENVIRONMENT CLOD_BINARY=${CMAKE_BINARY_DIR}/clod)
 if(CLOD_SANITIZE)
-  set(CLOD_TEST_SECONDS 900)
+  set(CLOD_TEST_SECONDS 2400)
   list(APPEND CLOD_TEST_ENVIRONMENT CLOD_SANITIZED=1)
+  # LeakSanitizer 14 takes some blocks of thread-local storage for those of glibc 2.19, and then
+  # crashes on its way out (google/sanitizers issue 1322); without this it does not look there.
+  # It finds no fewer leaks: what only such a block points to would be one too many.
+  list(APPEND CLOD_TEST_ENVIRONMENT ASAN_OPTIONS=intercept_tls_get_addr=0)
   find_program(SYMBOLIZER NAMES llvm-symbolizer-14 llvm-symbolizer)
   find_library(ARCHER NAMES archer PATHS /usr/lib/llvm-14/lib)
   list(APPEND CLOD_TEST_ENVIRONMENT ASAN_SYMBOLIZER_PATH=${SYMBOLIZER}
@@ -80,8 +84,8 @@ foreach(source IN LISTS CLOD_FUZZ_SOURCES)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
   set(work ${CMAKE_BINARY_DIR}/fuzz/${name})
   file(MAKE_DIRECTORY ${work})
-  add_test(NAME fuzz/${name} WORKING_DIRECTORY ${work} COMMAND ${name} -seed=1 -timeout=10
+  add_test(NAME fuzz/${name} WORKING_DIRECTORY ${work} COMMAND ${name} -seed=1 -timeout=30
     -rss_limit_mb=2048 -max_len=65536 -max_total_time=${CLOD_FUZZ_SECONDS} ${work} ${seeds})
-  set_tests_properties(fuzz/${name} PROPERTIES LABELS fuzz TIMEOUT 300
+  set_tests_properties(fuzz/${name} PROPERTIES LABELS fuzz TIMEOUT ${CLOD_TEST_SECONDS}
     ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 endforeach()
