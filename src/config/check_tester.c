@@ -75,6 +75,18 @@ static void check_stresses(clod_loader *loader, const clod_case_ring_shear *ring
     }
 }
 
+/** The cell stands upright: weight presses the solid onto its base. */
+static void check_gravity(clod_loader *loader, const clod_case *self)
+{
+    const double *g = self->gravity;
+    if (clean(loader, "gravity") && (g[0] != 0.0 || g[1] != 0.0 || g[2] > 0.0)) {
+        clod_check_fail(loader, "gravity",
+                        "a ring shear cell stands upright: gravity must be [0, 0, -g], not "
+                        "[%.10g, %.10g, %.10g] m/s2",
+                        g[0], g[1], g[2]);
+    }
+}
+
 static void check_ring(clod_loader *loader, const clod_case *self)
 {
     const clod_case_ring_shear *ring = &self->ring_shear;
@@ -82,6 +94,7 @@ static void check_ring(clod_loader *loader, const clod_case *self)
     clod_check_material(loader, self, "ring_shear.side_material", ring->side_material);
     clod_check_material(loader, self, "ring_shear.base_material", ring->base_material);
     clod_check_material(loader, self, "ring_shear.lid_material", ring->lid_material);
+    check_gravity(loader, self);
     check_radius(loader, ring);
     check_cell(loader, ring);
     check_stresses(loader, ring);

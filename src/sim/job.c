@@ -15,6 +15,9 @@
 #include "step/step.h"
 
 #define PATH_MAX_TEXT 4096
+#define FIRST_SLICE 64
+#define SLICE_SHORTEST 0.05   ///< s of wall-clock time
+#define SLICE_LONGEST 0.3     ///< s
 #define PROGRESS_INTERVAL 0.5 ///< s of wall-clock time
 
 /** Jobs run side by side in threads, and HDF5 is not thread-safe: one at a time. */
@@ -29,6 +32,7 @@ typedef struct job_loop {
     double *row;
     double last_clock, last_progress, last_checkpoint; ///< s
     int64_t progress_step;
+    int64_t slice; ///< steps between two looks at clock and signals
 } job_loop;
 
 static double clock_now(void)
@@ -181,18 +185,46 @@ static void tell_progress(job_loop *loop, bool finished)
     loop->progress_step = job->state.step;
 }
 
-/** One turn of the loop: steps, measurement, output. */
-static bool turn(job_loop *loop, clod_status *status)
+/**
+ * Steps towards the procedure's next look, as many as take some tenths of a second: a signal is
+ * heard and a checkpoint is in time however far the look is. How steps are cut changes no bit.
+ */
+static bool advance(job_loop *loop, clod_status *status)
 {
-    clod_job *job = loop->job;
-    const clod_procedure *p = &job->procedure;
-    const int64_t steps = p->plan(p->data, p->context, &job->state);
-    const char *before = p->phase(p->data, p->context);
+    clod_job_memory *memory = &loop->job->memory;
+    const int64_t steps = memory->planned < loop->slice ? memory->planned : loop->slice;
+    const double begin = clock_now();
     if (!clod_step_advance(&loop->step, steps, status)) {
         clod_status ignored;
         write_checkpoint(loop, "-failed", &ignored);
         return false;
     }
+    memory->planned -= steps;
+    const double spent = clock_now() - begin;
+    if (spent > SLICE_LONGEST) {
+        loop->slice = steps > 1 ? steps / 2 : 1;
+    } else if (spent < SLICE_SHORTEST && steps == loop->slice) {
+        loop->slice *= 2;
+    }
+    return true;
+}
+
+/** One turn of the loop: steps, and when it is time for a look: measurement, output. */
+static bool turn(job_loop *loop, clod_status *status)
+{
+    clod_job *job = loop->job;
+    const clod_procedure *p = &job->procedure;
+    if (job->memory.planned == 0) {
+        job->memory.planned = p->plan(p->data, p->context, &job->state);
+    }
+    if (!advance(loop, status)) {
+        return false;
+    }
+    if (job->memory.planned > 0) {
+        tell_progress(loop, false);
+        return true;
+    }
+    const char *before = p->phase(p->data, p->context);
     const bool finished = p->sample(p->data, p->context, &job->state, loop->row);
     if (!clod_series_row(loop->series, loop->row, status)) {
         return false;
@@ -290,7 +322,7 @@ bool clod_job_run(clod_job *job, clod_status *status)
     if (job->memory.finished != 0) {
         return true;
     }
-    job_loop loop = {.job = job};
+    job_loop loop = {.job = job, .slice = FIRST_SLICE};
     bool ok = open_loop(&loop, status);
     if (ok) {
         ok = loop_to_end(&loop, status);

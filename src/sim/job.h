@@ -40,6 +40,7 @@ typedef struct clod_job_memory {
     int64_t snapshots;    ///< written so far
     double next_snapshot; ///< s
     double wall_clock;    ///< s spent so far, over all interruptions
+    int64_t planned;      ///< steps until the procedure looks again
 } clod_job_memory;
 
 typedef struct clod_job {
@@ -72,7 +73,7 @@ bool clod_job_begin_from(clod_job *job, const char *name, clod_status *status);
  * Advance until the procedure is finished; does nothing when it already is.
  *
  * @return  false: CLOD_INTERRUPTED, or what went wrong. Checkpoints are written first; when
- *          physics has gone wrong the broken state goes to NAME-failed instead.
+ *          physics has gone wrong the broken state goes to restart-NAME-failed instead.
  */
 bool clod_job_run(clod_job *job, clod_status *status);
 

@@ -25,7 +25,7 @@ typedef struct clod_state {
     double *build_walls;      ///< [walls.count * 4] shift and angle at the last rebuild
     double build_motion;      ///< m, bound of any point's motion since then; < 0: rebuild now
     // contacts with history (touching), sorted by (i, j) and by (i, wall, shape); gathered from
-    // and given back to the step's blocks by clod_step_export and clod_step_import
+    // and given back to the step's blocks by clod_step_export and clod_step_init
     clod_contact *contacts;
     size_t contact_count, contact_capacity;
     size_t wall_contact_count; ///< the last ones of `contacts` are grain-wall
