@@ -60,13 +60,9 @@ endforeach()
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 file(GLOB CLOD_TEST_SCRIPTS CONFIGURE_DEPENDS tests/*/test_*.py)
-set(CLOD_SCRIPT_ENVIRONMENT ${CLOD_TEST_ENVIRONMENT})
 if(CLOD_SANITIZE)
   # What these two look at (numbers, progress lines) does not depend on the build, and takes long.
   list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "cli/test_(ring_shear|terminal)\\.py$")
-  # Leaks are looked for in the C programs: LeakSanitizer's tracer itself dies now and then when
-  # a process with OpenMP threads ends.
-  list(APPEND CLOD_SCRIPT_ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
 endif()
 foreach(script IN LISTS CLOD_TEST_SCRIPTS)
   cmake_path(GET script STEM name)
@@ -74,7 +70,7 @@ foreach(script IN LISTS CLOD_TEST_SCRIPTS)
   cmake_path(GET folder FILENAME folder)
   add_test(NAME ${folder}/${name} COMMAND ${Python3_EXECUTABLE} -B ${script})
   set_tests_properties(${folder}/${name} PROPERTIES LABELS ${folder}
-    TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_SCRIPT_ENVIRONMENT}")
+    TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 endforeach()
 
 if(NOT CLOD_FUZZ)

@@ -38,7 +38,6 @@ def mean(rows, name):
     return sum(row[name] for row in rows) / len(rows)
 
 
-@clod.quick_only
 class RingShear(clod.Case):
 
     @classmethod
