@@ -5,7 +5,7 @@
 
 #include "base/assert.h"
 
-enum { PLACE, TAU };
+enum { PLACE, TAU, SIGMA };
 
 void clod_peak_init(clod_peak *self, double window, double beyond)
 {
@@ -65,7 +65,7 @@ static double error_of(const clod_peak *self)
 static void finish_bin(clod_peak *self)
 {
     const int64_t at = self->bin_count % CLOD_PEAK_BINS;
-    for (int what = PLACE; what <= TAU; what++) {
+    for (int what = PLACE; what <= SIGMA; what++) {
         self->bin[what][at] = self->sum[what] / (double)self->samples;
         self->sum[what] = 0.0;
     }
@@ -80,6 +80,7 @@ static void finish_bin(clod_peak *self)
         self->peak = self->smooth;
         self->peak_place = self->place;
         self->peak_error = error_of(self);
+        self->peak_sigma = mean_of(self, SIGMA);
     }
 }
 
@@ -88,7 +89,7 @@ static bool is_passed(const clod_peak *self)
     return self->bin_count >= CLOD_PEAK_BINS && self->place - self->peak_place >= self->beyond;
 }
 
-bool clod_peak_add(clod_peak *self, double displacement, double tau)
+bool clod_peak_add(clod_peak *self, double displacement, double tau, double sigma)
 {
     const double width = self->window / CLOD_PEAK_BINS;
     if (self->samples > 0 && displacement - self->start >= width) {
@@ -101,6 +102,7 @@ bool clod_peak_add(clod_peak *self, double displacement, double tau)
     }
     self->sum[PLACE] += displacement;
     self->sum[TAU] += tau;
+    self->sum[SIGMA] += sigma;
     self->samples++;
     return is_passed(self);
 }
@@ -109,11 +111,13 @@ clod_peak_result clod_peak_summary(const clod_peak *self)
 {
     if (self->bin_count >= CLOD_PEAK_BINS) {
         return (clod_peak_result){self->peak, self->peak_error, self->peak_place,
-                                  is_passed(self)};
+                                  self->peak_sigma, is_passed(self)};
     }
     if (self->bin_count > 0) {
-        return (clod_peak_result){mean_of(self, TAU), NAN, mean_of(self, PLACE), false};
+        return (clod_peak_result){mean_of(self, TAU), NAN, mean_of(self, PLACE),
+                                  mean_of(self, SIGMA), false};
     }
     const double n = (double)self->samples;
-    return (clod_peak_result){self->sum[TAU] / n, NAN, self->sum[PLACE] / n, false};
+    return (clod_peak_result){self->sum[TAU] / n, NAN, self->sum[PLACE] / n,
+                              self->sum[SIGMA] / n, false};
 }

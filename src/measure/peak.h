@@ -30,12 +30,12 @@ typedef struct clod_peak {
     double window, beyond;         ///< m
     int64_t samples;               ///< in the bin that is being filled
     double start;                  ///< m, where that bin began
-    double sum[2];                 ///< of its samples: displacement, tau
+    double sum[3];                 ///< of its samples: displacement, tau, sigma
     int64_t bin_count;             ///< full bins so far
-    double bin[2][CLOD_PEAK_BINS]; ///< averages; bin b is kept at b % CLOD_PEAK_BINS
+    double bin[3][CLOD_PEAK_BINS]; ///< averages; bin b is kept at b % CLOD_PEAK_BINS
     double smooth;                 ///< last value of the smoothed curve
     double place;                  ///< m, where that is
-    double peak, peak_place, peak_error;
+    double peak, peak_place, peak_error, peak_sigma;
 } clod_peak;
 
 /** What the detector found. */
@@ -43,6 +43,7 @@ typedef struct clod_peak_result {
     double tau;          ///< largest smoothed value; mean of all so far before a window is full
     double tau_error;    ///< standard error; NAN before a window is full
     double displacement; ///< m, where it is
+    double sigma;        ///< mean normal stress over the window of the peak
     bool passed;
 } clod_peak_result;
 
@@ -60,9 +61,10 @@ void clod_peak_init(clod_peak *self, double window, double beyond);
  *
  * @param displacement  m, never falling
  * @param tau           shear stress, any unit
+ * @param sigma         normal stress at the same time; decides nothing
  * @return              whether the peak is passed
  */
-bool clod_peak_add(clod_peak *self, double displacement, double tau);
+bool clod_peak_add(clod_peak *self, double displacement, double tau, double sigma);
 
 /** Peak so far. */
 clod_peak_result clod_peak_summary(const clod_peak *self);

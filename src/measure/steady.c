@@ -6,7 +6,7 @@
 #include "base/assert.h"
 #define BLIND 1.5 // largest error of the trend, in tolerances
 
-enum { TAU, HEIGHT };
+enum { TAU, HEIGHT, SIGMA };
 
 void clod_steady_init(clod_steady *self, int64_t blocks_needed, int64_t samples_per_block,
                       double tolerance, double height_tolerance)
@@ -78,14 +78,15 @@ static int64_t find_window(const clod_steady *self)
     return 0;
 }
 
-bool clod_steady_add(clod_steady *self, double tau, double height)
+bool clod_steady_add(clod_steady *self, double tau, double height, double sigma)
 {
     self->sum[TAU] += tau;
     self->sum[HEIGHT] += height;
+    self->sum[SIGMA] += sigma;
     self->samples++;
     if (self->samples == self->samples_per_block) {
         const int64_t at = self->block_count % CLOD_STEADY_MAX;
-        for (int signal = TAU; signal <= HEIGHT; signal++) {
+        for (int signal = TAU; signal <= SIGMA; signal++) {
             self->block[signal][at] = self->sum[signal] / (double)self->samples;
             self->sum[signal] = 0.0;
         }
@@ -118,5 +119,6 @@ clod_steady_result clod_steady_summary(const clod_steady *self)
     return (clod_steady_result){.steady = self->window > 0,
                                 .blocks = window,
                                 .tau = summary_of(self, TAU, window),
-                                .height = summary_of(self, HEIGHT, window)};
+                                .height = summary_of(self, HEIGHT, window),
+                                .sigma = summary_of(self, SIGMA, window)};
 }

@@ -39,10 +39,10 @@ typedef struct clod_steady {
     double tolerance;                 ///< relative, of the shear stress
     double height_tolerance;          ///< relative; INFINITY: the height does not decide
     int64_t samples;                  ///< in the block that is being filled
-    double sum[2];                    ///< of them: tau, height
+    double sum[3];                    ///< of them: tau, height, sigma
     int64_t block_count;              ///< full blocks so far
     int64_t window;                   ///< blocks of the steady window, 0 when not steady
-    double block[2][CLOD_STEADY_MAX]; ///< averages; block b is kept at b % CLOD_STEADY_MAX
+    double block[3][CLOD_STEADY_MAX]; ///< averages; block b is kept at b % CLOD_STEADY_MAX
 } clod_steady;
 
 /** Mean over a window of blocks. */
@@ -56,7 +56,7 @@ typedef struct clod_steady_mean {
 typedef struct clod_steady_result {
     bool steady;
     int64_t blocks; ///< averaged: the steady window, else the last blocks_needed (or fewer)
-    clod_steady_mean tau, height; ///< NAN without blocks; errors NAN with fewer than three
+    clod_steady_mean tau, height, sigma; ///< NAN without blocks; errors with fewer than three
 } clod_steady_result;
 
 /**
@@ -76,9 +76,10 @@ void clod_steady_init(clod_steady *self, int64_t blocks_needed, int64_t samples_
  *
  * @param tau     shear stress, any unit
  * @param height  of the specimen, any unit
+ * @param sigma   normal stress; decides nothing
  * @return        whether the signal was steady at the last full block
  */
-bool clod_steady_add(clod_steady *self, double tau, double height);
+bool clod_steady_add(clod_steady *self, double tau, double height, double sigma);
 
 /** Means and errors as of the last full block. */
 clod_steady_result clod_steady_summary(const clod_steady *self);

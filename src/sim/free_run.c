@@ -244,8 +244,8 @@ bool clod_free_run(const clod_sim *sim, char **report, clod_status *status)
     if (ok && text == NULL) {
         ok = clod_status_fail(status, CLOD_FAILED, "no memory for %zu columns", count);
     }
-    job.procedure = (clod_procedure){&memory,   sizeof memory, sim->from,  columns,      count,
-                                     free_plan, free_sample,   free_phase, free_fraction};
+    job.procedure = (clod_procedure){&memory,   sizeof memory, sim->from,  columns,       count,
+                                     free_plan, free_sample,   free_phase, free_fraction, NULL};
     ok = ok && clod_job_resume(&job, status) && run_stages(&job, &memory, status) &&
          write_summary(&job, status);
     if (ok) {

@@ -209,6 +209,20 @@ static bool advance(job_loop *loop, clod_status *status)
     return true;
 }
 
+/** Ask the procedure; what it could not go on with is kept beside the checkpoints. */
+static bool can_go_on(job_loop *loop, clod_status *status)
+{
+    const clod_procedure *p = &loop->job->procedure;
+    char text[512];
+    if (p->trouble == NULL || !p->trouble(p->data, text, sizeof text)) {
+        return true;
+    }
+    clod_status ignored;
+    write_checkpoint(loop, "-failed", &ignored);
+    return clod_status_fail(status, CLOD_FAILED, "%s, step %lld: %s", loop->job->name,
+                            (long long)loop->job->state.step, text);
+}
+
 /** One turn of the loop: steps, and when it is time for a look: measurement, output. */
 static bool turn(job_loop *loop, clod_status *status)
 {
@@ -227,6 +241,9 @@ static bool turn(job_loop *loop, clod_status *status)
     const char *before = p->phase(p->data, p->context);
     const bool finished = p->sample(p->data, p->context, &job->state, loop->row);
     if (!clod_series_row(loop->series, loop->row, status)) {
+        return false;
+    }
+    if (!can_go_on(loop, status)) {
         return false;
     }
     clod_laws_set_adhesion(&loop->laws, job->state.adhesion);

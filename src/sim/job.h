@@ -22,6 +22,8 @@ typedef struct clod_procedure {
     bool (*sample)(void *data, const void *context, clod_state *state, double *row);
     const char *(*phase)(const void *data, const void *context);
     double (*fraction)(const void *data, const void *context);
+    /** Why it cannot go on, into `text`; false when it can. NULL when it always can. */
+    bool (*trouble)(const void *data, char *text, size_t size);
 } clod_procedure;
 
 /** What all jobs of a run share; borrowed by them. */

@@ -51,30 +51,48 @@ static bool write_points(const char *directory, const clod_locus_point *points, 
     return ok;
 }
 
-static json_t *part_json(const clod_case *from, const clod_ring_part *part)
+/** What went not as it should, in words. */
+static json_t *flag_words(int64_t flags)
+{
+    static const struct {
+        clod_ring_shear_flag flag;
+        const char *word;
+    } WORDS[] = {{CLOD_RING_SHEAR_NOT_SETTLED, "not settled"},
+                 {CLOD_RING_SHEAR_NOT_STEADY, "not steady"},
+                 {CLOD_RING_SHEAR_NO_REVERSAL, "no reversal"},
+                 {CLOD_RING_SHEAR_NO_PEAK, "no peak"}};
+    json_t *words = json_array();
+    for (size_t k = 0; k < sizeof WORDS / sizeof *WORDS; k++) {
+        if ((flags & WORDS[k].flag) != 0) {
+            json_array_append_new(words, json_string(WORDS[k].word));
+        }
+    }
+    return words;
+}
+
+/** A number, null when there is none. */
+static void set_number(json_t *object, const char *key, double value)
+{
+    json_object_set_new(object, key, isfinite(value) ? json_real(value) : json_null());
+}
+
+static json_t *part_json(const clod_ring_part *part)
 {
     const clod_ring_shear *t = &part->test;
     json_t *j =
-        json_pack("{s:s, s:I, s:I, s:f, s:f, s:i, s:f, s:f, s:f, s:I}", "part", part->name,
+        json_pack("{s:s, s:I, s:I, s:f, s:f, s:i, s:f, s:f, s:f, s:o}", "part", part->name,
                   "seed", (json_int_t)part->seed, "steps", (json_int_t)part->steps, "dt_s",
                   part->dt, "wall_clock_s", part->wall_clock, "grains", (int)part->grains,
                   "coordination", part->coordination, "max_overlap", part->max_overlap,
-                  "mean_overlap", part->mean_overlap, "flags", (json_int_t)t->flags);
+                  "mean_overlap", part->mean_overlap, "flags", flag_words(t->flags));
     const bool point = part->point >= 0;
-    json_object_set_new(j, "normal_stress_Pa",
-                        json_real(point ? t->shear_stress : t->preshear_stress));
-    json_object_set_new(j, "measured_normal_stress_Pa",
-                        json_real(point ? t->point_normal : t->preshear_normal));
-    json_object_set_new(j, "shear_stress_Pa",
-                        json_real(point ? t->point_shear : t->preshear_shear));
-    json_object_set_new(j, "displacement_m",
-                        json_real(point ? t->point_displacement : t->preshear_displacement));
-    json_object_set_new(j, "bulk_density_kg_m3",
-                        json_real(point ? t->point_density : t->preshear_density));
-    json_object_set_new(j, "height_m", json_real(t->preshear_height));
-    json_object_set_new(j, "hanger_force_N",
-                        json_real((point ? t->shear_stress : t->preshear_stress) * t->area -
-                                  t->lid_mass * -from->gravity[2]));
+    set_number(j, "normal_stress_Pa", point ? t->shear_stress : t->preshear_stress);
+    set_number(j, "measured_normal_stress_Pa", point ? t->point_normal : t->preshear_normal);
+    set_number(j, "shear_stress_Pa", point ? t->point_shear : t->preshear_shear);
+    set_number(j, "displacement_m", point ? t->point_displacement : t->preshear_displacement);
+    set_number(j, "bulk_density_kg_m3", point ? t->point_density : t->preshear_density);
+    set_number(j, "height_m", t->preshear_height);
+    set_number(j, "hanger_force_N", t->hanger_force);
     return j;
 }
 
@@ -86,7 +104,7 @@ static bool write_summary(const clod_sim *sim, const clod_ring_part *part, int p
     char *locus = clod_locus_json(study);
     json_t *list = json_array();
     for (int p = 0; p < parts; p++) {
-        json_array_append_new(list, part_json(sim->from, &part[p]));
+        json_array_append_new(list, part_json(&part[p]));
     }
     json_t *root = json_pack(
         "{s:s, s:s, s:o, s:o?, s:s}", "title", sim->from->title != NULL ? sim->from->title : "",
@@ -121,8 +139,8 @@ static char *make_text(const clod_sim *sim, const clod_ring_part *part, int part
     char *text = clod_memory_alloc(size, 1);
     if (text != NULL) {
         snprintf(text, size,
-                 "%s\n%zu grains, dt %.4g s, coordination %.2f, largest overlap %.3g %% of a "
-                 "radius, %.0f s of work\n\n%s%s",
+                 "%s\n%zu grains, dt %.4g s, coordination %.2f, largest overlap at the "
+                 "end of preshear %.3g %% of a radius, %.0f s of work\n\n%s%s",
                  sim->from->title != NULL ? sim->from->title : "ring shear test",
                  part[0].grains, part[0].dt, part[0].coordination, 100.0 * part[0].max_overlap,
                  total_wall_clock(part, parts), table != NULL ? table : "", warnings);

@@ -1,5 +1,6 @@
 #include "sim/ring_run.h"
 
+#include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -14,7 +15,8 @@ typedef struct ring_batch {
     const clod_sim *sim;
     clod_ring_part *part; ///< [count]
     int count;
-    int threads; ///< of each part
+    int threads;        ///< of each part
+    atomic_bool failed; ///< a part has: no further one is begun
 } ring_batch;
 
 static int64_t ring_plan(const void *data, const void *context, const clod_state *state)
@@ -39,6 +41,11 @@ static double ring_fraction(const void *data, const void *context)
 {
     (void)context;
     return clod_ring_shear_progress(data);
+}
+
+static bool ring_trouble(const void *data, char *text, size_t size)
+{
+    return clod_ring_shear_trouble(data, text, size);
 }
 
 /** Names: `preshear`, `point-1`; with several seeds `seed-3-preshear`. */
@@ -66,7 +73,8 @@ static void init_job(const ring_batch *batch, clod_ring_part *part, clod_job *jo
                                       .plan = ring_plan,
                                       .sample = ring_sample,
                                       .phase = ring_phase,
-                                      .fraction = ring_fraction};
+                                      .fraction = ring_fraction,
+                                      .trouble = ring_trouble};
 }
 
 /** Take over the presheared state of the point's seed. */
@@ -105,10 +113,26 @@ static void note_result(const clod_job *job, clod_ring_part *part)
     part->mean_overlap = bed.mean_overlap;
 }
 
+/** Whether a part may begin: not after a signal, nor when another part has failed. */
+static bool may_begin(ring_batch *batch, clod_ring_part *part)
+{
+    const clod_run_options *options = batch->sim->options;
+    const bool stop = options->stop != NULL && atomic_load(options->stop) != 0;
+    if (stop || atomic_load(&batch->failed)) {
+        return clod_status_fail(&part->status, CLOD_INTERRUPTED,
+                                "%s was not begun; the same command goes on from here",
+                                part->name);
+    }
+    return true;
+}
+
 static void run_part(void *context, int number)
 {
-    const ring_batch *batch = context;
+    ring_batch *batch = context;
     clod_ring_part *part = &batch->part[number];
+    if (!may_begin(batch, part)) {
+        return;
+    }
     clod_job job;
     init_job(batch, part, &job);
     part->ok = clod_setup_ring_cell(batch->sim->from, part->seed, &job.state, &part->status) &&
@@ -117,6 +141,8 @@ static void run_part(void *context, int number)
                clod_job_run(&job, &part->status);
     if (part->ok) {
         note_result(&job, part);
+    } else if (part->status.code != CLOD_INTERRUPTED) {
+        atomic_store(&batch->failed, true);
     }
     clod_job_fini(&job);
 }

@@ -81,9 +81,10 @@ static void add_servo(warning_box *box, const clod_ring_part *part)
     const double mean = part->point >= 0 ? t->point_normal : t->preshear_normal;
     if (fabs(mean / aim - 1.0) > SERVO_LIMIT) {
         add(box,
-            "%s: the mean normal stress was %.4g kPa instead of %.4g kPa; lower "
+            "%s: the mean normal stress %s was %.4g kPa instead of %.4g kPa; lower "
             "ring_shear.lid_damping or speed",
-            part->name, 1e-3 * mean, 1e-3 * aim);
+            part->name, part->point >= 0 ? "at the peak" : "of the steady blocks", 1e-3 * mean,
+            1e-3 * aim);
     }
 }
 
@@ -111,8 +112,8 @@ char *clod_ring_warnings(const clod_case *from, const clod_ring_part *part, int 
         add_dilation(&box, &part[p]);
         if (part[p].max_overlap > OVERLAP_LIMIT) {
             add(&box,
-                "%s: overlap up to %.1f %% of a radius; the laws assume small ones: raise the "
-                "stiffness",
+                "%s: overlap up to %.1f %% of a radius at its end; the laws assume small ones: "
+                "raise the stiffness",
                 part[p].name, 100.0 * part[p].max_overlap);
         }
         if (inertial_number(from, &part[p]) > INERTIA_LIMIT) {

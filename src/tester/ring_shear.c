@@ -1,6 +1,7 @@
 #include "tester/ring_shear.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 // The programme below is the operator's hand: none of these numbers is physics, and the
@@ -111,8 +112,6 @@ static void enter(clod_ring_shear *self, clod_state *state, clod_ring_shear_phas
     self->phase_start = (double)state->step * state->dt;
     self->displacement = 0.0;
     self->calm = 0;
-    self->normal_sum = 0.0;
-    self->normal_count = 0;
     clod_walls_reset_sums(&state->walls);
 }
 
@@ -149,9 +148,12 @@ void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_st
         .preshear_max = cell->preshear_max,
         .shear_max = cell->shear_max,
     };
+    double largest = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
         self->grain_mass += state->grains.motion[g][3];
+        largest = fmax(largest, state->grains.place[g][3]);
     }
+    self->lowest_lid = 2.0 * self->bar_height + 2.0 * largest;
     // as the operator of a shear tester: steady is when the shear stress is (ASTM D6773); a
     // height that still changes is told in the warning box
     clod_steady_init(&self->steady, cell->steady_blocks, BLOCK_SAMPLES, cell->steady_tolerance,
@@ -262,6 +264,7 @@ static void after_lower(clod_ring_shear *self, clod_state *state, const double *
         state->adhesion = 1.0;
         self->start_stress = row[CLOD_RING_SHEAR_NORMAL_STRESS];
         self->target_stress = self->preshear_stress;
+        set_stress(self, state, self->start_stress);
         enter(self, state, CLOD_RING_SHEAR_CONSOLIDATE);
     }
 }
@@ -299,10 +302,11 @@ static void after_load(clod_ring_shear *self, clod_state *state, const double *r
     enter(self, state, consolidated ? CLOD_RING_SHEAR_PRESHEAR : CLOD_RING_SHEAR_SHEAR);
 }
 
-static void note_normal(clod_ring_shear *self, const double *row)
+/** What an operator would put on the hanger for the load that the lid carries now. */
+static void note_hanger(clod_ring_shear *self, const clod_state *state)
 {
-    self->normal_sum += row[CLOD_RING_SHEAR_NORMAL_STRESS];
-    self->normal_count++;
+    self->hanger_force =
+        find_wall(state, "lid")->load_force + self->lid_mass * state->gravity[2];
 }
 
 static void after_preshear(clod_ring_shear *self, clod_state *state, const double *row)
@@ -311,9 +315,9 @@ static void after_preshear(clod_ring_shear *self, clod_state *state, const doubl
     if (!is_at_speed(self, state)) {
         return;
     }
-    note_normal(self, row);
-    const bool steady = clod_steady_add(&self->steady, row[CLOD_RING_SHEAR_SHEAR_STRESS],
-                                        row[CLOD_RING_SHEAR_HEIGHT]);
+    const bool steady =
+        clod_steady_add(&self->steady, row[CLOD_RING_SHEAR_SHEAR_STRESS],
+                        row[CLOD_RING_SHEAR_HEIGHT], row[CLOD_RING_SHEAR_NORMAL_STRESS]);
     // never without the blocks that a mean with an error needs, however short the limit
     const bool late =
         self->displacement > self->preshear_max && self->steady.block_count >= CLOD_STEADY_MIN;
@@ -322,7 +326,7 @@ static void after_preshear(clod_ring_shear *self, clod_state *state, const doubl
     }
     const clod_steady_result mean = clod_steady_summary(&self->steady);
     self->flags |= steady ? 0 : CLOD_RING_SHEAR_NOT_STEADY;
-    self->preshear_normal = self->normal_sum / (double)self->normal_count;
+    self->preshear_normal = mean.sigma.value;
     self->preshear_shear = mean.tau.value;
     self->preshear_error = mean.tau.error;
     self->preshear_height = mean.height.value;
@@ -331,6 +335,7 @@ static void after_preshear(clod_ring_shear *self, clod_state *state, const doubl
     self->preshear_dilation =
         mean.height.trend / (((double)mean.blocks - 1.0) * self->block_displacement);
     self->preshear_displacement = self->displacement;
+    note_hanger(self, state);
     enter(self, state, CLOD_RING_SHEAR_DONE);
 }
 
@@ -351,21 +356,22 @@ static void after_reverse(clod_ring_shear *self, clod_state *state, const double
 static void after_shear(clod_ring_shear *self, clod_state *state, const double *row)
 {
     set_stress(self, state, self->target_stress);
-    note_normal(self, row);
     const bool passed =
-        clod_peak_add(&self->peak, self->displacement, row[CLOD_RING_SHEAR_SHEAR_STRESS]);
+        clod_peak_add(&self->peak, self->displacement, row[CLOD_RING_SHEAR_SHEAR_STRESS],
+                      row[CLOD_RING_SHEAR_NORMAL_STRESS]);
     const double before = self->point_shear;
     const clod_peak_result peak = clod_peak_summary(&self->peak);
     self->point_shear = peak.tau;
     self->point_error = peak.tau_error;
     self->point_displacement = peak.displacement;
+    self->point_normal = peak.sigma;
     if (peak.tau > before) {
         self->point_density = row[CLOD_RING_SHEAR_BULK_DENSITY];
     }
     const bool late = self->displacement > self->shear_max;
     if (passed || late) {
         self->flags |= passed ? 0 : CLOD_RING_SHEAR_NO_PEAK;
-        self->point_normal = self->normal_sum / (double)self->normal_count;
+        note_hanger(self, state);
         enter(self, state, CLOD_RING_SHEAR_DONE);
     }
 }
@@ -382,11 +388,39 @@ static void slew(const clod_ring_shear *self, clod_state *state, double interval
     }
 }
 
+/** Speed that counts as shear displacement: while it reverses, what is still braked does not.
+ */
+static double sheared(const clod_ring_shear *self, const clod_state *state)
+{
+    const double speed = speed_now(self, state);
+    return self->phase == CLOD_RING_SHEAR_REVERSE ? fmax(-speed, 0.0) : fabs(speed);
+}
+
+/** The lid has sunk until its bars touch those of the trough, or nearly: no bed is left. */
+static bool is_without_bed(const clod_ring_shear *self, const clod_state *state)
+{
+    return self->phase != CLOD_RING_SHEAR_FILL && lid_height(self, state) < self->lowest_lid;
+}
+
+bool clod_ring_shear_trouble(const clod_ring_shear *self, char *text, size_t size)
+{
+    const bool trouble = (self->flags & CLOD_RING_SHEAR_NO_BED) != 0;
+    if (trouble) {
+        snprintf(
+            text, size,
+            "the lid sank to %.3g mm, where no grain fits between its bars and those of the "
+            "trough: the cell holds too few grains. Raise ring_shear.grain_count (or "
+            "fill_fraction), or lower bar_height",
+            1e3 * self->last_height);
+    }
+    return trouble;
+}
+
 bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *row)
 {
     const double interval = (double)find_wall(state, "lid")->sum_steps * state->dt;
     const double in_phase = (double)state->step * state->dt - self->phase_start;
-    self->displacement += fabs(speed_now(self, state)) * interval;
+    self->displacement += sheared(self, state) * interval;
     measure(self, state, row);
     clod_walls_reset_sums(&state->walls);
     switch (self->phase) {
@@ -414,6 +448,10 @@ bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *ro
     }
     self->last_height = row[CLOD_RING_SHEAR_HEIGHT];
     slew(self, state, interval);
+    if (is_without_bed(self, state)) {
+        self->flags |= CLOD_RING_SHEAR_NO_BED;
+        self->phase = CLOD_RING_SHEAR_DONE;
+    }
     return self->phase == CLOD_RING_SHEAR_DONE;
 }
 

@@ -11,6 +11,7 @@
  */
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "clod/case.h"
@@ -35,6 +36,7 @@ typedef enum clod_ring_shear_flag {
     CLOD_RING_SHEAR_NOT_STEADY = 2,  ///< preshear ended at preshear_max
     CLOD_RING_SHEAR_NO_REVERSAL = 4, ///< shear stress did not come down to zero
     CLOD_RING_SHEAR_NO_PEAK = 8,     ///< shear_max reached before the peak was passed
+    CLOD_RING_SHEAR_NO_BED = 16, ///< the bars of the lid came within a grain of the trough's
 } clod_ring_shear_flag;
 
 /** Columns of the test's series, in this order; texts in clod_ring_shear_columns. */
@@ -62,6 +64,7 @@ typedef struct clod_ring_shear {
     double bar_height;  ///< m
     double lid_start;   ///< m, height of the lid's plane at shift 0
     double lid_mass;    ///< kg
+    double lowest_lid;  ///< m: below it no grain fits between the bars of lid and trough
     // the programme
     double preshear_stress, shear_stress;               ///< Pa
     double speed, shear_speed;                          ///< m/s at r_m
@@ -78,14 +81,13 @@ typedef struct clod_ring_shear {
     int64_t flags;        ///< clod_ring_shear_flag
     clod_steady steady;
     clod_peak peak;
-    double normal_sum; ///< Pa, normal stress summed over the samples of the main phase
-    int64_t normal_count;
     // results
+    double hanger_force; ///< N on the lid in the main phase, beside its weight and the solid's
     double preshear_normal, preshear_shear, preshear_error; ///< Pa; error of the mean
     double preshear_height, preshear_density;
     double preshear_displacement; ///< m
     double preshear_dilation;     ///< change of height per shear displacement, steady blocks
-    double point_normal, point_shear, point_error; ///< Pa, peak
+    double point_normal, point_shear, point_error; ///< Pa, at the peak
     double point_displacement;                     ///< m, from the start of shear to the peak
     double point_density;                          ///< kg/m3 at the peak
 } clod_ring_shear;
@@ -109,11 +111,15 @@ int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *stat
  * Look at the walls after the planned steps: fill a row of the series, and move on.
  *
  * @param row  [out] [CLOD_RING_SHEAR_COLUMNS] means over the steps since the last look
- * @return     true when the preparation or the point is finished
- * Errors  none: what is not right is noted in flags.   Threads  one per state.
+ * @return     true when the preparation or the point is finished, or cannot go on
+ * Errors  none: what is not right is noted in flags; after NO_BED nothing more can come.
+ * Threads  one per state.
  * Source  PHYSICS 7.   Test  tests/tester/test_ring_shear.c
  */
 bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *row);
+
+/** Why the procedure cannot go on and what to do, in `text`; false when it can. */
+bool clod_ring_shear_trouble(const clod_ring_shear *self, char *text, size_t size);
 
 /** Part of the shear displacement of this procedure that is done, 0 to 1, at most. */
 double clod_ring_shear_progress(const clod_ring_shear *self);

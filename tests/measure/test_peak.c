@@ -33,7 +33,7 @@ static double shear(curve *tau, double noise, uint64_t seed, double step, clod_p
     clod_peak_init(self, WINDOW, BEYOND);
     for (int k = 0; k * step <= LIMIT; k++) {
         const double x = k * step;
-        if (clod_peak_add(self, x, tau(x) + noise * normal(seed, (uint64_t)k))) {
+        if (clod_peak_add(self, x, tau(x) + noise * normal(seed, (uint64_t)k), 2.0 * x)) {
             return x;
         }
     }
@@ -57,6 +57,8 @@ static void parabola_is_found(void **state)
     assert_true(found.passed);
     assert_true(fabs(found.tau - (1000.0 - 2e7 * 1e-6 / 12.0)) < 0.05);
     assert_true(fabs(found.displacement - 5e-3) < WINDOW / CLOD_PEAK_BINS);
+    // sigma = 2 x was given: its mean over the window of the peak, not over the whole curve
+    assert_true(fabs(found.sigma - 2.0 * found.displacement) < 1e-12);
     // seen as passed half a window after the smoothed curve is BEYOND further, plus a bin
     assert_true(end >= 5e-3 + BEYOND + WINDOW / 2.0 - 2.0 * WINDOW / CLOD_PEAK_BINS);
     assert_true(end <= 5e-3 + BEYOND + WINDOW / 2.0 + 2.0 * WINDOW / CLOD_PEAK_BINS);
@@ -148,7 +150,7 @@ static void blocking_sees_correlation(void **state)
         clod_peak self;
         clod_peak_init(&self, WINDOW, BEYOND);
         for (int k = 0; k <= 101; k++) { // one window, closed by the sample after it
-            clod_peak_add(&self, k * STEP, held_noise(seed, k));
+            clod_peak_add(&self, k * STEP, held_noise(seed, k), 0.0);
         }
         const double error = clod_peak_summary(&self).tau_error;
         assert_true(error > 0.0);
@@ -193,10 +195,10 @@ static void before_a_window_is_full(void **state)
     clod_peak self;
     clod_peak_init(&self, WINDOW, BEYOND);
     assert_true(isnan(clod_peak_summary(&self).tau));
-    assert_false(clod_peak_add(&self, 0.0, 10.0));
+    assert_false(clod_peak_add(&self, 0.0, 10.0, 1.0));
     assert_true(clod_peak_summary(&self).tau == 10.0);
     for (int k = 1; k < 40; k++) {
-        assert_false(clod_peak_add(&self, k * STEP, 10.0));
+        assert_false(clod_peak_add(&self, k * STEP, 10.0, 1.0));
     }
     const clod_peak_result found = clod_peak_summary(&self);
     assert_true(found.tau == 10.0 && isnan(found.tau_error) && !found.passed);
@@ -211,7 +213,8 @@ static void bytes_are_enough(void **state)
     clod_peak_init(&two, WINDOW, BEYOND);
     for (int k = 0; k < 700; k++) {
         const double x = k * STEP;
-        assert_true(clod_peak_add(&one, x, parabola(x)) == clod_peak_add(&two, x, parabola(x)));
+        assert_true(clod_peak_add(&one, x, parabola(x), 1.0) ==
+                    clod_peak_add(&two, x, parabola(x), 1.0));
         unsigned char bytes[sizeof two];
         memcpy(bytes, &two, sizeof two);
         memset(&two, 0xff, sizeof two);

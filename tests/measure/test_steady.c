@@ -30,7 +30,7 @@ static int blocks_to_steady(clod_steady *self, signal *tau, signal *height, uint
                             int most)
 {
     for (int k = 0; k < most * SAMPLES; k++) {
-        if (clod_steady_add(self, tau(seed, k), height(seed, k))) {
+        if (clod_steady_add(self, tau(seed, k), height(seed, k), (double)k)) {
             assert_int_equal((k + 1) % SAMPLES, 0); // decided at the end of a block only
             return (k + 1) / SAMPLES;
         }
@@ -272,7 +272,7 @@ static void nothing_yet(void **state)
     assert_int_equal(found.blocks, 0);
     assert_true(isnan(found.tau.value) && isnan(found.tau.error));
     for (int k = 0; k < 4; k++) {
-        assert_false(clod_steady_add(&self, k, 1.0));
+        assert_false(clod_steady_add(&self, k, 1.0, 1.0));
     }
     found = clod_steady_summary(&self);
     assert_int_equal(found.blocks, 2);
@@ -286,16 +286,16 @@ static void old_blocks_are_forgotten_and_bytes_are_enough(void **state)
     clod_steady self;
     clod_steady_init(&self, CLOD_STEADY_MAX, SAMPLES, 0.02, 0.2 * 0.02);
     for (int k = 0; k < 30 * SAMPLES; k++) {
-        assert_false(clod_steady_add(&self, 1e6, 0.04));
+        assert_false(clod_steady_add(&self, 1e6, 0.04, 1.0));
     }
     unsigned char bytes[sizeof self];
     for (int k = 0; k < 64 * SAMPLES - 1; k++) {
-        assert_false(clod_steady_add(&self, noisy(1, k), 0.04));
+        assert_false(clod_steady_add(&self, noisy(1, k), 0.04, 1.0));
         memcpy(bytes, &self, sizeof self);
         memset(&self, 0xff, sizeof self);
         memcpy(&self, bytes, sizeof self);
     }
-    assert_true(clod_steady_add(&self, noisy(1, 64 * SAMPLES - 1), 0.04));
+    assert_true(clod_steady_add(&self, noisy(1, 64 * SAMPLES - 1), 0.04, 1.0));
     assert_int_equal(clod_steady_summary(&self).blocks, 64);
 }
 

@@ -176,7 +176,9 @@ static void lid_carries_then_the_load_is_raised(void **context)
     assert_int_equal(now.wall[2].load, CLOD_LOAD_STRESS);
     assert_true(now.state.adhesion == 1.0);
     assert_true(now.wall[2].velocity.z == 0.0);
-    double before = 0.0;
+    // the servo takes over with the stress that the lid was put down with: no look unloaded
+    assert_true(fabs(now.wall[2].load_force - 0.1 * PRESHEAR * AREA) < 1e-9);
+    double before = now.wall[2].load_force;
     for (int k = 0; k < 12; k++) { // 2 ms each: the ramp is over after 20 ms
         look(0.1 * PRESHEAR, 0.0);
         assert_true(now.wall[2].load_force >= before);
@@ -321,6 +323,55 @@ static void point_goes_back_reduces_and_shears_to_the_peak(void **context)
     assert_true(fabs(now.test.shear_speed / (SPEED * sqrt(0.4)) - 1.0) < 1e-12);
 }
 
+static void the_normal_stress_of_the_point_is_that_at_the_peak(void **context)
+{
+    (void)context;
+    go_to_the_end_of_preshear();
+    now.place[3][2] = 0.01; // nothing above the plane
+    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    look_while(CLOD_RING_SHEAR_REVERSE, PRESHEAR, -1.0, 10);
+    look_while(CLOD_RING_SHEAR_REDUCE, 4e3, 0.0, 1000);
+    // 4.4 kPa before the peak at 1 mm, 4 kPa in its window, 3.6 kPa after
+    for (int k = 0; k < 100000 && now.test.phase == CLOD_RING_SHEAR_SHEAR; k++) {
+        const double off = now.test.displacement - 1e-3;
+        const double x = off / 1e-3;
+        look(off < -0.3e-3 ? 4.4e3 : off > 0.3e-3 ? 3.6e3 : 4e3, 3.5e3 / (1.0 + x * x));
+    }
+    assert_true(fabs(now.test.point_normal / 4e3 - 1.0) < 1e-9);
+    // a load of 4 kPa on the whole area, less the lid of 1 kg
+    assert_true(fabs(now.test.hanger_force - (4e3 * AREA - 9.81)) < 1e-9);
+}
+
+static void braking_is_no_shear_back(void **context)
+{
+    (void)context;
+    go_to_the_end_of_preshear();
+    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    while (now.wall[0].spin > 0.0) { // 0.15 mm forward
+        look(PRESHEAR, 3e3);
+    }
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_REVERSE);
+    assert_true(now.test.displacement == 0.0);
+}
+
+static void a_lid_that_meets_no_bed_stops_the_test(void **context)
+{
+    (void)context;
+    char text[256];
+    look_while(CLOD_RING_SHEAR_FILL, 0.0, 0.0, 1000);
+    assert_false(clod_ring_shear_trouble(&now.test, text, sizeof text));
+    // bars of 6 mm above and below and a grain of 6 mm: 18 mm; from 45 mm down at 0.1 m/s
+    const double from = LID_START + now.wall[2].shift.z;
+    int looks = 0;
+    while (!look(0.0, 0.0)) {
+        looks++;
+    }
+    assert_true(fabs(from - looks * 200 * DT * 0.1 - 0.018) < 2.1e-4 + 200 * DT * 0.1);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_DONE);
+    assert_true(clod_ring_shear_trouble(&now.test, text, sizeof text));
+    assert_non_null(strstr(text, "too few grains"));
+}
+
 static void reversal_that_never_ends_is_told(void **context)
 {
     (void)context;
@@ -374,6 +425,9 @@ int main(void)
         T(rising_shear_ends_at_the_limit_and_is_told),
         T(short_limit_still_gives_a_mean),
         T(point_goes_back_reduces_and_shears_to_the_peak),
+        T(the_normal_stress_of_the_point_is_that_at_the_peak),
+        T(braking_is_no_shear_back),
+        T(a_lid_that_meets_no_bed_stops_the_test),
         T(reversal_that_never_ends_is_told),
         T(shear_without_a_peak_is_told),
         T(reduced_load_that_is_never_reached_is_told),
