@@ -12,7 +12,10 @@
 
 #include "clod/status.h"
 
-/** One shear point with the preshear of its own test. Stresses in Pa; errors: 0 = not stated.
+/**
+ * One shear point with its preshear. Stresses in Pa; errors: 0 = not stated. Points of one seed
+ * and sigma_p that all tell the same tau_p, rho_b and errors of both stem from one preshear;
+ * otherwise each has its own (docs/theory/yield-locus.md).
  */
 typedef struct clod_locus_point {
     int64_t seed;       ///< which repeat of the whole test
@@ -21,7 +24,7 @@ typedef struct clod_locus_point {
     double sigma_s;     ///< normal stress at shear to failure
     double tau_s;       ///< peak shear stress
     double rho_b;       ///< bulk density at the end of preshear [kg/m3]; 0 = not known
-    double tau_p_error; ///< standard error of tau_p
+    double tau_p_error; ///< standard error of tau_p; once for the points of one preshear
     double tau_s_error; ///< standard error of tau_s
     double rho_b_error; ///< standard error of rho_b
 } clod_locus_point;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "analysis/preshear.h"
 #include "analysis/spread.h"
 #include "analysis/warnings.h"
 #include "base/memory.h"
@@ -107,9 +108,9 @@ static clod_locus_value mean_of(const double *value, size_t count, double stated
                               NAN};
 }
 
-/** Bulk density and normal stress of preshear: plain means over the points. */
-static void fill_means(clod_locus *self, const clod_locus_point *points, size_t count,
-                       double *scratch)
+/** Normal stress of preshear over the points; bulk density over the preshears that tell it. */
+static void fill_means(clod_locus *self, const clod_locus_point *points, const size_t *first,
+                       size_t count, double *scratch)
 {
     for (size_t i = 0; i < count; i++) {
         scratch[i] = points[i].sigma_p;
@@ -118,7 +119,7 @@ static void fill_means(clod_locus *self, const clod_locus_point *points, size_t 
     size_t known = 0;
     double stated = 0.0;
     for (size_t i = 0; i < count; i++) {
-        if (points[i].rho_b > 0.0) {
+        if (first[i] == i && points[i].rho_b > 0.0) {
             scratch[known++] = points[i].rho_b;
             stated += points[i].rho_b_error * points[i].rho_b_error;
         }
@@ -170,20 +171,22 @@ bool clod_locus_evaluate(const clod_locus_point *points, size_t count, clod_locu
         return false;
     }
     double *work = clod_memory_alloc(4 * count, sizeof *work);
+    size_t *first = clod_memory_alloc(count, sizeof *first);
     clod_locus_point *changed = clod_memory_alloc(count, sizeof *changed);
     locus->marks = clod_memory_alloc(count, sizeof *locus->marks);
-    const bool done = work != NULL && changed != NULL && locus->marks != NULL;
+    const bool done = work != NULL && first != NULL && changed != NULL && locus->marks != NULL;
     if (done) {
         double error[CLOD_FIELD_COUNT];
         const double *prorated = work + count;
         const clod_spread_result best = clod_spread_evaluate(points, count, work, work + count);
-        clod_spread_errors(points, count, &best, work + 2 * count, changed, error);
+        clod_preshear_find(points, count, first);
+        clod_spread_errors(points, first, count, &best, work + 2 * count, changed, error);
         locus->errors =
             errors_known(points, count) ? CLOD_LOCUS_ERRORS_FIT : CLOD_LOCUS_ERRORS_NONE;
         locus->seed_count = 1;
         locus->point_count = count;
         fill_values(locus, &best, error);
-        fill_means(locus, points, count, work + 2 * count);
+        fill_means(locus, points, first, count, work + 2 * count);
         fill_marks(locus, points, &best.fit, prorated);
         const clod_warnings_line line = {best.fit, work, prorated, count};
         clod_warnings_check(locus, points, count, &line);
@@ -191,6 +194,7 @@ bool clod_locus_evaluate(const clod_locus_point *points, size_t count, clod_locu
         clod_locus_fini(locus);
     }
     clod_memory_free(work);
+    clod_memory_free(first);
     clod_memory_free(changed);
     return done || clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
 }

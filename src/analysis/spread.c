@@ -1,6 +1,7 @@
 #include "analysis/spread.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 /** Cohesion below this part of the shear stress is rounding, not cohesion. */
@@ -49,34 +50,85 @@ typedef struct excess {
     double line;     ///< of the prorated shear stress
 } excess;
 
-static excess find_excess(const clod_locus_point *points, size_t count,
+/** Relative standard deviation between the preshears beyond their stated errors. */
+static double find_specimen(const clod_locus_point *points, const size_t *first, size_t count,
+                            double tau_p)
+{
+    double preshears = 0.0;
+    double mean = 0.0;
+    double stated = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        if (first[i] == i) {
+            preshears += 1.0;
+            mean += points[i].tau_p;
+            stated += points[i].tau_p_error * points[i].tau_p_error;
+        }
+    }
+    if (preshears < 2.0) {
+        return 0.0; // one specimen does not tell how specimens differ
+    }
+    mean /= preshears;
+    double squares = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        squares += first[i] == i ? pow(points[i].tau_p - mean, 2.0) : 0.0;
+    }
+    return sqrt(fmax(squares / (preshears - 1.0) - stated / preshears, 0.0)) / tau_p;
+}
+
+/** What the stated error of one preshear adds to the sum of squares about the line. */
+static double expect_preshear(const clod_locus_point *points, const size_t *first, size_t count,
+                              size_t preshear, const clod_spread_result *best)
+{
+    const clod_fit *fit = &best->fit;
+    double sum = 0.0;
+    double moment = 0.0;
+    double squares = 0.0;
+    for (size_t k = preshear; k < count; k++) {
+        if (first[k] == preshear) {
+            const clod_locus_point *p = &points[k];
+            const double prorated = p->tau_s * best->field[CLOD_FIELD_TAU_P] / p->tau_p;
+            const double off = prorated * p->tau_p_error / p->tau_p;
+            sum += off;
+            moment += off * (p->sigma_s - fit->mean_x);
+            squares += off * off;
+        }
+    }
+    // less what the line follows
+    return squares - sum * sum / (double)count - moment * moment / fit->sxx;
+}
+
+static excess find_excess(const clod_locus_point *points, const size_t *first, size_t count,
                           const clod_spread_result *best)
 {
     const clod_fit *fit = &best->fit;
     const double n = (double)count;
     const double tau_p = best->field[CLOD_FIELD_TAU_P];
-    double between = 0.0; // variance of tau_p between the points
-    double stated_p = 0.0;
     double expected = 0.0; // of the sum of squares about the line, from stated errors
     for (size_t i = 0; i < count; i++) {
         const clod_locus_point *p = &points[i];
-        between += pow(p->tau_p - tau_p, 2.0) / (n - 1.0);
-        stated_p += p->tau_p_error * p->tau_p_error / n;
-        const double scale = tau_p / p->tau_p;
-        const double of_s = scale * p->tau_s_error;
-        const double of_p = scale * p->tau_s * p->tau_p_error / p->tau_p;
+        const double of_s = tau_p / p->tau_p * p->tau_s_error;
         const double leverage = 1.0 / n + pow(p->sigma_s - fit->mean_x, 2.0) / fit->sxx;
-        expected += (of_s * of_s + of_p * of_p) * (1.0 - leverage);
+        expected += of_s * of_s * (1.0 - leverage);
+        expected += first[i] == i ? expect_preshear(points, first, count, i, best) : 0.0;
     }
-    excess self = {sqrt(fmax(between - stated_p, 0.0)) / tau_p, 0.0};
+    excess self = {find_specimen(points, first, count, tau_p), 0.0};
     if (count > 2) {
         self.line = sqrt(fmax(fit->residual - expected, 0.0) / (n - 2.0));
     }
     return self;
 }
 
+/** One error: of a preshear, with all of its points, or of a single point. */
+typedef struct cause {
+    size_t at;     ///< the point, or the first of the preshear
+    double tau_p;  ///< of the preshear [Pa]
+    bool specimen; ///< whether tau_s of all points of the preshear change by the same factor
+    double tau_s;  ///< of the point [Pa]
+} cause;
+
 typedef struct propagation {
     const clod_locus_point *points;
+    const size_t *first;
     size_t count;
     const clod_spread_result *best;
     double *scratch;
@@ -84,23 +136,34 @@ typedef struct propagation {
     double variance[CLOD_FIELD_COUNT];
 } propagation;
 
-/** Add the effect of changing one point's tau_p and tau_s by plus and minus this much. */
-static void add_effect(propagation *self, size_t at, double tau_p, double tau_s)
+/** Put `times` of a cause into the points it concerns; 0 restores them. */
+static void change_points(const propagation *self, const cause *by, double times)
 {
-    if (tau_p == 0.0 && tau_s == 0.0) {
+    self->changed[by->at] = self->points[by->at];
+    for (size_t k = by->at; k < self->count; k++) {
+        if (self->first[k] == by->at) {
+            const clod_locus_point *p = &self->points[k];
+            const double tau_p = times * by->tau_p;
+            self->changed[k].tau_p = p->tau_p + tau_p;
+            self->changed[k].tau_s = p->tau_s * (by->specimen ? 1.0 + tau_p / p->tau_p : 1.0);
+        }
+    }
+    self->changed[by->at].tau_s += times * by->tau_s;
+}
+
+static void add_effect(propagation *self, cause by)
+{
+    if (by.tau_p == 0.0 && by.tau_s == 0.0) {
         return;
     }
     clod_spread_result side[2];
     for (int k = 0; k < 2; k++) {
-        const double sign = k == 0 ? 1.0 : -1.0;
-        self->changed[at] = self->points[at];
-        self->changed[at].tau_p += sign * tau_p;
-        self->changed[at].tau_s += sign * tau_s;
+        change_points(self, &by, k == 0 ? 1.0 : -1.0);
         side[k] = clod_spread_evaluate(self->changed, self->count, self->scratch,
                                        self->scratch + self->count);
         side[k].field[CLOD_FIELD_SIGMA_C] = side[k].sigma_c;
     }
-    self->changed[at] = self->points[at];
+    change_points(self, &by, 0.0);
     double change[CLOD_FIELD_COUNT];
     for (int k = 0; k < CLOD_FIELD_COUNT; k++) {
         change[k] = 0.5 * (side[0].field[k] - side[1].field[k]);
@@ -115,21 +178,23 @@ static void add_effect(propagation *self, size_t at, double tau_p, double tau_s)
     }
 }
 
-void clod_spread_errors(const clod_locus_point *points, size_t count,
+void clod_spread_errors(const clod_locus_point *points, const size_t *first, size_t count,
                         const clod_spread_result *best, double *scratch,
                         clod_locus_point *changed, double error[CLOD_FIELD_COUNT])
 {
-    propagation self = {points, count, best, scratch, changed, {0}};
+    propagation self = {points, first, count, best, scratch, changed, {0}};
     memcpy(changed, points, count * sizeof *points);
-    const excess more = find_excess(points, count, best);
+    const excess more = find_excess(points, first, count, best);
+    const double tau_p = best->field[CLOD_FIELD_TAU_P];
     for (size_t i = 0; i < count; i++) {
         const clod_locus_point *p = &points[i];
-        const double tau_p = best->field[CLOD_FIELD_TAU_P];
-        const double scale = p->tau_p / tau_p;
-        add_effect(&self, i, p->tau_p_error, 0.0);
-        add_effect(&self, i, 0.0, p->tau_s_error);
-        add_effect(&self, i, 0.0, more.line * scale);
-        add_effect(&self, i, more.specimen * tau_p, more.specimen * p->tau_s / scale);
+        add_effect(&self, (cause){.at = i, .tau_s = p->tau_s_error});
+        add_effect(&self, (cause){.at = i, .tau_s = more.line * p->tau_p / tau_p});
+        if (first[i] == i) {
+            add_effect(&self, (cause){.at = i, .tau_p = p->tau_p_error});
+            add_effect(&self,
+                       (cause){.at = i, .tau_p = more.specimen * tau_p, .specimen = true});
+        }
     }
     for (int k = 0; k < CLOD_FIELD_COUNT; k++) {
         error[k] = sqrt(self.variance[k]);

@@ -27,23 +27,28 @@ clod_spread_result clod_spread_evaluate(const clod_locus_point *points, size_t c
                                         double *sigma, double *prorated);
 
 /**
- * Standard errors of the fields by propagation. Each point has three independent errors:
+ * Standard errors of the fields by propagation. The causes are independent of each other:
  *
- * - what was stated for tau_p and for tau_s,
- * - what the specimens differ by: scatter of tau_p beyond the stated errors, taken to act on
- *   tau_p and tau_s of a point by the same factor, as prorating supposes,
- * - what the points scatter about the line beyond all that, taken to be in tau_s.
+ * - of each point, what was stated for tau_s,
+ * - of each preshear, what was stated for tau_p, for all of its points together,
+ * - of each preshear, what the specimens differ by: scatter of tau_p between preshears beyond
+ *   the stated errors, taken to act on tau_p and tau_s of its points by the same factor, as
+ *   prorating supposes,
+ * - of each point, what the points scatter about the line beyond all that, taken to be in
+ * tau_s.
  *
- * Every error is carried over by evaluating the points at plus and minus one of it. Without
- * stated errors the third one is the usual covariance of a regression.
+ * Every cause is carried over by evaluating the points at plus and minus one of it. Without
+ * stated errors the last one is the usual covariance of a regression.
  *
  * @param points   [count]
+ * @param first    [count] which points share a preshear, of clod_preshear_find
  * @param best     of the points as they are
  * @param scratch  [2 * count] overwritten
  * @param changed  [count] overwritten
  * @param error    [CLOD_FIELD_COUNT] [out]; 0 for sigma_p and rho_b
- * Errors  none.   Threads  pure.   Test  tests/analysis/test_locus_errors.c
+ * Errors  none.   Threads  pure.
+ * Test    tests/analysis/test_locus_errors.c, test_locus_preshear.c
  */
-void clod_spread_errors(const clod_locus_point *points, size_t count,
+void clod_spread_errors(const clod_locus_point *points, const size_t *first, size_t count,
                         const clod_spread_result *best, double *scratch,
                         clod_locus_point *changed, double error[CLOD_FIELD_COUNT]);
