@@ -86,6 +86,7 @@ bool clod_check_pair_needed(const clod_case *self, int a, int b)
 static void check_kind(clod_loader *loader, const clod_case *self)
 {
     static const char *const FREE[] = {"grains", "walls", "stages", "domain"};
+    static const char *const RUN[] = {"walls", "domain", "gravity", "time", "output", "seed"};
     const bool ring = self->ring_shear.present;
     const bool grains = clod_check_has(loader, "grains");
     const bool stages = clod_check_has(loader, "stages");
@@ -106,6 +107,14 @@ static void check_kind(clod_loader *loader, const clod_case *self)
         clod_check_fail(loader, "stages", "stages need grains");
     }
     const bool nothing = !ring && !grains && !stages && !self->contact_bench.present;
+    const bool bench = !ring && !grains && !stages && self->contact_bench.present;
+    for (size_t i = 0; bench && i < sizeof RUN / sizeof RUN[0]; i++) {
+        if (clod_check_has(loader, RUN[i])) {
+            clod_check_fail(loader, RUN[i],
+                            "contact_bench has one contact, no weight and no steps; remove %s",
+                            RUN[i]);
+        }
+    }
     if (nothing && loader->report->count == 0) {
         clod_check_fail(
             loader, "",
@@ -137,4 +146,5 @@ void clod_check_case(clod_loader *loader, clod_case *self)
     check_density(loader, self);
     clod_check_run(loader, self);
     clod_check_tester(loader, self);
+    clod_check_unused(loader, self);
 }

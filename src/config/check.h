@@ -15,6 +15,9 @@ void clod_check_tester(clod_loader *loader, clod_case *self);
 /** Checks of grains, walls, stages and domain (check_run.c). */
 void clod_check_run(clod_loader *loader, clod_case *self);
 
+/** Complain about keys that the table says have no effect in this case (check_unused.c). */
+void clod_check_unused(clod_loader *loader, const clod_case *self);
+
 /** Whether grains of material a or b can meet the other. */
 bool clod_check_pair_needed(const clod_case *self, int a, int b);
 

@@ -107,8 +107,7 @@ static void check_region(clod_loader *loader, const char *path, const clod_case_
 /** Grains from a file carry everything with them. */
 static void check_file(clod_loader *loader, const char *path)
 {
-    static const char *const KEYS[] = {"radius", "sizes", "region", "fill_fraction",
-                                       "velocity"};
+    static const char *const KEYS[] = {"radius", "sizes", "region", "velocity"};
     for (size_t i = 0; i < sizeof KEYS / sizeof KEYS[0]; i++) {
         if (has(loader, path, KEYS[i])) {
             fail(loader, path, KEYS[i], "the file says this for each grain; remove this key");

@@ -57,21 +57,69 @@ static void check_cell(clod_loader *loader, const clod_case_ring_shear *ring)
     }
 }
 
-static void check_stresses(clod_loader *loader, const clod_case_ring_shear *ring)
+/** Weight of the solid between the lid's bars, above the shear plane [Pa]. */
+static double solid_above(const clod_case *self)
 {
+    const clod_case_ring_shear *ring = &self->ring_shear;
+    const int ore = ring->grain_material == NULL
+                        ? -1
+                        : clod_case_material_index(self, ring->grain_material);
+    const double density = ore < 0 ? 0.0 : self->materials[ore].density;
+    return -ring->fill_fraction * density * self->gravity[2] * ring->bar_height;
+}
+
+static void check_stresses(clod_loader *loader, const clod_case *self)
+{
+    const clod_case_ring_shear *ring = &self->ring_shear;
+    const double least = solid_above(self);
     if (ring->preshear_stress == 0.0) {
         return; // missing or wrong, which has been said
     }
     for (size_t i = 0; i < ring->shear_stress_count; i++) {
+        char path[64];
+        snprintf(path, sizeof path, "ring_shear.shear_stresses.%zu", i);
+        if (ring->shear_stresses[i] <= least) {
+            clod_check_fail(loader, path,
+                            "%.10g Pa is not above the weight of the solid between the bars of "
+                            "the lid, about %.2g Pa; the lid cannot pull",
+                            ring->shear_stresses[i], least);
+        }
         if (ring->shear_stresses[i] >= ring->preshear_stress) {
-            char path[64];
-            snprintf(path, sizeof path, "ring_shear.shear_stresses.%zu", i);
             clod_check_fail(
                 loader, path,
                 "%.10g Pa is not below preshear_stress = %.10g Pa; points of a yield "
                 "locus lie below it",
                 ring->shear_stresses[i], ring->preshear_stress);
         }
+    }
+}
+
+/** Complain at the one of two keys that was written; at the first when both were. */
+static const char *written(const clod_loader *loader, const char *first, const char *second)
+{
+    return clod_check_has(loader, first) || !clod_check_has(loader, second) ? first : second;
+}
+
+/** The ways of shear must be long enough for what is to be seen on them. */
+static void check_ways(clod_loader *loader, const clod_case_ring_shear *ring)
+{
+    if (!clean(loader, "ring_shear")) {
+        return;
+    }
+    const double blocks = (double)ring->steady_blocks * ring->block_displacement;
+    if (blocks > ring->preshear_max * (1.0 + 1e-9)) { // products of decimal numbers round
+        clod_check_fail(
+            loader, written(loader, "ring_shear.preshear_max", "ring_shear.block_displacement"),
+            "preshear can never be steady: %lld blocks (steady_blocks) of %.10g m "
+            "(block_displacement) are longer than preshear_max = %.10g m",
+            (long long)ring->steady_blocks, ring->block_displacement, ring->preshear_max);
+    }
+    if (ring->beyond_peak >= ring->shear_max) {
+        clod_check_fail(loader,
+                        written(loader, "ring_shear.shear_max", "ring_shear.beyond_peak"),
+                        "no peak can be passed: beyond_peak = %.10g m is not less than "
+                        "shear_max = %.10g m",
+                        ring->beyond_peak, ring->shear_max);
     }
 }
 
@@ -97,7 +145,8 @@ static void check_ring(clod_loader *loader, const clod_case *self)
     check_gravity(loader, self);
     check_radius(loader, ring);
     check_cell(loader, ring);
-    check_stresses(loader, ring);
+    check_stresses(loader, self);
+    check_ways(loader, ring);
 }
 
 static void check_bench(clod_loader *loader, const clod_case *self)

@@ -108,37 +108,21 @@ static void fail_key(clod_loader *loader, const pair *self, const char *key,
     clod_check_fail(loader, path, "%s", message);
 }
 
-/** Keys that stand in the section itself although its law has no use for them. */
-static void check_useless(clod_loader *loader, const pair *self,
-                          const clod_case_contact *contact)
+/** Keys that stand in a pair's own section although its law has no use for them. */
+static void check_own_unused(clod_loader *loader, const clod_case *whole, const pair *self,
+                             const clod_case_contact *contact)
 {
-    static const char *const STIFFNESSES[] = {"k1", "k2", "k_adh"};
-    const clod_node *section = self->own != NULL ? self->own : self->common;
-    for (size_t i = 0; i < 3; i++) {
-        if (clod_tree_find(section, STIFFNESSES[i]) == NULL) {
-            continue;
+    for (size_t i = 0; i < CLOD_TABLE_CONTACT.count; i++) {
+        const clod_param *row = &CLOD_TABLE_CONTACT.params[i];
+        if (row->unused != NULL && clod_tree_find(self->own, row->key) != NULL &&
+            !row->used(whole, contact)) {
+            fail_key(loader, self, row->key, row->unused);
         }
-        if (contact->law == CLOD_LAW_HERTZ) {
-            fail_key(
-                loader, self, STIFFNESSES[i],
-                "law hertz takes its stiffness from youngs_modulus of the materials; remove "
-                "this key, or choose law mepa or hooke");
-        } else if (contact->law == CLOD_LAW_HOOKE && i > 0) {
-            fail_key(
-                loader, self, STIFFNESSES[i],
-                "law hooke is elastic and has only k1; remove this key, or choose law mepa");
-        }
-    }
-    if (clod_tree_find(section, "rolling_damping") != NULL &&
-        contact->rolling != CLOD_ROLLING_EPSD) {
-        fail_key(loader, self, "rolling_damping",
-                 "only rolling: epsd has a dash-pot; remove this key, or choose epsd");
     }
 }
 
 static void check_law(clod_loader *loader, const pair *self, const clod_case_contact *contact)
 {
-    check_useless(loader, self, contact);
     if (contact->law == CLOD_LAW_HOOKE && contact->exponent != 1.0) {
         fail_key(loader, self, "exponent", "law hooke is linear, its exponent is 1");
     }
@@ -148,6 +132,11 @@ static void check_law(clod_loader *loader, const pair *self, const clod_case_con
     if (contact->law == CLOD_LAW_HERTZ && contact->tangential == CLOD_TANGENTIAL_LITERAL) {
         fail_key(loader, self, "tangential",
                  "literal takes k1, which law hertz does not have; write tangent");
+    }
+    if (contact->law == CLOD_LAW_HOOKE && contact->tangential == CLOD_TANGENTIAL_LITERAL) {
+        fail_key(loader, self, "tangential",
+                 "literal takes the number k1 in N/m, which k1 of law hooke is already; write "
+                 "tangent");
     }
     if (contact->law == CLOD_LAW_MEPA && contact->k1 > 0.0 && contact->k2 > 0.0 &&
         contact->k2 < contact->k1) {
@@ -193,10 +182,26 @@ static void require_elastic(clod_loader *loader, const clod_case *whole, const p
     }
 }
 
+static void require_rolling_friction(clod_loader *loader, const pair *self,
+                                     const clod_case_contact *contact)
+{
+    if (contact->rolling != CLOD_ROLLING_NONE &&
+        clod_tree_find(self->own, "rolling_friction") == NULL &&
+        clod_tree_find(self->common, "rolling_friction") == NULL) {
+        const bool own = clod_tree_find(self->own, "rolling") != NULL;
+        const pair common = {.path = "contacts.default"};
+        fail_key(
+            loader, own ? self : &common, "rolling",
+            "needs the key rolling_friction beside it, for instance rolling_friction: 0.3; "
+            "without it nothing resists");
+    }
+}
+
 /** What the law of a pair that will be used must have. */
 static void check_needs(clod_loader *loader, const clod_case *whole, const pair *self,
                         const clod_case_contact *contact)
 {
+    require_rolling_friction(loader, self, contact);
     switch (contact->law) {
     case CLOD_LAW_HERTZ:
         require_elastic(loader, whole, self, self->a);
@@ -212,7 +217,7 @@ static void check_needs(clod_loader *loader, const clod_case *whole, const pair 
     }
 }
 
-/** Fill what follows from the law. */
+/** Fill what follows from the law; what has no effect does not hold what was inherited. */
 static void complete(clod_case_contact *contact)
 {
     if (contact->law == CLOD_LAW_HOOKE) {
@@ -222,6 +227,15 @@ static void complete(clod_case_contact *contact)
         contact->k1 = 0.0;
         contact->k2 = 0.0;
         contact->k_adh = 0.0;
+    }
+    if (contact->rolling == CLOD_ROLLING_NONE) {
+        contact->rolling_friction = 0.0;
+    }
+    if (contact->rolling != CLOD_ROLLING_EPSD) {
+        contact->rolling_damping = 0.0;
+    }
+    if (contact->law == CLOD_LAW_HERTZ || contact->tangential == CLOD_TANGENTIAL_LITERAL) {
+        contact->tangential_ratio = 1.0;
     }
 }
 
@@ -261,6 +275,7 @@ static void load_pair(clod_loader *loader, clod_case *self, const clod_node *con
     clod_case_contact contact = {0};
     if (load_merged(loader, &made, &contact)) {
         check_law(loader, &made, &contact);
+        check_own_unused(loader, self, &made, &contact);
         if (needed) {
             check_needs(loader, self, &made, &contact);
         }
@@ -348,8 +363,43 @@ static bool check_sections(clod_loader *loader, const clod_case *self,
     return good;
 }
 
+/** Whether a pair that inherits a key of `default` has a use for it. */
+static bool is_inherited(const clod_case *self, const clod_node *contacts,
+                         const clod_param *row)
+{
+    const clod_node *common = clod_tree_find(contacts, "default");
+    const size_t n = self->material_count;
+    for (size_t a = 0; a < n; a++) {
+        for (size_t b = a; b < n; b++) {
+            char name[PAIR_NAME];
+            const clod_node *own = find_pair(contacts, self, (int)a, (int)b, name);
+            if (clod_tree_find(own, row->key) == NULL && inherits(own, common, row->key) &&
+                row->used(self, &self->pairs[a * n + b])) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/** Keys of `default` that neither its own law nor that of any pair has a use for. */
+static void check_default_unused(clod_loader *loader, const clod_case *self,
+                                 const clod_node *contacts, const clod_case_contact *contact)
+{
+    const clod_node *common = clod_tree_find(contacts, "default");
+    const pair alone = {.path = "contacts.default"};
+    for (size_t i = 0; i < CLOD_TABLE_CONTACT.count; i++) {
+        const clod_param *row = &CLOD_TABLE_CONTACT.params[i];
+        if (row->unused != NULL && clod_tree_find(common, row->key) != NULL &&
+            !row->used(self, contact) && !is_inherited(self, contacts, row)) {
+            fail_key(loader, &alone, row->key, row->unused);
+        }
+    }
+}
+
 /** Errors of `default` itself, before pairs repeat them under their own names. */
-static void check_default(clod_loader *loader, const clod_node *contacts)
+static void check_default(clod_loader *loader, const clod_node *contacts,
+                          clod_case_contact *contact)
 {
     const clod_node *common = clod_tree_find(contacts, "default");
     if (common == NULL || common->kind != CLOD_NODE_MAP) {
@@ -357,9 +407,8 @@ static void check_default(clod_loader *loader, const clod_node *contacts)
     }
     pair alone = {
         .common = common, .path = "contacts.default", .place = clod_load_place(common)};
-    clod_case_contact contact = {0};
-    if (load_merged(loader, &alone, &contact)) {
-        check_law(loader, &alone, &contact);
+    if (load_merged(loader, &alone, contact)) {
+        check_law(loader, &alone, contact);
     }
 }
 
@@ -385,7 +434,8 @@ void clod_contacts_load(clod_loader *loader, clod_case *self)
         loader->report->lost = true;
         return;
     }
-    check_default(loader, contacts);
+    clod_case_contact common = {0};
+    check_default(loader, contacts, &common);
     if (!check_sections(loader, self, contacts)) {
         return;
     }
@@ -393,5 +443,8 @@ void clod_contacts_load(clod_loader *loader, clod_case *self)
         for (int b = a; b < (int)self->material_count; b++) {
             load_pair(loader, self, contacts, a, b);
         }
+    }
+    if (clod_report_clean(loader->report, "contacts")) {
+        check_default_unused(loader, self, contacts, &common);
     }
 }

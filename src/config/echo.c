@@ -11,6 +11,12 @@
 #include "base/memory.h"
 #include "config/param.h"
 
+/** Where the text goes, and the case it is of. */
+typedef struct echo {
+    FILE *out;
+    const clod_case *whole;
+} echo;
+
 static const void *at(const void *target, size_t offset)
 {
     return (const char *)target + offset;
@@ -131,54 +137,43 @@ static bool is_zero(const clod_param *param, const void *target)
     }
 }
 
-static bool is_shown(const clod_param *param, const void *target)
+static bool is_shown(const echo *to, const clod_param *param, const void *target)
 {
     if (param->given != 0) {
         return *(const bool *)at(target, param->given);
     }
-    if (param->shown != NULL) {
-        return param->shown(target);
+    if (param->used != NULL) {
+        return param->used(to->whole, target);
     }
     return param->need == CLOD_PARAM_REQUIRED || param->fallback != NULL ||
            !is_zero(param, target);
 }
 
-static void print_table(FILE *out, const clod_table *table, const void *target, int depth,
+static void print_table(const echo *to, const clod_table *table, const void *target, int depth,
                         bool first_in_place);
 
-static void print_items(FILE *out, const clod_param *param, const void *target, int depth)
+static void print_items(const echo *to, const clod_param *param, const void *target, int depth)
 {
     const char *items = *(const char *const *)at(target, param->offset);
     const size_t count = *(const size_t *)at(target, param->count);
-    fputc('\n', out);
+    fputc('\n', to->out);
     for (size_t i = 0; i < count; i++) {
         const void *item = items + i * param->table->size;
-        indent(out, depth + 1);
+        indent(to->out, depth + 1);
         if (param->kind == CLOD_PARAM_LIST) {
-            fputs("- ", out);
-            print_table(out, param->table, item, depth + 2, true);
+            fputs("- ", to->out);
+            print_table(to, param->table, item, depth + 2, true);
         } else {
-            fprintf(out, "%s:\n", *(char *const *)item);
-            print_table(out, param->table, item, depth + 2, false);
+            fprintf(to->out, "%s:\n", *(char *const *)item);
+            print_table(to, param->table, item, depth + 2, false);
         }
     }
 }
 
-/** Keys that a law has no use for would be errors when the echo is read again. */
-static bool fits_law(const clod_param *param, const clod_case_contact *contact)
+static void print_pairs(const echo *to, const clod_param *param, int depth)
 {
-    const bool stiffness = param->kind == CLOD_PARAM_STIFFNESS;
-    if (contact->law == CLOD_LAW_HERTZ && stiffness) {
-        return false;
-    }
-    if (contact->law == CLOD_LAW_HOOKE && stiffness && strcmp(param->key, "k1") != 0) {
-        return false;
-    }
-    return contact->rolling == CLOD_ROLLING_EPSD || strcmp(param->key, "rolling_damping") != 0;
-}
-
-static void print_pairs(FILE *out, const clod_param *param, const clod_case *self, int depth)
-{
+    FILE *out = to->out;
+    const clod_case *self = to->whole;
     const size_t n = self->material_count;
     fputc('\n', out);
     for (size_t a = 0; a < n; a++) {
@@ -191,7 +186,7 @@ static void print_pairs(FILE *out, const clod_param *param, const clod_case *sel
             fprintf(out, "%s-%s:\n", self->materials[a].name, self->materials[b].name);
             for (size_t i = 0; i < param->table->count; i++) {
                 const clod_param *row = &param->table->params[i];
-                if (fits_law(row, contact) && is_shown(row, contact)) {
+                if (is_shown(to, row, contact)) {
                     indent(out, depth + 2);
                     fprintf(out, "%s: ", row->key);
                     print_value(out, row, contact);
@@ -202,20 +197,21 @@ static void print_pairs(FILE *out, const clod_param *param, const clod_case *sel
     }
 }
 
-static void print_row(FILE *out, const clod_param *param, const void *target, int depth)
+static void print_row(const echo *to, const clod_param *param, const void *target, int depth)
 {
+    FILE *out = to->out;
     fprintf(out, "%s:", param->key);
     switch (param->kind) {
     case CLOD_PARAM_SECTION:
         fputc('\n', out);
-        print_table(out, param->table, at(target, param->offset), depth + 1, false);
+        print_table(to, param->table, at(target, param->offset), depth + 1, false);
         break;
     case CLOD_PARAM_LIST:
     case CLOD_PARAM_MAP:
-        print_items(out, param, target, depth);
+        print_items(to, param, target, depth);
         break;
     case CLOD_PARAM_PAIRS:
-        print_pairs(out, param, target, depth);
+        print_pairs(to, param, depth);
         break;
     default:
         fputc(' ', out);
@@ -230,21 +226,21 @@ static void print_row(FILE *out, const clod_param *param, const void *target, in
 }
 
 /** All rows of a struct; `first_in_place`: the first key stands behind "- " already. */
-static void print_table(FILE *out, const clod_table *table, const void *target, int depth,
+static void print_table(const echo *to, const clod_table *table, const void *target, int depth,
                         bool first_in_place)
 {
     bool placed = first_in_place;
     for (size_t i = 0; i < table->count; i++) {
         const clod_param *param = &table->params[i];
         const bool chosen = !table->one_of || *(const int *)at(target, table->kind) == (int)i;
-        if (!chosen || !is_shown(param, target)) {
+        if (!chosen || !is_shown(to, param, target)) {
             continue;
         }
         if (!placed) {
-            indent(out, depth);
+            indent(to->out, depth);
         }
         placed = false;
-        print_row(out, param, target, depth);
+        print_row(to, param, target, depth);
     }
 }
 
@@ -257,7 +253,7 @@ char *clod_case_echo(const clod_case *self)
         return NULL;
     }
     fputs("# The complete case: every default filled in, in SI units. It loads again.\n", out);
-    print_table(out, &CLOD_TABLE_CASE, self, 0, false);
+    print_table(&(echo){out, self}, &CLOD_TABLE_CASE, self, 0, false);
     char *copy = fclose(out) == 0 ? clod_memory_text(text) : NULL;
     free(text);
     return copy;

@@ -53,8 +53,10 @@ typedef struct clod_param {
     size_t length;              ///< vector: number of components
     const char *const *choices; ///< ended by NULL
     const char *zero_word;      ///< word that stands for 0, for instance "auto"
-    const struct clod_table *table;  ///< section, list, map
-    bool (*shown)(const void *self); ///< whether the echo writes it; NULL: always
+    const struct clod_table *table; ///< section, list, map
+    /** Whether the value has any effect, and so whether the echo writes it; NULL: always. */
+    bool (*used)(const clod_case *whole, const void *self);
+    const char *unused; ///< error for a key that is written but not used; NULL: told elsewhere
 } clod_param;
 
 typedef struct clod_table {

@@ -133,6 +133,23 @@ static const clod_param BENCH[] = {
 const clod_table CLOD_TABLE_CONTACT_BENCH = {
     .title = "The contact bench: one contact driven along a path.", CLOD_ROWS(BENCH)};
 
+/** Whether anything is simulated: the contact bench alone has neither weight nor steps. */
+static bool has_steps(const clod_case *whole, const void *self)
+{
+    (void)self;
+    return whole->ring_shear.present || whole->grains_count > 0;
+}
+
+static bool has_random(const clod_case *whole, const void *self)
+{
+    (void)self;
+    bool random = whole->ring_shear.present;
+    for (size_t g = 0; g < whole->grains_count; g++) {
+        random = random || whole->grains[g].file == NULL;
+    }
+    return random;
+}
+
 static const clod_param ROWS[] = {
     {.key = "title",
      .kind = CLOD_PARAM_TEXT,
@@ -148,6 +165,8 @@ static const clod_param ROWS[] = {
      CLOD_FROM(0, 9e15),
      .fallback = "1",
      CLOD_AT(C, seed),
+     .used = has_random,
+     .unused = "nothing is at random here: every grain comes from a file; remove this key",
      .help = "Seed of all random numbers: radii and positions.",
      .source = "convention"},
     {.key = "materials",
@@ -174,6 +193,7 @@ static const clod_param ROWS[] = {
      CLOD_FROM(-1e4, 1e4),
      .fallback = "0 0 -9.81 m/s2",
      CLOD_AT(C, gravity),
+     .used = has_steps,
      .help = "Acceleration of gravity.",
      .source = "convention"},
     {.key = "domain",
@@ -212,6 +232,7 @@ static const clod_param ROWS[] = {
      .need = CLOD_PARAM_DEFAULTED,
      .table = &CLOD_TABLE_TIME,
      CLOD_AT(C, time),
+     .used = has_steps,
      .help = "The time step.",
      .source = "PHYSICS 5"},
     {.key = "output",
@@ -219,6 +240,7 @@ static const clod_param ROWS[] = {
      .need = CLOD_PARAM_DEFAULTED,
      .table = &CLOD_TABLE_OUTPUT,
      CLOD_AT(C, output),
+     .used = has_steps,
      .help = "What is written, and how often.",
      .source = "convention"},
     {.key = "ring_shear",

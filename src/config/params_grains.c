@@ -146,20 +146,29 @@ static const clod_table REGION_TABLE = {.title = "Where grains are put: one of t
                                         .one_of = true,
                                         .kind = offsetof(R, kind)};
 
-static bool has_radius(const void *self)
+static bool has_radius(const clod_case *whole, const void *self)
 {
+    (void)whole;
     const G *grains = self;
     return grains->file == NULL && grains->sizes != CLOD_SIZE_SIEVE;
 }
 
-static bool has_sieve(const void *self)
+static bool has_sieve(const clod_case *whole, const void *self)
 {
+    (void)whole;
     return ((const G *)self)->sizes == CLOD_SIZE_SIEVE;
 }
 
-static bool has_region(const void *self)
+static bool has_region(const clod_case *whole, const void *self)
 {
+    (void)whole;
     return ((const G *)self)->file == NULL;
+}
+
+static bool has_fill_height(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const G *)self)->fill_height > 0.0;
 }
 
 static const clod_param GRAINS[] = {
@@ -205,7 +214,8 @@ static const clod_param GRAINS[] = {
      CLOD_FROM(0.05, 0.74),
      .fallback = "0.6",
      CLOD_AT(G, fill_fraction),
-     .shown = has_region,
+     .used = has_fill_height,
+     .unused = "only fill_height asks for it; remove this key",
      .help = "Solid fraction assumed for fill_height.",
      .source = "convention"},
     {.key = "file",
@@ -220,14 +230,14 @@ static const clod_param GRAINS[] = {
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,
      .table = &RADIUS_TABLE,
-     .shown = has_radius,
+     .used = has_radius,
      .help = "Grain radii by number (one of radius, sizes).",
      .source = "PHYSICS 6"},
     {.key = "sizes",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,
      .table = &SIZES_TABLE,
-     .shown = has_sieve,
+     .used = has_sieve,
      .help = "Grain sizes by mass (one of radius, sizes).",
      .source = "ISO 3310"},
     {.key = "region",
@@ -235,7 +245,7 @@ static const clod_param GRAINS[] = {
      .need = CLOD_PARAM_OPTIONAL,
      .table = &REGION_TABLE,
      CLOD_AT(G, region),
-     .shown = has_region,
+     .used = has_region,
      .help = "Where grains are put, at random and without overlap.",
      .source = "convention"},
     {.key = "velocity",
@@ -246,7 +256,7 @@ static const clod_param GRAINS[] = {
      CLOD_FROM(-1e3, 1e3),
      .fallback = "0 0 0 m/s",
      CLOD_AT(G, velocity),
-     .shown = has_region,
+     .used = has_region,
      .help = "Velocity of every grain of this group at the start.",
      .source = "convention"},
 };

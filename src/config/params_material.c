@@ -55,6 +55,49 @@ static const char *const ROLLING[] = {[CLOD_ROLLING_NONE] = "none",
                                       [CLOD_ROLLING_EPSD2] = "epsd2",
                                       NULL};
 
+static bool has_k1(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    const C *contact = self;
+    return contact->law != CLOD_LAW_HERTZ && contact->k1 > 0.0;
+}
+
+static bool has_k2(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    const C *contact = self;
+    return contact->law == CLOD_LAW_MEPA && contact->k2 > 0.0;
+}
+
+static bool is_mepa(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const C *)self)->law == CLOD_LAW_MEPA;
+}
+
+static bool has_ratio(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    const C *contact = self;
+    return contact->law != CLOD_LAW_HERTZ && contact->tangential == CLOD_TANGENTIAL_TANGENT;
+}
+
+static bool has_rolling(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const C *)self)->rolling != CLOD_ROLLING_NONE;
+}
+
+static bool has_rolling_damping(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const C *)self)->rolling == CLOD_ROLLING_EPSD;
+}
+
+#define ONLY_MEPA                                                                              \
+    "only law mepa has this key: hooke is elastic with k1, hertz with youngs_modulus; remove " \
+    "it, or choose law mepa"
+
 static const clod_param CONTACT[] = {
     {.key = "law",
      .kind = CLOD_PARAM_CHOICE,
@@ -82,6 +125,10 @@ static const clod_param CONTACT[] = {
      .example = "4.75e8 N/m^1.5",
      CLOD_AT(C, k1),
      .exponent = offsetof(C, exponent),
+     .used = has_k1,
+     .unused =
+         "law hertz takes its stiffness from youngs_modulus of the materials; remove this "
+         "key, or choose law mepa or hooke",
      .help = "Stiffness of virgin loading; needed by mepa and hooke.",
      .source = "eq. (1)"},
     {.key = "k2",
@@ -92,6 +139,8 @@ static const clod_param CONTACT[] = {
      .example = "2.37e9 N/m^1.5",
      CLOD_AT(C, k2),
      .exponent = offsetof(C, exponent),
+     .used = has_k2,
+     .unused = ONLY_MEPA,
      .help = "Stiffness of unloading and reloading, k1 or more; needed by mepa.",
      .source = "eq. (2)"},
     {.key = "k_adh",
@@ -103,6 +152,8 @@ static const clod_param CONTACT[] = {
      .example = "3.56e8 N/m^1.5",
      CLOD_AT(C, k_adh),
      .exponent = offsetof(C, exponent),
+     .used = is_mepa,
+     .unused = ONLY_MEPA,
      .help = "Stiffness of the adhesive branch of mepa; 0 is dry.",
      .source = "eq. (3)"},
     {.key = "restitution",
@@ -150,6 +201,10 @@ static const clod_param CONTACT[] = {
      CLOD_ABOVE(0, 10),
      .fallback = "1",
      CLOD_AT(C, tangential_ratio),
+     .used = has_ratio,
+     .unused =
+         "only tangential: tangent of mepa and hooke has a ratio; literal takes the number "
+         "k1, hertz Mindlin's stiffness; remove this key",
      .help = "Tangential over normal stiffness, zeta; hertz uses Mindlin's instead.",
      .source = "PHYSICS 3"},
     {.key = "rolling",
@@ -169,6 +224,9 @@ static const clod_param CONTACT[] = {
      .fallback = "0",
      .example = "0.3",
      CLOD_AT(C, rolling_friction),
+     .used = has_rolling,
+     .unused = "rolling is none, so nothing resists; remove this key, or choose rolling: cdt, "
+               "epsd or epsd2 (rolling_friction: 0 with one of these is the same as none)",
      .help = "Coefficient mu_r of rolling friction; times the effective radius it is the lever "
              "arm of the largest torque.",
      .source = "PHYSICS 4"},
@@ -179,6 +237,8 @@ static const clod_param CONTACT[] = {
      CLOD_FROM(0, 2),
      .fallback = "0.3",
      CLOD_AT(C, rolling_damping),
+     .used = has_rolling_damping,
+     .unused = "only rolling: epsd has a dash-pot; remove this key, or choose epsd",
      .help = "Dash-pot of the rolling spring as a fraction of the critical one; epsd only.",
      .source = "PHYSICS 4"},
 };

@@ -24,6 +24,18 @@
         range, .fallback = value, CLOD_AT(R, name), .help = text, .source = where              \
     }
 
+static bool has_bars(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const R *)self)->bar_count > 0;
+}
+
+static bool is_filled_by_depth(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const R *)self)->grain_count == 0;
+}
+
 static const clod_param RADIUS[] = {CLOD_RADIUS_ROWS(R, CLOD_PARAM_REQUIRED)};
 static const clod_table RADIUS_TABLE = {
     .title = "Normal distribution of grain radii by number, cut to [min, max].",
@@ -50,7 +62,17 @@ static const clod_param ROWS[] = {
           "Radial bars on the lid, and as many on the base.", "PHYSICS 7 (RST-01)"),
     REAL(bar_height, "m", CLOD_ABOVE(0, 1), "6.35 mm",
          "Height of a bar; at least one grain diameter grips well.", "PHYSICS 7"),
-    REAL(bar_width, "m", CLOD_ABOVE(0, 1), "3 mm", "Thickness of a bar.", "PHYSICS 7"),
+    {.key = "bar_width",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m",
+     CLOD_ABOVE(0, 1),
+     .fallback = "3 mm",
+     CLOD_AT(R, bar_width),
+     .used = has_bars,
+     .unused = "bar_count is 0: there are no bars; remove this key",
+     .help = "Thickness of a bar.",
+     .source = "PHYSICS 7"},
     REAL(lid_mass, "kg", CLOD_ABOVE(0, 1e4), "1 kg",
          "Mass with which the lid moves; its weight is part of the normal stress.",
          "PHYSICS 7"),
@@ -68,8 +90,17 @@ static const clod_param ROWS[] = {
      CLOD_AT(R, grain_count),
      .help = "Number of grains, or auto: as many as fill the depth.",
      .source = "PHYSICS 7"},
-    REAL(fill_fraction, "1", CLOD_FROM(0.05, 0.74), "0.6",
-         "Solid fraction from which auto takes the number of grains.", "PHYSICS 7"),
+    {.key = "fill_fraction",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_FROM(0.05, 0.74),
+     .fallback = "0.6",
+     CLOD_AT(R, fill_fraction),
+     .used = is_filled_by_depth,
+     .unused = "grain_count says how many grains there are; remove one of the two",
+     .help = "Solid fraction from which auto takes the number of grains.",
+     .source = "PHYSICS 7"},
     REAL(fill_adhesion, "1", CLOD_FROM(0, 1), "10 %",
          "k_adh while filling, as a fraction of its value in contacts.", "PHYSICS 6"),
     {.key = "preshear_stress",
@@ -92,7 +123,7 @@ static const clod_param ROWS[] = {
      .help = "Normal stresses of the points of the yield locus, each below preshear_stress; 20 "
              "to 80 % of it is usual.",
      .source = "PHYSICS 7; ASTM D6773"},
-    REAL(speed, "m/s", CLOD_ABOVE(0, 10), "30 mm/s",
+    REAL(speed, "m/s", CLOD_ABOVE(0, 1), "30 mm/s",
          "Speed of shear at the mean radius r_m; the inertial number should stay below 1e-3.",
          "PHYSICS 5, 7"),
     REAL(block_displacement, "m", CLOD_ABOVE(0, 1), "2 mm",

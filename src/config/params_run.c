@@ -3,6 +3,7 @@
  * Tables of the domain, the time step, the stages of a free run and the output.
  */
 
+#include "config/check.h"
 #include "config/param.h"
 
 #define C clod_case
@@ -45,6 +46,35 @@ static const clod_param DOMAIN_ROWS[] = {
 const clod_table CLOD_TABLE_DOMAIN = {.title = "The space in which grains may be.",
                                       CLOD_ROWS(DOMAIN_ROWS)};
 
+/** Whether a pair that can meet follows hertz, or one that follows another law. */
+static bool has_law(const clod_case *whole, bool hertz)
+{
+    const int n = (int)whole->material_count;
+    for (int i = 0; i < n * n; i++) {
+        if (clod_check_pair_needed(whole, i / n, i % n) &&
+            (clod_case_pair(whole, i / n, i % n)->law == CLOD_LAW_HERTZ) == hertz) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool has_safety(const clod_case *whole, const void *self)
+{
+    return ((const T *)self)->step == 0.0 && has_law(whole, false);
+}
+
+static bool has_rayleigh(const clod_case *whole, const void *self)
+{
+    return ((const T *)self)->step == 0.0 && has_law(whole, true);
+}
+
+static bool has_free_run(const clod_case *whole, const void *self)
+{
+    (void)self;
+    return !whole->ring_shear.present;
+}
+
 static const clod_param TIME_ROWS[] = {
     {.key = "step",
      .kind = CLOD_PARAM_REAL,
@@ -64,7 +94,10 @@ static const clod_param TIME_ROWS[] = {
      CLOD_ABOVE(0, 1),
      .fallback = "0.1",
      CLOD_AT(T, safety),
-     .help = "Automatic step as a fraction of the critical step of the stiffest pair.",
+     .used = has_safety,
+     .unused = "only step: auto has a safety, and only for mepa and hooke; remove this key",
+     .help = "Automatic step as a fraction of the critical step of the stiffest pair; not for "
+             "hertz.",
      .source = "PHYSICS 5"},
     {.key = "design_stress",
      .kind = CLOD_PARAM_REAL,
@@ -86,6 +119,10 @@ static const clod_param TIME_ROWS[] = {
      CLOD_ABOVE(0, 1),
      .fallback = "0.15",
      CLOD_AT(T, rayleigh_limit),
+     .used = has_rayleigh,
+     .unused =
+         "only step: auto has this limit, and only for the law hertz (mepa and hooke have "
+         "safety); remove this key",
      .help = "Largest fraction of the Rayleigh time that the automatic step takes; hertz only.",
      .source = "PHYSICS 5"},
 };
@@ -99,7 +136,11 @@ static const clod_param OUTPUT_ROWS[] = {
      CLOD_ABOVE(0, 1e6),
      .fallback = "1 ms",
      CLOD_AT(O, series_interval),
-     .help = "Simulated time between two rows of the series.",
+     .used = has_free_run,
+     .unused =
+         "ring_shear writes a row of its series whenever it looks at the walls; remove this "
+         "key",
+     .help = "Simulated time between two rows of the series of a free run.",
      .source = "convention"},
     {.key = "snapshot_interval",
      .kind = CLOD_PARAM_REAL,

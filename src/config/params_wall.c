@@ -115,13 +115,15 @@ static const clod_table SHAPE_TABLE = {.title = "One surface: one of these.",
                                        .one_of = true,
                                        .kind = offsetof(S, kind)};
 
-static bool has_force(const void *self)
+static bool has_force(const clod_case *whole, const void *self)
 {
+    (void)whole;
     return ((const W *)self)->load == CLOD_LOAD_FORCE;
 }
 
-static bool has_stress(const void *self)
+static bool has_stress(const clod_case *whole, const void *self)
 {
+    (void)whole;
     return ((const W *)self)->load == CLOD_LOAD_STRESS;
 }
 
@@ -133,7 +135,7 @@ static const clod_param LOAD[] = {
      CLOD_FROM(0, 1e9),
      .example = "50 N",
      CLOD_AT(W, force),
-     .shown = has_force,
+     .used = has_force,
      .help = "Force with which the load pushes (one of force, stress).",
      .source = "convention"},
     {.key = "stress",
@@ -143,7 +145,7 @@ static const clod_param LOAD[] = {
      CLOD_FROM(0, 1e9),
      .example = "10 kPa",
      CLOD_AT(W, stress),
-     .shown = has_stress,
+     .used = has_stress,
      .help = "Stress with which the load pushes; times area it is the force (one of force, "
              "stress).",
      .source = "convention"},
@@ -189,8 +191,9 @@ static const clod_param LOAD[] = {
 static const clod_table LOAD_TABLE = {.title = "Load that presses a wall along an axis.",
                                       CLOD_ROWS(LOAD)};
 
-static bool has_load(const void *self)
+static bool has_load(const clod_case *whole, const void *self)
 {
+    (void)whole;
     return ((const W *)self)->load != CLOD_LOAD_NONE;
 }
 
@@ -265,7 +268,7 @@ static const clod_param WALL[] = {
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,
      .table = &LOAD_TABLE,
-     .shown = has_load,
+     .used = has_load,
      .help = "Load under which the wall moves freely along one axis.",
      .source = "PHYSICS 7"},
 };

@@ -310,6 +310,29 @@ static void json_is_read(void **state)
     clod_case_destroy(&made);
 }
 
+/** A key of default is right when one pair uses it; the others lose it (good/inherited.yaml).
+ */
+static void keys_of_default_go_where_they_have_an_effect(void **state)
+{
+    (void)state;
+    clod_case *made = load(CLOD_SOURCE_DIR "/tests/config/good/inherited.yaml", NULL, 0);
+    const clod_case_contact *ore = clod_case_pair(made, 0, 0);
+    const clod_case_contact *steel = clod_case_pair(made, 0, 1);
+    const clod_case_contact *belt = clod_case_pair(made, 0, 2);
+    const clod_case_contact *glue = clod_case_pair(made, 0, 3);
+    same(ore->rolling_friction, 0.4);
+    same(ore->rolling_damping, 0.2);
+    same(ore->tangential_ratio, 0.8);
+    same(steel->rolling_friction, 0.4);
+    same(steel->rolling_damping, 0.0);
+    same(steel->tangential_ratio, 1.0); // hertz has Mindlin's
+    same(belt->rolling_friction, 0.0);
+    same(belt->tangential_ratio, 1.0); // literal is k1 itself
+    same(glue->rolling_friction, 0.0);
+    same(glue->tangential_ratio, 0.8);
+    clod_case_destroy(&made);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -321,6 +344,7 @@ int main(void)
         cmocka_unit_test(copper_ore_is_that_of_the_paper),
         cmocka_unit_test(overrides_replace_add_and_reach_into_lists),
         cmocka_unit_test(json_is_read),
+        cmocka_unit_test(keys_of_default_go_where_they_have_an_effect),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

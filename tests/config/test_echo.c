@@ -82,9 +82,14 @@ static void echo_loads_again_to_the_same_case(void **state)
         check_echo(made);
         clod_case_destroy(&made);
     }
-    clod_case *made = load(CLOD_SOURCE_DIR "/tests/config/good/everything.yaml");
-    check_echo(made);
-    clod_case_destroy(&made);
+    static const char *const GOOD[] = {"everything", "inherited"};
+    for (size_t i = 0; i < sizeof GOOD / sizeof GOOD[0]; i++) {
+        char path[512];
+        snprintf(path, sizeof path, CLOD_SOURCE_DIR "/tests/config/good/%s.yaml", GOOD[i]);
+        clod_case *made = load(path);
+        check_echo(made);
+        clod_case_destroy(&made);
+    }
 }
 
 int main(void)

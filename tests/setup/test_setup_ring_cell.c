@@ -30,7 +30,6 @@ static const char CASE[] =
     "  bar_height: 6.35 mm\n"
     "  bar_width: 3 mm\n"
     "  lid_mass: 1 kg\n"
-    "  fill_fraction: 0.6\n"
     "  fill_adhesion: 10 %\n"
     "  preshear_stress: 54.8 kPa\n"
     "  shear_stresses: [10.96 kPa, 43.84 kPa]\n";
