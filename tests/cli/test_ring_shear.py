@@ -159,42 +159,60 @@ class RingShear(clod.Case):
                                   ("rho_b", self.part["preshear"]["bulk_density_kg_m3"])):
                 self.assertAlmostEqual(row[column] / value, 1.0, delta=1e-8)
 
-    def numbers(self, tree):
-        if isinstance(tree, dict):
-            return {key: self.numbers(value) for key, value in tree.items()}
-        if isinstance(tree, list):
-            return [self.numbers(value) for value in tree]
-        return float(f"{tree:.7g}") if isinstance(tree, float) else tree
+    def assert_same(self, left, right, where="locus"):
+        """Equal but for numbers, which agree to 1e-6: points.csv has 9 digits."""
+        self.assertIs(type(left), type(right), where)
+        if isinstance(left, dict):
+            self.assertEqual(left.keys(), right.keys(), where)
+            for key in left:
+                self.assert_same(left[key], right[key], f"{where}.{key}")
+        elif isinstance(left, list):
+            self.assertEqual(len(left), len(right), where)
+            for at, pair in enumerate(zip(left, right)):
+                self.assert_same(*pair, f"{where}[{at}]")
+        elif isinstance(left, float):
+            self.assertAlmostEqual(left, right, delta=1e-6 * abs(right), msg=where)
+        else:
+            self.assertEqual(left, right, where)
 
     def test_locus_of_the_points_file(self):
         path = os.path.join(self.out, "points.csv")
         done = clod.run("locus", path, "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
-        # points.csv has 9 digits
-        self.assertEqual(self.numbers(json.loads(done.stdout)),
-                         self.numbers(self.summary["locus"]))
+        self.assert_same(json.loads(done.stdout), self.summary["locus"])
         shown = clod.run("locus", path).stdout
         for line in shown.splitlines():
             self.assertIn(line, self.report)
 
     def test_locus_by_hand(self):
-        """Least squares through the three points, for themselves (PHYSICS 7)."""
+        """Least squares through the three points, and their one preshear (PHYSICS 7).
+
+        Prorating changes nothing: tau_pre is one measurement, the same in all rows. With x, y the
+        points and x0, y0 their means: t = sum (x - x0)(y - y0)/sum (x - x0)^2, c = y0 - t x0,
+        phi_lin = atan t; phi_sf = atan(tau_pre/sigma_pre), its error that of tau_pre once.
+        """
         x = [row["sigma_sh"] for row in self.points]
         y = [row["tau_sh"] for row in self.points]
+        tau_p, error = self.points[0]["tau_pre"], self.points[0]["tau_pre_error"]
+        for row in self.points:
+            self.assertEqual((row["tau_pre"], row["tau_pre_error"]), (tau_p, error))
+        self.assertGreater(error, 0.0)
         x0, y0 = sum(x) / 3, sum(y) / 3
         slope = (sum((a - x0) * (b - y0) for a, b in zip(x, y)) /
                  sum((a - x0) ** 2 for a in x))
-        text = json.dumps(self.summary["locus"])
-        for value in (y0 - slope * x0, math.degrees(math.atan(slope))):
-            self.assertTrue(any(abs(number / value - 1.0) < 1e-6 for number in
-                                self.floats(self.summary["locus"])), f"{value} in {text}")
-
-    def floats(self, tree):
-        if isinstance(tree, (dict, list)):
-            for value in tree.values() if isinstance(tree, dict) else tree:
-                yield from self.floats(value)
-        elif isinstance(tree, float):
-            yield tree
+        ratio = tau_p / PRESHEAR
+        (locus,) = self.summary["locus"]["loci"]
+        for key, part, expected, accuracy in (
+                ("c_Pa", "value", y0 - slope * x0, 1e-6),
+                ("phi_lin_deg", "value", math.degrees(math.atan(slope)), 1e-6),
+                ("tau_p_Pa", "value", tau_p, 1e-6),
+                ("tau_p_Pa", "error", error, 1e-6),
+                ("phi_sf_deg", "value", math.degrees(math.atan(ratio)), 1e-6),
+                # the evaluation takes a difference, this is the slope: second order
+                ("phi_sf_deg", "error",
+                 math.degrees(error / PRESHEAR / (1.0 + ratio ** 2)), (error / tau_p) ** 2)):
+            with self.subTest(key=key, part=part):
+                self.assertAlmostEqual(locus[key][part] / expected, 1.0, delta=accuracy)
 
     def test_warnings(self):
         """Steady, so nothing about that; small and fast, so those are told, each once."""
