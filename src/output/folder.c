@@ -3,8 +3,8 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <fnmatch.h>
 #include <limits.h>
+#include <regex.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,36 +14,26 @@
 #include <unistd.h>
 
 #include "base/memory.h"
-#include "output/checkpoint_file.h"
 #include "output/file.h"
 
 #define LOCK_NAME ".clod-lock"
-#define NUMBER "[0-9][0-9][0-9][0-9][0-9][0-9]"
+
+/** Parts of a ring shear test, as sim/ring_run.c names them. */
+#define PART "(seed-[0-9]+-)?(preshear|point-[0-9]+)"
+
+/** Names of what a run leaves in its folder, but for the copies of the case. */
+#define RESULT                                                                                 \
+    "log[.]jsonl|(series|" PART ")[.]csv|case(-complete)?[.]yaml[.]part|"                      \
+    "(summary[.]json|points[.]csv|"                                                            \
+    "restart(-" PART ")?(-failed)?_[ab][.]h5|"                                                 \
+    "(" PART "_)?(snap|walls|contacts)_[0-9]{6,}[.]hdf|"                                       \
+    "(run|" PART ")(_walls|_contacts)?[.]hdf[.]series)([.]part)?"
+
+#define COPY_OF_CASE "case(-complete)?[.]yaml"
 
 struct clod_folder {
     char *path; ///< owned
     int lock;
-};
-
-/** Names that belong to clod alone, wherever they lie. */
-static const char *const OWN_NAMES[] = {
-    "log.jsonl",
-    "summary.json",
-    "series.csv",
-    "restart_[ab].h5",
-    "snap_" NUMBER ".hdf",
-    "walls_" NUMBER ".hdf",
-    "contacts_" NUMBER ".hdf",
-    "*_snap_" NUMBER ".hdf",
-    "*_walls_" NUMBER ".hdf",
-    "*_contacts_" NUMBER ".hdf",
-    "*.hdf.series",
-    "*.hdf.part",
-    "*.hdf.series.part",
-    "*_[ab].h5.part",
-    "case.yaml.part",
-    "case-complete.yaml.part",
-    "summary.json.part",
 };
 
 char *clod_folder_default(const char *case_path)
@@ -71,6 +61,12 @@ static bool make_one(const char *path, clod_status *status)
     if (error == EEXIST && stat(path, &info) == 0 && S_ISDIR(info.st_mode)) {
         return true;
     }
+    if (error == EEXIST) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s is there and is not a folder: results cannot be written "
+                                "into it. Choose another folder with -o, or move it away.",
+                                path);
+    }
     return clod_file_fail(status, "make the folder", path, error);
 }
 
@@ -92,6 +88,66 @@ bool clod_folder_make(const char *path, clod_status *status)
     return make_one(part, status);
 }
 
+/** A folder that is being read for names that match a pattern. */
+typedef struct name_scan {
+    DIR *folder;
+    regex_t pattern;
+} name_scan;
+
+static bool scan_begin(name_scan *self, const char *path, const char *pattern,
+                       clod_status *status)
+{
+    self->folder = opendir(path);
+    if (self->folder == NULL) {
+        return clod_file_fail(status, "read the folder", path, errno);
+    }
+    if (regcomp(&self->pattern, pattern, REG_EXTENDED | REG_NOSUB) != 0) {
+        closedir(self->folder);
+        return clod_file_fail(status, "read the folder", path, ENOMEM);
+    }
+    return true;
+}
+
+/** The next name that matches, borrowed until the next call; NULL at the end. */
+static const char *scan_next(name_scan *self)
+{
+    const struct dirent *entry = readdir(self->folder);
+    while (entry != NULL && regexec(&self->pattern, entry->d_name, 0, NULL, 0) != 0) {
+        entry = readdir(self->folder);
+    }
+    return entry == NULL ? NULL : entry->d_name;
+}
+
+static void scan_end(name_scan *self)
+{
+    closedir(self->folder);
+    regfree(&self->pattern);
+}
+
+/** Refuse a folder that no run has locked before and that has what a run would write over. */
+static bool check_ours(const char *path, const char *lock, clod_status *status)
+{
+    name_scan scan;
+    char first[NAME_MAX + 1] = "";
+    if (!scan_begin(&scan, path, "^(" RESULT "|" COPY_OF_CASE ")$", status)) {
+        return false;
+    }
+    for (const char *name; (name = scan_next(&scan)) != NULL;) {
+        if (first[0] == '\0' || strcmp(name, first) < 0) {
+            snprintf(first, sizeof first, "%s", name);
+        }
+    }
+    scan_end(&scan);
+    // the lock is looked for after the names: another run that begins here makes it first
+    return first[0] == '\0' || access(lock, F_OK) == 0 ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "%s/%s is in the way: a run would replace it, and clod did not "
+                            "make this folder (there is no %s in it). Choose another folder "
+                            "with -o, or move the file away. If this is a copy of a results "
+                            "folder, copy its %s too.",
+                            path, first, LOCK_NAME, LOCK_NAME);
+}
+
 /** Say who holds the lock, as far as its file tells. */
 static void fail_locked(int lock, const char *path, clod_status *status)
 {
@@ -105,11 +161,12 @@ static void fail_locked(int lock, const char *path, clod_status *status)
         length > 0 ? " (process " : "", process, length > 0 ? ")" : "", path);
 }
 
-/** Open and lock the lock file; -1 with status. */
+/** Open and lock the lock file, if the folder may be written to; -1 with status. */
 static int take_lock(const char *path, clod_status *status)
 {
     char name[PATH_MAX];
-    if (!clod_file_path(name, sizeof name, path, LOCK_NAME, status)) {
+    if (!clod_file_path(name, sizeof name, path, LOCK_NAME, status) ||
+        !check_ours(path, name, status)) {
         return -1;
     }
     const int lock = open(name, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
@@ -172,45 +229,29 @@ void clod_folder_close(clod_folder **self)
     }
 }
 
-static bool name_matches(const char *name, const char *const *patterns, size_t count)
+/** Remove a regular file of this name; what is none stays. */
+static bool remove_file(const char *path, const char *name, clod_status *status)
 {
-    for (size_t p = 0; p < count; p++) {
-        if (fnmatch(patterns[p], name, FNM_PATHNAME) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/** Whether a regular file is clod's: by its name, or by the head of a checkpoint. */
-static bool is_own(const char *path, const char *name, const char *const *more,
-                   size_t more_count)
-{
+    char whole[PATH_MAX];
     struct stat info;
-    if (lstat(path, &info) != 0 || !S_ISREG(info.st_mode)) {
+    if (!clod_file_path(whole, sizeof whole, path, name, status)) {
         return false;
     }
-    return name_matches(name, OWN_NAMES, sizeof OWN_NAMES / sizeof *OWN_NAMES) ||
-           name_matches(name, more, more_count) ||
-           (fnmatch("*_[ab].h5", name, 0) == 0 && clod_checkpoint_file_is_ours(path));
+    return lstat(whole, &info) != 0 || !S_ISREG(info.st_mode) || unlink(whole) == 0 ||
+           clod_file_fail(status, "remove", whole, errno);
 }
 
-bool clod_folder_clear(const char *path, const char *const *more, size_t more_count,
-                       clod_status *status)
+bool clod_folder_clear(const clod_folder *self, clod_status *status)
 {
-    DIR *folder = opendir(path);
-    if (folder == NULL) {
-        return errno == ENOENT || clod_file_fail(status, "read the folder", path, errno);
+    name_scan scan;
+    if (!scan_begin(&scan, self->path, "^(" RESULT ")$", status)) {
+        return false;
     }
     bool good = true;
-    for (struct dirent *entry; good && (entry = readdir(folder)) != NULL;) {
-        char name[PATH_MAX];
-        good = clod_file_path(name, sizeof name, path, entry->d_name, status);
-        if (good && is_own(name, entry->d_name, more, more_count) && unlink(name) != 0) {
-            good = clod_file_fail(status, "remove", name, errno);
-        }
+    for (const char *name; good && (name = scan_next(&scan)) != NULL;) {
+        good = remove_file(self->path, name, status);
     }
-    closedir(folder);
+    scan_end(&scan);
     return good;
 }
 

@@ -18,10 +18,14 @@ char *clod_folder_default(const char *case_path);
 bool clod_folder_make(const char *path, clod_status *status);
 
 /**
- * Make the folder if need be and lock it for this run.
+ * Make the folder if need be and lock it for this run. The lock file stays and marks the folder
+ * as one of clod's: files in it that have the names of results are results. A folder without it
+ * that has such a file, or a case.yaml, belongs to someone else and is not touched.
+ *
  * @return  owned folder (clod_folder_close), or NULL
- * Errors  CLOD_USAGE: another run is writing into it.  CLOD_FAILED: cannot be made.
- * Threads safe.   Test  tests/output/test_folder.c
+ * Errors  CLOD_USAGE: another run is writing into it, files of someone else are in the way, or
+ *         the path is that of a file.  CLOD_FAILED: cannot be made.
+ * Threads safe.   Test  tests/output/test_folder.c, tests/cli/test_folder.py
  */
 clod_folder *clod_folder_open(const char *path, clod_status *status);
 
@@ -32,16 +36,14 @@ const char *clod_folder_path(const clod_folder *self);
 void clod_folder_close(clod_folder **self);
 
 /**
- * Remove the files that clod writes (--fresh), and nothing else; no sub-folders. The copies of
- * the case stay (the run that follows replaces them): one of them may be the very file that the
- * run was started with.
+ * Remove the files with the names that a run gives (--fresh), and nothing else; no sub-folders.
+ * The copies of the case stay (the run that follows replaces them): one of them may be the very
+ * file that the run was started with.
  *
- * @param path        folder; one that does not exist is fine
- * @param more        [more_count] further file name patterns, e.g. "point_[0-9]*.csv"
- * Errors  CLOD_FAILED: a file cannot be removed.
+ * Errors  CLOD_FAILED: the folder cannot be read, a file cannot be removed.
+ * Threads one per folder.   Test  tests/output/test_folder.c, tests/cli/test_folder.py
  */
-bool clod_folder_clear(const char *path, const char *const *more, size_t more_count,
-                       clod_status *status);
+bool clod_folder_clear(const clod_folder *self, clod_status *status);
 
 /** Write the copies of the case: case.yaml as given, case-complete.yaml with all defaults. */
 bool clod_folder_write_case(const char *directory, const char *case_text,

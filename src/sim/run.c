@@ -11,14 +11,9 @@
 #include "output/folder.h"
 #include "sim/free_run.h"
 #include "sim/ring_run.h"
+#include "step/kernel.h"
 
 #define PATH_TEXT 4096
-
-/** Files of a ring shear test that --fresh removes beside the usual ones. */
-static const char *const OWN_FILES[] = {
-    "points.csv",        "preshear.csv",    "point-[0-9]*.csv",
-    "seed-[0-9]*-*.csv", "points.csv.part", "restart-*_[ab].h5",
-};
 
 /** Whether there are checkpoints in the folder. */
 static bool has_checkpoints(const char *directory)
@@ -59,18 +54,16 @@ static bool check_same_case(const clod_sim *sim, clod_status *status)
 }
 
 /** Make the folder ready: clear it when asked, write the copies of the case, open the log. */
-static bool open_folder(clod_sim *sim, char *effective, clod_status *status)
+static bool fill_folder(clod_sim *sim, const clod_folder *folder, clod_status *status)
 {
     char path[PATH_TEXT];
     if (!check_same_case(sim, status)) {
         return false;
     }
-    if (sim->options->fresh &&
-        !clod_folder_clear(sim->directory, OWN_FILES, sizeof OWN_FILES / sizeof *OWN_FILES,
-                           status)) {
+    if (sim->options->fresh && !clod_folder_clear(folder, status)) {
         return false;
     }
-    if (!clod_folder_write_case(sim->directory, sim->from->text, effective, status)) {
+    if (!clod_folder_write_case(sim->directory, sim->from->text, sim->effective, status)) {
         return false;
     }
     snprintf(path, sizeof path, "%s/log.jsonl", sim->directory);
@@ -88,15 +81,29 @@ static bool run_case(const clod_sim *sim, char **report, clod_status *status)
                                          : clod_free_run(sim, report, status);
 }
 
+/** What can be told before anything is written. */
+static bool check_request(const clod_case *from, const clod_run_options *options,
+                          clod_status *status)
+{
+    if (!from->ring_shear.present && from->stage_count == 0) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s: nothing to run: a case needs ring_shear, or grains, walls "
+                                "and stages (clod contact runs a contact_bench)",
+                                from->path);
+    }
+    return clod_kernel_choose(options->simd) != NULL ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "instruction set '%s' is unknown or not in this machine; use "
+                            "scalar, avx2 or avx512, or leave it out for the best",
+                            options->simd);
+}
+
 bool clod_run(const clod_case *self, const clod_run_options *options, char **report,
               clod_status *status)
 {
     *report = NULL;
-    if (!self->ring_shear.present && self->stage_count == 0) {
-        return clod_status_fail(status, CLOD_USAGE,
-                                "%s: nothing to run: a case needs ring_shear, or grains, walls "
-                                "and stages (clod contact runs a contact_bench)",
-                                self->path);
+    if (!check_request(self, options, status)) {
+        return false;
     }
     char *standard = options->directory == NULL ? clod_folder_default(self->path) : NULL;
     char *effective = clod_case_echo(self);
@@ -109,7 +116,7 @@ bool clod_run(const clod_case *self, const clod_run_options *options, char **rep
         clod_status_fail(status, CLOD_FAILED, "no memory for %s", self->path);
     } else {
         folder = clod_folder_open(directory, status);
-        ok = folder != NULL && open_folder(&sim, effective, status) &&
+        ok = folder != NULL && fill_folder(&sim, folder, status) &&
              run_case(&sim, report, status);
     }
     if (ok && *report == NULL) {

@@ -39,9 +39,12 @@ static void a_folder_is_made_with_its_parents(void **folder)
     temp_write(folder, "file", "", 0);
     assert_false(clod_folder_make(temp_path(path, folder, "file/name"), &status));
     char text[2 * PATH_MAX];
-    snprintf(text, sizeof text, "Cannot make the folder %s/file: File exists.",
+    snprintf(text, sizeof text,
+             "%s/file is there and is not a folder: results cannot be written into it. Choose "
+             "another folder with -o, or move it away.",
              (char *)*folder);
     assert_string_equal(status.text, text);
+    assert_int_equal(status.code, CLOD_USAGE);
 }
 
 static void two_runs_do_not_share_a_folder(void **folder)
@@ -68,43 +71,110 @@ static void two_runs_do_not_share_a_folder(void **folder)
     clod_folder_close(&second); // NULL is fine
 }
 
+/** Names from docs/results-folder.md, and names that only look like them. */
+static const char *const OWN[] = {
+    "log.jsonl",           "summary.json",
+    "summary.json.part",   "case-complete.yaml.part",
+    "series.csv",          "preshear.csv",
+    "point-12.csv",        "seed-3-point-1.csv",
+    "points.csv",          "points.csv.part",
+    "restart_a.h5",        "restart_b.h5.part",
+    "restart-failed_a.h5", "restart-seed-12-point-2-failed_b.h5",
+    "snap_000123.hdf",     "walls_000000.hdf",
+    "contacts_000001.hdf", "seed-1-preshear_snap_000001.hdf",
+    "run.hdf.series",      "point-1_walls.hdf.series.part",
+};
+static const char *const FOREIGN[] = {
+    "notes.txt",        "my.hdf",          "my.hdf.series",       "my_snap_000001.hdf",
+    "snap_1.hdf",       "series.csv.bak",  "xseries.csv",         "point-x.csv",
+    "point-1 copy.csv", "seed-1-data.csv", "restart-copy_a.h5",   "restart_c.h5",
+    "figure.png",       "logxjsonl",       "seed1_snap_0000.hdf", "seed-1-points.csv",
+};
+static const char *const COPIES[] = {"case.yaml", "case-complete.yaml"};
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+static void put(void **folder, const char *const *names, size_t count)
+{
+    for (size_t n = 0; n < count; n++) {
+        temp_write(folder, names[n], "x", 1);
+    }
+}
+
 static void clearing_removes_only_what_clod_wrote(void **folder)
 {
-    const char *const own[] = {
-        "log.jsonl",           "summary.json",
-        "series.csv",          "restart_a.h5",
-        "restart_b.h5",        "restart_b.h5.part",
-        "snap_000123.hdf",     "walls_000000.hdf",
-        "contacts_000001.hdf", "seed1_snap_000001.hdf",
-        "run.hdf.series",      "run_walls.hdf.series",
-        "point_1.csv",         "x_snap_000001.hdf",
-    };
-    const char *const foreign[] = {"case.yaml",   "case-complete.yaml", "notes.txt",
-                                   "snap_1.hdf",  "points.csv",         "measured_a.h5",
-                                   "my.hdf",      "series.csv.bak",     "figure.png",
-                                   "point_x.csv", "seed1_snap_0000.hdf"};
     clod_status status;
-    for (size_t n = 0; n < sizeof own / sizeof *own; n++) {
-        temp_write(folder, own[n], "x", 1);
-    }
-    for (size_t n = 0; n < sizeof foreign / sizeof *foreign; n++) {
-        temp_write(folder, foreign[n], "x", 1);
-    }
-    const char *begin = "clod checkpoint: HDF5 behind 512 bytes\nformat 7\n";
-    temp_write(folder, "preshear_a.h5", begin, strlen(begin));
     char path[PATH_MAX];
-    assert_int_equal(mkdir(temp_path(path, folder, "log.jsonl.d"), 0777), 0);
-    const char *const more[] = {"point_[0-9].csv"};
-    assert_true(clod_folder_clear(*folder, more, 1, &status));
-    for (size_t n = 0; n < sizeof own / sizeof *own; n++) {
-        assert_false(temp_exists(folder, own[n]));
+    clod_folder *self = clod_folder_open(*folder, &status);
+    assert_non_null(self);
+    put(folder, OWN, COUNT(OWN));
+    put(folder, FOREIGN, COUNT(FOREIGN));
+    put(folder, COPIES, COUNT(COPIES));
+    // not even a true checkpoint, when it has another name
+    const char *begin = "clod checkpoint: HDF5 behind 512 bytes\nformat 7\n";
+    temp_write(folder, "kept_a.h5", begin, strlen(begin));
+    assert_int_equal(mkdir(temp_path(path, folder, "preshear_snap_000001.hdf"), 0777), 0);
+    assert_true(clod_folder_clear(self, &status));
+    clod_folder_close(&self);
+    for (size_t n = 0; n < COUNT(OWN); n++) {
+        assert_false(temp_exists(folder, OWN[n]));
     }
-    for (size_t n = 0; n < sizeof foreign / sizeof *foreign; n++) {
-        assert_true(temp_exists(folder, foreign[n]));
+    for (size_t n = 0; n < COUNT(FOREIGN); n++) {
+        assert_true(temp_exists(folder, FOREIGN[n]));
     }
-    assert_false(temp_exists(folder, "preshear_a.h5"));
-    assert_true(temp_exists(folder, "log.jsonl.d"));
-    assert_true(clod_folder_clear(temp_path(path, folder, "missing"), NULL, 0, &status));
+    assert_true(temp_exists(folder, "case.yaml"));
+    assert_true(temp_exists(folder, "case-complete.yaml"));
+    assert_true(temp_exists(folder, "kept_a.h5"));
+    assert_true(temp_exists(folder, "preshear_snap_000001.hdf"));
+}
+
+/** Refused with the name, and neither touched nor marked. */
+static void expect_refused(void **folder, const char *name)
+{
+    clod_status status;
+    char text[2 * PATH_MAX];
+    assert_null(clod_folder_open(*folder, &status));
+    snprintf(text, sizeof text,
+             "%s/%s is in the way: a run would replace it, and clod did not make this folder "
+             "(there is no .clod-lock in it). Choose another folder with -o, or move the file "
+             "away. If this is a copy of a results folder, copy its .clod-lock too.",
+             (char *)*folder, name);
+    assert_string_equal(status.text, text);
+    assert_int_equal(status.code, CLOD_USAGE);
+    assert_false(temp_exists(folder, ".clod-lock"));
+    assert_true(temp_exists(folder, name));
+}
+
+static void a_folder_with_files_in_the_way_is_refused(void **folder)
+{
+    char path[PATH_MAX];
+    put(folder, FOREIGN, COUNT(FOREIGN));
+    for (size_t n = 0; n < COUNT(OWN) + COUNT(COPIES); n++) {
+        const char *name = n < COUNT(OWN) ? OWN[n] : COPIES[n - COUNT(OWN)];
+        temp_write(folder, name, "mine", 4);
+        expect_refused(folder, name);
+        assert_int_equal(unlink(temp_path(path, folder, name)), 0);
+    }
+    assert_int_equal(mkdir(temp_path(path, folder, "series.csv"), 0777), 0);
+    expect_refused(folder, "series.csv"); // not only files
+    assert_int_equal(rmdir(path), 0);
+    assert_int_equal(symlink("/nowhere", temp_path(path, folder, "case.yaml")), 0);
+    clod_status status;
+    assert_null(clod_folder_open(*folder, &status));
+    assert_int_equal(unlink(path), 0);
+}
+
+static void a_folder_with_other_files_or_a_lock_is_taken(void **folder)
+{
+    clod_status status;
+    put(folder, FOREIGN, COUNT(FOREIGN));
+    clod_folder *self = clod_folder_open(*folder, &status);
+    assert_non_null(self);
+    clod_folder_close(&self);
+    put(folder, OWN, COUNT(OWN)); // now it is marked: these are results
+    put(folder, COPIES, COUNT(COPIES));
+    self = clod_folder_open(*folder, &status);
+    assert_non_null(self);
+    clod_folder_close(&self);
 }
 
 static void texts_json_and_case_are_written(void **folder)
@@ -155,6 +225,8 @@ int main(void)
         FOLDER_TEST(a_folder_is_made_with_its_parents),
         FOLDER_TEST(two_runs_do_not_share_a_folder),
         FOLDER_TEST(clearing_removes_only_what_clod_wrote),
+        FOLDER_TEST(a_folder_with_files_in_the_way_is_refused),
+        FOLDER_TEST(a_folder_with_other_files_or_a_lock_is_taken),
         FOLDER_TEST(texts_json_and_case_are_written),
         FOLDER_TEST(free_space_is_that_of_the_nearest_folder),
     };
