@@ -9,7 +9,14 @@
 #include "clod/status.h"
 #include "state/state.h"
 
-/** A named blob of plain data that belongs to the run beside the state (tester, detectors). */
+/**
+ * A named blob of plain data that belongs to the run beside the state (tester, detectors).
+ *
+ * Its bytes are stored as they are, so a struct that is stored as a part has no pointers and no
+ * gaps with chance bytes in them. Only the format number tells another layout: whoever changes
+ * such a struct raises CLOD_CHECKPOINT_FORMAT. The structs are listed in
+ * tests/output/test_checkpoint_parts.py, which watches over this.
+ */
 typedef struct clod_checkpoint_part {
     const char *name;
     void *data;

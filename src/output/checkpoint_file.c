@@ -135,16 +135,3 @@ bool clod_checkpoint_exists(const char *directory, const char *stem)
     }
     return false;
 }
-
-bool clod_checkpoint_file_is_ours(const char *path)
-{
-    const char begin[] = "clod checkpoint: ";
-    char found[sizeof begin] = "";
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        return false;
-    }
-    const size_t got = fread(found, 1, sizeof begin - 1, file);
-    fclose(file);
-    return got == sizeof begin - 1 && memcmp(found, begin, got) == 0;
-}

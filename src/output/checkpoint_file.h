@@ -9,7 +9,12 @@
 
 #include "clod/status.h"
 
-#define CLOD_CHECKPOINT_FORMAT 1
+/**
+ * Raise it with every change of what a checkpoint holds or means: columns, and the plain data
+ * of the parts (clod_checkpoint_part), of which a checkpoint knows only name and size. Test
+ * tests/output/test_checkpoint_parts.py fails when their structs change and this does not.
+ */
+#define CLOD_CHECKPOINT_FORMAT 2
 #define CLOD_CHECKPOINT_HEAD_BYTES 512 ///< HDF5 looks for its own start at this byte too
 
 /** The text in front of the HDF5 data; every other byte of the file is in its hash. */
@@ -43,6 +48,3 @@ void clod_checkpoint_file_release(clod_checkpoint_file files[2]);
 
 /** Index of the whole file written last, or -1. */
 int clod_checkpoint_file_newest(const clod_checkpoint_file files[2]);
-
-/** Whether the file begins like a checkpoint, whole or not; false when it cannot be read. */
-bool clod_checkpoint_file_is_ours(const char *path);

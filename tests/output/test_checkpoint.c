@@ -256,22 +256,22 @@ static void a_changed_case_is_refused(void **folder)
 static void another_format_is_refused_and_not_taken_for_damage(void **folder)
 {
     write_seeds(folder, 1, 2);
-    // a file of a later clod: the same data behind a head that says format 2
+    // a file of a later clod: the same data behind a head with the next format
     clod_status status;
     clod_checkpoint_file files[2];
     assert_true(clod_checkpoint_file_find(files, *folder, "restart", &status));
     assert_int_equal(clod_checkpoint_file_newest(files), 1);
     char *bytes = files[1].bytes;
-    files[1].head.format = 2;
+    files[1].head.format = CLOD_CHECKPOINT_FORMAT + 1;
     clod_checkpoint_file_print_head(bytes, &files[1].head, bytes + CLOD_CHECKPOINT_HEAD_BYTES);
     temp_write(folder, "restart_b.h5", bytes, files[1].head.bytes + CLOD_CHECKPOINT_HEAD_BYTES);
     clod_checkpoint_file_release(files);
     char text[2048];
     snprintf(
         text, sizeof text,
-        "%s/restart_b.h5 has checkpoint format 2, this clod reads format 1. Go on with the "
+        "%s/restart_b.h5 has checkpoint format %d, this clod reads format %d. Go on with the "
         "clod that wrote it, or start over with --fresh.",
-        (char *)*folder);
+        (char *)*folder, CLOD_CHECKPOINT_FORMAT + 1, CLOD_CHECKPOINT_FORMAT);
     expect_failure(folder, CLOD_FAILED, text);
 }
 

@@ -1,0 +1,78 @@
+"""Checkpoints store some structs as plain bytes: another layout needs another format number.
+
+checkpoint_parts.txt holds the number and the declarations that belong to it. When this test
+fails, raise CLOD_CHECKPOINT_FORMAT (src/output/checkpoint_file.h), then write the file anew:
+
+    python3 tests/output/test_checkpoint_parts.py --record
+"""
+
+import os
+import re
+import sys
+import unittest
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+RECORD = os.path.join(ROOT, "tests/output/checkpoint_parts.txt")
+# What src/sim hands to clod_checkpoint_write as parts, and what those structs are made of.
+PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_phase", "clod_ring_shear_flag",
+                                      "clod_ring_shear"]),
+         ("src/measure/steady.h", ["CLOD_STEADY_MAX", "clod_steady"]),
+         ("src/measure/peak.h", ["CLOD_PEAK_BINS", "clod_peak"]),
+         ("src/sim/free_run.c", ["free_memory"]),
+         ("src/sim/job.h", ["clod_job_memory"])]
+COMMENT = r"/\*.*?\*/|//[^\n]*"
+
+
+def code(path):
+    """Source without comments."""
+    with open(os.path.join(ROOT, path)) as file:
+        return re.sub(COMMENT, "", file.read(), flags=re.DOTALL)
+
+
+def declaration(text, name):
+    """One line for a #define, one for each member of a struct or an enum."""
+    define = re.search(rf"^#define {name} .*$", text, re.MULTILINE)
+    if define:
+        return [" ".join(define[0].split())]
+    found = re.search(rf"^typedef (struct|enum) {name} \{{(.*?)^\}} {name};", text,
+                      re.DOTALL | re.MULTILINE)
+    end = ";" if found[1] == "struct" else ","
+    members = [" ".join(member.split()) for member in found[2].split(end)]
+    return [f"{found[1]} {name}", *("    " + member for member in members if member)]
+
+
+def now():
+    number = re.search(r"#define CLOD_CHECKPOINT_FORMAT (\d+)",
+                       code("src/output/checkpoint_file.h"))[1]
+    lines = [line for path, names in PARTS for name in names
+             for line in declaration(code(path), name)]
+    return number, lines
+
+
+def recorded():
+    with open(RECORD) as file:
+        lines = file.read().splitlines()
+    return lines[0].removeprefix("format "), lines[1:]
+
+
+class Parts(unittest.TestCase):
+
+    maxDiff = None
+
+    def test_layout_belongs_to_format(self):
+        number, lines = now()
+        known, known_lines = recorded()
+        if number == known:
+            self.assertEqual(known_lines, lines, "data of checkpoints changed, the format did "
+                             f"not; what to do stands in {os.path.relpath(__file__, ROOT)}")
+        self.assertEqual(known, number, "record the data of this format: "
+                         f"python3 {os.path.relpath(__file__, ROOT)} --record")
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] == ["--record"]:
+        number, lines = now()
+        with open(RECORD, "w") as file:
+            file.write("\n".join([f"format {number}", *lines, ""]))
+    else:
+        unittest.main()
