@@ -4,6 +4,7 @@
  */
 
 #include <argp.h>
+#include <errno.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdatomic.h>
@@ -33,11 +34,46 @@ typedef struct screen {
     double last; ///< s, when a plain line was last written
 } screen;
 
-static atomic_int stop_signal; // read by the threads of all parts; lock-free, so safe here
+// Lock-free atomics, so safe in the handler; the threads of all parts read stop_signal.
+static atomic_int stop_signal;  ///< the first one that came
+static atomic_bool on_terminal; ///< a progress line is to be overwritten
 
+#define CLEAR_LINE "\r\033[K"
+
+/** Ask the run to stop; does only what a signal handler may do. */
 static void on_signal(int number)
 {
-    atomic_store(&stop_signal, number);
+    static const char TEXT[] =
+        CLEAR_LINE "clod: stopping after a checkpoint; again to stop at once\n";
+    int none = 0;
+    atomic_compare_exchange_strong(&stop_signal, &none, number);
+    if (number == SIGINT) {
+        const int error = errno;
+        const size_t skip = atomic_load(&on_terminal) ? 0 : sizeof CLEAR_LINE - 1;
+        const ssize_t told = write(STDERR_FILENO, TEXT + skip, sizeof TEXT - 1 - skip);
+        (void)told; // nobody is there to be told
+        errno = error;
+    }
+}
+
+static void handle(int number, int flags)
+{
+    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART | flags};
+    sigemptyset(&action.sa_mask);
+    sigaction(number, &action, NULL);
+}
+
+/** Stop with a checkpoint on the signals of people, batch systems and closed terminals. */
+static void handle_signals(void)
+{
+    struct sigaction hang_up;
+    handle(SIGINT, (int)SA_RESETHAND); // the second one ends the program, as people expect
+    handle(SIGTERM, 0); // no end at the second: it is often sent to the process and its group
+    if (sigaction(SIGHUP, NULL, &hang_up) == 0 && hang_up.sa_handler != SIG_IGN) {
+        handle(SIGHUP, 0); // as SIGTERM; under nohup it stays ignored
+    }
+    signal(SIGPIPE, SIG_IGN); // who reads the progress may end before the checkpoint is written
+    signal(SIGXFSZ, SIG_IGN); // a file at its size limit is an error of its writer, with a text
 }
 
 static const struct argp_option OPTIONS[] = {
@@ -67,6 +103,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     request *self = state->input;
     switch (key) {
     case 'o':
+        if (argument[0] == '\0') {
+            argp_error(state, "--output: the name of a folder is needed");
+        }
         self->options.directory = argument;
         return 0;
     case 't':
@@ -122,7 +161,7 @@ static void show_progress(void *context, const clod_progress *now)
         char remaining[80];
         write_remaining(remaining, now->finished ? -1.0 : now->remaining);
         fprintf(stderr, "%s%-16s %-12s %8.4f s, step %lld, %.3g grain-steps/s%s%s",
-                self->terminal ? "\r\033[K" : "", now->part, now->phase, now->time,
+                self->terminal ? CLEAR_LINE : "", now->part, now->phase, now->time,
                 (long long)now->step, now->grain_steps_per_s, remaining,
                 self->terminal && !now->finished ? "" : "\n");
         fflush(stderr);
@@ -135,14 +174,14 @@ static void show_notice(void *context, const char *text)
 {
     screen *self = context;
     pthread_mutex_lock(&self->lock);
-    fprintf(stderr, "%sclod: %s\n", self->terminal ? "\r\033[K" : "", text);
+    fprintf(stderr, "%sclod: %s\n", self->terminal ? CLEAR_LINE : "", text);
     pthread_mutex_unlock(&self->lock);
 }
 
 static int exit_status(const clod_status *status)
 {
     if (status->code == CLOD_INTERRUPTED) {
-        return 128 + atomic_load(&stop_signal); // 130 after SIGINT, 143 after SIGTERM
+        return 128 + atomic_load(&stop_signal); // 130 after SIGINT, 143 SIGTERM, 129 SIGHUP
     }
     return status->code == CLOD_USAGE ? 2 : 1;
 }
@@ -150,6 +189,7 @@ static int exit_status(const clod_status *status)
 static int run_case(request *self)
 {
     screen shown = {.terminal = isatty(STDERR_FILENO) != 0, .last = -LOG_INTERVAL};
+    atomic_store(&on_terminal, shown.terminal);
     clod_status status = {0};
     clod_case *from =
         clod_case_load(self->path, self->overrides, self->override_count, &status);
@@ -170,7 +210,7 @@ static int run_case(request *self)
               stderr);
         ok = false;
     } else if (!ok) {
-        fprintf(stderr, "%sclod: %s\n", shown.terminal ? "\r\033[K" : "", status.text);
+        fprintf(stderr, "%sclod: %s\n", shown.terminal ? CLEAR_LINE : "", status.text);
     }
     clod_run_free(report);
     clod_case_destroy(&from);
@@ -186,8 +226,9 @@ int clod_app_run(int argc, char **argv)
         .args_doc = "CASE",
         .doc = "Run a case file: a free run, or a ring shear test up to the yield locus.\v"
                "The same command goes on from the last checkpoint after an interruption; "
-               "Ctrl-C and SIGTERM write one first (exit status 130 and 143). Results and "
-               "the log are in the results folder; the result table goes to standard output.",
+               "Ctrl-C, SIGTERM and a hang-up write one first (exit status 130, 143 and 129); "
+               "a second Ctrl-C ends the run at once. Results and the log are in the results "
+               "folder; the result table goes to standard output.",
     };
     request self = {.overrides = calloc((size_t)argc, sizeof(char *))};
     if (self.overrides == NULL) {
@@ -195,10 +236,7 @@ int clod_app_run(int argc, char **argv)
         return 1;
     }
     argp_parse(&argp, argc, argv, 0, NULL, &self);
-    const struct sigaction action = {.sa_handler = on_signal};
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    signal(SIGXFSZ, SIG_IGN); // a file at its size limit is an error of its writer, with a text
+    handle_signals();
     const int result = run_case(&self);
     free(self.overrides);
     return result;

@@ -65,6 +65,8 @@ class Messages(clod.Case):
         self.refused(["run", BOX, "--set"], "requires an argument")
         self.refused(["run", BOX, "--simd", "neon", "-o", "x"],
                      "instruction set 'neon' is unknown", "scalar, avx2 or avx512")
+        self.refused(["run", BOX, "--output="], "--output: the name of a folder is needed")
+        self.assertEqual(os.listdir(self.folder), [], "wrong options leave no folder")
 
     def test_cases(self):
         self.refused(["run", "missing.yaml"], "missing.yaml: cannot be opened: No such file")
@@ -92,8 +94,9 @@ class Messages(clod.Case):
     def test_folders(self):
         with open(self.path("file"), "w") as file:
             file.write("mine")
-        self.refused(["run", BOX, "-o", "file"], "Cannot make the folder file", code=1)
-        self.refused(["run", BOX, "-o", "file/deep"], "Cannot make the folder file", code=1)
+        for name in ("file", "file/", "file/deep"):
+            self.refused(["run", BOX, "-o", name], "clod: file is there and is not a folder",
+                         "another folder with -o")
         self.assertEqual(clod.read(self.path("file")), b"mine")
 
     def test_default_folder(self):

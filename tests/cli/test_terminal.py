@@ -47,6 +47,9 @@ class Terminal(clod.Case):
         self.assertEqual(out, "")
         lines = shown.split(CLEAR)
         self.assertEqual(lines[0], "")
+        said = "clod: stopping after a checkpoint; again to stop at once\r\n"
+        self.assertEqual(lines.count(said), 1, shown)
+        lines.remove(said)
         for line in lines[1:-1]:  # each overwritten by the next: no line ends
             self.assertNotIn("\n", line)
             self.assertRegex(line, r"^run +\w+ +\d+\.\d{4} s, step \d+, \S+ grain-steps/s"

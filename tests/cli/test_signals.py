@@ -1,0 +1,92 @@
+"""Hang-ups, signals that come twice, and a second Ctrl-C while a checkpoint is being written."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+BOX = clod.source("tests/restart/box.yaml")
+# Goes on for minutes, and writes no checkpoint before it is asked to.
+LONG = ["-t", "1", "--set", "stages.1.duration=100 s", "--set", "output.series_interval=10 ms",
+        "--set", "output.snapshot_interval=0 s", "--set", "output.checkpoint_interval=1 h"]
+
+
+class Signals(clod.Case):
+
+    def begin(self, folder, hang_up=signal.SIG_DFL, **more):
+        """A run in its second stage, whatever the tests themselves were started under."""
+        set_signals = lambda: signal.signal(signal.SIGHUP, hang_up)
+        process = subprocess.Popen([clod.BINARY, "run", BOX, "-o", folder, *LONG], text=True,
+                                   stdout=subprocess.PIPE, preexec_fn=set_signals,
+                                   **{"stderr": subprocess.PIPE, **more})
+        begun = lambda: any(event["event"] == "phase" for event in clod.log(folder))
+        self.assertTrue(clod.wait_until(begun, process), "ended at once")
+        return process
+
+    def expect_stopped(self, process, number, folder):
+        _, err = process.communicate(timeout=1000)
+        self.assertEqual(process.returncode, 128 + number, err)
+        self.assertEqual(len(clod.checkpoints(folder, "run")), 1)
+        return err
+
+    def test_hang_up(self):
+        folder = self.path("out")
+        process = self.begin(folder)
+        process.send_signal(signal.SIGHUP)
+        self.expect_stopped(process, signal.SIGHUP, folder)
+
+    def test_signals_that_come_often(self):
+        for number in (signal.SIGHUP, signal.SIGTERM):
+            folder = self.path(str(number))
+            process = self.begin(folder)
+            while process.poll() is None:
+                process.send_signal(number)
+                time.sleep(0.002)
+            self.expect_stopped(process, number, folder)
+
+    def test_no_hang_up(self):
+        """As under nohup: an ignored hang-up stays ignored."""
+        folder = self.path("out")
+        process = self.begin(folder, hang_up=signal.SIG_IGN)
+        process.send_signal(signal.SIGHUP)
+        time.sleep(1.0)  # a run that heard it would have stopped within some tenths
+        self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGTERM)
+        self.expect_stopped(process, signal.SIGTERM, folder)
+
+    def test_nobody_reads_the_progress(self):
+        """The other end of standard error is closed, as a tee that the hang-up ended first."""
+        folder = self.path("out")
+        process = self.begin(folder)
+        process.stderr.close()
+        process.stderr = None
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)  # this one is told, to nobody
+        self.expect_stopped(process, signal.SIGINT, folder)
+
+    def test_second_interrupt(self):
+        """While the checkpoint hangs: its file is a pipe that nobody reads."""
+        folder = self.path("out")
+        process = self.begin(folder)
+        os.mkfifo(os.path.join(folder, "restart_a.h5.part"))
+        process.send_signal(signal.SIGINT)
+        shown = ""
+        while "again to stop at once\n" not in shown:
+            line = process.stderr.readline()
+            self.assertNotEqual(line, "", f"ended: {shown}")
+            shown += line
+        self.assertIn("clod: stopping after a checkpoint", shown)
+        time.sleep(1.0)  # by now it would have stopped, but for the pipe
+        self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=1000)
+        self.assertEqual(process.returncode, -signal.SIGINT)
+        self.assertEqual(clod.checkpoints(folder, "run"), [])
+
+
+if __name__ == "__main__":
+    clod.main()
