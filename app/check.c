@@ -111,7 +111,9 @@ int clod_app_check(int argc, char **argv)
             "\vThe overlap is that of two mean grains under the target stress. The Bond number "
             "is the largest pull of a contact that was pressed by that stress, over the weight "
             "of a mean grain. The inertial number I = (shear rate) d sqrt(density/stress) "
-            "should stay near 1e-3 or below. \"Likely\" times are those of copper ore, \"at "
+            "should stay near 1e-3 or below; cohesive specimens settle higher than "
+            "fill_fraction "
+            "says, and I is lower then. \"Likely\" times are those of copper ore, \"at "
             "most\" is what the limits of the case allow. Warnings do not change the exit "
             "status: 0 for a good case, 2 for a wrong one.",
     };

@@ -54,7 +54,11 @@ typedef struct clod_check_report {
     double weight;        ///< N, of a mean grain
     double bond;          ///< pull_off / weight
     // ring shear test
-    double inertial_preshear;              ///< inertial number
+    size_t full_grains;       ///< that fill the depth with fill_fraction
+    double height_aimed;      ///< m, of the specimen when it settles to fill_fraction
+    double height_loose;      ///< m, as loose as it is filled in: it only gets lower
+    double inertial_preshear; ///< inertial number at height_aimed
+    double inertial_loose;    ///< at height_loose
     double inertial_lowest, lowest_stress; ///< at the lowest shear stress, Pa
     double lowest_speed;                   ///< m/s, shear at that stress
     double across_width, across_depth;     ///< grain diameters

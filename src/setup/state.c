@@ -160,7 +160,7 @@ bool clod_setup_timestep(const clod_case *from, const clod_state *state, clod_ti
     }
     *result = clod_timestep_choose(from, &grains);
     clod_memory_free(present);
-    return true;
+    return clod_timestep_accept(result, status);
 }
 
 /** Fraction of critical that the case asks for a wall's damping. */

@@ -136,6 +136,7 @@ static void meet(const clod_case *from, const clod_timestep_grains *grains, int 
     const clod_timestep_pair pair = make_pair(from, grains, a, b, wall);
     const clod_timestep_spring spring = stiffest_spring(&pair, grains->radius_mean);
     const double period = spring_period(spring);
+    self->limit = self->limit > 0.0 ? fmin(self->limit, period / M_PI) : period / M_PI;
     double step = from->time.safety * period / M_PI;
     clod_timestep_reason reason = spring.reason;
     if (pair.law.kind == CLOD_LAW_HERTZ) {
@@ -209,4 +210,18 @@ clod_timestep clod_timestep_choose(const clod_case *from, const clod_timestep_gr
     self.rayleigh = smallest_rayleigh(from, grains);
     self.rayleigh_fraction = self.rayleigh > 0.0 ? self.step / self.rayleigh : 0.0;
     return self;
+}
+
+bool clod_timestep_accept(const clod_timestep *self, clod_status *status)
+{
+    if (!self->given || !(self->limit > 0.0) || self->step <= self->limit) {
+        return true;
+    }
+    return clod_status_fail(
+        status, CLOD_USAGE,
+        "time.step: %.4g s is beyond the critical step of the stiffest "
+        "contact under the expected load: the run would blow up. It must be "
+        "at most %.4g s, which is the largest stable step of a single "
+        "contact; write auto, which takes %.4g s",
+        self->step, self->limit, self->automatic);
 }

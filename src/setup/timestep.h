@@ -38,6 +38,7 @@ typedef struct clod_timestep {
     double period;              ///< s, 2 pi sqrt(mass/stiffness)
     double critical;            ///< s, period/pi: beyond it the integration blows up
     double automatic;           ///< s, the step that auto takes
+    double limit;               ///< s, smallest critical step of any pair; 0 without grains
     // of the same pair, at the estimated load
     double unloading;     ///< N/m, k2 tangent
     double force;         ///< N on a contact
@@ -94,3 +95,12 @@ double clod_timestep_force(double stress, double radius);
  * Source  PHYSICS 5.   Test  tests/setup/test_setup_timestep.c
  */
 clod_timestep clod_timestep_choose(const clod_case *from, const clod_timestep_grains *grains);
+
+/**
+ * Refuse a given step beyond the critical step of any pair: energy would grow without end, and
+ * what comes out need not even look wrong.
+ *
+ * Errors  CLOD_USAGE with the largest stable step.   Threads  pure.
+ * Source  PHYSICS 5.   Test  tests/setup/test_setup_timestep.c
+ */
+bool clod_timestep_accept(const clod_timestep *self, clod_status *status);

@@ -70,17 +70,40 @@ static void look_at_contact(const clod_check_subject *subject, clod_check_report
     report->bond = report->weight > 0.0 ? report->pull_off / report->weight : 0.0;
 }
 
-/** I = (shear rate) d sqrt(rho/sigma), the shear spread over the whole depth (PHYSICS 5). */
-static double inertial_number(const clod_check_subject *subject, double diameter, double speed,
+/** I = (shear rate) d sqrt(rho/sigma) with a rate that is the same everywhere (PHYSICS 5). */
+static double inertial_number(const clod_check_subject *subject, double diameter, double rate,
                               double stress)
 {
     const double density = subject->from->materials[subject->material].density;
-    return speed / subject->from->ring_shear.depth * diameter * sqrt(density / stress);
+    return rate * diameter * sqrt(density / stress);
 }
 
-static void look_at_ring(const clod_check_subject *subject, clod_check_report *report)
+/** Between these heights the specimen settles, how far nobody knows before it is tried. */
+static bool find_heights(const clod_check_subject *subject, clod_check_report *report,
+                         clod_status *status)
+{
+    clod_case full = *subject->from;
+    full.ring_shear.grain_count = 0;
+    report->full_grains = clod_ring_cell_count(&full, full.seed, status);
+    if (report->full_grains == 0) {
+        return false;
+    }
+    report->height_aimed =
+        full.ring_shear.depth * (double)report->grains / (double)report->full_grains;
+    for (size_t g = 0; g < report->grains; g++) {
+        const double *place = subject->state.grains.place[g];
+        report->height_loose = fmax(report->height_loose, place[2] + place[3]);
+    }
+    return true;
+}
+
+static bool look_at_ring(const clod_check_subject *subject, clod_check_report *report,
+                         clod_status *status)
 {
     const clod_case_ring_shear *ring = &subject->from->ring_shear;
+    if (!find_heights(subject, report, status)) {
+        return false;
+    }
     const double diameter = 2.0 * report->radius_mean;
     double lowest = ring->preshear_stress;
     for (size_t s = 0; s < ring->shear_stress_count; s++) {
@@ -88,12 +111,16 @@ static void look_at_ring(const clod_check_subject *subject, clod_check_report *r
     }
     report->lowest_stress = lowest;
     report->lowest_speed = ring->speed * sqrt(lowest / ring->preshear_stress);
-    report->inertial_preshear =
-        inertial_number(subject, diameter, ring->speed, ring->preshear_stress);
-    report->inertial_lowest = inertial_number(subject, diameter, report->lowest_speed, lowest);
+    report->inertial_preshear = inertial_number(
+        subject, diameter, ring->speed / report->height_aimed, ring->preshear_stress);
+    report->inertial_loose = inertial_number(
+        subject, diameter, ring->speed / report->height_loose, ring->preshear_stress);
+    report->inertial_lowest =
+        inertial_number(subject, diameter, report->lowest_speed / report->height_aimed, lowest);
     report->across_width = (ring->outer_radius - ring->inner_radius) / diameter;
-    report->across_depth = ring->depth / diameter;
+    report->across_depth = report->height_aimed / diameter;
     report->bar_diameters = ring->bar_count > 0 ? ring->bar_height / diameter : 0.0;
+    return true;
 }
 
 /** Shortest period of a loaded wall on the stiffness of the bed under it. */
@@ -152,10 +179,8 @@ bool clod_check_report_make(const clod_case *from, const clod_check_options *opt
         look_at_step(&subject, report);
         look_at_contact(&subject, report);
         look_at_servo(&subject, report);
-        if (ring) {
-            look_at_ring(&subject, report);
-        }
-        good = clod_check_cost(&subject, report, status);
+        good = (!ring || look_at_ring(&subject, report, status)) &&
+               clod_check_cost(&subject, report, status);
     }
     if (good) {
         clod_check_warn(&subject, report);

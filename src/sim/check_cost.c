@@ -7,6 +7,7 @@
 #include "parallel/threads.h"
 #include "sim/check.h"
 #include "step/step.h"
+#include "tester/ring_limits.h"
 
 // The packing on which the step is timed: a cubic lattice, six contacts for each grain as in a
 // dense bed, pressed to the overlap of the target stress and stirred a little.
@@ -19,18 +20,14 @@
 #define SAMPLE_TIMES 4    ///< measurements; the best counts, other work on the machine does not
 #define SAMPLE_EXCESS 1.3 ///< the lattice is faster than a random packing between walls
 
-// Duration of the phases of a ring shear test, besides preshear and shear: their limits in the
-// procedure (tester/ring_shear.c), and what copper ore needs.
-#define FILL_LIKELY 0.2 ///< s, with the lid's way down
-#define FILL_MOST 0.66
-#define LOAD_LIKELY 0.06 ///< s, to consolidate or to reduce the load
-#define LOAD_MOST 0.3
-#define REVERSE_SPEED 0.033 ///< of the speed of preshear
+// Duration of the phases of a ring shear test, besides preshear and shear: what copper ore
+// needs; their limits are those of the procedure (tester/ring_limits.h).
+#define FILL_LIKELY 0.2     ///< s, with the lid's way down
+#define LOWER_MOST 6e-3     ///< m of the lid until it carries
+#define LOAD_LIKELY 0.06    ///< s, to consolidate or to reduce the load
 #define REVERSE_LIKELY 2e-4 ///< m
-#define REVERSE_MOST 2e-3
 #define PRESHEAR_LIKELY 5.0 ///< times the least displacement
 #define PEAK_LIKELY 4e-3    ///< m of shear
-#define ROW_STEPS 200.0     ///< steps for each row of the series
 #define ROW_COLUMNS 11.0
 
 #define NUMBER_BYTES 18.0 ///< of a number in a series
@@ -187,20 +184,22 @@ static batch preparations(const clod_case_ring_shear *ring, bool most)
     const double shear =
         most ? ring->preshear_max : fmin(PRESHEAR_LIKELY * least, ring->preshear_max);
     const double time =
-        (most ? FILL_MOST + LOAD_MOST : FILL_LIKELY + LOAD_LIKELY) + shear / ring->speed;
+        (most ? CLOD_RING_FILL_TIME + LOWER_MOST / CLOD_RING_LOWER_SPEED + CLOD_RING_SETTLE_TIME
+              : FILL_LIKELY + LOAD_LIKELY) +
+        shear / ring->speed;
     return (batch){(int)ring->seeds, (double)ring->seeds * time, time};
 }
 
 static batch points(const clod_case_ring_shear *ring, bool most)
 {
     batch all = {(int)(ring->seeds * (int64_t)ring->shear_stress_count), 0.0, 0.0};
-    const double reverse =
-        (most ? REVERSE_MOST : REVERSE_LIKELY) / (REVERSE_SPEED * ring->speed);
+    const double reverse = (most ? CLOD_RING_REVERSE_MAX : REVERSE_LIKELY) /
+                           (CLOD_RING_REVERSE_FRACTION * ring->speed);
     const double peak = fmin(PEAK_LIKELY + ring->beyond_peak, ring->shear_max);
     for (size_t s = 0; s < ring->shear_stress_count; s++) {
         const double speed =
             ring->speed * sqrt(ring->shear_stresses[s] / ring->preshear_stress);
-        const double time = reverse + (most ? LOAD_MOST : LOAD_LIKELY) +
+        const double time = reverse + (most ? CLOD_RING_SETTLE_TIME : LOAD_LIKELY) +
                             (most ? ring->shear_max : peak) / speed;
         all.time += (double)ring->seeds * time;
         all.longest = fmax(all.longest, time);
@@ -245,7 +244,7 @@ static void plan_disk(const clod_check_subject *subject, clod_check_report *repo
     double pictures = 1.0;
     if (ring->present) {
         parts = (double)ring->seeds * (1.0 + (double)ring->shear_stress_count);
-        rows = report->steps_most / ROW_STEPS;
+        rows = report->steps_most / CLOD_RING_COARSE_STEPS;
         columns = ROW_COLUMNS;
         pictures = parts;
     }

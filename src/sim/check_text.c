@@ -101,9 +101,13 @@ static void write_contact(page *to, const clod_check_report *r)
 
 static void write_ring(page *to, const clod_check_report *r)
 {
-    line(to, "inertial number", "%.3g at preshear; %.3g at %.4g kPa, sheared with %.3g mm/s",
-         r->inertial_preshear, r->inertial_lowest, 1e-3 * r->lowest_stress,
-         1e3 * r->lowest_speed);
+    line(to, "inertial number",
+         "%.3g if the specimen settles to %.3g mm, as fill_fraction says;",
+         r->inertial_preshear, 1e3 * r->height_aimed);
+    line(to, "", "%.3g as loose as filled in, %.3g mm; cohesive solids stay between",
+         r->inertial_loose, 1e3 * r->height_loose);
+    line(to, "", "the lowest point, %.4g kPa, is sheared with %.3g mm/s: the same number",
+         1e-3 * r->lowest_stress, 1e3 * r->lowest_speed);
     line(to, "cell", "%.1f grain diameters wide, %.1f deep; bars %.2f high", r->across_width,
          r->across_depth, r->bar_diameters);
 }
@@ -214,7 +218,10 @@ static const entry REALS[] = {
 
 static const entry RING_REALS[] = {
     REAL("inertial_number_preshear", inertial_preshear),
+    REAL("inertial_number_loose", inertial_loose),
     REAL("inertial_number_lowest", inertial_lowest),
+    REAL("height_aimed_m", height_aimed),
+    REAL("height_loose_m", height_loose),
     REAL("lowest_stress_Pa", lowest_stress),
     REAL("lowest_speed_m_per_s", lowest_speed),
     REAL("diameters_across_width", across_width),

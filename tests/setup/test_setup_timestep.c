@@ -3,6 +3,9 @@
 #include "setup/timestep.h"
 #include "support/check.h"
 
+#include <stdio.h>
+#include <string.h>
+
 enum { ORE, STEEL, MATERIALS };
 
 static clod_case_material materials[MATERIALS] = {
@@ -185,6 +188,43 @@ static void given_step_is_kept_and_auto_is_still_told(void **state)
     check_close(t.rayleigh_fraction, 0.044, 0.0005); // PHYSICS 5
 }
 
+// Critical step of a pair by hand: 2 sqrt(m*/k), ore on ore with m/2 and the k2 tangent. Auto
+// is set by the Rayleigh time of hertz, ore on smooth steel, whose spring has 1.3e-5 s: E* 88
+// GPa, overlap 0.43 um, 6.3e6 N/m, the grain's whole mass.
+static void given_step_beyond_the_critical_one_is_refused(void **state)
+{
+    (void)state;
+    clod_case_contact pairs[MATERIALS * MATERIALS];
+    clod_case from = copper_ore(pairs);
+    clod_case_contact *const smooth = &pairs[ORE * MATERIALS + STEEL];
+    smooth->law = CLOD_LAW_HERTZ;
+    smooth->friction = 0.0;
+    smooth->rolling = CLOD_ROLLING_NONE;
+    const clod_timestep_grains grains = {.radius_min = 3e-3,
+                                         .radius_mean = 3e-3,
+                                         .stress = 50e3,
+                                         .is_grain = ONLY_ORE,
+                                         .is_wall = ONLY_STEEL};
+    const double mass = 4.0 / 3.0 * 3.14159265358979 * 27e-9 * 2481.3;
+    const double stiffness = 1.5 * 2.37e9 * cbrt(50e3 * 36e-6 / 4.75e8);
+    const double critical = 2.0 * sqrt(0.5 * mass / stiffness);
+    clod_status status = {CLOD_OK, ""};
+    clod_timestep t = clod_timestep_choose(&from, &grains);
+    assert_int_equal(t.reason, CLOD_TIMESTEP_RAYLEIGH);
+    check_relative(t.limit, critical, 1e-9);
+    assert_true(clod_timestep_accept(&t, &status));
+    from.time.step = 0.999 * critical;
+    t = clod_timestep_choose(&from, &grains);
+    assert_true(clod_timestep_accept(&t, &status));
+    from.time.step = 1.001 * critical;
+    t = clod_timestep_choose(&from, &grains);
+    assert_false(clod_timestep_accept(&t, &status));
+    assert_int_equal(status.code, CLOD_USAGE);
+    char most[64];
+    snprintf(most, sizeof most, "at most %.4g s", critical);
+    assert_non_null(strstr(status.text, most));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -196,6 +236,7 @@ int main(void)
         cmocka_unit_test(hertz_takes_its_fraction_of_the_rayleigh_time),
         cmocka_unit_test(impact_overlap_takes_all_energy),
         cmocka_unit_test(given_step_is_kept_and_auto_is_still_told),
+        cmocka_unit_test(given_step_beyond_the_critical_one_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

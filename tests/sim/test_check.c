@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -27,7 +28,9 @@
     "  default: {law: mepa, exponent: 1.5, k1: 4.75e8 N/m^1.5, k2: 2.37e9 N/m^1.5,\n"          \
     "    k_adh: 3.56e8 N/m^1.5, restitution: 0.3, friction: 0.35}\n"
 
-// Radii differ by at most one part in 3000: all grains count as 3 mm.
+// Radii differ by at most one part in 3000: all grains count as 3 mm. Full to 40 mm by hand:
+// 0.6 of 942478 mm3 (ring) - 37643 mm3 (40 bars of 49.4 x 3 x 6.35 mm) is 4800 grains of 113.1
+// mm3.
 static const char RING[] =
     MATERIALS "gravity: [0, 0, -10 m/s2]\n"
               "ring_shear:\n"
@@ -36,7 +39,7 @@ static const char RING[] =
               "  base_material: side\n"
               "  lid_material: side\n"
               "  radius: {mean: 3 mm, sd: 1 mm, min: 2.999 mm, max: 3.001 mm}\n"
-              "  grain_count: 300\n"
+              "  grain_count: 4800\n"
               "  preshear_stress: 50 kPa\n"
               "  shear_stresses: [12.5 kPa, 25 kPa, 40 kPa]\n";
 
@@ -112,9 +115,9 @@ static void contact_at_the_target_stress(void **state)
     const double overlap = pow(1.8 / K1, 2.0 / 3.0);
     const double pull = 1.8 * (K_ADH / K1) * (K2 - K1) / (K2 + K_ADH);
     assert_int_equal(r->kind, CLOD_CHECK_RING_SHEAR);
-    assert_int_equal(r->grains, 300);
-    near(r->mass, 300.0 * mass(), 1e-3);
-    near(r->solid_volume, 300.0 * mass() / DENSITY, 1e-3);
+    assert_int_equal(r->grains, 4800);
+    near(r->mass, 4800.0 * mass(), 1e-3);
+    near(r->solid_volume, 4800.0 * mass() / DENSITY, 1e-3);
     near(r->stress, STRESS, 1e-12);
     near(r->contact_force, 1.8, 1e-3);
     near(r->overlap, overlap, 1e-3);
@@ -142,12 +145,17 @@ static void step_and_what_sets_it(void **state)
     near(r->rayleigh_fraction, r->step / r->rayleigh, 1e-12);
 }
 
-// I = speed/depth 2R sqrt(rho/sigma); points are sheared with the same I, so 1/2 speed at 1/4.
+// I = speed/height 2R sqrt(rho/sigma); points are sheared with the same I, so 1/2 speed at 1/4.
 static void ring_numbers(void **state)
 {
     const clod_check_report *r = check(state, RING, NULL);
     near(r->inertial_preshear, 30.0 / 40.0 * 6e-3 * sqrt(DENSITY / STRESS), 1e-3);
     near(r->inertial_lowest, r->inertial_preshear, 1e-12);
+    near((double)r->full_grains, 4800.0, 1e-3);
+    near(r->height_aimed, 40e-3, 1e-3);
+    near(r->inertial_loose, 30e-3 / r->height_loose * 6e-3 * sqrt(DENSITY / STRESS), 1e-3);
+    const double column = r->height_loose * M_PI * (100e-3 * 100e-3 - 50e-3 * 50e-3);
+    assert_true(r->solid_volume < 0.6 * column && r->solid_volume > 0.1 * column);
     near(r->lowest_stress, 12.5e3, 1e-12);
     near(r->lowest_speed, 15e-3, 1e-12);
     near(r->across_width, 50.0 / 6.0, 1e-3);
@@ -217,11 +225,14 @@ static void a_good_case_has_no_warning(void **state)
 
 static void each_fault_has_its_warning(void **state)
 {
-    warns(state, RING, "time.step=1e-4 s", "blow up");
     warns(state, RING, "time.step=3e-6 s", "above the safe step");
-    warns(state, RING, "ring_shear.speed=60 mm/s", "Lower ring_shear.speed to 30 mm/s");
+    warns(state, RING, "ring_shear.speed=900 mm/s", "even as loose as filled in: the grains'");
+    warns(state, RING, "ring_shear.grain_count=2000",
+          "2000 grains are 42 % of those that fill the depth (4");
+    warns(state, RING, "ring_shear.grain_count=2000", "some 16.7 mm high, not 40 mm");
+    warns(state, RING, "ring_shear.grain_count=7000", "7000 grains are 146 % of");
     warns(state, RING, "contacts.default.k1=4.75e6 N/m^1.5", "of their radius");
-    warns(state, RING, "ring_shear.depth=25 mm", "diameters across the depth");
+    warns(state, RING, "ring_shear.grain_count=2900", "diameters across the depth");
     warns(state, RING, "ring_shear.outer_radius=75 mm", "diameters across the width");
     warns(state, RING, "ring_shear.bar_height=3 mm", "0.50 grain diameters high");
     warns(state, RING, "ring_shear.bar_count=0", "bar_count is 0");
@@ -231,6 +242,31 @@ static void each_fault_has_its_warning(void **state)
     warns(state, RING, "ring_shear.shear_stresses=[20 kPa, 30 kPa]", "three or more");
     warns(state, FREE, "output.series_interval=1e-13 s", "would stop");
     warns(state, HERTZ, "time.rayleigh_limit=0.5", "50 % of the Rayleigh time");
+}
+
+// At 60 mm/s and 40 mm I is 2.0e-3; the cohesive bed may be looser, the dry one is not.
+static void a_dry_bed_is_judged_at_the_height_aimed_at(void **state)
+{
+    static char dry[sizeof RING];
+    memcpy(dry, RING, sizeof RING);
+    memcpy(strstr(dry, "3.56e8"), "0.00e8", 6);
+    warns(state, dry, "ring_shear.speed=60 mm/s", "Lower ring_shear.speed to 30 mm/s");
+    assert_int_equal(check(state, dry, "ring_shear.speed=30 mm/s")->warning_count, 0);
+    assert_int_equal(check(state, RING, "ring_shear.speed=40 mm/s")->warning_count, 0);
+}
+
+// Critical step 2 sqrt(m*/k) as in step_and_what_sets_it: 8.8e-6 s.
+static void a_step_beyond_the_critical_one_is_wrong_use(void **state)
+{
+    const double critical = 2.0 * sqrt(0.5 * mass() / (1.5 * K2 * cbrt(1.8 / K1)));
+    char step[48];
+    clod_status status = {CLOD_OK, ""};
+    snprintf(step, sizeof step, "time.step=%.6g s", 1.01 * critical);
+    assert_false(look(state, RING, step, 1, &status));
+    assert_int_equal(status.code, CLOD_USAGE);
+    assert_non_null(strstr(status.text, "beyond the critical step"));
+    snprintf(step, sizeof step, "time.step=%.6g s", 0.99 * critical);
+    warns(state, RING, step, "above the safe step");
 }
 
 static void the_rayleigh_limit_sets_the_step_of_hertz(void **state)
@@ -260,7 +296,7 @@ static void json_and_text_say_the_same(void **state)
     assert_true(clod_check_report_json(r, text));
     json_t *json = json_loads(text, 0, NULL);
     assert_non_null(json);
-    assert_int_equal(json_integer_value(json_object_get(json, "grains")), 300);
+    assert_int_equal(json_integer_value(json_object_get(json, "grains")), 4800);
     assert_string_equal(json_string_value(json_object_get(json, "kind")), "ring_shear");
     assert_true(json_real_value(json_object_get(json, "step_s")) == r->step);
     assert_true(json_real_value(json_object_get(json, "overlap_m")) == r->overlap);
@@ -271,7 +307,7 @@ static void json_and_text_say_the_same(void **state)
     assert_string_equal(json_string_value(json_array_get(warnings, 0)), r->warning[0]);
     json_decref(json);
     clod_check_report_text(r, text);
-    assert_non_null(strstr(text, "grains             300, radius 2.999"));
+    assert_non_null(strstr(text, "grains             4800, radius 2.999"));
     assert_non_null(strstr(text, r->warning[0]));
 }
 
@@ -320,6 +356,8 @@ int main(void)
         cmocka_unit_test(free_run_numbers),
         cmocka_unit_test(a_good_case_has_no_warning),
         cmocka_unit_test(each_fault_has_its_warning),
+        cmocka_unit_test(a_dry_bed_is_judged_at_the_height_aimed_at),
+        cmocka_unit_test(a_step_beyond_the_critical_one_is_wrong_use),
         cmocka_unit_test(the_rayleigh_limit_sets_the_step_of_hertz),
         cmocka_unit_test(too_many_threads_are_told),
         cmocka_unit_test(json_and_text_say_the_same),
