@@ -12,21 +12,20 @@
 
 #include "app.h"
 #include "clod/check.h"
+#include "one_case.h"
 
 #define KEY_JSON 0x100
 
 typedef struct request {
-    const char *path;
+    clod_one_case of;
     bool json;
     clod_check_options options;
-    const char **overrides;
-    size_t override_count;
 } request;
 
 static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0, "results folder meant for the run: its disk is looked at", 0},
     {"threads", 't', "N", 0, "threads meant for the run; all processors unless given", 0},
-    {"set", 'S', "KEY=VALUE", 0, "change a key of the case; may be given often", 0},
+    CLOD_ONE_CASE_SET,
     {"json", KEY_JSON, NULL, 0, "print one JSON object instead of text", 0},
     {0},
 };
@@ -51,31 +50,17 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case 't':
         set_threads(self, argument, state);
         return 0;
-    case 'S':
-        self->overrides[self->override_count++] = argument;
-        return 0;
     case KEY_JSON:
         self->json = true;
         return 0;
-    case ARGP_KEY_ARG:
-        if (self->path != NULL) {
-            argp_error(state, "one case at a time");
-        }
-        self->path = argument;
-        return 0;
-    case ARGP_KEY_END:
-        if (self->path == NULL) {
-            argp_error(state, "which case? clod new writes an example");
-        }
-        return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return clod_one_case_parse(&self->of, key, argument, state);
     }
 }
 
 static bool work(const request *self, clod_status *status)
 {
-    clod_case *from = clod_case_load(self->path, self->overrides, self->override_count, status);
+    clod_case *from = clod_one_case_load(&self->of, status);
     if (from == NULL) {
         return false;
     }
@@ -118,17 +103,11 @@ int clod_app_check(int argc, char **argv)
             "status: 0 for a good case, 2 for a wrong one.",
     };
     clod_status status = {CLOD_OK, ""};
-    request self = {.overrides = calloc((size_t)argc + 1, sizeof *self.overrides)};
-    if (self.overrides == NULL) {
-        fputs("clod check: out of memory\n", stderr);
+    request self = {.of = {.example = "clod new"}};
+    if (!clod_one_case_init(&self.of, argc, argv)) {
         return CLOD_FAILED;
     }
     argp_parse(&argp, argc, argv, 0, NULL, &self);
     const bool good = work(&self, &status);
-    free(self.overrides);
-    if (!good) {
-        fprintf(stderr, "clod check: %s\n", status.text);
-        return status.code == CLOD_OK ? CLOD_FAILED : (int)status.code;
-    }
-    return EXIT_SUCCESS;
+    return clod_one_case_fini(&self.of, argv, good, &status);
 }

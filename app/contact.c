@@ -13,22 +13,18 @@
 
 #include "app.h"
 #include "clod/contact_bench.h"
+#include "one_case.h"
 
 typedef struct request {
-    const char *path;
+    clod_one_case of;
     const char *output; ///< NULL: standard output
     bool summary;       ///< only the summary
-    const char **overrides;
-    size_t override_count;
 } request;
 
 static const struct argp_option OPTIONS[] = {
     {"output", 'o', "FILE", 0, "write the table to FILE instead of standard output", 0},
     {"summary", 's', NULL, 0, "print the summary alone, to standard output", 0},
-    {"set", 'S', "KEY=VALUE", 0,
-     "change a key of the case, for instance "
-     "contact_bench.adhesion='10 %'; may be given often",
-     0},
+    CLOD_ONE_CASE_SET,
     {0},
 };
 
@@ -42,22 +38,8 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case 's':
         self->summary = true;
         return 0;
-    case 'S':
-        self->overrides[self->override_count++] = argument;
-        return 0;
-    case ARGP_KEY_ARG:
-        if (self->path != NULL) {
-            argp_error(state, "one case at a time");
-        }
-        self->path = argument;
-        return 0;
-    case ARGP_KEY_END:
-        if (self->path == NULL) {
-            argp_error(state, "which case? clod new contact-bench writes an example");
-        }
-        return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return clod_one_case_parse(&self->of, key, argument, state);
     }
 }
 
@@ -128,7 +110,7 @@ static bool open_table(const request *self, FILE **table, clod_status *status)
 static bool work(const request *self, clod_status *status)
 {
     clod_contact_bench_summary summary;
-    clod_case *from = clod_case_load(self->path, self->overrides, self->override_count, status);
+    clod_case *from = clod_one_case_load(&self->of, status);
     FILE *table = NULL;
     if (from == NULL) {
         return false;
@@ -137,7 +119,7 @@ static bool work(const request *self, clod_status *status)
                 clod_status_fail(status, CLOD_USAGE,
                                  "%s: there is no contact_bench in this case; clod new "
                                  "contact-bench writes an example",
-                                 self->path);
+                                 self->of.path);
     good = good && open_table(self, &table, status) && run(self, from, table, &summary, status);
     if (self->output != NULL && table != NULL) {
         fclose(table);
@@ -165,17 +147,11 @@ int clod_app_contact(int argc, char **argv)
             "Restitutions do not depend on the speed of the impact.",
     };
     clod_status status = {CLOD_OK, ""};
-    request self = {.overrides = calloc((size_t)argc + 1, sizeof *self.overrides)};
-    if (self.overrides == NULL) {
-        fputs("clod contact: out of memory\n", stderr);
+    request self = {.of = {.example = "clod new contact-bench"}};
+    if (!clod_one_case_init(&self.of, argc, argv)) {
         return CLOD_FAILED;
     }
     argp_parse(&argp, argc, argv, 0, NULL, &self);
     const bool good = work(&self, &status);
-    free(self.overrides);
-    if (!good) {
-        fprintf(stderr, "clod contact: %s\n", status.text);
-        return status.code == CLOD_OK ? CLOD_FAILED : (int)status.code;
-    }
-    return EXIT_SUCCESS;
+    return clod_one_case_fini(&self.of, argv, good, &status);
 }

@@ -1,0 +1,52 @@
+#include "one_case.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+bool clod_one_case_init(clod_one_case *self, int argc, char **argv)
+{
+    self->overrides = calloc((size_t)argc + 1, sizeof *self->overrides);
+    if (self->overrides == NULL) {
+        fprintf(stderr, "%s: out of memory\n", argv[0]);
+    }
+    return self->overrides != NULL;
+}
+
+error_t clod_one_case_parse(clod_one_case *self, int key, char *argument,
+                            struct argp_state *state)
+{
+    switch (key) {
+    case 'S':
+        self->overrides[self->override_count++] = argument;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (self->path != NULL) {
+            argp_error(state, "one case at a time");
+        }
+        self->path = argument;
+        return 0;
+    case ARGP_KEY_END:
+        if (self->path == NULL) {
+            argp_error(state, "which case? %s writes an example", self->example);
+        }
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+clod_case *clod_one_case_load(const clod_one_case *self, clod_status *status)
+{
+    return clod_case_load(self->path, self->overrides, self->override_count, status);
+}
+
+int clod_one_case_fini(clod_one_case *self, char **argv, bool good, const clod_status *status)
+{
+    free(self->overrides);
+    self->overrides = NULL;
+    if (good) {
+        return EXIT_SUCCESS;
+    }
+    fprintf(stderr, "%s: %s\n", argv[0], status->text);
+    return status->code == CLOD_OK ? CLOD_FAILED : (int)status->code;
+}
