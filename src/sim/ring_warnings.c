@@ -6,12 +6,10 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "tester/ring_limits.h"
 
-#define SERVO_LIMIT 0.01     ///< relative error of the mean normal stress
-#define OVERLAP_LIMIT 0.05   ///< largest overlap as a fraction of a radius
-#define DILATION_LIMIT 0.01  ///< change of height per shear displacement
-#define INERTIA_LIMIT 1.2e-3 ///< inertial number: quasi-static up to 1e-3 (PHYSICS 5)
-#define GRAINS_LIMIT 5.0     ///< diameters across the smaller of ring width and height
+#define SERVO_LIMIT 0.01    ///< relative error of the mean normal stress
+#define DILATION_LIMIT 0.01 ///< change of height per shear displacement
 #define BOX_SIZE 32768
 
 typedef struct warning_box {
@@ -110,25 +108,25 @@ char *clod_ring_warnings(const clod_case *from, const clod_ring_part *part, int 
         add_flags(&box, from, &part[p]);
         add_servo(&box, &part[p]);
         add_dilation(&box, &part[p]);
-        if (part[p].max_overlap > OVERLAP_LIMIT) {
+        if (part[p].max_overlap > CLOD_RING_OVERLAP_MOST_LIMIT) {
             add(&box,
                 "%s: overlap up to %.1f %% of a radius at its end; the laws assume small ones: "
                 "raise the stiffness",
                 part[p].name, 100.0 * part[p].max_overlap);
         }
-        if (inertial_number(from, &part[p]) > INERTIA_LIMIT) {
+        if (inertial_number(from, &part[p]) > CLOD_RING_INERTIA_LIMIT) {
             add(&box,
-                "%s: inertial number %.2g: not quasi-static (1e-3); lower ring_shear.speed",
-                part[p].name, inertial_number(from, &part[p]));
+                "%s: inertial number %.2g: not quasi-static (%.0e); lower ring_shear.speed",
+                part[p].name, inertial_number(from, &part[p]), CLOD_RING_INERTIA_GOOD);
         }
     }
     const clod_case_ring_shear *cell = &from->ring_shear;
     const double gap =
         fmin(cell->outer_radius - cell->inner_radius, part[0].test.preshear_height);
     const double across = gap / (2.0 * cell->radius_mean);
-    if (across < GRAINS_LIMIT) {
+    if (across < CLOD_RING_GRAINS_LIMIT) {
         add(&box, "only %.1f grain diameters across the specimen; %.0f are wanted", across,
-            GRAINS_LIMIT);
+            CLOD_RING_GRAINS_LIMIT);
     }
     return box.text;
 }

@@ -217,6 +217,9 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
 
 bool clod_step_export(clod_step *self, clod_status *status)
 {
+    if (self->failed) { // after a rebuild that failed the state has the history, the blocks not
+        return true;
+    }
     return clod_near_export(&self->near, &self->neighbour, self->state, status);
 }
 

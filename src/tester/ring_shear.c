@@ -2,40 +2,22 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
+
+#include "tester/ring_limits.h"
+#include "tester/ring_measure.h"
 
 // The programme below is the operator's hand: none of these numbers is physics, and the
 // results folder shows what each did. Displacements are at the mean radius r_m.
-#define SETTLED_SPEED 0.02     ///< m/s, root mean square of the grains at the end of filling
-#define FILL_TIME 0.6          ///< s at most
-#define LOWER_SPEED 0.1        ///< m/s of the lid on its way down
-#define TOUCH_FRACTION 0.05    ///< of the preshear stress: the lid carries
-#define RAMP_TIME 0.02         ///< s over which the load is raised or lowered
-#define CALM_SPEED 5e-4        ///< m/s of the lid, mean over a sample: nothing moves any more
-#define CALM_SAMPLES 5         ///< in a row
-#define CALM_FORCE 0.02        ///< relative error of the normal stress when calm
-#define SETTLE_TIME 0.3        ///< s at most, consolidation and reduction
-#define ACCELERATION 3.0       ///< m/s2: below it the inertia of the bed stays below 1 % of tau
-#define REVERSE_FRACTION 0.033 ///< of the preshear speed
-#define REVERSE_MAX 2e-3       ///< m
-#define FINE_STEPS 50          ///< steps per look while the speed changes
-#define COARSE_STEPS 200       ///< steps per look otherwise
-#define BLOCK_SAMPLES 50       ///< samples per block of preshear
-#define PEAK_WINDOW 2e-4       ///< m over which the peak is smoothed
-
-const char *const clod_ring_shear_columns[CLOD_RING_SHEAR_COLUMNS] = {
-    "time [s]",
-    "phase [1]",
-    "displacement [m]",
-    "normal_stress [Pa]",
-    "normal_stress_base [Pa]",
-    "shear_stress [Pa]",
-    "shear_stress_base [Pa]",
-    "height [m]",
-    "bulk_density [kg/m3]",
-    "speed [m/s]",
-    "power [W]",
-};
+#define SETTLED_SPEED 0.02  ///< m/s, root mean square of the grains at the end of filling
+#define TOUCH_FRACTION 0.05 ///< of the preshear stress: the lid carries
+#define RAMP_TIME 0.02      ///< s over which the load is raised or lowered
+#define CALM_SPEED 5e-4     ///< m/s of the lid, mean over a sample: nothing moves any more
+#define CALM_SAMPLES 5      ///< in a row
+#define CALM_FORCE 0.02     ///< relative error of the normal stress when calm
+#define ACCELERATION 3.0    ///< m/s2: below it the inertia of the bed stays below 1 % of tau
+#define FINE_STEPS 50       ///< steps per look while the speed changes
+#define BLOCK_SAMPLES 50    ///< samples per block of preshear
+#define PEAK_WINDOW 2e-4    ///< m over which the peak is smoothed
 
 const char *clod_ring_shear_phase_name(clod_ring_shear_phase phase)
 {
@@ -44,66 +26,24 @@ const char *clod_ring_shear_phase_name(clod_ring_shear_phase phase)
     return NAMES[phase];
 }
 
-static clod_wall *find_wall(const clod_state *state, const char *name)
-{
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        if (strcmp(state->walls.wall[w].name, name) == 0) {
-            return &state->walls.wall[w];
-        }
-    }
-    return NULL;
-}
-
-/** Height of the lid's plane above the base [m]. */
-static double lid_height(const clod_ring_shear *self, const clod_state *state)
-{
-    return self->lid_start + find_wall(state, "lid")->shift.z;
-}
-
-/** Stress of the solid that is above the shear plane, the tips of the lid's bars [Pa]. */
-static double solid_above(const clod_ring_shear *self, const clod_state *state)
-{
-    const double plane = lid_height(self, state) - self->bar_height;
-    double mass = 0.0;
-    for (size_t g = 0; g < state->grains.count; g++) {
-        mass += state->grains.place[g][2] > plane ? state->grains.motion[g][3] : 0.0;
-    }
-    return -mass * state->gravity[2] / self->area;
-}
-
-static double rms_speed(const clod_state *state)
-{
-    double sum = 0.0;
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const double *v = state->grains.motion[g];
-        sum += v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    }
-    return sqrt(sum / (double)state->grains.count);
-}
-
 /** Turn trough and sides so that the solid is sheared with `speed` at r_m. */
 static void set_speed(const clod_ring_shear *self, clod_state *state, double speed)
 {
-    find_wall(state, "trough")->spin = speed / self->mean_radius;
-    find_wall(state, "sides")->spin = speed / self->mean_radius;
-}
-
-static double speed_now(const clod_ring_shear *self, const clod_state *state)
-{
-    return find_wall(state, "trough")->spin * self->mean_radius;
+    clod_ring_wall(state, "trough")->spin = speed / self->mean_radius;
+    clod_ring_wall(state, "sides")->spin = speed / self->mean_radius;
 }
 
 /** Whether the speed has reached its target: the very number that set_speed has put there. */
 static bool is_at_speed(const clod_ring_shear *self, const clod_state *state)
 {
-    return find_wall(state, "trough")->spin == self->target_speed / self->mean_radius;
+    return clod_ring_wall(state, "trough")->spin == self->target_speed / self->mean_radius;
 }
 
 /** Load of the lid that gives a normal stress at the shear plane. */
 static void set_stress(const clod_ring_shear *self, clod_state *state, double stress)
 {
-    clod_wall *lid = find_wall(state, "lid");
-    lid->load_force = fmax((stress - solid_above(self, state)) * self->area, 0.0);
+    clod_wall *lid = clod_ring_wall(state, "lid");
+    lid->load_force = fmax((stress - clod_ring_solid_above(self, state)) * self->area, 0.0);
 }
 
 static void enter(clod_ring_shear *self, clod_state *state, clod_ring_shear_phase phase)
@@ -115,21 +55,6 @@ static void enter(clod_ring_shear *self, clod_state *state, clod_ring_shear_phas
     clod_walls_reset_sums(&state->walls);
 }
 
-/** Volume of the bars of trough and lid [m3]. */
-static double all_bars(const clod_state *state)
-{
-    double volume = 0.0;
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        const clod_wall *wall = &state->walls.wall[w];
-        for (int32_t s = 0; s < wall->shape_count; s++) {
-            const double *half = wall->shapes[s].half;
-            volume += wall->shapes[s].kind == CLOD_SHAPE_BAR ? 8.0 * half[0] * half[1] * half[2]
-                                                             : 0.0;
-        }
-    }
-    return volume;
-}
-
 void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_state *state)
 {
     const clod_case_ring_shear *cell = &from->ring_shear;
@@ -138,9 +63,9 @@ void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_st
     *self = (clod_ring_shear){
         .area = M_PI * (ro * ro - ri * ri),
         .mean_radius = 2.0 / 3.0 * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri),
-        .bars_volume = all_bars(state),
+        .bars_volume = clod_ring_bars_volume(state),
         .bar_height = cell->bar_height,
-        .lid_start = find_wall(state, "lid")->shapes[0].center.z,
+        .lid_start = clod_ring_wall(state, "lid")->shapes[0].center.z,
         .lid_mass = cell->lid_mass,
         .preshear_stress = cell->preshear_stress,
         .speed = cell->speed,
@@ -159,7 +84,7 @@ void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_st
     clod_steady_init(&self->steady, cell->steady_blocks, BLOCK_SAMPLES, cell->steady_tolerance,
                      INFINITY);
     clod_peak_init(&self->peak, PEAK_WINDOW, cell->beyond_peak);
-    find_wall(state, "lid")->load = CLOD_LOAD_NONE;
+    clod_ring_wall(state, "lid")->load = CLOD_LOAD_NONE;
     enter(self, state, CLOD_RING_SHEAR_FILL);
 }
 
@@ -168,7 +93,7 @@ void clod_ring_shear_branch(clod_ring_shear *self, double shear_stress, clod_sta
     self->shear_stress = shear_stress;
     // shear rate with the square root of the stress: the same inertial number as in preshear
     self->shear_speed = self->speed * sqrt(fmin(shear_stress / self->preshear_stress, 1.0));
-    self->target_speed = -REVERSE_FRACTION * self->speed;
+    self->target_speed = -CLOD_RING_REVERSE_FRACTION * self->speed;
     self->target_stress = self->preshear_stress;
     self->flags = 0; // what was not right with the preparation stands in its own
     enter(self, state, CLOD_RING_SHEAR_REVERSE);
@@ -193,61 +118,27 @@ int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *stat
     }
     if (self->phase == CLOD_RING_SHEAR_SHEAR) { // a sample for every bin of the peak at least
         const int64_t bin = steps_for(PEAK_WINDOW / CLOD_PEAK_BINS, self->shear_speed, state);
-        return bin < COARSE_STEPS ? bin : COARSE_STEPS;
+        return bin < CLOD_RING_COARSE_STEPS ? bin : CLOD_RING_COARSE_STEPS;
     }
-    return COARSE_STEPS;
-}
-
-/** Mean of what the walls felt since the last look. */
-static void measure(const clod_ring_shear *self, const clod_state *state, double *row)
-{
-    const clod_wall *lid = find_wall(state, "lid");
-    const clod_wall *trough = find_wall(state, "trough");
-    const clod_wall *sides = find_wall(state, "sides");
-    const double steps = (double)(lid->sum_steps > 0 ? lid->sum_steps : 1);
-    const double arm = self->area * self->mean_radius;
-    const double height = lid_height(self, state);
-    const double torque_base = trough->sum_torque.z + sides->sum_torque.z;
-    row[CLOD_RING_SHEAR_TIME] = (double)state->step * state->dt;
-    row[CLOD_RING_SHEAR_PHASE] = (double)self->phase;
-    row[CLOD_RING_SHEAR_DISPLACEMENT] = self->displacement;
-    row[CLOD_RING_SHEAR_NORMAL_STRESS] =
-        lid->sum_force.z / (steps * self->area) + solid_above(self, state);
-    row[CLOD_RING_SHEAR_NORMAL_STRESS_BASE] = -trough->sum_force.z / (steps * self->area);
-    row[CLOD_RING_SHEAR_SHEAR_STRESS] = lid->sum_torque.z / (steps * arm);
-    row[CLOD_RING_SHEAR_SHEAR_STRESS_BASE] = -torque_base / (steps * arm);
-    row[CLOD_RING_SHEAR_HEIGHT] = height;
-    row[CLOD_RING_SHEAR_BULK_DENSITY] =
-        self->grain_mass / (self->area * height - self->bars_volume);
-    row[CLOD_RING_SHEAR_SPEED] = speed_now(self, state);
-    row[CLOD_RING_SHEAR_POWER] = (trough->sum_power + sides->sum_power) / steps;
-}
-
-/** Highest point of the grains [m]. */
-static double grains_top(const clod_state *state)
-{
-    double top = 0.0;
-    for (size_t g = 0; g < state->grains.count; g++) {
-        top = fmax(top, state->grains.place[g][2] + state->grains.place[g][3]);
-    }
-    return top;
+    return CLOD_RING_COARSE_STEPS;
 }
 
 /** Put the lid down to just above the settled grains; the neighbour search starts anew. */
 static void put_lid(clod_ring_shear *self, clod_state *state)
 {
-    clod_wall *lid = find_wall(state, "lid");
+    clod_wall *lid = clod_ring_wall(state, "lid");
     const double bars = self->bar_height;
-    const double drop = fmin(grains_top(state) + bars - lid_height(self, state), 0.0);
+    const double drop =
+        fmin(clod_ring_grains_top(state) + bars - clod_ring_lid_height(self, state), 0.0);
     lid->shift.z += drop;
-    lid->velocity.z = -LOWER_SPEED;
+    lid->velocity.z = -CLOD_RING_LOWER_SPEED;
     state->build_motion = INFINITY;
 }
 
 static void after_fill(clod_ring_shear *self, clod_state *state, double in_phase)
 {
-    const bool late = in_phase > FILL_TIME;
-    if (late || (in_phase > 0.05 && rms_speed(state) < SETTLED_SPEED)) {
+    const bool late = in_phase > CLOD_RING_FILL_TIME;
+    if (late || (in_phase > 0.05 && clod_ring_rms_speed(state) < SETTLED_SPEED)) {
         self->flags |= late ? CLOD_RING_SHEAR_NOT_SETTLED : 0;
         put_lid(self, state);
         enter(self, state, CLOD_RING_SHEAR_LOWER);
@@ -257,9 +148,9 @@ static void after_fill(clod_ring_shear *self, clod_state *state, double in_phase
 static void after_lower(clod_ring_shear *self, clod_state *state, const double *row)
 {
     if (row[CLOD_RING_SHEAR_NORMAL_STRESS] > TOUCH_FRACTION * self->preshear_stress) {
-        clod_wall *lid = find_wall(state, "lid");
+        clod_wall *lid = clod_ring_wall(state, "lid");
         lid->load = CLOD_LOAD_STRESS;
-        lid->servo_velocity = LOWER_SPEED;
+        lid->servo_velocity = CLOD_RING_LOWER_SPEED;
         lid->velocity.z = 0.0;
         state->adhesion = 1.0;
         self->start_stress = row[CLOD_RING_SHEAR_NORMAL_STRESS];
@@ -291,7 +182,7 @@ static void after_load(clod_ring_shear *self, clod_state *state, const double *r
                        double in_phase, double interval)
 {
     const bool ramped = ramp_load(self, state, in_phase);
-    const bool late = in_phase > SETTLE_TIME;
+    const bool late = in_phase > CLOD_RING_SETTLE_TIME;
     const bool calm = is_calm(self, row, interval);
     if (!ramped || !(calm || late)) {
         return;
@@ -306,7 +197,7 @@ static void after_load(clod_ring_shear *self, clod_state *state, const double *r
 static void note_hanger(clod_ring_shear *self, const clod_state *state)
 {
     self->hanger_force =
-        find_wall(state, "lid")->load_force + self->lid_mass * state->gravity[2];
+        clod_ring_wall(state, "lid")->load_force + self->lid_mass * state->gravity[2];
 }
 
 static void after_preshear(clod_ring_shear *self, clod_state *state, const double *row)
@@ -342,7 +233,7 @@ static void after_preshear(clod_ring_shear *self, clod_state *state, const doubl
 static void after_reverse(clod_ring_shear *self, clod_state *state, const double *row)
 {
     set_stress(self, state, self->target_stress);
-    const bool late = self->displacement > REVERSE_MAX;
+    const bool late = self->displacement > CLOD_RING_REVERSE_MAX;
     if (row[CLOD_RING_SHEAR_SHEAR_STRESS] > 0.0 && !late) {
         return;
     }
@@ -379,7 +270,7 @@ static void after_shear(clod_ring_shear *self, clod_state *state, const double *
 /** Bring the speed of shear towards its target without a blow. */
 static void slew(const clod_ring_shear *self, clod_state *state, double interval)
 {
-    const double now = speed_now(self, state);
+    const double now = clod_ring_speed(self, state);
     const double change = self->target_speed - now;
     const double most = ACCELERATION * interval;
     if (!is_at_speed(self, state)) {
@@ -392,14 +283,15 @@ static void slew(const clod_ring_shear *self, clod_state *state, double interval
  */
 static double sheared(const clod_ring_shear *self, const clod_state *state)
 {
-    const double speed = speed_now(self, state);
+    const double speed = clod_ring_speed(self, state);
     return self->phase == CLOD_RING_SHEAR_REVERSE ? fmax(-speed, 0.0) : fabs(speed);
 }
 
 /** The lid has sunk until its bars touch those of the trough, or nearly: no bed is left. */
 static bool is_without_bed(const clod_ring_shear *self, const clod_state *state)
 {
-    return self->phase != CLOD_RING_SHEAR_FILL && lid_height(self, state) < self->lowest_lid;
+    return self->phase != CLOD_RING_SHEAR_FILL &&
+           clod_ring_lid_height(self, state) < self->lowest_lid;
 }
 
 bool clod_ring_shear_trouble(const clod_ring_shear *self, char *text, size_t size)
@@ -418,10 +310,10 @@ bool clod_ring_shear_trouble(const clod_ring_shear *self, char *text, size_t siz
 
 bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *row)
 {
-    const double interval = (double)find_wall(state, "lid")->sum_steps * state->dt;
+    const double interval = (double)clod_ring_wall(state, "lid")->sum_steps * state->dt;
     const double in_phase = (double)state->step * state->dt - self->phase_start;
     self->displacement += sheared(self, state) * interval;
-    measure(self, state, row);
+    clod_ring_measure(self, state, row);
     clod_walls_reset_sums(&state->walls);
     switch (self->phase) {
     case CLOD_RING_SHEAR_FILL:

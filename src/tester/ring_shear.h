@@ -70,7 +70,7 @@ typedef struct clod_ring_shear {
     double speed, shear_speed;                          ///< m/s at r_m
     double block_displacement, preshear_max, shear_max; ///< m
     // where it is
-    clod_ring_shear_phase phase;
+    int64_t phase;        ///< clod_ring_shear_phase
     double phase_start;   ///< s
     double displacement;  ///< m at r_m since the phase began
     double target_stress; ///< Pa, at the shear plane

@@ -21,7 +21,7 @@ GRAVITY = 9.80665
 # CASE
 RI, RO = 0.020, 0.040
 PRESHEAR, STRESSES, SPEED = 10e3, [3e3, 5e3, 7e3], 0.080
-BARS, BAR_HEIGHT, BAR_WIDTH = 8, 0.005, 0.002
+BARS, BAR_HEIGHT, BAR_WIDTH = 8, 0.004, 0.002
 AREA = math.pi * (RO ** 2 - RI ** 2)
 FILL, LOWER, CONSOLIDATE, SHEARED, REVERSE, REDUCE, SHEAR = range(7)
 
@@ -54,9 +54,9 @@ class RingShear(clod.Case):
         cls.points = table(os.path.join(cls.out, "points.csv"))
 
     def steady(self):
-        """Preshear at full speed, the last 4 mm: the blocks that the result is the mean of."""
+        """Preshear at full speed, the last 8 mm: the blocks that the result is the mean of."""
         rows = [row for row in self.series["preshear"] if row["phase"] == SHEARED]
-        return [row for row in rows if row["displacement"] > rows[-1]["displacement"] - 4e-3]
+        return [row for row in rows if row["displacement"] > rows[-1]["displacement"] - 8e-3]
 
     def mass(self):
         """Mass of all grains, as the preflight counts them."""
@@ -109,8 +109,11 @@ class RingShear(clod.Case):
             rows = [row for row in self.series[name] if row["phase"] == SHEAR]
             self.assertAlmostEqual(mean(rows, "normal_stress") / stress, 1.0, delta=0.04)
             self.assertEqual(self.part[name]["normal_stress_Pa"], stress)
+            # what is judged is the stress at the peak: 0.2 mm about it, give or take a bin
+            peak = self.part[name]["displacement_m"]
+            near = [row for row in rows if abs(row["displacement"] - peak) < 0.1e-3]
             self.assertAlmostEqual(self.part[name]["measured_normal_stress_Pa"],
-                                   mean(rows, "normal_stress"), delta=1e-6)
+                                   mean(near, "normal_stress"), delta=0.01 * stress)
 
     def test_bulk_density_is_mass_over_volume(self):
         """Whatever the height: mass = density (A h - V) with one volume V, that of the bars."""
@@ -139,10 +142,16 @@ class RingShear(clod.Case):
             self.assertLessEqual(rows[-1]["shear_stress"], 0.0)
 
     def test_results_are_those_of_the_series(self):
-        rows = self.steady()
-        self.assertEqual(self.part["preshear"]["flags"], 0)
-        self.assertAlmostEqual(self.part["preshear"]["shear_stress_Pa"],
-                               mean(rows, "shear_stress"), delta=0.01 * PRESHEAR)
+        rows = [row for row in self.series["preshear"]
+                if row["phase"] == SHEARED and abs(row["speed"] / SPEED - 1.0) < 1e-12]
+        self.assertEqual(self.part["preshear"]["flags"], [])
+        # blocks of 50 samples at full speed, the last four or more of them
+        sheared = [row["shear_stress"] for row in rows]
+        self.assertEqual(len(sheared) % 50, 0)
+        means = [sum(sheared[-50 * blocks:]) / (50 * blocks)
+                 for blocks in range(4, len(sheared) // 50 + 1)]
+        result = self.part["preshear"]["shear_stress_Pa"]
+        self.assertLess(min(abs(value / result - 1.0) for value in means), 1e-9)
         for name in ("point-1", "point-2", "point-3"):
             shear = [row["shear_stress"] for row in self.series[name] if row["phase"] == SHEAR]
             # the smoothed peak: below the largest sample, above the mean
@@ -238,7 +247,8 @@ class Provoked(clod.Case):
         # so much damping that the lid does not come down to the grains in time
         for warning in ("preshear: not steady after",
                         "preshear: filling or consolidation did not come to rest",
-                        "preshear: the mean normal stress was", "preshear: inertial number",
+                        "preshear: the mean normal stress of the steady blocks was",
+                        "preshear: inertial number",
                         "point-1: the lid under the reduced load did not come to rest",
                         "grain diameters across the specimen"):
             self.assertEqual(text.count(warning), 1, text)
