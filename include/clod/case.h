@@ -99,6 +99,7 @@ typedef enum clod_shape_kind {
     CLOD_SHAPE_DISC,
     CLOD_SHAPE_ANNULUS,
     CLOD_SHAPE_CYLINDER,
+    CLOD_SHAPE_CONE,
     CLOD_SHAPE_BOX,
     CLOD_SHAPE_BAR,
 } clod_shape_kind;
@@ -107,14 +108,15 @@ typedef enum clod_side { CLOD_SIDE_INSIDE, CLOD_SIDE_OUTSIDE } clod_side;
 
 /** One surface of a wall. Which fields count depends on `kind`. */
 typedef struct clod_case_shape {
-    int kind;        ///< clod_shape_kind
-    double point[3]; ///< plane: a point; disc, annulus, box: centre; cylinder: foot of the axis
-    double normal[3];                  ///< plane, disc, annulus: normal towards the grains
-    double axis[3];                    ///< cylinder: direction of the axis
-    double radius;                     ///< disc, cylinder
+    int kind;         ///< clod_shape_kind
+    double point[3];  ///< plane: a point; disc, annulus, box: centre; shells: foot of the axis
+    double normal[3]; ///< plane, disc, annulus: normal towards the grains
+    double axis[3];   ///< cylinder, cone: direction of the axis
+    double radius;    ///< disc, cylinder
     double inner_radius, outer_radius; ///< annulus
-    double length;                     ///< cylinder
-    int side;                          ///< cylinder: where the grains are (clod_side)
+    double foot_radius, top_radius;    ///< cone: where its axis begins, and where it ends
+    double length;                     ///< cylinder, cone: along the axis
+    int side;                          ///< cylinder, cone: where the grains are (clod_side)
     double size[3];                    ///< box: edge lengths along x, y, z
     double from[3], to[3];             ///< bar: ends of its centre line
     double width, height;              ///< bar: across, and along `up`
@@ -126,6 +128,15 @@ typedef enum clod_load_kind {
     CLOD_LOAD_FORCE,
     CLOD_LOAD_STRESS
 } clod_load_kind;
+
+/** Harmonic motion of a wall about the place where it was given. */
+typedef struct clod_case_oscillation {
+    double direction[3]; ///< of the translation
+    double amplitude;    ///< m along direction; 0 = none
+    double angle;        ///< rad, amplitude of the turning about spin_axis; 0 = none
+    double frequency;    ///< Hz; 0 = the wall does not oscillate
+    double phase;        ///< rad, at time 0
+} clod_case_oscillation;
 
 /** A wall: a rigid body of one or more shapes. */
 typedef struct clod_case_wall {
@@ -145,6 +156,7 @@ typedef struct clod_case_wall {
     double area;                ///< m2, for stress
     double mass;                ///< kg, of the loaded wall
     double damping;             ///< fraction of critical against the bed's stiffness estimate
+    clod_case_oscillation oscillation;
 } clod_case_wall;
 
 /** Change of one wall at the start of a stage; `has_` says which keys were given. */

@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -5,6 +6,8 @@
 #include "config/suggest.h"
 
 #define PATH_SIZE 320
+/** Cosine of the angle between two directions below which they are across each other. */
+#define ACROSS 1e-9
 
 static bool has(const clod_loader *loader, const char *path, const char *key)
 {
@@ -158,6 +161,10 @@ static void check_shape(clod_loader *loader, const char *path, const clod_case_s
     if (shape->kind == CLOD_SHAPE_ANNULUS && shape->inner_radius >= shape->outer_radius) {
         fail(loader, path, "annulus.inner_radius", "must be smaller than outer_radius");
     }
+    if (shape->kind == CLOD_SHAPE_CONE && shape->foot_radius == shape->top_radius) {
+        fail(loader, path, "cone.top_radius",
+             "is the same as foot_radius; write a cylinder, or change one of them");
+    }
     if (shape->kind != CLOD_SHAPE_BAR) {
         return;
     }
@@ -195,6 +202,26 @@ static void check_load(clod_loader *loader, const char *path, clod_case_wall *wa
     }
 }
 
+/** The servo of a load moves the wall along its axis; nothing else may do so at will. */
+static void check_oscillation(clod_loader *loader, const char *path, const clod_case_wall *wall)
+{
+    const clod_case_oscillation *o = &wall->oscillation;
+    if (o->amplitude == 0.0 && o->angle == 0.0) {
+        fail(loader, path, "oscillation", "needs an amplitude, an angle or both");
+    }
+    double along = 0.0, direction = 0.0, axis = 0.0;
+    for (int a = 0; a < 3; a++) {
+        along += o->direction[a] * wall->load_axis[a];
+        direction += o->direction[a] * o->direction[a];
+        axis += wall->load_axis[a] * wall->load_axis[a];
+    }
+    const bool across = fabs(along) <= ACROSS * sqrt(direction * axis);
+    if (o->amplitude > 0.0 && wall->load != CLOD_LOAD_NONE && !across) {
+        fail(loader, path, "oscillation.direction",
+             "is not across the axis of the load, along which the load alone moves the wall");
+    }
+}
+
 static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
 {
     clod_case_wall *wall = &self->walls[index];
@@ -212,6 +239,9 @@ static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
     }
     if (has(loader, path, "load")) {
         check_load(loader, path, wall);
+    }
+    if (has(loader, path, "oscillation")) {
+        check_oscillation(loader, path, wall);
     }
 }
 

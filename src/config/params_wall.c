@@ -7,6 +7,7 @@
 
 #define S clod_case_shape
 #define W clod_case_wall
+#define O clod_case_oscillation
 
 #define LENGTH(name, field_help, text)                                                         \
     {                                                                                          \
@@ -29,6 +30,19 @@
 
 static const char *const SIDES[] = {
     [CLOD_SIDE_INSIDE] = "inside", [CLOD_SIDE_OUTSIDE] = "outside", NULL};
+
+#define RADIUS(name, field_help, text)                                                         \
+    {                                                                                          \
+        .key = #name, .kind = CLOD_PARAM_REAL, .need = CLOD_PARAM_REQUIRED, .unit = "m",       \
+        CLOD_FROM(0, 1e4), .example = text, CLOD_AT(S, name), .help = field_help,              \
+        .source = "convention"                                                                 \
+    }
+#define SIDE                                                                                   \
+    {                                                                                          \
+        .key = "side", .kind = CLOD_PARAM_CHOICE, .need = CLOD_PARAM_OPTIONAL,                 \
+        .choices = SIDES, .fallback = "inside", CLOD_AT(S, side),                              \
+        .help = "Side on which the grains are.", .source = "convention"                        \
+    }
 
 static const clod_param PLANE[] = {
     POSITION("point", point, "A point of the plane.", "[0 mm, 0 mm, 0 mm]"),
@@ -57,17 +71,21 @@ static const clod_param CYLINDER[] = {
     DIRECTION(axis, "Direction of the axis.", "0 0 1"),
     LENGTH(radius, "Radius.", "100 mm"),
     LENGTH(length, "Length along the axis.", "60 mm"),
-    {.key = "side",
-     .kind = CLOD_PARAM_CHOICE,
-     .need = CLOD_PARAM_OPTIONAL,
-     .choices = SIDES,
-     .fallback = "inside",
-     CLOD_AT(S, side),
-     .help = "Side on which the grains are.",
-     .source = "convention"},
+    SIDE,
 };
 static const clod_table CYLINDER_TABLE = {.title = "The shell of a cylinder.",
                                           CLOD_ROWS(CYLINDER)};
+
+static const clod_param CONE[] = {
+    POSITION("foot", point, "Foot of the axis, where the cone begins.", "[0 mm, 0 mm, 0 mm]"),
+    DIRECTION(axis, "Direction of the axis.", "0 0 1"),
+    RADIUS(foot_radius, "Radius at the foot; 0 is a tip.", "20 mm"),
+    RADIUS(top_radius, "Radius at the other end of the axis; 0 is a tip.", "100 mm"),
+    LENGTH(length, "Length along the axis.", "150 mm"),
+    SIDE,
+};
+static const clod_table CONE_TABLE = {
+    .title = "The shell of a cone with two rims, or with a rim and a tip.", CLOD_ROWS(CONE)};
 
 static const clod_param BOX[] = {
     POSITION("center", point, "Centre.", "[0 mm, 0 mm, 5 mm]"),
@@ -106,6 +124,7 @@ static const clod_param SHAPES[] = {
     SHAPE("disc", DISC_TABLE, "A flat disc."),
     SHAPE("annulus", ANNULUS_TABLE, "A flat ring."),
     SHAPE("cylinder", CYLINDER_TABLE, "The shell of a cylinder."),
+    SHAPE("cone", CONE_TABLE, "The shell of a cone, whole or cut off: a hopper."),
     SHAPE("box", BOX_TABLE, "A solid box along x, y, z."),
     SHAPE("bar", BAR_TABLE, "A straight bar."),
 };
@@ -197,6 +216,76 @@ static bool has_load(const clod_case *whole, const void *self)
     return ((const W *)self)->load != CLOD_LOAD_NONE;
 }
 
+static bool has_oscillation(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const W *)self)->oscillation.frequency > 0.0;
+}
+
+static bool has_amplitude(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const O *)self)->amplitude > 0.0;
+}
+
+static const clod_param OSCILLATION[] = {
+    {.key = "direction",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_FROM(-1e4, 1e4),
+     .nonzero = true,
+     .fallback = "0 0 1",
+     CLOD_AT(O, direction),
+     .used = has_amplitude,
+     .unused = "without amplitude nothing moves along it; remove this key, or give amplitude",
+     .help = "Direction along which the wall moves to and fro.",
+     .source = "convention"},
+    {.key = "amplitude",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m",
+     CLOD_ABOVE(0, 1e4),
+     .example = "0.5 mm",
+     CLOD_AT(O, amplitude),
+     .help = "Largest displacement along direction; the wall moves by amplitude "
+             "sin(2 pi frequency t + phase) about the place where its shapes are given.",
+     .source = "docs/theory/walls.md"},
+    {.key = "angle",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "rad",
+     CLOD_ABOVE(0, 2.0 * M_PI),
+     .example = "2 deg",
+     CLOD_AT(O, angle),
+     .help = "Largest angle of turning to and fro about spin_axis through spin_point, in step "
+             "with the displacement.",
+     .source = "docs/theory/walls.md"},
+    {.key = "frequency",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "Hz",
+     CLOD_ABOVE(0, 1e6),
+     .example = "50 Hz",
+     CLOD_AT(O, frequency),
+     .help = "Periods in a second of simulated time; the time step must be at most 1/50 of a "
+             "period.",
+     .source = "docs/theory/walls.md"},
+    {.key = "phase",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "rad",
+     CLOD_FROM(-2.0 * M_PI, 2.0 * M_PI),
+     .fallback = "0 deg",
+     CLOD_AT(O, phase),
+     .help = "Phase at the start of the run; at 0 deg the wall starts in the middle and moves "
+             "along direction.",
+     .source = "docs/theory/walls.md"},
+};
+static const clod_table OSCILLATION_TABLE = {
+    .title = "Harmonic motion of a wall, beside its other motion.", CLOD_ROWS(OSCILLATION)};
+
 static const clod_param WALL[] = {
     {.key = "material",
      .kind = CLOD_PARAM_TEXT,
@@ -264,6 +353,14 @@ static const clod_param WALL[] = {
      CLOD_AT(W, surface_velocity),
      .help = "Velocity of the surface while the shape stays in place, as on a belt.",
      .source = "convention"},
+    {.key = "oscillation",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &OSCILLATION_TABLE,
+     CLOD_AT(W, oscillation),
+     .used = has_oscillation,
+     .help = "Motion to and fro, with an amplitude, an angle or both.",
+     .source = "docs/theory/walls.md"},
     {.key = "load",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,

@@ -26,6 +26,7 @@ static const clod_unit_kind KINDS[] = {
     {"N", "a force", "force", "N"},
     {"rad", "an angle", "angle", "deg"},
     {"rad/s", "a speed of rotation", "rotation", "rpm"},
+    {"Hz", "a frequency", "frequency", "Hz"},
 };
 
 static const char *const COMMON[] = {

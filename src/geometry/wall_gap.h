@@ -6,10 +6,11 @@
  * - plane: endless and one-sided; the distance is negative behind it.
  * - box, bar: solid; inside, the distance is negative and the normal points out of the nearest
  *   face.
- * - disc, annulus, cylinder: thin. They act from both sides, the normal points to the side on
- *   which the point is and the distance is never negative; beyond a rim the closest point is on
- *   the rim. So the distance is continuous everywhere, also for a grain that rolls over the rim
- *   of a shell and slides down its back. A cylinder has no lids.
+ * - disc, annulus, cylinder, cone: thin. They act from both sides, the normal points to the
+ *   side on which the point is and the distance is never negative; beyond a rim the closest
+ *   point is on the rim. So the distance is continuous everywhere, also for a grain that rolls
+ *   over the rim of a shell and slides down its back. Cylinder and cone have no lids; a rim of
+ *   radius 0 is the tip of a cone.
  *
  * Shapes are not repeated in periodic directions: give them the length of the domain.
  */
@@ -66,6 +67,32 @@ static inline clod_gap clod_wall_gap_cylinder(const clod_shape *s, clod_vec3 r)
     return clod_wall_gap_ring(rho - s->outer, radial, dz, s->axis[2], fallback);
 }
 
+/**
+ * Shell of a cone that begins at its foot with the radius `outer` and ends with `inner`. In the
+ * plane through the axis and the point the shell is a straight line: the closest point of it is
+ * the closest of all. With equal radii it has the bits of a cylinder.
+ */
+static inline clod_gap clod_wall_gap_cone(const clod_shape *s, clod_vec3 r)
+{
+    const double height = clod_vec3_dot(r, s->axis[2]);
+    const clod_vec3 flat = clod_vec3_axpy(r, -height, s->axis[2]);
+    const double rho = clod_vec3_length(flat);
+    const double widening = s->inner - s->outer;
+    const double rise = 2.0 * s->half[2];
+    const double slant = sqrt(widening * widening + rise * rise);
+    const double er = widening / slant; // along the line, from foot to top
+    const double ez = rise / slant;
+    const double along = (rho - s->outer) * er + height * ez;
+    const double across = (rho - s->outer) * ez - height * er; // away from the axis
+    const double beyond = along - clod_wall_gap_clamp(along, 0.0, slant);
+    const clod_vec3 radial = rho > 0.0 ? clod_vec3_scale(flat, 1.0 / rho) : s->axis[0];
+    const double outwards = s->side == CLOD_SIDE_INSIDE ? -1.0 : 1.0;
+    const clod_vec3 fallback =
+        clod_vec3_axpy(clod_vec3_scale(radial, outwards * ez), -outwards * er, s->axis[2]);
+    return clod_wall_gap_ring(across * ez + beyond * er, radial, beyond * ez - across * er,
+                              s->axis[2], fallback);
+}
+
 /** Out of a solid box through the nearest face; `l` is the point along the box's axes. */
 static inline clod_gap clod_wall_gap_within(const clod_shape *s, const double l[3])
 {
@@ -118,6 +145,8 @@ static inline clod_gap clod_wall_gap(const clod_shape *shape, clod_vec3 p)
         return clod_wall_gap_annulus(shape, r);
     case CLOD_SHAPE_CYLINDER:
         return clod_wall_gap_cylinder(shape, r);
+    case CLOD_SHAPE_CONE:
+        return clod_wall_gap_cone(shape, r);
     default:
         return clod_wall_gap_box(shape, r);
     }

@@ -81,6 +81,8 @@ static void add_walls(clod_checkpoint_columns *self, const clod_state *state)
     ADD(spin_point, "m", F64, 3);
     ADD(shift, "m", F64, 3);
     ADD(angle, "rad", F64, 1);
+    ADD(travel, "m", F64, 3);
+    ADD(turned, "rad", F64, 1);
     ADD(load, "1", I32, 1);
     ADD(load_axis, "1", F64, 3);
     ADD(load_force, "N", F64, 1);

@@ -14,6 +14,12 @@ typedef struct clod_mesh_pen {
     int32_t number; ///< of the wall
 } clod_mesh_pen;
 
+/** Whether a round shape ends in a point, and its quads are triangles. */
+static bool has_tip(const clod_shape *shape)
+{
+    return shape->kind == CLOD_SHAPE_CONE && fmin(shape->inner, shape->outer) == 0.0;
+}
+
 static size_t shape_triangles(const clod_shape *shape)
 {
     switch (shape->kind) {
@@ -24,6 +30,8 @@ static size_t shape_triangles(const clod_shape *shape)
     case CLOD_SHAPE_ANNULUS:
     case CLOD_SHAPE_CYLINDER:
         return (size_t)2 * SEGMENTS;
+    case CLOD_SHAPE_CONE:
+        return (size_t)(has_tip(shape) ? 1 : 2) * SEGMENTS;
     case CLOD_SHAPE_BOX:
     case CLOD_SHAPE_BAR:
         return 12;
@@ -99,13 +107,13 @@ static clod_vec3 circle_point(const clod_shape *shape, double radius, int corner
     return shape_point(shape, radius * cos(angle), radius * sin(angle), height);
 }
 
-/** Disc, annulus and cylinder: a ring between two circles. */
+/** Disc, annulus, cylinder and cone: a ring between two circles. */
 static void draw_round(clod_mesh_pen *pen)
 {
     const clod_shape *shape = pen->shape;
     const bool cylinder = shape->kind == CLOD_SHAPE_CYLINDER;
     const double inner = cylinder ? shape->outer : shape->inner;
-    const double height = cylinder ? 2.0 * shape->half[2] : 0.0;
+    const double height = 2.0 * shape->half[2]; // 0 for discs and annuli
     for (int s = 0; s < SEGMENTS; s++) {
         const clod_vec3 q[4] = {circle_point(shape, shape->outer, s, 0.0),
                                 circle_point(shape, shape->outer, s + 1, 0.0),
@@ -113,6 +121,8 @@ static void draw_round(clod_mesh_pen *pen)
                                 circle_point(shape, inner, s, height)};
         if (shape->kind == CLOD_SHAPE_DISC) {
             draw(pen, q[0], q[1], shape->center);
+        } else if (has_tip(shape)) {
+            draw(pen, q[0], q[shape->outer > 0.0 ? 1 : 2], q[shape->outer > 0.0 ? 2 : 3]);
         } else {
             draw_quad(pen, q);
         }
@@ -148,6 +158,7 @@ static void draw_shape(clod_mesh_pen *pen, const clod_domain *domain)
     case CLOD_SHAPE_DISC:
     case CLOD_SHAPE_ANNULUS:
     case CLOD_SHAPE_CYLINDER:
+    case CLOD_SHAPE_CONE:
         draw_round(pen);
         break;
     case CLOD_SHAPE_BOX:

@@ -16,7 +16,8 @@ static double half_extent(const clod_shape *shape, int axis)
     case CLOD_SHAPE_BAR:
         return e[0] * shape->half[0] + e[1] * shape->half[1] + e[2] * shape->half[2];
     default: // half[2] is 0 for discs and annuli
-        return shape->outer * sqrt(fmax(0.0, 1.0 - e[2] * e[2])) + e[2] * shape->half[2];
+        return fmax(shape->inner, shape->outer) * sqrt(fmax(0.0, 1.0 - e[2] * e[2])) +
+               e[2] * shape->half[2];
     }
 }
 
@@ -34,7 +35,7 @@ static void include_wall(const clod_wall *wall, double low[3], double high[3])
             continue;
         }
         clod_vec3 middle = shape->center;
-        if (shape->kind == CLOD_SHAPE_CYLINDER) {
+        if (shape->kind == CLOD_SHAPE_CYLINDER || shape->kind == CLOD_SHAPE_CONE) {
             middle = clod_vec3_axpy(middle, shape->half[2], shape->axis[2]);
         }
         const double at[3] = {middle.x, middle.y, middle.z};

@@ -91,14 +91,18 @@ static bool inside(const clod_insertion_space *self, const double place[4])
 /** Whether a point beside a shell is on the side where the grains belong. */
 static bool right_side(const clod_shape *shape, clod_vec3 p)
 {
-    if (shape->kind != CLOD_SHAPE_CYLINDER) {
+    const bool cone = shape->kind == CLOD_SHAPE_CONE;
+    if (shape->kind != CLOD_SHAPE_CYLINDER && !cone) {
         return true;
     }
     const clod_vec3 r = clod_vec3_sub(p, shape->center);
     const double height = clod_vec3_dot(r, shape->axis[2]);
     const double rho = clod_vec3_length(clod_vec3_axpy(r, -height, shape->axis[2]));
-    const bool beside = height >= 0.0 && height <= 2.0 * shape->half[2];
-    return !beside || (rho < shape->outer) == (shape->side == CLOD_SIDE_INSIDE);
+    const double length = 2.0 * shape->half[2];
+    const double widening = cone ? shape->inner - shape->outer : 0.0;
+    const double radius = shape->outer + widening * (height / length);
+    const bool beside = height >= 0.0 && height <= length;
+    return !beside || (rho < radius) == (shape->side == CLOD_SIDE_INSIDE);
 }
 
 static bool clear_of_walls(const clod_insertion_space *self, const double place[4])

@@ -213,5 +213,5 @@ bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
     clod_setup_domain(from, state);
     clod_setup_damping(from, state, &timestep);
     state->dt = timestep.step;
-    return true;
+    return clod_setup_wall_pace(&state->walls, state->dt, status);
 }

@@ -10,6 +10,9 @@
 /** Angle [rad] and relative offset below which two axes count as one. */
 #define SAME_AXIS 1e-9
 
+/** The mean velocity of a step is then within (2 pi/50)^2/24 = 0.07 % of the velocity in it. */
+#define STEPS_PER_PERIOD 50.0
+
 static clod_vec3 vector(const double v[3])
 {
     return (clod_vec3){v[0], v[1], v[2]};
@@ -65,6 +68,13 @@ static clod_shape make_shape(const clod_case_shape *from)
         shape.half[2] = 0.5 * from->length;
         shape.side = (clod_side)from->side;
         break;
+    case CLOD_SHAPE_CONE:
+        shape.axis[2] = clod_vec3_unit(vector(from->axis));
+        shape.outer = from->foot_radius;
+        shape.inner = from->top_radius;
+        shape.half[2] = 0.5 * from->length;
+        shape.side = (clod_side)from->side;
+        break;
     case CLOD_SHAPE_ANNULUS:
         shape.axis[2] = clod_vec3_unit(vector(from->normal));
         shape.inner = from->inner_radius;
@@ -90,7 +100,8 @@ static bool is_symmetric(const clod_wall *wall, const clod_shape *shape)
     }
     const clod_vec3 arm = clod_vec3_sub(shape->center, wall->spin_point);
     const double offset = clod_vec3_length(clod_vec3_cross(arm, wall->spin_axis));
-    return shape->kind == CLOD_SHAPE_PLANE || offset <= SAME_AXIS * shape->outer;
+    const double radius = fmax(shape->inner, shape->outer);
+    return shape->kind == CLOD_SHAPE_PLANE || offset <= SAME_AXIS * radius;
 }
 
 void clod_setup_wall_symmetry(clod_wall *wall)
@@ -101,18 +112,18 @@ void clod_setup_wall_symmetry(clod_wall *wall)
 }
 
 /** Whether the wall turns at the start or in any stage. */
-static bool ever_spins(const clod_case *from, const clod_case_wall *wall)
+static bool ever_turns(const clod_case *from, const clod_case_wall *wall)
 {
-    bool spins = wall->spin != 0.0;
+    bool turns = wall->spin != 0.0 || wall->oscillation.angle != 0.0;
     for (size_t s = 0; s < from->stage_count; s++) {
         const clod_case_stage *stage = &from->stages[s];
         for (size_t w = 0; w < stage->wall_count; w++) {
             const clod_case_wall_change *change = &stage->walls[w];
-            spins |= change->has_spin && change->spin != 0.0 &&
+            turns |= change->has_spin && change->spin != 0.0 &&
                      strcmp(change->name, wall->name) == 0;
         }
     }
-    return spins;
+    return turns;
 }
 
 /** Area of the discs and annuli of a wall that face the load axis [m2]. */
@@ -142,6 +153,21 @@ static void make_load(const clod_case_wall *from, clod_wall *wall)
     wall->load_force = wall->load == CLOD_LOAD_STRESS ? from->stress * wall->area : from->force;
 }
 
+static void make_oscillation(const clod_case_oscillation *from, clod_wall *wall)
+{
+    if (from->frequency == 0.0) {
+        return;
+    }
+    wall->oscillation = (clod_oscillation){.amplitude = from->amplitude,
+                                           .angle = from->angle,
+                                           .frequency = from->frequency,
+                                           .phase = from->phase};
+    if (from->amplitude > 0.0) {
+        wall->oscillation.direction = clod_vec3_unit(vector(from->direction));
+    }
+    clod_wall_start(wall);
+}
+
 static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod_wall *wall,
                         clod_status *status)
 {
@@ -156,7 +182,7 @@ static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod
     clod_setup_wall_symmetry(wall);
     for (size_t s = 0; s < given->shape_count; s++) {
         const clod_shape *shape = &wall->shapes[s];
-        if (shape->kind == CLOD_SHAPE_PLANE && !shape->symmetric && ever_spins(from, given)) {
+        if (shape->kind == CLOD_SHAPE_PLANE && !shape->symmetric && ever_turns(from, given)) {
             return clod_status_fail(
                 status, CLOD_USAGE,
                 "walls.%s.shapes[%zu]: an endless plane can turn only about "
@@ -188,6 +214,7 @@ static bool make_wall(const clod_case *from, const clod_case_wall *given, clod_w
         return false;
     }
     make_load(given, wall);
+    make_oscillation(&given->oscillation, wall);
     return true;
 }
 
@@ -205,6 +232,23 @@ bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *sta
         walls->count = (int32_t)(w + 1);
         if (!make_wall(from, &from->walls[w], &walls->wall[w], status)) {
             return false;
+        }
+    }
+    return true;
+}
+
+bool clod_setup_wall_pace(const clod_walls *walls, double dt, clod_status *status)
+{
+    for (int32_t w = 0; w < walls->count; w++) {
+        const clod_wall *wall = &walls->wall[w];
+        const double limit = 1.0 / (STEPS_PER_PERIOD * wall->oscillation.frequency);
+        if (dt > limit) {
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "walls.%s.oscillation.frequency: %g Hz is too fast for the "
+                                    "time step of %g s; a period needs at least %g steps, set "
+                                    "time.step to at most %.3g s",
+                                    wall->name, wall->oscillation.frequency, dt,
+                                    STEPS_PER_PERIOD, limit);
         }
     }
     return true;

@@ -25,6 +25,15 @@ bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *sta
 void clod_setup_wall_symmetry(clod_wall *wall);
 
 /**
+ * Check that the time step resolves every oscillation.
+ *
+ * @param dt  time step [s]
+ * Errors  CLOD_USAGE: a period of fewer than 50 steps.
+ * Threads pure.   Test  tests/setup/test_setup_walls.c
+ */
+bool clod_setup_wall_pace(const clod_walls *walls, double dt, clod_status *status);
+
+/**
  * Damping of a loaded wall: 2 z sqrt(k m), z as a fraction of critical.
  *
  * @param wall       [in,out] its mass is read, its damping is set

@@ -1,5 +1,6 @@
 #include "state/walls.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/assert.h"
@@ -34,25 +35,69 @@ static double shape_reach(const clod_wall *self, const clod_shape *shape)
     if (shape->kind == CLOD_SHAPE_BOX || shape->kind == CLOD_SHAPE_BAR) {
         return box_reach(self, shape);
     }
-    double reach = axis_distance(self, shape->center);
-    if (shape->kind == CLOD_SHAPE_CYLINDER) {
+    const double foot = axis_distance(self, shape->center) + shape->outer;
+    if (shape->kind == CLOD_SHAPE_CYLINDER || shape->kind == CLOD_SHAPE_CONE) {
         const clod_vec3 end =
             clod_vec3_axpy(shape->center, 2.0 * shape->half[2], shape->axis[2]);
-        reach = fmax(reach, axis_distance(self, end));
+        const bool cone = shape->kind == CLOD_SHAPE_CONE;
+        return fmax(foot, axis_distance(self, end) + (cone ? shape->inner : shape->outer));
     }
-    return reach + shape->outer;
+    return foot;
 }
 
 double clod_wall_speed_bound(const clod_wall *self)
 {
+    const double rate = 2.0 * M_PI * self->oscillation.frequency;
+    const double spin = fabs(self->spin) + rate * self->oscillation.angle;
     double reach = 0.0;
-    for (int32_t s = 0; self->spin != 0.0 && s < self->shape_count; s++) {
+    for (int32_t s = 0; spin != 0.0 && s < self->shape_count; s++) {
         if (!self->shapes[s].symmetric) {
             reach = fmax(reach, shape_reach(self, &self->shapes[s]));
         }
     }
     return clod_vec3_length(self->velocity) + fabs(self->servo_velocity) +
-           fabs(self->spin) * reach;
+           rate * self->oscillation.amplitude + spin * reach;
+}
+
+/** Cycles of an oscillation that are done after some steps, without the whole ones. */
+static double cycles_after(const clod_oscillation *oscillation, double dt, double steps)
+{
+    const double per_step = oscillation->frequency * dt;
+    const double cycles = steps * per_step;
+    const double lost = fma(steps, per_step, -cycles); // to rounding: it grows with the time
+    return cycles - floor(cycles) + lost;
+}
+
+/** Displacement, where travel and turned have it, and velocity; `sine` and its rate [1/s]. */
+static void displace(clod_wall *self, double sine, double rate)
+{
+    const clod_oscillation *o = &self->oscillation;
+    self->shift = clod_vec3_axpy(self->travel, o->amplitude * sine, o->direction);
+    self->angle = self->turned + o->angle * sine;
+    self->sway_velocity = clod_vec3_scale(o->direction, o->amplitude * rate);
+    self->sway_spin = o->angle * rate;
+}
+
+void clod_wall_start(clod_wall *self)
+{
+    const clod_oscillation *o = &self->oscillation;
+    displace(self, sin(o->phase), 2.0 * M_PI * o->frequency * cos(o->phase));
+}
+
+void clod_wall_move(clod_wall *self, double dt, int64_t step)
+{
+    const clod_oscillation *o = &self->oscillation;
+    const bool sways = o->frequency > 0.0;
+    clod_vec3 *moved = sways ? &self->travel : &self->shift;
+    double *turned = sways ? &self->turned : &self->angle;
+    *moved = clod_vec3_axpy(*moved, dt, self->velocity);
+    *moved = clod_vec3_axpy(*moved, dt * self->servo_velocity, self->load_axis);
+    *turned += dt * self->spin;
+    if (sways) { // sin b - sin a = 2 sin((b - a)/2) cos((b + a)/2)
+        const double end = 2.0 * M_PI * cycles_after(o, dt, (double)step) + o->phase;
+        const double middle = 2.0 * M_PI * cycles_after(o, dt, (double)step - 0.5) + o->phase;
+        displace(self, sin(end), 2.0 / dt * sin(M_PI * o->frequency * dt) * cos(middle));
+    }
 }
 
 void clod_walls_reset_sums(clod_walls *self)

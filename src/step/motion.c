@@ -4,16 +4,14 @@
 #include "parallel/threads.h"
 #include "step/step.h"
 
-/** Walls move with their given velocity and spin, and with their servo. */
+/** Walls move; the fastest speed that a point of them can have [m/s]. */
 static double drift_walls(clod_step *self)
 {
     double fastest = 0.0;
     const double dt = self->state->dt;
     for (int32_t w = 0; w < self->state->walls.count; w++) {
         clod_wall *wall = &self->state->walls.wall[w];
-        wall->shift = clod_vec3_axpy(wall->shift, dt, wall->velocity);
-        wall->shift = clod_vec3_axpy(wall->shift, dt * wall->servo_velocity, wall->load_axis);
-        wall->angle += dt * wall->spin;
+        clod_wall_move(wall, dt, self->state->step + 1);
         self->pose[w] = clod_wall_pose_now(wall);
         fastest = fmax(fastest, clod_wall_speed_bound(wall));
     }
@@ -64,10 +62,8 @@ static void sum_wall(clod_wall *wall, const double (*slots)[8], int32_t begin, i
     }
     wall->force = (clod_vec3){sum[0], sum[1], sum[2]};
     wall->torque = (clod_vec3){sum[4], sum[5], sum[6]};
-    clod_vec3 v = clod_vec3_add(wall->velocity, wall->surface_velocity);
-    v = clod_vec3_axpy(v, wall->servo_velocity, wall->load_axis);
-    wall->power = -clod_vec3_dot(wall->force, v) -
-                  wall->spin * clod_vec3_dot(wall->torque, wall->spin_axis);
+    wall->power = -clod_vec3_dot(wall->force, clod_wall_velocity(wall)) -
+                  clod_wall_spin(wall) * clod_vec3_dot(wall->torque, wall->spin_axis);
 }
 
 /**

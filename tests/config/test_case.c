@@ -143,9 +143,10 @@ static void walls_and_stages_are_read(void **state)
     assert_int_equal(made->wall_count, 2);
     const clod_case_wall *floor = &made->walls[0];
     static const int KINDS[] = {CLOD_SHAPE_PLANE, CLOD_SHAPE_CYLINDER, CLOD_SHAPE_BAR,
-                                CLOD_SHAPE_DISC,  CLOD_SHAPE_ANNULUS,  CLOD_SHAPE_BOX};
-    assert_int_equal(floor->shape_count, 6);
-    for (size_t i = 0; i < 6; i++) {
+                                CLOD_SHAPE_DISC,  CLOD_SHAPE_ANNULUS,  CLOD_SHAPE_BOX,
+                                CLOD_SHAPE_CONE};
+    assert_int_equal(floor->shape_count, 7);
+    for (size_t i = 0; i < 7; i++) {
         assert_int_equal(floor->shapes[i].kind, KINDS[i]);
     }
     same3(floor->shapes[0].normal, 0.0, 0.0, 1.0);
@@ -156,7 +157,17 @@ static void walls_and_stages_are_read(void **state)
     same3(floor->shapes[3].point, 0.0, 0.0, 0.001);
     same3(floor->shapes[3].normal, 0.0, 0.0, -2.0);
     same3(floor->shapes[5].size, 0.001, 0.002, 0.003);
+    same3(floor->shapes[6].point, 0.0, 0.0, 0.005);
+    same3(floor->shapes[6].axis, 0.0, 0.0, 2.0);
+    same(floor->shapes[6].foot_radius, 0.0);
+    same(floor->shapes[6].top_radius, 0.05);
+    same(floor->shapes[6].length, 0.1);
+    assert_int_equal(floor->shapes[6].side, CLOD_SIDE_OUTSIDE);
     same(floor->spin, 3.14159265358979323846);
+    same(floor->oscillation.angle, 3.14159265358979323846);
+    same(floor->oscillation.amplitude, 0.0);
+    same(floor->oscillation.frequency, 0.5);
+    same(floor->oscillation.phase, 0.0);
     assert_int_equal(floor->load, CLOD_LOAD_NONE);
     const clod_case_wall *lid = &made->walls[1];
     assert_string_equal(lid->name, "lid");
@@ -167,6 +178,11 @@ static void walls_and_stages_are_read(void **state)
     same(lid->damping, 0.5);
     same3(lid->load_axis, 0.0, 0.0, -1.0);
     same3(lid->surface_velocity, 1.5, 0.0, 0.0);
+    same3(lid->oscillation.direction, 1.0, 1.0, 0.0);
+    same(lid->oscillation.amplitude, 0.0005);
+    same(lid->oscillation.angle, 0.0);
+    same(lid->oscillation.frequency, 50.0);
+    same(lid->oscillation.phase, -0.5 * 3.14159265358979323846);
     assert_int_equal(made->stage_count, 2);
     same(made->stages[0].adhesion, 0.1);
     same(made->stages[0].rest, 0.001);

@@ -51,6 +51,8 @@ static inline void random_wall(random_source *source, clod_wall *wall)
     random_reals(source, &wall->spin_point, 3);
     random_reals(source, &wall->shift, 3);
     random_reals(source, &wall->angle, 1);
+    random_reals(source, &wall->travel, 3);
+    random_reals(source, &wall->turned, 1);
     wall->load = (clod_load_kind)(random_int(source) & 1) + CLOD_LOAD_FORCE;
     random_reals(source, &wall->load_axis, 3);
     random_reals(source, &wall->load_force, 1);

@@ -67,6 +67,17 @@ static void every_shape_has_its_area_and_place(void **context)
         {{.kind = CLOD_SHAPE_CYLINDER, .outer = 0.3, .half = {0, 0, 0.2}},
          n * 2.0 * sin(M_PI / n) * 0.3 * 0.4,
          5.2},
+        // trapezia and triangles: mean edge times slant height, 0.4 high and 0.2 or 0.3 less
+        // wide
+        {{.kind = CLOD_SHAPE_CONE, .outer = 0.1, .inner = 0.3, .half = {0, 0, 0.2}},
+         n * 2.0 * sin(M_PI / n) * 0.2 * hypot(0.4, 0.2 * cos(M_PI / n)),
+         5.2},
+        {{.kind = CLOD_SHAPE_CONE, .outer = 0.3, .half = {0, 0, 0.2}},
+         n * sin(M_PI / n) * 0.3 * hypot(0.4, 0.3 * cos(M_PI / n)),
+         5.2},
+        {{.kind = CLOD_SHAPE_CONE, .inner = 0.3, .half = {0, 0, 0.2}},
+         n * sin(M_PI / n) * 0.3 * hypot(0.4, 0.3 * cos(M_PI / n)),
+         5.2},
         {{.kind = CLOD_SHAPE_BOX, .half = {0.1, 0.2, 0.3}}, 2 * (0.08 + 0.12 + 0.24), 5.0},
         {{.kind = CLOD_SHAPE_BAR, .half = {0.4, 0.2, 0.1}}, 2 * (0.32 + 0.16 + 0.08), 5.0},
     };

@@ -208,6 +208,38 @@ static void too_many_grains_are_refused_with_counts(void **state)
     clod_state_fini(&s.state);
 }
 
+// A hopper in the box: grains only inside of the cone, whose radius at z is 8 mm + z/2, and
+// with the other side only outside. Written as half spaces of the plane through axis and grain.
+static void grains_stay_on_their_side_of_a_cone(void **state)
+{
+    (void)state;
+    for (int side = 0; side < 2; side++) {
+        scene s;
+        scene_init(&s, 200, 0.5e-3, 1.5e-3);
+        scene_box(&s, 40e-3, 40e-3, 40e-3);
+        clod_shape cone = {.kind = CLOD_SHAPE_CONE,
+                           .center = {20e-3, 20e-3, -2e-3},
+                           .axis = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}},
+                           .outer = 7e-3,
+                           .inner = 29e-3,
+                           .half = {0.0, 0.0, 22e-3},
+                           .side = (clod_side)side};
+        clod_wall wall = {.spin_axis = {0.0, 0.0, 1.0}, .shape_count = 1, .shapes = &cone};
+        s.state.walls = (clod_walls){.count = 1, .wall = &wall};
+        assert_put(&s);
+        assert_int_equal(s.state.grains.count, 200);
+        const double outwards = side == CLOD_SIDE_INSIDE ? -1.0 : 1.0;
+        for (size_t i = 0; i < 200; i++) {
+            const double *p = s.state.grains.place[i];
+            const double rho = hypot(p[0] - 20e-3, p[1] - 20e-3);
+            const double across = (rho - 8e-3 - 0.5 * p[2]) / sqrt(1.25);
+            assert_true(outwards * across >= p[3] - 1e-15);
+        }
+        s.state.walls = (clod_walls){0};
+        clod_state_fini(&s.state);
+    }
+}
+
 // A second group, among walls: a box in the middle, a shell whose inside counts, and the grains
 // of the first group.
 static void groups_keep_clear_of_walls_and_of_each_other(void **state)
@@ -314,6 +346,7 @@ int main(void)
         cmocka_unit_test(dense_box_is_filled_in_layers),
         cmocka_unit_test(dense_cylinder_and_annulus_are_filled_in_layers),
         cmocka_unit_test(too_many_grains_are_refused_with_counts),
+        cmocka_unit_test(grains_stay_on_their_side_of_a_cone),
         cmocka_unit_test(groups_keep_clear_of_walls_and_of_each_other),
         cmocka_unit_test(very_different_sizes_fit),
         cmocka_unit_test(column_rises_until_all_grains_are_in),

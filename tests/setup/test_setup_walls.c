@@ -198,6 +198,79 @@ static void plane_that_would_leave_itself_is_refused(void **state)
     clod_walls_fini(&walls);
 }
 
+// By hand; the cone's foot is on the axis, the widest radius is that of its top.
+static void cone_gets_its_radii(void **state)
+{
+    (void)state;
+    clod_case_shape cone = {.kind = CLOD_SHAPE_CONE,
+                            .point = {1.0, 2.0, 3.0},
+                            .axis = {0.0, 0.0, -2.0},
+                            .foot_radius = 0.0,
+                            .top_radius = 3.0,
+                            .length = 5.0,
+                            .side = CLOD_SIDE_OUTSIDE};
+    clod_case_wall wall = make_wall(&cone, 1);
+    wall.spin_point[0] = 1.0;
+    wall.spin_point[1] = 2.0;
+    clod_walls walls;
+    build(&wall, &walls);
+    const clod_shape *s = &walls.wall[0].shapes[0];
+    check_vector(s->center, 1.0, 2.0, 3.0);
+    check_vector(s->axis[2], 0.0, 0.0, -1.0);
+    check_frame(s);
+    assert_true(s->outer == 0.0 && s->inner == 3.0 && s->half[2] == 2.5);
+    assert_true(s->side == CLOD_SIDE_OUTSIDE && s->symmetric);
+    clod_walls_fini(&walls);
+}
+
+// By hand: direction (0.6, 0, 0.8), amplitude 2 mm and 0.1 rad at 30 degrees: half of each; 25
+// Hz is resolved by 0.8 ms, a 50th of 40 ms, and not by more.
+static void oscillation_starts_at_its_phase(void **state)
+{
+    (void)state;
+    clod_case_shape disc = {.kind = CLOD_SHAPE_DISC, .normal = {0.0, 0.0, 1.0}, .radius = 2.0};
+    clod_case_wall wall = make_wall(&disc, 1);
+    wall.oscillation = (clod_case_oscillation){.direction = {3.0, 0.0, 4.0},
+                                               .amplitude = 2e-3,
+                                               .angle = 0.1,
+                                               .frequency = 25.0,
+                                               .phase = M_PI / 6.0};
+    clod_walls walls;
+    build(&wall, &walls);
+    check_vector(walls.wall[0].shift, 0.6e-3, 0.0, 0.8e-3);
+    check_close(walls.wall[0].angle, 0.05, 1e-16);
+    clod_status status = {0};
+    assert_true(clod_setup_wall_pace(&walls, 0.79999e-3, &status));
+    assert_false(clod_setup_wall_pace(&walls, 0.80001e-3, &status));
+    assert_int_equal(status.code, CLOD_USAGE);
+    assert_non_null(strstr(status.text, "walls.w.oscillation.frequency: 25 Hz is too fast"));
+    clod_walls_fini(&walls);
+    wall.oscillation.frequency = 0.0;
+    build(&wall, &walls);
+    check_vector(walls.wall[0].shift, 0.0, 0.0, 0.0);
+    assert_true(clod_setup_wall_pace(&walls, 1e9, &status));
+    clod_walls_fini(&walls);
+}
+
+// A plane across the spin axis may swing about it, one along it would leave itself.
+static void plane_that_would_swing_out_of_itself_is_refused(void **state)
+{
+    (void)state;
+    clod_case_shape plane = {.kind = CLOD_SHAPE_PLANE, .normal = {1.0, 0.0, 0.0}};
+    clod_case_wall wall = make_wall(&plane, 1);
+    wall.oscillation = (clod_case_oscillation){.angle = 0.1, .frequency = 25.0};
+    const clod_case from = make_case(&wall);
+    clod_walls walls;
+    clod_status status = {0};
+    assert_false(clod_setup_walls(&from, &walls, &status));
+    assert_non_null(strstr(status.text, "walls.w.shapes[0]: an endless plane can turn only"));
+    clod_walls_fini(&walls);
+    plane.normal[0] = 0.0;
+    plane.normal[2] = 1.0;
+    assert_true(clod_setup_walls(&from, &walls, &status));
+    clod_walls_fini(&walls);
+}
+
 static void long_name_is_refused(void **state)
 {
     (void)state;
@@ -221,6 +294,9 @@ int main(void)
         cmocka_unit_test(loads_become_newtons),
         cmocka_unit_test(damping_and_bed_stiffness_by_hand),
         cmocka_unit_test(plane_that_would_leave_itself_is_refused),
+        cmocka_unit_test(cone_gets_its_radii),
+        cmocka_unit_test(oscillation_starts_at_its_phase),
+        cmocka_unit_test(plane_that_would_swing_out_of_itself_is_refused),
         cmocka_unit_test(long_name_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

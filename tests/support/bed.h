@@ -12,6 +12,7 @@ typedef enum bed_kind {
     BED_DRUM,    ///< cylinder, rotating bottom with a bar, loaded lid with a bar
     BED_SLIT,    ///< periodic along x and y, floor and moving lid
     BED_CLUSTER, ///< periodic everywhere, no walls
+    BED_HOPPER,  ///< cylinder on a cone that shakes, turning bottom with a bar that swings
     BED_KINDS
 } bed_kind;
 
@@ -103,6 +104,27 @@ static inline void bed_cluster(scene *self)
     self->state.gravity[2] = 0.0;
 }
 
+static inline void bed_hopper(scene *self)
+{
+    scene_wall(self, "tube", shape_drum(0.012, 0.0295, 0.2))->material = 1;
+    clod_wall *cone = scene_wall(self, "cone", shape_hopper(0.0, 0.024, 0.0295, 0.012));
+    cone->oscillation = (clod_oscillation){
+        .direction = {0.6, 0.0, 0.8}, .amplitude = 2e-4, .frequency = 900.0, .phase = 0.5};
+    cone->velocity.z = -0.02;
+    clod_shape disc = shape_floor(0.0);
+    disc.kind = CLOD_SHAPE_DISC;
+    disc.outer = 0.0295;
+    clod_wall *base = scene_wall(self, "base", disc);
+    base->shape_count = 2;
+    base->shapes = clod_memory_grow(base->shapes, 1, 2, sizeof *base->shapes);
+    base->shapes[1] = shape_box((clod_vec3){0.012, 0.0, 0.0015}, 0.009, 0.002, 0.0015);
+    base->spin = 4.0;
+    base->oscillation = (clod_oscillation){.angle = 0.1, .frequency = 400.0};
+    base->material = 2;
+    clod_wall_start(cone);
+    clod_wall_start(base);
+}
+
 /** A bed of about 300 grains on a lattice with room between them, thrown at each other. */
 static inline void bed_init(scene *self, bed_kind kind, uint64_t seed)
 {
@@ -115,6 +137,8 @@ static inline void bed_init(scene *self, bed_kind kind, uint64_t seed)
         bed_drum(self);
     } else if (kind == BED_SLIT) {
         bed_slit(self);
+    } else if (kind == BED_HOPPER) {
+        bed_hopper(self);
     } else {
         bed_cluster(self);
     }
@@ -123,6 +147,7 @@ static inline void bed_init(scene *self, bed_kind kind, uint64_t seed)
         const double y = -0.019 + 0.0064 * (k / 7 % 7);
         const double z = 0.0063 + 0.0064 * (k / 49);
         if ((kind == BED_DRUM && x * x + y * y > 0.026 * 0.026) ||
+            (kind == BED_HOPPER && x * x + y * y > (z < 0.016 ? 4e-4 : 6.5e-4)) ||
             (kind == BED_CLUSTER && z > 0.05)) {
             continue;
         }

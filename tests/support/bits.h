@@ -49,6 +49,8 @@ static inline bool bits_same_walls(const clod_walls *a, const clod_walls *b)
         const size_t force = offsetof(clod_wall, servo_velocity);
         same = memcmp(&x->shift, &y->shift, sizeof x->shift) == 0 &&
                memcmp(&x->angle, &y->angle, sizeof x->angle) == 0 &&
+               memcmp(&x->travel, &y->travel, sizeof x->travel) == 0 &&
+               memcmp(&x->turned, &y->turned, sizeof x->turned) == 0 &&
                memcmp((const char *)x + force, (const char *)y + force, sizeof *x - force) == 0;
     }
     return same;

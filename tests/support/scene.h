@@ -129,6 +129,16 @@ static inline clod_shape shape_drum(double foot, double radius, double length)
     return shape;
 }
 
+/** An upright cone about the z axis with the grains inside. */
+static inline clod_shape shape_hopper(double foot, double foot_radius, double top_radius,
+                                      double length)
+{
+    clod_shape shape = shape_drum(foot, foot_radius, length);
+    shape.kind = CLOD_SHAPE_CONE;
+    shape.inner = top_radius;
+    return shape;
+}
+
 static inline void scene_start_with(scene *self, clod_step_options options)
 {
     clod_status status = {0};
