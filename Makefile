@@ -3,7 +3,7 @@
 #   make run               set up, build, run the full ring shear test of the 5 % ore
 #   make run ARGS=--fresh  the same, with options for `clod run`
 #   make test              set up, build, run every test and check
-.PHONY: build run test bench format lint package install clean help setup setup-test
+.PHONY: build run test verify bench format lint package install clean help setup setup-test
 .DEFAULT_GOAL := build
 
 ARGS :=
@@ -28,6 +28,10 @@ test: setup-test ## build and run every test and check
 	@cmake --preset test --log-level=WARNING
 	@cmake --build --preset test
 	@ctest --preset test -j $(JOBS)
+
+verify: setup-test build ## run the verification suite and renew docs/verification.md
+	@status=0; $(RELEASE)/clod verify -o build/verify || status=$$?; \
+		tools/plot-verification build/verify docs && exit $$status
 
 lint: setup-test ## only the checks of the sources
 	@cmake --preset test --log-level=WARNING

@@ -12,3 +12,4 @@ int clod_app_locus(int argc, char **argv);
 int clod_app_new(int argc, char **argv);
 int clod_app_run(int argc, char **argv);
 int clod_app_schema(int argc, char **argv);
+int clod_app_verify(int argc, char **argv);

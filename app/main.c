@@ -28,6 +28,7 @@ static const verb VERBS[] = {
     {"locus", clod_app_locus, "evaluate shear points, simulated or measured, as a yield locus"},
     {"explain", clod_app_explain, "tell what a key of a case file means"},
     {"schema", clod_app_schema, "print the JSON Schema of case files, for editors"},
+    {"verify", clod_app_verify, "run the verification suite: known results, expected and got"},
 };
 
 #define VERB_COUNT (sizeof VERBS / sizeof VERBS[0])

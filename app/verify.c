@@ -1,0 +1,122 @@
+/**
+ * @file verify.c
+ * clod verify [NAME ...]: run the verification suite and report what it found.
+ */
+
+#include <argp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "app.h"
+#include "clod/verify.h"
+
+typedef struct request {
+    const char *directory;
+    const char **names;
+    size_t name_count;
+    bool list;
+} request;
+
+static const struct argp_option OPTIONS[] = {
+    {"output", 'o', "DIR", 0, "folder for the report, curves and cases (run/verify)", 0},
+    {"list", 'l', NULL, 0, "list the tests", 0},
+    {0},
+};
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+    request *self = state->input;
+    switch (key) {
+    case 'o':
+        if (argument[0] == '\0') {
+            argp_error(state, "--output: the name of a folder is needed");
+        }
+        self->directory = argument;
+        return 0;
+    case 'l':
+        self->list = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        self->names[self->name_count++] = argument;
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static void print_list(void)
+{
+    for (size_t k = 0; k < clod_verify_count(); k++) {
+        printf("%-18s %s\n", clod_verify_name(k), clod_verify_help(k));
+    }
+}
+
+static void show_progress(void *context, const char *name)
+{
+    (void)context;
+    fprintf(stderr, "clod verify: %s\n", name);
+}
+
+/** The misses, and how many passed. */
+static void print_report(const clod_verify_report *report, const char *directory)
+{
+    for (size_t r = 0; r < report->count; r++) {
+        const clod_verify_row *row = &report->rows[r];
+        if (!row->passed) {
+            printf("MISS %s: %s: expected %.9g, got %.9g, tolerance %.3g%s\n", row->test,
+                   row->quantity, row->expected, row->got, row->tolerance,
+                   row->relative ? " of it" : "");
+        }
+    }
+    printf("%zu quantities, %zu missed; %s/verification.md has all of them\n", report->count,
+           report->misses, directory);
+}
+
+static int run(const request *self)
+{
+    const clod_verify_options options = {.directory = self->directory,
+                                         .names = self->names,
+                                         .name_count = self->name_count,
+                                         .progress = show_progress};
+    clod_verify_report report;
+    clod_status status = {CLOD_OK, ""};
+    int result = EXIT_SUCCESS;
+    if (!clod_verify_run(&options, &report, &status)) {
+        fprintf(stderr, "clod verify: %s\n", status.text);
+        result = (int)status.code;
+    } else {
+        print_report(&report, self->directory);
+        result = report.misses > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
+    }
+    clod_verify_fini(&report);
+    return result;
+}
+
+int clod_app_verify(int argc, char **argv)
+{
+    const struct argp argp = {
+        .options = OPTIONS,
+        .parser = parse,
+        .args_doc = "[NAME ...]",
+        .doc =
+            "Run the verification suite, or the tests that are named: small cases whose "
+            "result is known from a closed form or from the literature.\v"
+            "DIR gets verification.md with every quantity, expected and obtained, a CSV file "
+            "of each curve, and the cases, which clod run takes as well. The exit status is 0 "
+            "when every quantity is within its tolerance and 1 when one is not.",
+    };
+    request self = {.directory = "run/verify", .names = calloc((size_t)argc, sizeof(char *))};
+    if (self.names == NULL) {
+        fputs("clod: no memory\n", stderr);
+        return 1;
+    }
+    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    int result = EXIT_SUCCESS;
+    if (self.list) {
+        print_list();
+    } else {
+        result = run(&self);
+    }
+    free(self.names);
+    return result;
+}

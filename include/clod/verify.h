@@ -1,0 +1,65 @@
+#pragma once
+/**
+ * @file verify.h
+ * The verification suite: small cases whose result is known from a closed form or from the
+ * literature, run with the engine of the simulations.
+ *
+ * Every case is written as a case file that `clod run` takes as well, then loaded and stepped.
+ * docs/verification.md is the report of the last run.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "clod/status.h"
+
+/** A quantity that was compared. */
+typedef struct clod_verify_row {
+    char test[32];
+    char quantity[128]; ///< what, with its unit
+    char source[192];   ///< where the expected value comes from
+    double expected, got;
+    double tolerance; ///< largest |got - expected|, or that over |expected| when `relative`
+    bool relative;
+    bool passed; ///< set by the suite; a result that is no number never passes
+} clod_verify_row;
+
+typedef struct clod_verify_report {
+    clod_verify_row *rows; ///< [count] owned
+    size_t count, capacity;
+    size_t misses; ///< rows that did not pass
+} clod_verify_report;
+
+typedef struct clod_verify_options {
+    const char
+        *directory; ///< gets verification.md, curves as CSV, and the cases; made if need be
+    const char *const *names;                          ///< [name_count] tests to run
+    size_t name_count;                                 ///< 0 = all
+    void (*progress)(void *context, const char *name); ///< before each test; or NULL
+    void *context;
+} clod_verify_options;
+
+/** Number of tests in the suite. */
+size_t clod_verify_count(void);
+
+/** Name of a test, k < clod_verify_count(); static text. */
+const char *clod_verify_name(size_t k);
+
+/** What a test looks at, in one line; static text. */
+const char *clod_verify_help(size_t k);
+
+/**
+ * Run tests and write DIR/verification.md, a CSV per curve and the cases.
+ *
+ * @param options  which tests, and where to
+ * @param report   [out] owned content (clod_verify_fini), also after a failure
+ * @return         true when all tests ran; whether they passed is in report->misses
+ * Errors  CLOD_USAGE: no test has this name (with a suggestion); CLOD_FAILED: disk, memory, or
+ *         a case that the engine cannot run.   Threads  one per folder.
+ * Test    tests/verify/, tests/cli/test_verify.py
+ */
+bool clod_verify_run(const clod_verify_options *options, clod_verify_report *report,
+                     clod_status *status);
+
+/** Free the content; an empty report is fine. */
+void clod_verify_fini(clod_verify_report *self);

@@ -1,0 +1,84 @@
+#include "verify/report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+static bool judge(const clod_verify_row *row)
+{
+    const double scale = row->relative ? fabs(row->expected) : 1.0;
+    return fabs(row->got - row->expected) <= row->tolerance * scale;
+}
+
+bool clod_verify_report_add(clod_verify_report *self, const clod_verify_row *row,
+                            clod_status *status)
+{
+    if (self->count == self->capacity) {
+        const size_t wanted = 2 * self->capacity + 64;
+        clod_verify_row *grown =
+            clod_memory_grow(self->rows, self->capacity, wanted, sizeof *self->rows);
+        if (grown == NULL) {
+            return clod_status_fail(status, CLOD_FAILED, "no memory for the report");
+        }
+        self->rows = grown;
+        self->capacity = wanted;
+    }
+    clod_verify_row *added = &self->rows[self->count++];
+    *added = *row;
+    added->passed = judge(row);
+    self->misses += !added->passed;
+    return true;
+}
+
+void clod_verify_fini(clod_verify_report *self)
+{
+    clod_memory_free(self->rows);
+    *self = (clod_verify_report){0};
+}
+
+static void write_row(FILE *out, const clod_verify_row *row)
+{
+    fprintf(out, "| %s | %s | %.9g | %s | %.9g | ", row->test, row->quantity, row->expected,
+            row->source, row->got);
+    if (row->relative) {
+        fprintf(out, "%.3g %%", 100.0 * row->tolerance);
+    } else {
+        fprintf(out, "%.3g", row->tolerance);
+    }
+    fprintf(out, " | %s |\n", row->passed ? "yes" : "**MISS**");
+}
+
+char *clod_verify_report_text(const clod_verify_report *self)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (out == NULL) {
+        return NULL;
+    }
+    fprintf(
+        out,
+        "# Verification\n\n"
+        "Written by `clod verify`; `make verify` renews docs/verification.md with its plots.\n"
+        "Each test stepped the case files under its name in `cases/`; `clod run` takes them\n"
+        "too. SI units where none is named. Expected values come from the source that is\n"
+        "named, never from clod; a tolerance without %% is absolute.\n\n"
+        "%zu quantities, %zu missed.\n\n"
+        "| test | quantity | expected | source | got | tolerance | pass |\n"
+        "|---|---|---|---|---|---|---|\n",
+        self->count, self->misses);
+    for (size_t r = 0; r < self->count; r++) {
+        write_row(out, &self->rows[r]);
+    }
+    const bool written = ferror(out) == 0;
+    if (fclose(out) != 0 || !written) {
+        free(text);
+        return NULL;
+    }
+    char *owned = clod_memory_text(text);
+    free(text);
+    return owned;
+}

@@ -1,0 +1,138 @@
+#include "verify/suite.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/memory.h"
+#include "config/suggest.h"
+
+typedef struct entry {
+    const char *name;
+    clod_verify_test *run;
+    const char *help;
+} entry;
+
+static const entry TESTS[] = {
+    {"chung-ooi-1", clod_verify_chung_ooi_1, "elastic impact of two equal spheres"},
+    {"chung-ooi-2", clod_verify_chung_ooi_2, "elastic impact of a sphere on a rigid plane"},
+    {"chung-ooi-3", clod_verify_chung_ooi_3, "restitution asked for and obtained"},
+    {"chung-ooi-4", clod_verify_chung_ooi_4, "oblique impact on a plane, constant speed"},
+    {"chung-ooi-5", clod_verify_chung_ooi_5, "oblique impact, constant normal speed"},
+    {"chung-ooi-6", clod_verify_chung_ooi_6, "spinning sphere on a plane"},
+    {"chung-ooi-7", clod_verify_chung_ooi_7, "two equal spinning spheres"},
+    {"chung-ooi-8", clod_verify_chung_ooi_8, "spinning sphere on a larger, heavier one"},
+    {"mepa-cycle", clod_verify_mepa_cycle, "mepa: load, unload, reload, pull off, meet again"},
+    {"mepa-restitution", clod_verify_mepa_restitution, "mepa: restitution and sticking"},
+};
+#define TEST_COUNT (sizeof TESTS / sizeof *TESTS)
+
+size_t clod_verify_count(void)
+{
+    return TEST_COUNT;
+}
+
+const char *clod_verify_name(size_t k)
+{
+    return TESTS[k].name;
+}
+
+const char *clod_verify_help(size_t k)
+{
+    return TESTS[k].help;
+}
+
+static bool is_wanted(const clod_verify_options *options, const char *name)
+{
+    bool wanted = options->name_count == 0;
+    for (size_t k = 0; k < options->name_count; k++) {
+        wanted |= strcmp(options->names[k], name) == 0;
+    }
+    return wanted;
+}
+
+static bool check_names(const clod_verify_options *options, clod_status *status)
+{
+    for (size_t k = 0; k < options->name_count; k++) {
+        clod_suggest near = clod_suggest_start(options->names[k]);
+        bool known = false;
+        for (size_t t = 0; t < TEST_COUNT; t++) {
+            known |= strcmp(options->names[k], TESTS[t].name) == 0;
+            clod_suggest_offer(&near, TESTS[t].name);
+        }
+        if (!known) {
+            char suggestion[128];
+            clod_suggest_text(&near, suggestion, sizeof suggestion);
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "there is no test %s%s; clod verify --list lists them",
+                                    options->names[k], suggestion);
+        }
+    }
+    return true;
+}
+
+/** Make a folder and those above it. */
+static bool make_folders(const char *directory, clod_status *status)
+{
+    char path[2048];
+    if ((size_t)snprintf(path, sizeof path, "%s", directory) >= sizeof path) {
+        return clod_status_fail(status, CLOD_USAGE, "the name of the folder is too long");
+    }
+    for (char *at = path + 1;; at++) {
+        const char stop = *at;
+        if (stop != '/' && stop != '\0') {
+            continue;
+        }
+        *at = '\0';
+        if (mkdir(path, 0777) != 0 && errno != EEXIST) {
+            return clod_status_fail(status, CLOD_FAILED, "%s: cannot be made: %s", path,
+                                    strerror(errno));
+        }
+        if (stop == '\0') {
+            return true;
+        }
+        *at = stop;
+    }
+}
+
+static bool write_report(const clod_verify_report *report, const char *directory,
+                         clod_status *status)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/verification.md", directory);
+    char *text = clod_verify_report_text(report);
+    if (text == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for %s", path);
+    }
+    FILE *out = fopen(path, "w");
+    bool written = out != NULL && fputs(text, out) >= 0;
+    if (out != NULL) {
+        written = fclose(out) == 0 && written;
+    }
+    clod_memory_free(text);
+    return written || clod_status_fail(status, CLOD_FAILED, "%s: cannot be written: %s", path,
+                                       strerror(errno));
+}
+
+bool clod_verify_run(const clod_verify_options *options, clod_verify_report *report,
+                     clod_status *status)
+{
+    *report = (clod_verify_report){0};
+    if (!check_names(options, status) || !make_folders(options->directory, status)) {
+        return false;
+    }
+    for (size_t t = 0; t < TEST_COUNT; t++) {
+        if (!is_wanted(options, TESTS[t].name)) {
+            continue;
+        }
+        if (options->progress != NULL) {
+            options->progress(options->context, TESTS[t].name);
+        }
+        const clod_verify_bench bench = {options->directory, TESTS[t].name, report};
+        if (!TESTS[t].run(&bench, status)) {
+            return false;
+        }
+    }
+    return write_report(report, options->directory, status);
+}

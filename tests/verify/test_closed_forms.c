@@ -1,0 +1,91 @@
+// The closed forms that the suite expects, against integrals summed here and numbers by hand.
+
+#include "support/check.h"
+#include "verify/chung_ooi.h"
+
+static const clod_verify_chung_material BALL = {"ball", 3.0 / (4.0 * M_PI), 1e9, 0.0};
+
+/** Sphere of mass 1 kg and radius 1 m on a plane with E* = 1 GPa, at 1 m/s. */
+static clod_verify_chung on_plane(double restitution, double friction)
+{
+    return (clod_verify_chung){
+        .a = &BALL, .radius_a = 1.0, .restitution = restitution, .friction = friction};
+}
+
+/** Time and force-weighted overlap of m d'' = -k d^1.5, in small steps. */
+static void integrate(double m, double k, double v, double found[3])
+{
+    const double dt = 1e-7;
+    double d = 0.0;
+    double impulse = 0.0;
+    double weighted = 0.0;
+    found[0] = 0.0;
+    found[2] = 0.0;
+    do {
+        const double middle = fmax(d + 0.5 * dt * v, 0.0);
+        const double force = k * middle * sqrt(middle);
+        v -= dt * force / m;
+        d = middle + 0.5 * dt * v;
+        impulse += force * dt;
+        weighted += middle * force * dt;
+        found[0] += dt;
+        found[2] = fmax(found[2], d);
+    } while (d > 0.0);
+    found[1] = weighted / impulse;
+}
+
+static void hertz_is_what_the_equation_of_motion_gives(void **state)
+{
+    (void)state;
+    const clod_verify_chung chung = on_plane(1.0, 0.0);
+    const clod_verify_pair pair = clod_verify_chung_pair(&chung, 1.0);
+    check_relative(clod_verify_hertz_mass(&pair), 1.0, 1e-14);
+    check_relative(clod_verify_hertz_stiffness(&pair), 4e9 / 3.0, 1e-14);
+    double found[3];
+    integrate(1.0, 4e9 / 3.0, 1.0, found);
+    check_relative(clod_verify_hertz_duration(&pair), found[0], 1e-4);
+    check_relative(clod_verify_hertz_mean_overlap(&pair), found[1], 1e-4);
+    check_relative(clod_verify_hertz_overlap(&pair), found[2], 1e-4);
+    check_relative(clod_verify_hertz_force(&pair), 4e9 / 3.0 * pow(found[2], 1.5), 1e-4);
+}
+
+/** Two spheres of 1 and 3 kg (radii 1 and 2 m): m* 3/4, R* 2/3, E* halved. */
+static void a_pair_has_reduced_mass_and_radius(void **state)
+{
+    (void)state;
+    const clod_verify_chung_material heavy = {"heavy", 9.0 / (8.0 * 4.0 * M_PI), 1e9, 0.0};
+    const clod_verify_chung chung = {
+        .a = &BALL, .b = &heavy, .radius_a = 1.0, .radius_b = 2.0, .restitution = 1.0};
+    const clod_verify_pair pair = clod_verify_chung_pair(&chung, 1.0);
+    check_relative(clod_verify_hertz_mass(&pair), 0.75, 1e-14);
+    check_relative(clod_verify_hertz_radius(&pair), 2.0 / 3.0, 1e-14);
+    check_relative(pair.young_star, 5e8, 1e-14);
+}
+
+/** e = 0.5, mu = 0.2, v_n = 1: change 0.3 along t, 0.75 rad/s; slip threshold 1.05 m/s. */
+static void sliding_takes_the_friction_of_the_normal_impulse(void **state)
+{
+    (void)state;
+    const clod_verify_chung chung = on_plane(0.5, 0.2);
+    const clod_verify_chung_point fast = {.normal = 1.0, .slip = 2.0};
+    const clod_verify_chung_point slow = {.normal = 1.0, .slip = 1.04};
+    const clod_verify_chung_point spun = {.normal = 1.0, .spin_a = 2.0};
+    assert_true(clod_verify_chung_slides(&chung, &fast));
+    assert_false(clod_verify_chung_slides(&chung, &slow));
+    const clod_verify_chung_after after = clod_verify_chung_sliding(&chung, &fast);
+    check_close(after.v_a, 1.7, 1e-14);
+    check_close(after.w_a, 0.75, 1e-14);
+    const clod_verify_chung_after spin = clod_verify_chung_sliding(&chung, &spun);
+    check_close(spin.v_a, 0.3, 1e-14); // its surface slips along -t, so friction is along +t
+    check_close(spin.w_a, 1.25, 1e-14);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(hertz_is_what_the_equation_of_motion_gives),
+        cmocka_unit_test(a_pair_has_reduced_mass_and_radius),
+        cmocka_unit_test(sliding_takes_the_friction_of_the_normal_impulse),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
