@@ -11,7 +11,13 @@
 
 #include "clod/status.h"
 
-typedef enum clod_law_kind { CLOD_LAW_MEPA, CLOD_LAW_HERTZ, CLOD_LAW_HOOKE } clod_law_kind;
+typedef enum clod_law_kind {
+    CLOD_LAW_MEPA,
+    CLOD_LAW_HERTZ,
+    CLOD_LAW_HOOKE,
+    CLOD_LAW_LUDING,
+    CLOD_LAW_EEPA,
+} clod_law_kind;
 
 /** What the Coulomb limit multiplies the friction with (PHYSICS 3). */
 typedef enum clod_coulomb {
@@ -44,7 +50,10 @@ typedef struct clod_case_material {
 typedef struct clod_case_contact {
     int law; ///< clod_law_kind
     double exponent;
-    double k1, k2, k_adh; ///< N/m^exponent
+    double k1, k2, k_adh;    ///< N/m^exponent
+    double plasticity_depth; ///< luding: phi_f
+    double pull_off_force;   ///< N, eepa: -f0
+    double surface_energy;   ///< J/m2, eepa; with it k_adh is 0
     double restitution;
     double friction;
     int coulomb;             ///< clod_coulomb

@@ -51,19 +51,34 @@ static void set_stiffness(clod_law *self, const clod_case_contact *contact,
                                                   : CLOD_EXPONENT_ANY;
 }
 
+/** What only eepa and luding have (docs/theory/eepa.md, luding.md). */
+static void set_plastic(clod_law *self, const clod_case_contact *contact)
+{
+    if (contact->law == CLOD_LAW_EEPA) {
+        self->touch_final = contact->pull_off_force;
+        // f0 - f_min = 3/2 pi gamma a of the patch a^2 = 2 R* dp
+        self->patch_final = 1.5 * M_PI * contact->surface_energy * sqrt(2.0);
+        self->patch_start = pow(2.0, 0.5 / self->exponent);
+    } else if (contact->law == CLOD_LAW_LUDING) {
+        self->flow = 2.0 * contact->plasticity_depth / self->virgin;
+        self->hardening = (self->k2 - self->k1) / self->flow;
+    }
+}
+
 clod_law clod_law_make(const clod_case_contact *contact, const clod_case_material *a,
                        const clod_case_material *b)
 {
     clod_law self = {.kind = (clod_law_kind)contact->law};
     set_stiffness(&self, contact, a, b);
     self.virgin = 1.0 - self.k1 / self.k2;
+    set_plastic(&self, contact);
     clod_law_set_adhesion(&self, 1.0);
     const double n = self.exponent;
     self.damping = 2.0 * damping_ratio(contact->restitution) * sqrt((n + 1.0) / (2.0 * n));
     self.friction = contact->friction;
     self.coulomb = (clod_coulomb)contact->coulomb;
-    self.tangential = contact->law == CLOD_LAW_MEPA ? (clod_tangential)contact->tangential
-                                                    : CLOD_TANGENTIAL_TANGENT;
+    const bool elastic = contact->law == CLOD_LAW_HERTZ || contact->law == CLOD_LAW_HOOKE;
+    self.tangential = elastic ? CLOD_TANGENTIAL_TANGENT : (clod_tangential)contact->tangential;
     self.literal_stiffness = contact->k1;
     self.rolling = (clod_rolling)contact->rolling;
     self.rolling_friction = contact->rolling_friction;
@@ -76,6 +91,8 @@ void clod_law_set_adhesion(clod_law *self, double fraction)
 {
     self->k_adh = fraction * self->k_adh_final;
     self->pull_off = 1.0 + self->k_adh / self->k2;
+    self->touch = fraction * self->touch_final;
+    self->patch = fraction * self->patch_final;
 }
 
 double clod_law_tangent(const clod_law *self, double overlap, double r_star)

@@ -3,8 +3,10 @@
  * @file law.h
  * A contact law made ready for the kernels: the numbers of one pair of materials.
  *
- * hertz, hooke and mepa are one code path: mepa with k1 = k2 and k_adh = 0 is elastic; hertz
- * adds that its stiffness goes with sqrt(R*). Source: PHYSICS 1-4, docs/theory.
+ * All laws are one code path. mepa with k1 = k2 and k_adh = 0 is elastic: hooke, and hertz,
+ * whose stiffness goes with sqrt(R*). eepa is mepa with a constant pull, and with a pull that
+ * goes with the plastic contact patch; luding's k2 rises with the largest overlap.
+ * Source: PHYSICS 1-4, docs/theory.
  */
 
 #include <stdbool.h>
@@ -22,11 +24,18 @@ typedef struct clod_law {
     clod_law_kind kind;
     clod_law_exponent exponent_kind;
     double exponent;    ///< n
-    double k1, k2;      ///< N/m^n; hertz: times sqrt(R*), so here N/m^2
+    double k1, k2;      ///< N/m^n; hertz: times sqrt(R*), so here N/m^2; luding: k2 at most
     double k_adh_final; ///< N/m^n, when the case says 100 %
     double k_adh;       ///< N/m^n, now
     double virgin;      ///< 1 - k1/k2
     double pull_off;    ///< 1 + k_adh/k2
+    double touch_final; ///< N, eepa: -f0, when the case says 100 %
+    double touch;       ///< N, now: the pull of any contact
+    double patch_final; ///< N/m, eepa: pull / sqrt(R* dp), when the case says 100 %
+    double patch;       ///< N/m, now; 0: k_adh counts
+    double patch_start; ///< 2^(1/(2 n)), where eepa's search of dp begins
+    double flow;        ///< luding: d*/R*, from where on k2 is at its most
+    double hardening;   ///< N/m, luding: k2 - k1 of a contact = hardening d_max/R*
     double damping;     ///< 2 z sqrt((n + 1)/(2 n)): gamma_n = damping sqrt(m* dk)
     double friction;    ///< mu
     clod_coulomb coulomb;
@@ -51,7 +60,7 @@ typedef struct clod_law {
 clod_law clod_law_make(const clod_case_contact *contact, const clod_case_material *a,
                        const clod_case_material *b);
 
-/** Set k_adh to a fraction of its final value; the history of the contacts stays. */
+/** Set k_adh and eepa's pulls to a fraction of their final values; histories stay. */
 void clod_law_set_adhesion(clod_law *self, double fraction);
 
 /** Loading tangent dk = n k1 d^(n-1) [N/m] at overlap d [m]; R* [m] counts for hertz only. */

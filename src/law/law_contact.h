@@ -79,10 +79,10 @@ clod_law_contact(const clod_law *law, const clod_law_motion *motion, double dt,
     const vreal3 n = motion->normal;
     const vreal overlap = vreal_max(motion->overlap, zero);
     const clod_law_stiffness s = clod_law_stiffness_at(law, overlap, motion->r_star);
-    const vreal f_hys = clod_law_normal_force(law, s, &memory->plastic);
-    const vreal measure = clod_law_normal_measure(law, s, f_hys);
+    const clod_law_normal normal = clod_law_normal_force(law, s, &memory->plastic);
+    const vreal measure = clod_law_normal_measure(law, normal);
     const vreal v_n = vreal3_dot(motion->velocity, n);
-    const vreal f_n = f_hys - clod_law_damping(law, s, motion->m_star) * v_n;
+    const vreal f_n = normal.force - clod_law_damping(law, s, motion->m_star) * v_n;
 
     const vreal3 arms =
         vreal3_axpy(vreal3_scale(motion->spin_i, motion->arm_i), motion->arm_j, motion->spin_j);

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "law/law_cycle.h"
+
 /** Overlap assumed at least, as a fraction of the radius: a bed without load is not soft. */
 #define LEAST_OVERLAP 1e-4
 
@@ -30,22 +32,9 @@ double clod_timestep_rayleigh(const clod_case_material *material, double radius)
     return M_PI * radius * sqrt(material->density / shear) / (0.1631 * nu + 0.8766);
 }
 
-/** k1 in N/m^n; for hertz it goes with sqrt(R*). */
-static double virgin_stiffness(const clod_law *law, double r_star)
-{
-    return law->k1 * (law->kind == CLOD_LAW_HERTZ ? sqrt(r_star) : 1.0);
-}
-
-double clod_timestep_overlap(const clod_law *law, double r_star, double force)
-{
-    return pow(force / virgin_stiffness(law, r_star), 1.0 / law->exponent);
-}
-
 double clod_timestep_impact(const clod_law *law, double r_star, double m_star, double speed)
 {
-    const double energy = 0.5 * m_star * speed * speed;
-    const double n1 = law->exponent + 1.0; // the work of k1 d^n is k1 d^(n+1)/(n+1)
-    return pow(energy * n1 / virgin_stiffness(law, r_star), 1.0 / n1);
+    return clod_law_cycle_impact(law, r_star, 0.5 * m_star * speed * speed);
 }
 
 double clod_timestep_unloading(const clod_law *law, double r_star, double overlap)
@@ -82,11 +71,11 @@ static clod_timestep_pair make_pair(const clod_case *from, const clod_timestep_g
         clod_law_make(clod_case_pair(from, a, b), &from->materials[a], &from->materials[b]);
     pair.m_star = reduced_mass(from, a, b, wall, grains->radius_min);
     const double force = clod_timestep_force(grains->stress, radius);
-    const double rest = clod_timestep_overlap(&pair.law, r_star, force);
+    const double rest = clod_law_cycle_overlap(&pair.law, r_star, force);
     const double mass = reduced_mass(from, a, b, wall, radius);
     const double impact = clod_timestep_impact(&pair.law, r_star, mass, grains->speed);
     pair.overlap = fmax(fmax(rest, impact), LEAST_OVERLAP * radius);
-    pair.force = virgin_stiffness(&pair.law, r_star) * pow(pair.overlap, pair.law.exponent);
+    pair.force = clod_law_cycle_force(&pair.law, r_star, pair.overlap);
     return pair;
 }
 

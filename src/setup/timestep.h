@@ -55,17 +55,8 @@ typedef struct clod_timestep {
  */
 double clod_timestep_rayleigh(const clod_case_material *material, double radius);
 
-/**
- * Overlap at which k1 d^n carries a force.
- *
- * @param law     law of the pair
- * @param r_star  R* [m] (counts for hertz)
- * @param force   N
- * @return        m
+/** Overlap at which loading has taken up all energy of an impact at `speed` of a mass m* [m].
  */
-double clod_timestep_overlap(const clod_law *law, double r_star, double force);
-
-/** Overlap at which k1 d^n has taken up all energy of an impact at `speed` of a mass m* [m]. */
 double clod_timestep_impact(const clod_law *law, double r_star, double m_star, double speed);
 
 /** Stiffest normal tangent n k2 d^(n-1) of a pair [N/m] at overlap d [m]. */
@@ -88,7 +79,7 @@ double clod_timestep_force(double stress, double radius);
  * hertz it is rayleigh_limit times the Rayleigh time. Springs: the k2 tangent, the tangential
  * spring (effective mass 2/7 m*, since a slip also turns the grains) and the rolling spring,
  * all at the overlap under the larger of `stress` and an impact at `speed` (all kinetic energy
- * in k1), for the lightest grain.
+ * in virgin loading), for the lightest grain.
  *
  * @return  the step with all numbers behind it; with `time.step` given, that step
  * Errors  none: the case is checked.   Threads  pure.

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "law/law_cycle.h"
 #include "setup/ring_cell.h"
 #include "setup/state.h"
 #include "setup/walls.h"
@@ -61,10 +62,9 @@ static void look_at_contact(const clod_check_subject *subject, clod_check_report
         report->stress = subject->timestep.force / (4.0 * r * r);
     }
     report->contact_force = clod_timestep_force(report->stress, r);
-    report->overlap = clod_timestep_overlap(law, 0.5 * r, report->contact_force);
+    report->overlap = clod_law_cycle_overlap(law, 0.5 * r, report->contact_force);
     report->overlap_ratio = report->overlap / r;
-    report->pull_off = report->contact_force * law->k_adh / law->k1 * (law->k2 - law->k1) /
-                       (law->k2 + law->k_adh);
+    report->pull_off = clod_law_cycle_pull(law, 0.5 * r, report->overlap).force;
     report->weight = 4.0 / 3.0 * M_PI * r * r * r * from->materials[subject->material].density *
                      length3(from->gravity);
     report->bond = report->weight > 0.0 ? report->pull_off / report->weight : 0.0;

@@ -13,7 +13,7 @@
 
 /** History of CLOD_LANES contacts; all zero for pairs that do not touch. */
 typedef struct clod_history {
-    double plastic[CLOD_LANES];   ///< P = plastic overlap^n [m^n]
+    double plastic[CLOD_LANES];   ///< P = plastic overlap^n [m^n]; luding: d_max [m]
     double tangent[CLOD_LANES];   ///< loading tangent dk of the last step [N/m]
     double spring[3][CLOD_LANES]; ///< tangential spring [m], of i against j
     double roll[3][CLOD_LANES];   ///< rolling spring [rad], of i against j

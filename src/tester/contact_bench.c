@@ -6,12 +6,16 @@
 
 #include "base/assert.h"
 #include "law/law_contact.h"
+#include "law/law_cycle.h"
 
 /** Steps of an impact that last one radian of the contact's oscillation. */
 #define IMPACT_STEPS 20000
 
 /** Radians after which grains that have not parted stick: the way in and out takes about pi. */
 #define IMPACT_RADIANS 12
+
+/** Overlap over R* that closed forms are told for when the path never pressed. */
+#define SMALL_OVERLAP 1e-3
 
 /** The two partners, and where the path is. */
 typedef struct bench {
@@ -125,12 +129,31 @@ static clod_law_motion contact_motion(const bench *self, const pace *speed, doub
     return motion;
 }
 
-static clod_contact_branch branch_of(const clod_law *law, clod_law_stiffness s, double plastic)
+/** Branch after a step; luding's limit branch is a line of unloading and reloading. */
+static clod_contact_branch branch_of(const clod_law *law, clod_law_stiffness s,
+                                     clod_law_normal normal, double plastic)
 {
+    if (law->kind == CLOD_LAW_LUDING) {
+        return normal.force <= -normal.pull ? CLOD_BRANCH_ADHESIVE
+               : plastic == s.overlap       ? CLOD_BRANCH_LOADING
+                                            : CLOD_BRANCH_UNLOADING;
+    }
     if (plastic <= law->virgin * s.power) {
         return CLOD_BRANCH_LOADING;
     }
-    return plastic < law->pull_off * s.power ? CLOD_BRANCH_UNLOADING : CLOD_BRANCH_ADHESIVE;
+    const double most =
+        law->patch > 0.0 ? clod_law_patch_bound(law, s) : law->pull_off * s.power;
+    return plastic < most ? CLOD_BRANCH_UNLOADING : CLOD_BRANCH_ADHESIVE;
+}
+
+/** Plastic overlap [m]: where the line of unloading that the contact is on has its zero. */
+static double plastic_overlap(const clod_law *law, double r_star, double plastic)
+{
+    if (law->kind == CLOD_LAW_LUDING) { // d0 = (1 - k1/k2) d_max
+        const double rise = law->hardening * plastic / r_star;
+        return rise / (law->k1 + rise) * plastic;
+    }
+    return pow(plastic, 1.0 / law->exponent);
 }
 
 /** One step of the law; what it did goes into the row, which has its kinematics already. */
@@ -138,6 +161,7 @@ static void advance(bench *self, const pace *speed, clod_contact_bench_row *row)
 {
     const clod_law *law = &self->law;
     const clod_law_motion motion = contact_motion(self, speed, row->overlap);
+    double plastic = self->memory.plastic;
     const clod_law_result result = clod_law_contact(law, &motion, speed->dt, &self->memory);
     if (!result.closed) {
         self->memory = (clod_law_memory){0}; // an open contact forgets (PHYSICS 1)
@@ -145,8 +169,8 @@ static void advance(bench *self, const pace *speed, clod_contact_bench_row *row)
     }
     const clod_law_stiffness s = clod_law_stiffness_at(law, motion.overlap, motion.r_star);
     const clod_law_memory *m = &self->memory;
-    double plastic = m->plastic; // inside the clamp by now: it stays
-    row->force = clod_law_normal_force(law, s, &plastic);
+    const clod_law_normal normal = clod_law_normal_force(law, s, &plastic); // as in the contact
+    row->force = normal.force;
     row->damping = -clod_law_damping(law, s, motion.m_star) * motion.velocity.z;
     row->friction[0] = result.force.x;
     row->friction[1] = result.force.y;
@@ -156,13 +180,13 @@ static void advance(bench *self, const pace *speed, clod_contact_bench_row *row)
     row->torque[2] = torque.z;
     row->roll_torque[0] = result.roll.x;
     row->roll_torque[1] = result.roll.y;
-    row->branch = branch_of(law, s, m->plastic);
-    row->plastic = pow(m->plastic, 1.0 / law->exponent);
+    row->branch = branch_of(law, s, normal, m->plastic);
+    row->plastic = plastic_overlap(law, motion.r_star, m->plastic);
     row->spring[0] = m->spring.x;
     row->spring[1] = m->spring.y;
     row->roll_spring[0] = m->roll.x;
     row->roll_spring[1] = m->roll.y;
-    row->limit = law->friction * clod_law_normal_measure(law, s, row->force);
+    row->limit = law->friction * clod_law_normal_measure(law, normal);
     const double friction = hypot(row->friction[0], row->friction[1]);
     row->sliding = friction >= row->limit * (1.0 - 1e-12); // a cut force rounds to its limit
 }
@@ -198,22 +222,11 @@ static clod_contact_bench_row row_at(const clod_case_leg *leg,
     return row;
 }
 
-/** Virgin stiffness k1 of the pair [N/m^n]; hertz goes with sqrt(R*). */
-static double virgin_stiffness(const clod_law *law, double r_star)
-{
-    return law->k1 * (law->kind == CLOD_LAW_HERTZ ? sqrt(r_star) : 1.0);
-}
-
-/** Overlap of the largest pull over the largest overlap (PHYSICS 1). */
-static double pull_off_overlap(const clod_law *law)
-{
-    return pow((law->k2 - law->k1) / (law->k2 + law->k_adh), 1.0 / law->exponent);
-}
-
-double clod_contact_bench_restitution(const clod_law *law)
+/** PHYSICS 1, all for the largest overlap 1: the laws whose restitution knows no speed. */
+static double closed_restitution(const clod_law *law)
 {
     const double n1 = law->exponent + 1.0;
-    const double m = pull_off_overlap(law); // all for the largest overlap 1
+    const double m = pow((law->k2 - law->k1) / (law->k2 + law->k_adh), 1.0 / law->exponent);
     const double rest = pow(m, n1);
     const double in = law->k1 / n1;
     const double out = law->k2 * ((1.0 - rest) / n1 - (1.0 - law->k1 / law->k2) * (1.0 - m)) -
@@ -221,12 +234,24 @@ double clod_contact_bench_restitution(const clod_law *law)
     return out > 0.0 ? sqrt(out / in) : 0.0;
 }
 
-double clod_contact_bench_impact(const clod_law *law, double m_star, double r_star)
+double clod_contact_bench_restitution(const clod_law *law, double r_star, double d_max)
 {
-    const double d_max = 1e-3 * r_star; // any: the restitution does not depend on it
-    const double k1 = virgin_stiffness(law, r_star);
-    const double n1 = law->exponent + 1.0;
-    const double speed = sqrt(2.0 * k1 * pow(d_max, n1) / (n1 * m_star));
+    if (law->kind != CLOD_LAW_LUDING && law->kind != CLOD_LAW_EEPA) {
+        return closed_restitution(law);
+    }
+    clod_law bare = *law;
+    bare.damping = 0.0;
+    return clod_contact_bench_impact(&bare, 1.0, r_star, d_max); // any mass
+}
+
+double clod_contact_bench_impact(const clod_law *law, double m_star, double r_star,
+                                 double d_max)
+{
+    const double energy = clod_law_cycle_energy(law, r_star, d_max);
+    if (energy <= 0.0) { // eepa: without speed the first pull presses deeper than that
+        return 0.0;
+    }
+    const double speed = sqrt(2.0 * energy / m_star);
     const double dt = d_max / (speed * IMPACT_STEPS);
     double overlap = 0.0;
     double closing = speed;
@@ -237,7 +262,7 @@ double clod_contact_bench_impact(const clod_law *law, double m_star, double r_st
             return -closing / speed;
         }
         const clod_law_stiffness s = clod_law_stiffness_at(law, overlap, r_star);
-        const double force = clod_law_normal_force(law, s, &plastic) +
+        const double force = clod_law_normal_force(law, s, &plastic).force +
                              clod_law_damping(law, s, m_star) * closing;
         closing -= dt * force / m_star;
     }
@@ -248,20 +273,23 @@ static void finish(const clod_case *from, const bench *self,
                    clod_contact_bench_summary *summary)
 {
     const clod_law *law = &self->law;
+    const double r_star = self->r_star;
     const int a = clod_case_material_index(from, self->from->material_1);
     const int b = clod_case_material_index(from, self->from->material_2);
-    summary->pull_off_overlap = pull_off_overlap(law);
-    summary->pull_off_force =
-        law->k_adh / law->k1 * (law->k2 - law->k1) / (law->k2 + law->k_adh);
+    const double most = summary->d_max > 0.0 ? summary->d_max : SMALL_OVERLAP * r_star;
+    const clod_law_pull pull = clod_law_cycle_pull(law, r_star, most);
+    summary->pull_off_overlap = pull.overlap / most;
+    const double push = clod_law_cycle_force(law, r_star, most);
+    summary->pull_off_force = push > 0.0 ? pull.force / push : 0.0;
     summary->restitution_asked = clod_case_pair(from, a, b)->restitution;
-    summary->restitution_law = clod_contact_bench_restitution(law);
+    summary->restitution_law = clod_contact_bench_restitution(law, r_star, most);
     summary->restitution_both = summary->restitution_law;
     if (law->damping > 0.0) {
-        summary->restitution_both = clod_contact_bench_impact(law, self->m_star, self->r_star);
+        summary->restitution_both = clod_contact_bench_impact(law, self->m_star, r_star, most);
     }
     const double n = law->exponent;
     summary->damping_ratio = 0.5 * law->damping / sqrt((n + 1.0) / (2.0 * n)) + 0.0; // not -0
-    const double tangent = clod_law_tangent(law, summary->d_max, self->r_star);
+    const double tangent = clod_law_tangent(law, summary->d_max, r_star);
     summary->damping_coefficient = law->damping * sqrt(self->m_star * tangent) + 0.0;
 }
 

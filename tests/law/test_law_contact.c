@@ -12,7 +12,7 @@ static clod_case_contact random_contact(dice *roll)
 {
     clod_case_contact c = contact_ore();
     const double exponent[] = {1.0, 1.2, 1.5, 2.0};
-    c.law = dice_pick(roll, 3);
+    c.law = dice_pick(roll, 5);
     c.exponent = exponent[dice_pick(roll, 4)];
     c.k1 = 4e8 * pow(1e6, c.exponent - 1.5); // forces of the same size for every exponent
     c.k2 = c.k1 * dice_real(roll, 1.0, 6.0);
@@ -20,11 +20,23 @@ static clod_case_contact random_contact(dice *roll)
     if (c.law == CLOD_LAW_HOOKE) { // the loader gives hooke n = 1 and no k2
         c.exponent = 1.0;
         c.k1 = c.k2 = 4e5;
+    } else if (c.law == CLOD_LAW_LUDING) { // n = 1 and k1 < k2 too; d* of some micrometres
+        c.exponent = 1.0;
+        c.k1 = 4e5;
+        c.k2 = c.k1 * dice_real(roll, 1.5, 6.0);
+        c.k_adh = c.k1 * dice_real(roll, 0.0, 1.5);
+        c.plasticity_depth = dice_real(roll, 2e-4, 2e-3);
+    } else if (c.law == CLOD_LAW_EEPA) {
+        c.pull_off_force = dice_real(roll, 0.0, 0.5);
+        if (dice_pick(roll, 2) == 0) { // the loader lets surface energy stand without k_adh
+            c.surface_energy = dice_real(roll, 0.0, 3000.0);
+            c.k_adh = 0.0;
+        }
     }
     c.restitution = dice_real(roll, 0.2, 1.0);
     c.friction = dice_real(roll, 0.0, 0.9);
     c.coulomb = dice_pick(roll, 3);
-    c.tangential = c.law == CLOD_LAW_MEPA ? dice_pick(roll, 2) : CLOD_TANGENTIAL_TANGENT;
+    c.tangential = ref_elastic(&c) ? CLOD_TANGENTIAL_TANGENT : dice_pick(roll, 2);
     c.tangential_ratio = dice_real(roll, 0.2, 1.2);
     c.rolling = dice_pick(roll, 4);
     c.rolling_friction = dice_real(roll, 0.0, 0.6);

@@ -23,7 +23,7 @@ typedef struct branches {
 
 static branches branches_make(const clod_case_contact *c)
 {
-    return (branches){{c->exponent, c->k1, c->k2, c->k_adh, 0.0L, 0.0L}, 0.0L};
+    return (branches){{.n = c->exponent, .k1 = c->k1, .k2 = c->k2, .k_adh = c->k_adh}, 0.0L};
 }
 
 static double branches_press(branches *self, double overlap)

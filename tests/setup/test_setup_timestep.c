@@ -1,5 +1,6 @@
 // Time step of the copper ore (PHYSICS 5 and 6) and of simple pairs, worked out by hand.
 
+#include "law/law_cycle.h"
 #include "setup/timestep.h"
 #include "support/check.h"
 
@@ -168,8 +169,59 @@ static void impact_overlap_takes_all_energy(void **state)
     const clod_law law = {.kind = CLOD_LAW_MEPA, .exponent = 1.5, .k1 = 4.75e8, .k2 = 4.75e8};
     const double d = clod_timestep_impact(&law, 1.0, 2e-4, 1.0);
     check_relative(d, 1.22602e-5, 5e-6);
-    check_relative(clod_timestep_overlap(&law, 1.0, 4.75e8 * pow(d, 1.5)), d, 1e-12);
+    check_relative(clod_law_cycle_overlap(&law, 1.0, 4.75e8 * pow(d, 1.5)), d, 1e-12);
     check_relative(clod_timestep_unloading(&law, 1.0, d), 1.5 * 4.75e8 * sqrt(d), 1e-12);
+}
+
+/**
+ * By hand: luding swings on its largest k2; at 4 N, beyond k1 d*, d* = 4/3 5e-4 1 mm, the
+ * overlap is d* + (F - k1 d*)/k2.
+ */
+static void luding_is_set_by_its_largest_k2(void **state)
+{
+    (void)state;
+    clod_case_contact pairs[MATERIALS * MATERIALS];
+    const clod_case from = copper_ore(pairs);
+    pairs[0].law = CLOD_LAW_LUDING;
+    pairs[0].exponent = 1.0;
+    pairs[0].k1 = 1e5;
+    pairs[0].k2 = 4e5;
+    pairs[0].plasticity_depth = 5e-4;
+    pairs[0].friction = 0.0;
+    pairs[0].rolling = CLOD_ROLLING_NONE;
+    const clod_timestep_grains grains = {.radius_min = 1e-3,
+                                         .radius_mean = 1e-3,
+                                         .stress = 1e6,
+                                         .is_grain = ONLY_ORE,
+                                         .is_wall = NONE};
+    const double mass = 2481.3 * 4.0 / 3.0 * M_PI * 1e-9;
+    const clod_timestep t = clod_timestep_choose(&from, &grains);
+    assert_int_equal(t.reason, CLOD_TIMESTEP_UNLOADING);
+    check_relative(t.stiffness, 4e5, 1e-12);
+    check_relative(t.period, 2.0 * M_PI * sqrt(0.5 * mass / 4e5), 1e-12);
+    const double flow = 4.0 / 3.0 * 5e-4 * 1e-3; // 2 R* = 1 mm
+    check_relative(t.force, 4.0, 1e-12);         // 1e6 (2e-3)^2
+    check_relative(t.overlap, flow + (4.0 - 1e5 * flow) / 4e5, 1e-12);
+}
+
+/** By hand: eepa is pressed by the load and by its own pull, k1 d^n = F + 2 N. */
+static void eepa_is_pressed_by_its_pull_too(void **state)
+{
+    (void)state;
+    clod_case_contact pairs[MATERIALS * MATERIALS];
+    const clod_case from = copper_ore(pairs);
+    pairs[0].law = CLOD_LAW_EEPA;
+    pairs[0].pull_off_force = 2.0;
+    const clod_timestep_grains grains = {.radius_min = 1e-3,
+                                         .radius_mean = 1e-3,
+                                         .stress = 1e6,
+                                         .is_grain = ONLY_ORE,
+                                         .is_wall = NONE};
+    const clod_timestep t = clod_timestep_choose(&from, &grains);
+    const double d = cbrt(pow(6.0 / 4.75e8, 2.0));
+    check_relative(t.force, 4.0, 1e-12);
+    check_relative(t.overlap, d, 1e-12);
+    check_relative(t.unloading, 1.5 * 2.37e9 * sqrt(d), 1e-12);
 }
 
 static void given_step_is_kept_and_auto_is_still_told(void **state)
@@ -235,6 +287,8 @@ int main(void)
         cmocka_unit_test(hooke_is_set_by_the_turning_of_grains),
         cmocka_unit_test(hertz_takes_its_fraction_of_the_rayleigh_time),
         cmocka_unit_test(impact_overlap_takes_all_energy),
+        cmocka_unit_test(luding_is_set_by_its_largest_k2),
+        cmocka_unit_test(eepa_is_pressed_by_its_pull_too),
         cmocka_unit_test(given_step_is_kept_and_auto_is_still_told),
         cmocka_unit_test(given_step_beyond_the_critical_one_is_refused),
     };

@@ -2,8 +2,8 @@
 /**
  * @file law_reference.h
  * PHYSICS 1-4 once more, as printed: explicit branches and a stored maximum overlap instead of
- * the clamp, turns by sine and cosine, long double. Slow and obvious; shares nothing with
- * src/law.
+ * the clamp, bisection instead of Newton, turns by sine and cosine, long double. Slow and
+ * obvious; shares nothing with src/law.
  */
 
 #include <math.h>
@@ -33,6 +33,9 @@ typedef struct ref_result {
 /** Parameters of a pair with hertz worked out for this contact's R*. */
 typedef struct ref_law {
     quad n, k1, k2, k_adh, tangential, damping;
+    quad r_star;       ///< m
+    quad depth;        ///< luding: phi_f, else 0
+    quad first, gamma; ///< eepa: f0 <= 0 [N] and surface energy [J/m2]
 } ref_law;
 
 static inline quad ref_dot(const quad a[3], const quad b[3])
@@ -47,32 +50,103 @@ static inline void ref_cross(const quad a[3], const quad b[3], quad out[3])
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/** Eq. (1)-(4) as printed; `most` is the stored maximum of d^n, forgotten along f3. */
+static const quad REF_PI = 3.14159265358979323846264338327950288L;
+
+/** eepa: size of the largest pull of a contact with plastic overlap^n P, without f0. */
+static inline quad ref_patch_pull(const ref_law *law, quad plastic)
+{
+    const quad dp = powl(plastic, 1.0L / law->n);
+    const quad a = sqrtl(2.0L * law->r_star * dp); // radius of the plastic contact patch
+    const quad pull = 1.5L * REF_PI * law->gamma * a;
+    return pull < 0.5L * law->k2 * plastic ? pull : 0.5L * law->k2 * plastic;
+}
+
+/** eepa: the P whose largest pull lies at x = d^n, between x and 2 x. */
+static inline quad ref_patch_plastic(const ref_law *law, quad x)
+{
+    quad low = x, high = 2.0L * x;
+    for (int k = 0; k < 70; k++) {
+        const quad middle = 0.5L * (low + high);
+        const bool right = middle - ref_patch_pull(law, middle) / law->k2 < x;
+        low = right ? middle : low;
+        high = right ? high : middle;
+    }
+    return low;
+}
+
+/** Size of the largest pull at x = d^n, without f0: the pull-off line. */
+static inline quad ref_pull(const ref_law *law, quad x)
+{
+    return law->gamma > 0.0L ? ref_patch_pull(law, ref_patch_plastic(law, x)) : law->k_adh * x;
+}
+
+/** Luding's branches with the stored maximum overlap; its k2 is that of before. */
+static inline quad ref_luding(const ref_law *law, quad d, quad *most)
+{
+    const quad end = law->k2 / (law->k2 - law->k1) * law->depth * 2.0L * law->r_star;
+    if (d > *most) {
+        *most = d < end ? d : end;
+    }
+    const quad k = law->k1 + (law->k2 - law->k1) * *most / end;
+    const quad f = k * (d - (1.0L - law->k1 / k) * *most);
+    if (f < -law->k_adh * d) {
+        *most = (k + law->k_adh) / (k - law->k1) * d;
+        return -law->k_adh * d;
+    }
+    return f;
+}
+
+/**
+ * Eq. (1)-(4) as printed; `most` is the stored maximum of d^n, forgotten along f3. f0 of eepa
+ * comes on top of all branches.
+ */
 static inline quad ref_normal(const ref_law *law, quad x, quad *most)
 {
+    if (law->depth > 0.0L) {
+        return ref_luding(law, x, most);
+    }
     const quad share = 1.0L - law->k1 / law->k2; // dp^n = share dmax^n, where f2 meets f1
     const quad f1 = law->k1 * x;
     const quad f2 = law->k2 * (x - share * *most);
-    const quad f3 = -law->k_adh * x;
+    const quad f3 = -ref_pull(law, x);
     if (f2 >= f1) {
         *most = x;
-        return f1;
+        return law->first + f1;
     }
     if (f3 >= f2) { // f2 = f3 here: the maximum that would have led to this point
-        *most = (x + law->k_adh / law->k2 * x) / share;
-        return f3;
+        *most = (x - f3 / law->k2) / share;
+        return law->first + f3;
     }
-    return f2;
+    return law->first + f2;
+}
+
+static inline bool ref_elastic(const clod_case_contact *c)
+{
+    return c->law == CLOD_LAW_HERTZ || c->law == CLOD_LAW_HOOKE;
+}
+
+static inline bool ref_literal(const clod_case_contact *c)
+{
+    return c->tangential == CLOD_TANGENTIAL_LITERAL && !ref_elastic(c);
 }
 
 static inline ref_law ref_law_of(const clod_case_contact *c, const clod_case_material *a,
                                  const clod_case_material *b, quad fraction, quad r_star,
                                  quad overlap)
 {
-    ref_law law = {c->exponent, c->k1, c->k2, fraction * (quad)c->k_adh, 0.0L, 0.0L};
-    if (c->law != CLOD_LAW_MEPA) {
+    ref_law law = {.n = c->exponent,
+                   .k1 = c->k1,
+                   .k2 = c->k2,
+                   .k_adh = fraction * (quad)c->k_adh,
+                   .r_star = r_star};
+    if (ref_elastic(c)) {
         law.k2 = law.k1;
         law.k_adh = 0.0L;
+    } else if (c->law == CLOD_LAW_LUDING) {
+        law.depth = c->plasticity_depth;
+    } else if (c->law == CLOD_LAW_EEPA) {
+        law.first = -fraction * (quad)c->pull_off_force;
+        law.gamma = fraction * (quad)c->surface_energy;
     }
     if (c->law == CLOD_LAW_HERTZ) {
         const quad ea = a->youngs_modulus, eb = b->youngs_modulus;
@@ -83,15 +157,15 @@ static inline ref_law ref_law_of(const clod_case_contact *c, const clod_case_mat
         law.n = 1.5L;
         law.k1 = law.k2 = 4.0L * e_star * sqrtl(r_star) / 3.0L;
         law.tangential = 8.0L * g_star * sqrtl(r_star * overlap);
-    } else if (c->tangential == CLOD_TANGENTIAL_LITERAL && c->law == CLOD_LAW_MEPA) {
+    } else if (ref_literal(c)) {
         law.tangential = law.k1;
     } else {
         law.tangential = (quad)c->tangential_ratio * law.n * law.k1 * powl(overlap, law.n - 1);
     }
     const quad l = logl((quad)c->restitution);
-    const quad pi = 3.14159265358979323846264338327950288L;
     // 1 for n = 1, sqrt(5/6) for n = 3/2 (PHYSICS 2)
-    law.damping = -2.0L * l / sqrtl(l * l + pi * pi) * sqrtl((1.0L + 1.0L / law.n) / 2.0L);
+    law.damping =
+        -2.0L * l / sqrtl(l * l + REF_PI * REF_PI) * sqrtl((1.0L + 1.0L / law.n) / 2.0L);
     return law;
 }
 
@@ -130,7 +204,7 @@ static inline quad ref_measure(const clod_case_contact *c, const ref_law *law, q
     if (c->coulomb == CLOD_COULOMB_PAPER) {
         return f > 0.0L ? f : 0.0L;
     }
-    return c->coulomb == CLOD_COULOMB_FORCE ? fabsl(f) : f + law->k_adh * x;
+    return c->coulomb == CLOD_COULOMB_FORCE ? fabsl(f) : f - law->first + ref_pull(law, x);
 }
 
 static inline void ref_rolling(const clod_case_contact *c, const ref_motion *m, quad measure,
@@ -206,8 +280,7 @@ static inline ref_result ref_contact(const clod_case_contact *c, const clod_case
     r.gamma_n = law.damping * sqrtl(m->m_star * dk);
     const quad turn = dt * (ref_dot(m->spin_i, m->normal) + ref_dot(m->spin_j, m->normal)) / 2;
     const quad soften = memory->tangent < dk ? memory->tangent / dk : 1.0L;
-    const bool literal = c->tangential == CLOD_TANGENTIAL_LITERAL && c->law == CLOD_LAW_MEPA;
-    const quad soften_t = literal ? 1.0L : soften;
+    const quad soften_t = ref_literal(c) ? 1.0L : soften;
     const quad measure = ref_measure(c, &law, x, r.f_hys);
     ref_carry(memory->spring, m->normal, turn, soften_t);
     for (int k = 0; k < 3; k++) {

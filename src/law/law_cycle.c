@@ -1,0 +1,98 @@
+#include "law/law_cycle.h"
+
+#include <math.h>
+
+/** Newton steps of the impact with a first pull: each halves what is too much, or better. */
+#define IMPACT_STEPS 60
+
+double clod_law_cycle_virgin(const clod_law *law, double r_star)
+{
+    return law->k1 * (law->kind == CLOD_LAW_HERTZ ? sqrt(r_star) : 1.0);
+}
+
+/** Overlap from which luding loads on its limit branch; no end for the other laws. */
+static double flow_overlap(const clod_law *law, double r_star)
+{
+    return law->kind == CLOD_LAW_LUDING ? law->flow * r_star : HUGE_VAL;
+}
+
+double clod_law_cycle_force(const clod_law *law, double r_star, double overlap)
+{
+    const double flow = flow_overlap(law, r_star);
+    if (overlap > flow) {
+        return law->k1 * flow + law->k2 * (overlap - flow);
+    }
+    const double k1 = clod_law_cycle_virgin(law, r_star);
+    return k1 * pow(overlap, law->exponent) - law->touch;
+}
+
+double clod_law_cycle_overlap(const clod_law *law, double r_star, double force)
+{
+    const double k1 = clod_law_cycle_virgin(law, r_star);
+    const double overlap = pow((force + law->touch) / k1, 1.0 / law->exponent);
+    const double flow = flow_overlap(law, r_star);
+    return overlap > flow ? flow + (force - law->k1 * flow) / law->k2 : overlap;
+}
+
+double clod_law_cycle_energy(const clod_law *law, double r_star, double overlap)
+{
+    const double flow = flow_overlap(law, r_star);
+    const double n1 = law->exponent + 1.0; // the work of k1 d^n is k1 d^(n+1)/(n+1)
+    const double k1 = clod_law_cycle_virgin(law, r_star);
+    const double first = fmin(overlap, flow);
+    const double energy = k1 * pow(first, n1) / n1 - law->touch * first;
+    const double more = overlap - first;
+    return energy + more * (k1 * first + 0.5 * law->k2 * more);
+}
+
+/** k1 d^(n+1)/(n+1) - touch d = energy, by Newton's steps down from beyond both. */
+static double impact_with_touch(const clod_law *law, double r_star, double energy)
+{
+    const double n1 = law->exponent + 1.0;
+    double d = r_star + clod_law_cycle_overlap(law, r_star, 0.0);
+    for (int k = 0; k < IMPACT_STEPS; k++) {
+        const double power = law->k1 * pow(d, law->exponent);
+        d = (power * d * (1.0 - 1.0 / n1) + energy) / (power - law->touch);
+    }
+    return d;
+}
+
+double clod_law_cycle_impact(const clod_law *law, double r_star, double energy)
+{
+    if (law->touch > 0.0) {
+        return impact_with_touch(law, r_star, energy);
+    }
+    const double n1 = law->exponent + 1.0;
+    const double overlap = pow(energy * n1 / clod_law_cycle_virgin(law, r_star), 1.0 / n1);
+    const double flow = flow_overlap(law, r_star);
+    if (overlap <= flow) {
+        return overlap;
+    }
+    const double force = law->k1 * flow; // k2 more^2/2 + force more takes what is left
+    const double left = energy - 0.5 * force * flow;
+    return flow + 2.0 * left / (force + sqrt(force * force + 2.0 * law->k2 * left));
+}
+
+static clod_law_pull luding_pull(const clod_law *law, double r_star, double overlap)
+{
+    const double most = fmin(overlap, law->flow * r_star);
+    const double rise = law->hardening * most / r_star;
+    const double least = rise * most / (law->k1 + rise + law->k_adh);
+    return (clod_law_pull){least, law->k_adh * least};
+}
+
+clod_law_pull clod_law_cycle_pull(const clod_law *law, double r_star, double overlap)
+{
+    if (law->kind == CLOD_LAW_LUDING) {
+        return luding_pull(law, r_star, overlap);
+    }
+    const double n = law->exponent;
+    const double plastic = law->virgin * pow(overlap, n);
+    double x = plastic / law->pull_off;
+    double pull = law->k_adh * x; // hertz has none
+    if (law->patch > 0.0) {
+        pull = fmin(law->patch * sqrt(r_star * pow(plastic, 1.0 / n)), 0.5 * law->k2 * plastic);
+        x = plastic - pull / law->k2;
+    }
+    return (clod_law_pull){pow(x, 1.0 / n), pull + law->touch};
+}

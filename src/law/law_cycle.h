@@ -1,0 +1,38 @@
+#pragma once
+/**
+ * @file law_cycle.h
+ * Closed forms of one cycle of a law, without dash-pot: pressed from the first touch to an
+ * overlap, and pulled apart. For estimates and for what is told to the user; kernels step.
+ */
+
+#include "law/law.h"
+
+/** Where a contact pulls most, and how much. */
+typedef struct clod_law_pull {
+    double overlap; ///< m; 0: at the last touch
+    double force;   ///< N, >= 0
+} clod_law_pull;
+
+/** k1 [N/m^n] at R* [m]; hertz: times sqrt(R*). */
+double clod_law_cycle_virgin(const clod_law *law, double r_star);
+
+/** Force [N] of virgin loading at an overlap [m]; below 0 where eepa's first pull is stronger.
+ */
+double clod_law_cycle_force(const clod_law *law, double r_star, double overlap);
+
+/** Overlap [m] at which virgin loading carries a force [N]; the inverse of the above. */
+double clod_law_cycle_overlap(const clod_law *law, double r_star, double force);
+
+/** Work [J] of virgin loading up to an overlap [m]. */
+double clod_law_cycle_energy(const clod_law *law, double r_star, double overlap);
+
+/** Overlap [m] at which virgin loading has taken up an energy [J] >= 0. */
+double clod_law_cycle_impact(const clod_law *law, double r_star, double energy);
+
+/**
+ * Largest pull of a contact that was pressed to an overlap [m].
+ *
+ * Errors  none.   Threads  pure.   Source  docs/theory/mepa.md, luding.md, eepa.md.
+ * Test    tests/law/test_law_cycle.c
+ */
+clod_law_pull clod_law_cycle_pull(const clod_law *law, double r_star, double overlap);
