@@ -5,19 +5,12 @@
 
 #include "base/memory.h"
 #include "config/check.h"
+#include "config/contacts_law.h"
 #include "config/suggest.h"
 
 #define PAIR_NAME 256 ///< keys of YAML are at most 128 long
-#define PAIR_PATH 300
 
-/** One pair while it is made. */
-typedef struct pair {
-    int a, b;
-    const clod_node *own;    ///< its section, or NULL
-    const clod_node *common; ///< `default`, or NULL
-    char path[PAIR_PATH];    ///< of the section to complain about
-    clod_place place;
-} pair;
+typedef clod_contacts_pair pair;
 
 static const char *text_of(const clod_node *section, const char *key)
 {
@@ -76,7 +69,9 @@ static clod_node *merge(clod_loader *loader, const clod_node *own, const clod_no
         }
     }
     const char *law = text_of(whole, "law");
-    if (law != NULL && strcmp(law, "hooke") == 0 && clod_tree_find(whole, "exponent") == NULL) {
+    const bool linear =
+        law != NULL && (strcmp(law, "hooke") == 0 || strcmp(law, "luding") == 0);
+    if (linear && clod_tree_find(whole, "exponent") == NULL) {
         clod_node *one = clod_tree_scalar(loader->arena, "1");
         if (!add(loader, whole, one)) {
             return NULL;
@@ -100,14 +95,6 @@ static bool load_merged(clod_loader *loader, const pair *self, clod_case_contact
     return loader->report->count == before && clod_report_clean(loader->report, self->path);
 }
 
-static void fail_key(clod_loader *loader, const pair *self, const char *key,
-                     const char *message)
-{
-    char path[PAIR_PATH + 24];
-    snprintf(path, sizeof path, "%s.%s", self->path, key);
-    clod_check_fail(loader, path, "%s", message);
-}
-
 /** Keys that stand in a pair's own section although its law has no use for them. */
 static void check_own_unused(clod_loader *loader, const clod_case *whole, const pair *self,
                              const clod_case_contact *contact)
@@ -116,126 +103,8 @@ static void check_own_unused(clod_loader *loader, const clod_case *whole, const 
         const clod_param *row = &CLOD_TABLE_CONTACT.params[i];
         if (row->unused != NULL && clod_tree_find(self->own, row->key) != NULL &&
             !row->used(whole, contact)) {
-            fail_key(loader, self, row->key, row->unused);
+            clod_contacts_fail(loader, self, row->key, row->unused);
         }
-    }
-}
-
-static void check_law(clod_loader *loader, const pair *self, const clod_case_contact *contact)
-{
-    if (contact->law == CLOD_LAW_HOOKE && contact->exponent != 1.0) {
-        fail_key(loader, self, "exponent", "law hooke is linear, its exponent is 1");
-    }
-    if (contact->law == CLOD_LAW_HERTZ && contact->exponent != 1.5) {
-        fail_key(loader, self, "exponent", "law hertz has the exponent 1.5");
-    }
-    if (contact->law == CLOD_LAW_HERTZ && contact->tangential == CLOD_TANGENTIAL_LITERAL) {
-        fail_key(loader, self, "tangential",
-                 "literal takes k1, which law hertz does not have; write tangent");
-    }
-    if (contact->law == CLOD_LAW_HOOKE && contact->tangential == CLOD_TANGENTIAL_LITERAL) {
-        fail_key(loader, self, "tangential",
-                 "literal takes the number k1 in N/m, which k1 of law hooke is already; write "
-                 "tangent");
-    }
-    if (contact->law == CLOD_LAW_MEPA && contact->k1 > 0.0 && contact->k2 > 0.0 &&
-        contact->k2 < contact->k1) {
-        char message[128];
-        snprintf(message, sizeof message,
-                 "%.10g N/m^%.10g is less than k1 = %.10g N/m^%.10g; k2 is k1 or more",
-                 contact->k2, contact->exponent, contact->k1, contact->exponent);
-        fail_key(loader, self, "k2", message);
-    }
-}
-
-static void require_stiffness(clod_loader *loader, const pair *self, const char *law,
-                              const char *key, const char *example, double value,
-                              double exponent)
-{
-    if (value == 0.0) {
-        char unit[32] = "";
-        if (exponent != 1.0) {
-            snprintf(unit, sizeof unit, "^%.10g", exponent);
-        }
-        clod_report_add(loader->report, self->place, self->path,
-                        "law %s needs the key %s, for instance %s: %s N/m%s", law, key, key,
-                        example, unit);
-    }
-}
-
-static void require_elastic(clod_loader *loader, const clod_case *whole, const pair *self,
-                            int index)
-{
-    const clod_case_material *material = &whole->materials[index];
-    const char *missing = material->youngs_modulus == 0.0   ? "youngs_modulus"
-                          : material->poissons_ratio == 0.0 ? "poissons_ratio"
-                                                            : NULL;
-    if (missing == NULL) {
-        return;
-    }
-    char path[PAIR_PATH];
-    snprintf(path, sizeof path, "materials.%s", material->name);
-    if (clod_report_clean(loader->report, path)) {
-        clod_check_fail(loader, path, "law hertz of contact %s-%s needs the key %s here",
-                        whole->materials[self->a].name, whole->materials[self->b].name,
-                        missing);
-    }
-}
-
-static void require_rolling_friction(clod_loader *loader, const pair *self,
-                                     const clod_case_contact *contact)
-{
-    if (contact->rolling != CLOD_ROLLING_NONE &&
-        clod_tree_find(self->own, "rolling_friction") == NULL &&
-        clod_tree_find(self->common, "rolling_friction") == NULL) {
-        const bool own = clod_tree_find(self->own, "rolling") != NULL;
-        const pair common = {.path = "contacts.default"};
-        fail_key(
-            loader, own ? self : &common, "rolling",
-            "needs the key rolling_friction beside it, for instance rolling_friction: 0.3; "
-            "without it nothing resists");
-    }
-}
-
-/** What the law of a pair that will be used must have. */
-static void check_needs(clod_loader *loader, const clod_case *whole, const pair *self,
-                        const clod_case_contact *contact)
-{
-    require_rolling_friction(loader, self, contact);
-    switch (contact->law) {
-    case CLOD_LAW_HERTZ:
-        require_elastic(loader, whole, self, self->a);
-        require_elastic(loader, whole, self, self->b);
-        break;
-    case CLOD_LAW_HOOKE:
-        require_stiffness(loader, self, "hooke", "k1", "4.75e8", contact->k1, 1.0);
-        break;
-    default:
-        require_stiffness(loader, self, "mepa", "k1", "4.75e8", contact->k1, contact->exponent);
-        require_stiffness(loader, self, "mepa", "k2", "2.37e9", contact->k2, contact->exponent);
-        break;
-    }
-}
-
-/** Fill what follows from the law; what has no effect does not hold what was inherited. */
-static void complete(clod_case_contact *contact)
-{
-    if (contact->law == CLOD_LAW_HOOKE) {
-        contact->k2 = contact->k1;
-        contact->k_adh = 0.0;
-    } else if (contact->law == CLOD_LAW_HERTZ) {
-        contact->k1 = 0.0;
-        contact->k2 = 0.0;
-        contact->k_adh = 0.0;
-    }
-    if (contact->rolling == CLOD_ROLLING_NONE) {
-        contact->rolling_friction = 0.0;
-    }
-    if (contact->rolling != CLOD_ROLLING_EPSD) {
-        contact->rolling_damping = 0.0;
-    }
-    if (contact->law == CLOD_LAW_HERTZ || contact->tangential == CLOD_TANGENTIAL_LITERAL) {
-        contact->tangential_ratio = 1.0;
     }
 }
 
@@ -274,12 +143,12 @@ static void load_pair(clod_loader *loader, clod_case *self, const clod_node *con
     made.place = clod_load_place(made.own != NULL ? made.own : made.common);
     clod_case_contact contact = {0};
     if (load_merged(loader, &made, &contact)) {
-        check_law(loader, &made, &contact);
+        clod_contacts_check_law(loader, &made, &contact);
         check_own_unused(loader, self, &made, &contact);
         if (needed) {
-            check_needs(loader, self, &made, &contact);
+            clod_contacts_check_needs(loader, self, &made, &contact);
         }
-        complete(&contact);
+        clod_contacts_complete(&contact);
     }
     const size_t n = self->material_count;
     self->pairs[(size_t)a * n + (size_t)b] = contact;
@@ -392,7 +261,7 @@ static void check_default_unused(clod_loader *loader, const clod_case *self,
         const clod_param *row = &CLOD_TABLE_CONTACT.params[i];
         if (row->unused != NULL && clod_tree_find(common, row->key) != NULL &&
             !row->used(self, contact) && !is_inherited(self, contacts, row)) {
-            fail_key(loader, &alone, row->key, row->unused);
+            clod_contacts_fail(loader, &alone, row->key, row->unused);
         }
     }
 }
@@ -408,7 +277,7 @@ static void check_default(clod_loader *loader, const clod_node *contacts,
     pair alone = {
         .common = common, .path = "contacts.default", .place = clod_load_place(common)};
     if (load_merged(loader, &alone, contact)) {
-        check_law(loader, &alone, contact);
+        clod_contacts_check_law(loader, &alone, contact);
     }
 }
 

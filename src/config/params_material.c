@@ -42,7 +42,8 @@ const clod_table CLOD_TABLE_MATERIAL = {
     .title = "Materials of grains and walls, by name.", CLOD_ROWS(MATERIAL), .size = sizeof(M)};
 
 static const char *const LAWS[] = {
-    [CLOD_LAW_MEPA] = "mepa", [CLOD_LAW_HERTZ] = "hertz", [CLOD_LAW_HOOKE] = "hooke", NULL};
+    [CLOD_LAW_MEPA] = "mepa",     [CLOD_LAW_HERTZ] = "hertz", [CLOD_LAW_HOOKE] = "hooke",
+    [CLOD_LAW_LUDING] = "luding", [CLOD_LAW_EEPA] = "eepa",   NULL};
 static const char *const COULOMB[] = {[CLOD_COULOMB_ADHESIVE] = "adhesive",
                                       [CLOD_COULOMB_FORCE] = "force",
                                       [CLOD_COULOMB_PAPER] = "paper",
@@ -62,17 +63,29 @@ static bool has_k1(const clod_case *whole, const void *self)
     return contact->law != CLOD_LAW_HERTZ && contact->k1 > 0.0;
 }
 
-static bool has_k2(const clod_case *whole, const void *self)
+static bool is_plastic(const clod_case *whole, const void *self)
 {
     (void)whole;
     const C *contact = self;
-    return contact->law == CLOD_LAW_MEPA && contact->k2 > 0.0;
+    return contact->law != CLOD_LAW_HERTZ && contact->law != CLOD_LAW_HOOKE;
 }
 
-static bool is_mepa(const clod_case *whole, const void *self)
+static bool has_k2(const clod_case *whole, const void *self)
+{
+    return is_plastic(whole, self) && ((const C *)self)->k2 > 0.0;
+}
+
+static bool has_depth(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return ((const C *)self)->law == CLOD_LAW_MEPA;
+    const C *contact = self;
+    return contact->law == CLOD_LAW_LUDING && contact->plasticity_depth > 0.0;
+}
+
+static bool is_eepa(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const C *)self)->law == CLOD_LAW_EEPA;
 }
 
 static bool has_ratio(const clod_case *whole, const void *self)
@@ -94,9 +107,10 @@ static bool has_rolling_damping(const clod_case *whole, const void *self)
     return ((const C *)self)->rolling == CLOD_ROLLING_EPSD;
 }
 
-#define ONLY_MEPA                                                                              \
-    "only law mepa has this key: hooke is elastic with k1, hertz with youngs_modulus; remove " \
-    "it, or choose law mepa"
+#define ONLY_PLASTIC                                                                           \
+    "only the laws mepa, luding and eepa have this key: hooke is elastic with k1, hertz with " \
+    "youngs_modulus; remove it, or choose one of them"
+#define ONLY_EEPA "only law eepa has this key; remove it, or choose law eepa"
 
 static const clod_param CONTACT[] = {
     {.key = "law",
@@ -105,9 +119,11 @@ static const clod_param CONTACT[] = {
      .choices = LAWS,
      .fallback = "mepa",
      CLOD_AT(C, law),
-     .help = "Normal force: mepa (elasto-plastic with adhesion), hertz (elastic, from Young's "
-             "modulus) or hooke (linear elastic, k1).",
-     .source = "PHYSICS 1"},
+     .help =
+         "Normal force: mepa (elasto-plastic with adhesion), eepa (mepa with a constant pull "
+         "or a pull from surface energy), luding (linear, k2 rises with the largest "
+         "overlap), hertz (elastic, from Young's modulus) or hooke (linear elastic, k1).",
+     .source = "PHYSICS 1; docs/theory"},
     {.key = "exponent",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -115,7 +131,8 @@ static const clod_param CONTACT[] = {
      CLOD_FROM(1, 4),
      .fallback = "1.5",
      CLOD_AT(C, exponent),
-     .help = "Exponent n of the overlap in the force; hooke is always 1, hertz always 1.5.",
+     .help = "Exponent n of the overlap in the force; hooke and luding are always 1, hertz "
+             "always 1.5.",
      .source = "eq. (1)-(3)"},
     {.key = "k1",
      .kind = CLOD_PARAM_STIFFNESS,
@@ -128,8 +145,8 @@ static const clod_param CONTACT[] = {
      .used = has_k1,
      .unused =
          "law hertz takes its stiffness from youngs_modulus of the materials; remove this "
-         "key, or choose law mepa or hooke",
-     .help = "Stiffness of virgin loading; needed by mepa and hooke.",
+         "key, or choose another law",
+     .help = "Stiffness of virgin loading; needed by all laws but hertz.",
      .source = "eq. (1)"},
     {.key = "k2",
      .kind = CLOD_PARAM_STIFFNESS,
@@ -140,8 +157,10 @@ static const clod_param CONTACT[] = {
      CLOD_AT(C, k2),
      .exponent = offsetof(C, exponent),
      .used = has_k2,
-     .unused = ONLY_MEPA,
-     .help = "Stiffness of unloading and reloading, k1 or more; needed by mepa.",
+     .unused = ONLY_PLASTIC,
+     .help = "Stiffness of unloading and reloading, k1 or more; with luding its largest value, "
+             "more "
+             "than k1. Needed by mepa, eepa and luding.",
      .source = "eq. (2)"},
     {.key = "k_adh",
      .kind = CLOD_PARAM_STIFFNESS,
@@ -152,10 +171,49 @@ static const clod_param CONTACT[] = {
      .example = "3.56e8 N/m^1.5",
      CLOD_AT(C, k_adh),
      .exponent = offsetof(C, exponent),
-     .used = is_mepa,
-     .unused = ONLY_MEPA,
-     .help = "Stiffness of the adhesive branch of mepa; 0 is dry.",
+     .used = is_plastic,
+     .unused = ONLY_PLASTIC,
+     .help = "Stiffness of the adhesive branch of mepa, eepa and luding; 0 is dry.",
      .source = "eq. (3)"},
+    {.key = "plasticity_depth",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_ABOVE(0, 1),
+     .example = "0.05",
+     CLOD_AT(C, plasticity_depth),
+     .used = has_depth,
+     .unused = "only law luding has this key; remove it, or choose law luding",
+     .help = "phi_f of luding: the plastic overlap at which k2 is reached, over the reduced "
+             "diameter 2 Ri Rj/(Ri + Rj). Needed by luding.",
+     .source = "Luding 2008; docs/theory/luding.md"},
+    {.key = "pull_off_force",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "N",
+     CLOD_FROM(0, 1e9),
+     .fallback = "0 N",
+     .example = "2 mN",
+     CLOD_AT(C, pull_off_force),
+     .used = is_eepa,
+     .unused = ONLY_EEPA,
+     .help = "Force -f0 with which grains pull at each other as soon as they touch, whatever "
+             "their past; eepa only.",
+     .source = "Thakur et al. 2014, eq. (5); docs/theory/eepa.md"},
+    {.key = "surface_energy",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "J/m2",
+     CLOD_FROM(0, 1e9),
+     .fallback = "0 J/m2",
+     .example = "0.5 J/m2",
+     CLOD_AT(C, surface_energy),
+     .used = is_eepa,
+     .unused = ONLY_EEPA,
+     .help =
+         "Surface energy gamma: the largest pull beyond pull_off_force is 3/2 pi gamma times "
+         "the radius of the plastic contact patch. Takes the place of k_adh; eepa only.",
+     .source = "Morrissey 2013; docs/theory/eepa.md"},
     {.key = "restitution",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -163,9 +221,10 @@ static const clod_param CONTACT[] = {
      CLOD_ABOVE(0, 1),
      .fallback = "0.5",
      CLOD_AT(C, restitution),
-     .help =
-         "Restitution that the dash-pot is made for; the plastic loss of mepa comes on top. "
-         "1 means no dash-pot.",
+     .help = "Restitution that the dash-pot is made for; the plastic loss of mepa, eepa and "
+             "luding comes on "
+             "top. "
+             "1 means no dash-pot.",
      .source = "PHYSICS 2"},
     {.key = "friction",
      .kind = CLOD_PARAM_REAL,
@@ -202,9 +261,9 @@ static const clod_param CONTACT[] = {
      .fallback = "1",
      CLOD_AT(C, tangential_ratio),
      .used = has_ratio,
-     .unused =
-         "only tangential: tangent of mepa and hooke has a ratio; literal takes the number "
-         "k1, hertz Mindlin's stiffness; remove this key",
+     .unused = "only tangential: tangent has a ratio, and with hertz Mindlin's stiffness; "
+               "literal takes "
+               "the number k1; remove this key",
      .help = "Tangential over normal stiffness, zeta; hertz uses Mindlin's instead.",
      .source = "PHYSICS 3"},
     {.key = "rolling",

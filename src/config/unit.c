@@ -27,15 +27,16 @@ static const clod_unit_kind KINDS[] = {
     {"rad", "an angle", "angle", "deg"},
     {"rad/s", "a speed of rotation", "rotation", "rpm"},
     {"Hz", "a frequency", "frequency", "Hz"},
+    {"J/m2", "a surface energy", "surface_energy", "mJ/m2"},
 };
 
 static const char *const COMMON[] = {
-    "Pa",   "kPa",   "MPa",   "GPa",    "bar",   "psi",   "m",     "mm",    "cm",   "um",
-    "km",   "inch",  "ft",    "s",      "ms",    "us",    "min",   "h",     "kg",   "g",
-    "mg",   "t",     "lb",    "N",      "kN",    "mN",    "lbf",   "m/s",   "mm/s", "mm/min",
-    "m/s2", "kg/m3", "g/cm3", "t/m3",   "rad",   "deg",   "rad/s", "deg/s", "rpm",  "m2",
-    "mm2",  "cm2",   "psf",   "pcf",    "N/m2",  "kN/m2", "mbar",  "hPa",   "cm/s", "km/h",
-    "ft/s", "dm",    "ns",    "minute", "degree"};
+    "Pa",   "kPa",   "MPa",   "GPa",    "bar",    "psi",   "m",     "mm",    "cm",   "um",
+    "km",   "inch",  "ft",    "s",      "ms",     "us",    "min",   "h",     "kg",   "g",
+    "mg",   "t",     "lb",    "N",      "kN",     "mN",    "lbf",   "m/s",   "mm/s", "mm/min",
+    "m/s2", "kg/m3", "g/cm3", "t/m3",   "rad",    "deg",   "rad/s", "deg/s", "rpm",  "m2",
+    "mm2",  "cm2",   "psf",   "pcf",    "N/m2",   "kN/m2", "mbar",  "hPa",   "cm/s", "km/h",
+    "ft/s", "dm",    "ns",    "minute", "degree", "J/m2",  "mJ/m2"};
 
 /** Words that make a unit one of rotation; without them Hz would pass for rad/s. */
 static const char *const ANGLES[] = {"rad",  "mrad",  "radian", "radians",

@@ -349,6 +349,39 @@ static void keys_of_default_go_where_they_have_an_effect(void **state)
     clod_case_destroy(&made);
 }
 
+/** good/laws.yaml: own keys of luding and eepa; other laws lose what they inherit of them. */
+static void the_keys_of_luding_and_eepa_are_read(void **state)
+{
+    (void)state;
+    clod_case *made = load(CLOD_SOURCE_DIR "/tests/config/good/laws.yaml", NULL, 0);
+    const clod_case_contact *ore = clod_case_pair(made, 0, 0);
+    assert_int_equal(ore->law, CLOD_LAW_EEPA);
+    same(ore->exponent, 1.5);
+    same(ore->k_adh, 3.56e8);
+    same(ore->pull_off_force, 2e-3);
+    same(ore->surface_energy, 0.0);
+    same(ore->plasticity_depth, 0.0);
+    const clod_case_contact *steel = clod_case_pair(made, 0, 1);
+    assert_int_equal(steel->law, CLOD_LAW_LUDING);
+    same(steel->exponent, 1.0);
+    same(steel->k1, 1e5);
+    same(steel->k2, 5e5);
+    same(steel->k_adh, 2e4);
+    same(steel->plasticity_depth, 0.05);
+    same(steel->pull_off_force, 0.0);
+    const clod_case_contact *belt = clod_case_pair(made, 0, 2);
+    assert_int_equal(belt->law, CLOD_LAW_MEPA);
+    same(belt->k_adh, 0.0);
+    same(belt->pull_off_force, 0.0);
+    const clod_case_contact *glue = clod_case_pair(made, 0, 3);
+    assert_int_equal(glue->law, CLOD_LAW_EEPA);
+    same(glue->k_adh, 0.0);
+    same(glue->pull_off_force, 2e-3);
+    same(glue->surface_energy, 0.5);
+    assert_int_equal(glue->tangential, CLOD_TANGENTIAL_LITERAL);
+    clod_case_destroy(&made);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -361,6 +394,7 @@ int main(void)
         cmocka_unit_test(overrides_replace_add_and_reach_into_lists),
         cmocka_unit_test(json_is_read),
         cmocka_unit_test(keys_of_default_go_where_they_have_an_effect),
+        cmocka_unit_test(the_keys_of_luding_and_eepa_are_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -82,7 +82,7 @@ static void echo_loads_again_to_the_same_case(void **state)
         check_echo(made);
         clod_case_destroy(&made);
     }
-    static const char *const GOOD[] = {"everything", "inherited"};
+    static const char *const GOOD[] = {"everything", "inherited", "laws"};
     for (size_t i = 0; i < sizeof GOOD / sizeof GOOD[0]; i++) {
         char path[512];
         snprintf(path, sizeof path, CLOD_SOURCE_DIR "/tests/config/good/%s.yaml", GOOD[i]);
