@@ -233,6 +233,7 @@ static void combine_warnings(const clod_locus *loci, size_t count, clod_locus *s
                                 "freely."
                               : "");
     }
+    clod_warnings_check_seeds(self);
     for (size_t i = 0; i < count; i++) {
         for (size_t k = 0; k < loci[i].warning_count; k++) {
             clod_warnings_add(self, "Seed %lld: %s", (long long)loci[i].marks[0].seed,
@@ -278,11 +279,11 @@ bool clod_locus_combine(const clod_locus *loci, size_t count, clod_locus *locus,
     if (count == 1) {
         *locus = loci[0];
     } else {
+        locus->seed_count = count;
         combine_values(loci, count, locus);
     }
     locus->marks = marks;
     locus->point_count = 0;
-    locus->seed_count = count;
     for (size_t i = 0; i < count; i++) {
         memcpy(marks + locus->point_count, loci[i].marks, loci[i].point_count * sizeof *marks);
         locus->point_count += loci[i].point_count;

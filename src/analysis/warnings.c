@@ -17,7 +17,15 @@
 #define TOUCH_SLACK 0.1     // of sigma_p: 80 % often lies a little beyond, and does no harm
 #define PRESHEAR_SLACK 0.02 // relative: more than this is another consolidation
 #define MORE " ..."
-#define SAG_SLACK 0.02 // of the mean shear stress: less does not matter
+#define SAG_SLACK 0.02  // of the mean shear stress: less does not matter
+#define FALL_SLACK 0.02 // the same for a fall, where points state no errors
+/// Standard errors of the difference of two points that are no chance; c < 0 is judged alike.
+#define FALL_ERRORS 2.0
+/// deg; 35 +- 3 deg turned about points around sigma_p/2 moves c by 0.04 sigma_p, a fifth of
+/// the cohesion of a cohesive solid (ffc 3), and sigma_c as much.
+#define PHI_ERROR_MOST 3.0
+/// Below it more than a fifth, sqrt(1 - r2), of what the shear stresses differ is not the line.
+#define R2_LEAST 0.95
 
 void clod_warnings_add(clod_locus *locus, const char *format, ...)
 {
@@ -72,6 +80,76 @@ static void check_line(clod_locus *locus, size_t count)
             "phi_lin = %.2f deg is outside %.0f to %.0f deg; check the columns and "
             "units.",
             phi, PHI_LOW, PHI_HIGH);
+    }
+}
+
+static void check_error(clod_locus *locus)
+{
+    const double error = locus->phi_lin.error * DEGREES;
+    const bool wide = error > PHI_ERROR_MOST; // NAN, not known, is not
+    if (wide || locus->r_squared < R2_LEAST) {
+        char bar[32] = "";
+        if (isfinite(error)) {
+            snprintf(bar, sizeof bar, " +- %.1f", error);
+        }
+        clod_warnings_add(
+            locus,
+            "phi_lin = %.1f%s deg, r2 = %.3f: the points are no good line (at most "
+            "+- %.0f deg, r2 at least %.2f); c, sigma_c and ffc are of little use. "
+            "Add points or repeats.",
+            locus->phi_lin.value * DEGREES, bar, locus->r_squared, PHI_ERROR_MOST, R2_LEAST);
+    }
+}
+
+void clod_warnings_check_seeds(clod_locus *locus)
+{
+    const double error = locus->phi_lin.error * DEGREES;
+    if (error > PHI_ERROR_MOST) {
+        clod_warnings_add(
+            locus,
+            "phi_lin = %.1f +- %.1f deg over %zu seeds: their lines differ too much "
+            "(at most +- %.0f deg is good) for c, sigma_c and ffc. Add seeds.",
+            locus->phi_lin.value * DEGREES, error, locus->seed_count, PHI_ERROR_MOST);
+    }
+}
+
+/** How far the shear stress falls from one point to another beyond what errors may do. */
+static double excess_fall(const clod_warnings_line *line, const clod_locus_point *points,
+                          double slack, size_t low, size_t high)
+{
+    const double apart = line->x[high] - line->x[low];
+    if (!(apart > RANGE_SLACK * points[low].sigma_p)) {
+        return 0.0; // the same normal stress
+    }
+    const double errors = hypot(points[low].tau_s_error, points[high].tau_s_error);
+    return line->y[low] - line->y[high] - fmax(FALL_ERRORS * errors, slack);
+}
+
+/** A locus rises: of the points that fall, the pair that falls most. */
+static void check_fall(clod_locus *locus, const clod_locus_point *points,
+                       const clod_warnings_line *line)
+{
+    const double middle = line->fit.intercept + line->fit.slope * line->fit.mean_x;
+    double worst = 0.0;
+    size_t at = 0;
+    size_t to = 0;
+    for (size_t i = 0; i < line->count; i++) {
+        for (size_t k = 0; k < line->count; k++) {
+            const double fall = excess_fall(line, points, FALL_SLACK * middle, i, k);
+            if (fall > worst) {
+                worst = fall;
+                at = i;
+                to = k;
+            }
+        }
+    }
+    if (worst > 0.0 && line->fit.slope >= 0.0) { // else the whole line falls
+        clod_warnings_add(
+            locus,
+            "The shear stress falls from %.3f to %.3f kPa while the normal stress "
+            "rises from %.3f to %.3f kPa: at least one of them is wrong. See "
+            "whether its preshear was steady and its peak was reached.",
+            line->y[at] / KILO, line->y[to] / KILO, line->x[at] / KILO, line->x[to] / KILO);
     }
 }
 
@@ -148,6 +226,29 @@ static void check_range(clod_locus *locus, const clod_locus_point *points, size_
     }
 }
 
+/**
+ * No point between the circles, and no normal stress to send one to: advice to shear at a
+ * higher or a lower one would lead nowhere.
+ */
+static bool no_window(clod_locus *locus, const stress_list *below, const stress_list *above,
+                      size_t count, double left, double right)
+{
+    const bool closed = left >= right || left >= locus->sigma_p.value;
+    const bool astride =
+        below->count > 0 && above->count > 0 && below->count + above->count == count;
+    const bool outside = below->count == 0 || below->count == count;
+    if (closed || astride) {
+        clod_warnings_add(
+            locus,
+            "No point of this line lies between the circles (the unconfined one "
+            "touches it at %.3f kPa, the steady-state one at %.3f kPa, preshear is "
+            "at %.3f kPa): sigma_c is %s.",
+            left / KILO, right / KILO, locus->sigma_p.value / KILO,
+            outside ? "an extrapolation" : "a rough estimate");
+    }
+    return closed || astride;
+}
+
 /** Points belong between the places where the two Mohr circles touch the locus. */
 static void check_touch(clod_locus *locus, const clod_locus_point *points, size_t count)
 {
@@ -163,6 +264,9 @@ static void check_touch(clod_locus *locus, const clod_locus_point *points, size_
         } else if (points[i].sigma_s > right + TOUCH_SLACK * points[i].sigma_p) {
             list_add(&above, points[i].sigma_s);
         }
+    }
+    if (no_window(locus, &below, &above, count, left, right)) {
+        return;
     }
     if (below.count > 0) {
         clod_warnings_add(locus,
@@ -197,6 +301,8 @@ void clod_warnings_check(clod_locus *locus, const clod_locus_point *points, size
                          const clod_warnings_line *line)
 {
     check_line(locus, count);
+    check_error(locus);
+    check_fall(locus, points, line);
     check_preshear(locus, points, count);
     check_range(locus, points, count);
     check_cohesion(locus);

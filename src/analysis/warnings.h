@@ -18,6 +18,9 @@ typedef struct clod_warnings_line {
 void clod_warnings_add(clod_locus *locus, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/** Warn when the angles of several seeds, whose mean the locus is, differ too much. */
+void clod_warnings_check_seeds(clod_locus *locus);
+
 /**
  * Look at an evaluated locus and its points and add warnings.
  *

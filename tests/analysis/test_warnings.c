@@ -184,6 +184,140 @@ static void sag_of_uneven_points(void **state)
     assert_true(zero < 1e-6);
 }
 
+/** Real ore: the last peak lies below the one before, the line is useless (r2 0.635). */
+static void points_of_no_line(void **state)
+{
+    (void)state;
+    const double tau[] = {28.28e3, 43.17e3, 51.75e3, 46.01e3};
+    clod_locus_point points[4];
+    for (size_t i = 0; i < 4; i++) {
+        points[i] = (clod_locus_point){.sigma_p = 54.8e3,
+                                       .tau_p = 47.97e3,
+                                       .sigma_s = 10.96e3 * (double)(i + 1),
+                                       .tau_s = tau[i]};
+    }
+    clod_locus locus = evaluate(points, 4);
+    assert_true(has_warning(&locus,
+                            "The shear stress falls from 51.750 to 46.010 kPa while the "
+                            "normal stress rises from 32.880 to 43.840 kPa: at least"));
+    assert_true(has_warning(&locus, "phi_lin = 29.4 +- 13.1 deg, r2 = 0.635: the points are no "
+                                    "good line"));
+    assert_true(has_warning(&locus, "No point of this line lies between the circles"));
+    assert_true(has_warning(&locus, "sigma_c is a rough estimate."));
+    assert_false(has_warning(&locus, "shear at higher"));
+    assert_false(has_warning(&locus, "shear at lower"));
+    clod_locus_fini(&locus);
+}
+
+// d (1, -3, 3, -1) at four places h apart has neither slope nor bend; the slope's standard
+// error is sqrt(20 d^2/2/(5 h^2)) = d sqrt(2)/h, that of phi cos^2 phi times it: 3 deg at d
+// = 82.8 Pa for h = 1.5 kPa and phi = 35 deg (0.05236/0.67101 * 1.5 kPa/1.41421).
+static void angle_with_a_wide_error(void **state)
+{
+    (void)state;
+    clod_locus_point points[4];
+    const double off[] = {1.0, -3.0, 3.0, -1.0};
+    good_points(points);
+    for (size_t i = 0; i < 4; i++) {
+        points[i].tau_s += 82.0 * off[i];
+    }
+    expect(points, 4, NULL, NULL);
+    for (size_t i = 0; i < 4; i++) {
+        points[i].tau_s += 1.5 * off[i];
+    }
+    expect(points, 4, "phi_lin = 35.0 +- 3.0 deg, r2 = 0.97", NULL);
+}
+
+// Slope 0.1 over -2 to 2 kPa: sum (0.1 x)^2 = 0.1 kPa^2. d (1, -2, 0, 2, -1) has neither slope
+// nor bend and adds 10 d^2: r2 = 0.95 at d = sqrt(0.1/190) kPa = 22.94 Pa.
+static void points_far_from_a_flat_line(void **state)
+{
+    (void)state;
+    const double off[] = {1.0, -2.0, 0.0, 2.0, -1.0};
+    clod_locus_point points[5];
+    for (int turn = 0; turn < 2; turn++) {
+        const double d = turn == 0 ? 22.5 : 23.5;
+        for (int i = 0; i < 5; i++) {
+            points[i] = (clod_locus_point){.sigma_p = 10e3,
+                                           .tau_p = 2.4e3,
+                                           .sigma_s = 5e3 + 1e3 * (i - 2),
+                                           .tau_s = 2e3 + 100.0 * (i - 2) + d * off[i]};
+        }
+        clod_locus locus = evaluate(points, 5);
+        assert_true(locus.phi_lin.error < 1.0 * DEG);
+        assert_true(has_warning(&locus, "the points are no good line") == (turn == 1));
+        clod_locus_fini(&locus);
+    }
+}
+
+/** A fall within two of the errors that the points state, or within 2 % of tau, is chance. */
+static void fall_within_errors_is_chance(void **state)
+{
+    (void)state;
+    const char words[] = "The shear stress falls from 5.000 to 4.700 kPa";
+    clod_locus_point points[4];
+    const double sigma[] = {3e3, 4.5e3, 6e3, 7.5e3};
+    points_on_line(1e3, 35.0 * DEG, 10e3, 7.6e3, sigma, 4, points);
+    points[2].tau_s = 5e3;
+    points[3].tau_s = 4.7e3;
+    const double error[] = {0.0, 105.0, 107.0}; // 0.3/2/sqrt(2) = 0.10607
+    for (size_t k = 0; k < 3; k++) {
+        points[2].tau_s_error = error[k];
+        points[3].tau_s_error = error[k];
+        clod_locus locus = evaluate(points, 4);
+        assert_true(has_warning(&locus, words) == (k < 2));
+        clod_locus_fini(&locus);
+    }
+    points[3].tau_s_error = points[2].tau_s_error = 0.0;
+    points[3].tau_s = 4.95e3; // 0.05 is below 2 % of 4.3 kPa
+    clod_locus locus = evaluate(points, 4);
+    assert_false(has_warning(&locus, "falls"));
+    clod_locus_fini(&locus);
+    points[3].tau_s = 4.7e3;
+    points[3].sigma_s = 6.05e3; // a repeat of the point before
+    locus = evaluate(points, 4);
+    assert_false(has_warning(&locus, "falls"));
+    clod_locus_fini(&locus);
+}
+
+// c = 12.3 kPa, phi = 35 deg: half of sigma_c is 23.63 kPa, times 1 - sin 35 deg = 10.08 kPa,
+// above the preshear stress: no point can be sheared at a higher normal stress.
+static void unconfined_circle_beyond_preshear(void **state)
+{
+    (void)state;
+    clod_locus_point points[4];
+    const double sigma[] = {3e3, 4.5e3, 6e3, 7.5e3};
+    points_on_line(12.3e3, 35.0 * DEG, 10e3, 19.2e3, sigma, 4, points);
+    clod_locus locus = evaluate(points, 4);
+    assert_true(has_warning(&locus, "No point of this line lies between the circles (the "
+                                    "unconfined one touches it at 10.07"));
+    assert_true(has_warning(&locus, "sigma_c is an extrapolation."));
+    assert_false(has_warning(&locus, "shear at higher"));
+    clod_locus_fini(&locus);
+}
+
+// Angles of 25 and 35 deg: mean 30, standard error of the mean 5 deg.
+static void seeds_that_differ(void **state)
+{
+    (void)state;
+    static clod_status status;
+    const double sigma[] = {3e3, 4.5e3, 6e3, 7.5e3};
+    clod_locus loci[2];
+    clod_locus all;
+    clod_locus_point points[4];
+    for (int k = 0; k < 2; k++) {
+        points_on_line(1e3, (25.0 + 10.0 * k) * DEG, 10e3, 5.5e3 + 2.1e3 * k, sigma, 4, points);
+        loci[k] = evaluate(points, 4);
+        assert_int_equal(loci[k].warning_count, 0);
+    }
+    assert_true(clod_locus_combine(loci, 2, &all, &status));
+    assert_int_equal(all.warning_count, 1);
+    assert_true(has_warning(&all, "phi_lin = 30.0 +- 5.0 deg over 2 seeds"));
+    clod_locus_fini(&all);
+    clod_locus_fini(&loci[0]);
+    clod_locus_fini(&loci[1]);
+}
+
 static void tension_at_steady_state(void **state)
 {
     (void)state;
@@ -277,6 +411,12 @@ int main(void)
         cmocka_unit_test(preshear_of_different_consolidations),
         cmocka_unit_test(points_that_bend),
         cmocka_unit_test(sag_of_uneven_points),
+        cmocka_unit_test(points_of_no_line),
+        cmocka_unit_test(angle_with_a_wide_error),
+        cmocka_unit_test(points_far_from_a_flat_line),
+        cmocka_unit_test(fall_within_errors_is_chance),
+        cmocka_unit_test(unconfined_circle_beyond_preshear),
+        cmocka_unit_test(seeds_that_differ),
         cmocka_unit_test(tension_at_steady_state),
         cmocka_unit_test(negative_cohesion_within_its_error),
         cmocka_unit_test(room_for_warnings_ends),
