@@ -12,8 +12,9 @@
 #include "clod/status.h"
 
 #define CLOD_CHECK_WARNINGS 24
-#define CLOD_CHECK_WARNING_TEXT 320
-#define CLOD_CHECK_TEXT 32768 ///< enough for either form of the report
+#define CLOD_CHECK_NOTES 4
+#define CLOD_CHECK_WARNING_TEXT 320 ///< of a note too
+#define CLOD_CHECK_TEXT 32768       ///< enough for either form of the report
 
 typedef enum clod_check_kind {
     CLOD_CHECK_FREE_RUN,
@@ -80,6 +81,8 @@ typedef struct clod_check_report {
     double disk_free;                   ///< bytes
     size_t warning_count;
     char warning[CLOD_CHECK_WARNINGS][CLOD_CHECK_WARNING_TEXT];
+    size_t note_count; ///< what to look at in the results; nothing is wrong
+    char note[CLOD_CHECK_NOTES][CLOD_CHECK_WARNING_TEXT];
 } clod_check_report;
 
 /**

@@ -166,6 +166,9 @@ void clod_check_report_text(const clod_check_report *r, char text[CLOD_CHECK_TEX
     if (r->warning_count == 0) {
         line(&to, "warnings", "none");
     }
+    for (size_t n = 0; n < r->note_count; n++) {
+        line(&to, "note", "%s", r->note[n]);
+    }
 }
 
 /** A number of the report and its key. */
@@ -244,6 +247,16 @@ static void put_text(json_t *to, const char *key, const char *text)
     json_object_set_new(to, key, text != NULL ? json_string(text) : json_null());
 }
 
+static void put_list(json_t *to, const char *key, const char (*texts)[CLOD_CHECK_WARNING_TEXT],
+                     size_t count)
+{
+    json_t *list = json_array();
+    for (size_t n = 0; n < count; n++) {
+        json_array_append_new(list, json_string(texts[n]));
+    }
+    json_object_set_new(to, key, list);
+}
+
 static json_t *make_json(const clod_check_report *r)
 {
     static const char *const KINDS[] = {"free_run", "ring_shear", "contact_bench"};
@@ -269,11 +282,8 @@ static json_t *make_json(const clod_check_report *r)
     if (r->kind == CLOD_CHECK_RING_SHEAR) {
         put_reals(to, r, RING_REALS, sizeof RING_REALS / sizeof RING_REALS[0]);
     }
-    json_t *warnings = json_array();
-    for (size_t w = 0; w < r->warning_count; w++) {
-        json_array_append_new(warnings, json_string(r->warning[w]));
-    }
-    json_object_set_new(to, "warnings", warnings);
+    put_list(to, "warnings", r->warning, r->warning_count);
+    put_list(to, "notes", r->note, r->note_count);
     return to;
 }
 

@@ -25,6 +25,17 @@ __attribute__((format(printf, 2, 3))) static void warn(clod_check_report *report
     }
 }
 
+__attribute__((format(printf, 2, 3))) static void note(clod_check_report *report,
+                                                       const char *format, ...)
+{
+    if (report->note_count < CLOD_CHECK_NOTES) {
+        va_list args;
+        va_start(args, format);
+        vsnprintf(report->note[report->note_count++], CLOD_CHECK_WARNING_TEXT, format, args);
+        va_end(args);
+    }
+}
+
 static void warn_step(clod_check_report *r)
 {
     if (r->step > 1.001 * r->automatic) {
@@ -68,6 +79,16 @@ static void warn_inertia(const clod_case_ring_shear *ring, clod_check_report *r)
              "quasi-static). Lower ring_shear.speed to %.2g mm/s",
              number, cohesive ? " even as loose as filled in" : "", CLOD_RING_INERTIA_GOOD,
              1e3 * ring->speed * CLOD_RING_INERTIA_GOOD / number);
+    } else if (r->inertial_preshear > CLOD_RING_INERTIA_LIMIT) {
+        const double height = // the number goes with 1/height
+            r->height_aimed * r->inertial_preshear / CLOD_RING_INERTIA_LIMIT;
+        note(
+            r,
+            "%.3g mm/s may be too fast if the bed settles below %.3g mm (inertial number above "
+            "%.2g): the results tell the height and warn of it. %.2g mm/s is slow enough at "
+            "any height",
+            1e3 * ring->speed, 1e3 * height, CLOD_RING_INERTIA_LIMIT,
+            1e3 * ring->speed * CLOD_RING_INERTIA_GOOD / r->inertial_preshear);
     }
 }
 

@@ -255,6 +255,38 @@ static void a_dry_bed_is_judged_at_the_height_aimed_at(void **state)
     assert_int_equal(check(state, RING, "ring_shear.speed=40 mm/s")->warning_count, 0);
 }
 
+// I = speed/height 2R sqrt(rho/sigma) = 0.04/0.04 * 6e-3 * sqrt(2481.3/50e3) = 1.3366e-3 at 40
+// mm: 1.2e-3 at 44.6 mm, between the height aimed at and the loose one, and 1e-3 at 29.9 mm/s.
+static void a_cohesive_bed_that_may_settle_too_low_is_noted(void **state)
+{
+    const clod_check_report *r = check(state, RING, "ring_shear.speed=40 mm/s");
+    assert_true(r->inertial_loose < 1.2e-3 && r->height_loose > 44.6e-3);
+    assert_int_equal(r->warning_count, 0);
+    assert_int_equal(r->note_count, 1);
+    assert_non_null(strstr(r->note[0],
+                           "40 mm/s may be too fast if the bed settles below 44.6 mm "
+                           "(inertial number above 0.0012)"));
+    assert_non_null(strstr(r->note[0], "30 mm/s is slow enough at any height"));
+    assert_int_equal(check(state, RING, "ring_shear.speed=35 mm/s")->note_count, 0);
+    r = check(state, RING, "ring_shear.speed=900 mm/s"); // a warning takes its place
+    assert_int_equal(r->note_count, 0);
+}
+
+static void notes_are_in_json_and_text(void **state)
+{
+    static char text[CLOD_CHECK_TEXT];
+    const clod_check_report *r = check(state, RING, "ring_shear.speed=40 mm/s");
+    clod_check_report_text(r, text);
+    assert_non_null(strstr(text, "warnings           none\nnote               40 mm/s may be"));
+    assert_true(clod_check_report_json(r, text));
+    json_t *json = json_loads(text, 0, NULL);
+    assert_non_null(json);
+    const json_t *notes = json_object_get(json, "notes");
+    assert_int_equal(json_array_size(notes), 1);
+    assert_string_equal(json_string_value(json_array_get(notes, 0)), r->note[0]);
+    json_decref(json);
+}
+
 // Critical step 2 sqrt(m*/k) as in step_and_what_sets_it: 8.8e-6 s.
 static void a_step_beyond_the_critical_one_is_wrong_use(void **state)
 {
@@ -357,6 +389,8 @@ int main(void)
         cmocka_unit_test(a_good_case_has_no_warning),
         cmocka_unit_test(each_fault_has_its_warning),
         cmocka_unit_test(a_dry_bed_is_judged_at_the_height_aimed_at),
+        cmocka_unit_test(a_cohesive_bed_that_may_settle_too_low_is_noted),
+        cmocka_unit_test(notes_are_in_json_and_text),
         cmocka_unit_test(a_step_beyond_the_critical_one_is_wrong_use),
         cmocka_unit_test(the_rayleigh_limit_sets_the_step_of_hertz),
         cmocka_unit_test(too_many_threads_are_told),
