@@ -223,8 +223,10 @@ static const clod_param GRAINS[] = {
      .need = CLOD_PARAM_OPTIONAL,
      .example = "grains.csv",
      CLOD_AT(G, file),
-     .help = "CSV with one grain a row: position, radius and, when given, velocity, spin, "
-             "material (one of count, mass, fill_height, file).",
+     .help = "CSV with one grain a row (one of count, mass, fill_height, file). The first line "
+             "names the columns in any order, each quantity with its unit: x [mm], y [mm], "
+             "z [mm], radius [mm] and, when wanted, vx [m/s], vy [m/s], vz [m/s], wx [rad/s], "
+             "wy [rad/s], wz [rad/s], id, material. Lines that begin with # are skipped.",
      .source = "convention"},
     {.key = "radius",
      .kind = CLOD_PARAM_SECTION,

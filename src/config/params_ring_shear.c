@@ -141,9 +141,11 @@ static const clod_param ROWS[] = {
          "Longest shear of a point in search of its peak.", "PHYSICS 7"),
     REAL(beyond_peak, "m", CLOD_ABOVE(0, 100), "2 mm",
          "Shear that is recorded beyond the peak.", "PHYSICS 7"),
-    WHOLE(seeds, CLOD_FROM(1, 1000), "1",
-          "Number of repeats with seed, seed + 1, ...; from two on results have error bars.",
-          "PHYSICS 7"),
+    WHOLE(
+        seeds, CLOD_FROM(1, 1000), "1",
+        "Number of repeats with seed, seed + 1, ...; from two on the error bars come from the "
+        "scatter between them, with one from the points about their line.",
+        "PHYSICS 7"),
 };
 
 const clod_table CLOD_TABLE_RING_SHEAR = {.title = "Virtual Schulze ring shear test.",

@@ -28,6 +28,9 @@ static const char *const NAMES[COLUMNS] = {"x",  "y",  "z",  "radius", "vx", "vy
 static const char *const UNITS[COLUMNS] = {"m",   "m",     "m",     "m",     "m/s", "m/s",
                                            "m/s", "rad/s", "rad/s", "rad/s", "1",   ""};
 
+/** A header as it may stand in a file, for messages. */
+#define HEADER "id, x [mm], y [mm], z [mm], radius [mm]"
+
 #define FIELDS_MOST 32
 
 /** A piece of the file between two separators, blanks cut off. */
@@ -108,6 +111,19 @@ static bool read_unit(const reader *r, field cell, field unit, column c, double 
     return clod_unit_convert(written, UNITS[c], scale, message) || read_fail(r, cell, message);
 }
 
+/** A column without brackets: right for an id and a material, for a quantity it is refused. */
+static bool accept_bare(const reader *r, field cell, column c)
+{
+    if (c >= COLUMN_ID) {
+        return true;
+    }
+    char problem[96];
+    snprintf(problem, sizeof problem,
+             "the unit is missing; write %.*s [%s], or whichever unit the numbers have",
+             (int)cell.length, cell.text, c <= COLUMN_RADIUS ? "mm" : UNITS[c]);
+    return read_fail(r, cell, problem);
+}
+
 static bool read_column(reader *r, size_t f)
 {
     const field cell = r->fields[f];
@@ -132,7 +148,7 @@ static bool read_column(reader *r, size_t f)
     r->columns[f] = c;
     r->scale[f] = 1.0;
     if (bracket == NULL) {
-        return true;
+        return accept_bare(r, cell, c);
     }
     if (cell.text[cell.length - 1] != ']') {
         return read_fail(r, cell,
@@ -255,7 +271,7 @@ static bool read_lines(reader *r, const char *text, uint64_t *next_id, clod_grai
     }
     return r->column_count > 0 || clod_status_fail(r->status, CLOD_USAGE,
                                                    "%s:1:1: the file is empty; its first line "
-                                                   "names the columns: id,x,y,z,r",
+                                                   "names the columns and their units: " HEADER,
                                                    r->group->file);
 }
 

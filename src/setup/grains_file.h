@@ -11,7 +11,7 @@
  * Read grains from a CSV file and append them.
  *
  * The first line names the columns, in any order: x, y, z, radius (or r); optional id, vx, vy,
- * vz, wx, wy, wz, material. A unit may follow in brackets, `x [mm]`; without it numbers are SI.
+ * vz, wx, wy, wz, material. All but id and material need their unit in brackets, `x [mm]`.
  * Blank lines and lines that begin with # are skipped.
  *
  * @param from    materials by name

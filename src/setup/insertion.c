@@ -223,9 +223,9 @@ static bool no_room(const clod_insertion_batch *batch, const clod_insertion_spac
     return clod_status_fail(
         status, CLOD_USAGE,
         "%s: only %zu of %zu grains fit into the region (%s, x %g to %g m, y %g to %g m, z %g "
-        "to "
-        "%g m) clear of walls and of each other; their solid volume is %.3g of the region, "
-        "0.3 fits at random and about 0.45 in layers. Make the region larger (it may be "
+        "to %g m) clear of walls and of each other; their solid volume is %.3g times that of "
+        "the region, 0.3 fits at random and about 0.45 in layers. Make the region larger (it "
+        "may be "
         "higher than the settled bed), or ask for fewer or smaller grains",
         what->name, batch->reached, what->count,
         space->region->kind == CLOD_REGION_BOX ? "box" : "annulus", space->low[0],

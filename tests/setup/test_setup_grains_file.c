@@ -51,10 +51,10 @@ static void check_refused(const char *text, char *material, const char *expected
     clod_grains_fini(&r.grains);
 }
 
-static void plain_form_is_si(void **state)
+static void si_units_are_taken_as_they_are(void **state)
 {
     (void)state;
-    reading r = read_text("id,x,y,z,r,vx,vy,vz\n"
+    reading r = read_text("id,x [m],y [m],z [m],r [m],vx [m/s],vy [m/s],vz [m/s]\n"
                           "7,0.1,0.2,0.3,0.004,1,2,3\n"
                           "5,0.4,0.5,0.6,0.005,-1,-2,-3\n",
                           "ore");
@@ -97,19 +97,21 @@ static void columns_in_any_order_with_units_and_materials(void **state)
 static void errors_say_line_and_column(void **state)
 {
     (void)state;
-    check_refused("x,y,z,radius\n1,2,3\n", "ore",
+    check_refused("x [m],y [m],z [m],radius [m]\n1,2,3\n", "ore",
                   "2:1: 3 values, but the header has 4 columns");
-    check_refused("x,y,z,radius\n\n1,2,abc,4\n", "ore",
+    check_refused("x [m],y [m],z [m],radius [m]\n\n1,2,abc,4\n", "ore",
                   "3:5: \"abc\": a number is expected; units belong into the header: x [mm]");
-    check_refused("x,y,z,radius\n1,2,3 mm,4\n", "ore",
+    check_refused("x [m],y [m],z [m],radius [m]\n1,2,3 mm,4\n", "ore",
                   "2:5: \"3 mm\": a number is expected; units belong into the header: x [mm]");
-    check_refused("x,y,z,radius\n1,2,nan,4\n", "ore",
+    check_refused("x [m],y [m],z [m],radius [m]\n1,2,nan,4\n", "ore",
                   "2:5: \"nan\": a number is expected; units belong into the header: x [mm]");
-    check_refused("x,y,z,radius\n1,2,,4\n", "ore", "2:5: \"\": a number is expected");
-    check_refused("x,y,z,radius\n1,2,3,-4\n", "ore", "2:7: \"-4\": a radius must be positive");
-    check_refused("x,y,z,radius,id\n1,2,3,4,1.5\n", "ore",
+    check_refused("x [m],y [m],z [m],radius [m]\n1,2,,4\n", "ore",
+                  "2:5: \"\": a number is expected");
+    check_refused("x [m],y [m],z [m],radius [m]\n1,2,3,-4\n", "ore",
+                  "2:7: \"-4\": a radius must be positive");
+    check_refused("x [m],y [m],z [m],radius [m],id\n1,2,3,4,1.5\n", "ore",
                   "2:9: \"1.5\": an id must be a whole number, 0 or more");
-    check_refused("x,y,z,radius,material\n1,2,3,4,iron\n", "ore",
+    check_refused("x [m],y [m],z [m],radius [m],material\n1,2,3,4,iron\n", "ore",
                   "2:9: \"iron\": no material of the case has this name");
 }
 
@@ -117,26 +119,48 @@ static void wrong_headers_are_refused(void **state)
 {
     (void)state;
     check_refused("", "ore",
-                  "1:1: the file is empty; its first line names the columns: id,x,y,z,r");
-    check_refused("x,y,radius\n", "ore", "1:1: there is no column \"z\"");
-    check_refused("x,y,z,radius,x\n", "ore", "1:14: \"x\": this column is there twice");
-    check_refused("x,y,z,radius\n", NULL,
+                  "1:1: the file is empty; its first line names the columns and their units: "
+                  "id, x [mm], y [mm], z [mm], radius [mm]");
+    check_refused("x [m],y [m],radius [m]\n", "ore", "1:1: there is no column \"z\"");
+    check_refused("x [m],y [m],z [m],radius [m],x [m]\n", "ore",
+                  "1:30: \"x [m]\": this column is there twice");
+    check_refused("x [m],y [m],z [m],radius [m]\n", NULL,
                   "1:1: there is no column \"material\", and the group of grains names no "
                   "material either");
-    check_refused("x,y,z,radius,mass\n", "ore",
-                  "1:14: \"mass\": unknown column; there are x, y, z, radius (or r), and "
+    check_refused("x [m],y [m],z [m],radius [m],mass\n", "ore",
+                  "1:30: \"mass\": unknown column; there are x, y, z, radius (or r), and "
                   "optional id, vx, vy, vz, wx, wy, wz, material");
     check_refused(
         "x [mm,y,z,radius\n", "ore",
         "1:1: \"x [mm\": the unit's bracket is not closed; write for instance x [mm]");
-    check_refused("x,y,z,radius,id [m]\n", "ore",
-                  "1:14: \"id [m]\": this column takes no such unit");
+    check_refused("x [m],y [m],z [m],radius [m],id [m]\n", "ore",
+                  "1:30: \"id [m]\": this column takes no such unit");
+}
+
+// Numbers meant in mm must not be read as m in silence.
+static void quantity_without_unit_is_refused(void **state)
+{
+    (void)state;
+    check_refused(
+        "id,x,y [mm],z [mm],radius [mm]\n1,1,2,3,4\n", "ore",
+        "1:4: \"x\": the unit is missing; write x [mm], or whichever unit the numbers "
+        "have");
+    check_refused(
+        "# made by hand\nx [m],y [m],z [m], r \n", "ore",
+        "2:20: \"r\": the unit is missing; write r [mm], or whichever unit the numbers "
+        "have");
+    check_refused("x [m],y [m],z [m],r [m],vy\n", "ore",
+                  "1:25: \"vy\": the unit is missing; write vy [m/s], or whichever unit the "
+                  "numbers have");
+    check_refused("x [m],y [m],z [m],r [m],wz\n", "ore",
+                  "1:25: \"wz\": the unit is missing; write wz [rad/s], or whichever unit the "
+                  "numbers have");
 }
 
 static void wrong_unit_is_refused(void **state)
 {
     (void)state;
-    reading r = read_text("x [kg],y,z,radius\n", "ore");
+    reading r = read_text("x [kg],y [m],z [m],radius [m]\n", "ore");
     assert_false(r.good);
     assert_non_null(strstr(r.status.text, ":1:1: \"x [kg]\": "));
     clod_grains_fini(&r.grains);
@@ -161,7 +185,7 @@ static void long_file_is_read_whole(void **state)
     (void)state;
     enum { ROWS = 20000 };
     char *text = malloc(64 * ROWS);
-    size_t length = (size_t)sprintf(text, "x,y,z,r\n");
+    size_t length = (size_t)sprintf(text, "x [m],y [m],z [m],r [m]\n");
     for (int k = 0; k < ROWS; k++) {
         length += (size_t)sprintf(text + length, "%d,0,0,1%s", k, k + 1 < ROWS ? "\n" : "");
     }
@@ -177,7 +201,7 @@ static void long_file_is_read_whole(void **state)
 static void zero_byte_is_refused(void **state)
 {
     (void)state;
-    const char text[] = "x,y,z,r\n1,2,3,4\n\0001,2,3,4\n";
+    const char text[] = "x [m],y [m],z [m],r [m]\n1,2,3,4\n\0001,2,3,4\n";
     reading r = read_bytes(text, sizeof text - 1, "ore");
     assert_false(r.good);
     assert_non_null(strstr(r.status.text, ": it is no text file"));
@@ -187,10 +211,11 @@ static void zero_byte_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(plain_form_is_si),
+        cmocka_unit_test(si_units_are_taken_as_they_are),
         cmocka_unit_test(columns_in_any_order_with_units_and_materials),
         cmocka_unit_test(errors_say_line_and_column),
         cmocka_unit_test(wrong_headers_are_refused),
+        cmocka_unit_test(quantity_without_unit_is_refused),
         cmocka_unit_test(wrong_unit_is_refused),
         cmocka_unit_test(missing_file_is_named),
         cmocka_unit_test(long_file_is_read_whole),

@@ -134,7 +134,7 @@ static void end_with_file(clod_case **from)
 static void step_of_free_grains_by_hand(void **state)
 {
     (void)state;
-    clod_case *from = load_with_file("x,y,z,r\n0,0,0.5,1e-3\n", "");
+    clod_case *from = load_with_file("x [m],y [m],z [m],r [m]\n0,0,0.5,1e-3\n", "");
     clod_state s;
     build(from, &s);
     check_relative(s.dt, 0.1 * 4.06653e-5 / 3.14159265358979, 1e-5);
@@ -153,7 +153,7 @@ static void impact_of_a_fall_by_hand(void **state)
 {
     (void)state;
     clod_case *from = load_with_file(
-        "x,y,z,r,vx\n0,0,0.5,1e-3,1\n",
+        "x [m],y [m],z [m],r [m],vx [m/s]\n0,0,0.5,1e-3,1\n",
         "gravity: [0 m/s2, 0 m/s2, -9.80665 m/s2]\n"
         "walls: {floor: {material: steel, shapes: [{plane: {point: [0 m, 0 m, 0 m]}}]}}\n");
     clod_state s;
@@ -174,7 +174,7 @@ static void largest_load_of_all_stages_counts(void **state)
 {
     (void)state;
     clod_case *from =
-        load_with_file("x,y,z,r\n0,0,1e-3,1e-3\n",
+        load_with_file("x [m],y [m],z [m],r [m]\n0,0,1e-3,1e-3\n",
                        "gravity: [0 m/s2, 0 m/s2, -10 m/s2]\n"
                        "walls: {lid: {material: steel,"
                        " shapes: [{disc: {center: [0 m, 0 m, 2 mm], radius: 1 mm}}],"
@@ -209,11 +209,11 @@ static void largest_load_of_all_stages_counts(void **state)
 static void worst_overlap_is_named_with_its_pair(void **state)
 {
     (void)state;
-    clod_case *from =
-        load_with_file("id,x,y,z,r\n11,7.6e-3,5e-3,5e-3,1e-3\n12,9.5e-3,5e-3,5e-3,1e-3\n13,2e-"
-                       "3,5e-3,5e-3,2e-3\n",
-                       "domain: {min: [0 m, 0 m, 0 m], max: [10 mm, 10 mm, 10 mm],"
-                       " periodic: [true, false, false]}\n");
+    clod_case *from = load_with_file(
+        "id,x [m],y [m],z [m],r [m]\n11,7.6e-3,5e-3,5e-3,1e-3\n12,9.5e-3,5e-3,5e-3,1e-3\n13,2e-"
+        "3,5e-3,5e-3,2e-3\n",
+        "domain: {min: [0 m, 0 m, 0 m], max: [10 mm, 10 mm, 10 mm],"
+        " periodic: [true, false, false]}\n");
     clod_state s;
     build(from, &s);
     clod_setup_overlap worst;
@@ -230,8 +230,8 @@ static void worst_overlap_is_named_with_its_pair(void **state)
 static void id_twice_is_refused(void **state)
 {
     (void)state;
-    clod_case *from =
-        load_with_file("id,x,y,z,r\n4,0,0,0,1e-3\n5,1,0,0,1e-3\n4,2,0,0,1e-3\n", "");
+    clod_case *from = load_with_file(
+        "id,x [m],y [m],z [m],r [m]\n4,0,0,0,1e-3\n5,1,0,0,1e-3\n4,2,0,0,1e-3\n", "");
     clod_state s;
     clod_status status = {0};
     assert_false(clod_setup_state(from, 1, &s, &status));
