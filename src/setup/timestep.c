@@ -125,7 +125,13 @@ static void meet(const clod_case *from, const clod_timestep_grains *grains, int 
     const clod_timestep_pair pair = make_pair(from, grains, a, b, wall);
     const clod_timestep_spring spring = stiffest_spring(&pair, grains->radius_mean);
     const double period = spring_period(spring);
-    self->limit = self->limit > 0.0 ? fmin(self->limit, period / M_PI) : period / M_PI;
+    if (!(self->limit > 0.0) || period / M_PI < self->limit) {
+        self->limit = period / M_PI;
+        self->limit_force = pair.force;
+        self->limit_a = from->materials[a].name;
+        self->limit_b = from->materials[b].name;
+        self->limit_wall = wall;
+    }
     double step = from->time.safety * period / M_PI;
     clod_timestep_reason reason = spring.reason;
     if (pair.law.kind == CLOD_LAW_HERTZ) {
@@ -208,9 +214,10 @@ bool clod_timestep_accept(const clod_timestep *self, clod_status *status)
     }
     return clod_status_fail(
         status, CLOD_USAGE,
-        "time.step: %.4g s is beyond the critical step of the stiffest "
-        "contact under the expected load: the run would blow up. It must be "
-        "at most %.4g s, which is the largest stable step of a single "
-        "contact; write auto, which takes %.4g s",
-        self->step, self->limit, self->automatic);
+        "time.step: %.4g s is beyond the critical step of the stiffest contact, under %.4g N "
+        "between %s and %s%s (time.design_stress changes this load): the run would blow up. It "
+        "must be at most %.4g s, which is the largest stable step of a single contact; write "
+        "auto, which takes %.4g s",
+        self->step, self->limit_force, self->limit_a, self->limit_b,
+        self->limit_wall ? " (wall)" : "", self->limit, self->automatic);
 }

@@ -38,12 +38,16 @@ typedef struct clod_timestep {
     double period;              ///< s, 2 pi sqrt(mass/stiffness)
     double critical;            ///< s, period/pi: beyond it the integration blows up
     double automatic;           ///< s, the step that auto takes
-    double limit;               ///< s, smallest critical step of any pair; 0 without grains
     // of the same pair, at the estimated load
     double unloading;     ///< N/m, k2 tangent
     double force;         ///< N on a contact
     double overlap;       ///< m
     double overlap_ratio; ///< overlap / mean radius
+    // of the pair with the smallest critical step, which with hertz need not be the same
+    double limit;                  ///< s, that step; 0 without grains
+    double limit_force;            ///< N on its contact
+    const char *limit_a, *limit_b; ///< its materials, borrowed from the case
+    bool limit_wall;               ///< b is a wall's
     // over all grain materials with a Young's modulus
     double rayleigh;          ///< s, smallest Rayleigh time; 0 = unknown
     double rayleigh_fraction; ///< step / rayleigh; 0 = unknown
@@ -91,7 +95,7 @@ clod_timestep clod_timestep_choose(const clod_case *from, const clod_timestep_gr
  * Refuse a given step beyond the critical step of any pair: energy would grow without end, and
  * what comes out need not even look wrong.
  *
- * Errors  CLOD_USAGE with the largest stable step.   Threads  pure.
+ * Errors  CLOD_USAGE with the largest stable step, its pair and the load.   Threads  pure.
  * Source  PHYSICS 5.   Test  tests/setup/test_setup_timestep.c
  */
 bool clod_timestep_accept(const clod_timestep *self, clod_status *status);

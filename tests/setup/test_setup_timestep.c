@@ -275,6 +275,28 @@ static void given_step_beyond_the_critical_one_is_refused(void **state)
     char most[64];
     snprintf(most, sizeof most, "at most %.4g s", critical);
     assert_non_null(strstr(status.text, most));
+    // not the pair of the Rayleigh time, ore on steel; 50 kPa on (6 mm)^2
+    assert_true(t.wall && !t.limit_wall);
+    assert_non_null(strstr(status.text, "under 1.8 N between ore and ore (time.design_stress"));
+}
+
+// With a stiffer steel wall, 8 k2: its period is the shorter one though the whole grain swings.
+static void wall_of_the_critical_step_is_named(void **state)
+{
+    (void)state;
+    clod_case_contact pairs[MATERIALS * MATERIALS];
+    clod_case from = copper_ore(pairs);
+    pairs[ORE * MATERIALS + STEEL].k2 *= 8.0;
+    from.time.step = 1.0;
+    const clod_timestep_grains grains = {.radius_min = 3e-3,
+                                         .radius_mean = 3e-3,
+                                         .stress = 50e3,
+                                         .is_grain = ONLY_ORE,
+                                         .is_wall = ONLY_STEEL};
+    clod_status status = {CLOD_OK, ""};
+    const clod_timestep t = clod_timestep_choose(&from, &grains);
+    assert_false(clod_timestep_accept(&t, &status));
+    assert_non_null(strstr(status.text, "N between ore and steel (wall) (time.design_stress"));
 }
 
 int main(void)
@@ -291,6 +313,7 @@ int main(void)
         cmocka_unit_test(eepa_is_pressed_by_its_pull_too),
         cmocka_unit_test(given_step_is_kept_and_auto_is_still_told),
         cmocka_unit_test(given_step_beyond_the_critical_one_is_refused),
+        cmocka_unit_test(wall_of_the_critical_step_is_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
