@@ -225,6 +225,7 @@ typedef struct clod_case_ring_shear {
     double preshear_max;       ///< m of shear at most
     double shear_max;          ///< m of shear at most, after reversal
     double beyond_peak;        ///< m of shear recorded beyond the peak
+    double peak_window;        ///< m of shear over which the curve is smoothed
     int64_t seeds;             ///< number of repeats: seed, seed + 1, ...
 } clod_case_ring_shear;
 

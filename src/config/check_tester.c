@@ -114,12 +114,12 @@ static void check_ways(clod_loader *loader, const clod_case_ring_shear *ring)
             "(block_displacement) are longer than preshear_max = %.10g m",
             (long long)ring->steady_blocks, ring->block_displacement, ring->preshear_max);
     }
-    if (ring->beyond_peak >= ring->shear_max) {
-        clod_check_fail(loader,
-                        written(loader, "ring_shear.shear_max", "ring_shear.beyond_peak"),
-                        "no peak can be passed: beyond_peak = %.10g m is not less than "
-                        "shear_max = %.10g m",
-                        ring->beyond_peak, ring->shear_max);
+    if (ring->beyond_peak + ring->peak_window >= ring->shear_max) {
+        clod_check_fail(
+            loader, written(loader, "ring_shear.shear_max", "ring_shear.beyond_peak"),
+            "no peak can be passed: beyond_peak + peak_window = %.10g m is not less "
+            "than shear_max = %.10g m",
+            ring->beyond_peak + ring->peak_window, ring->shear_max);
     }
 }
 

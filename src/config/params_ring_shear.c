@@ -141,6 +141,11 @@ static const clod_param ROWS[] = {
          "Longest shear of a point in search of its peak.", "PHYSICS 7"),
     REAL(beyond_peak, "m", CLOD_ABOVE(0, 100), "2 mm",
          "Shear that is recorded beyond the peak.", "PHYSICS 7"),
+    REAL(
+        peak_window, "m", CLOD_ABOVE(0, 1), "0.2 mm",
+        "Shear over which the curve is smoothed to find its peak. A wide window lowers a sharp "
+        "peak, a narrow one takes noise for it: compare 0.2 and 1 mm.",
+        "PHYSICS 7; docs/theory/ring-shear.md"),
     WHOLE(
         seeds, CLOD_FROM(1, 1000), "1",
         "Number of repeats with seed, seed + 1, ...; from two on the error bars come from the "

@@ -11,13 +11,15 @@
  * largest smoothed value.
  *
  * A moving average lowers a sharp peak, by window^2/24 times its curvature; the largest value
- * of a noisy curve is too large by up to about one standard error. Choose the window so that
- * both are small.
+ * of a noisy curve is too large, by one or two standard deviations of the smoothed curve.
+ * Choose the window so that both are small.
  *
  * The standard error comes from the noise in the window of the peak: scatter of the bins about
  * a straight line, divided by the number of bins. Neighbouring bins are correlated, so this is
  * done with bins, pairs and fours of bins, and the largest counts (blocking; Flyvbjerg and
- * Petersen, J. Chem. Phys. 91 (1989) 461). It is meant to be on the safe side.
+ * Petersen, J. Chem. Phys. 91 (1989) 461). It knows nothing of noise that is correlated over
+ * more than the window, as of slip and stick: there the scatter of the points about the yield
+ * locus, and of seeds, tells.
  */
 
 #include <stdbool.h>

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "clod/version.h"
 #include "measure/contacts.h"
 #include "output/folder.h"
 #include "setup/state.h"
@@ -210,7 +209,7 @@ static bool write_summary(const clod_job *job, clod_status *status)
     const char *title = job->sim->from->title;
     json_t *root =
         json_pack("{s:s, s:s, s:f, s:f, s:I, s:I, s:I, s:f, s:f, s:f, s:f, s:o}", "title",
-                  title != NULL ? title : "", "version", clod_version_text(), "time_s",
+                  title != NULL ? title : "", "version", job->memory.version, "time_s",
                   state->time, "dt_s", state->dt, "steps", (json_int_t)state->step, "grains",
                   (json_int_t)state->grains.count, "contacts", (json_int_t)bed.pairs,
                   "coordination", bed.coordination, "max_overlap", bed.max_overlap,

@@ -8,6 +8,7 @@
 #include <time.h>
 
 #include "base/memory.h"
+#include "clod/version.h"
 #include "measure/contacts.h"
 #include "output/checkpoint.h"
 #include "output/series.h"
@@ -100,6 +101,14 @@ bool clod_job_resume(clod_job *job, clod_status *status)
         return false;
     }
     job->resumed = true;
+    if (strncmp(job->memory.version, clod_version_text(), CLOD_JOB_VERSION - 1) != 0) {
+        const size_t used = strlen(notice);
+        snprintf(
+            notice + used, sizeof notice - used,
+            "%s%s was begun by %s; this is another build, so its end may differ from that of "
+            "one build throughout (--fresh starts over)",
+            used > 0 ? "; " : "", job->name, job->memory.version);
+    }
     if (notice[0] != '\0' && job->sim->options->notice != NULL) {
         job->sim->options->notice(job->sim->options->context, notice);
     }
@@ -338,6 +347,9 @@ bool clod_job_run(clod_job *job, clod_status *status)
 {
     if (job->memory.finished != 0) {
         return true;
+    }
+    if (!job->resumed) {
+        snprintf(job->memory.version, sizeof job->memory.version, "%s", clod_version_text());
     }
     job_loop loop = {.job = job, .slice = FIRST_SLICE};
     bool ok = open_loop(&loop, status);

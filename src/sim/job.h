@@ -35,14 +35,17 @@ typedef struct clod_sim {
     clod_eventlog *log;
 } clod_sim;
 
+#define CLOD_JOB_VERSION 128 ///< bytes of a version text
+
 /** What a job remembers beside state and procedure; plain data. */
 typedef struct clod_job_memory {
     int64_t finished;
     int64_t series_bytes;
-    int64_t snapshots;    ///< written so far
-    double next_snapshot; ///< s
-    double wall_clock;    ///< s spent so far, over all interruptions
-    int64_t planned;      ///< steps until the procedure looks again
+    int64_t snapshots;              ///< written so far
+    double next_snapshot;           ///< s
+    double wall_clock;              ///< s spent so far, over all interruptions
+    int64_t planned;                ///< steps until the procedure looks again
+    char version[CLOD_JOB_VERSION]; ///< of the clod that began the job
 } clod_job_memory;
 
 typedef struct clod_job {

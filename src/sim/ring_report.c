@@ -27,6 +27,16 @@ static clod_locus_point point_of(const clod_ring_part *part)
     };
 }
 
+/** An error in its cell; one that is not known leaves it empty. */
+static const char *error_cell(double error, char cell[32])
+{
+    cell[0] = '\0';
+    if (error > 0.0) {
+        snprintf(cell, 32, "%.9g", error);
+    }
+    return cell;
+}
+
 static bool write_points(const char *directory, const clod_locus_point *points, int count,
                          clod_status *status)
 {
@@ -40,10 +50,13 @@ static bool write_points(const char *directory, const clod_locus_point *points, 
                         "seed,sigma_pre [Pa],tau_pre [Pa],sigma_sh [Pa],tau_sh [Pa],"
                         "rho_b [kg/m3],tau_pre_error [Pa],tau_sh_error [Pa]\n");
     for (int p = 0; p < count; p++) {
+        char of_p[32];
+        char of_s[32];
         used += snprintf(text + used, size - (size_t)used,
-                         "%lld,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", (long long)points[p].seed,
+                         "%lld,%.9g,%.9g,%.9g,%.9g,%.9g,%s,%s\n", (long long)points[p].seed,
                          points[p].sigma_p, points[p].tau_p, points[p].sigma_s, points[p].tau_s,
-                         points[p].rho_b, points[p].tau_p_error, points[p].tau_s_error);
+                         points[p].rho_b, error_cell(points[p].tau_p_error, of_p),
+                         error_cell(points[p].tau_s_error, of_s));
     }
     snprintf(path, sizeof path, "%s/points.csv", directory);
     const bool ok = clod_folder_write(path, text, status);
@@ -92,13 +105,13 @@ static json_t *part_json(const clod_ring_part *part)
     set_number(j, "displacement_m", point ? t->point_displacement : t->preshear_displacement);
     set_number(j, "bulk_density_kg_m3", point ? t->point_density : t->preshear_density);
     set_number(j, "height_m", t->preshear_height);
+    json_object_set_new(j, "version", json_string(part->version));
     set_number(j, "hanger_force_N", t->hanger_force);
     return j;
 }
 
 static bool write_summary(const clod_sim *sim, const clod_ring_part *part, int parts,
-                          const clod_locus_study *study, const char *warnings,
-                          clod_status *status)
+                          const clod_locus_study *study, json_t *warnings, clod_status *status)
 {
     char path[PATH_TEXT];
     char *locus = clod_locus_json(study);
@@ -107,7 +120,7 @@ static bool write_summary(const clod_sim *sim, const clod_ring_part *part, int p
         json_array_append_new(list, part_json(&part[p]));
     }
     json_t *root = json_pack(
-        "{s:s, s:s, s:o, s:o?, s:s}", "title", sim->from->title != NULL ? sim->from->title : "",
+        "{s:s, s:s, s:o, s:o?, s:O}", "title", sim->from->title != NULL ? sim->from->title : "",
         "version", clod_version_text(), "parts", list, "locus",
         locus != NULL ? json_loads(locus, 0, NULL) : NULL, "warnings", warnings);
     clod_locus_free(locus);
@@ -130,20 +143,41 @@ static double total_wall_clock(const clod_ring_part *part, int parts)
     return sum;
 }
 
+/** Append the warning box, if there is anything to warn of. */
+static void append_box(char *text, size_t size, const json_t *warnings)
+{
+    size_t used = strlen(text);
+    size_t at;
+    json_t *warning;
+    json_array_foreach(warnings, at, warning)
+    {
+        used += (size_t)snprintf(text + used, size - used, "%s  - %s\n",
+                                 at == 0 ? "\n  Warnings of the simulation\n" : "",
+                                 json_string_value(warning));
+    }
+}
+
 /** Title, yield locus, warnings, cost: what the engineer asked for. */
 static char *make_text(const clod_sim *sim, const clod_ring_part *part, int parts,
-                       const clod_locus_study *study, const char *warnings)
+                       const clod_locus_study *study, const json_t *warnings)
 {
     char *table = clod_locus_table(study);
-    const size_t size = 1024 + (table != NULL ? strlen(table) : 0) + strlen(warnings);
+    size_t size = 1024 + (table != NULL ? strlen(table) : 0);
+    size_t at;
+    json_t *warning;
+    json_array_foreach(warnings, at, warning)
+    {
+        size += 8 + json_string_length(warning);
+    }
     char *text = clod_memory_alloc(size, 1);
     if (text != NULL) {
         snprintf(text, size,
                  "%s\n%zu grains, dt %.4g s, coordination %.2f, largest overlap at the "
-                 "end of preshear %.3g %% of a radius, %.0f s of work\n\n%s%s",
+                 "end of preshear %.3g %% of a radius, %.0f s of work\n\n%s",
                  sim->from->title != NULL ? sim->from->title : "ring shear test",
                  part[0].grains, part[0].dt, part[0].coordination, 100.0 * part[0].max_overlap,
-                 total_wall_clock(part, parts), table != NULL ? table : "", warnings);
+                 total_wall_clock(part, parts), table != NULL ? table : "");
+        append_box(text, size, warnings);
     }
     clod_locus_free(table);
     return text;
@@ -153,10 +187,10 @@ bool clod_ring_report(const clod_sim *sim, const clod_ring_part *part, int prepa
                       int points, char **report, clod_status *status)
 {
     clod_locus_point *point = clod_memory_alloc((size_t)points, sizeof *point);
-    char *warnings = clod_ring_warnings(sim->from, part, preparations + points);
+    json_t *warnings = clod_ring_warnings(sim->from, part, preparations + points);
     if (point == NULL || warnings == NULL) {
         clod_memory_free(point);
-        clod_memory_free(warnings);
+        json_decref(warnings);
         return clod_status_fail(status, CLOD_FAILED, "no memory for the report");
     }
     for (int p = 0; p < points; p++) {
@@ -172,6 +206,6 @@ bool clod_ring_report(const clod_sim *sim, const clod_ring_part *part, int prepa
     }
     clod_locus_study_destroy(&study);
     clod_memory_free(point);
-    clod_memory_free(warnings);
+    json_decref(warnings);
     return ok;
 }

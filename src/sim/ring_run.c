@@ -107,6 +107,7 @@ static void note_result(const clod_job *job, clod_ring_part *part)
     part->steps = job->state.step;
     part->dt = job->state.dt;
     part->wall_clock = job->memory.wall_clock;
+    memcpy(part->version, job->memory.version, sizeof part->version);
     part->grains = job->state.grains.count;
     part->coordination = bed.coordination;
     part->max_overlap = bed.max_overlap;

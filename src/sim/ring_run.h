@@ -14,9 +14,10 @@ typedef struct clod_ring_part {
     int64_t seed;
     int64_t point; ///< row of shear_stresses; -1 for the preparation
     clod_ring_shear test;
-    int64_t steps;     ///< of this part
-    double dt;         ///< s
-    double wall_clock; ///< s
+    int64_t steps;                  ///< of this part
+    double dt;                      ///< s
+    double wall_clock;              ///< s
+    char version[CLOD_JOB_VERSION]; ///< of the clod that began this part
     size_t grains;
     double coordination;              ///< grain-grain contacts of a grain at the end
     double max_overlap, mean_overlap; ///< fraction of a radius, at the end

@@ -6,8 +6,8 @@
 #include "tester/ring_limits.h"
 #include "tester/ring_measure.h"
 
-// The programme below is the operator's hand: none of these numbers is physics, and the
-// results folder shows what each did. Displacements are at the mean radius r_m.
+// The programme below is the operator's hand: none of these numbers is a property of the solid,
+// and the results folder shows what each did. Displacements are at the mean radius r_m.
 #define SETTLED_SPEED 0.02  ///< m/s, root mean square of the grains at the end of filling
 #define TOUCH_FRACTION 0.05 ///< of the preshear stress: the lid carries
 #define RAMP_TIME 0.02      ///< s over which the load is raised or lowered
@@ -17,7 +17,6 @@
 #define ACCELERATION 3.0    ///< m/s2: below it the inertia of the bed stays below 1 % of tau
 #define FINE_STEPS 50       ///< steps per look while the speed changes
 #define BLOCK_SAMPLES 50    ///< samples per block of preshear
-#define PEAK_WINDOW 2e-4    ///< m over which the peak is smoothed
 
 const char *clod_ring_shear_phase_name(clod_ring_shear_phase phase)
 {
@@ -83,7 +82,7 @@ void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_st
     // height that still changes is told in the warning box
     clod_steady_init(&self->steady, cell->steady_blocks, BLOCK_SAMPLES, cell->steady_tolerance,
                      INFINITY);
-    clod_peak_init(&self->peak, PEAK_WINDOW, cell->beyond_peak);
+    clod_peak_init(&self->peak, cell->peak_window, cell->beyond_peak);
     clod_ring_wall(state, "lid")->load = CLOD_LOAD_NONE;
     enter(self, state, CLOD_RING_SHEAR_FILL);
 }
@@ -117,7 +116,8 @@ int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *stat
         return steps_for(self->block_displacement / BLOCK_SAMPLES, self->speed, state);
     }
     if (self->phase == CLOD_RING_SHEAR_SHEAR) { // a sample for every bin of the peak at least
-        const int64_t bin = steps_for(PEAK_WINDOW / CLOD_PEAK_BINS, self->shear_speed, state);
+        const int64_t bin =
+            steps_for(self->peak.window / CLOD_PEAK_BINS, self->shear_speed, state);
         return bin < CLOD_RING_COARSE_STEPS ? bin : CLOD_RING_COARSE_STEPS;
     }
     return CLOD_RING_COARSE_STEPS;

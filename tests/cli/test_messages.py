@@ -121,7 +121,7 @@ class Messages(clod.Case):
         self.assertLessEqual(len(lines), 2 + seconds / 10, done.stderr)
         for line in lines[:-1]:
             self.assertRegex(line, r"^run +\w+ +\d\.\d{4} s, step \d+, \S+ grain-steps/s"
-                                   r"(, at most \d+:\d\d:\d\d left)?$")
+                                   r"(, at most \d+:\d\d:\d\d left of this part)?$")
         self.assertRegex(lines[-1], r"^run +drag +0\.4\d* s, step \d+, \S+ grain-steps/s$")
 
     def test_output_that_cannot_be_written(self):

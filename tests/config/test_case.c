@@ -267,6 +267,7 @@ static void copper_ore_is_that_of_the_paper(void **state)
         same(ring->preshear_max, 0.12);
         same(ring->shear_max, 0.01);
         same(ring->beyond_peak, 0.002);
+        same(ring->peak_window, 0.0002);
         assert_int_equal(ring->grain_count, 0);
         assert_int_equal(ring->seeds, 1);
         clod_case_destroy(&made);

@@ -52,7 +52,8 @@ static int make_cell(void **context)
                                                  .steady_tolerance = 0.02,
                                                  .preshear_max = 20e-3,
                                                  .shear_max = 5e-3,
-                                                 .beyond_peak = 1e-3};
+                                                 .beyond_peak = 1e-3,
+                                                 .peak_window = 0.2e-3};
     for (int w = 0; w < 3; w++) {
         snprintf(now.wall[w].name, sizeof now.wall[w].name, "%s", NAMES[w]);
         now.wall[w].shapes = &now.shape[w];

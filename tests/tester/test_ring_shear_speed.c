@@ -36,7 +36,8 @@ static void begin(cell *self, double inner, double outer, double speed)
                                            .steady_tolerance = 0.02,
                                            .preshear_max = 1.0,
                                            .shear_max = 5e-3,
-                                           .beyond_peak = 1e-3}};
+                                           .beyond_peak = 1e-3,
+                                           .peak_window = 0.2e-3}};
     memset(self, 0, sizeof *self);
     for (int w = 0; w < 3; w++) {
         snprintf(self->wall[w].name, sizeof self->wall[w].name, "%s", NAMES[w]);
