@@ -148,7 +148,8 @@ static void write_remaining(char text[80], double remaining)
     text[0] = '\0';
     if (remaining >= 0.0) {
         const long s = (long)remaining;
-        snprintf(text, 80, ", at most %ld:%02ld:%02ld left of this part", s / 3600, s / 60 % 60, s % 60);
+        snprintf(text, 80, ", at most %ld:%02ld:%02ld left of this part", s / 3600, s / 60 % 60,
+                 s % 60);
     }
 }
 

@@ -245,7 +245,7 @@ class Provoked(clod.Case):
         return done.stdout
 
     def test_warnings(self):
-        text = self.report("--set", "ring_shear.preshear_max=2 mm", "--set",
+        text = self.report("--set", "ring_shear.preshear_max=3 mm", "--set",
                            "ring_shear.lid_damping=20")
         # so much damping that the lid does not come down to the grains in time
         for warning in ("preshear: not steady after",
