@@ -13,6 +13,7 @@
 
 #include "app.h"
 #include "clod/contact_bench.h"
+#include "clod/text_file.h"
 #include "one_case.h"
 
 typedef struct request {
@@ -78,8 +79,8 @@ static void print_summary(FILE *out, const clod_contact_bench_summary *s)
             s->damping_coefficient);
 }
 
-static bool run(const request *self, const clod_case *from, FILE *table,
-                clod_contact_bench_summary *summary, clod_status *status)
+static bool run(const clod_case *from, FILE *table, clod_contact_bench_summary *summary,
+                clod_status *status)
 {
     if (table != NULL) {
         fprintf(table, "%s\n", clod_contact_bench_header());
@@ -88,30 +89,32 @@ static bool run(const request *self, const clod_case *from, FILE *table,
         return false;
     }
     if (table != NULL && (fflush(table) != 0 || ferror(table))) {
-        return clod_status_fail(status, CLOD_FAILED, "%s cannot be written: %s",
-                                self->output != NULL ? self->output : "the table",
+        return clod_status_fail(status, CLOD_FAILED, "the table cannot be written: %s",
                                 strerror(errno));
     }
     return true;
 }
 
-/** Choose where the table goes, NULL for nowhere; false when the file cannot be made. */
-static bool open_table(const request *self, FILE **table, clod_status *status)
+/** The table as a whole, then into its file: half a table is never there. */
+static bool run_into_file(const request *self, const clod_case *from,
+                          clod_contact_bench_summary *summary, clod_status *status)
 {
-    *table = self->summary ? NULL : stdout;
-    if (self->output == NULL) {
-        return true;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *table = open_memstream(&text, &size);
+    bool good = table != NULL && run(from, table, summary, status);
+    if (table == NULL || fclose(table) != 0) {
+        good = clod_status_fail(status, CLOD_FAILED, "no memory for the table");
     }
-    *table = fopen(self->output, "w");
-    return *table != NULL || clod_status_fail(status, CLOD_FAILED, "%s: cannot be written: %s",
-                                              self->output, strerror(errno));
+    good = good && clod_text_file_write(self->output, self->of.path, text, status);
+    free(text);
+    return good;
 }
 
 static bool work(const request *self, clod_status *status)
 {
     clod_contact_bench_summary summary;
     clod_case *from = clod_one_case_load(&self->of, status);
-    FILE *table = NULL;
     if (from == NULL) {
         return false;
     }
@@ -120,9 +123,10 @@ static bool work(const request *self, clod_status *status)
                                  "%s: there is no contact_bench in this case; clod new "
                                  "contact-bench writes an example",
                                  self->of.path);
-    good = good && open_table(self, &table, status) && run(self, from, table, &summary, status);
-    if (self->output != NULL && table != NULL) {
-        fclose(table);
+    if (good && self->output != NULL) {
+        good = run_into_file(self, from, &summary, status);
+    } else if (good) {
+        good = run(from, self->summary ? NULL : stdout, &summary, status);
     }
     if (good) {
         print_summary(self->summary ? stdout : stderr, &summary);

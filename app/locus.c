@@ -11,6 +11,7 @@
 
 #include "app.h"
 #include "clod/locus.h"
+#include "clod/text_file.h"
 
 enum { KEY_JSON = 256, KEY_CSV, KEY_SIGMA, KEY_TAU };
 
@@ -63,16 +64,14 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     }
 }
 
-static bool put(const char *path, const char *text, clod_status *status)
+static bool put(const request *self, const char *text, clod_status *status)
 {
-    FILE *out = path == NULL ? stdout : fopen(path, "w");
-    bool done = out != NULL && fputs(text, out) >= 0 && fflush(out) == 0;
-    const int error = errno;
-    if (out != NULL && path != NULL) {
-        done = fclose(out) == 0 && done;
+    if (self->output != NULL) {
+        return clod_text_file_write(self->output, self->points, text, status);
     }
-    return done || clod_status_fail(status, CLOD_FAILED, "Cannot write %s: %s.",
-                                    path == NULL ? "the result" : path, strerror(error));
+    return (fputs(text, stdout) >= 0 && fflush(stdout) == 0) ||
+           clod_status_fail(status, CLOD_FAILED, "Cannot write the result: %s.",
+                            strerror(errno));
 }
 
 static bool run(const request *self, clod_status *status)
@@ -89,7 +88,7 @@ static bool run(const request *self, clod_status *status)
     }
     char *text = self->write(study);
     const bool done = text != NULL
-                          ? put(self->output, text, status)
+                          ? put(self, text, status)
                           : clod_status_fail(status, CLOD_FAILED, "No memory for the result.");
     clod_locus_free(text);
     clod_locus_study_destroy(&study);

@@ -6,6 +6,7 @@
 #include <argp.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "app.h"
 #include "clod/verify.h"
@@ -72,6 +73,22 @@ static void print_report(const clod_verify_report *report, const char *directory
            report->misses, directory);
 }
 
+/** Whether verification.md in the folder may be replaced: it is not there, or a report. */
+static bool may_replace(const char *directory)
+{
+    static const char MARK[] = "# Verification\n\nWritten by `clod verify`";
+    char path[4096];
+    char text[sizeof MARK] = "";
+    snprintf(path, sizeof path, "%s/verification.md", directory);
+    FILE *file = fopen(path, "r");
+    if (file == NULL) {
+        return true; // it is not there; what cannot be written is told at the end
+    }
+    const size_t length = fread(text, 1, sizeof MARK - 1, file);
+    fclose(file);
+    return length == sizeof MARK - 1 && strcmp(text, MARK) == 0;
+}
+
 static int run(const request *self)
 {
     const clod_verify_options options = {.directory = self->directory,
@@ -81,6 +98,13 @@ static int run(const request *self)
     clod_verify_report report;
     clod_status status = {CLOD_OK, ""};
     int result = EXIT_SUCCESS;
+    if (!may_replace(self->directory)) {
+        fprintf(stderr,
+                "clod verify: %s/verification.md is in the way: clod did not write it. Choose "
+                "another folder with -o, or move the file away.\n",
+                self->directory);
+        return CLOD_USAGE;
+    }
     if (!clod_verify_run(&options, &report, &status)) {
         fprintf(stderr, "clod verify: %s\n", status.text);
         result = (int)status.code;

@@ -37,6 +37,18 @@ class Verify(clod.Case):
         self.assertEqual(done.returncode, 1)
         self.assertIn("cannot be made", done.stderr)
 
+    def test_report_of_someone_else(self):
+        for text in ("", "# Verification\n\nof my own model\n"):
+            with open(self.path("verification.md"), "w") as file:
+                file.write(text)
+            done = clod.run("verify", "-o", self.folder, QUICK)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("verification.md is in the way", done.stderr)
+            self.assertIn("-o", done.stderr)
+            self.assertEqual(os.listdir(self.folder), ["verification.md"])
+            with open(self.path("verification.md")) as file:
+                self.assertEqual(file.read(), text)
+
     def test_report_curves_and_cases(self):
         done = clod.run("verify", "-o", self.path("a/b"), QUICK)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
@@ -50,6 +62,8 @@ class Verify(clod.Case):
             table = list(csv.reader(file))
         self.assertEqual(len(table[0]), 3)
         self.assertGreater(len(table), 20)
+        again = clod.run("verify", "-o", self.path("a/b"), QUICK)
+        self.assertEqual(again.returncode, 0, again.stderr)
         # what a reader would do: run the case that was tested
         case = self.path(f"a/b/cases/{QUICK}-al_alloy/case.yaml")
         again = clod.run("run", case, "-o", self.path("rerun"), "-t", "1")
