@@ -77,7 +77,8 @@ static void handle_signals(void)
 }
 
 static const struct argp_option OPTIONS[] = {
-    {"output", 'o', "DIR", 0, "results folder (run/NAME of the case)", 0},
+    {"output", 'o', "DIR", 0, "results folder (run/NAME for NAME.yaml and for NAME/case.yaml)",
+     0},
     {"threads", 't', "N", 0, "threads (all processors); results do not depend on it", 0},
     {"set", 'S', "KEY=VALUE", 0,
      "change a key of the case, for instance ring_shear.speed='10 mm/s'; may be given often",
@@ -195,7 +196,7 @@ static int run_case(request *self)
     clod_case *from =
         clod_case_load(self->path, self->overrides, self->override_count, &status);
     if (from == NULL) {
-        fprintf(stderr, "%s\n", status.text);
+        fprintf(stderr, "clod run: %s\n", status.text);
         return exit_status(&status);
     }
     pthread_mutex_init(&shown.lock, NULL);
@@ -206,12 +207,13 @@ static int run_case(request *self)
     char *report;
     bool ok = clod_run(from, &self->options, &report, &status);
     if (ok && (fputs(report, stdout) == EOF || fflush(stdout) != 0)) {
-        fputs("clod: the results cannot be written to standard output; they are in the results "
+        fputs("clod run: the results cannot be written to standard output; they are in the "
+              "results "
               "folder\n",
               stderr);
         ok = false;
     } else if (!ok) {
-        fprintf(stderr, "%sclod: %s\n", shown.terminal ? CLEAR_LINE : "", status.text);
+        fprintf(stderr, "%sclod run: %s\n", shown.terminal ? CLEAR_LINE : "", status.text);
     }
     clod_run_free(report);
     clod_case_destroy(&from);

@@ -25,7 +25,7 @@ typedef enum clod_check_kind {
 typedef struct clod_check_options {
     int threads;           ///< 0 = all processors
     const char *simd;      ///< instruction set; NULL = the best
-    const char *directory; ///< results folder, for the disk space; NULL = run/NAME of the case
+    const char *directory; ///< results folder, for the disk space; NULL = as clod_run
 } clod_check_options;
 
 /** Numbers in SI; 0 = not known or not meant for this kind of case. */

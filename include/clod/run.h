@@ -25,7 +25,7 @@ typedef struct clod_progress {
 } clod_progress;
 
 typedef struct clod_run_options {
-    const char *directory; ///< results folder; NULL = run/NAME of the case
+    const char *directory; ///< results folder; NULL = run/NAME for NAME.yaml
     int threads;           ///< 0 = all processors
     const char *simd;      ///< instruction set; NULL = the best
     bool fresh;            ///< forget earlier results of this folder

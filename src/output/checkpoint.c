@@ -254,8 +254,8 @@ static bool check_origin(const clod_checkpoint_file *file, const char *case_text
         clod_checkpoint_file_case_hash(case_text) != file->head.case_hash) {
         return clod_status_fail(status, CLOD_USAGE,
                                 "The case has changed since %s was written (step %" PRId64
-                                ", time %.9g s); a run cannot go on with another case. Start "
-                                "over with --fresh, or write to another folder with -o.",
+                                ", time %.9g s); a run cannot go on with another case. Write "
+                                "to another folder with -o, or start over with --fresh.",
                                 file->path, file->head.step, file->head.time);
     }
     return true;

@@ -28,8 +28,10 @@ bool clod_file_fail(clod_status *status, const char *action, const char *path, i
     if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
         advice = " Free some space, then give the same command again: the run goes on from its "
                  "last checkpoint. What was complete before is untouched.";
-    } else if (error == ENOENT) {
+    } else if (error == ENOENT && strcmp(action, "write") == 0) {
         advice = " Does the folder exist?";
+    } else if (error == ENOENT && strcmp(action, "make the folder") == 0) {
+        advice = " No folder can be made there; choose another one with -o.";
     } else if (error == EACCES || error == EROFS || error == EPERM) {
         advice = " Choose a folder that you may write to with -o.";
     }

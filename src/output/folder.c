@@ -36,17 +36,39 @@ struct clod_folder {
     int lock;
 };
 
+/** "run/NAME" of a name that is not ended by a zero; NULL without memory. */
+static char *below_run(const char *name, size_t length)
+{
+    const size_t size = length + sizeof "run/";
+    char *path = clod_memory_alloc(size, 1);
+    if (path != NULL) {
+        snprintf(path, size, "run/%.*s", (int)length, name);
+    }
+    return path;
+}
+
+/** Name of the folder that holds a file, as it is on the disk; NULL for that of the root. */
+static char *name_of_folder(const char *file)
+{
+    char folder[PATH_MAX];
+    char whole[PATH_MAX];
+    const char *slash = strrchr(file, '/');
+    snprintf(folder, sizeof folder, "%.*s", slash == NULL ? 1 : (int)(slash - file) + 1,
+             slash == NULL ? "." : file);
+    const char *found = realpath(folder, whole);
+    const char *name = found == NULL ? NULL : strrchr(found, '/') + 1;
+    return name == NULL || name[0] == '\0' ? NULL : clod_memory_text(name);
+}
+
 char *clod_folder_default(const char *case_path)
 {
     const char *slash = strrchr(case_path, '/');
     const char *name = slash == NULL ? case_path : slash + 1;
     const char *dot = strrchr(name, '.');
     const size_t length = dot == NULL || dot == name ? strlen(name) : (size_t)(dot - name);
-    const size_t size = length + sizeof "run/";
-    char *path = clod_memory_alloc(size, 1);
-    if (path != NULL) {
-        snprintf(path, size, "run/%.*s", (int)length, name);
-    }
+    char *holder = strcmp(name, "case.yaml") == 0 ? name_of_folder(case_path) : NULL;
+    char *path = holder != NULL ? below_run(holder, strlen(holder)) : below_run(name, length);
+    clod_memory_free(holder);
     return path;
 }
 

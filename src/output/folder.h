@@ -11,7 +11,10 @@
 
 typedef struct clod_folder clod_folder;
 
-/** Owned text "run/NAME" for a case file ".../NAME.yaml"; NULL without memory. */
+/**
+ * Owned text "run/NAME" for a case file ".../NAME.yaml", and for ".../NAME/case.yaml", since
+ * many cases are called that; NULL without memory.
+ */
 char *clod_folder_default(const char *case_path);
 
 /** Make a folder and its parents; one that exists is fine. */

@@ -76,7 +76,7 @@ static bool read_checkpoint(clod_job *job, const char *name, clod_job_memory *me
     stem_of(name, "", stem);
     pthread_mutex_lock(&hdf5_lock);
     const bool ok = clod_checkpoint_read(job->sim->directory, stem, &job->state, parts, count,
-                                         job->sim->effective, notice, notice_size, status);
+                                         job->sim->identity, notice, notice_size, status);
     pthread_mutex_unlock(&hdf5_lock);
     return ok;
 }
@@ -118,6 +118,15 @@ bool clod_job_resume(clod_job *job, clod_status *status)
     return true;
 }
 
+/** The interval may be another one than before: do not wait for the end of the longer one. */
+static void reschedule_snapshots(clod_job *job)
+{
+    const double interval = job->sim->from->output.snapshot_interval;
+    if (job->memory.next_snapshot > job->state.time + 1.01 * interval) {
+        job->memory.next_snapshot = job->state.time;
+    }
+}
+
 /** Bring the history into the state and write everything; the series first. */
 static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *status)
 {
@@ -135,7 +144,7 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
     }
     pthread_mutex_lock(&hdf5_lock);
     const bool ok = clod_checkpoint_write(job->sim->directory, stem, &job->state, parts, count,
-                                          job->sim->effective, status);
+                                          job->sim->identity, status);
     pthread_mutex_unlock(&hdf5_lock);
     return ok;
 }
@@ -312,6 +321,7 @@ static bool open_loop(job_loop *loop, clod_status *status)
         if (!ok) {
             return false;
         }
+        reschedule_snapshots(job);
     }
     loop->series = clod_series_open(path, job->procedure.columns, job->procedure.column_count,
                                     job->resumed ? job->memory.series_bytes : -1, status);

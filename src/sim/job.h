@@ -31,7 +31,7 @@ typedef struct clod_sim {
     const clod_case *from;
     const clod_run_options *options;
     const char *directory;
-    const char *effective; ///< the complete case: checkpoints belong to it
+    const char *identity; ///< of the case (sim/identity.h): checkpoints belong to it
     clod_eventlog *log;
 } clod_sim;
 

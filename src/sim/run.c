@@ -10,7 +10,9 @@
 #include "output/file.h"
 #include "output/folder.h"
 #include "sim/free_run.h"
+#include "sim/identity.h"
 #include "sim/ring_run.h"
+#include "sim/trial.h"
 #include "step/kernel.h"
 
 #define PATH_TEXT 4096
@@ -29,11 +31,39 @@ static bool has_checkpoints(const char *directory)
     return any;
 }
 
+/** Title of a complete case with the words around it, for a message; empty without one. */
+static void title_of(const char *complete, char *text, size_t size)
+{
+    static const char KEY[] = "\ntitle: ";
+    const char *line = strstr(complete, KEY);
+    text[0] = '\0';
+    if (line != NULL) {
+        const char *title = line + sizeof KEY - 1;
+        snprintf(text, size, " (%.*s)", (int)strcspn(title, "\n"), title);
+    }
+}
+
+/** Say in what the case differs from that of the run in the folder. */
+static void fail_changed(const clod_sim *sim, const char *before, const char *complete,
+                         clod_status *status)
+{
+    char title[256];
+    const char *grains = clod_identity_changed_grains(sim->from, before, complete);
+    title_of(before, title, sizeof title);
+    clod_status_fail(
+        status, CLOD_USAGE,
+        "%s%s has changed since the run%s in %s was begun; a run cannot go on with "
+        "%s. Write to another folder with -o, or remove that run and start over "
+        "with --fresh.",
+        grains != NULL ? "The grain file " : "The case", grains != NULL ? grains : "", title,
+        sim->directory, grains != NULL ? "other grains" : "another case");
+}
+
 /**
  * Refuse to go on with another case before its copies in the folder are replaced. Checkpoints
  * know their case too; this is for the copies.
  */
-static bool check_same_case(const clod_sim *sim, clod_status *status)
+static bool check_same_case(const clod_sim *sim, const char *complete, clod_status *status)
 {
     char path[PATH_TEXT];
     void *before;
@@ -44,26 +74,28 @@ static bool check_same_case(const clod_sim *sim, clod_status *status)
         !clod_file_read(path, &before, &size, &unread)) {
         return true;
     }
-    const bool same = strcmp(before, sim->effective) == 0;
+    char *identity = clod_identity_text(before);
+    const bool same = identity != NULL && strcmp(identity, sim->identity) == 0;
+    if (!same) {
+        fail_changed(sim, before, complete, status);
+    }
+    clod_memory_free(identity);
     clod_memory_free(before);
-    return same || clod_status_fail(status, CLOD_USAGE,
-                                    "The case has changed since the run in %s was begun; a run "
-                                    "cannot go on with another case. Start over with --fresh, "
-                                    "or write to another folder with -o.",
-                                    sim->directory);
+    return same;
 }
 
 /** Make the folder ready: clear it when asked, write the copies of the case, open the log. */
-static bool fill_folder(clod_sim *sim, const clod_folder *folder, clod_status *status)
+static bool fill_folder(clod_sim *sim, const clod_folder *folder, const char *complete,
+                        clod_status *status)
 {
     char path[PATH_TEXT];
-    if (!check_same_case(sim, status)) {
+    if (!check_same_case(sim, complete, status)) {
         return false;
     }
     if (sim->options->fresh && !clod_folder_clear(folder, status)) {
         return false;
     }
-    if (!clod_folder_write_case(sim->directory, sim->from->text, sim->effective, status)) {
+    if (!clod_folder_write_case(sim->directory, sim->from->text, complete, status)) {
         return false;
     }
     snprintf(path, sizeof path, "%s/log.jsonl", sim->directory);
@@ -98,38 +130,49 @@ static bool check_request(const clod_case *from, const clod_run_options *options
                             options->simd);
 }
 
-bool clod_run(const clod_case *self, const clod_run_options *options, char **report,
-              clod_status *status)
+/** Run in a folder that is locked for it. */
+static bool run_in_folder(clod_sim *sim, const char *complete, char **report,
+                          clod_status *status)
 {
-    *report = NULL;
-    if (!check_request(self, options, status)) {
-        return false;
-    }
-    char *standard = options->directory == NULL ? clod_folder_default(self->path) : NULL;
-    char *effective = clod_case_echo(self);
-    const char *directory = standard != NULL ? standard : options->directory;
-    clod_sim sim = {
-        .from = self, .options = options, .directory = directory, .effective = effective};
-    clod_folder *folder = NULL;
-    bool ok = false;
-    if (directory == NULL || effective == NULL) {
-        clod_status_fail(status, CLOD_FAILED, "no memory for %s", self->path);
-    } else {
-        folder = clod_folder_open(directory, status);
-        ok = folder != NULL && fill_folder(&sim, folder, status) &&
-             run_case(&sim, report, status);
-    }
+    clod_folder *folder = clod_folder_open(sim->directory, status);
+    bool ok = folder != NULL && fill_folder(sim, folder, complete, status) &&
+              run_case(sim, report, status);
     if (ok && *report == NULL) {
         ok = clod_status_fail(status, CLOD_FAILED, "no memory for the report");
     }
     clod_status log_status;
-    if (!clod_eventlog_close(&sim.log, &log_status) && ok) {
+    if (!clod_eventlog_close(&sim->log, &log_status) && ok) {
         *status = log_status;
         ok = false;
     }
     clod_folder_close(&folder);
+    return ok;
+}
+
+bool clod_run(const clod_case *self, const clod_run_options *options, char **report,
+              clod_status *status)
+{
+    *report = NULL;
+    if (!check_request(self, options, status) ||
+        (options->fresh && !clod_trial_run(self, options, status))) {
+        return false;
+    }
+    char *complete = clod_identity_complete(self, status);
+    if (complete == NULL) {
+        return false;
+    }
+    char *standard = options->directory == NULL ? clod_folder_default(self->path) : NULL;
+    char *identity = clod_identity_text(complete);
+    clod_sim sim = {.from = self,
+                    .options = options,
+                    .directory = standard != NULL ? standard : options->directory,
+                    .identity = identity};
+    const bool ok = sim.directory != NULL && identity != NULL
+                        ? run_in_folder(&sim, complete, report, status)
+                        : clod_status_fail(status, CLOD_FAILED, "no memory for %s", self->path);
     clod_memory_free(standard);
-    clod_memory_free(effective);
+    clod_memory_free(identity);
+    clod_memory_free(complete);
     return ok;
 }
 

@@ -1,7 +1,9 @@
 """Files of the user in the results folder: never written over, never deleted."""
 
+import json
 import os
 import shutil
+import signal
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -86,6 +88,115 @@ class Folder(clod.Case):
         self.run_into("copy", BOX)  # with the lock: goes on, here to report only
         os.remove(self.path("copy/" + LOCK))
         self.refused("copy", "case-complete.yaml")
+
+    def content(self, folder, *but):
+        """Bytes and times of all files of a folder."""
+        paths = {name: self.path(f"{folder}/{name}") for name in os.listdir(self.path(folder))}
+        return {name: (clod.read(path), os.stat(path).st_mtime_ns)
+                for name, path in paths.items() if name not in but}
+
+    def test_refused_fresh(self):
+        """A case that cannot begin does not cost the results that are there."""
+        self.run_into("out", BOX)
+        before = self.content("out")
+        narrow = ["domain.max=[12 mm, 40 mm, 200 mm]", "grains.0.count=3",
+                  "grains.0.region.box.max=[12 mm, 30 mm, 60 mm]"]
+        for text, *changes in (("of 100000 grains fit", "grains.0.count=100000"),
+                               ("time.step", "time.step=1 s"),
+                               ("the period along x", *narrow)):
+            sets = [word for change in changes for word in ("--set", change)]
+            done = clod.run("run", BOX, "-o", "out", "-t", "1", "--fresh", *sets,
+                            cwd=self.folder)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(text, done.stderr)
+            self.assertEqual(self.content("out"), before)
+
+    def test_refused_fresh_of_a_ring(self):
+        self.run_into("out", BOX)
+        before = self.content("out")
+        done = clod.run("run", RING, "-o", "out", "-t", "1", "--fresh", "--set",
+                        "time.step=1 s", cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(self.content("out"), before)
+
+    def test_another_case(self):
+        """The message tells whose run lies there, and the way that loses nothing first."""
+        self.run_into("out", BOX)
+        before = self.content("out", LOCK)
+        done = clod.run("run", BOX, "-o", "out", "--set", "seed=8", cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn('since the run ("Small box with lid") in out was begun', done.stderr)
+        self.assertLess(done.stderr.index("with -o"), done.stderr.index("--fresh"))
+        self.assertEqual(self.content("out", LOCK), before)
+
+    def write_grains(self, height):
+        with open(self.path("grains.csv"), "w") as file:
+            file.write(f"x [mm],y [mm],z [mm],r [mm]\n10,10,{height},3\n20,20,{height},3\n")
+
+    def test_changed_grain_file(self):
+        with open(BOX) as file:
+            lines = file.read().splitlines()
+        lines.remove("seed: 3")  # nothing is at random
+        group = lines.index("grains:")
+        self.assertTrue(lines[group + 4].startswith("    region:"))
+        lines[group + 2:group + 5] = ["    file: grains.csv"]
+        with open(self.path("pack.yaml"), "w") as file:
+            file.write("\n".join(lines))
+        self.write_grains(5)
+        self.run_into("out", "pack.yaml")
+        before = self.content("out", LOCK, "log.jsonl")
+        self.run_into("out", "pack.yaml")  # unchanged: only reports
+        self.run_into("out", self.path("out/case-complete.yaml"))
+        self.write_grains(6)
+        done = clod.run("run", "pack.yaml", "-o", "out", cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertRegex(done.stderr, r"The grain file \S*grains\.csv has changed since the run "
+                                      r'\("Small box with lid"\) in out was begun')
+        os.remove(self.path("grains.csv"))
+        done = clod.run("run", "pack.yaml", "-o", "out", "--fresh", cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("grains.csv", done.stderr)
+        after = self.content("out", LOCK, "log.jsonl")
+        for name in before:
+            if not name.startswith("case"):  # written again by the runs that went on
+                self.assertEqual(after[name][0], before[name][0], name)
+        self.write_grains(6)
+        self.run_into("out", "pack.yaml", "--fresh")
+
+    def times(self, folder):
+        with open(self.path(f"{folder}/run.hdf.series")) as file:
+            return [entry["time"] for entry in json.load(file)["files"]]
+
+    def test_other_snapshots_on_the_way(self):
+        """Keys of output that change no bit may change: the run goes on, to the same rows."""
+        self.run_into("whole", BOX)
+        process = clod.start("run", BOX, "-o", self.path("out"), "-t", "1", "--set",
+                             "output.snapshot_interval=10 s", "--set", "output.contacts=false")
+        self.assertTrue(clod.wait_until(lambda: any(
+            event.get("to") == "compress" for event in clod.log(self.path("out"))), process))
+        process.send_signal(signal.SIGTERM)
+        process.communicate()
+        self.assertEqual(process.returncode, 128 + signal.SIGTERM)
+        stopped = clod.log(self.path("out"))[-1]["time_s"]
+        self.run_into("out", BOX, "--set", "output.checkpoint_interval=1 s", "--set",
+                      "output.snapshot_interval=10 ms")
+        self.assertEqual(clod.read(self.path("out/series.csv")),
+                         clod.read(self.path("whole/series.csv")))
+        self.assertEqual(clod.without_clock(clod.read(self.path("out/summary.json"))),
+                         clod.without_clock(clod.read(self.path("whole/summary.json"))))
+        times = [time for time in self.times("out") if time > stopped]
+        self.assertGreaterEqual(len(times), int((0.4 - stopped) / 10e-3) - 1)
+        for one, other in zip([stopped] + times, times):
+            self.assertLess(other - one, 11e-3)  # and a row of the series, 0.5 ms
+        with open(self.path("out/case-complete.yaml")) as file:
+            self.assertIn("snapshot_interval: 0.01 s", file.read())
+
+    def test_another_series_is_another_case(self):
+        self.run_into("out", BOX)
+        done = clod.run("run", BOX, "-o", "out", "--set", "output.series_interval=1 ms",
+                        cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("The case has changed", done.stderr)
 
 
 if __name__ == "__main__":

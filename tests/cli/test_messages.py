@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import sys
 import time
 
@@ -69,7 +70,7 @@ class Messages(clod.Case):
         self.assertEqual(os.listdir(self.folder), [], "wrong options leave no folder")
 
     def test_cases(self):
-        self.refused(["run", "missing.yaml"], "missing.yaml: cannot be opened: No such file")
+        self.refused(["run", "missing.yaml"], "clod run: missing.yaml: cannot be opened: No such file")
         self.refused(["run", "."], "cannot be")
         self.refused(["run", BOX, "--set", "seeed=3"], "seeed: this key is not known; did you "
                      "mean seed?")
@@ -95,9 +96,13 @@ class Messages(clod.Case):
         with open(self.path("file"), "w") as file:
             file.write("mine")
         for name in ("file", "file/", "file/deep"):
-            self.refused(["run", BOX, "-o", name], "clod: file is there and is not a folder",
+            self.refused(["run", BOX, "-o", name], "clod run: file is there and is not a folder",
                          "another folder with -o")
         self.assertEqual(clod.read(self.path("file")), b"mine")
+        said = self.refused(["run", BOX, "-o", "/proc/none"],
+                            "clod run: Cannot make the folder /proc/none: ",
+                            "choose another one with -o", code=1)
+        self.assertNotIn("Does the folder exist", said)
 
     def test_default_folder(self):
         done = clod.run("run", BOX, "-t", "1", "--set", "stages.0.duration=1 ms",
@@ -105,6 +110,43 @@ class Messages(clod.Case):
                         cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue(os.path.exists(self.path("run/box/series.csv")))
+
+    def test_default_folders_of_cases_of_one_name(self):
+        """X/case.yaml goes into run/X, from whichever folder it is run."""
+        for name, case in (("ore", "ore/case.yaml"), ("coal", "./coal/case.yaml"),
+                           (os.path.basename(self.folder), "case.yaml")):
+            os.makedirs(self.path(os.path.dirname(case)), exist_ok=True)
+            shutil.copy(BOX, self.path(case))
+            sets = ["--set", f"title={name}"]
+            for stage in range(3):
+                sets += ["--set", f"stages.{stage}.duration=1 ms"]
+            done = clod.run("run", case, "-t", "1", *sets, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(self.path(f"run/{name}/summary.json")) as file:
+                self.assertEqual(json.load(file)["title"], name)
+
+    def test_input_is_not_written_over(self):
+        with open(self.path("points.csv"), "w") as file:
+            file.write("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
+                       "10,8,3,4\n10,8,5,5\n10,8,7,6.5\n")
+        shutil.copy(clod.source("cases/contact-bench/case.yaml"), self.path("bench.yaml"))
+        os.symlink("points.csv", self.path("link.csv"))
+        for verb, own, other in (("locus", "points.csv", "link.csv"),
+                                 ("contact", "bench.yaml", "./bench.yaml")):
+            before = clod.read(self.path(own))
+            for name in (own, other):
+                self.refused([verb, own, "-o", name],
+                             f"clod {verb}: {name} is the file that is read", "name with -o")
+            self.assertEqual(clod.read(self.path(own)), before)
+            told = clod.run(verb, own, cwd=self.folder)
+            self.assertEqual(told.returncode, 0, told.stderr)
+            done = clod.run(verb, own, "-o", f"{verb}.csv", cwd=self.folder)
+            self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+            self.assertEqual(clod.read(self.path(f"{verb}.csv")).decode(), told.stdout)
+            self.refused([verb, own, "-o", "none/out.csv"], "Does the folder exist?", code=1)
+        self.assertEqual([name for name in os.listdir(self.folder) if "part" in name], [])
+        said = self.refused(["locus", "none.csv"], "clod locus: Cannot read none.csv: No such")
+        self.assertNotIn("folder", said)
 
     def test_where_output_goes(self):
         """The result alone on standard output; progress in plain lines when not a terminal."""

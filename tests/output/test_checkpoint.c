@@ -240,12 +240,11 @@ static void a_changed_case_is_refused(void **folder)
     const clod_state stored = random_state(1);
     assert_false(clod_checkpoint_read(*folder, "restart", &found, NULL, 0, CASE "# changed\n",
                                       notice, sizeof notice, &status));
-    snprintf(
-        text, sizeof text,
-        "The case has changed since %s/restart_a.h5 was written (step %" PRId64
-        ", time %.9g s); a run cannot go on with another case. Start over with --fresh, or "
-        "write to another folder with -o.",
-        (char *)*folder, stored.step, stored.time);
+    snprintf(text, sizeof text,
+             "The case has changed since %s/restart_a.h5 was written (step %" PRId64
+             ", time %.9g s); a run cannot go on with another case. Write to another folder "
+             "with -o, or start over with --fresh.",
+             (char *)*folder, stored.step, stored.time);
     assert_int_equal(status.code, CLOD_USAGE);
     assert_string_equal(status.text, text);
     clod_state_fini(&found);

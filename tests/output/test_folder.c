@@ -18,7 +18,12 @@ static void the_default_name_is_that_of_the_case(void **folder)
                                     {"five.yaml", "run/five"},
                                     {"/a.b/five", "run/five"},
                                     {"five.5.yml", "run/five.5"},
-                                    {".yaml", "run/.yaml"}};
+                                    {".yaml", "run/.yaml"},
+                                    {"cases/copper-ore-5/case.yaml", "run/copper-ore-5"},
+                                    {"src/../cases/free-run/./case.yaml", "run/free-run"},
+                                    {"cases/copper-ore-5/../case.yaml", "run/cases"},
+                                    {"/case.yaml", "run/case"},
+                                    {"missing/case.yaml", "run/case"}};
     for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
         char *path = clod_folder_default(names[n][0]);
         assert_string_equal(path, names[n][1]);
