@@ -43,9 +43,11 @@ typedef struct clod_job_memory {
     int64_t series_bytes;
     int64_t snapshots;              ///< written so far
     double next_snapshot;           ///< s
-    double wall_clock;              ///< s spent so far, over all interruptions
-    int64_t planned;                ///< steps until the procedure looks again
     char version[CLOD_JOB_VERSION]; ///< of the clod that began the job
+    int64_t planned;                ///< steps until the procedure looks again
+    double wall_clock;              ///< s spent so far, over all interruptions; the last
+                                    ///< member: beside its checksum in the file, so that tests
+                                    ///< tell it from everything that must be the same
 } clod_job_memory;
 
 typedef struct clod_job {
