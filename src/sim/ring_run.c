@@ -34,7 +34,8 @@ static bool ring_sample(void *data, const void *context, clod_state *state, doub
 static const char *ring_phase(const void *data, const void *context)
 {
     (void)context;
-    return clod_ring_shear_phase_name(((const clod_ring_shear *)data)->phase);
+    const clod_ring_shear *self = data;
+    return clod_ring_shear_phase_name((clod_ring_shear_phase)self->phase);
 }
 
 static double ring_fraction(const void *data, const void *context)
