@@ -191,7 +191,7 @@ static void friction_counts_from_the_pull_off_line(void **state)
                {CLOD_COULOMB_FORCE, 0.02, 1.0},     {CLOD_COULOMB_FORCE, 0.03, 1.25},
                {CLOD_COULOMB_PAPER, 0.02, 0.0},     {CLOD_COULOMB_PAPER, 0.03, 1.25}};
     for (int k = 0; k < 6; k++) {
-        contact.coulomb = row[k].coulomb;
+        contact.coulomb = (int)row[k].coulomb;
         law_probe probe = {.law = clod_law_make(&contact, &ORE, &ORE)};
         press(&probe, 0.05);
         const clod_law_motion motion = {.overlap = row[k].overlap,
