@@ -229,6 +229,24 @@ typedef struct clod_case_ring_shear {
     int64_t seeds;             ///< number of repeats: seed, seed + 1, ...
 } clod_case_ring_shear;
 
+/** Uniaxial test: confined consolidation, then crushing without the mould. */
+typedef struct clod_case_uniaxial {
+    bool present;
+    char *grain_material, *side_material, *base_material, *lid_material;
+    double diameter, height; ///< m; height = aimed, of the specimen
+    double lid_mass;         ///< kg
+    double lid_damping;      ///< fraction of critical
+    double radius_mean, radius_sd, radius_min, radius_max; ///< m
+    int64_t grain_count;                                   ///< 0 = as many as fill the height
+    double fill_fraction;           ///< solid fraction assumed while filling
+    double fill_adhesion;           ///< fraction of k_adh during filling
+    double *consolidation_stresses; ///< Pa
+    size_t consolidation_stress_count;
+    double speed;       ///< m/s of the lid, unloading and crushing
+    double crush_max;   ///< strain at most
+    double beyond_peak; ///< strain recorded beyond the peak
+} clod_case_uniaxial;
+
 /** One leg of the contact bench: linear from the values before to these in `steps` steps. */
 typedef struct clod_case_leg {
     double overlap;  ///< m at the end of the leg
@@ -270,6 +288,7 @@ typedef struct clod_case {
     size_t stage_count;
     clod_case_output output;
     clod_case_ring_shear ring_shear;
+    clod_case_uniaxial uniaxial;
     clod_case_contact_bench contact_bench;
 } clod_case;
 
@@ -301,6 +320,12 @@ int clod_case_material_index(const clod_case *self, const char *name);
 
 /** Contact law of materials a and b; symmetric. */
 const clod_case_contact *clod_case_pair(const clod_case *self, int a, int b);
+
+/** Key of the tester that makes its own grains, walls and stages in this case, or NULL. */
+const char *clod_case_tester(const clod_case *self);
+
+/** Largest normal stress of the case's tester [Pa]; 0 without one. */
+double clod_case_tester_stress(const clod_case *self);
 
 /**
  * The complete case with every default and unit written out, as YAML that loads again.

@@ -19,6 +19,7 @@
 typedef enum clod_check_kind {
     CLOD_CHECK_FREE_RUN,
     CLOD_CHECK_RING_SHEAR,
+    CLOD_CHECK_UNIAXIAL,
     CLOD_CHECK_CONTACT_BENCH, ///< nothing to estimate: all numbers are 0
 } clod_check_kind;
 
@@ -54,13 +55,13 @@ typedef struct clod_check_report {
     double pull_off;      ///< N, largest pull after that force
     double weight;        ///< N, of a mean grain
     double bond;          ///< pull_off / weight
-    // ring shear test
-    size_t full_grains;       ///< that fill the depth with fill_fraction
+    // ring shear test; the uniaxial test has all but those of preshear, points and bars
+    size_t full_grains;       ///< that fill depth or height with fill_fraction
     double height_aimed;      ///< m, of the specimen when it settles to fill_fraction
     double height_loose;      ///< m, as loose as it is filled in: it only gets lower
     double inertial_preshear; ///< inertial number at height_aimed
     double inertial_loose;    ///< at height_loose
-    double inertial_lowest, lowest_stress; ///< at the lowest shear stress, Pa
+    double inertial_lowest, lowest_stress; ///< at the lowest stress of the test, Pa
     double lowest_speed;                   ///< m/s, shear at that stress
     double across_width, across_depth;     ///< grain diameters
     double bar_diameters;                  ///< bar height in grain diameters

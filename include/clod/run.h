@@ -1,8 +1,9 @@
 #pragma once
 /**
  * @file run.h
- * Run a case: a free run, or a ring shear test from filling to yield locus. The same call goes
- * on from the checkpoints that an interrupted run left in its folder.
+ * Run a case: a free run, a ring shear test from filling to yield locus, or a uniaxial test
+ * from filling to flow function. The same call goes on from the checkpoints that an interrupted
+ * run left in its folder.
  */
 
 #include <stdatomic.h>

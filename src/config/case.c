@@ -166,3 +166,18 @@ const clod_case_contact *clod_case_pair(const clod_case *self, int a, int b)
                 (size_t)b < self->material_count);
     return &self->pairs[(size_t)a * self->material_count + (size_t)b];
 }
+
+const char *clod_case_tester(const clod_case *self)
+{
+    return self->ring_shear.present ? "ring_shear" : self->uniaxial.present ? "uniaxial" : NULL;
+}
+
+double clod_case_tester_stress(const clod_case *self)
+{
+    double stress = self->ring_shear.present ? self->ring_shear.preshear_stress : 0.0;
+    for (size_t k = 0; k < self->uniaxial.consolidation_stress_count; k++) {
+        const double other = self->uniaxial.consolidation_stresses[k];
+        stress = other > stress ? other : stress;
+    }
+    return stress;
+}

@@ -45,6 +45,22 @@ static bool is(const char *name, const char *material)
     return name != NULL && strcmp(name, material) == 0;
 }
 
+/** Materials of the case's tester: grains, side, base, lid; NULL without one. */
+typedef struct tester_materials {
+    const char *grain, *wall[3];
+} tester_materials;
+
+static tester_materials materials_of(const clod_case *self)
+{
+    const clod_case_ring_shear *r = &self->ring_shear;
+    const clod_case_uniaxial *u = &self->uniaxial;
+    return r->present
+               ? (tester_materials){r->grain_material,
+                                    {r->side_material, r->base_material, r->lid_material}}
+               : (tester_materials){u->grain_material,
+                                    {u->side_material, u->base_material, u->lid_material}};
+}
+
 /** Whether grains are of a material; grains from a file may be of any, and only some are. */
 static bool is_grain(const clod_case *self, const char *material, bool from_file)
 {
@@ -54,7 +70,7 @@ static bool is_grain(const clod_case *self, const char *material, bool from_file
             return true;
         }
     }
-    return (self->ring_shear.present && is(self->ring_shear.grain_material, material)) ||
+    return is(materials_of(self).grain, material) ||
            (self->contact_bench.present && is(self->contact_bench.material_1, material));
 }
 
@@ -66,10 +82,9 @@ static bool is_wall(const clod_case *self, const char *material)
             return true;
         }
     }
-    const clod_case_ring_shear *ring = &self->ring_shear;
-    return (ring->present &&
-            (is(ring->side_material, material) || is(ring->base_material, material) ||
-             is(ring->lid_material, material))) ||
+    const tester_materials tester = materials_of(self);
+    return is(tester.wall[0], material) || is(tester.wall[1], material) ||
+           is(tester.wall[2], material) ||
            (self->contact_bench.present && is(self->contact_bench.material_2, material));
 }
 
@@ -87,27 +102,31 @@ static void check_kind(clod_loader *loader, const clod_case *self)
 {
     static const char *const FREE[] = {"grains", "walls", "stages", "domain"};
     static const char *const RUN[] = {"walls", "domain", "gravity", "time", "output", "seed"};
-    const bool ring = self->ring_shear.present;
+    const char *tester = clod_case_tester(self);
     const bool grains = clod_check_has(loader, "grains");
     const bool stages = clod_check_has(loader, "stages");
     for (size_t i = 0; i < sizeof FREE / sizeof FREE[0]; i++) {
-        if (ring && clod_check_has(loader, FREE[i])) {
-            clod_check_fail(
-                loader, FREE[i],
-                "ring_shear makes its own cell and stages; remove %s, or ring_shear", FREE[i]);
+        if (tester != NULL && clod_check_has(loader, FREE[i])) {
+            clod_check_fail(loader, FREE[i],
+                            "%s makes its own cell and stages; remove %s, or %s", tester,
+                            FREE[i], tester);
         }
     }
-    if (!ring && grains && !stages) {
+    if (self->ring_shear.present && self->uniaxial.present) {
+        clod_check_fail(loader, "uniaxial",
+                        "a case has one tester; remove uniaxial, or ring_shear");
+    }
+    if (tester == NULL && grains && !stages) {
         clod_check_fail(
             loader, "grains",
             "grains need stages that say how long to run, for instance stages: [{name: "
             "settle, duration: 0.2 s}]");
     }
-    if (!ring && stages && !grains) {
+    if (tester == NULL && stages && !grains) {
         clod_check_fail(loader, "stages", "stages need grains");
     }
-    const bool nothing = !ring && !grains && !stages && !self->contact_bench.present;
-    const bool bench = !ring && !grains && !stages && self->contact_bench.present;
+    const bool nothing = tester == NULL && !grains && !stages && !self->contact_bench.present;
+    const bool bench = tester == NULL && !grains && !stages && self->contact_bench.present;
     for (size_t i = 0; bench && i < sizeof RUN / sizeof RUN[0]; i++) {
         if (clod_check_has(loader, RUN[i])) {
             clod_check_fail(loader, RUN[i],
@@ -119,7 +138,7 @@ static void check_kind(clod_loader *loader, const clod_case *self)
         clod_check_fail(
             loader, "",
             "nothing to simulate; a case has grains, walls and stages, or ring_shear, "
-            "or contact_bench (clod new writes an example)");
+            "uniaxial or contact_bench (clod new writes an example)");
     }
 }
 

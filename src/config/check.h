@@ -9,7 +9,7 @@
 /** Check a whole case whose keys have been read; complete what follows from them. */
 void clod_check_case(clod_loader *loader, clod_case *self);
 
-/** Checks of ring_shear and contact_bench (check_tester.c). */
+/** Checks of ring_shear, uniaxial and contact_bench (check_tester.c). */
 void clod_check_tester(clod_loader *loader, clod_case *self);
 
 /** Checks of grains, walls, stages and domain (check_run.c). */

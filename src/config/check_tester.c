@@ -10,18 +10,22 @@ static bool clean(const clod_loader *loader, const char *path)
     return clod_report_clean(loader->report, path);
 }
 
-static void check_radius(clod_loader *loader, const clod_case_ring_shear *ring)
+/** Radii of a tester's grains, at `section`.radius; the mean lies between the ends. */
+static void check_radius(clod_loader *loader, const char *section, double mean, double min,
+                         double max)
 {
-    if (!clean(loader, "ring_shear.radius")) {
+    char path[64];
+    snprintf(path, sizeof path, "%s.radius", section);
+    if (!clean(loader, path)) {
         return;
     }
-    if (ring->radius_min > ring->radius_max) {
-        clod_check_fail(loader, "ring_shear.radius.min",
-                        "the smallest radius is larger than max = %.10g m", ring->radius_max);
-    } else if (ring->radius_mean < ring->radius_min || ring->radius_mean > ring->radius_max) {
-        clod_check_fail(loader, "ring_shear.radius.mean",
-                        "the mean must lie between min = %.10g m and max = %.10g m",
-                        ring->radius_min, ring->radius_max);
+    if (min > max) {
+        snprintf(path, sizeof path, "%s.radius.min", section);
+        clod_check_fail(loader, path, "the smallest radius is larger than max = %.10g m", max);
+    } else if (mean < min || mean > max) {
+        snprintf(path, sizeof path, "%s.radius.mean", section);
+        clod_check_fail(loader, path,
+                        "the mean must lie between min = %.10g m and max = %.10g m", min, max);
     }
 }
 
@@ -124,14 +128,14 @@ static void check_ways(clod_loader *loader, const clod_case_ring_shear *ring)
 }
 
 /** The cell stands upright: weight presses the solid onto its base. */
-static void check_gravity(clod_loader *loader, const clod_case *self)
+static void check_gravity(clod_loader *loader, const clod_case *self, const char *cell)
 {
     const double *g = self->gravity;
     if (clean(loader, "gravity") && (g[0] != 0.0 || g[1] != 0.0 || g[2] > 0.0)) {
         clod_check_fail(loader, "gravity",
-                        "a ring shear cell stands upright: gravity must be [0, 0, -g], not "
+                        "%s stands upright: gravity must be [0, 0, -g], not "
                         "[%.10g, %.10g, %.10g] m/s2",
-                        g[0], g[1], g[2]);
+                        cell, g[0], g[1], g[2]);
     }
 }
 
@@ -142,11 +146,44 @@ static void check_ring(clod_loader *loader, const clod_case *self)
     clod_check_material(loader, self, "ring_shear.side_material", ring->side_material);
     clod_check_material(loader, self, "ring_shear.base_material", ring->base_material);
     clod_check_material(loader, self, "ring_shear.lid_material", ring->lid_material);
-    check_gravity(loader, self);
-    check_radius(loader, ring);
+    check_gravity(loader, self, "a ring shear cell");
+    check_radius(loader, "ring_shear", ring->radius_mean, ring->radius_min, ring->radius_max);
     check_cell(loader, ring);
     check_stresses(loader, self);
     check_ways(loader, ring);
+}
+
+static void check_mould(clod_loader *loader, const clod_case_uniaxial *test)
+{
+    if (!clean(loader, "uniaxial")) {
+        return;
+    }
+    const double room = test->diameter < test->height ? test->diameter : test->height;
+    if (2.0 * test->radius_max > room) {
+        clod_check_fail(
+            loader, "uniaxial.radius.max",
+            "grains of %.10g m diameter do not fit into the mould: diameter %.10g m, "
+            "height %.10g m",
+            2.0 * test->radius_max, test->diameter, test->height);
+    }
+    if (test->beyond_peak >= test->crush_max) {
+        clod_check_fail(loader, written(loader, "uniaxial.crush_max", "uniaxial.beyond_peak"),
+                        "no peak can be passed: beyond_peak = %.10g is not less than "
+                        "crush_max = %.10g",
+                        test->beyond_peak, test->crush_max);
+    }
+}
+
+static void check_uniaxial(clod_loader *loader, const clod_case *self)
+{
+    const clod_case_uniaxial *test = &self->uniaxial;
+    clod_check_material(loader, self, "uniaxial.grain_material", test->grain_material);
+    clod_check_material(loader, self, "uniaxial.side_material", test->side_material);
+    clod_check_material(loader, self, "uniaxial.base_material", test->base_material);
+    clod_check_material(loader, self, "uniaxial.lid_material", test->lid_material);
+    check_gravity(loader, self, "the mould of a uniaxial test");
+    check_radius(loader, "uniaxial", test->radius_mean, test->radius_min, test->radius_max);
+    check_mould(loader, test);
 }
 
 static void check_bench(clod_loader *loader, const clod_case *self)
@@ -180,6 +217,9 @@ void clod_check_tester(clod_loader *loader, clod_case *self)
 {
     if (self->ring_shear.present) {
         check_ring(loader, self);
+    }
+    if (self->uniaxial.present) {
+        check_uniaxial(loader, self);
     }
     if (self->contact_bench.present) {
         check_bench(loader, self);

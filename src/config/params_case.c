@@ -137,13 +137,13 @@ const clod_table CLOD_TABLE_CONTACT_BENCH = {
 static bool has_steps(const clod_case *whole, const void *self)
 {
     (void)self;
-    return whole->ring_shear.present || whole->grains_count > 0;
+    return clod_case_tester(whole) != NULL || whole->grains_count > 0;
 }
 
 static bool has_random(const clod_case *whole, const void *self)
 {
     (void)self;
-    bool random = whole->ring_shear.present;
+    bool random = clod_case_tester(whole) != NULL;
     for (size_t g = 0; g < whole->grains_count; g++) {
         random = random || whole->grains[g].file == NULL;
     }
@@ -251,6 +251,14 @@ static const clod_param ROWS[] = {
      .given = offsetof(C, ring_shear.present),
      .help = "A virtual Schulze ring shear test; it makes its own grains, walls and stages.",
      .source = "PHYSICS 7"},
+    {.key = "uniaxial",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &CLOD_TABLE_UNIAXIAL,
+     CLOD_AT(C, uniaxial),
+     .given = offsetof(C, uniaxial.present),
+     .help = "A virtual uniaxial test; it makes its own grains, walls and stages.",
+     .source = "docs/theory/uniaxial.md"},
     {.key = "contact_bench",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,

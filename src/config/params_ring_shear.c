@@ -3,21 +3,13 @@
  * Table of the virtual Schulze ring shear test.
  */
 
-#include "config/param.h"
 #include "config/params_radius.h"
+#include "config/params_tester.h"
 
 #define R clod_case_ring_shear
 
-#define MATERIAL(name, text, word)                                                             \
-    {                                                                                          \
-        .key = #name, .kind = CLOD_PARAM_TEXT, .need = CLOD_PARAM_REQUIRED, .example = word,   \
-        CLOD_AT(R, name), .help = text, .source = "PHYSICS 6"                                  \
-    }
 #define REAL(name, si, range, value, text, where)                                              \
-    {                                                                                          \
-        .key = #name, .kind = CLOD_PARAM_REAL, .need = CLOD_PARAM_OPTIONAL, .unit = si, range, \
-        .fallback = value, CLOD_AT(R, name), .help = text, .source = where                     \
-    }
+    CLOD_TESTER_REAL(R, name, si, value, text, where, range)
 #define WHOLE(name, range, value, text, where)                                                 \
     {                                                                                          \
         .key = #name, .kind = CLOD_PARAM_INTEGER, .need = CLOD_PARAM_OPTIONAL, .unit = "1",    \
@@ -42,16 +34,12 @@ static const clod_table RADIUS_TABLE = {
     CLOD_ROWS(RADIUS)};
 
 static const clod_param ROWS[] = {
-    MATERIAL(grain_material, "Material of the grains.", "ore"),
-    MATERIAL(side_material, "Material of the inner and outer side walls.", "side"),
-    MATERIAL(base_material, "Material of the base and its bars.", "base"),
-    MATERIAL(lid_material, "Material of the lid and its bars.", "base"),
-    {.key = "radius",
-     .kind = CLOD_PARAM_SECTION,
-     .need = CLOD_PARAM_REQUIRED,
-     .table = &RADIUS_TABLE,
-     .help = "Grain radii.",
-     .source = "PHYSICS 6"},
+    CLOD_TESTER_MATERIAL(R, grain_material, "Material of the grains.", "ore"),
+    CLOD_TESTER_MATERIAL(R, side_material, "Material of the inner and outer side walls.",
+                         "side"),
+    CLOD_TESTER_MATERIAL(R, base_material, "Material of the base and its bars.", "base"),
+    CLOD_TESTER_MATERIAL(R, lid_material, "Material of the lid and its bars.", "base"),
+    CLOD_TESTER_RADIUS(RADIUS_TABLE),
     REAL(inner_radius, "m", CLOD_ABOVE(0, 10), "50 mm", "Inner radius of the annulus.",
          "PHYSICS 7 (RST-01)"),
     REAL(outer_radius, "m", CLOD_ABOVE(0, 10), "100 mm", "Outer radius of the annulus.",
@@ -73,36 +61,8 @@ static const clod_param ROWS[] = {
      .unused = "bar_count is 0: there are no bars; remove this key",
      .help = "Thickness of a bar.",
      .source = "PHYSICS 7"},
-    REAL(lid_mass, "kg", CLOD_ABOVE(0, 1e4), "1 kg",
-         "Mass with which the lid moves; its weight is part of the normal stress.",
-         "PHYSICS 7"),
-    REAL(lid_damping, "1", CLOD_FROM(0, 100), "0.002",
-         "Damping of the lid as a fraction of critical against the stiffness of the bed.",
-         "PHYSICS 7"),
-    {.key = "grain_count",
-     .kind = CLOD_PARAM_INTEGER,
-     .need = CLOD_PARAM_OPTIONAL,
-     .unit = "1",
-     CLOD_FROM(0, 1e8),
-     .zero_word = "auto",
-     .fallback = "auto",
-     .example = "4000",
-     CLOD_AT(R, grain_count),
-     .help = "Number of grains, or auto: as many as fill the depth.",
-     .source = "PHYSICS 7"},
-    {.key = "fill_fraction",
-     .kind = CLOD_PARAM_REAL,
-     .need = CLOD_PARAM_OPTIONAL,
-     .unit = "1",
-     CLOD_FROM(0.05, 0.74),
-     .fallback = "0.6",
-     CLOD_AT(R, fill_fraction),
-     .used = is_filled_by_depth,
-     .unused = "grain_count says how many grains there are; remove one of the two",
-     .help = "Solid fraction from which auto takes the number of grains.",
-     .source = "PHYSICS 7"},
-    REAL(fill_adhesion, "1", CLOD_FROM(0, 1), "10 %",
-         "k_adh while filling, as a fraction of its value in contacts.", "PHYSICS 6"),
+    CLOD_TESTER_LID(R),
+    CLOD_TESTER_FILLING(R, "depth", is_filled_by_depth, "4000"),
     {.key = "preshear_stress",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_REQUIRED,

@@ -72,7 +72,7 @@ static bool has_rayleigh(const clod_case *whole, const void *self)
 static bool has_free_run(const clod_case *whole, const void *self)
 {
     (void)self;
-    return !whole->ring_shear.present;
+    return clod_case_tester(whole) == NULL;
 }
 
 static const clod_param TIME_ROWS[] = {
@@ -138,8 +138,8 @@ static const clod_param OUTPUT_ROWS[] = {
      CLOD_AT(O, series_interval),
      .used = has_free_run,
      .unused =
-         "ring_shear writes a row of its series whenever it looks at the walls; remove this "
-         "key",
+         "ring_shear and uniaxial write a row of their series whenever they look at the walls; "
+         "remove this key",
      .help = "Simulated time between two rows of the series of a free run.",
      .source = "convention"},
     {.key = "snapshot_interval",

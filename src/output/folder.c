@@ -18,13 +18,13 @@
 
 #define LOCK_NAME ".clod-lock"
 
-/** Parts of a ring shear test, as sim/ring_run.c names them. */
-#define PART "(seed-[0-9]+-)?(preshear|point-[0-9]+)"
+/** Parts of the testers, as sim/ring_run.c and sim/uniaxial_run.c name them. */
+#define PART "((seed-[0-9]+-)?(preshear|point-[0-9]+)|fill|stress-[0-9]+)"
 
 /** Names of what a run leaves in its folder, but for the copies of the case. */
 #define RESULT                                                                                 \
     "log[.]jsonl|(series|" PART ")[.]csv|case(-complete)?[.]yaml[.]part|"                      \
-    "(summary[.]json|points[.]csv|"                                                            \
+    "(summary[.]json|points[.]csv|flow_function[.]csv|"                                        \
     "restart(-" PART ")?(-failed)?_[ab][.]h5|"                                                 \
     "(" PART "_)?(snap|walls|contacts)_[0-9]{6,}[.]hdf|"                                       \
     "(run|" PART ")(_walls|_contacts)?[.]hdf[.]series)([.]part)?"

@@ -1,13 +1,9 @@
 #include "setup/ring_cell.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
-#include "base/assert.h"
-#include "base/memory.h"
-#include "setup/insertion.h"
-#include "setup/state.h"
+#include "setup/cell_part.h"
 #include "setup/walls.h"
 
 /** Free length at both ends of a bar, as a fraction of the smallest radius. */
@@ -66,49 +62,12 @@ static clod_shape make_bar(const clod_case_ring_shear *cell, int64_t number, dou
     };
 }
 
-static clod_shape make_ring(const clod_case_ring_shear *cell, double height, double facing)
-{
-    return (clod_shape){
-        .kind = CLOD_SHAPE_ANNULUS,
-        .center = {0.0, 0.0, height},
-        .axis = {{1.0, 0.0, 0.0}, {0.0, facing, 0.0}, {0.0, 0.0, facing}},
-        .inner = cell->inner_radius,
-        .outer = cell->outer_radius,
-    };
-}
-
-static clod_shape make_side(double radius, clod_side side)
-{
-    return (clod_shape){
-        .kind = CLOD_SHAPE_CYLINDER,
-        .axis = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}},
-        .outer = radius,
-        .side = side,
-    };
-}
-
-static bool make_wall(const clod_case *from, const char *name, const char *material,
-                      int64_t shapes, clod_wall *wall, clod_status *status)
-{
-    const int number = clod_case_material_index(from, material);
-    CLOD_ASSERT(number >= 0); // checked at load
-    snprintf(wall->name, sizeof wall->name, "%s", name);
-    wall->material = (uint16_t)number;
-    wall->spin_axis = (clod_vec3){0.0, 0.0, 1.0};
-    wall->load_axis = (clod_vec3){0.0, 0.0, -1.0};
-    wall->shapes = clod_memory_alloc((size_t)shapes, sizeof *wall->shapes);
-    if (wall->shapes == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for the ring shear cell");
-    }
-    wall->shape_count = (int32_t)shapes;
-    return true;
-}
-
 /** A ring with bars on it: the trough (facing 1) or the lid (facing -1). */
 static void fill_ring(const clod_case_ring_shear *cell, double height, double facing,
                       clod_wall *wall)
 {
-    wall->shapes[0] = make_ring(cell, height, facing);
+    wall->shapes[0] =
+        clod_cell_part_ring(cell->inner_radius, cell->outer_radius, height, facing);
     const double bottom = facing > 0.0 ? height : height - cell->bar_height;
     for (int64_t b = 0; b < cell->bar_count; b++) {
         wall->shapes[b + 1] = make_bar(cell, b, bottom);
@@ -120,24 +79,22 @@ static void fill_ring(const clod_case_ring_shear *cell, double height, double fa
 static bool make_walls(const clod_case *from, clod_state *state, clod_status *status)
 {
     const clod_case_ring_shear *cell = &from->ring_shear;
-    state->walls.wall = clod_memory_alloc(CLOD_RING_CELL_WALLS, sizeof *state->walls.wall);
-    if (state->walls.wall == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for the ring shear cell");
+    if (!clod_cell_part_walls(state, CLOD_RING_CELL_WALLS, status)) {
+        return false;
     }
-    state->walls.count = CLOD_RING_CELL_WALLS;
     clod_wall *wall = state->walls.wall;
-    if (!make_wall(from, "trough", cell->base_material, cell->bar_count + 1,
-                   &wall[CLOD_RING_CELL_TROUGH], status) ||
-        !make_wall(from, "sides", cell->side_material, 2, &wall[CLOD_RING_CELL_SIDES],
-                   status) ||
-        !make_wall(from, "lid", cell->lid_material, cell->bar_count + 1,
-                   &wall[CLOD_RING_CELL_LID], status)) {
+    if (!clod_cell_part_wall(from, "trough", cell->base_material, cell->bar_count + 1,
+                             &wall[CLOD_RING_CELL_TROUGH], status) ||
+        !clod_cell_part_wall(from, "sides", cell->side_material, 2, &wall[CLOD_RING_CELL_SIDES],
+                             status) ||
+        !clod_cell_part_wall(from, "lid", cell->lid_material, cell->bar_count + 1,
+                             &wall[CLOD_RING_CELL_LID], status)) {
         return false;
     }
     fill_ring(cell, 0.0, 1.0, &wall[CLOD_RING_CELL_TROUGH]);
     clod_shape *side = wall[CLOD_RING_CELL_SIDES].shapes;
-    side[0] = make_side(cell->inner_radius, CLOD_SIDE_OUTSIDE);
-    side[1] = make_side(cell->outer_radius, CLOD_SIDE_INSIDE);
+    side[0] = clod_cell_part_side(cell->inner_radius, 0.0, CLOD_SIDE_OUTSIDE);
+    side[1] = clod_cell_part_side(cell->outer_radius, 0.0, CLOD_SIDE_INSIDE);
     clod_setup_wall_symmetry(&wall[CLOD_RING_CELL_SIDES]);
     wall[CLOD_RING_CELL_LID].shape_count = 0; // open until the grains are in
     return true;
@@ -169,24 +126,18 @@ static bool fill_cell(const clod_case *from, int64_t seed, clod_state *state, do
                       clod_status *status)
 {
     const clod_case_ring_shear *cell = &from->ring_shear;
-    const int material = clod_case_material_index(from, cell->grain_material);
     clod_sizes sizes;
-    CLOD_ASSERT(material >= 0); // checked at load
     if (!cell_sizes(cell, &sizes, status)) {
         return false;
     }
-    const clod_case_region region = {.kind = CLOD_REGION_ANNULUS,
-                                     .inner_radius = cell->inner_radius,
-                                     .outer_radius = cell->outer_radius};
-    clod_insertion what = {.name = "ring_shear",
-                           .region = &region,
-                           .sizes = &sizes,
-                           .seed = (uint64_t)seed,
-                           .first_id = 1,
-                           .material = (uint16_t)material,
-                           .density = from->materials[material].density};
-    what.count = clod_ring_cell_count(from, seed, status);
-    return clod_insert_annulus_column(state, &what, height, status);
+    const clod_cell_part_filling what = {.name = "ring_shear",
+                                         .material = cell->grain_material,
+                                         .sizes = &sizes,
+                                         .seed = seed,
+                                         .count = clod_ring_cell_count(from, seed, status),
+                                         .inner = cell->inner_radius,
+                                         .outer = cell->outer_radius};
+    return clod_cell_part_fill(from, &what, state, height, status);
 }
 
 bool clod_setup_ring_cell(const clod_case *from, int64_t seed, clod_state *state,
@@ -200,11 +151,5 @@ bool clod_setup_ring_cell(const clod_case *from, int64_t seed, clod_state *state
         return false;
     }
     close_cell(cell, height, state);
-    clod_timestep timestep;
-    if (!clod_setup_timestep(from, state, &timestep, status)) {
-        return false;
-    }
-    clod_setup_damping(from, state, &timestep);
-    state->dt = timestep.step;
-    return true;
+    return clod_cell_part_finish(from, state, status);
 }

@@ -153,9 +153,10 @@ bool clod_setup_timestep(const clod_case *from, const clod_state *state, clod_ti
                                    .stress = from->time.design_stress,
                                    .is_grain = present,
                                    .is_wall = present + from->material_count};
-    if (grains.stress == 0.0 && from->ring_shear.present) {
-        grains.stress = from->ring_shear.preshear_stress;
-    } else if (grains.stress == 0.0) {
+    if (grains.stress == 0.0) {
+        grains.stress = clod_case_tester_stress(from);
+    }
+    if (grains.stress == 0.0) {
         free_load(from, state, &bed, &grains);
     }
     *result = clod_timestep_choose(from, &grains);
@@ -171,7 +172,7 @@ static double damping_fraction(const clod_case *from, const clod_wall *wall)
             return from->walls[w].damping;
         }
     }
-    return from->ring_shear.lid_damping;
+    return from->ring_shear.present ? from->ring_shear.lid_damping : from->uniaxial.lid_damping;
 }
 
 void clod_setup_damping(const clod_case *from, clod_state *state, const clod_timestep *timestep)

@@ -23,8 +23,8 @@ bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
 /**
  * Time step of a case whose grains and walls are in a state, with all numbers behind it.
  *
- * The load that sets the overlap is design_stress; else, for a ring shear test, the preshear
- * stress; else the larger of what loads and weight press on the bed, and an impact with the
+ * The load that sets the overlap is design_stress; else the largest stress of the tester;
+ * else the larger of what loads and weight press on the bed, and an impact with the
  * fastest grain's speed plus a fall through the height of grains and walls.
  *
  * Errors  CLOD_FAILED without memory.   Threads  pure.

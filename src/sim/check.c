@@ -3,8 +3,10 @@
 #include <math.h>
 
 #include "law/law_cycle.h"
+#include "setup/begin.h"
 #include "setup/ring_cell.h"
 #include "setup/state.h"
+#include "setup/uniaxial_cell.h"
 #include "setup/walls.h"
 
 /** Solid fraction assumed of a settled bed of a free run. */
@@ -56,8 +58,8 @@ static void look_at_contact(const clod_check_subject *subject, clod_check_report
     const double r = report->radius_mean;
     if (from->time.design_stress > 0.0) {
         report->stress = from->time.design_stress;
-    } else if (from->ring_shear.present) {
-        report->stress = from->ring_shear.preshear_stress;
+    } else if (clod_case_tester(from) != NULL) {
+        report->stress = clod_case_tester_stress(from);
     } else { // the largest of loads, weight and impacts that the time step was made for
         report->stress = subject->timestep.force / (4.0 * r * r);
     }
@@ -83,17 +85,40 @@ static bool find_heights(const clod_check_subject *subject, clod_check_report *r
                          clod_status *status)
 {
     clod_case full = *subject->from;
-    full.ring_shear.grain_count = 0;
-    report->full_grains = clod_ring_cell_count(&full, full.seed, status);
+    const bool ring = full.ring_shear.present;
+    full.ring_shear.grain_count = full.uniaxial.grain_count = 0;
+    report->full_grains = ring ? clod_ring_cell_count(&full, full.seed, status)
+                               : clod_uniaxial_cell_count(&full, full.seed, status);
     if (report->full_grains == 0) {
         return false;
     }
-    report->height_aimed =
-        full.ring_shear.depth * (double)report->grains / (double)report->full_grains;
+    const double depth = ring ? full.ring_shear.depth : full.uniaxial.height;
+    report->height_aimed = depth * (double)report->grains / (double)report->full_grains;
     for (size_t g = 0; g < report->grains; g++) {
         const double *place = subject->state.grains.place[g];
         report->height_loose = fmax(report->height_loose, place[2] + place[3]);
     }
+    report->across_depth = report->height_aimed / (2.0 * report->radius_mean);
+    return true;
+}
+
+/** Crushed at the lowest consolidation stress, as if the strength were as much. */
+static bool look_at_uniaxial(const clod_check_subject *subject, clod_check_report *report,
+                             clod_status *status)
+{
+    const clod_case_uniaxial *test = &subject->from->uniaxial;
+    if (!find_heights(subject, report, status)) {
+        return false;
+    }
+    const double diameter = 2.0 * report->radius_mean;
+    double lowest = report->stress;
+    for (size_t s = 0; s < test->consolidation_stress_count; s++) {
+        lowest = fmin(lowest, test->consolidation_stresses[s]);
+    }
+    report->lowest_stress = lowest;
+    report->inertial_lowest =
+        inertial_number(subject, diameter, test->speed / report->height_aimed, lowest);
+    report->across_width = test->diameter / diameter;
     return true;
 }
 
@@ -118,7 +143,6 @@ static bool look_at_ring(const clod_check_subject *subject, clod_check_report *r
     report->inertial_lowest =
         inertial_number(subject, diameter, report->lowest_speed / report->height_aimed, lowest);
     report->across_width = (ring->outer_radius - ring->inner_radius) / diameter;
-    report->across_depth = report->height_aimed / diameter;
     report->bar_diameters = ring->bar_count > 0 ? ring->bar_height / diameter : 0.0;
     return true;
 }
@@ -146,10 +170,8 @@ static bool make_subject(const clod_case *from, const clod_check_options *option
                          clod_check_subject *subject, clod_status *status)
 {
     *subject = (clod_check_subject){.from = from, .options = options};
-    const bool built = from->ring_shear.present
-                           ? clod_setup_ring_cell(from, from->seed, &subject->state, status)
-                           : clod_setup_state(from, from->seed, &subject->state, status);
-    if (!built || !clod_setup_timestep(from, &subject->state, &subject->timestep, status)) {
+    if (!clod_begin_state(from, from->seed, &subject->state, status) ||
+        !clod_setup_timestep(from, &subject->state, &subject->timestep, status)) {
         return false;
     }
     const int m = subject->state.grains.material[0];
@@ -159,17 +181,36 @@ static bool make_subject(const clod_case *from, const clod_check_options *option
     return true;
 }
 
+static clod_check_kind kind_of(const clod_case *from)
+{
+    if (from->ring_shear.present) {
+        return CLOD_CHECK_RING_SHEAR;
+    }
+    if (from->uniaxial.present) {
+        return CLOD_CHECK_UNIAXIAL;
+    }
+    return from->grains_count == 0 ? CLOD_CHECK_CONTACT_BENCH : CLOD_CHECK_FREE_RUN;
+}
+
+static bool look_at_tester(const clod_check_subject *subject, clod_check_report *report,
+                           clod_status *status)
+{
+    switch (report->kind) {
+    case CLOD_CHECK_RING_SHEAR:
+        return look_at_ring(subject, report, status);
+    case CLOD_CHECK_UNIAXIAL:
+        return look_at_uniaxial(subject, report, status);
+    default:
+        return true;
+    }
+}
+
 bool clod_check_report_make(const clod_case *from, const clod_check_options *options,
                             clod_check_report *report, clod_status *status)
 {
-    const bool ring = from->ring_shear.present;
-    *report = (clod_check_report){
-        .kind = ring ? CLOD_CHECK_RING_SHEAR : CLOD_CHECK_FREE_RUN,
-        .path = from->path,
-        .title = from->title,
-    };
-    if (!ring && from->grains_count == 0) {
-        report->kind = CLOD_CHECK_CONTACT_BENCH;
+    *report =
+        (clod_check_report){.kind = kind_of(from), .path = from->path, .title = from->title};
+    if (report->kind == CLOD_CHECK_CONTACT_BENCH) {
         return true;
     }
     clod_check_subject subject;
@@ -179,7 +220,7 @@ bool clod_check_report_make(const clod_case *from, const clod_check_options *opt
         look_at_step(&subject, report);
         look_at_contact(&subject, report);
         look_at_servo(&subject, report);
-        good = (!ring || look_at_ring(&subject, report, status)) &&
+        good = look_at_tester(&subject, report, status) &&
                clod_check_cost(&subject, report, status);
     }
     if (good) {

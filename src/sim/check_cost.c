@@ -7,7 +7,7 @@
 #include "parallel/threads.h"
 #include "sim/check.h"
 #include "step/step.h"
-#include "tester/ring_limits.h"
+#include "tester/limits.h"
 
 // The packing on which the step is timed: a cubic lattice, six contacts for each grain as in a
 // dense bed, pressed to the overlap of the target stress and stirred a little.
@@ -21,13 +21,14 @@
 #define SAMPLE_EXCESS 1.3 ///< the lattice is faster than a random packing between walls
 
 // Duration of the phases of a ring shear test, besides preshear and shear: what copper ore
-// needs; their limits are those of the procedure (tester/ring_limits.h).
+// needs; their limits are those of the procedure (tester/limits.h).
 #define FILL_LIKELY 0.2     ///< s, with the lid's way down
 #define LOWER_MOST 6e-3     ///< m of the lid until it carries
 #define LOAD_LIKELY 0.06    ///< s, to consolidate or to reduce the load
 #define REVERSE_LIKELY 2e-4 ///< m
 #define PRESHEAR_LIKELY 5.0 ///< times the least displacement
 #define PEAK_LIKELY 4e-3    ///< m of shear
+#define CRUSH_LIKELY 0.03   ///< strain at the peak of a uniaxial test
 #define ROW_COLUMNS 11.0
 
 #define NUMBER_BYTES 18.0 ///< of a number in a series
@@ -183,28 +184,46 @@ static batch preparations(const clod_case_ring_shear *ring, bool most)
     const double least = (double)ring->steady_blocks * ring->block_displacement;
     const double shear =
         most ? ring->preshear_max : fmin(PRESHEAR_LIKELY * least, ring->preshear_max);
-    const double time =
-        (most ? CLOD_RING_FILL_TIME + LOWER_MOST / CLOD_RING_LOWER_SPEED + CLOD_RING_SETTLE_TIME
-              : FILL_LIKELY + LOAD_LIKELY) +
-        shear / ring->speed;
+    const double time = (most ? CLOD_LIMITS_FILL_TIME + LOWER_MOST / CLOD_LIMITS_LOWER_SPEED +
+                                    CLOD_LIMITS_SETTLE_TIME
+                              : FILL_LIKELY + LOAD_LIKELY) +
+                        shear / ring->speed;
     return (batch){(int)ring->seeds, (double)ring->seeds * time, time};
 }
 
 static batch points(const clod_case_ring_shear *ring, bool most)
 {
     batch all = {(int)(ring->seeds * (int64_t)ring->shear_stress_count), 0.0, 0.0};
-    const double reverse = (most ? CLOD_RING_REVERSE_MAX : REVERSE_LIKELY) /
-                           (CLOD_RING_REVERSE_FRACTION * ring->speed);
+    const double reverse = (most ? CLOD_LIMITS_REVERSE_MAX : REVERSE_LIKELY) /
+                           (CLOD_LIMITS_REVERSE_FRACTION * ring->speed);
     const double peak = fmin(PEAK_LIKELY + ring->beyond_peak, ring->shear_max);
     for (size_t s = 0; s < ring->shear_stress_count; s++) {
         const double speed =
             ring->speed * sqrt(ring->shear_stresses[s] / ring->preshear_stress);
-        const double time = reverse + (most ? CLOD_RING_SETTLE_TIME : LOAD_LIKELY) +
+        const double time = reverse + (most ? CLOD_LIMITS_SETTLE_TIME : LOAD_LIKELY) +
                             (most ? ring->shear_max : peak) / speed;
         all.time += (double)ring->seeds * time;
         all.longest = fmax(all.longest, time);
     }
     return all;
+}
+
+static batch filling(bool most)
+{
+    const double time = most ? CLOD_LIMITS_FILL_TIME : FILL_LIKELY;
+    return (batch){1, time, time};
+}
+
+/** Consolidations of a uniaxial test, each crushed. */
+static batch crushings(const clod_case_uniaxial *test, bool most)
+{
+    const double strain =
+        most ? test->crush_max : fmin(CRUSH_LIKELY + test->beyond_peak, test->crush_max);
+    const double rests = 2.0 * (most ? CLOD_LIMITS_SETTLE_TIME : LOAD_LIKELY);
+    const double time = (most ? test->height / CLOD_LIMITS_LOWER_SPEED : 0.0) + rests +
+                        strain * test->height / test->speed;
+    const int count = (int)test->consolidation_stress_count;
+    return (batch){count, count * time, time};
 }
 
 static batch stages(const clod_case *from)
@@ -217,12 +236,26 @@ static batch stages(const clod_case *from)
     return all;
 }
 
+/** The parts of a run: those that prepare, and those that begin from them. */
+static void plan_parts(const clod_case *from, bool most, batch *first, batch *second)
+{
+    *second = (batch){0};
+    if (from->ring_shear.present) {
+        *first = preparations(&from->ring_shear, most);
+        *second = points(&from->ring_shear, most);
+    } else if (from->uniaxial.present) {
+        *first = filling(most);
+        *second = crushings(&from->uniaxial, most);
+    } else {
+        *first = stages(from);
+    }
+}
+
 static void plan_run(const clod_case *from, clod_check_report *report)
 {
-    const bool ring = from->ring_shear.present;
     for (int most = 0; most < 2; most++) {
-        const batch first = ring ? preparations(&from->ring_shear, most != 0) : stages(from);
-        const batch second = ring ? points(&from->ring_shear, most != 0) : (batch){0};
+        batch first, second;
+        plan_parts(from, most != 0, &first, &second);
         const int count = first.count > second.count ? first.count : second.count;
         const double clock = batch_clock(report, &first) +
                              (second.count > 0 ? batch_clock(report, &second) : 0.0);
@@ -237,14 +270,15 @@ static void plan_run(const clod_case *from, clod_check_report *report)
 static void plan_disk(const clod_check_subject *subject, clod_check_report *report)
 {
     const clod_case *from = subject->from;
-    const clod_case_ring_shear *ring = &from->ring_shear;
     double parts = 1.0;
     double rows = report->time_most / from->output.series_interval;
     double columns = FREE_COLUMNS + WALL_COLUMNS * (double)subject->state.walls.count;
     double pictures = 1.0;
-    if (ring->present) {
-        parts = (double)ring->seeds * (1.0 + (double)ring->shear_stress_count);
-        rows = report->steps_most / CLOD_RING_COARSE_STEPS;
+    if (clod_case_tester(from) != NULL) {
+        batch first, second;
+        plan_parts(from, true, &first, &second);
+        parts = first.count + second.count;
+        rows = report->steps_most / CLOD_LIMITS_COARSE_STEPS;
         columns = ROW_COLUMNS;
         pictures = parts;
     }

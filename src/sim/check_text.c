@@ -82,11 +82,17 @@ static void write_step(page *to, const clod_check_report *r)
     }
 }
 
+/** A test of several parts, whose length is a guess. */
+static bool is_test(const clod_check_report *r)
+{
+    return r->kind == CLOD_CHECK_RING_SHEAR || r->kind == CLOD_CHECK_UNIAXIAL;
+}
+
 static void write_contact(page *to, const clod_check_report *r)
 {
-    if (r->kind == CLOD_CHECK_RING_SHEAR) {
-        line(to, "preshear stress", "%.4g kPa: %.4g N on a contact", 1e-3 * r->stress,
-             r->contact_force);
+    if (is_test(r)) {
+        line(to, r->kind == CLOD_CHECK_RING_SHEAR ? "preshear stress" : "largest stress",
+             "%.4g kPa: %.4g N on a contact", 1e-3 * r->stress, r->contact_force);
     } else {
         line(to, "largest load", "%.4g N on a contact, as under %.4g kPa", r->contact_force,
              1e-3 * r->stress);
@@ -112,10 +118,20 @@ static void write_ring(page *to, const clod_check_report *r)
          r->across_depth, r->bar_diameters);
 }
 
+static void write_uniaxial(page *to, const clod_check_report *r)
+{
+    line(to, "inertial number",
+         "%.3g if crushed at %.4g kPa, the lowest consolidation stress, and %.3g mm high;",
+         r->inertial_lowest, 1e-3 * r->lowest_stress, 1e3 * r->height_aimed);
+    line(to, "", "%.3g mm high as loose as filled in; cohesive solids stay between",
+         1e3 * r->height_loose);
+    line(to, "mould", "%.1f grain diameters wide, %.1f high", r->across_width, r->across_depth);
+}
+
 static void write_cost(page *to, const clod_check_report *r)
 {
     char a[32], b[32], c[32], d[32];
-    if (r->kind == CLOD_CHECK_RING_SHEAR) {
+    if (is_test(r)) {
         line(to, "simulated time", "likely %.3g s, at most %.3g s, all parts together",
              r->time_likely, r->time_most);
         line(to, "steps", "likely %.3g, at most %.3g", r->steps_likely, r->steps_most);
@@ -127,7 +143,7 @@ static void write_cost(page *to, const clod_check_report *r)
     if (r->threads > 1) {
         line(to, "", "%.3g with one", r->rate_one);
     }
-    if (r->kind == CLOD_CHECK_RING_SHEAR) {
+    if (is_test(r)) {
         line(to, "wall-clock", "likely %s, at most %s; up to %d part%s side by side",
              clock_words(r->clock_likely, a), clock_words(r->clock_most, b), r->side_by_side,
              r->side_by_side > 1 ? "s" : "");
@@ -158,6 +174,9 @@ void clod_check_report_text(const clod_check_report *r, char text[CLOD_CHECK_TEX
     write_contact(&to, r);
     if (r->kind == CLOD_CHECK_RING_SHEAR) {
         write_ring(&to, r);
+    }
+    if (r->kind == CLOD_CHECK_UNIAXIAL) {
+        write_uniaxial(&to, r);
     }
     write_cost(&to, r);
     for (size_t w = 0; w < r->warning_count; w++) {
@@ -232,6 +251,15 @@ static const entry RING_REALS[] = {
     REAL("bar_height_diameters", bar_diameters),
 };
 
+static const entry UNIAXIAL_REALS[] = {
+    REAL("inertial_number_lowest", inertial_lowest),
+    REAL("height_aimed_m", height_aimed),
+    REAL("height_loose_m", height_loose),
+    REAL("lowest_stress_Pa", lowest_stress),
+    REAL("diameters_across_width", across_width),
+    REAL("diameters_across_depth", across_depth),
+};
+
 static void put_reals(json_t *to, const clod_check_report *r, const entry *entries,
                       size_t count)
 {
@@ -259,7 +287,7 @@ static void put_list(json_t *to, const char *key, const char (*texts)[CLOD_CHECK
 
 static json_t *make_json(const clod_check_report *r)
 {
-    static const char *const KINDS[] = {"free_run", "ring_shear", "contact_bench"};
+    static const char *const KINDS[] = {"free_run", "ring_shear", "uniaxial", "contact_bench"};
     json_t *to = json_object();
     put_text(to, "case", r->path);
     put_text(to, "title", r->title);
@@ -281,6 +309,9 @@ static json_t *make_json(const clod_check_report *r)
     put_reals(to, r, REALS, sizeof REALS / sizeof REALS[0]);
     if (r->kind == CLOD_CHECK_RING_SHEAR) {
         put_reals(to, r, RING_REALS, sizeof RING_REALS / sizeof RING_REALS[0]);
+    }
+    if (r->kind == CLOD_CHECK_UNIAXIAL) {
+        put_reals(to, r, UNIAXIAL_REALS, sizeof UNIAXIAL_REALS / sizeof UNIAXIAL_REALS[0]);
     }
     put_list(to, "warnings", r->warning, r->warning_count);
     put_list(to, "notes", r->note, r->note_count);

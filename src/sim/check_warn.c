@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "sim/check.h"
-#include "tester/ring_limits.h"
+#include "tester/limits.h"
 
 #define RAYLEIGH_LIMIT 0.2
 #define BAR_LIMIT 0.98 ///< grain diameters, as good as one
@@ -60,11 +60,11 @@ static void warn_step(clod_check_report *r)
 
 static void warn_contact(clod_check_report *r)
 {
-    if (r->overlap_ratio > CLOD_RING_OVERLAP_MEAN_LIMIT) {
+    if (r->overlap_ratio > CLOD_LIMITS_OVERLAP_MEAN) {
         warn(r,
              "grains overlap by %.2f %% of their radius at %.4g kPa: density and contacts are "
              "no longer those of spheres (below %.0f %% is good). Raise the stiffness",
-             100.0 * r->overlap_ratio, 1e-3 * r->stress, 100.0 * CLOD_RING_OVERLAP_MEAN_LIMIT);
+             100.0 * r->overlap_ratio, 1e-3 * r->stress, 100.0 * CLOD_LIMITS_OVERLAP_MEAN);
     }
 }
 
@@ -73,22 +73,22 @@ static void warn_inertia(const clod_case_ring_shear *ring, clod_check_report *r)
 {
     const bool cohesive = r->pull_off > 0.0;
     const double number = cohesive ? r->inertial_loose : r->inertial_preshear;
-    if (number > CLOD_RING_INERTIA_LIMIT) {
+    if (number > CLOD_LIMITS_INERTIA) {
         warn(r,
              "inertial number %.3g%s: the grains' inertia adds to the shear stress (%.2g is "
              "quasi-static). Lower ring_shear.speed to %.2g mm/s",
-             number, cohesive ? " even as loose as filled in" : "", CLOD_RING_INERTIA_GOOD,
-             1e3 * ring->speed * CLOD_RING_INERTIA_GOOD / number);
-    } else if (r->inertial_preshear > CLOD_RING_INERTIA_LIMIT) {
+             number, cohesive ? " even as loose as filled in" : "", CLOD_LIMITS_INERTIA_GOOD,
+             1e3 * ring->speed * CLOD_LIMITS_INERTIA_GOOD / number);
+    } else if (r->inertial_preshear > CLOD_LIMITS_INERTIA) {
         const double height = // the number goes with 1/height
-            r->height_aimed * r->inertial_preshear / CLOD_RING_INERTIA_LIMIT;
+            r->height_aimed * r->inertial_preshear / CLOD_LIMITS_INERTIA;
         note(
             r,
             "%.3g mm/s may be too fast if the bed settles below %.3g mm (inertial number above "
             "%.2g): the results tell the height and warn of it. %.2g mm/s is slow enough at "
             "any height",
-            1e3 * ring->speed, 1e3 * height, CLOD_RING_INERTIA_LIMIT,
-            1e3 * ring->speed * CLOD_RING_INERTIA_GOOD / r->inertial_preshear);
+            1e3 * ring->speed, 1e3 * height, CLOD_LIMITS_INERTIA,
+            1e3 * ring->speed * CLOD_LIMITS_INERTIA_GOOD / r->inertial_preshear);
     }
 }
 
@@ -108,12 +108,11 @@ static void warn_ring(const clod_case_ring_shear *ring, clod_check_report *r)
     warn_inertia(ring, r);
     warn_count(ring, r);
     const double across = fmin(r->across_width, r->across_depth);
-    if (across < CLOD_RING_GRAINS_LIMIT) {
+    if (across < CLOD_LIMITS_GRAINS) {
         warn(r,
              "only %.1f grain diameters across the %s of the specimen (at least %.0f): walls, "
              "not the solid, set the strength. Use a larger cell or smaller grains",
-             across, r->across_width < r->across_depth ? "width" : "depth",
-             CLOD_RING_GRAINS_LIMIT);
+             across, r->across_width < r->across_depth ? "width" : "depth", CLOD_LIMITS_GRAINS);
     }
     if (ring->bar_count == 0) {
         warn(r, "ring_shear.bar_count is 0: lid and base grip by friction alone and the solid "
@@ -135,6 +134,23 @@ static void warn_ring(const clod_case_ring_shear *ring, clod_check_report *r)
              "%zu shear points: a line needs three or more to show its error; add some to "
              "ring_shear.shear_stresses",
              ring->shear_stress_count);
+    }
+}
+
+static void warn_uniaxial(const clod_case_uniaxial *test, clod_check_report *r)
+{
+    if (r->inertial_lowest > CLOD_LIMITS_INERTIA) {
+        warn(r,
+             "inertial number %.3g at %.4g kPa: the grains' inertia adds to the strength (%.2g "
+             "is quasi-static). Lower uniaxial.speed to %.2g mm/s",
+             r->inertial_lowest, 1e-3 * r->lowest_stress, CLOD_LIMITS_INERTIA_GOOD,
+             1e3 * test->speed * CLOD_LIMITS_INERTIA_GOOD / r->inertial_lowest);
+    }
+    if (r->across_width < CLOD_LIMITS_FREE_GRAINS) {
+        warn(r,
+             "only %.1f grain diameters across the specimen (at least %.0f): single grains set "
+             "its strength. Use a larger mould or smaller grains",
+             r->across_width, CLOD_LIMITS_FREE_GRAINS);
     }
 }
 
@@ -187,6 +203,9 @@ void clod_check_warn(const clod_check_subject *subject, clod_check_report *repor
     if (report->kind == CLOD_CHECK_RING_SHEAR) {
         warn_ring(&subject->from->ring_shear, report);
         warn_lid(subject, report);
+    }
+    if (report->kind == CLOD_CHECK_UNIAXIAL) {
+        warn_uniaxial(&subject->from->uniaxial, report);
     }
     warn_machine(report);
 }

@@ -6,15 +6,15 @@
 
 #include "base/memory.h"
 #include "clod/locus.h"
-#include "clod/version.h"
 #include "output/folder.h"
 #include "sim/ring_warnings.h"
+#include "sim/warning_box.h"
 
 #define PATH_TEXT 4096
 
-static clod_locus_point point_of(const clod_ring_part *part)
+static clod_locus_point point_of(const clod_part *part)
 {
-    const clod_ring_shear *t = &part->test;
+    const clod_ring_shear *t = part->test;
     return (clod_locus_point){
         .seed = part->seed,
         .sigma_p = t->preshear_stress,
@@ -83,108 +83,58 @@ static json_t *flag_words(int64_t flags)
     return words;
 }
 
-/** A number, null when there is none. */
-static void set_number(json_t *object, const char *key, double value)
+static json_t *part_json(const clod_part *part)
 {
-    json_object_set_new(object, key, isfinite(value) ? json_real(value) : json_null());
-}
-
-static json_t *part_json(const clod_ring_part *part)
-{
-    const clod_ring_shear *t = &part->test;
-    json_t *j =
-        json_pack("{s:s, s:I, s:I, s:f, s:f, s:i, s:f, s:f, s:f, s:o}", "part", part->name,
-                  "seed", (json_int_t)part->seed, "steps", (json_int_t)part->steps, "dt_s",
-                  part->dt, "wall_clock_s", part->wall_clock, "grains", (int)part->grains,
-                  "coordination", part->coordination, "max_overlap", part->max_overlap,
-                  "mean_overlap", part->mean_overlap, "flags", flag_words(t->flags));
+    const clod_ring_shear *t = part->test;
+    json_t *j = clod_parts_json(part);
+    json_object_set_new(j, "flags", flag_words(t->flags));
     const bool point = part->point >= 0;
-    set_number(j, "normal_stress_Pa", point ? t->shear_stress : t->preshear_stress);
-    set_number(j, "measured_normal_stress_Pa", point ? t->point_normal : t->preshear_normal);
-    set_number(j, "shear_stress_Pa", point ? t->point_shear : t->preshear_shear);
-    set_number(j, "displacement_m", point ? t->point_displacement : t->preshear_displacement);
-    set_number(j, "bulk_density_kg_m3", point ? t->point_density : t->preshear_density);
-    set_number(j, "height_m", t->preshear_height);
-    json_object_set_new(j, "version", json_string(part->version));
-    set_number(j, "hanger_force_N", t->hanger_force);
+    clod_parts_set_number(j, "normal_stress_Pa", point ? t->shear_stress : t->preshear_stress);
+    clod_parts_set_number(j, "measured_normal_stress_Pa",
+                          point ? t->point_normal : t->preshear_normal);
+    clod_parts_set_number(j, "shear_stress_Pa", point ? t->point_shear : t->preshear_shear);
+    clod_parts_set_number(j, "displacement_m",
+                          point ? t->point_displacement : t->preshear_displacement);
+    clod_parts_set_number(j, "bulk_density_kg_m3",
+                          point ? t->point_density : t->preshear_density);
+    clod_parts_set_number(j, "height_m", t->preshear_height);
+    clod_parts_set_number(j, "hanger_force_N", t->hanger_force);
     return j;
 }
 
-static bool write_summary(const clod_sim *sim, const clod_ring_part *part, int parts,
+static bool write_summary(const clod_sim *sim, const clod_part *part, int parts,
                           const clod_locus_study *study, json_t *warnings, clod_status *status)
 {
-    char path[PATH_TEXT];
     char *locus = clod_locus_json(study);
     json_t *list = json_array();
     for (int p = 0; p < parts; p++) {
         json_array_append_new(list, part_json(&part[p]));
     }
-    json_t *root = json_pack(
-        "{s:s, s:s, s:o, s:o?, s:O}", "title", sim->from->title != NULL ? sim->from->title : "",
-        "version", clod_version_text(), "parts", list, "locus",
-        locus != NULL ? json_loads(locus, 0, NULL) : NULL, "warnings", warnings);
+    json_t *results = locus != NULL ? json_loads(locus, 0, NULL) : NULL;
     clod_locus_free(locus);
-    snprintf(path, sizeof path, "%s/summary.json", sim->directory);
-    const bool ok = root != NULL ? clod_folder_write_json(path, root, status)
-                                 : clod_status_fail(status, CLOD_FAILED,
-                                                    "%s: no memory, or a number in it is not "
-                                                    "finite",
-                                                    path);
-    json_decref(root);
-    return ok;
-}
-
-static double total_wall_clock(const clod_ring_part *part, int parts)
-{
-    double sum = 0.0;
-    for (int p = 0; p < parts; p++) {
-        sum += part[p].wall_clock;
-    }
-    return sum;
-}
-
-/** Append the warning box, if there is anything to warn of. */
-static void append_box(char *text, size_t size, const json_t *warnings)
-{
-    size_t used = strlen(text);
-    size_t at;
-    json_t *warning;
-    json_array_foreach(warnings, at, warning)
-    {
-        used += (size_t)snprintf(text + used, size - used, "%s  - %s\n",
-                                 at == 0 ? "\n  Warnings of the simulation\n" : "",
-                                 json_string_value(warning));
-    }
+    return clod_parts_write_summary(sim, list, "locus", results, warnings, status);
 }
 
 /** Title, yield locus, warnings, cost: what the engineer asked for. */
-static char *make_text(const clod_sim *sim, const clod_ring_part *part, int parts,
+static char *make_text(const clod_sim *sim, const clod_part *part, int parts,
                        const clod_locus_study *study, const json_t *warnings)
 {
     char *table = clod_locus_table(study);
-    size_t size = 1024 + (table != NULL ? strlen(table) : 0);
-    size_t at;
-    json_t *warning;
-    json_array_foreach(warnings, at, warning)
-    {
-        size += 8 + json_string_length(warning);
-    }
+    const char *title = sim->from->title != NULL ? sim->from->title : "ring shear test";
+    const size_t size = 1024 + strlen(title) + (table != NULL ? strlen(table) : 0) +
+                        clod_warning_box_size(warnings);
     char *text = clod_memory_alloc(size, 1);
     if (text != NULL) {
-        snprintf(text, size,
-                 "%s\n%zu grains, dt %.4g s, coordination %.2f, largest overlap at the "
-                 "end of preshear %.3g %% of a radius, %.0f s of work\n\n%s",
-                 sim->from->title != NULL ? sim->from->title : "ring shear test",
-                 part[0].grains, part[0].dt, part[0].coordination, 100.0 * part[0].max_overlap,
-                 total_wall_clock(part, parts), table != NULL ? table : "");
-        append_box(text, size, warnings);
+        const int used = clod_parts_headline(part, parts, title, "preshear", text, size);
+        snprintf(text + used, size - (size_t)used, "%s", table != NULL ? table : "");
+        clod_warning_box_append(text, size, warnings);
     }
     clod_locus_free(table);
     return text;
 }
 
-bool clod_ring_report(const clod_sim *sim, const clod_ring_part *part, int preparations,
-                      int points, char **report, clod_status *status)
+bool clod_ring_report(const clod_sim *sim, const clod_part *part, int preparations, int points,
+                      char **report, clod_status *status)
 {
     clod_locus_point *point = clod_memory_alloc((size_t)points, sizeof *point);
     json_t *warnings = clod_ring_warnings(sim->from, part, preparations + points);

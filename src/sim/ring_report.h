@@ -12,5 +12,5 @@
  * @param part          [preparations + points] finished parts, preparations first
  * @param report        [out] owned text
  */
-bool clod_ring_report(const clod_sim *sim, const clod_ring_part *part, int preparations,
-                      int points, char **report, clod_status *status);
+bool clod_ring_report(const clod_sim *sim, const clod_part *part, int preparations, int points,
+                      char **report, clod_status *status);

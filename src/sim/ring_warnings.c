@@ -1,42 +1,36 @@
 #include "sim/ring_warnings.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 
-#include "tester/ring_limits.h"
+#include "sim/warning_box.h"
+#include "tester/limits.h"
 
 #define SERVO_LIMIT 0.01    ///< relative error of the mean normal stress
 #define DILATION_LIMIT 0.01 ///< change of height per shear displacement
 
-__attribute__((format(printf, 2, 3))) static void add(json_t *list, const char *format, ...)
+static void add_flags(json_t *list, const clod_case *from, const clod_part *part)
 {
-    char text[600];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    json_array_append_new(list, json_string(text));
-}
-
-static void add_flags(json_t *list, const clod_case *from, const clod_ring_part *part)
-{
-    const int64_t flags = part->test.flags;
+    const clod_ring_shear *t = part->test;
+    const int64_t flags = t->flags;
     if ((flags & CLOD_RING_SHEAR_NOT_STEADY) != 0) {
-        add(list,
+        clod_warning_box_add(
+            list,
             "%s: not steady after %.0f mm of shear; the preshear values are means of the last "
             "blocks. Raise ring_shear.preshear_max or steady_tolerance",
-            part->name, 1e3 * part->test.preshear_displacement);
+            part->name, 1e3 * t->preshear_displacement);
     }
     if ((flags & CLOD_RING_SHEAR_NOT_SETTLED) != 0) {
-        add(list, "%s: %s did not come to rest within its time limit", part->name,
+        clod_warning_box_add(
+            list, "%s: %s did not come to rest within its time limit", part->name,
             part->point < 0 ? "filling or consolidation" : "the lid under the reduced load");
     }
     if ((flags & CLOD_RING_SHEAR_NO_REVERSAL) != 0) {
-        add(list, "%s: shear stress did not fall to zero when sheared back", part->name);
+        clod_warning_box_add(list, "%s: shear stress did not fall to zero when sheared back",
+                             part->name);
     }
     if ((flags & CLOD_RING_SHEAR_NO_PEAK) != 0) {
-        add(list,
+        clod_warning_box_add(
+            list,
             "%s: no peak within %.0f mm of shear; the largest smoothed value is taken. Raise "
             "ring_shear.shear_max",
             part->name, 1e3 * from->ring_shear.shear_max);
@@ -44,12 +38,14 @@ static void add_flags(json_t *list, const clod_case *from, const clod_ring_part 
 }
 
 /** The height decides nothing in preshear, but critical state means that it is constant. */
-static void add_dilation(json_t *list, const clod_ring_part *part)
+static void add_dilation(json_t *list, const clod_part *part)
 {
-    const double rate = part->test.preshear_dilation;
+    const clod_ring_shear *t = part->test;
+    const double rate = t->preshear_dilation;
     if (part->point < 0 && fabs(rate) > DILATION_LIMIT) {
-        const bool steady = (part->test.flags & CLOD_RING_SHEAR_NOT_STEADY) == 0;
-        add(list,
+        const bool steady = (t->flags & CLOD_RING_SHEAR_NOT_STEADY) == 0;
+        clod_warning_box_add(
+            list,
             "%s: %sthe specimen still %s by %.3f mm per mm of shear: not the critical state. "
             "Raise ring_shear.%s to go further",
             part->name, steady ? "the shear stress is steady, but " : "",
@@ -58,13 +54,14 @@ static void add_dilation(json_t *list, const clod_ring_part *part)
     }
 }
 
-static void add_servo(json_t *list, const clod_ring_part *part)
+static void add_servo(json_t *list, const clod_part *part)
 {
-    const clod_ring_shear *t = &part->test;
+    const clod_ring_shear *t = part->test;
     const double aim = part->point >= 0 ? t->shear_stress : t->preshear_stress;
     const double mean = part->point >= 0 ? t->point_normal : t->preshear_normal;
     if (fabs(mean / aim - 1.0) > SERVO_LIMIT) {
-        add(list,
+        clod_warning_box_add(
+            list,
             "%s: the mean normal stress %s was %.4g kPa instead of %.4g kPa; lower "
             "ring_shear.lid_damping or speed",
             part->name, part->point >= 0 ? "at the peak" : "of the steady blocks", 1e-3 * mean,
@@ -73,9 +70,9 @@ static void add_servo(json_t *list, const clod_ring_part *part)
 }
 
 /** I = shear rate d sqrt(rho/sigma), the shear spread over the whole height. */
-static double inertial_number(const clod_case *from, const clod_ring_part *part)
+static double inertial_number(const clod_case *from, const clod_part *part)
 {
-    const clod_ring_shear *t = &part->test;
+    const clod_ring_shear *t = part->test;
     const clod_case_material *ore =
         &from->materials[clod_case_material_index(from, from->ring_shear.grain_material)];
     const double speed = part->point >= 0 ? t->shear_speed : t->speed;
@@ -84,32 +81,35 @@ static double inertial_number(const clod_case *from, const clod_ring_part *part)
            sqrt(ore->density / stress);
 }
 
-json_t *clod_ring_warnings(const clod_case *from, const clod_ring_part *part, int parts)
+json_t *clod_ring_warnings(const clod_case *from, const clod_part *part, int parts)
 {
     json_t *list = json_array();
     for (int p = 0; p < parts; p++) {
         add_flags(list, from, &part[p]);
         add_servo(list, &part[p]);
         add_dilation(list, &part[p]);
-        if (part[p].max_overlap > CLOD_RING_OVERLAP_MOST_LIMIT) {
-            add(list,
+        if (part[p].max_overlap > CLOD_LIMITS_OVERLAP_MOST) {
+            clod_warning_box_add(
+                list,
                 "%s: overlap up to %.1f %% of a radius at its end; the laws assume small ones: "
                 "raise the stiffness",
                 part[p].name, 100.0 * part[p].max_overlap);
         }
-        if (inertial_number(from, &part[p]) > CLOD_RING_INERTIA_LIMIT) {
-            add(list,
+        if (inertial_number(from, &part[p]) > CLOD_LIMITS_INERTIA) {
+            clod_warning_box_add(
+                list,
                 "%s: inertial number %.2g: not quasi-static (%.0e); lower ring_shear.speed",
-                part[p].name, inertial_number(from, &part[p]), CLOD_RING_INERTIA_GOOD);
+                part[p].name, inertial_number(from, &part[p]), CLOD_LIMITS_INERTIA_GOOD);
         }
     }
     const clod_case_ring_shear *cell = &from->ring_shear;
-    const double gap =
-        fmin(cell->outer_radius - cell->inner_radius, part[0].test.preshear_height);
+    const clod_ring_shear *first = part[0].test;
+    const double gap = fmin(cell->outer_radius - cell->inner_radius, first->preshear_height);
     const double across = gap / (2.0 * cell->radius_mean);
-    if (across < CLOD_RING_GRAINS_LIMIT) {
-        add(list, "only %.1f grain diameters across the specimen; %.0f are wanted", across,
-            CLOD_RING_GRAINS_LIMIT);
+    if (across < CLOD_LIMITS_GRAINS) {
+        clod_warning_box_add(list,
+                             "only %.1f grain diameters across the specimen; %.0f are wanted",
+                             across, CLOD_LIMITS_GRAINS);
     }
     return list;
 }

@@ -9,4 +9,4 @@
 #include "sim/ring_run.h"
 
 /** Texts for the warning box, empty when all is well; NULL without memory. */
-json_t *clod_ring_warnings(const clod_case *from, const clod_ring_part *part, int parts);
+json_t *clod_ring_warnings(const clod_case *from, const clod_part *part, int parts);

@@ -13,6 +13,7 @@
 #include "sim/identity.h"
 #include "sim/ring_run.h"
 #include "sim/trial.h"
+#include "sim/uniaxial_run.h"
 #include "step/kernel.h"
 
 #define PATH_TEXT 4096
@@ -109,6 +110,9 @@ static bool run_case(const clod_sim *sim, char **report, clod_status *status)
                         clod_version_text(), "case", sim->from->path, "title",
                         sim->from->title != NULL ? sim->from->title : "", "threads",
                         sim->options->threads);
+    if (sim->from->uniaxial.present) {
+        return clod_uniaxial_run(sim, report, status);
+    }
     return sim->from->ring_shear.present ? clod_ring_run(sim, report, status)
                                          : clod_free_run(sim, report, status);
 }
@@ -117,11 +121,12 @@ static bool run_case(const clod_sim *sim, char **report, clod_status *status)
 static bool check_request(const clod_case *from, const clod_run_options *options,
                           clod_status *status)
 {
-    if (!from->ring_shear.present && from->stage_count == 0) {
-        return clod_status_fail(status, CLOD_USAGE,
-                                "%s: nothing to run: a case needs ring_shear, or grains, walls "
-                                "and stages (clod contact runs a contact_bench)",
-                                from->path);
+    if (clod_case_tester(from) == NULL && from->stage_count == 0) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "%s: nothing to run: a case needs ring_shear, uniaxial, or grains, "
+            "walls and stages (clod contact runs a contact_bench)",
+            from->path);
     }
     return clod_kernel_choose(options->simd) != NULL ||
            clod_status_fail(status, CLOD_USAGE,

@@ -1,8 +1,7 @@
 #include "sim/trial.h"
 
 #include "law/law.h"
-#include "setup/ring_cell.h"
-#include "setup/state.h"
+#include "setup/begin.h"
 #include "step/step.h"
 
 static bool try_first_forces(const clod_case *from, const clod_run_options *options,
@@ -27,9 +26,7 @@ bool clod_trial_run(const clod_case *from, const clod_run_options *options, clod
     bool good = true;
     for (int64_t s = 0; good && s < seeds; s++) {
         clod_state state;
-        good = (from->ring_shear.present
-                    ? clod_setup_ring_cell(from, from->seed + s, &state, status)
-                    : clod_setup_state(from, from->seed + s, &state, status)) &&
+        good = clod_begin_state(from, from->seed + s, &state, status) &&
                try_first_forces(from, options, &state, status);
         clod_state_fini(&state);
     }

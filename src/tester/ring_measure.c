@@ -1,7 +1,6 @@
 #include "tester/ring_measure.h"
 
-#include <math.h>
-#include <string.h>
+#include "tester/bed.h"
 
 const char *const clod_ring_shear_columns[CLOD_RING_SHEAR_COLUMNS] = {
     "time [s]",
@@ -17,19 +16,9 @@ const char *const clod_ring_shear_columns[CLOD_RING_SHEAR_COLUMNS] = {
     "power [W]",
 };
 
-clod_wall *clod_ring_wall(const clod_state *state, const char *name)
-{
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        if (strcmp(state->walls.wall[w].name, name) == 0) {
-            return &state->walls.wall[w];
-        }
-    }
-    return NULL;
-}
-
 double clod_ring_lid_height(const clod_ring_shear *self, const clod_state *state)
 {
-    return self->lid_start + clod_ring_wall(state, "lid")->shift.z;
+    return self->lid_start + clod_bed_wall(state, "lid")->shift.z;
 }
 
 double clod_ring_solid_above(const clod_ring_shear *self, const clod_state *state)
@@ -42,19 +31,9 @@ double clod_ring_solid_above(const clod_ring_shear *self, const clod_state *stat
     return -mass * state->gravity[2] / self->area;
 }
 
-double clod_ring_rms_speed(const clod_state *state)
-{
-    double sum = 0.0;
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const double *v = state->grains.motion[g];
-        sum += v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    }
-    return sqrt(sum / (double)state->grains.count);
-}
-
 double clod_ring_speed(const clod_ring_shear *self, const clod_state *state)
 {
-    return clod_ring_wall(state, "trough")->spin * self->mean_radius;
+    return clod_bed_wall(state, "trough")->spin * self->mean_radius;
 }
 
 double clod_ring_bars_volume(const clod_state *state)
@@ -73,9 +52,9 @@ double clod_ring_bars_volume(const clod_state *state)
 
 void clod_ring_measure(const clod_ring_shear *self, const clod_state *state, double *row)
 {
-    const clod_wall *lid = clod_ring_wall(state, "lid");
-    const clod_wall *trough = clod_ring_wall(state, "trough");
-    const clod_wall *sides = clod_ring_wall(state, "sides");
+    const clod_wall *lid = clod_bed_wall(state, "lid");
+    const clod_wall *trough = clod_bed_wall(state, "trough");
+    const clod_wall *sides = clod_bed_wall(state, "sides");
     const double steps = (double)(lid->sum_steps > 0 ? lid->sum_steps : 1);
     const double arm = self->area * self->mean_radius;
     const double height = clod_ring_lid_height(self, state);
@@ -93,13 +72,4 @@ void clod_ring_measure(const clod_ring_shear *self, const clod_state *state, dou
         self->grain_mass / (self->area * height - self->bars_volume);
     row[CLOD_RING_SHEAR_SPEED] = clod_ring_speed(self, state);
     row[CLOD_RING_SHEAR_POWER] = (trough->sum_power + sides->sum_power) / steps;
-}
-
-double clod_ring_grains_top(const clod_state *state)
-{
-    double top = 0.0;
-    for (size_t g = 0; g < state->grains.count; g++) {
-        top = fmax(top, state->grains.place[g][2] + state->grains.place[g][3]);
-    }
-    return top;
 }

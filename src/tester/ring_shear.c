@@ -3,17 +3,13 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "tester/ring_limits.h"
+#include "tester/bed.h"
+#include "tester/limits.h"
 #include "tester/ring_measure.h"
 
 // The programme below is the operator's hand: none of these numbers is a property of the solid,
 // and the results folder shows what each did. Displacements are at the mean radius r_m.
-#define SETTLED_SPEED 0.02  ///< m/s, root mean square of the grains at the end of filling
 #define TOUCH_FRACTION 0.05 ///< of the preshear stress: the lid carries
-#define RAMP_TIME 0.02      ///< s over which the load is raised or lowered
-#define CALM_SPEED 5e-4     ///< m/s of the lid, mean over a sample: nothing moves any more
-#define CALM_SAMPLES 5      ///< in a row
-#define CALM_FORCE 0.02     ///< relative error of the normal stress when calm
 #define ACCELERATION 3.0    ///< m/s2: below it the inertia of the bed stays below 1 % of tau
 #define FINE_STEPS 50       ///< steps per look while the speed changes
 #define BLOCK_SAMPLES 50    ///< samples per block of preshear
@@ -28,20 +24,20 @@ const char *clod_ring_shear_phase_name(clod_ring_shear_phase phase)
 /** Turn trough and sides so that the solid is sheared with `speed` at r_m. */
 static void set_speed(const clod_ring_shear *self, clod_state *state, double speed)
 {
-    clod_ring_wall(state, "trough")->spin = speed / self->mean_radius;
-    clod_ring_wall(state, "sides")->spin = speed / self->mean_radius;
+    clod_bed_wall(state, "trough")->spin = speed / self->mean_radius;
+    clod_bed_wall(state, "sides")->spin = speed / self->mean_radius;
 }
 
 /** Whether the speed has reached its target: the very number that set_speed has put there. */
 static bool is_at_speed(const clod_ring_shear *self, const clod_state *state)
 {
-    return clod_ring_wall(state, "trough")->spin == self->target_speed / self->mean_radius;
+    return clod_bed_wall(state, "trough")->spin == self->target_speed / self->mean_radius;
 }
 
 /** Load of the lid that gives a normal stress at the shear plane. */
 static void set_stress(const clod_ring_shear *self, clod_state *state, double stress)
 {
-    clod_wall *lid = clod_ring_wall(state, "lid");
+    clod_wall *lid = clod_bed_wall(state, "lid");
     lid->load_force = fmax((stress - clod_ring_solid_above(self, state)) * self->area, 0.0);
 }
 
@@ -64,7 +60,7 @@ void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_st
         .mean_radius = 2.0 / 3.0 * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri),
         .bars_volume = clod_ring_bars_volume(state),
         .bar_height = cell->bar_height,
-        .lid_start = clod_ring_wall(state, "lid")->shapes[0].center.z,
+        .lid_start = clod_bed_wall(state, "lid")->shapes[0].center.z,
         .lid_mass = cell->lid_mass,
         .preshear_stress = cell->preshear_stress,
         .speed = cell->speed,
@@ -72,18 +68,14 @@ void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_st
         .preshear_max = cell->preshear_max,
         .shear_max = cell->shear_max,
     };
-    double largest = 0.0;
-    for (size_t g = 0; g < state->grains.count; g++) {
-        self->grain_mass += state->grains.motion[g][3];
-        largest = fmax(largest, state->grains.place[g][3]);
-    }
-    self->lowest_lid = 2.0 * self->bar_height + 2.0 * largest;
+    self->grain_mass = clod_bed_mass(state);
+    self->lowest_lid = 2.0 * self->bar_height + 2.0 * clod_bed_largest(state);
     // as the operator of a shear tester: steady is when the shear stress is (ASTM D6773); a
     // height that still changes is told in the warning box
     clod_steady_init(&self->steady, cell->steady_blocks, BLOCK_SAMPLES, cell->steady_tolerance,
                      INFINITY);
     clod_peak_init(&self->peak, cell->peak_window, cell->beyond_peak);
-    clod_ring_wall(state, "lid")->load = CLOD_LOAD_NONE;
+    clod_bed_wall(state, "lid")->load = CLOD_LOAD_NONE;
     enter(self, state, CLOD_RING_SHEAR_FILL);
 }
 
@@ -92,7 +84,7 @@ void clod_ring_shear_branch(clod_ring_shear *self, double shear_stress, clod_sta
     self->shear_stress = shear_stress;
     // shear rate with the square root of the stress: the same inertial number as in preshear
     self->shear_speed = self->speed * sqrt(fmin(shear_stress / self->preshear_stress, 1.0));
-    self->target_speed = -CLOD_RING_REVERSE_FRACTION * self->speed;
+    self->target_speed = -CLOD_LIMITS_REVERSE_FRACTION * self->speed;
     self->target_stress = self->preshear_stress;
     self->flags = 0; // what was not right with the preparation stands in its own
     enter(self, state, CLOD_RING_SHEAR_REVERSE);
@@ -118,29 +110,17 @@ int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *stat
     if (self->phase == CLOD_RING_SHEAR_SHEAR) { // a sample for every bin of the peak at least
         const int64_t bin =
             steps_for(self->peak.window / CLOD_PEAK_BINS, self->shear_speed, state);
-        return bin < CLOD_RING_COARSE_STEPS ? bin : CLOD_RING_COARSE_STEPS;
+        return bin < CLOD_LIMITS_COARSE_STEPS ? bin : CLOD_LIMITS_COARSE_STEPS;
     }
-    return CLOD_RING_COARSE_STEPS;
-}
-
-/** Put the lid down to just above the settled grains; the neighbour search starts anew. */
-static void put_lid(clod_ring_shear *self, clod_state *state)
-{
-    clod_wall *lid = clod_ring_wall(state, "lid");
-    const double bars = self->bar_height;
-    const double drop =
-        fmin(clod_ring_grains_top(state) + bars - clod_ring_lid_height(self, state), 0.0);
-    lid->shift.z += drop;
-    lid->velocity.z = -CLOD_RING_LOWER_SPEED;
-    state->build_motion = INFINITY;
+    return CLOD_LIMITS_COARSE_STEPS;
 }
 
 static void after_fill(clod_ring_shear *self, clod_state *state, double in_phase)
 {
-    const bool late = in_phase > CLOD_RING_FILL_TIME;
-    if (late || (in_phase > 0.05 && clod_ring_rms_speed(state) < SETTLED_SPEED)) {
+    bool late;
+    if (clod_bed_is_filled(state, in_phase, &late)) {
         self->flags |= late ? CLOD_RING_SHEAR_NOT_SETTLED : 0;
-        put_lid(self, state);
+        clod_bed_put_lid(state, clod_ring_lid_height(self, state), self->bar_height);
         enter(self, state, CLOD_RING_SHEAR_LOWER);
     }
 }
@@ -148,10 +128,7 @@ static void after_fill(clod_ring_shear *self, clod_state *state, double in_phase
 static void after_lower(clod_ring_shear *self, clod_state *state, const double *row)
 {
     if (row[CLOD_RING_SHEAR_NORMAL_STRESS] > TOUCH_FRACTION * self->preshear_stress) {
-        clod_wall *lid = clod_ring_wall(state, "lid");
-        lid->load = CLOD_LOAD_STRESS;
-        lid->servo_velocity = CLOD_RING_LOWER_SPEED;
-        lid->velocity.z = 0.0;
+        clod_bed_take_over(clod_bed_wall(state, "lid"));
         state->adhesion = 1.0;
         self->start_stress = row[CLOD_RING_SHEAR_NORMAL_STRESS];
         self->target_stress = self->preshear_stress;
@@ -160,19 +137,10 @@ static void after_lower(clod_ring_shear *self, clod_state *state, const double *
     }
 }
 
-/** Whether the lid has been at rest under its load for long enough. */
-static bool is_calm(clod_ring_shear *self, const double *row, double interval)
-{
-    const double speed = fabs(row[CLOD_RING_SHEAR_HEIGHT] - self->last_height) / interval;
-    const double error = fabs(row[CLOD_RING_SHEAR_NORMAL_STRESS] / self->target_stress - 1.0);
-    self->calm = speed < CALM_SPEED && error < CALM_FORCE ? self->calm + 1 : 0;
-    return self->calm >= CALM_SAMPLES;
-}
-
 /** Raise or lower the load along its ramp; true when the ramp is over. */
 static bool ramp_load(clod_ring_shear *self, clod_state *state, double in_phase)
 {
-    const double part = fmin(in_phase / RAMP_TIME, 1.0);
+    const double part = clod_bed_ramp(in_phase);
     set_stress(self, state,
                self->start_stress + part * (self->target_stress - self->start_stress));
     return part >= 1.0;
@@ -182,8 +150,10 @@ static void after_load(clod_ring_shear *self, clod_state *state, const double *r
                        double in_phase, double interval)
 {
     const bool ramped = ramp_load(self, state, in_phase);
-    const bool late = in_phase > CLOD_RING_SETTLE_TIME;
-    const bool calm = is_calm(self, row, interval);
+    const bool late = in_phase > CLOD_LIMITS_SETTLE_TIME;
+    const double speed = (row[CLOD_RING_SHEAR_HEIGHT] - self->last_height) / interval;
+    const double stress = row[CLOD_RING_SHEAR_NORMAL_STRESS] / self->target_stress;
+    const bool calm = clod_bed_is_calm(&self->calm, speed, stress);
     if (!ramped || !(calm || late)) {
         return;
     }
@@ -197,7 +167,7 @@ static void after_load(clod_ring_shear *self, clod_state *state, const double *r
 static void note_hanger(clod_ring_shear *self, const clod_state *state)
 {
     self->hanger_force =
-        clod_ring_wall(state, "lid")->load_force + self->lid_mass * state->gravity[2];
+        clod_bed_wall(state, "lid")->load_force + self->lid_mass * state->gravity[2];
 }
 
 static void after_preshear(clod_ring_shear *self, clod_state *state, const double *row)
@@ -233,7 +203,7 @@ static void after_preshear(clod_ring_shear *self, clod_state *state, const doubl
 static void after_reverse(clod_ring_shear *self, clod_state *state, const double *row)
 {
     set_stress(self, state, self->target_stress);
-    const bool late = self->displacement > CLOD_RING_REVERSE_MAX;
+    const bool late = self->displacement > CLOD_LIMITS_REVERSE_MAX;
     if (row[CLOD_RING_SHEAR_SHEAR_STRESS] > 0.0 && !late) {
         return;
     }
@@ -310,7 +280,7 @@ bool clod_ring_shear_trouble(const clod_ring_shear *self, char *text, size_t siz
 
 bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *row)
 {
-    const double interval = (double)clod_ring_wall(state, "lid")->sum_steps * state->dt;
+    const double interval = (double)clod_bed_wall(state, "lid")->sum_steps * state->dt;
     const double in_phase = (double)state->step * state->dt - self->phase_start;
     self->displacement += sheared(self, state) * interval;
     clod_ring_measure(self, state, row);

@@ -16,6 +16,8 @@ RECORD = os.path.join(ROOT, "tests/output/checkpoint_parts.txt")
 # What src/sim hands to clod_checkpoint_write as parts, and what those structs are made of.
 PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_phase", "clod_ring_shear_flag",
                                       "clod_ring_shear"]),
+         ("src/tester/uniaxial.h", ["clod_uniaxial_phase", "clod_uniaxial_flag",
+                                    "clod_uniaxial"]),
          ("src/measure/steady.h", ["CLOD_STEADY_MAX", "clod_steady"]),
          ("src/measure/peak.h", ["CLOD_PEAK_BINS", "clod_peak"]),
          ("src/sim/free_run.c", ["free_memory"]),

@@ -1,0 +1,158 @@
+#include "sim/parts.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "clod/version.h"
+#include "measure/contacts.h"
+#include "output/folder.h"
+#include "parallel/threads.h"
+
+#define PATH_TEXT 4096
+
+/** Parts that may run side by side. */
+typedef struct part_batch {
+    const clod_parts_tester *tester;
+    const clod_sim *sim;
+    clod_part *part;    ///< [count]
+    int threads;        ///< of each part
+    atomic_bool failed; ///< a part has: no further one is begun
+} part_batch;
+
+static void init_job(const part_batch *batch, clod_part *part, clod_job *job)
+{
+    *job = (clod_job){
+        .sim = batch->sim, .threads = batch->threads, .procedure = batch->tester->procedure};
+    memcpy(job->name, part->name, sizeof job->name);
+    job->procedure.data = part->test;
+}
+
+static bool begin(const part_batch *batch, clod_part *part, clod_job *job, clod_status *status)
+{
+    if (part->from[0] != '\0' && !clod_job_begin_from(job, part->from, status)) {
+        return false;
+    }
+    batch->tester->begin(batch->sim->from, part, &job->state);
+    return true;
+}
+
+static void note_result(const clod_job *job, clod_part *part)
+{
+    const clod_measure_contacts bed = clod_measure_contacts_of(&job->state);
+    part->steps = job->state.step;
+    part->dt = job->state.dt;
+    part->wall_clock = job->memory.wall_clock;
+    memcpy(part->version, job->memory.version, sizeof part->version);
+    part->grains = job->state.grains.count;
+    part->coordination = bed.coordination;
+    part->max_overlap = bed.max_overlap;
+    part->mean_overlap = bed.mean_overlap;
+}
+
+/** Whether a part may begin: not after a signal, nor when another part has failed. */
+static bool may_begin(part_batch *batch, clod_part *part)
+{
+    const clod_run_options *options = batch->sim->options;
+    const bool stop = options->stop != NULL && atomic_load(options->stop) != 0;
+    if (stop || atomic_load(&batch->failed)) {
+        return clod_status_fail(&part->status, CLOD_INTERRUPTED,
+                                "%s was not begun; the same command goes on from here",
+                                part->name);
+    }
+    return true;
+}
+
+static void run_part(void *context, int number)
+{
+    part_batch *batch = context;
+    clod_part *part = &batch->part[number];
+    if (!may_begin(batch, part)) {
+        return;
+    }
+    clod_job job;
+    init_job(batch, part, &job);
+    part->ok = batch->tester->setup(batch->sim->from, part->seed, &job.state, &part->status) &&
+               clod_job_resume(&job, &part->status) &&
+               (job.resumed || begin(batch, part, &job, &part->status)) &&
+               clod_job_run(&job, &part->status);
+    if (part->ok) {
+        note_result(&job, part);
+    } else if (part->status.code != CLOD_INTERRUPTED) {
+        atomic_store(&batch->failed, true);
+    }
+    clod_job_fini(&job);
+}
+
+bool clod_parts_run(const clod_parts_tester *tester, const clod_sim *sim, clod_part *part,
+                    int count, clod_status *status)
+{
+    const int given = sim->options->threads;
+    const int threads = given > 0 ? given : clod_threads_available();
+    const int workers = count < threads ? count : threads;
+    part_batch batch = {.tester = tester,
+                        .sim = sim,
+                        .part = part,
+                        .threads = threads / workers > 0 ? threads / workers : 1};
+    clod_threads_run(count, workers, run_part, &batch);
+    bool ok = true;
+    for (int p = 0; p < count; p++) {
+        if (!part[p].ok && (ok || status->code == CLOD_INTERRUPTED)) {
+            *status = part[p].status;
+            ok = false;
+        }
+    }
+    return ok;
+}
+
+json_t *clod_parts_json(const clod_part *part)
+{
+    return json_pack("{s:s, s:s, s:I, s:I, s:f, s:f, s:i, s:f, s:f, s:f}", "part", part->name,
+                     "version", part->version, "seed", (json_int_t)part->seed, "steps",
+                     (json_int_t)part->steps, "dt_s", part->dt, "wall_clock_s",
+                     part->wall_clock, "grains", (int)part->grains, "coordination",
+                     part->coordination, "max_overlap", part->max_overlap, "mean_overlap",
+                     part->mean_overlap);
+}
+
+void clod_parts_set_number(json_t *object, const char *key, double value)
+{
+    json_object_set_new(object, key, isfinite(value) ? json_real(value) : json_null());
+}
+
+bool clod_parts_write_summary(const clod_sim *sim, json_t *parts, const char *name,
+                              json_t *results, json_t *warnings, clod_status *status)
+{
+    char path[PATH_TEXT];
+    json_t *root = json_pack(
+        "{s:s, s:s, s:o, s:o?, s:O}", "title", sim->from->title != NULL ? sim->from->title : "",
+        "version", clod_version_text(), "parts", parts, name, results, "warnings", warnings);
+    snprintf(path, sizeof path, "%s/summary.json", sim->directory);
+    const bool ok = root != NULL ? clod_folder_write_json(path, root, status)
+                                 : clod_status_fail(status, CLOD_FAILED,
+                                                    "%s: no memory, or a number in it is not "
+                                                    "finite",
+                                                    path);
+    json_decref(root);
+    return ok;
+}
+
+static double total_wall_clock(const clod_part *part, int parts)
+{
+    double sum = 0.0;
+    for (int p = 0; p < parts; p++) {
+        sum += part[p].wall_clock;
+    }
+    return sum;
+}
+
+int clod_parts_headline(const clod_part *part, int parts, const char *title, const char *what,
+                        char *text, size_t size)
+{
+    return snprintf(text, size,
+                    "%s\n%zu grains, dt %.4g s, coordination %.2f, largest overlap at the "
+                    "end of %s %.3g %% of a radius, %.0f s of work\n\n",
+                    title, part[0].grains, part[0].dt, part[0].coordination, what,
+                    100.0 * part[0].max_overlap, total_wall_clock(part, parts));
+}

@@ -1,0 +1,65 @@
+#pragma once
+/**
+ * @file parts.h
+ * A test of several parts: preparations, and what begins from the state that they leave. The
+ * parts of a batch run side by side where cores allow.
+ */
+
+#include <jansson.h>
+
+#include "sim/job.h"
+
+/** One part of a test, and what is known of it when it is finished. */
+typedef struct clod_part {
+    char name[48];
+    char from[48]; ///< name of the part whose end this one begins with; "" for a preparation
+    int64_t seed;
+    int64_t point;                  ///< which of the points; -1 for a preparation
+    void *test;                     ///< the procedure's data, borrowed
+    int64_t steps;                  ///< of this part
+    double dt;                      ///< s
+    double wall_clock;              ///< s
+    char version[CLOD_JOB_VERSION]; ///< of the clod that began this part
+    size_t grains;
+    double coordination;              ///< grain-grain contacts of a grain at the end
+    double max_overlap, mean_overlap; ///< fraction of a radius, at the end
+    bool ok;
+    clod_status status;
+} clod_part;
+
+/** What the tester does. */
+typedef struct clod_parts_tester {
+    clod_procedure procedure; ///< without data, which is each part's own
+    /** Build the cell, full and at rest. */
+    bool (*setup)(const clod_case *from, int64_t seed, clod_state *state, clod_status *status);
+    /** Begin: a preparation with the cell, a point with the end of the part before it. */
+    void (*begin)(const clod_case *from, const clod_part *part, clod_state *state);
+} clod_parts_tester;
+
+/**
+ * Run a batch of parts side by side.
+ *
+ * @return  false: the first part that failed gives the status, an interruption last
+ */
+bool clod_parts_run(const clod_parts_tester *tester, const clod_sim *sim, clod_part *part,
+                    int count, clod_status *status);
+
+/** What every tester's summary says of a part; a new object. */
+json_t *clod_parts_json(const clod_part *part);
+
+/** Set a number, null when there is none. */
+void clod_parts_set_number(json_t *object, const char *key, double value);
+
+/**
+ * Write summary.json: title, version, the parts, the tester's results, the warnings.
+ *
+ * @param results   under the key `name`; the reference is taken, as that of the parts
+ * @param warnings  list of texts, borrowed
+ */
+bool clod_parts_write_summary(const clod_sim *sim, json_t *parts, const char *name,
+                              json_t *results, json_t *warnings, clod_status *status);
+
+/** "1234 grains, dt ..., coordination ..., largest overlap at the end of WHAT ..." of part 0.
+ */
+int clod_parts_headline(const clod_part *part, int parts, const char *title, const char *what,
+                        char *text, size_t size);

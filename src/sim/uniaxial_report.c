@@ -1,0 +1,169 @@
+#include "sim/uniaxial_report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "output/folder.h"
+#include "sim/uniaxial_warnings.h"
+#include "sim/warning_box.h"
+#include "tester/uniaxial.h"
+
+#define PATH_TEXT 4096
+#define ROW_TEXT 256
+
+/** sigma_1/sigma_c; infinite for a solid that does not stand by itself. */
+static double flowability(const clod_uniaxial *t)
+{
+    return t->strength > 0.0 ? t->sigma_1 / t->strength : (double)INFINITY;
+}
+
+static double void_ratio(const clod_uniaxial *t)
+{
+    return 1.0 / t->solid_fraction - 1.0;
+}
+
+/** flow_function.csv; ffc is `inf` for a strength of 0. */
+static bool write_table(const char *directory, const clod_part *part, int points,
+                        clod_status *status)
+{
+    char path[PATH_TEXT];
+    const size_t size = ROW_TEXT * (2 + (size_t)points);
+    char *text = clod_memory_alloc(size, 1);
+    if (text == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for flow_function.csv");
+    }
+    int used = snprintf(text, size,
+                        "consolidation_stress [Pa],sigma_1 [Pa],sigma_1_base [Pa],"
+                        "rho_b [kg/m3],solid_fraction [1],void_ratio [1],sigma_c [Pa],"
+                        "sigma_c_error [Pa],sigma_c_base [Pa],strain_at_peak [1],ffc [1]\n");
+    for (int p = 0; p < points; p++) {
+        const clod_uniaxial *t = part[p].test;
+        used += snprintf(text + used, size - (size_t)used,
+                         "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", t->stress,
+                         t->sigma_1, t->sigma_base, t->density, t->solid_fraction,
+                         void_ratio(t), t->strength, t->strength_error, t->strength_base,
+                         t->peak_strain, flowability(t));
+    }
+    snprintf(path, sizeof path, "%s/flow_function.csv", directory);
+    const bool ok = clod_folder_write(path, text, status);
+    clod_memory_free(text);
+    return ok;
+}
+
+/** What went not as it should, in words. */
+static json_t *flag_words(int64_t flags)
+{
+    static const struct {
+        clod_uniaxial_flag flag;
+        const char *word;
+    } WORDS[] = {{CLOD_UNIAXIAL_NOT_SETTLED, "not settled"},
+                 {CLOD_UNIAXIAL_NOT_FREE, "not at rest without the mould"},
+                 {CLOD_UNIAXIAL_NO_PEAK, "no peak"},
+                 {CLOD_UNIAXIAL_COLLAPSED, "collapsed"}};
+    json_t *words = json_array();
+    for (size_t k = 0; k < sizeof WORDS / sizeof *WORDS; k++) {
+        if ((flags & WORDS[k].flag) != 0) {
+            json_array_append_new(words, json_string(WORDS[k].word));
+        }
+    }
+    return words;
+}
+
+static json_t *point_json(const clod_part *part)
+{
+    const clod_uniaxial *t = part->test;
+    const struct {
+        const char *key;
+        double value;
+    } NUMBERS[] = {{"consolidation_stress_Pa", t->stress},
+                   {"sigma_1_Pa", t->sigma_1},
+                   {"sigma_1_base_Pa", t->sigma_base},
+                   {"bulk_density_kg_m3", t->density},
+                   {"solid_fraction", t->solid_fraction},
+                   {"void_ratio", void_ratio(t)},
+                   {"height_m", t->height},
+                   {"unloaded_height_m", t->unloaded_height},
+                   {"sigma_c_Pa", t->strength},
+                   {"sigma_c_error_Pa", t->strength_error},
+                   {"sigma_c_base_Pa", t->strength_base},
+                   {"strain_at_peak", t->peak_strain},
+                   {"ffc", flowability(t)}};
+    json_t *j = json_pack("{s:s}", "part", part->name);
+    for (size_t k = 0; k < sizeof NUMBERS / sizeof *NUMBERS; k++) {
+        clod_parts_set_number(j, NUMBERS[k].key, NUMBERS[k].value);
+    }
+    return j;
+}
+
+static bool write_summary(const clod_sim *sim, const clod_part *part, int points,
+                          json_t *warnings, clod_status *status)
+{
+    json_t *list = json_array();
+    json_t *results = json_array();
+    for (int p = 0; p < 1 + points; p++) {
+        const clod_uniaxial *t = part[p].test;
+        json_t *j = clod_parts_json(&part[p]);
+        json_object_set_new(j, "flags", flag_words(t->flags));
+        json_array_append_new(list, j);
+        if (p > 0) {
+            json_array_append_new(results, point_json(&part[p]));
+        }
+    }
+    return clod_parts_write_summary(sim, list, "flow_function", results, warnings, status);
+}
+
+static int table_row(const clod_uniaxial *t, char *text, size_t size)
+{
+    char ffc[24] = "-";
+    if (isfinite(flowability(t))) {
+        snprintf(ffc, sizeof ffc, "%.2f", flowability(t));
+    }
+    return snprintf(text, size, "  %10.3f %10.0f %9.3f %9.3f %10.3f ± %6.3f %9.2f %7s\n",
+                    1e-3 * t->sigma_1, t->density, t->solid_fraction, void_ratio(t),
+                    1e-3 * t->strength, 1e-3 * t->strength_error, 100.0 * t->peak_strain, ffc);
+}
+
+/** Title, flow function, warnings: what the engineer asked for. */
+static char *make_text(const clod_sim *sim, const clod_part *part, int points,
+                       const json_t *warnings)
+{
+    const char *title = sim->from->title != NULL ? sim->from->title : "uniaxial test";
+    const size_t size =
+        1024 + strlen(title) + ROW_TEXT * (size_t)points + clod_warning_box_size(warnings);
+    char *text = clod_memory_alloc(size, 1);
+    if (text == NULL) {
+        return NULL;
+    }
+    int used = clod_parts_headline(part, points + 1, title, "filling", text, size);
+    used +=
+        snprintf(text + used, size - (size_t)used,
+                 "Flow function of %d consolidation%s, stresses of the lid\n\n"
+                 "     sigma_1      rho_b  solid fr.   void r.           sigma_c     strain "
+                 "    ffc\n"
+                 "       [kPa]    [kg/m3]       [1]       [1]             [kPa]        [%%] "
+                 "    [1]\n",
+                 points, points > 1 ? "s" : "");
+    for (int p = 1; p <= points; p++) {
+        used += table_row(part[p].test, text + used, size - (size_t)used);
+    }
+    clod_warning_box_append(text, size, warnings);
+    return text;
+}
+
+bool clod_uniaxial_report(const clod_sim *sim, const clod_part *part, int points, char **report,
+                          clod_status *status)
+{
+    json_t *warnings = clod_uniaxial_warnings(sim->from, part, points + 1);
+    if (warnings == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the report");
+    }
+    const bool ok = write_table(sim->directory, part + 1, points, status) &&
+                    write_summary(sim, part, points, warnings, status);
+    if (ok) {
+        *report = make_text(sim, part, points, warnings);
+    }
+    json_decref(warnings);
+    return ok;
+}

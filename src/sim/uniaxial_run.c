@@ -1,0 +1,89 @@
+#include "sim/uniaxial_run.h"
+
+#include <stdio.h>
+
+#include "base/memory.h"
+#include "setup/uniaxial_cell.h"
+#include "sim/uniaxial_report.h"
+
+static int64_t uniaxial_plan(const void *data, const void *context, const clod_state *state)
+{
+    (void)context;
+    return clod_uniaxial_plan(data, state);
+}
+
+static bool uniaxial_sample(void *data, const void *context, clod_state *state, double *row)
+{
+    (void)context;
+    return clod_uniaxial_sample(data, state, row);
+}
+
+static const char *uniaxial_phase(const void *data, const void *context)
+{
+    (void)context;
+    const clod_uniaxial *self = data;
+    return clod_uniaxial_phase_name((clod_uniaxial_phase)self->phase);
+}
+
+static double uniaxial_fraction(const void *data, const void *context)
+{
+    (void)context;
+    return clod_uniaxial_progress(data);
+}
+
+static bool uniaxial_trouble(const void *data, char *text, size_t size)
+{
+    return clod_uniaxial_trouble(data, text, size);
+}
+
+static void uniaxial_begin(const clod_case *from, const clod_part *part, clod_state *state)
+{
+    if (part->point >= 0) {
+        const double stress = from->uniaxial.consolidation_stresses[part->point];
+        clod_uniaxial_branch(part->test, stress, state);
+    } else {
+        clod_uniaxial_begin(part->test, from, state);
+    }
+}
+
+static const clod_parts_tester TESTER = {.procedure = {.size = sizeof(clod_uniaxial),
+                                                       .columns = clod_uniaxial_columns,
+                                                       .column_count = CLOD_UNIAXIAL_COLUMNS,
+                                                       .plan = uniaxial_plan,
+                                                       .sample = uniaxial_sample,
+                                                       .phase = uniaxial_phase,
+                                                       .fraction = uniaxial_fraction,
+                                                       .trouble = uniaxial_trouble},
+                                         .setup = clod_setup_uniaxial_cell,
+                                         .begin = uniaxial_begin};
+
+/** Names: `fill`, then `stress-1` and so on in the order of the case. */
+static void name_parts(const clod_case *from, int parts, clod_part *part, clod_uniaxial *test)
+{
+    for (int k = 0; k < parts; k++) {
+        part[k].test = &test[k];
+        part[k].seed = from->seed;
+        part[k].point = k - 1;
+        snprintf(part[k].name, sizeof part[k].name, k > 0 ? "stress-%d" : "fill", k);
+        snprintf(part[k].from, sizeof part[k].from, "%s", k > 0 ? "fill" : "");
+    }
+}
+
+bool clod_uniaxial_run(const clod_sim *sim, char **report, clod_status *status)
+{
+    const int points = (int)sim->from->uniaxial.consolidation_stress_count;
+    clod_part *part = clod_memory_alloc((size_t)points + 1, sizeof *part);
+    clod_uniaxial *test = clod_memory_alloc((size_t)points + 1, sizeof *test);
+    bool ok = false;
+    if (part == NULL || test == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "no memory for the parts of the test");
+    } else {
+        name_parts(sim->from, points + 1, part, test);
+        ok = clod_parts_run(&TESTER, sim, part, 1, status) &&
+             clod_parts_run(&TESTER, sim, part + 1, points, status) &&
+             clod_uniaxial_report(sim, part, points, report, status);
+    }
+    clod_memory_free(part);
+    clod_memory_free(test);
+    return ok;
+}

@@ -1,0 +1,93 @@
+#include "tester/bed.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tester/limits.h"
+
+#define FILL_LEAST 0.05    ///< s of filling at least
+#define SETTLED_SPEED 0.02 ///< m/s, root mean square of the grains at the end of filling
+#define RAMP_TIME 0.02     ///< s over which the load is raised or lowered
+#define CALM_SPEED 5e-4    ///< m/s of the lid, mean over a sample: nothing moves any more
+#define CALM_SAMPLES 5     ///< in a row
+#define CALM_FORCE 0.02    ///< relative error of the normal stress when calm
+
+clod_wall *clod_bed_wall(const clod_state *state, const char *name)
+{
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        if (strcmp(state->walls.wall[w].name, name) == 0) {
+            return &state->walls.wall[w];
+        }
+    }
+    return NULL;
+}
+
+double clod_bed_mass(const clod_state *state)
+{
+    double mass = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        mass += state->grains.motion[g][3];
+    }
+    return mass;
+}
+
+double clod_bed_largest(const clod_state *state)
+{
+    double largest = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        largest = fmax(largest, state->grains.place[g][3]);
+    }
+    return largest;
+}
+
+double clod_bed_rms_speed(const clod_state *state)
+{
+    double sum = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        const double *v = state->grains.motion[g];
+        sum += v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    }
+    return sqrt(sum / (double)state->grains.count);
+}
+
+double clod_bed_top(const clod_state *state)
+{
+    double top = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        top = fmax(top, state->grains.place[g][2] + state->grains.place[g][3]);
+    }
+    return top;
+}
+
+bool clod_bed_is_filled(const clod_state *state, double in_phase, bool *late)
+{
+    *late = in_phase > CLOD_LIMITS_FILL_TIME;
+    return *late || (in_phase > FILL_LEAST && clod_bed_rms_speed(state) < SETTLED_SPEED);
+}
+
+void clod_bed_put_lid(clod_state *state, double height, double bars)
+{
+    clod_wall *lid = clod_bed_wall(state, "lid");
+    lid->shift.z += fmin(clod_bed_top(state) + bars - height, 0.0);
+    lid->velocity.z = -CLOD_LIMITS_LOWER_SPEED;
+    state->build_motion = INFINITY;
+}
+
+void clod_bed_take_over(clod_wall *lid)
+{
+    lid->load = CLOD_LOAD_STRESS;
+    lid->servo_velocity = CLOD_LIMITS_LOWER_SPEED;
+    lid->velocity.z = 0.0;
+}
+
+double clod_bed_ramp(double in_phase)
+{
+    return fmin(in_phase / RAMP_TIME, 1.0);
+}
+
+bool clod_bed_is_calm(int64_t *calm, double speed, double stress)
+{
+    const bool rests = fabs(speed) < CALM_SPEED && fabs(stress - 1.0) < CALM_FORCE;
+    *calm = rests ? *calm + 1 : 0;
+    return *calm >= CALM_SAMPLES;
+}

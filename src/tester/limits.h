@@ -1,0 +1,23 @@
+#pragma once
+/**
+ * @file limits.h
+ * Numbers of the testers that more than one file asks for: the programme of their procedures,
+ * which `clod check` adds up to a duration, and the limits above which check and result warn.
+ * None of them changes the physics of a contact.
+ */
+
+// The programme: the operator's hand. In a ring displacements are at the mean radius r_m.
+#define CLOD_LIMITS_FILL_TIME 0.6          ///< s at most, until the grains rest
+#define CLOD_LIMITS_LOWER_SPEED 0.1        ///< m/s of the lid on its way down
+#define CLOD_LIMITS_SETTLE_TIME 0.3        ///< s at most, consolidation and reduction
+#define CLOD_LIMITS_REVERSE_FRACTION 0.033 ///< speed of shearing back / speed of preshear
+#define CLOD_LIMITS_REVERSE_MAX 2e-3       ///< m at most of shear back
+enum { CLOD_LIMITS_COARSE_STEPS = 200 };   ///< per row of the series, at constant speed
+
+// What is still good.
+#define CLOD_LIMITS_INERTIA_GOOD 1e-3 ///< inertial number of quasi-static shear (PHYSICS 5)
+#define CLOD_LIMITS_INERTIA 1.2e-3    ///< warned of: PHYSICS 5 says "about"
+#define CLOD_LIMITS_GRAINS 5.0        ///< fewest grain diameters across width and height
+#define CLOD_LIMITS_FREE_GRAINS 10.0  ///< fewest across a specimen that stands by itself
+#define CLOD_LIMITS_OVERLAP_MEAN 0.01 ///< overlap / radius of a contact under the mean load
+#define CLOD_LIMITS_OVERLAP_MOST 0.05 ///< overlap / radius of the deepest contact of a run
