@@ -53,7 +53,7 @@ class Terminal(clod.Case):
         for line in lines[1:-1]:  # each overwritten by the next: no line ends
             self.assertNotIn("\n", line)
             self.assertRegex(line, r"^run +\w+ +\d+\.\d{4} s, step \d+, \S+ grain-steps/s"
-                                   r"(, at most \d+:\d\d:\d\d left)?$")
+                                   r"(, at most \d+:\d\d:\d\d left of this part)?$")
         times = [float(re.search(r"([\d.]+) s,", line)[1]) for line in lines[1:-1]]
         self.assertEqual(times, sorted(set(times)))
         self.assertRegex(lines[-1], r"^clod run: stopped at step \d+; the same command goes on from "
