@@ -71,7 +71,7 @@ static void loading_of_eepa(void **state)
     // without any speed the pull itself presses to 2 touch/k1
     check_relative(clod_law_cycle_impact(&law, R_STAR, 0.0), 1e-6, 1e-12);
     check_relative(clod_law_cycle_impact(&law, 1e-7, 0.0), 1e-6, 1e-12); // R* does not count
-    contact.pull_off_force = 0.01; // however weak it is
+    contact.pull_off_force = 0.01;                                       // however weak it is
     law = clod_law_make(&contact, &ORE, &ORE);
     check_relative(clod_law_cycle_impact(&law, R_STAR, 0.0), 2e-8, 1e-12);
 }
