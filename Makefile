@@ -3,7 +3,7 @@
 #   make run               set up, build, run the full ring shear test of the 5 % ore
 #   make run ARGS=--fresh  the same, with options for `clod run`
 #   make test              set up, build, run every test and check
-.PHONY: build run test verify bench format lint package install clean help setup setup-test
+.PHONY: build run test verify validate bench format lint package install clean help setup setup-test
 .DEFAULT_GOAL := build
 
 ARGS :=
@@ -31,7 +31,11 @@ test: setup-test ## build and run every test and check
 
 verify: setup-test build ## run the verification suite and renew docs/verification.md
 	@status=0; $(RELEASE)/clod verify -o build/verify || status=$$?; \
-		tools/plot-verification build/verify docs && exit $$status
+		tools/plot-verification build/verify docs verification && exit $$status
+
+validate: setup-test build ## run the slow tests of bulk solids and renew docs/validation.md
+	@status=0; $(RELEASE)/clod verify --slow -o build/validate || status=$$?; \
+		tools/plot-verification build/validate docs validation && exit $$status
 
 lint: setup-test ## only the checks of the sources
 	@cmake --preset test --log-level=WARNING

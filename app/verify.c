@@ -16,11 +16,15 @@ typedef struct request {
     const char **names;
     size_t name_count;
     bool list;
+    bool slow;
 } request;
+
+enum { KEY_SLOW = 256 };
 
 static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0, "folder for the report, curves and cases (run/verify)", 0},
     {"list", 'l', NULL, 0, "list the tests", 0},
+    {"slow", KEY_SLOW, NULL, 0, "run the slow tests, of bulk solids: validation.md", 0},
     {0},
 };
 
@@ -37,6 +41,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case 'l':
         self->list = true;
         return 0;
+    case KEY_SLOW:
+        self->slow = true;
+        return 0;
     case ARGP_KEY_ARG:
         self->names[self->name_count++] = argument;
         return 0;
@@ -48,7 +55,8 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 static void print_list(void)
 {
     for (size_t k = 0; k < clod_verify_count(); k++) {
-        printf("%-18s %s\n", clod_verify_name(k), clod_verify_help(k));
+        printf("%-18s %s%s\n", clod_verify_name(k), clod_verify_help(k),
+               clod_verify_is_slow(k) ? " (slow)" : "");
     }
 }
 
@@ -69,24 +77,25 @@ static void print_report(const clod_verify_report *report, const char *directory
                    row->relative ? " of it" : "");
         }
     }
-    printf("%zu quantities, %zu missed; %s/verification.md has all of them\n", report->count,
-           report->misses, directory);
+    printf("%zu quantities, %zu missed; %s/%s has all of them\n", report->count, report->misses,
+           directory, clod_verify_report_name(report->slow));
 }
 
-/** Whether verification.md in the folder may be replaced: it is not there, or a report. */
-static bool may_replace(const char *directory)
+/** Whether the report in the folder may be replaced: it is not there, or clod wrote it. */
+static bool may_replace(const char *directory, bool slow)
 {
-    static const char MARK[] = "# Verification\n\nWritten by `clod verify`";
+    static const char MARK[] = "\n\nWritten by `clod verify";
     char path[4096];
-    char text[sizeof MARK] = "";
-    snprintf(path, sizeof path, "%s/verification.md", directory);
+    char text[128] = "";
+    snprintf(path, sizeof path, "%s/%s", directory, clod_verify_report_name(slow));
     FILE *file = fopen(path, "r");
     if (file == NULL) {
         return true; // it is not there; what cannot be written is told at the end
     }
-    const size_t length = fread(text, 1, sizeof MARK - 1, file);
+    const size_t length = fread(text, 1, sizeof text - 1, file);
     fclose(file);
-    return length == sizeof MARK - 1 && strcmp(text, MARK) == 0;
+    text[length] = '\0';
+    return strstr(text, MARK) != NULL;
 }
 
 static int run(const request *self)
@@ -94,15 +103,16 @@ static int run(const request *self)
     const clod_verify_options options = {.directory = self->directory,
                                          .names = self->names,
                                          .name_count = self->name_count,
+                                         .slow = self->slow,
                                          .progress = show_progress};
     clod_verify_report report;
     clod_status status = {CLOD_OK, ""};
     int result = EXIT_SUCCESS;
-    if (!may_replace(self->directory)) {
+    if (!may_replace(self->directory, self->slow)) {
         fprintf(stderr,
-                "clod verify: %s/verification.md is in the way: clod did not write it. Choose "
-                "another folder with -o, or move the file away.\n",
-                self->directory);
+                "clod verify: %s/%s is in the way: clod did not write it. Choose another "
+                "folder with -o, or move the file away.\n",
+                self->directory, clod_verify_report_name(self->slow));
         return CLOD_USAGE;
     }
     if (!clod_verify_run(&options, &report, &status)) {
@@ -124,8 +134,10 @@ int clod_app_verify(int argc, char **argv)
         .args_doc = "[NAME ...]",
         .doc =
             "Run the verification suite, or the tests that are named: small cases whose "
-            "result is known from a closed form or from the literature.\v"
-            "DIR gets verification.md with every quantity, expected and obtained, a CSV file "
+            "result is known from a closed form or from the literature. With --slow: whole "
+            "beds of grains beside laws of bulk solids, which takes long.\v"
+            "DIR gets verification.md (with --slow validation.md) with every quantity, "
+            "expected and obtained, a CSV file "
             "of each curve, and the cases, which clod run takes as well. The exit status is 0 "
             "when every quantity is within its tolerance and 1 when one is not.",
     };

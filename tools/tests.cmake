@@ -78,6 +78,11 @@ add_test(NAME verify/suite COMMAND clod verify -o ${CMAKE_BINARY_DIR}/verify)
 set_tests_properties(verify/suite PROPERTIES LABELS verify TIMEOUT ${CLOD_TEST_SECONDS}
   ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 
+# Whole beds of grains, minutes each; not in `make test`.
+add_test(NAME verify/slow COMMAND clod verify --slow -o ${CMAKE_BINARY_DIR}/validate)
+set_tests_properties(verify/slow PROPERTIES LABELS "verify;slow" TIMEOUT 36000
+  ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
+
 if(NOT CLOD_FUZZ)
   return()
 endif()

@@ -28,13 +28,14 @@ typedef struct clod_verify_report {
     clod_verify_row *rows; ///< [count] owned
     size_t count, capacity;
     size_t misses; ///< rows that did not pass
+    bool slow;     ///< of the slow tests: the report is validation.md
 } clod_verify_report;
 
 typedef struct clod_verify_options {
-    const char
-        *directory; ///< gets verification.md, curves as CSV, and the cases; made if need be
-    const char *const *names;                          ///< [name_count] tests to run
-    size_t name_count;                                 ///< 0 = all
+    const char *directory; ///< gets the report, curves as CSV, and the cases; made if need be
+    const char *const *names; ///< [name_count] tests to run
+    size_t name_count;        ///< 0 = all that are slow, or all that are not
+    bool slow;                ///< the slow tests, of bulk solids; their report is validation.md
     void (*progress)(void *context, const char *name); ///< before each test; or NULL
     void *context;
 } clod_verify_options;
@@ -45,11 +46,17 @@ size_t clod_verify_count(void);
 /** Name of a test, k < clod_verify_count(); static text. */
 const char *clod_verify_name(size_t k);
 
+/** Whether a test takes minutes or more: a bulk solid, not a contact. */
+bool clod_verify_is_slow(size_t k);
+
+/** Name of the report's file: verification.md, or validation.md of the slow tests. */
+const char *clod_verify_report_name(bool slow);
+
 /** What a test looks at, in one line; static text. */
 const char *clod_verify_help(size_t k);
 
 /**
- * Run tests and write DIR/verification.md, a CSV per curve and the cases.
+ * Run tests and write DIR/verification.md (or validation.md), a CSV per curve and the cases.
  *
  * @param options  which tests, and where to
  * @param report   [out] owned content (clod_verify_fini), also after a failure

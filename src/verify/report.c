@@ -51,6 +51,25 @@ static void write_row(FILE *out, const clod_verify_row *row)
     fprintf(out, " | %s |\n", row->passed ? "yes" : "**MISS**");
 }
 
+static const char VERIFICATION[] =
+    "# Verification\n\n"
+    "Written by `clod verify`; `make verify` renews docs/verification.md with its plots.\n"
+    "Each test stepped the case files under its name in `cases/`; `clod run` takes them\n"
+    "too. SI units where none is named. Expected values come from the source that is\n"
+    "named, never from clod; a tolerance without % is absolute.\n";
+
+static const char VALIDATION[] =
+    "# Validation\n\n"
+    "Written by `clod verify --slow`; `make validate` renews docs/validation.md with its\n"
+    "plots. Whole beds of grains beside laws of bulk solids and the literature; the case\n"
+    "files are in `cases/`, and `clod run` takes them too. SI units where none is named;\n"
+    "a tolerance without % is absolute.\n";
+
+const char *clod_verify_report_name(bool slow)
+{
+    return slow ? "validation.md" : "verification.md";
+}
+
 char *clod_verify_report_text(const clod_verify_report *self)
 {
     char *text = NULL;
@@ -59,17 +78,12 @@ char *clod_verify_report_text(const clod_verify_report *self)
     if (out == NULL) {
         return NULL;
     }
-    fprintf(
-        out,
-        "# Verification\n\n"
-        "Written by `clod verify`; `make verify` renews docs/verification.md with its plots.\n"
-        "Each test stepped the case files under its name in `cases/`; `clod run` takes them\n"
-        "too. SI units where none is named. Expected values come from the source that is\n"
-        "named, never from clod; a tolerance without %% is absolute.\n\n"
-        "%zu quantities, %zu missed.\n\n"
-        "| test | quantity | expected | source | got | tolerance | pass |\n"
-        "|---|---|---|---|---|---|---|\n",
-        self->count, self->misses);
+    fprintf(out,
+            "%s\n"
+            "%zu quantities, %zu missed.\n\n"
+            "| test | quantity | expected | source | got | tolerance | pass |\n"
+            "|---|---|---|---|---|---|---|\n",
+            self->slow ? VALIDATION : VERIFICATION, self->count, self->misses);
     for (size_t r = 0; r < self->count; r++) {
         write_row(out, &self->rows[r]);
     }

@@ -12,19 +12,23 @@ typedef struct entry {
     const char *name;
     clod_verify_test *run;
     const char *help;
+    bool slow; ///< minutes and more: a bulk solid, not a contact
 } entry;
 
 static const entry TESTS[] = {
-    {"chung-ooi-1", clod_verify_chung_ooi_1, "elastic impact of two equal spheres"},
-    {"chung-ooi-2", clod_verify_chung_ooi_2, "elastic impact of a sphere on a rigid plane"},
-    {"chung-ooi-3", clod_verify_chung_ooi_3, "restitution asked for and obtained"},
-    {"chung-ooi-4", clod_verify_chung_ooi_4, "oblique impact on a plane, constant speed"},
-    {"chung-ooi-5", clod_verify_chung_ooi_5, "oblique impact, constant normal speed"},
-    {"chung-ooi-6", clod_verify_chung_ooi_6, "spinning sphere on a plane"},
-    {"chung-ooi-7", clod_verify_chung_ooi_7, "two equal spinning spheres"},
-    {"chung-ooi-8", clod_verify_chung_ooi_8, "spinning sphere on a larger, heavier one"},
-    {"mepa-cycle", clod_verify_mepa_cycle, "mepa: load, unload, reload, pull off, meet again"},
-    {"mepa-restitution", clod_verify_mepa_restitution, "mepa: restitution and sticking"},
+    {"chung-ooi-1", clod_verify_chung_ooi_1, "elastic impact of two equal spheres", false},
+    {"chung-ooi-2", clod_verify_chung_ooi_2, "elastic impact of a sphere on a rigid plane",
+     false},
+    {"chung-ooi-3", clod_verify_chung_ooi_3, "restitution asked for and obtained", false},
+    {"chung-ooi-4", clod_verify_chung_ooi_4, "oblique impact on a plane, constant speed",
+     false},
+    {"chung-ooi-5", clod_verify_chung_ooi_5, "oblique impact, constant normal speed", false},
+    {"chung-ooi-6", clod_verify_chung_ooi_6, "spinning sphere on a plane", false},
+    {"chung-ooi-7", clod_verify_chung_ooi_7, "two equal spinning spheres", false},
+    {"chung-ooi-8", clod_verify_chung_ooi_8, "spinning sphere on a larger, heavier one", false},
+    {"mepa-cycle", clod_verify_mepa_cycle, "mepa: load, unload, reload, pull off, meet again",
+     false},
+    {"mepa-restitution", clod_verify_mepa_restitution, "mepa: restitution and sticking", false},
 };
 #define TEST_COUNT (sizeof TESTS / sizeof *TESTS)
 
@@ -43,11 +47,16 @@ const char *clod_verify_help(size_t k)
     return TESTS[k].help;
 }
 
-static bool is_wanted(const clod_verify_options *options, const char *name)
+bool clod_verify_is_slow(size_t k)
 {
-    bool wanted = options->name_count == 0;
+    return TESTS[k].slow;
+}
+
+static bool is_wanted(const clod_verify_options *options, const entry *test)
+{
+    bool wanted = options->name_count == 0 && test->slow == options->slow;
     for (size_t k = 0; k < options->name_count; k++) {
-        wanted |= strcmp(options->names[k], name) == 0;
+        wanted |= strcmp(options->names[k], test->name) == 0;
     }
     return wanted;
 }
@@ -100,7 +109,7 @@ static bool write_report(const clod_verify_report *report, const char *directory
                          clod_status *status)
 {
     char path[4096];
-    snprintf(path, sizeof path, "%s/verification.md", directory);
+    snprintf(path, sizeof path, "%s/%s", directory, clod_verify_report_name(report->slow));
     char *text = clod_verify_report_text(report);
     if (text == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %s", path);
@@ -118,12 +127,12 @@ static bool write_report(const clod_verify_report *report, const char *directory
 bool clod_verify_run(const clod_verify_options *options, clod_verify_report *report,
                      clod_status *status)
 {
-    *report = (clod_verify_report){0};
+    *report = (clod_verify_report){.slow = options->slow};
     if (!check_names(options, status) || !make_folders(options->directory, status)) {
         return false;
     }
     for (size_t t = 0; t < TEST_COUNT; t++) {
-        if (!is_wanted(options, TESTS[t].name)) {
+        if (!is_wanted(options, &TESTS[t])) {
             continue;
         }
         if (options->progress != NULL) {
