@@ -97,12 +97,14 @@ double clod_verify_deck_reach(const clod_verify_deck *self)
     for (int s = 0; s < self->stage_count; s++) {
         time += self->stages[s].duration;
     }
+    const double fall = 0.5 * clod_vec3_length(self->gravity) * time * time;
     double reach = 0.0;
     for (int g = 0; g < self->grain_count; g++) {
         const clod_verify_grain *grain = &self->grains[g];
         const double speed =
             clod_vec3_length(grain->velocity) + grain->radius * clod_vec3_length(grain->spin);
-        reach = fmax(reach, clod_vec3_length(grain->place) + time * speed + grain->radius);
+        reach =
+            fmax(reach, clod_vec3_length(grain->place) + time * speed + fall + grain->radius);
     }
     return reach;
 }
@@ -169,8 +171,9 @@ static void put_case(const clod_verify_deck *self, const clod_verify_frame *fram
         "# Written by clod verify. n, the normal of the contacts, is (%g, %g, %g) in space;\n"
         "# t, the direction of slip, is (%g, %g, %g).\n",
         frame->n.x, frame->n.y, frame->n.z, frame->t.x, frame->t.y, frame->t.z);
-    fprintf(out, "title: \"%s\"\ntime: {step: %.17g s}\ngravity: [0 m/s2, 0 m/s2, 0 m/s2]\n",
-            self->title, self->step);
+    fprintf(out, "title: \"%s\"\ntime: {step: %.17g s}\ngravity: ", self->title, self->step);
+    put_vector(out, clod_verify_frame_out(frame, self->gravity), " m/s2");
+    fprintf(out, "\n");
     put_materials(self, out);
     fprintf(out, "domain: {min: ");
     put_vector(out, (clod_vec3){-edge, -edge, -edge}, " m");

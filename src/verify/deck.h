@@ -66,6 +66,7 @@ typedef struct clod_verify_deck {
     const char *name;  ///< folder below DIR/cases
     const char *title; ///< one line
     double step;       ///< s
+    clod_vec3 gravity; ///< m/s2, along t, b, n
     clod_verify_material materials[CLOD_VERIFY_MATERIALS];
     int material_count;
     char contacts[CLOD_VERIFY_CONTACTS]; ///< YAML, one pair a line
@@ -93,7 +94,8 @@ void clod_verify_deck_wall(clod_verify_deck *self, const char *name, const char 
 
 void clod_verify_deck_stage(clod_verify_deck *self, clod_verify_stage stage);
 
-/** Largest distance from the origin that a grain's surface reaches in free flight [m]. */
+/** Largest distance from the origin that a grain's surface reaches in free flight and fall [m].
+ */
 double clod_verify_deck_reach(const clod_verify_deck *self);
 
 /**

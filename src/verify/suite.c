@@ -29,6 +29,14 @@ static const entry TESTS[] = {
     {"mepa-cycle", clod_verify_mepa_cycle, "mepa: load, unload, reload, pull off, meet again",
      false},
     {"mepa-restitution", clod_verify_mepa_restitution, "mepa: restitution and sticking", false},
+    {"hooke-restitution", clod_verify_hooke_restitution, "hooke: restitution asked for", false},
+    {"rolling", clod_verify_rolling, "a ball that rolls out, and a ball on an incline", false},
+    {"luding-cycle", clod_verify_luding_cycle, "luding: the same, below and beyond its limit",
+     false},
+    {"luding-collision", clod_verify_luding_collision, "luding: MercuryDPM's collisions",
+     false},
+    {"eepa-cycle", clod_verify_eepa_cycle, "eepa: the same with f0 and with surface energy",
+     false},
 };
 #define TEST_COUNT (sizeof TESTS / sizeof *TESTS)
 

@@ -20,3 +20,8 @@ clod_verify_test clod_verify_chung_ooi_7;
 clod_verify_test clod_verify_chung_ooi_8;
 clod_verify_test clod_verify_mepa_cycle;
 clod_verify_test clod_verify_mepa_restitution;
+clod_verify_test clod_verify_hooke_restitution;
+clod_verify_test clod_verify_rolling;
+clod_verify_test clod_verify_luding_cycle;
+clod_verify_test clod_verify_luding_collision;
+clod_verify_test clod_verify_eepa_cycle;

@@ -2,6 +2,7 @@
 
 #include "support/check.h"
 #include "verify/chung_ooi.h"
+#include "verify/luding.h"
 
 static const clod_verify_chung_material BALL = {"ball", 3.0 / (4.0 * M_PI), 1e9, 0.0};
 
@@ -80,12 +81,36 @@ static void sliding_takes_the_friction_of_the_normal_impulse(void **state)
     check_close(spin.w_a, 1.25, 1e-14);
 }
 
+/** d* 1/32 m, so k2 - k1 = 12800 d_max: 128 N/m at 1 cm, and 1 - 228 (0.01 - d) in newtons. */
+static void luding_is_what_its_lines_give(void **state)
+{
+    (void)state;
+    const clod_verify_luding law = {
+        .k1 = 100.0, .k2 = 500.0, .k_adh = 100.0, .depth = 0.05, .diameter = 0.5};
+    check_relative(clod_verify_luding_limit(&law), 0.03125, 1e-14);
+    check_relative(clod_verify_luding_stiffness(&law, 0.01), 228.0, 1e-14);
+    check_relative(clod_verify_luding_stiffness(&law, 0.04), 500.0, 1e-14);
+    check_relative(clod_verify_luding_elastic(&law, 0.008, 0.01), 0.544, 1e-13);
+    check_relative(clod_verify_luding_elastic(&law, 0.05, 0.05), 12.5, 1e-13);
+    const double pull = clod_verify_luding_pull(&law, 0.01); // 228 d - 1.28 = -100 d
+    check_relative(pull, 1.28 / 328.0, 1e-13);
+    check_relative(clod_verify_luding_left(&law, pull), 0.01, 1e-13);
+    double most = 0.0;
+    check_relative(clod_verify_luding_force(&law, 0.01, &most), 1.0, 1e-13);
+    check_relative(clod_verify_luding_force(&law, 0.008, &most), 0.544, 1e-13);
+    check_relative(clod_verify_luding_force(&law, 0.003, &most), -0.3, 1e-13);
+    check_relative(most, 328.0 / 128.0 * 0.003, 1e-13);
+    check_close(clod_verify_luding_force(&law, 0.0, &most), 0.0, 0.0);
+    check_close(most, 0.0, 0.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hertz_is_what_the_equation_of_motion_gives),
         cmocka_unit_test(a_pair_has_reduced_mass_and_radius),
         cmocka_unit_test(sliding_takes_the_friction_of_the_normal_impulse),
+        cmocka_unit_test(luding_is_what_its_lines_give),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
