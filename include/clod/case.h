@@ -193,6 +193,7 @@ typedef struct clod_case_output {
     double snapshot_interval;   ///< s of simulated time; 0 = none but the last of each stage
     double checkpoint_interval; ///< s of wall-clock time
     bool contacts;              ///< snapshots with contacts
+    bool energy;                ///< keep the energy ledger
 } clod_case_output;
 
 typedef struct clod_case_time {

@@ -301,8 +301,23 @@ static void check_stage(clod_loader *loader, const clod_case *self, size_t index
     }
 }
 
+/** Potential energy has no value where grains come back at the other end. */
+static void check_energy(clod_loader *loader, const clod_case *self)
+{
+    for (int a = 0; self->output.energy && a < 3; a++) {
+        if (self->periodic[a] && self->gravity[a] != 0.0) {
+            clod_check_fail(loader, "output.energy",
+                            "gravity has a part along %c, in which the domain is periodic: "
+                            "potential energy has no value there; leave the ledger out, or set "
+                            "that part of gravity to 0",
+                            "xyz"[a]);
+        }
+    }
+}
+
 void clod_check_run(clod_loader *loader, clod_case *self)
 {
+    check_energy(loader, self);
     if (self->has_domain && clean(loader, "domain") &&
         !rises(self->domain_min, self->domain_max)) {
         clod_check_fail(loader, "domain.max", "must be larger than min in x, y and z");

@@ -168,6 +168,16 @@ static const clod_param OUTPUT_ROWS[] = {
      CLOD_AT(O, contacts),
      .help = "Whether snapshots hold the contacts.",
      .source = "convention"},
+    {.key = "energy",
+     .kind = CLOD_PARAM_BOOL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .fallback = "false",
+     CLOD_AT(O, energy),
+     .help = "Whether to keep the energy ledger: kinetic, potential and stored energy, what "
+             "plasticity and adhesion, dash-pots, friction and rolling resistance lose, the "
+             "work of the walls, and what is missing or too much, beside each row of the "
+             "series. It costs time and changes no bit of the rest.",
+     .source = "docs/theory/energy.md"},
 };
 const clod_table CLOD_TABLE_OUTPUT = {.title = "What is written, and how often.",
                                       CLOD_ROWS(OUTPUT_ROWS)};

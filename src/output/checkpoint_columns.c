@@ -36,6 +36,13 @@ static void add_state(clod_checkpoint_columns *self, const clod_state *state)
     ADD(domain.min, "domain_min", "m", F64, 3);
     ADD(domain.max, "domain_max", "m", F64, 3);
     ADD(domain.periodic, "domain_periodic", "1", U8, 3);
+    ADD(ledger.open, "ledger_open", "1", I64, 1);
+    ADD(ledger.start, "ledger_start", "J", F64, 1);
+    ADD(ledger.plastic, "ledger_plastic", "J", F64, 1);
+    ADD(ledger.dash_pot, "ledger_dash_pot", "J", F64, 1);
+    ADD(ledger.friction, "ledger_friction", "J", F64, 1);
+    ADD(ledger.rolling, "ledger_rolling", "J", F64, 1);
+    ADD(ledger.wall_work, "ledger_wall_work", "J", F64, 1);
     ADD(build_motion, "build_motion", "m", F64, 1);
     ADD(wall_contact_count, "wall_contact_count", "1", U64, 1);
 #undef ADD

@@ -23,7 +23,7 @@
 
 /** Names of what a run leaves in its folder, but for the copies of the case. */
 #define RESULT                                                                                 \
-    "log[.]jsonl|(series|" PART ")[.]csv|case(-complete)?[.]yaml[.]part|"                      \
+    "log[.]jsonl|(series|energy|" PART "(-energy)?)[.]csv|case(-complete)?[.]yaml[.]part|"     \
     "(summary[.]json|points[.]csv|flow_function[.]csv|"                                        \
     "restart(-" PART ")?(-failed)?_[ab][.]h5|"                                                 \
     "(" PART "_)?(snap|walls|contacts)_[0-9]{6,}[.]hdf|"                                       \

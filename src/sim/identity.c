@@ -67,7 +67,8 @@ char *clod_identity_text(const char *complete)
         if (*line != ' ') {
             output = begins(line, "output:");
         }
-        if (!output || *line != ' ' || begins(line, "  series_interval:")) {
+        if (!output || *line != ' ' || begins(line, "  series_interval:") ||
+            begins(line, "  energy:")) {
             memcpy(text + used, line, whole);
             used += whole;
         }

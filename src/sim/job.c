@@ -13,6 +13,7 @@
 #include "output/checkpoint.h"
 #include "output/series.h"
 #include "output/snapshot.h"
+#include "sim/energy_series.h"
 #include "step/step.h"
 
 #define PATH_MAX_TEXT 4096
@@ -30,10 +31,12 @@ typedef struct job_loop {
     clod_laws laws;
     clod_step step;
     clod_series *series;
+    clod_series *energy; ///< NULL without the ledger
     double *row;
     double last_clock, last_progress, last_checkpoint; ///< s
     int64_t progress_step;
-    int64_t slice; ///< steps between two looks at clock and signals
+    int64_t slice;   ///< steps between two looks at clock and signals
+    double adhesion; ///< that of the laws
 } job_loop;
 
 static double clock_now(void)
@@ -139,6 +142,12 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
     job->memory.wall_clock += now - loop->last_clock;
     loop->last_clock = loop->last_checkpoint = now;
     job->memory.series_bytes = clod_series_bytes(loop->series);
+    if (loop->energy != NULL) {
+        job->memory.energy_bytes = clod_series_bytes(loop->energy);
+        if (!clod_series_sync(loop->energy, status)) {
+            return false;
+        }
+    }
     if (!clod_series_sync(loop->series, status) || !clod_step_export(&loop->step, status)) {
         return false;
     }
@@ -241,6 +250,21 @@ static bool can_go_on(job_loop *loop, clod_status *status)
                             (long long)loop->job->state.step, text);
 }
 
+/** What contacts store under another adhesion is not made by the grains: the ledger starts anew
+ * from it. */
+static void change_adhesion(job_loop *loop)
+{
+    clod_ledger *ledger = &loop->job->state.ledger;
+    const bool books = ledger->open != 0 && loop->adhesion != loop->job->state.adhesion;
+    const clod_energies before = books ? clod_step_energies(&loop->step) : (clod_energies){0};
+    clod_laws_set_adhesion(&loop->laws, loop->job->state.adhesion);
+    loop->adhesion = loop->job->state.adhesion;
+    if (books) {
+        const clod_energies after = clod_step_energies(&loop->step);
+        ledger->start += clod_energies_sum(&after) - clod_energies_sum(&before);
+    }
+}
+
 /** One turn of the loop: steps, and when it is time for a look: measurement, output. */
 static bool turn(job_loop *loop, clod_status *status)
 {
@@ -258,13 +282,14 @@ static bool turn(job_loop *loop, clod_status *status)
     }
     const char *before = p->phase(p->data, p->context);
     const bool finished = p->sample(p->data, p->context, &job->state, loop->row);
-    if (!clod_series_row(loop->series, loop->row, status)) {
+    if (!clod_series_row(loop->series, loop->row, status) ||
+        !clod_energy_series_row(loop->energy, &loop->step, status)) {
         return false;
     }
     if (!can_go_on(loop, status)) {
         return false;
     }
-    clod_laws_set_adhesion(&loop->laws, job->state.adhesion);
+    change_adhesion(loop);
     const char *after = p->phase(p->data, p->context);
     if (before != after) {
         clod_eventlog_write(job->sim->log, "phase", "{s:s, s:s, s:s, s:I, s:f}", "part",
@@ -303,6 +328,20 @@ static bool loop_to_end(job_loop *loop, clod_status *status)
     return true;
 }
 
+/** The ledger, which a state that went through a checkpoint or another part has open. */
+static bool open_energy(job_loop *loop, clod_status *status)
+{
+    const clod_job *job = loop->job;
+    char path[PATH_MAX_TEXT];
+    snprintf(path, sizeof path, "%s/%s%senergy.csv", job->sim->directory,
+             is_plain(job->name) ? "" : job->name, is_plain(job->name) ? "" : "-");
+    loop->energy =
+        clod_series_open(path, clod_energy_series_columns, CLOD_ENERGY_SERIES_COLUMNS,
+                         job->resumed ? job->memory.energy_bytes : -1, status);
+    return loop->energy != NULL &&
+           (job->state.ledger.open != 0 || clod_step_open_ledger(&loop->step, status));
+}
+
 static bool open_loop(job_loop *loop, clod_status *status)
 {
     clod_job *job = loop->job;
@@ -331,12 +370,13 @@ static bool open_loop(job_loop *loop, clod_status *status)
         return false;
     }
     clod_laws_set_adhesion(&loop->laws, job->state.adhesion);
+    loop->adhesion = job->state.adhesion;
     if (!clod_step_init(&loop->step, &job->state, &loop->laws, &options, status)) {
         return false;
     }
     loop->last_clock = loop->last_progress = loop->last_checkpoint = clock_now();
     loop->progress_step = job->state.step;
-    return true;
+    return !job->sim->from->output.energy || open_energy(loop, status);
 }
 
 static void log_end(const job_loop *loop, const clod_job *job, bool ok,
@@ -370,6 +410,7 @@ bool clod_job_run(clod_job *job, clod_status *status)
     clod_step_fini(&loop.step);
     clod_laws_fini(&loop.laws);
     clod_series_close(&loop.series);
+    clod_series_close(&loop.energy);
     clod_memory_free(loop.row);
     return ok;
 }

@@ -40,7 +40,7 @@ typedef struct clod_sim {
 /** What a job remembers beside state and procedure; plain data. */
 typedef struct clod_job_memory {
     int64_t finished;
-    int64_t series_bytes;
+    int64_t series_bytes, energy_bytes;
     int64_t snapshots;              ///< written so far
     double next_snapshot;           ///< s
     char version[CLOD_JOB_VERSION]; ///< of the clod that began the job

@@ -9,6 +9,7 @@
 #include "state/contacts.h"
 #include "state/domain.h"
 #include "state/grains.h"
+#include "state/ledger.h"
 #include "state/walls.h"
 
 typedef struct clod_state {
@@ -20,6 +21,7 @@ typedef struct clod_state {
     double time;       ///< s = step * dt
     int64_t step;
     double adhesion; ///< k_adh as a fraction of its final value
+    clod_ledger ledger;
     // the neighbour search at its last rebuild; decides when the grains are sorted next
     double (*build_place)[4]; ///< [grains.capacity] rows at the last rebuild, in today's order
     double *build_walls;      ///< [walls.count * 4] shift and angle at the last rebuild

@@ -19,6 +19,10 @@ void clod_step_contact(clod_step *self, int part)
     bool excess = false;
     for (int32_t l = 0; l < self->laws->count; l++) {
         const clod_chunk c = clip(mine, pairs->law_start[l], pairs->law_start[l + 1]);
+        for (size_t b = c.begin; self->near.ledger && b < c.end; b++) {
+            self->kernel->contact_spend(&self->view, &self->laws->law[l], &blocks[b],
+                                        &pairs->spent[b]);
+        }
         if (c.end > c.begin) {
             excess |= self->kernel->contact(&self->view, &self->laws->law[l], blocks + c.begin,
                                             c.end - c.begin);
@@ -61,6 +65,14 @@ static void stage_lane(const clod_step *self, const clod_wall_block *block, int 
     }
 }
 
+void clod_step_stage_walls(const clod_step *self, const clod_wall_block *block,
+                           clod_kernel_wall_stage *stage)
+{
+    for (int lane = 0; lane < CLOD_LANES; lane++) {
+        stage_lane(self, block, lane, stage);
+    }
+}
+
 void clod_step_wall(clod_step *self, int part)
 {
     const clod_near_blocks *walls = &self->near.walls;
@@ -71,8 +83,10 @@ void clod_step_wall(clod_step *self, int part)
         const clod_chunk c = clip(mine, walls->law_start[l], walls->law_start[l + 1]);
         for (size_t b = c.begin; b < c.end; b++) {
             clod_kernel_wall_stage stage;
-            for (int lane = 0; lane < CLOD_LANES; lane++) {
-                stage_lane(self, &blocks[b], lane, &stage);
+            clod_step_stage_walls(self, &blocks[b], &stage);
+            if (self->near.ledger) {
+                self->kernel->wall_spend(&self->view, &self->laws->law[l], &stage, &blocks[b],
+                                         &walls->spent[b]);
             }
             excess |= self->kernel->wall(&self->view, &self->laws->law[l], &stage, &blocks[b]);
         }

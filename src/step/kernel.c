@@ -2,6 +2,7 @@
 #include "step/kernel.h"
 
 #include "step/kernel_contact.h"
+#include "step/kernel_ledger.h"
 #include "step/kernel_motion.h"
 #include "step/kernel_wall.h"
 
@@ -16,6 +17,10 @@ const clod_kernel KERNEL_NAME(CLOD_SIMD_SUFFIX) = {
     .width = CLOD_WIDTH,
     .contact = kernel_contact,
     .wall = kernel_wall,
+    .contact_spend = kernel_contact_spend,
+    .wall_spend = kernel_wall_spend,
+    .contact_stored = kernel_contact_stored,
+    .wall_stored = kernel_wall_stored,
     .drift = kernel_drift,
     .gather = kernel_gather,
     .kick = kernel_kick,

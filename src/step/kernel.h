@@ -19,6 +19,7 @@ typedef struct clod_kernel_view {
     const double (*place)[4];
     const double (*motion)[4];
     const double (*turning)[4];
+    const double (*load)[8];  ///< of the last step, until gather
     double (*slots)[8];       ///< force and torque on each grain by each of its contacts
     double (*wall_slots)[8];  ///< force and torque on each wall by each of its contacts
     double dt;                ///< s
@@ -35,6 +36,16 @@ typedef struct clod_kernel_wall_stage {
     double lever[3][CLOD_LANES]; ///< m, from the wall's reference point to the grain's centre
 } clod_kernel_wall_stage;
 
+/** What the contacts of a block turned into heat in one step [J]. */
+typedef struct clod_spent_block {
+    double plastic[CLOD_LANES], dash_pot[CLOD_LANES], friction[CLOD_LANES], rolling[CLOD_LANES];
+} clod_spent_block;
+
+/** What the contacts of a block store [J]. */
+typedef struct clod_stored_block {
+    double normal[CLOD_LANES], sliding[CLOD_LANES], rolling[CLOD_LANES];
+} clod_stored_block;
+
 /** What drift saw: the fastest grain, and whether every number is finite. */
 typedef struct clod_kernel_speed {
     double max_speed2; ///< m2/s2
@@ -50,6 +61,18 @@ typedef struct clod_kernel {
     /** Force of one block of wall contacts; true when an overlap is beyond the limit. */
     bool (*wall)(const clod_kernel_view *view, const clod_law *law,
                  const clod_kernel_wall_stage *stage, clod_wall_block *block);
+    /** For the ledger, just before `contact` or `wall`: what the block spends in this step. */
+    void (*contact_spend)(const clod_kernel_view *view, const clod_law *law,
+                          clod_contact_block *block, clod_spent_block *spent);
+    void (*wall_spend)(const clod_kernel_view *view, const clod_law *law,
+                       const clod_kernel_wall_stage *stage, clod_wall_block *block,
+                       clod_spent_block *spent);
+    /** Between steps: what the block stores. */
+    void (*contact_stored)(const clod_kernel_view *view, const clod_law *law,
+                           clod_contact_block *block, clod_stored_block *stored);
+    void (*wall_stored)(const clod_kernel_view *view, const clod_law *law,
+                        const clod_kernel_wall_stage *stage, clod_wall_block *block,
+                        clod_stored_block *stored);
     /** Half a kick and a whole drift of grains [begin, end). */
     clod_kernel_speed (*drift)(double (*place)[4], double (*motion)[4], double (*turning)[4],
                                const double (*load)[8], double dt, size_t begin, size_t end);

@@ -51,6 +51,13 @@ void clod_step_kick(clod_step *self, int part)
                        self->state->dt, c.begin, c.end);
 }
 
+/** What the wall does to the grains with its force and torque and its velocity of now [W]. */
+static double power_of(const clod_wall *wall)
+{
+    return -clod_vec3_dot(wall->force, clod_wall_velocity(wall)) -
+           clod_wall_spin(wall) * clod_vec3_dot(wall->torque, wall->spin_axis);
+}
+
 /** Ordered sum of a wall's slots; power is what the wall does to the grains. */
 static void sum_wall(clod_wall *wall, const double (*slots)[8], int32_t begin, int32_t end)
 {
@@ -62,8 +69,7 @@ static void sum_wall(clod_wall *wall, const double (*slots)[8], int32_t begin, i
     }
     wall->force = (clod_vec3){sum[0], sum[1], sum[2]};
     wall->torque = (clod_vec3){sum[4], sum[5], sum[6]};
-    wall->power = -clod_vec3_dot(wall->force, clod_wall_velocity(wall)) -
-                  clod_wall_spin(wall) * clod_vec3_dot(wall->torque, wall->spin_axis);
+    wall->power = power_of(wall);
 }
 
 /**
@@ -85,12 +91,14 @@ void clod_step_servo(clod_step *self, int part)
     }
     for (int32_t w = 0; w < self->state->walls.count; w++) {
         clod_wall *wall = &self->state->walls.wall[w];
+        const double before = power_of(wall); // the force before with the way of this step
         sum_wall(wall, (const double(*)[8])self->near.wall_slots, self->near.wall_slot_start[w],
                  self->near.wall_slot_start[w + 1]);
         wall->sum_steps++;
         wall->sum_force = clod_vec3_add(wall->sum_force, wall->force);
         wall->sum_torque = clod_vec3_add(wall->sum_torque, wall->torque);
         wall->sum_power += wall->power;
+        self->state->ledger.wall_work += 0.5 * self->view.dt * (before + wall->power);
         if (wall->load != CLOD_LOAD_NONE) {
             kick_servo(wall, self->view.dt);
         }

@@ -289,6 +289,14 @@ static void place_all(clod_near *self, clod_neighbour *neighbour, const clod_sta
     pad_walls(&job, laws, &spare, &wall_spare);
 }
 
+bool clod_near_reserve_spent(clod_near *self)
+{
+    return !self->ledger || (reserve(&self->pairs.spent, &self->pairs.spent_capacity,
+                                     self->pairs.count, sizeof *self->pairs.spent) &&
+                             reserve(&self->walls.spent, &self->walls.spent_capacity,
+                                     self->walls.count, sizeof *self->walls.spent));
+}
+
 bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state *state,
                     const clod_laws *laws, const clod_wall_pose *pose, double skin,
                     bool from_contacts, clod_status *status)
@@ -304,7 +312,7 @@ bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state
         }
         if (turn_blocks(&self->pairs, laws->count, sizeof(clod_contact_block)) &&
             turn_blocks(&self->walls, laws->count, sizeof(clod_wall_block)) &&
-            layout_slots(self, state, laws->count)) {
+            layout_slots(self, state, laws->count) && clod_near_reserve_spent(self)) {
             place_all(self, neighbour, state, laws->count, from_contacts);
             return true;
         }
@@ -368,6 +376,8 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->pairs.block);
     clod_memory_free(self->pairs.old);
     clod_memory_free(self->pairs.law_start);
+    clod_memory_free(self->pairs.spent);
+    clod_memory_free(self->walls.spent);
     clod_memory_free(self->walls.block);
     clod_memory_free(self->walls.old);
     clod_memory_free(self->walls.law_start);

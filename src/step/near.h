@@ -6,12 +6,15 @@
  * up. Pairs that do not touch add exactly zero, so the list itself never changes a bit.
  */
 
+#include "step/kernel.h"
 #include "step/neighbour.h"
 
 typedef struct clod_near_blocks {
     void *block, *old; ///< clod_contact_block or clod_wall_block; `old` is scratch
     size_t count, capacity, old_capacity;
-    size_t *law_start; ///< [laws + 1] first block of each law
+    size_t *law_start;       ///< [laws + 1] first block of each law
+    clod_spent_block *spent; ///< [count] with the ledger, else NULL
+    size_t spent_capacity;
 } clod_near_blocks;
 
 typedef struct clod_near {
@@ -25,6 +28,7 @@ typedef struct clod_near {
     int32_t *wall_slot_fill;  ///< scratch
     double (*wall_slots)[8];
     size_t wall_slot_capacity;
+    bool ledger; ///< keep room for what the contacts spend
 } clod_near;
 
 /**
@@ -39,6 +43,9 @@ typedef struct clod_near {
 bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state *state,
                     const clod_laws *laws, const clod_wall_pose *pose, double skin,
                     bool from_contacts, clod_status *status);
+
+/** Room for what each contact of the list spends, when `ledger` is set. */
+bool clod_near_reserve_spent(clod_near *self);
 
 /** Append the history of every closed contact to state->contacts (emptied first), sorted. */
 bool clod_near_export(const clod_near *self, clod_neighbour *neighbour, clod_state *state,

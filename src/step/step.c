@@ -16,6 +16,7 @@ enum {
     HISTORY = 16,
     FORCE = 32,
     WALLS = 64,
+    LEDGER = 128,
 };
 
 typedef struct clod_stage {
@@ -34,6 +35,7 @@ static const clod_stage STAGES[] = {
     {"gather",  clod_step_gather,  CONTACT_FORCE,              FORCE,                       false},
     {"kick",    clod_step_kick,    FORCE,                      VELOCITY,                    false},
     {"servo",   clod_step_servo,   CONTACT_FORCE,              WALLS,                       false},
+    {"ledger",  clod_step_ledger,  CONTACT_FORCE,              LEDGER,                      false},
     // clang-format on
 };
 #define STAGE_COUNT (sizeof STAGES / sizeof *STAGES)
@@ -129,6 +131,7 @@ static void look(clod_step *self)
     self->view = (clod_kernel_view){.place = (const double(*)[4])grains->place,
                                     .motion = (const double(*)[4])grains->motion,
                                     .turning = (const double(*)[4])grains->turning,
+                                    .load = (const double(*)[8])grains->load,
                                     .slots = self->near.slots,
                                     .wall_slots = self->near.wall_slots};
     for (int a = 0; a < 3; a++) {
@@ -193,6 +196,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
                     const clod_step_options *options, clod_status *status)
 {
     *self = (clod_step){.state = state, .laws = laws};
+    self->near.ledger = state->ledger.open != 0;
     self->kernel = clod_kernel_choose(options->simd);
     if (self->kernel == NULL) {
         return clod_status_fail(status, CLOD_USAGE,

@@ -69,6 +69,17 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
  */
 bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status);
 
+/**
+ * Open the energy ledger of the state at this moment: from now on every step records what
+ * contacts spend and walls do. It stays open in copies and checkpoints of the state.
+ *
+ * @return false without memory.   Threads  one per state.   Source  docs/theory/energy.md
+ */
+bool clod_step_open_ledger(clod_step *self, clod_status *status);
+
+/** Kinetic, potential and stored energies now. */
+clod_energies clod_step_energies(const clod_step *self);
+
 /** Write the history of all closed contacts into state->contacts (checkpoint, measurements). */
 bool clod_step_export(clod_step *self, clod_status *status);
 
@@ -83,3 +94,8 @@ void clod_step_wall(clod_step *self, int part);
 void clod_step_gather(clod_step *self, int part);
 void clod_step_kick(clod_step *self, int part);
 void clod_step_servo(clod_step *self, int part);
+void clod_step_ledger(clod_step *self, int part);
+
+/** Gap, normal and velocity of a block of wall contacts. */
+void clod_step_stage_walls(const clod_step *self, const clod_wall_block *block,
+                           clod_kernel_wall_stage *stage);

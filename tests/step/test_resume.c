@@ -24,6 +24,7 @@ static void run_whole(scene *s, bed_kind kind)
     clod_status status = {0};
     bed_init(s, kind, 2);
     scene_start(s);
+    scene_open_ledger(s);
     scene_run(s, STEPS);
     assert_true(s->step.rebuilds > 8);
     assert_true(clod_step_export(&s->step, &status));
@@ -47,6 +48,7 @@ static void a_run_cut_at_random_goes_on_with_the_same_bits(void **state)
         run_whole(&whole, (bed_kind)kind);
         bed_init(&cut, (bed_kind)kind, 2);
         scene_start(&cut);
+        scene_open_ledger(&cut);
         for (int k = 0; k < 40; k++) {
             scene_run(&cut, 1 + dice_pick(&roll, STEPS / 40 - 1));
             const char *set = sets[dice_pick(&roll, 3)];
@@ -73,6 +75,7 @@ static void a_run_cut_around_rebuilds_goes_on_with_the_same_bits(void **state)
         int rebuilds = 0;
         bed_init(&whole, (bed_kind)kind, 2);
         scene_start(&whole);
+        scene_open_ledger(&whole);
         while (whole.state.step < STEPS) {
             const int64_t before = whole.step.rebuilds;
             scene_run(&whole, 1);
@@ -84,6 +87,7 @@ static void a_run_cut_around_rebuilds_goes_on_with_the_same_bits(void **state)
         for (int shift = -2; shift <= 1; shift++) {
             bed_init(&cut, (bed_kind)kind, 2);
             scene_start(&cut);
+            scene_open_ledger(&cut);
             for (int k = 0; k < rebuilds; k++) {
                 scene_run(&cut, moment[k] + shift - cut.state.step);
                 replace(&cut, one);
@@ -109,6 +113,7 @@ static void a_fresh_copy_starts_the_same(void **state)
     clod_state_fini(&cut.state);
     cut.state = copy;
     scene_start(&cut);
+    scene_open_ledger(&cut);
     replace(&cut, (clod_step_options){.threads = 1}); // and once more before the first step
     finish(&cut);
     check_same_bits(&whole.state, &cut.state);
@@ -125,6 +130,7 @@ static void adhesion_may_change_where_the_run_is_cut(void **state)
         bed_init(&s[k], BED_SLIT, 2);
         clod_laws_set_adhesion(&s[k].laws, 0.1);
         scene_start(&s[k]);
+        scene_open_ledger(&s[k]);
         scene_run(&s[k], 1200);
         if (k == 1) {
             replace(&s[k], (clod_step_options){.threads = 1});
@@ -145,6 +151,7 @@ static void a_state_that_does_not_hold_together_is_refused(void **state)
     clod_status status = {0};
     bed_init(&s, BED_SLIT, 2);
     scene_start(&s);
+    scene_open_ledger(&s);
     scene_run(&s, 1000);
     assert_true(clod_step_export(&s.step, &status));
     s.state.contacts[0].j = (int32_t)s.state.grains.count - 1; // far away along the curve

@@ -13,6 +13,7 @@ static void run_bed(scene *s, bed_kind kind, clod_step_options options)
     clod_status status = {0};
     bed_init(s, kind, 1);
     scene_start_with(s, options);
+    scene_open_ledger(s);
     scene_run(s, STEPS);
     assert_true(clod_step_export(&s->step, &status));
 }

@@ -64,5 +64,6 @@ static inline bool bits_same_walls(const clod_walls *a, const clod_walls *b)
         assert_true(bits_same_contacts((a), (b)));                                             \
         assert_int_equal((a)->step, (b)->step);                                                \
         assert_memory_equal(&(a)->time, &(b)->time, sizeof(a)->time);                          \
+        assert_memory_equal(&(a)->ledger, &(b)->ledger, sizeof(a)->ledger);                    \
         assert_memory_equal(&(a)->build_motion, &(b)->build_motion, sizeof(a)->build_motion);  \
     } while (0)

@@ -152,6 +152,15 @@ static inline void scene_start(scene *self)
     scene_start_with(self, (clod_step_options){.threads = 1});
 }
 
+/** Keep the energy ledger from now on. */
+static inline void scene_open_ledger(scene *self)
+{
+    clod_status status = {0};
+    if (!clod_step_open_ledger(&self->step, &status)) {
+        fail_msg("%s", status.text);
+    }
+}
+
 static inline void scene_run(scene *self, int64_t steps)
 {
     clod_status status = {0};

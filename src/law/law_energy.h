@@ -1,0 +1,216 @@
+#pragma once
+/**
+ * @file law_energy.h
+ * What a contact stores and what it loses (docs/theory/energy.md). Nothing here changes a
+ * contact: the force comes from law_contact.h, with the ledger or without.
+ */
+
+#include "law/law_contact.h"
+
+/** Energy that a contact can give back [J]. */
+typedef struct clod_law_stored {
+    vreal normal;  ///< of the unloading branch, from the overlap without force
+    vreal sliding; ///< of the tangential spring
+    vreal rolling; ///< of the rolling spring
+} clod_law_stored;
+
+/** Energy that a contact turned into heat in one step [J]. */
+typedef struct clod_law_spent {
+    vreal plastic;  ///< plasticity and adhesion: what changing the history costs
+    vreal dash_pot; ///< normal and tangential dash-pot
+    vreal friction; ///< sliding; and what the spring loses when its stiffness changes
+    vreal rolling;  ///< rolling resistance, with epsd's dash-pot
+} clod_law_spent;
+
+/** Overlap d0 at which the unloading branch has no force: its n-th power is P [m]. */
+static inline vreal clod_law_rest_overlap(const clod_law *law, vreal plastic)
+{
+    if (law->exponent_kind == CLOD_EXPONENT_ONE) {
+        return plastic;
+    }
+    return clod_law_power(plastic, 1.0 / law->exponent);
+}
+
+/** Luding: k2 - k1 of a contact whose largest overlap is `most` [N/m]. */
+static inline vreal clod_law_luding_rise(const clod_law *law, clod_law_stiffness s, vreal most)
+{
+    return law->hardening * most / s.r_star;
+}
+
+/**
+ * Energy of the unloading branch, the integral of its force from where it is zero [J].
+ *
+ * @param plastic  history of the contact; 0 where it is open
+ * Errors  none.   Threads  pure.
+ * Source  docs/theory/energy.md, eq. (3), (4).   Test  tests/law/test_law_energy.c
+ */
+static inline vreal clod_law_normal_energy(const clod_law *law, clod_law_stiffness s,
+                                           vreal plastic)
+{
+    const vreal d = s.overlap;
+    if (law->kind == CLOD_LAW_LUDING) {
+        const vreal rise = clod_law_luding_rise(law, s, plastic);
+        const vreal stiffness = law->k1 + rise;
+        const vreal beyond = d - rise * plastic / stiffness;
+        return 0.5 * stiffness * beyond * beyond;
+    }
+    const double n = law->exponent;
+    const vreal loaded = d * s.power * (1.0 / (n + 1.0)) - plastic * d;
+    const vreal rest = (n / (n + 1.0)) * plastic * clod_law_rest_overlap(law, plastic);
+    return law->k2 * s.scale * (loaded + rest) - law->touch * d;
+}
+
+/**
+ * What a contact loses per change of its history: -dE/dP at constant overlap [N/m^(n-1)].
+ * It has the sign in which the law changes the history, so the loss is never negative.
+ *
+ * Source  docs/theory/energy.md, eq. (5), (6).   Test  tests/law/test_law_energy.c
+ */
+static inline vreal clod_law_history_force(const clod_law *law, clod_law_stiffness s,
+                                           vreal plastic)
+{
+    const vreal d = s.overlap;
+    if (law->kind == CLOD_LAW_LUDING) {
+        const vreal rise = clod_law_luding_rise(law, s, plastic);
+        const vreal rest = rise * plastic / (law->k1 + rise);
+        return (d - rest) * (2.0 * rise - 0.5 * law->hardening / s.r_star * (d + rest));
+    }
+    return law->k2 * s.scale * (d - clod_law_rest_overlap(law, plastic));
+}
+
+/** Stiffness of the rolling spring [N m]; 0 without one. */
+static inline vreal clod_law_rolling_stiffness(const clod_law *law, vreal tangent, vreal r_star)
+{
+    if (law->rolling == CLOD_ROLLING_EPSD) {
+        return law->epsd_ratio * tangent * r_star * r_star;
+    }
+    if (law->rolling == CLOD_ROLLING_EPSD2) {
+        return clod_law_tangential_stiffness(law, tangent) * r_star * r_star;
+    }
+    return vreal_set(0.0);
+}
+
+/** Stored energy of a contact from its overlap and its history. */
+static inline clod_law_stored clod_law_stored_energy(const clod_law *law, vreal overlap,
+                                                     vreal r_star,
+                                                     const clod_law_memory *memory)
+{
+    const vreal zero = vreal_set(0.0);
+    const vmask closed = vmask_less(zero, overlap);
+    const clod_law_stiffness s = clod_law_stiffness_at(law, vreal_max(overlap, zero), r_star);
+    const vreal k_t = clod_law_tangential_stiffness(law, memory->tangent);
+    const vreal k_r = clod_law_rolling_stiffness(law, memory->tangent, r_star);
+    const vreal normal = clod_law_normal_energy(law, s, memory->plastic);
+    const vreal sliding = 0.5 * k_t * vreal3_dot(memory->spring, memory->spring);
+    const vreal rolling = 0.5 * k_r * vreal3_dot(memory->roll, memory->roll);
+    return (clod_law_stored){vreal_select(closed, normal, zero),
+                             vreal_select(closed, sliding, zero),
+                             vreal_select(closed, rolling, zero)};
+}
+
+/** One moment of a contact, seen by the ledger. */
+typedef struct clod_law_moment {
+    clod_law_stiffness s;
+    vreal plastic;  ///< history, 0 where open
+    vreal dash_pot; ///< force of the normal dash-pot along v_n [N]
+    vreal3 friction, roll;
+    vreal3 viscous; ///< part of friction that is no spring [N]
+    clod_law_stored stored;
+} clod_law_moment;
+
+static inline clod_law_moment clod_law_moment_of(const clod_law *law,
+                                                 const clod_law_motion *motion,
+                                                 const clod_law_result *result,
+                                                 const clod_law_memory *memory)
+{
+    const vreal zero = vreal_set(0.0);
+    const vreal3 none = {zero, zero, zero};
+    const vreal3 n = motion->normal;
+    const clod_law_memory kept = {vreal_select(result->closed, memory->plastic, zero),
+                                  vreal_select(result->closed, memory->tangent, zero),
+                                  vreal3_select(result->closed, memory->spring, none),
+                                  vreal3_select(result->closed, memory->roll, none)};
+    const vreal inside = vreal_max(motion->overlap, zero);
+    clod_law_moment m = {.s = clod_law_stiffness_at(law, inside, motion->r_star),
+                         .plastic = kept.plastic,
+                         .roll = result->roll};
+    const vreal gamma = clod_law_damping(law, m.s, motion->m_star);
+    m.dash_pot = vreal_select(result->closed, gamma * vreal3_dot(motion->velocity, n), zero);
+    m.friction = vreal3_axpy(result->force, -vreal3_dot(result->force, n), n);
+    const vreal k_t = clod_law_tangential_stiffness(law, kept.tangent);
+    m.viscous = vreal3_axpy(m.friction, k_t, kept.spring);
+    m.stored = clod_law_stored_energy(law, motion->overlap, motion->r_star, &kept);
+    return m;
+}
+
+/** Where the contact was closed at one of two moments. */
+static inline vmask clod_law_either(vmask a, vmask b)
+{
+    const vreal zero = vreal_set(0.0);
+    const vreal one = vreal_set(1.0);
+    return vmask_less(zero, vreal_select(a, one, vreal_select(b, one, zero)));
+}
+
+/**
+ * A rolling spring that was cut lies on its cap, and whether epsd's dash-pot acts there must
+ * not be left to rounding: so much longer it is cut again. One below its cap hardly notices.
+ */
+#define ON_ITS_CAP (1.0 + 1e-4)
+
+/** -(a + b)/2 . way: the work that two forces on i, before and after, take from a motion. */
+static inline vreal clod_law_work(vreal3 a, vreal3 b, vreal3 way)
+{
+    return -0.5 * vreal3_dot(vreal3_add(a, b), way);
+}
+
+/**
+ * What a contact turned into heat during one step.
+ *
+ * Work is force times way with the mean of the forces at both ends, as velocity Verlet does it
+ * on the grains; heat is work that is not stored.
+ *
+ * @param now     kinematics of this step, with its result and the history after it
+ * @param before  the same of the step before: its force is a function of the state, so it is
+ *                computed again rather than remembered
+ * @param dt      time step [s]
+ * @return        J; zero for contacts that were open all along
+ * Errors  none.   Threads  pure.
+ * Source  docs/theory/energy.md, eq. (7)-(10).   Test  tests/law/test_law_energy.c
+ */
+static inline clod_law_spent clod_law_spend(const clod_law *law, const clod_law_motion *now,
+                                            const clod_law_result *result,
+                                            const clod_law_memory *after,
+                                            const clod_law_motion *before,
+                                            const clod_law_memory *memory, double dt)
+{
+    const vreal step = vreal_set(dt);
+    const vreal3 n = now->normal;
+    clod_law_memory copy = *memory;
+    copy.roll = vreal3_scale(copy.roll, vreal_set(ON_ITS_CAP));
+    const clod_law_result then = clod_law_contact(law, before, 0.0, &copy);
+    const clod_law_moment a = clod_law_moment_of(law, before, &then, memory);
+    const clod_law_moment b = clod_law_moment_of(law, now, result, after);
+
+    const vreal v_n = vreal3_dot(now->velocity, n);
+    const vreal3 arms =
+        vreal3_axpy(vreal3_scale(now->spin_i, now->arm_i), now->arm_j, now->spin_j);
+    const vreal3 across = vreal3_axpy(now->velocity, -v_n, n);
+    const vreal3 slip = vreal3_scale(vreal3_sub(across, vreal3_cross(arms, n)), step);
+    const vreal3 spins = vreal3_sub(now->spin_i, now->spin_j);
+    const vreal3 turn = vreal3_scale(vreal3_axpy(spins, -vreal3_dot(spins, n), n), step);
+
+    const vreal history = clod_law_history_force(law, a.s, a.plastic) +
+                          clod_law_history_force(law, b.s, b.plastic);
+    const vreal plastic = 0.5 * history * (b.plastic - a.plastic);
+    const vreal viscous = clod_law_work(a.viscous, b.viscous, slip);
+    const vreal dash_pot = 0.5 * (a.dash_pot + b.dash_pot) * v_n * step + viscous;
+    const vreal friction = clod_law_work(a.friction, b.friction, slip) -
+                           (b.stored.sliding - a.stored.sliding) - viscous;
+    const vreal rolling =
+        clod_law_work(a.roll, b.roll, turn) - (b.stored.rolling - a.stored.rolling);
+    const vmask closed = clod_law_either(then.closed, result->closed);
+    const vreal zero = vreal_set(0.0);
+    return (clod_law_spent){
+        vreal_select(closed, plastic, zero), vreal_select(closed, dash_pot, zero),
+        vreal_select(closed, friction, zero), vreal_select(closed, rolling, zero)};
+}

@@ -1,0 +1,16 @@
+#pragma once
+/**
+ * @file energy_series.h
+ * The table of the energy ledger: energy.csv, or NAME-energy.csv of a part of a test.
+ */
+
+#include "output/series.h"
+#include "step/step.h"
+
+#define CLOD_ENERGY_SERIES_COLUMNS 14
+
+/** Header texts. */
+extern const char *const clod_energy_series_columns[CLOD_ENERGY_SERIES_COLUMNS];
+
+/** Append the row of this moment; `series` may be NULL: no ledger, nothing to do. */
+bool clod_energy_series_row(clod_series *series, const clod_step *step, clod_status *status);

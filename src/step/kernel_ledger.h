@@ -1,0 +1,137 @@
+#pragma once
+/**
+ * @file kernel_ledger.h
+ * The contact loops with the energy ledger: the same forces, and what each contact turned into
+ * heat; and what the contacts store. Included by kernel.c only.
+ */
+
+#include "law/law_energy.h"
+#include "step/kernel_wall.h"
+
+/** Velocities of grains one step ago: before the kick by the forces of then, `load`. */
+typedef struct kernel_earlier {
+    vreal3 velocity, spin;
+} kernel_earlier;
+
+static inline kernel_earlier kernel_earlier_of(const clod_kernel_view *view, const int32_t *i)
+{
+    int32_t force[CLOD_WIDTH], torque[CLOD_WIDTH];
+    vreal v[4], w[4], f[4], t[4];
+    for (int l = 0; l < CLOD_WIDTH; l++) { // a load row is two rows of four
+        force[l] = 2 * i[l];
+        torque[l] = 2 * i[l] + 1;
+    }
+    vreal_load_rows(v, view->motion, i);
+    vreal_load_rows(w, view->turning, i);
+    vreal_load_rows(f, (const double(*)[4])view->load, force);
+    vreal_load_rows(t, (const double(*)[4])view->load, torque);
+    const vreal push = view->dt / v[3];
+    const vreal twist = view->dt * w[3];
+    return (kernel_earlier){{v[0] - push * f[0], v[1] - push * f[1], v[2] - push * f[2]},
+                            {w[0] - twist * t[0], w[1] - twist * t[1], w[2] - twist * t[2]}};
+}
+
+/** A grain-grain contact one step ago: the overlap of then in the directions of today. */
+static inline clod_law_motion kernel_contact_before(const clod_law_motion *now, double dt)
+{
+    clod_law_motion before = *now;
+    const vreal distance = now->arm_i + now->arm_j;
+    const vreal3 apart = vreal3_scale(now->normal, distance);
+    const vreal3 then = vreal3_axpy(apart, vreal_set(-dt), now->velocity);
+    before.overlap = now->overlap + distance - vreal_sqrt(vreal3_dot(then, then));
+    return before;
+}
+
+/** A wall contact one step ago; the wall is flat enough for one step. */
+static inline clod_law_motion kernel_wall_before(const clod_law_motion *now, double dt)
+{
+    clod_law_motion before = *now;
+    before.overlap = now->overlap + dt * vreal3_dot(now->velocity, now->normal);
+    return before;
+}
+
+static inline void kernel_store_spent(clod_spent_block *spent, int lane, clod_law_spent s)
+{
+    vreal_store(&spent->plastic[lane], s.plastic);
+    vreal_store(&spent->dash_pot[lane], s.dash_pot);
+    vreal_store(&spent->friction[lane], s.friction);
+    vreal_store(&spent->rolling[lane], s.rolling);
+}
+
+/** What a block of grain-grain contacts spends in this step, before its history moves on. */
+static void kernel_contact_spend(const clod_kernel_view *view, const clod_law *law,
+                                 clod_contact_block *block, clod_spent_block *spent)
+{
+    for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
+        const int32_t *i = &block->i[lane];
+        const int32_t *j = &block->j[lane];
+        const clod_law_motion now = kernel_contact_motion(view, law, i, j);
+        const kernel_earlier a = kernel_earlier_of(view, i);
+        const kernel_earlier b = kernel_earlier_of(view, j);
+        clod_law_motion before = kernel_contact_before(&now, view->dt);
+        before.velocity = vreal3_sub(a.velocity, b.velocity);
+        before.spin_i = a.spin;
+        before.spin_j = b.spin;
+        const clod_law_memory memory = clod_law_memory_load(&block->history, lane);
+        clod_law_memory after = memory;
+        const clod_law_result result = clod_law_contact(law, &now, view->dt, &after);
+        kernel_store_spent(
+            spent, lane,
+            clod_law_spend(law, &now, &result, &after, &before, &memory, view->dt));
+    }
+}
+
+/** The same for a block of wall contacts; a wall keeps its velocity over the step. */
+static void kernel_wall_spend(const clod_kernel_view *view, const clod_law *law,
+                              const clod_kernel_wall_stage *stage, clod_wall_block *block,
+                              clod_spent_block *spent)
+{
+    for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
+        const int32_t *i = &block->i[lane];
+        const clod_law_motion now = kernel_wall_motion(view, stage, i, lane);
+        const kernel_earlier a = kernel_earlier_of(view, i);
+        clod_law_motion before = kernel_wall_before(&now, view->dt);
+        const vreal3 wall = {vreal_load(&stage->velocity[0][lane]),
+                             vreal_load(&stage->velocity[1][lane]),
+                             vreal_load(&stage->velocity[2][lane])};
+        before.velocity = vreal3_sub(a.velocity, wall);
+        before.spin_i = a.spin;
+        const clod_law_memory memory = clod_law_memory_load(&block->history, lane);
+        clod_law_memory after = memory;
+        const clod_law_result result = clod_law_contact(law, &now, view->dt, &after);
+        kernel_store_spent(
+            spent, lane,
+            clod_law_spend(law, &now, &result, &after, &before, &memory, view->dt));
+    }
+}
+
+static inline void kernel_store_stored(clod_stored_block *to, int lane, clod_law_stored s)
+{
+    vreal_store(&to->normal[lane], s.normal);
+    vreal_store(&to->sliding[lane], s.sliding);
+    vreal_store(&to->rolling[lane], s.rolling);
+}
+
+static void kernel_contact_stored(const clod_kernel_view *view, const clod_law *law,
+                                  clod_contact_block *block, clod_stored_block *stored)
+{
+    for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
+        const clod_law_motion now =
+            kernel_contact_motion(view, law, &block->i[lane], &block->j[lane]);
+        const clod_law_memory memory = clod_law_memory_load(&block->history, lane);
+        kernel_store_stored(stored, lane,
+                            clod_law_stored_energy(law, now.overlap, now.r_star, &memory));
+    }
+}
+
+static void kernel_wall_stored(const clod_kernel_view *view, const clod_law *law,
+                               const clod_kernel_wall_stage *stage, clod_wall_block *block,
+                               clod_stored_block *stored)
+{
+    for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
+        const clod_law_motion now = kernel_wall_motion(view, stage, &block->i[lane], lane);
+        const clod_law_memory memory = clod_law_memory_load(&block->history, lane);
+        kernel_store_stored(stored, lane,
+                            clod_law_stored_energy(law, now.overlap, now.r_star, &memory));
+    }
+}
