@@ -130,6 +130,7 @@ static void the_thin_skin_does_not_matter(void **state)
         scene b;
         bed_init(&b, (bed_kind)kind, 1);
         scene_start(&b);
+        scene_open_ledger(&b);
         for (int k = 0; k < STEPS; k++) {
             b.step.near.skin = 0.0;
             scene_run(&b, 1);
@@ -149,6 +150,7 @@ static void the_way_of_asking_does_not_matter(void **state)
     scene b;
     bed_init(&b, BED_DRUM, 1);
     scene_start(&b);
+    scene_open_ledger(&b);
     dice roll = {3};
     int left = STEPS;
     while (left > 0) {
@@ -189,6 +191,7 @@ static void the_order_of_the_input_does_not_matter(void **state)
         g->material[other] = material;
     }
     scene_start(&b);
+    scene_open_ledger(&b);
     scene_run(&b, STEPS);
     assert_true(clod_step_export(&b.step, &b.step.status));
     check_same_bits(&reference[BED_SLIT].state, &b.state);
