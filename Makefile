@@ -3,7 +3,8 @@
 #   make run               set up, build, run the full ring shear test of the 5 % ore
 #   make run ARGS=--fresh  the same, with options for `clod run`
 #   make test              set up, build, run every test and check
-.PHONY: build run test verify validate bench format lint package install clean help setup setup-test
+.PHONY: build run test verify validate cross bench format lint package install clean help setup \
+	setup-test setup-peers
 .DEFAULT_GOAL := build
 
 ARGS :=
@@ -16,6 +17,9 @@ setup: ## install the packages that a build needs
 
 setup-test: ## install the packages that the tests need as well
 	@tools/setup test
+
+setup-peers: ## install LIGGGHTS and LAMMPS too, for comparison (500 MB)
+	@tools/setup peers
 
 build: setup ## build the program, build/release/clod
 	@cmake --preset release -DCLOD_TESTS=OFF --log-level=WARNING
@@ -36,6 +40,10 @@ verify: setup-test build ## run the verification suite and renew docs/verificati
 validate: setup-test build ## run the slow tests of bulk solids and renew docs/validation.md
 	@status=0; $(RELEASE)/clod verify --slow -o build/validate || status=$$?; \
 		tools/plot-verification build/validate docs validation && exit $$status
+
+cross: setup-peers build ## compare with LIGGGHTS and LAMMPS and renew docs/cross-code.md
+	@status=0; tools/cross-check -o build/cross || status=$$?; \
+		cp build/cross/cross-code.md docs/cross-code.md && exit $$status
 
 lint: setup-test ## only the checks of the sources
 	@cmake --preset test --log-level=WARNING

@@ -83,6 +83,17 @@ add_test(NAME verify/slow COMMAND clod verify --slow -o ${CMAKE_BINARY_DIR}/vali
 set_tests_properties(verify/slow PROPERTIES LABELS "verify;slow" TIMEOUT 36000
   ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 
+# The same grains in LIGGGHTS and LAMMPS (tools/cross-check); skipped where they are not installed.
+if(NOT CLOD_SANITIZE)
+  foreach(part IN ITEMS forces bed)
+    add_test(NAME cross/${part} COMMAND ${CMAKE_SOURCE_DIR}/tools/cross-check
+      -o ${CMAKE_BINARY_DIR}/cross-${part} ${part})
+    set_tests_properties(cross/${part} PROPERTIES LABELS cross SKIP_RETURN_CODE 77
+      ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}" TIMEOUT ${CLOD_TEST_SECONDS})
+  endforeach()
+  set_tests_properties(cross/bed PROPERTIES LABELS "cross;slow" TIMEOUT 7200)
+endif()
+
 if(NOT CLOD_FUZZ)
   return()
 endif()

@@ -1,0 +1,123 @@
+"""docs/cross-code.md: what was compared, with which versions, and what came out."""
+
+import forces
+import peers
+
+INTRODUCTION = """# The same grains in other programs
+
+Written by `tools/cross-check`; `make cross` runs it and renews this page. clod,
+LIGGGHTS {liggghts} and LAMMPS {lammps}
+(Debian packages, run as programs on one core) get the same grains, law and step. `tests/cross` has
+the grains, laws and decks. The exit status is not 0 when anything below misses.
+
+Lines of the peers' files are those of Debian's source packages of these versions.
+"""
+
+FORCES = """
+## Forces and torques, grain by grain
+
+The largest difference of any component of any grain after the given number of steps; of forces
+over the mean force, of torques over the mean force times the radius. Where definitions differ
+(next section), the parameters are such that the definition does not matter: no dash-pots where
+grains slide, so much friction that none slides where there are dash-pots, no twist, layers that
+slide without turning their grains, or grains so light in their springs that they spin in place.
+"""
+
+DIFFERENCES = """
+## Where definitions differ
+
+Each number is the largest difference of force and torque, as above, when it is not avoided.
+"""
+
+TEXT_ONLY = """
+Restitution. LAMMPS' polynomial for `damping tsuji` does not return the restitution that it is asked
+for. Asked for 0.5, a Hertz collision returned: {found}. The comparisons ask clod and LIGGGHTS for
+what LAMMPS returns.
+
+Source: LAMMPS src/GRANULAR/pair_granular.cpp:990-991
+
+Arms at walls. LIGGGHTS turns a grain at a wall with R - d/2, LAMMPS with R, clod with R - d, the
+distance of the wall's surface. Not compared grain by grain: it is d/R of the slip,
+1e-3 in the bed below.
+
+Source: LIGGGHTS src/surface_model_default.h:176;
+LAMMPS src/GRANULAR/fix_wall_gran.cpp:1236-1243,1512
+"""
+
+FAULTS = """
+## Faults of the peers
+
+What follows is wrong by the peer's own documents or equations.
+"""
+
+BED = """
+## A sheared bed
+
+{grains} grains in a trough, periodic along x: the floor moves along x with {speed} m/s, the side
+walls rest. Hertz, friction {friction}, restitution as LAMMPS makes it from {restitution}, step
+{step} s; {seeds} seeds, the same starting places in every program; means from {start} s to {end} s.
+The tolerance is Student's t (two-sided 0.1 %) times the standard error from the scatter between
+seeds: what two sets of {seeds} runs of one program would rarely exceed.
+"""
+
+
+def _row(*cells):
+    return "| " + " | ".join(str(cell) for cell in cells) + " |"
+
+
+def _head(*cells):
+    return [_row(*cells), "|" + "---|" * len(cells)]
+
+
+def _answer(good):
+    return "yes" if good else "NO"
+
+
+def header():
+    return INTRODUCTION.format(liggghts=peers.version("liggghts"),
+                               lammps=peers.version("lammps"))
+
+
+def same(rows):
+    """rows: (case, result, good)"""
+    lines = _head("law and grains", "peer", "grains", "steps", "force", "torque", "tolerance",
+                  "pass")
+    for case, found, good in rows:
+        lines.append(_row(case.name, case.peer, case.grains.count, case.steps,
+                          f"{found['force']:.1e}", f"{found['torque']:.1e}",
+                          f"{forces.TOLERANCE:.0e}", _answer(good)))
+    return FORCES + "\n" + "\n".join(lines) + "\n"
+
+
+def _shown(groups):
+    lines = []
+    for group, results in groups:
+        lines += ["", group.why, "", f"Source: {group.where}", ""]
+        lines += _head("law and grains", "peer", "steps", "force", "torque",
+                       "mean force, clod [N]", "peer [N]")
+        lines += [_row(case.name, case.peer, case.steps, f"{found['force']:.1e}",
+                       f"{found['torque']:.1e}", f"{found['own_force']:.4g}",
+                       f"{found['mean_force']:.4g}") for case, found in results]
+    return "\n".join(lines) + "\n"
+
+
+def differences(groups, order, good, rebounds):
+    """order: difference over that with half the step; rebounds: restitution of each program."""
+    found = ", ".join(f"{name} {e:.4f}" for name, e in rebounds.items())
+    return (DIFFERENCES + _shown(groups) + TEXT_ONLY.format(found=found)
+            + "\nThe first two numbers of this section, one over the other: "
+            f"{order:.3f}; expected 2 within 0.1; pass: {_answer(good)}.\n")
+
+
+def faults(groups):
+    return FAULTS + _shown(groups)
+
+
+def bed(rows, settings):
+    """rows: (peer, quantity, unit, clod, peer's, difference, limit)"""
+    lines = _head("quantity", "peer", "clod", "peer", "difference", "tolerance", "pass")
+    for peer, quantity, unit, ours, theirs, difference, limit in rows:
+        name = quantity if unit == "1" else f"{quantity} [{unit}]"
+        lines.append(_row(name, peer, f"{ours:.5g}", f"{theirs:.5g}", f"{difference:.2g}",
+                          f"{limit:.2g}", _answer(difference <= limit)))
+    return BED.format(**settings) + "\n" + "\n".join(lines) + "\n"
