@@ -31,8 +31,8 @@ Each number is the largest difference of force and torque, as above, when it is 
 
 TEXT_ONLY = """
 Restitution. LAMMPS' polynomial for `damping tsuji` does not return the restitution that it is asked
-for. Asked for 0.5, a Hertz collision returned: {found}. The comparisons ask clod and LIGGGHTS for
-what LAMMPS returns.
+for. Asked for 0.5, a Hertz collision returned: {found}.
+The comparisons ask clod and LIGGGHTS for what LAMMPS returns.
 
 Source: LAMMPS src/GRANULAR/pair_granular.cpp:990-991
 
@@ -47,7 +47,8 @@ LAMMPS src/GRANULAR/fix_wall_gran.cpp:1236-1243,1512
 FAULTS = """
 ## Faults of the peers
 
-What follows is wrong by the peer's own documents or equations.
+These we hold for faults, not for choices; each can be read at the lines that are named. The decks
+of the comparisons above avoid them.
 """
 
 BED = """
