@@ -116,7 +116,7 @@ def faults(groups):
 
 def bed(rows, settings):
     """rows: (peer, quantity, unit, clod, peer's, difference, limit)"""
-    lines = _head("quantity", "peer", "clod", "peer", "difference", "tolerance", "pass")
+    lines = _head("quantity", "peer", "clod", "its value", "difference", "tolerance", "pass")
     for peer, quantity, unit, ours, theirs, difference, limit in rows:
         name = quantity if unit == "1" else f"{quantity} [{unit}]"
         lines.append(_row(name, peer, f"{ours:.5g}", f"{theirs:.5g}", f"{difference:.2g}",
