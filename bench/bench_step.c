@@ -9,6 +9,7 @@
  */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "law/law.h"
@@ -75,7 +76,7 @@ static void read_packing(const char *csv, const char *box, clod_state *state)
 int main(int argc, char **argv)
 {
     if (argc < 3) {
-        give_up("usage: bench_step PACKING.csv PACKING.box [steps] [threads] [simd]");
+        give_up("usage: bench_step PACKING.csv PACKING.box [steps] [threads] [simd] [ledger]");
     }
     const int64_t steps = argc > 3 ? atoll(argv[3]) : 2000;
     const clod_step_options options = {.threads = argc > 4 ? atoi(argv[4]) : 1,
@@ -86,7 +87,9 @@ int main(int argc, char **argv)
     const clod_laws laws = {.materials = 1, .count = 1, .law = &law};
     clod_step step;
     clod_status status = {0};
+    const bool ledger = argc > 6 && strcmp(argv[6], "ledger") == 0;
     if (!clod_step_init(&step, &state, &laws, &options, &status) ||
+        (ledger && !clod_step_open_ledger(&step, &status)) ||
         !clod_step_advance(&step, steps / 10 + 1, &status)) {
         give_up(status.text);
     }

@@ -143,6 +143,19 @@ static inline clod_law_moment clod_law_moment_of(const clod_law *law,
     return m;
 }
 
+/** What the change of the histories cost; most steps change none, and the roots are dear. */
+static inline vreal clod_law_history_cost(const clod_law *law, const clod_law_moment *a,
+                                          const clod_law_moment *b)
+{
+    const vreal change = b->plastic - a->plastic;
+    if (!vmask_any(vmask_less(vreal_set(0.0), vreal_abs(change)))) {
+        return vreal_set(0.0);
+    }
+    const vreal force = clod_law_history_force(law, a->s, a->plastic) +
+                        clod_law_history_force(law, b->s, b->plastic);
+    return 0.5 * force * change;
+}
+
 /** Where the contact was closed at one of two moments. */
 static inline vmask clod_law_either(vmask a, vmask b)
 {
@@ -199,9 +212,7 @@ static inline clod_law_spent clod_law_spend(const clod_law *law, const clod_law_
     const vreal3 spins = vreal3_sub(now->spin_i, now->spin_j);
     const vreal3 turn = vreal3_scale(vreal3_axpy(spins, -vreal3_dot(spins, n), n), step);
 
-    const vreal history = clod_law_history_force(law, a.s, a.plastic) +
-                          clod_law_history_force(law, b.s, b.plastic);
-    const vreal plastic = 0.5 * history * (b.plastic - a.plastic);
+    const vreal plastic = clod_law_history_cost(law, &a, &b);
     const vreal viscous = clod_law_work(a.viscous, b.viscous, slip);
     const vreal dash_pot = 0.5 * (a.dash_pot + b.dash_pot) * v_n * step + viscous;
     const vreal friction = clod_law_work(a.friction, b.friction, slip) -
