@@ -1,5 +1,5 @@
 # Checks of the sources beside the test programs; in ctest with -DCLOD_CHECKS=ON (make test).
-# Labels: lint, build, sanitize, mutation, package. The times only end what hangs: they are ten
+# Labels: lint, build, sanitize, mutation, bench, package. The times only end what hangs: they are ten
 # times what two cores need, and more, so that a busy machine fails nothing.
 file(GLOB_RECURSE CLOD_LAYERED CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
   src/*.[ch] include/*.h app/*.[ch])
@@ -46,5 +46,9 @@ set_tests_properties(build/asan build/tsan lint/tidy sanitize/asan sanitize/tsan
 # Every sign and factor of the laws broken in turn (45 s on two cores that are free).
 clod_add_check(mutation/law 3600 tools/mutate-law $<TARGET_FILE:clod_core>)
 set_tests_properties(mutation/law PROPERTIES PROCESSORS 2)
+
+# What the clock cannot show on a busy machine: instructions per grain and step, against the record.
+clod_add_check(bench/instructions 1200 bench/count-instructions ${CMAKE_BINARY_DIR}/bench/bench_step)
+set_tests_properties(bench/instructions PROPERTIES SKIP_RETURN_CODE 77)
 
 clod_add_check(package/deb 1200 tools/check-package ${CMAKE_BINARY_DIR})
