@@ -203,6 +203,22 @@ typedef struct clod_case_time {
     double rayleigh_limit; ///< auto, hertz: largest fraction of the Rayleigh time
 } clod_case_time;
 
+/** What the operator of a shear tester does with the specimen (PHYSICS 7). */
+typedef struct clod_case_programme {
+    double preshear_stress; ///< Pa
+    double *shear_stresses; ///< Pa
+    size_t shear_stress_count;
+    double speed;              ///< m/s, preshear; in a ring at r_m
+    double block_displacement; ///< m of shear, one block average
+    int64_t steady_blocks;     ///< blocks that must agree
+    double steady_tolerance;   ///< relative
+    double preshear_max;       ///< m of shear at most
+    double shear_max;          ///< m of shear at most, after reversal
+    double beyond_peak;        ///< m of shear recorded beyond the peak
+    double peak_window;        ///< m of shear over which the curve is smoothed
+    int64_t seeds;             ///< number of repeats: seed, seed + 1, ...
+} clod_case_programme;
+
 /** Virtual Schulze ring shear test (PHYSICS 7); absent when `present` is false. */
 typedef struct clod_case_ring_shear {
     bool present;
@@ -214,21 +230,29 @@ typedef struct clod_case_ring_shear {
     double lid_damping;                       ///< fraction of critical
     double radius_mean, radius_sd, radius_min, radius_max; ///< m
     int64_t grain_count;                                   ///< 0 = as many as fill the depth
-    double fill_fraction;   ///< solid fraction assumed while filling
-    double fill_adhesion;   ///< fraction of k_adh during filling
-    double preshear_stress; ///< Pa
-    double *shear_stresses; ///< Pa
-    size_t shear_stress_count;
-    double speed;              ///< m/s at r_m, preshear
-    double block_displacement; ///< m of shear at r_m, one block average
-    int64_t steady_blocks;     ///< blocks that must agree
-    double steady_tolerance;   ///< relative
-    double preshear_max;       ///< m of shear at most
-    double shear_max;          ///< m of shear at most, after reversal
-    double beyond_peak;        ///< m of shear recorded beyond the peak
-    double peak_window;        ///< m of shear over which the curve is smoothed
-    int64_t seeds;             ///< number of repeats: seed, seed + 1, ...
+    double fill_fraction;          ///< solid fraction assumed while filling
+    double fill_adhesion;          ///< fraction of k_adh during filling
+    clod_case_programme programme; ///< displacements and speeds at r_m
 } clod_case_ring_shear;
+
+/** Virtual Jenike shear test: a ring on a base ring, sheared straight (PHYSICS 7). */
+typedef struct clod_case_jenike {
+    bool present;
+    char *grain_material, *side_material, *base_material, *lid_material;
+    double diameter;                                       ///< m, inside, of both rings
+    double base_height, ring_height;                       ///< m, inside
+    double rim;                                            ///< m, thickness of the rings' walls
+    double offset;                                         ///< m of the ring behind the base
+    int64_t twists;                                        ///< of the lid before preshear
+    double twist_angle;                                    ///< rad to each side
+    double lid_mass;                                       ///< kg
+    double lid_damping;                                    ///< fraction of critical
+    double radius_mean, radius_sd, radius_min, radius_max; ///< m
+    int64_t grain_count;                                   ///< 0 = as many as fill the rings
+    double fill_fraction; ///< solid fraction assumed while filling
+    double fill_adhesion; ///< fraction of k_adh during filling
+    clod_case_programme programme;
+} clod_case_jenike;
 
 /** Uniaxial test: confined consolidation, then crushing without the mould. */
 typedef struct clod_case_uniaxial {
@@ -289,6 +313,7 @@ typedef struct clod_case {
     size_t stage_count;
     clod_case_output output;
     clod_case_ring_shear ring_shear;
+    clod_case_jenike jenike;
     clod_case_uniaxial uniaxial;
     clod_case_contact_bench contact_bench;
 } clod_case;
@@ -324,6 +349,9 @@ const clod_case_contact *clod_case_pair(const clod_case *self, int a, int b);
 
 /** Key of the tester that makes its own grains, walls and stages in this case, or NULL. */
 const char *clod_case_tester(const clod_case *self);
+
+/** Programme of the case's shear test, or NULL when its tester shears nothing. */
+const clod_case_programme *clod_case_shear(const clod_case *self);
 
 /** Largest normal stress of the case's tester [Pa]; 0 without one. */
 double clod_case_tester_stress(const clod_case *self);

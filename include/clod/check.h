@@ -19,6 +19,7 @@
 typedef enum clod_check_kind {
     CLOD_CHECK_FREE_RUN,
     CLOD_CHECK_RING_SHEAR,
+    CLOD_CHECK_JENIKE,
     CLOD_CHECK_UNIAXIAL,
     CLOD_CHECK_CONTACT_BENCH, ///< nothing to estimate: all numbers are 0
 } clod_check_kind;
@@ -55,7 +56,7 @@ typedef struct clod_check_report {
     double pull_off;      ///< N, largest pull after that force
     double weight;        ///< N, of a mean grain
     double bond;          ///< pull_off / weight
-    // ring shear test; the uniaxial test has all but those of preshear, points and bars
+    // shear tests; the uniaxial test has all but those of preshear and points; bars: ring
     size_t full_grains;       ///< that fill depth or height with fill_fraction
     double height_aimed;      ///< m, of the specimen when it settles to fill_fraction
     double height_loose;      ///< m, as loose as it is filled in: it only gets lower

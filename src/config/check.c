@@ -24,6 +24,11 @@ bool clod_check_has(const clod_loader *loader, const char *path)
     return clod_tree_at(loader->root, path) != NULL;
 }
 
+const char *clod_check_written(const clod_loader *loader, const char *first, const char *second)
+{
+    return clod_check_has(loader, first) || !clod_check_has(loader, second) ? first : second;
+}
+
 void clod_check_material(clod_loader *loader, const clod_case *self, const char *path,
                          const char *name)
 {
@@ -53,12 +58,18 @@ typedef struct tester_materials {
 static tester_materials materials_of(const clod_case *self)
 {
     const clod_case_ring_shear *r = &self->ring_shear;
+    const clod_case_jenike *j = &self->jenike;
     const clod_case_uniaxial *u = &self->uniaxial;
-    return r->present
-               ? (tester_materials){r->grain_material,
-                                    {r->side_material, r->base_material, r->lid_material}}
-               : (tester_materials){u->grain_material,
-                                    {u->side_material, u->base_material, u->lid_material}};
+    if (r->present) {
+        return (tester_materials){r->grain_material,
+                                  {r->side_material, r->base_material, r->lid_material}};
+    }
+    if (j->present) {
+        return (tester_materials){j->grain_material,
+                                  {j->side_material, j->base_material, j->lid_material}};
+    }
+    return (tester_materials){u->grain_material,
+                              {u->side_material, u->base_material, u->lid_material}};
 }
 
 /** Whether grains are of a material; grains from a file may be of any, and only some are. */
@@ -112,9 +123,13 @@ static void check_kind(clod_loader *loader, const clod_case *self)
                             FREE[i], tester);
         }
     }
-    if (self->ring_shear.present && self->uniaxial.present) {
-        clod_check_fail(loader, "uniaxial",
-                        "a case has one tester; remove uniaxial, or ring_shear");
+    if (self->uniaxial.present && strcmp(tester, "uniaxial") != 0) {
+        clod_check_fail(loader, "uniaxial", "a case has one tester; remove uniaxial, or %s",
+                        tester);
+    }
+    if (self->jenike.present && strcmp(tester, "jenike") != 0) {
+        clod_check_fail(loader, "jenike", "a case has one tester; remove jenike, or %s",
+                        tester);
     }
     if (tester == NULL && grains && !stages) {
         clod_check_fail(
@@ -138,7 +153,7 @@ static void check_kind(clod_loader *loader, const clod_case *self)
         clod_check_fail(
             loader, "",
             "nothing to simulate; a case has grains, walls and stages, or ring_shear, "
-            "uniaxial or contact_bench (clod new writes an example)");
+            "jenike, uniaxial or contact_bench (clod new writes an example)");
     }
 }
 

@@ -9,8 +9,18 @@
 /** Check a whole case whose keys have been read; complete what follows from them. */
 void clod_check_case(clod_loader *loader, clod_case *self);
 
-/** Checks of ring_shear, uniaxial and contact_bench (check_tester.c). */
+/** Checks of ring_shear, jenike, uniaxial and contact_bench (check_tester.c). */
 void clod_check_tester(clod_loader *loader, clod_case *self);
+
+/** Weight of the solid above a shear plane [Pa], and in words where it is. */
+typedef struct clod_check_above {
+    double weight;
+    const char *where;
+} clod_check_above;
+
+/** Checks of the programme of the shear tester `section` (check_programme.c). */
+void clod_check_programme(clod_loader *loader, const char *section,
+                          const clod_case_programme *programme, const clod_check_above *above);
 
 /** Checks of grains, walls, stages and domain (check_run.c). */
 void clod_check_run(clod_loader *loader, clod_case *self);
@@ -27,6 +37,10 @@ void clod_check_fail(clod_loader *loader, const char *path, const char *format, 
 
 /** Whether a path was written in the case. */
 bool clod_check_has(const clod_loader *loader, const char *path);
+
+/** The one of two paths that was written; the first when both were, or none. */
+const char *clod_check_written(const clod_loader *loader, const char *first,
+                               const char *second);
 
 /** Complain when `name`, written at `path`, is not a material. */
 void clod_check_material(clod_loader *loader, const clod_case *self, const char *path,

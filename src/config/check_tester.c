@@ -61,70 +61,13 @@ static void check_cell(clod_loader *loader, const clod_case_ring_shear *ring)
     }
 }
 
-/** Weight of the solid between the lid's bars, above the shear plane [Pa]. */
-static double solid_above(const clod_case *self)
+/** Weight of a solid of some height, as dense as filling assumes [Pa]. */
+static double solid_weight(const clod_case *self, const char *material, double fraction,
+                           double height)
 {
-    const clod_case_ring_shear *ring = &self->ring_shear;
-    const int ore = ring->grain_material == NULL
-                        ? -1
-                        : clod_case_material_index(self, ring->grain_material);
+    const int ore = material == NULL ? -1 : clod_case_material_index(self, material);
     const double density = ore < 0 ? 0.0 : self->materials[ore].density;
-    return -ring->fill_fraction * density * self->gravity[2] * ring->bar_height;
-}
-
-static void check_stresses(clod_loader *loader, const clod_case *self)
-{
-    const clod_case_ring_shear *ring = &self->ring_shear;
-    const double least = solid_above(self);
-    if (ring->preshear_stress == 0.0) {
-        return; // missing or wrong, which has been said
-    }
-    for (size_t i = 0; i < ring->shear_stress_count; i++) {
-        char path[64];
-        snprintf(path, sizeof path, "ring_shear.shear_stresses.%zu", i);
-        if (ring->shear_stresses[i] <= least) {
-            clod_check_fail(loader, path,
-                            "%.10g Pa is not above the weight of the solid between the bars of "
-                            "the lid, about %.2g Pa; the lid cannot pull",
-                            ring->shear_stresses[i], least);
-        }
-        if (ring->shear_stresses[i] >= ring->preshear_stress) {
-            clod_check_fail(
-                loader, path,
-                "%.10g Pa is not below preshear_stress = %.10g Pa; points of a yield "
-                "locus lie below it",
-                ring->shear_stresses[i], ring->preshear_stress);
-        }
-    }
-}
-
-/** Complain at the one of two keys that was written; at the first when both were. */
-static const char *written(const clod_loader *loader, const char *first, const char *second)
-{
-    return clod_check_has(loader, first) || !clod_check_has(loader, second) ? first : second;
-}
-
-/** The ways of shear must be long enough for what is to be seen on them. */
-static void check_ways(clod_loader *loader, const clod_case_ring_shear *ring)
-{
-    if (!clean(loader, "ring_shear")) {
-        return;
-    }
-    const double blocks = (double)ring->steady_blocks * ring->block_displacement;
-    if (blocks > ring->preshear_max * (1.0 + 1e-9)) { // products of decimal numbers round
-        clod_check_fail(
-            loader, written(loader, "ring_shear.preshear_max", "ring_shear.block_displacement"),
-            "preshear can never be steady: %lld blocks (steady_blocks) of %.10g m "
-            "(block_displacement) are longer than preshear_max = %.10g m",
-            (long long)ring->steady_blocks, ring->block_displacement, ring->preshear_max);
-    }
-    if (ring->beyond_peak + ring->peak_window >= ring->shear_max) {
-        clod_check_fail(
-            loader, written(loader, "ring_shear.shear_max", "ring_shear.beyond_peak"),
-            "no peak can be passed: beyond_peak + peak_window = %.10g m is not less "
-            "than shear_max = %.10g m",
-            ring->beyond_peak + ring->peak_window, ring->shear_max);
-    }
+    return -fraction * density * self->gravity[2] * height;
 }
 
 /** The cell stands upright: weight presses the solid onto its base. */
@@ -149,8 +92,56 @@ static void check_ring(clod_loader *loader, const clod_case *self)
     check_gravity(loader, self, "a ring shear cell");
     check_radius(loader, "ring_shear", ring->radius_mean, ring->radius_min, ring->radius_max);
     check_cell(loader, ring);
-    check_stresses(loader, self);
-    check_ways(loader, ring);
+    const clod_check_above above = {
+        solid_weight(self, ring->grain_material, ring->fill_fraction, ring->bar_height),
+        "between the bars of the lid"};
+    clod_check_programme(loader, "ring_shear", &ring->programme, &above);
+}
+
+/** The rings cover each other's cells over the whole travel, and grains fit in. */
+static void check_rings(clod_loader *loader, const clod_case_jenike *test)
+{
+    if (!clean(loader, "jenike")) {
+        return;
+    }
+    const double width = test->diameter - 2.0 * test->offset;
+    const double height =
+        test->ring_height < test->base_height ? test->ring_height : test->base_height;
+    if (test->offset > test->rim) {
+        clod_check_fail(loader, "jenike.offset",
+                        "grains would leak between the rings: must not be above rim = %.10g m",
+                        test->rim);
+    } else if (2.0 * test->radius_max > (width < height ? width : height)) {
+        clod_check_fail(loader, "jenike.radius.max",
+                        "grains of %.10g m diameter do not fit into the cell: %.10g m across "
+                        "both rings, %.10g m in the lower one of them",
+                        2.0 * test->radius_max, width, height);
+    }
+    const clod_case_programme *way = &test->programme;
+    const double before = way->preshear_max + way->shear_max - test->offset;
+    if (before > test->rim * (1.0 + 1e-9)) { // sums of decimal numbers round
+        clod_check_fail(
+            loader, clod_check_written(loader, "jenike.preshear_max", "jenike.shear_max"),
+            "grains would leak between the rings: after preshear_max + shear_max the shear "
+            "ring is %.10g m before the base ring, more than rim = %.10g m",
+            before, test->rim);
+    }
+}
+
+static void check_jenike(clod_loader *loader, const clod_case *self)
+{
+    const clod_case_jenike *test = &self->jenike;
+    clod_check_material(loader, self, "jenike.grain_material", test->grain_material);
+    clod_check_material(loader, self, "jenike.side_material", test->side_material);
+    clod_check_material(loader, self, "jenike.base_material", test->base_material);
+    clod_check_material(loader, self, "jenike.lid_material", test->lid_material);
+    check_gravity(loader, self, "a Jenike cell");
+    check_radius(loader, "jenike", test->radius_mean, test->radius_min, test->radius_max);
+    check_rings(loader, test);
+    const clod_check_above above = {
+        solid_weight(self, test->grain_material, test->fill_fraction, test->ring_height),
+        "in the shear ring"};
+    clod_check_programme(loader, "jenike", &test->programme, &above);
 }
 
 static void check_mould(clod_loader *loader, const clod_case_uniaxial *test)
@@ -167,10 +158,11 @@ static void check_mould(clod_loader *loader, const clod_case_uniaxial *test)
             2.0 * test->radius_max, test->diameter, test->height);
     }
     if (test->beyond_peak >= test->crush_max) {
-        clod_check_fail(loader, written(loader, "uniaxial.crush_max", "uniaxial.beyond_peak"),
-                        "no peak can be passed: beyond_peak = %.10g is not less than "
-                        "crush_max = %.10g",
-                        test->beyond_peak, test->crush_max);
+        clod_check_fail(
+            loader, clod_check_written(loader, "uniaxial.crush_max", "uniaxial.beyond_peak"),
+            "no peak can be passed: beyond_peak = %.10g is not less than "
+            "crush_max = %.10g",
+            test->beyond_peak, test->crush_max);
     }
 }
 
@@ -217,6 +209,9 @@ void clod_check_tester(clod_loader *loader, clod_case *self)
 {
     if (self->ring_shear.present) {
         check_ring(loader, self);
+    }
+    if (self->jenike.present) {
+        check_jenike(loader, self);
     }
     if (self->uniaxial.present) {
         check_uniaxial(loader, self);

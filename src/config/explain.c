@@ -228,8 +228,8 @@ static const char MANUAL_HEAD[] =
     "  is `default` or two materials `a-b`. `--set grains.0.count=500` changes a value for "
     "one\n"
     "  run.\n"
-    "- A case has grains, walls and stages (a free run), or ring_shear, or uniaxial, or "
-    "contact_bench,\n"
+    "- A case has grains, walls and stages (a free run), or ring_shear, jenike or uniaxial, "
+    "or contact_bench,\n"
     "  which may also stand beside one of the others.\n";
 
 char *clod_schema_manual(void)

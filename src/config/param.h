@@ -78,6 +78,7 @@ extern const clod_table CLOD_TABLE_DOMAIN;
 extern const clod_table CLOD_TABLE_TIME;
 extern const clod_table CLOD_TABLE_OUTPUT;
 extern const clod_table CLOD_TABLE_RING_SHEAR;
+extern const clod_table CLOD_TABLE_JENIKE;
 extern const clod_table CLOD_TABLE_UNIAXIAL;
 extern const clod_table CLOD_TABLE_CONTACT_BENCH;
 

@@ -3,6 +3,7 @@
  * Table of the virtual Schulze ring shear test.
  */
 
+#include "config/params_programme.h"
 #include "config/params_radius.h"
 #include "config/params_tester.h"
 
@@ -63,54 +64,18 @@ static const clod_param ROWS[] = {
      .source = "PHYSICS 7"},
     CLOD_TESTER_LID(R),
     CLOD_TESTER_FILLING(R, "depth", is_filled_by_depth, "4000"),
-    {.key = "preshear_stress",
-     .kind = CLOD_PARAM_REAL,
-     .need = CLOD_PARAM_REQUIRED,
-     .unit = "Pa",
-     CLOD_FROM(10, 1e8),
-     .example = "54.8 kPa",
-     CLOD_AT(R, preshear_stress),
-     .help = "Normal stress of consolidation and preshear at the shear plane.",
-     .source = "PHYSICS 6; ASTM D6773"},
-    {.key = "shear_stresses",
-     .kind = CLOD_PARAM_REALS,
-     .need = CLOD_PARAM_REQUIRED,
-     .unit = "Pa",
-     CLOD_FROM(1, 1e8),
-     .example = "[10.96 kPa, 21.92 kPa, 32.88 kPa, 43.84 kPa]",
-     CLOD_AT(R, shear_stresses),
-     CLOD_COUNT(R, shear_stress_count),
-     .help = "Normal stresses of the points of the yield locus, each below preshear_stress; 20 "
-             "to 80 % of it is usual.",
-     .source = "PHYSICS 7; ASTM D6773"},
-    REAL(speed, "m/s", CLOD_ABOVE(0, 1), "30 mm/s",
-         "Speed of shear at the mean radius r_m; the inertial number should stay below 1e-3.",
-         "PHYSICS 5, 7"),
-    REAL(block_displacement, "m", CLOD_ABOVE(0, 1), "2 mm",
-         "Shear displacement at r_m over which one block average of the shear stress goes.",
-         "PHYSICS 7"),
-    WHOLE(steady_blocks, CLOD_FROM(3, 64), "5",
-          "Number of blocks in a row that must agree for preshear to count as steady.",
-          "PHYSICS 7"),
-    REAL(steady_tolerance, "1", CLOD_ABOVE(0, 1), "2 %",
-         "How well the blocks must agree, relative to their mean.", "PHYSICS 7"),
-    REAL(preshear_max, "m", CLOD_ABOVE(0, 100), "120 mm",
-         "Preshear stops here at the latest and the result says that it was not steady.",
-         "PHYSICS 7"),
-    REAL(shear_max, "m", CLOD_ABOVE(0, 100), "15 mm",
-         "Longest shear of a point in search of its peak.", "PHYSICS 7"),
-    REAL(beyond_peak, "m", CLOD_ABOVE(0, 100), "2 mm",
-         "Shear that is recorded beyond the peak.", "PHYSICS 7"),
-    REAL(
-        peak_window, "m", CLOD_ABOVE(0, 1), "0.2 mm",
-        "Shear over which the curve is smoothed to find its peak. A wide window lowers a sharp "
-        "peak, a narrow one takes noise for it: compare 0.2 and 1 mm.",
-        "PHYSICS 7; docs/theory/ring-shear.md"),
-    WHOLE(
-        seeds, CLOD_FROM(1, 1000), "1",
-        "Number of repeats with seed, seed + 1, ...; from two on the error bars come from the "
-        "scatter between them, with one from the points about their line.",
-        "PHYSICS 7"),
+    CLOD_PROGRAMME_STRESSES(R),
+    CLOD_PROGRAMME_REAL(R, speed, "m/s", "30 mm/s",
+                        "Speed of shear at the mean radius r_m; the inertial number should "
+                        "stay below 1e-3.",
+                        "PHYSICS 5, 7", CLOD_ABOVE(0, 1)),
+    CLOD_PROGRAMME_REAL(
+        R, block_displacement, "m", "2 mm",
+        "Shear displacement at r_m over which one block average of the shear stress goes.",
+        "PHYSICS 7", CLOD_ABOVE(0, 1)),
+    CLOD_PROGRAMME_STEADY(R),
+    CLOD_PROGRAMME_WAYS(R, "120 mm", "15 mm", "2 mm", "0.2 mm"),
+    CLOD_PROGRAMME_SEEDS(R),
 };
 
 const clod_table CLOD_TABLE_RING_SHEAR = {.title = "Virtual Schulze ring shear test.",

@@ -137,9 +137,8 @@ static const clod_param OUTPUT_ROWS[] = {
      .fallback = "1 ms",
      CLOD_AT(O, series_interval),
      .used = has_free_run,
-     .unused =
-         "ring_shear and uniaxial write a row of their series whenever they look at the walls; "
-         "remove this key",
+     .unused = "a tester writes a row of its series whenever it looks at the walls; "
+               "remove this key",
      .help = "Simulated time between two rows of the series of a free run.",
      .source = "convention"},
     {.key = "snapshot_interval",

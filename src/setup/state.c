@@ -172,7 +172,9 @@ static double damping_fraction(const clod_case *from, const clod_wall *wall)
             return from->walls[w].damping;
         }
     }
-    return from->ring_shear.present ? from->ring_shear.lid_damping : from->uniaxial.lid_damping;
+    return from->ring_shear.present ? from->ring_shear.lid_damping
+           : from->jenike.present   ? from->jenike.lid_damping
+                                    : from->uniaxial.lid_damping;
 }
 
 void clod_setup_damping(const clod_case *from, clod_state *state, const clod_timestep *timestep)

@@ -4,10 +4,12 @@
 
 #include "law/law_cycle.h"
 #include "setup/begin.h"
+#include "setup/jenike_cell.h"
 #include "setup/ring_cell.h"
 #include "setup/state.h"
 #include "setup/uniaxial_cell.h"
 #include "setup/walls.h"
+#include "sim/shear_cell.h"
 
 /** Solid fraction assumed of a settled bed of a free run. */
 #define BED_FRACTION 0.6
@@ -85,14 +87,19 @@ static bool find_heights(const clod_check_subject *subject, clod_check_report *r
                          clod_status *status)
 {
     clod_case full = *subject->from;
-    const bool ring = full.ring_shear.present;
-    full.ring_shear.grain_count = full.uniaxial.grain_count = 0;
-    report->full_grains = ring ? clod_ring_cell_count(&full, full.seed, status)
-                               : clod_uniaxial_cell_count(&full, full.seed, status);
+    full.ring_shear.grain_count = full.jenike.grain_count = full.uniaxial.grain_count = 0;
+    double depth = full.uniaxial.height;
+    if (report->kind == CLOD_CHECK_UNIAXIAL) {
+        report->full_grains = clod_uniaxial_cell_count(&full, full.seed, status);
+    } else {
+        depth = clod_shear_cell_of(&full).height;
+        report->full_grains = full.jenike.present
+                                  ? clod_jenike_cell_count(&full, full.seed, status)
+                                  : clod_ring_cell_count(&full, full.seed, status);
+    }
     if (report->full_grains == 0) {
         return false;
     }
-    const double depth = ring ? full.ring_shear.depth : full.uniaxial.height;
     report->height_aimed = depth * (double)report->grains / (double)report->full_grains;
     for (size_t g = 0; g < report->grains; g++) {
         const double *place = subject->state.grains.place[g];
@@ -122,27 +129,30 @@ static bool look_at_uniaxial(const clod_check_subject *subject, clod_check_repor
     return true;
 }
 
-static bool look_at_ring(const clod_check_subject *subject, clod_check_report *report,
-                         clod_status *status)
+/** Of a ring or of a Jenike cell. */
+static bool look_at_shear(const clod_check_subject *subject, clod_check_report *report,
+                          clod_status *status)
 {
-    const clod_case_ring_shear *ring = &subject->from->ring_shear;
+    const clod_shear_cell cell = clod_shear_cell_of(subject->from);
+    const clod_case_programme *shear = cell.programme;
     if (!find_heights(subject, report, status)) {
         return false;
     }
     const double diameter = 2.0 * report->radius_mean;
-    double lowest = ring->preshear_stress;
-    for (size_t s = 0; s < ring->shear_stress_count; s++) {
-        lowest = fmin(lowest, ring->shear_stresses[s]);
+    double lowest = shear->preshear_stress;
+    for (size_t s = 0; s < shear->shear_stress_count; s++) {
+        lowest = fmin(lowest, shear->shear_stresses[s]);
     }
     report->lowest_stress = lowest;
-    report->lowest_speed = ring->speed * sqrt(lowest / ring->preshear_stress);
+    report->lowest_speed = shear->speed * sqrt(lowest / shear->preshear_stress);
     report->inertial_preshear = inertial_number(
-        subject, diameter, ring->speed / report->height_aimed, ring->preshear_stress);
+        subject, diameter, shear->speed / report->height_aimed, shear->preshear_stress);
     report->inertial_loose = inertial_number(
-        subject, diameter, ring->speed / report->height_loose, ring->preshear_stress);
+        subject, diameter, shear->speed / report->height_loose, shear->preshear_stress);
     report->inertial_lowest =
         inertial_number(subject, diameter, report->lowest_speed / report->height_aimed, lowest);
-    report->across_width = (ring->outer_radius - ring->inner_radius) / diameter;
+    report->across_width = cell.width / diameter;
+    const clod_case_ring_shear *ring = &subject->from->ring_shear;
     report->bar_diameters = ring->bar_count > 0 ? ring->bar_height / diameter : 0.0;
     return true;
 }
@@ -186,6 +196,9 @@ static clod_check_kind kind_of(const clod_case *from)
     if (from->ring_shear.present) {
         return CLOD_CHECK_RING_SHEAR;
     }
+    if (from->jenike.present) {
+        return CLOD_CHECK_JENIKE;
+    }
     if (from->uniaxial.present) {
         return CLOD_CHECK_UNIAXIAL;
     }
@@ -197,7 +210,8 @@ static bool look_at_tester(const clod_check_subject *subject, clod_check_report 
 {
     switch (report->kind) {
     case CLOD_CHECK_RING_SHEAR:
-        return look_at_ring(subject, report, status);
+    case CLOD_CHECK_JENIKE:
+        return look_at_shear(subject, report, status);
     case CLOD_CHECK_UNIAXIAL:
         return look_at_uniaxial(subject, report, status);
     default:

@@ -179,33 +179,41 @@ static double batch_clock(const clod_check_report *report, const batch *parts)
     return time / report->step * (double)report->grains * SAMPLE_EXCESS / rate;
 }
 
-static batch preparations(const clod_case_ring_shear *ring, bool most)
+/** Preshears; `before` is what the tester does between consolidation and preshear [s]. */
+static batch preparations(const clod_case_programme *test, double before, bool most)
 {
-    const double least = (double)ring->steady_blocks * ring->block_displacement;
+    const double least = (double)test->steady_blocks * test->block_displacement;
     const double shear =
-        most ? ring->preshear_max : fmin(PRESHEAR_LIKELY * least, ring->preshear_max);
+        most ? test->preshear_max : fmin(PRESHEAR_LIKELY * least, test->preshear_max);
     const double time = (most ? CLOD_LIMITS_FILL_TIME + LOWER_MOST / CLOD_LIMITS_LOWER_SPEED +
                                     CLOD_LIMITS_SETTLE_TIME
                               : FILL_LIKELY + LOAD_LIKELY) +
-                        shear / ring->speed;
-    return (batch){(int)ring->seeds, (double)ring->seeds * time, time};
+                        before + shear / test->speed;
+    return (batch){(int)test->seeds, (double)test->seeds * time, time};
 }
 
-static batch points(const clod_case_ring_shear *ring, bool most)
+static batch points(const clod_case_programme *test, bool most)
 {
-    batch all = {(int)(ring->seeds * (int64_t)ring->shear_stress_count), 0.0, 0.0};
+    batch all = {(int)(test->seeds * (int64_t)test->shear_stress_count), 0.0, 0.0};
     const double reverse = (most ? CLOD_LIMITS_REVERSE_MAX : REVERSE_LIKELY) /
-                           (CLOD_LIMITS_REVERSE_FRACTION * ring->speed);
-    const double peak = fmin(PEAK_LIKELY + ring->beyond_peak, ring->shear_max);
-    for (size_t s = 0; s < ring->shear_stress_count; s++) {
+                           (CLOD_LIMITS_REVERSE_FRACTION * test->speed);
+    const double peak = fmin(PEAK_LIKELY + test->beyond_peak, test->shear_max);
+    for (size_t s = 0; s < test->shear_stress_count; s++) {
         const double speed =
-            ring->speed * sqrt(ring->shear_stresses[s] / ring->preshear_stress);
+            test->speed * sqrt(test->shear_stresses[s] / test->preshear_stress);
         const double time = reverse + (most ? CLOD_LIMITS_SETTLE_TIME : LOAD_LIKELY) +
-                            (most ? ring->shear_max : peak) / speed;
-        all.time += (double)ring->seeds * time;
+                            (most ? test->shear_max : peak) / speed;
+        all.time += (double)test->seeds * time;
         all.longest = fmax(all.longest, time);
     }
     return all;
+}
+
+/** Time in which the lid of a Jenike cell is twisted: to each side and back, at its edge. */
+static double twisting(const clod_case_jenike *test)
+{
+    const double way = 4.0 * (double)test->twists * test->twist_angle * 0.5 * test->diameter;
+    return test->twists > 0 ? way / test->programme.speed : 0.0;
 }
 
 static batch filling(bool most)
@@ -240,9 +248,10 @@ static batch stages(const clod_case *from)
 static void plan_parts(const clod_case *from, bool most, batch *first, batch *second)
 {
     *second = (batch){0};
-    if (from->ring_shear.present) {
-        *first = preparations(&from->ring_shear, most);
-        *second = points(&from->ring_shear, most);
+    const clod_case_programme *shear = clod_case_shear(from);
+    if (shear != NULL) {
+        *first = preparations(shear, twisting(&from->jenike), most);
+        *second = points(shear, most);
     } else if (from->uniaxial.present) {
         *first = filling(most);
         *second = crushings(&from->uniaxial, most);

@@ -82,16 +82,21 @@ static void write_step(page *to, const clod_check_report *r)
     }
 }
 
+static bool is_shear(const clod_check_report *r)
+{
+    return r->kind == CLOD_CHECK_RING_SHEAR || r->kind == CLOD_CHECK_JENIKE;
+}
+
 /** A test of several parts, whose length is a guess. */
 static bool is_test(const clod_check_report *r)
 {
-    return r->kind == CLOD_CHECK_RING_SHEAR || r->kind == CLOD_CHECK_UNIAXIAL;
+    return is_shear(r) || r->kind == CLOD_CHECK_UNIAXIAL;
 }
 
 static void write_contact(page *to, const clod_check_report *r)
 {
     if (is_test(r)) {
-        line(to, r->kind == CLOD_CHECK_RING_SHEAR ? "preshear stress" : "largest stress",
+        line(to, is_shear(r) ? "preshear stress" : "largest stress",
              "%.4g kPa: %.4g N on a contact", 1e-3 * r->stress, r->contact_force);
     } else {
         line(to, "largest load", "%.4g N on a contact, as under %.4g kPa", r->contact_force,
@@ -105,7 +110,7 @@ static void write_contact(page *to, const clod_check_report *r)
     }
 }
 
-static void write_ring(page *to, const clod_check_report *r)
+static void write_shear(page *to, const clod_check_report *r)
 {
     line(to, "inertial number",
          "%.3g if the specimen settles to %.3g mm, as fill_fraction says;",
@@ -114,6 +119,11 @@ static void write_ring(page *to, const clod_check_report *r)
          r->inertial_loose, 1e3 * r->height_loose);
     line(to, "", "the lowest point, %.4g kPa, is sheared with %.3g mm/s: the same number",
          1e-3 * r->lowest_stress, 1e3 * r->lowest_speed);
+    if (r->kind == CLOD_CHECK_JENIKE) {
+        line(to, "cell", "%.1f grain diameters wide, %.1f deep", r->across_width,
+             r->across_depth);
+        return;
+    }
     line(to, "cell", "%.1f grain diameters wide, %.1f deep; bars %.2f high", r->across_width,
          r->across_depth, r->bar_diameters);
 }
@@ -172,8 +182,8 @@ void clod_check_report_text(const clod_check_report *r, char text[CLOD_CHECK_TEX
     write_grains(&to, r);
     write_step(&to, r);
     write_contact(&to, r);
-    if (r->kind == CLOD_CHECK_RING_SHEAR) {
-        write_ring(&to, r);
+    if (is_shear(r)) {
+        write_shear(&to, r);
     }
     if (r->kind == CLOD_CHECK_UNIAXIAL) {
         write_uniaxial(&to, r);
@@ -238,7 +248,7 @@ static const entry REALS[] = {
     REAL("disk_free_bytes", disk_free),
 };
 
-static const entry RING_REALS[] = {
+static const entry SHEAR_REALS[] = {
     REAL("inertial_number_preshear", inertial_preshear),
     REAL("inertial_number_loose", inertial_loose),
     REAL("inertial_number_lowest", inertial_lowest),
@@ -248,8 +258,9 @@ static const entry RING_REALS[] = {
     REAL("lowest_speed_m_per_s", lowest_speed),
     REAL("diameters_across_width", across_width),
     REAL("diameters_across_depth", across_depth),
-    REAL("bar_height_diameters", bar_diameters),
 };
+
+static const entry RING_REALS[] = {REAL("bar_height_diameters", bar_diameters)};
 
 static const entry UNIAXIAL_REALS[] = {
     REAL("inertial_number_lowest", inertial_lowest),
@@ -287,7 +298,8 @@ static void put_list(json_t *to, const char *key, const char (*texts)[CLOD_CHECK
 
 static json_t *make_json(const clod_check_report *r)
 {
-    static const char *const KINDS[] = {"free_run", "ring_shear", "uniaxial", "contact_bench"};
+    static const char *const KINDS[] = {"free_run", "ring_shear", "jenike", "uniaxial",
+                                        "contact_bench"};
     json_t *to = json_object();
     put_text(to, "case", r->path);
     put_text(to, "title", r->title);
@@ -307,6 +319,9 @@ static json_t *make_json(const clod_check_report *r)
     json_object_set_new(to, "parts_side_by_side", json_integer(r->side_by_side));
     put_text(to, "simd", r->simd);
     put_reals(to, r, REALS, sizeof REALS / sizeof REALS[0]);
+    if (is_shear(r)) {
+        put_reals(to, r, SHEAR_REALS, sizeof SHEAR_REALS / sizeof SHEAR_REALS[0]);
+    }
     if (r->kind == CLOD_CHECK_RING_SHEAR) {
         put_reals(to, r, RING_REALS, sizeof RING_REALS / sizeof RING_REALS[0]);
     }

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "sim/check.h"
+#include "sim/shear_cell.h"
 #include "tester/limits.h"
 
 #define RAYLEIGH_LIMIT 0.2
@@ -69,16 +70,17 @@ static void warn_contact(clod_check_report *r)
 }
 
 /** A dry bed settles to about the height aimed at; a cohesive one stays looser and higher. */
-static void warn_inertia(const clod_case_ring_shear *ring, clod_check_report *r)
+static void warn_inertia(const clod_shear_cell *cell, clod_check_report *r)
 {
+    const double speed = cell->programme->speed;
     const bool cohesive = r->pull_off > 0.0;
     const double number = cohesive ? r->inertial_loose : r->inertial_preshear;
     if (number > CLOD_LIMITS_INERTIA) {
         warn(r,
              "inertial number %.3g%s: the grains' inertia adds to the shear stress (%.2g is "
-             "quasi-static). Lower ring_shear.speed to %.2g mm/s",
+             "quasi-static). Lower %s.speed to %.2g mm/s",
              number, cohesive ? " even as loose as filled in" : "", CLOD_LIMITS_INERTIA_GOOD,
-             1e3 * ring->speed * CLOD_LIMITS_INERTIA_GOOD / number);
+             cell->key, 1e3 * speed * CLOD_LIMITS_INERTIA_GOOD / number);
     } else if (r->inertial_preshear > CLOD_LIMITS_INERTIA) {
         const double height = // the number goes with 1/height
             r->height_aimed * r->inertial_preshear / CLOD_LIMITS_INERTIA;
@@ -87,33 +89,26 @@ static void warn_inertia(const clod_case_ring_shear *ring, clod_check_report *r)
             "%.3g mm/s may be too fast if the bed settles below %.3g mm (inertial number above "
             "%.2g): the results tell the height and warn of it. %.2g mm/s is slow enough at "
             "any height",
-            1e3 * ring->speed, 1e3 * height, CLOD_LIMITS_INERTIA,
-            1e3 * ring->speed * CLOD_LIMITS_INERTIA_GOOD / r->inertial_preshear);
+            1e3 * speed, 1e3 * height, CLOD_LIMITS_INERTIA,
+            1e3 * speed * CLOD_LIMITS_INERTIA_GOOD / r->inertial_preshear);
     }
 }
 
-static void warn_count(const clod_case_ring_shear *ring, clod_check_report *r)
+static void warn_count(const clod_shear_cell *cell, clod_check_report *r)
 {
     const double part = (double)r->grains / (double)r->full_grains;
     if (part < FEW_GRAINS || part > MANY_GRAINS) {
         warn(r,
              "%zu grains are %.0f %% of those that fill the depth (%zu): the specimen will be "
-             "some %.3g mm high, not %.3g mm. Change ring_shear.grain_count, or write auto",
-             r->grains, 100.0 * part, r->full_grains, 1e3 * r->height_aimed, 1e3 * ring->depth);
+             "some %.3g mm high, not %.3g mm. Change %s.grain_count, or write auto",
+             r->grains, 100.0 * part, r->full_grains, 1e3 * r->height_aimed, 1e3 * cell->height,
+             cell->key);
     }
 }
 
-static void warn_ring(const clod_case_ring_shear *ring, clod_check_report *r)
+/** What a ring has to grip the solid with. */
+static void warn_bars(const clod_case_ring_shear *ring, clod_check_report *r)
 {
-    warn_inertia(ring, r);
-    warn_count(ring, r);
-    const double across = fmin(r->across_width, r->across_depth);
-    if (across < CLOD_LIMITS_GRAINS) {
-        warn(r,
-             "only %.1f grain diameters across the %s of the specimen (at least %.0f): walls, "
-             "not the solid, set the strength. Use a larger cell or smaller grains",
-             across, r->across_width < r->across_depth ? "width" : "depth", CLOD_LIMITS_GRAINS);
-    }
     if (ring->bar_count == 0) {
         warn(r, "ring_shear.bar_count is 0: lid and base grip by friction alone and the solid "
                 "may slip along them");
@@ -123,18 +118,55 @@ static void warn_ring(const clod_case_ring_shear *ring, clod_check_report *r)
              "ring_shear.bar_height to %.3g mm",
              r->bar_diameters, 2e3 * r->radius_mean);
     }
-    if (r->lowest_stress < WEAK_STRESS * ring->preshear_stress) {
+}
+
+static void warn_points(const clod_shear_cell *cell, clod_check_report *r)
+{
+    const clod_case_programme *shear = cell->programme;
+    if (r->lowest_stress < WEAK_STRESS * shear->preshear_stress) {
         warn(r,
              "the lowest shear point is %.1f %% of the preshear stress: it is hard to hold and "
              "bends the yield locus. 20 to 80 %% is usual",
-             100.0 * r->lowest_stress / ring->preshear_stress);
+             100.0 * r->lowest_stress / shear->preshear_stress);
     }
-    if (ring->shear_stress_count < 3) {
+    if (shear->shear_stress_count < 3) {
         warn(r,
              "%zu shear points: a line needs three or more to show its error; add some to "
-             "ring_shear.shear_stresses",
-             ring->shear_stress_count);
+             "%s.shear_stresses",
+             shear->shear_stress_count, cell->key);
     }
+}
+
+static void warn_lid(const clod_check_subject *subject, const clod_shear_cell *cell,
+                     clod_check_report *r)
+{
+    const double weight = -cell->lid_mass * subject->from->gravity[2] / cell->area;
+    if (weight > r->lowest_stress) {
+        warn(r,
+             "the lid alone weighs %.3g kPa, more than the lowest shear point, %.3g kPa: its "
+             "servo cannot lift it. Lower %s.lid_mass",
+             1e-3 * weight, 1e-3 * r->lowest_stress, cell->key);
+    }
+}
+
+/** Of a ring or of a Jenike cell. */
+static void warn_shear(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_shear_cell cell = clod_shear_cell_of(subject->from);
+    warn_inertia(&cell, r);
+    warn_count(&cell, r);
+    const double across = fmin(r->across_width, r->across_depth);
+    if (across < CLOD_LIMITS_GRAINS) {
+        warn(r,
+             "only %.1f grain diameters across the %s of the specimen (at least %.0f): walls, "
+             "not the solid, set the strength. Use a larger cell or smaller grains",
+             across, r->across_width < r->across_depth ? "width" : "depth", CLOD_LIMITS_GRAINS);
+    }
+    if (r->kind == CLOD_CHECK_RING_SHEAR) {
+        warn_bars(&subject->from->ring_shear, r);
+    }
+    warn_points(&cell, r);
+    warn_lid(subject, &cell, r);
 }
 
 static void warn_uniaxial(const clod_case_uniaxial *test, clod_check_report *r)
@@ -151,20 +183,6 @@ static void warn_uniaxial(const clod_case_uniaxial *test, clod_check_report *r)
              "only %.1f grain diameters across the specimen (at least %.0f): single grains set "
              "its strength. Use a larger mould or smaller grains",
              r->across_width, CLOD_LIMITS_FREE_GRAINS);
-    }
-}
-
-static void warn_lid(const clod_check_subject *subject, clod_check_report *r)
-{
-    const clod_case_ring_shear *ring = &subject->from->ring_shear;
-    const double area = M_PI * (ring->outer_radius * ring->outer_radius -
-                                ring->inner_radius * ring->inner_radius);
-    const double weight = -ring->lid_mass * subject->from->gravity[2] / area;
-    if (weight > r->lowest_stress) {
-        warn(r,
-             "the lid alone weighs %.3g kPa, more than the lowest shear point, %.3g kPa: its "
-             "servo cannot lift it. Lower ring_shear.lid_mass",
-             1e-3 * weight, 1e-3 * r->lowest_stress);
     }
 }
 
@@ -200,9 +218,8 @@ void clod_check_warn(const clod_check_subject *subject, clod_check_report *repor
 {
     warn_step(report);
     warn_contact(report);
-    if (report->kind == CLOD_CHECK_RING_SHEAR) {
-        warn_ring(&subject->from->ring_shear, report);
-        warn_lid(subject, report);
+    if (report->kind == CLOD_CHECK_RING_SHEAR || report->kind == CLOD_CHECK_JENIKE) {
+        warn_shear(subject, report);
     }
     if (report->kind == CLOD_CHECK_UNIAXIAL) {
         warn_uniaxial(&subject->from->uniaxial, report);

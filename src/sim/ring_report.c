@@ -120,7 +120,7 @@ static char *make_text(const clod_sim *sim, const clod_part *part, int parts,
                        const clod_locus_study *study, const json_t *warnings)
 {
     char *table = clod_locus_table(study);
-    const char *title = sim->from->title != NULL ? sim->from->title : "ring shear test";
+    const char *title = sim->from->title != NULL ? sim->from->title : "shear test";
     const size_t size = 1024 + strlen(title) + (table != NULL ? strlen(table) : 0) +
                         clod_warning_box_size(warnings);
     char *text = clod_memory_alloc(size, 1);

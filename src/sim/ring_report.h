@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file ring_report.h
- * From the finished parts of a ring shear test to points.csv, summary.json and the table.
+ * From the finished parts of a shear test to points.csv, summary.json and the table.
  */
 
 #include "sim/ring_run.h"

@@ -3,8 +3,9 @@
 #include <stdio.h>
 
 #include "base/memory.h"
-#include "setup/ring_cell.h"
+#include "setup/begin.h"
 #include "sim/ring_report.h"
+#include "tester/jenike.h"
 
 static int64_t ring_plan(const void *data, const void *context, const clod_state *state)
 {
@@ -40,7 +41,7 @@ static bool ring_trouble(const void *data, char *text, size_t size)
 static void name_part(const clod_case *from, int64_t seed, int64_t point, char name[48])
 {
     char prefix[24] = "";
-    if (from->ring_shear.seeds > 1) {
+    if (clod_case_shear(from)->seeds > 1) {
         snprintf(prefix, sizeof prefix, "seed-%lld-", (long long)seed);
     }
     if (point < 0) {
@@ -53,7 +54,10 @@ static void name_part(const clod_case *from, int64_t seed, int64_t point, char n
 static void ring_begin(const clod_case *from, const clod_part *part, clod_state *state)
 {
     if (part->point >= 0) {
-        clod_ring_shear_branch(part->test, from->ring_shear.shear_stresses[part->point], state);
+        const double stress = clod_case_shear(from)->shear_stresses[part->point];
+        clod_ring_shear_branch(part->test, stress, state);
+    } else if (from->jenike.present) {
+        clod_jenike_begin(part->test, from, state);
     } else {
         clod_ring_shear_begin(part->test, from, state);
     }
@@ -67,14 +71,14 @@ static const clod_parts_tester TESTER = {.procedure = {.size = sizeof(clod_ring_
                                                        .phase = ring_phase,
                                                        .fraction = ring_fraction,
                                                        .trouble = ring_trouble},
-                                         .setup = clod_setup_ring_cell,
+                                         .setup = clod_begin_state,
                                          .begin = ring_begin};
 
 /** Preparations first, then the points of each seed. */
 static void name_parts(const clod_case *from, clod_part *part, clod_ring_shear *test)
 {
-    const int seeds = (int)from->ring_shear.seeds;
-    const int per_seed = (int)from->ring_shear.shear_stress_count;
+    const int seeds = (int)clod_case_shear(from)->seeds;
+    const int per_seed = (int)clod_case_shear(from)->shear_stress_count;
     for (int k = 0; k < seeds * (1 + per_seed); k++) {
         const int point = k < seeds ? -1 : (k - seeds) % per_seed;
         part[k].test = &test[k];
@@ -89,8 +93,9 @@ static void name_parts(const clod_case *from, clod_part *part, clod_ring_shear *
 
 bool clod_ring_run(const clod_sim *sim, char **report, clod_status *status)
 {
-    const int first = (int)sim->from->ring_shear.seeds;
-    const int points = first * (int)sim->from->ring_shear.shear_stress_count;
+    const clod_case_programme *programme = clod_case_shear(sim->from);
+    const int first = (int)programme->seeds;
+    const int points = first * (int)programme->shear_stress_count;
     const size_t parts = (size_t)first + (size_t)points;
     clod_part *part = clod_memory_alloc(parts, sizeof *part);
     clod_ring_shear *test = clod_memory_alloc(parts, sizeof *test);

@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file ring_run.h
- * A whole ring shear test: for every seed the presheared specimen, then all shear points from
- * it, side by side where cores allow; then the yield locus.
+ * A whole shear test in a ring or a Jenike cell: for every seed the presheared specimen, then
+ * all shear points from it, side by side where cores allow; then the yield locus.
  */
 
 #include "sim/parts.h"

@@ -2,13 +2,14 @@
 
 #include <math.h>
 
+#include "sim/shear_cell.h"
 #include "sim/warning_box.h"
 #include "tester/limits.h"
 
 #define SERVO_LIMIT 0.01    ///< relative error of the mean normal stress
 #define DILATION_LIMIT 0.01 ///< change of height per shear displacement
 
-static void add_flags(json_t *list, const clod_case *from, const clod_part *part)
+static void add_flags(json_t *list, const clod_shear_cell *cell, const clod_part *part)
 {
     const clod_ring_shear *t = part->test;
     const int64_t flags = t->flags;
@@ -16,8 +17,8 @@ static void add_flags(json_t *list, const clod_case *from, const clod_part *part
         clod_warning_box_add(
             list,
             "%s: not steady after %.0f mm of shear; the preshear values are means of the last "
-            "blocks. Raise ring_shear.preshear_max or steady_tolerance",
-            part->name, 1e3 * t->preshear_displacement);
+            "blocks. Raise %s.preshear_max or steady_tolerance",
+            part->name, 1e3 * t->preshear_displacement, cell->key);
     }
     if ((flags & CLOD_RING_SHEAR_NOT_SETTLED) != 0) {
         clod_warning_box_add(
@@ -32,13 +33,13 @@ static void add_flags(json_t *list, const clod_case *from, const clod_part *part
         clod_warning_box_add(
             list,
             "%s: no peak within %.0f mm of shear; the largest smoothed value is taken. Raise "
-            "ring_shear.shear_max",
-            part->name, 1e3 * from->ring_shear.shear_max);
+            "%s.shear_max",
+            part->name, 1e3 * cell->programme->shear_max, cell->key);
     }
 }
 
 /** The height decides nothing in preshear, but critical state means that it is constant. */
-static void add_dilation(json_t *list, const clod_part *part)
+static void add_dilation(json_t *list, const clod_shear_cell *cell, const clod_part *part)
 {
     const clod_ring_shear *t = part->test;
     const double rate = t->preshear_dilation;
@@ -47,14 +48,14 @@ static void add_dilation(json_t *list, const clod_part *part)
         clod_warning_box_add(
             list,
             "%s: %sthe specimen still %s by %.3f mm per mm of shear: not the critical state. "
-            "Raise ring_shear.%s to go further",
+            "Raise %s.%s to go further",
             part->name, steady ? "the shear stress is steady, but " : "",
-            rate > 0.0 ? "dilates" : "contracts", fabs(rate),
+            rate > 0.0 ? "dilates" : "contracts", fabs(rate), cell->key,
             steady ? "steady_blocks" : "preshear_max");
     }
 }
 
-static void add_servo(json_t *list, const clod_part *part)
+static void add_servo(json_t *list, const clod_shear_cell *cell, const clod_part *part)
 {
     const clod_ring_shear *t = part->test;
     const double aim = part->point >= 0 ? t->shear_stress : t->preshear_stress;
@@ -63,49 +64,55 @@ static void add_servo(json_t *list, const clod_part *part)
         clod_warning_box_add(
             list,
             "%s: the mean normal stress %s was %.4g kPa instead of %.4g kPa; lower "
-            "ring_shear.lid_damping or speed",
+            "%s.lid_damping or speed",
             part->name, part->point >= 0 ? "at the peak" : "of the steady blocks", 1e-3 * mean,
-            1e-3 * aim);
+            1e-3 * aim, cell->key);
     }
 }
 
 /** I = shear rate d sqrt(rho/sigma), the shear spread over the whole height. */
-static double inertial_number(const clod_case *from, const clod_part *part)
+static double inertial_number(const clod_case *from, const clod_shear_cell *cell,
+                              const clod_part *part)
 {
     const clod_ring_shear *t = part->test;
     const clod_case_material *ore =
-        &from->materials[clod_case_material_index(from, from->ring_shear.grain_material)];
+        &from->materials[clod_case_material_index(from, cell->grain_material)];
     const double speed = part->point >= 0 ? t->shear_speed : t->speed;
     const double stress = part->point >= 0 ? t->shear_stress : t->preshear_stress;
-    return speed / t->preshear_height * 2.0 * from->ring_shear.radius_mean *
-           sqrt(ore->density / stress);
+    return speed / t->preshear_height * 2.0 * cell->radius_mean * sqrt(ore->density / stress);
+}
+
+static void add_part(json_t *list, const clod_case *from, const clod_shear_cell *cell,
+                     const clod_part *part)
+{
+    const double inertia = inertial_number(from, cell, part);
+    add_flags(list, cell, part);
+    add_servo(list, cell, part);
+    add_dilation(list, cell, part);
+    if (part->max_overlap > CLOD_LIMITS_OVERLAP_MOST) {
+        clod_warning_box_add(
+            list,
+            "%s: overlap up to %.1f %% of a radius at its end; the laws assume small ones: "
+            "raise the stiffness",
+            part->name, 100.0 * part->max_overlap);
+    }
+    if (inertia > CLOD_LIMITS_INERTIA) {
+        clod_warning_box_add(
+            list, "%s: inertial number %.2g: not quasi-static (%.0e); lower %s.speed",
+            part->name, inertia, CLOD_LIMITS_INERTIA_GOOD, cell->key);
+    }
 }
 
 json_t *clod_ring_warnings(const clod_case *from, const clod_part *part, int parts)
 {
+    const clod_shear_cell cell = clod_shear_cell_of(from);
     json_t *list = json_array();
     for (int p = 0; p < parts; p++) {
-        add_flags(list, from, &part[p]);
-        add_servo(list, &part[p]);
-        add_dilation(list, &part[p]);
-        if (part[p].max_overlap > CLOD_LIMITS_OVERLAP_MOST) {
-            clod_warning_box_add(
-                list,
-                "%s: overlap up to %.1f %% of a radius at its end; the laws assume small ones: "
-                "raise the stiffness",
-                part[p].name, 100.0 * part[p].max_overlap);
-        }
-        if (inertial_number(from, &part[p]) > CLOD_LIMITS_INERTIA) {
-            clod_warning_box_add(
-                list,
-                "%s: inertial number %.2g: not quasi-static (%.0e); lower ring_shear.speed",
-                part[p].name, inertial_number(from, &part[p]), CLOD_LIMITS_INERTIA_GOOD);
-        }
+        add_part(list, from, &cell, &part[p]);
     }
-    const clod_case_ring_shear *cell = &from->ring_shear;
     const clod_ring_shear *first = part[0].test;
-    const double gap = fmin(cell->outer_radius - cell->inner_radius, first->preshear_height);
-    const double across = gap / (2.0 * cell->radius_mean);
+    const double gap = fmin(cell.width, first->preshear_height);
+    const double across = gap / (2.0 * cell.radius_mean);
     if (across < CLOD_LIMITS_GRAINS) {
         clod_warning_box_add(list,
                              "only %.1f grain diameters across the specimen; %.0f are wanted",

@@ -113,8 +113,8 @@ static bool run_case(const clod_sim *sim, char **report, clod_status *status)
     if (sim->from->uniaxial.present) {
         return clod_uniaxial_run(sim, report, status);
     }
-    return sim->from->ring_shear.present ? clod_ring_run(sim, report, status)
-                                         : clod_free_run(sim, report, status);
+    return clod_case_shear(sim->from) != NULL ? clod_ring_run(sim, report, status)
+                                              : clod_free_run(sim, report, status);
 }
 
 /** What can be told before anything is written. */
@@ -124,7 +124,7 @@ static bool check_request(const clod_case *from, const clod_run_options *options
     if (clod_case_tester(from) == NULL && from->stage_count == 0) {
         return clod_status_fail(
             status, CLOD_USAGE,
-            "%s: nothing to run: a case needs ring_shear, uniaxial, or grains, "
+            "%s: nothing to run: a case needs ring_shear, jenike, uniaxial, or grains, "
             "walls and stages (clod contact runs a contact_bench)",
             from->path);
     }

@@ -22,7 +22,8 @@ static bool try_first_forces(const clod_case *from, const clod_run_options *opti
 
 bool clod_trial_run(const clod_case *from, const clod_run_options *options, clod_status *status)
 {
-    const int64_t seeds = from->ring_shear.present ? from->ring_shear.seeds : 1;
+    const clod_case_programme *shear = clod_case_shear(from);
+    const int64_t seeds = shear != NULL ? shear->seeds : 1;
     bool good = true;
     for (int64_t s = 0; good && s < seeds; s++) {
         clod_state state;

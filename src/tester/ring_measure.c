@@ -23,7 +23,9 @@ double clod_ring_lid_height(const clod_ring_shear *self, const clod_state *state
 
 double clod_ring_solid_above(const clod_ring_shear *self, const clod_state *state)
 {
-    const double plane = clod_ring_lid_height(self, state) - self->bar_height;
+    const double plane = self->straight != 0
+                             ? self->base_height
+                             : clod_ring_lid_height(self, state) - self->bar_height;
     double mass = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
         mass += state->grains.place[g][2] > plane ? state->grains.motion[g][3] : 0.0;
@@ -34,6 +36,17 @@ double clod_ring_solid_above(const clod_ring_shear *self, const clod_state *stat
 double clod_ring_speed(const clod_ring_shear *self, const clod_state *state)
 {
     return clod_bed_wall(state, "trough")->spin * self->mean_radius;
+}
+
+void clod_ring_set_speed(const clod_ring_shear *self, clod_state *state, double speed)
+{
+    clod_bed_wall(state, "trough")->spin = speed / self->mean_radius;
+    clod_bed_wall(state, "sides")->spin = speed / self->mean_radius;
+}
+
+bool clod_ring_is_at_speed(const clod_ring_shear *self, const clod_state *state)
+{
+    return clod_bed_wall(state, "trough")->spin == self->target_speed / self->mean_radius;
 }
 
 double clod_ring_bars_volume(const clod_state *state)

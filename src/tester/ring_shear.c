@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "tester/bed.h"
+#include "tester/jenike.h"
 #include "tester/limits.h"
 #include "tester/ring_measure.h"
 
@@ -16,22 +17,30 @@
 
 const char *clod_ring_shear_phase_name(clod_ring_shear_phase phase)
 {
-    static const char *const NAMES[] = {"fill",    "lower",  "consolidate", "preshear",
-                                        "reverse", "reduce", "shear",       "done"};
+    static const char *const NAMES[] = {"fill",   "lower", "consolidate", "preshear", "reverse",
+                                        "reduce", "shear", "done",        "twist"};
     return NAMES[phase];
 }
 
-/** Turn trough and sides so that the solid is sheared with `speed` at r_m. */
-static void set_speed(const clod_ring_shear *self, clod_state *state, double speed)
-{
-    clod_bed_wall(state, "trough")->spin = speed / self->mean_radius;
-    clod_bed_wall(state, "sides")->spin = speed / self->mean_radius;
-}
-
-/** Whether the speed has reached its target: the very number that set_speed has put there. */
+/** Whether the speed has reached its target: the very number that was put there. */
 static bool is_at_speed(const clod_ring_shear *self, const clod_state *state)
 {
-    return clod_bed_wall(state, "trough")->spin == self->target_speed / self->mean_radius;
+    return self->straight != 0 ? clod_jenike_is_at_speed(self, state)
+                               : clod_ring_is_at_speed(self, state);
+}
+
+static double shear_speed(const clod_ring_shear *self, const clod_state *state)
+{
+    return self->straight != 0 ? clod_jenike_speed(state) : clod_ring_speed(self, state);
+}
+
+static void set_speed(const clod_ring_shear *self, clod_state *state, double speed)
+{
+    if (self->straight != 0) {
+        clod_jenike_set_speed(state, speed);
+    } else {
+        clod_ring_set_speed(self, state, speed);
+    }
 }
 
 /** Load of the lid that gives a normal stress at the shear plane. */
@@ -60,21 +69,27 @@ void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_st
         .mean_radius = 2.0 / 3.0 * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri),
         .bars_volume = clod_ring_bars_volume(state),
         .bar_height = cell->bar_height,
-        .lid_start = clod_bed_wall(state, "lid")->shapes[0].center.z,
         .lid_mass = cell->lid_mass,
-        .preshear_stress = cell->preshear_stress,
-        .speed = cell->speed,
-        .block_displacement = cell->block_displacement,
-        .preshear_max = cell->preshear_max,
-        .shear_max = cell->shear_max,
+        .lowest_lid = 2.0 * cell->bar_height + 2.0 * clod_bed_largest(state),
     };
+    clod_ring_shear_start(self, &cell->programme, state);
+}
+
+void clod_ring_shear_start(clod_ring_shear *self, const clod_case_programme *programme,
+                           clod_state *state)
+{
+    self->lid_start = clod_bed_wall(state, "lid")->shapes[0].center.z;
     self->grain_mass = clod_bed_mass(state);
-    self->lowest_lid = 2.0 * self->bar_height + 2.0 * clod_bed_largest(state);
+    self->preshear_stress = programme->preshear_stress;
+    self->speed = programme->speed;
+    self->block_displacement = programme->block_displacement;
+    self->preshear_max = programme->preshear_max;
+    self->shear_max = programme->shear_max;
     // as the operator of a shear tester: steady is when the shear stress is (ASTM D6773); a
     // height that still changes is told in the warning box
-    clod_steady_init(&self->steady, cell->steady_blocks, BLOCK_SAMPLES, cell->steady_tolerance,
-                     INFINITY);
-    clod_peak_init(&self->peak, cell->peak_window, cell->beyond_peak);
+    clod_steady_init(&self->steady, programme->steady_blocks, BLOCK_SAMPLES,
+                     programme->steady_tolerance, INFINITY);
+    clod_peak_init(&self->peak, programme->peak_window, programme->beyond_peak);
     clod_bed_wall(state, "lid")->load = CLOD_LOAD_NONE;
     enter(self, state, CLOD_RING_SHEAR_FILL);
 }
@@ -158,9 +173,22 @@ static void after_load(clod_ring_shear *self, clod_state *state, const double *r
         return;
     }
     self->flags |= late ? CLOD_RING_SHEAR_NOT_SETTLED : 0;
+    if (self->phase == CLOD_RING_SHEAR_CONSOLIDATE && self->twists > 0) {
+        enter(self, state, CLOD_RING_SHEAR_TWIST);
+        return;
+    }
     const bool consolidated = self->phase == CLOD_RING_SHEAR_CONSOLIDATE;
     self->target_speed = consolidated ? self->speed : self->shear_speed;
     enter(self, state, consolidated ? CLOD_RING_SHEAR_PRESHEAR : CLOD_RING_SHEAR_SHEAR);
+}
+
+static void after_twist(clod_ring_shear *self, clod_state *state, double interval)
+{
+    set_stress(self, state, self->target_stress);
+    if (clod_jenike_twist(self, state, ACCELERATION * interval)) {
+        self->target_speed = self->speed;
+        enter(self, state, CLOD_RING_SHEAR_PRESHEAR);
+    }
 }
 
 /** What an operator would put on the hanger for the load that the lid carries now. */
@@ -240,7 +268,7 @@ static void after_shear(clod_ring_shear *self, clod_state *state, const double *
 /** Bring the speed of shear towards its target without a blow. */
 static void slew(const clod_ring_shear *self, clod_state *state, double interval)
 {
-    const double now = clod_ring_speed(self, state);
+    const double now = shear_speed(self, state);
     const double change = self->target_speed - now;
     const double most = ACCELERATION * interval;
     if (!is_at_speed(self, state)) {
@@ -253,7 +281,7 @@ static void slew(const clod_ring_shear *self, clod_state *state, double interval
  */
 static double sheared(const clod_ring_shear *self, const clod_state *state)
 {
-    const double speed = clod_ring_speed(self, state);
+    const double speed = shear_speed(self, state);
     return self->phase == CLOD_RING_SHEAR_REVERSE ? fmax(-speed, 0.0) : fabs(speed);
 }
 
@@ -267,7 +295,13 @@ static bool is_without_bed(const clod_ring_shear *self, const clod_state *state)
 bool clod_ring_shear_trouble(const clod_ring_shear *self, char *text, size_t size)
 {
     const bool trouble = (self->flags & CLOD_RING_SHEAR_NO_BED) != 0;
-    if (trouble) {
+    if (trouble && self->straight != 0) {
+        snprintf(
+            text, size,
+            "the lid sank to %.3g mm, where no grain fits between it and the base ring: the "
+            "cell holds too few grains. Raise jenike.grain_count (or fill_fraction)",
+            1e3 * self->last_height);
+    } else if (trouble) {
         snprintf(
             text, size,
             "the lid sank to %.3g mm, where no grain fits between its bars and those of the "
@@ -283,7 +317,11 @@ bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *ro
     const double interval = (double)clod_bed_wall(state, "lid")->sum_steps * state->dt;
     const double in_phase = (double)state->step * state->dt - self->phase_start;
     self->displacement += sheared(self, state) * interval;
-    clod_ring_measure(self, state, row);
+    if (self->straight != 0) {
+        clod_jenike_measure(self, state, row);
+    } else {
+        clod_ring_measure(self, state, row);
+    }
     clod_walls_reset_sums(&state->walls);
     switch (self->phase) {
     case CLOD_RING_SHEAR_FILL:
@@ -295,6 +333,9 @@ bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *ro
     case CLOD_RING_SHEAR_CONSOLIDATE:
     case CLOD_RING_SHEAR_REDUCE:
         after_load(self, state, row, in_phase, interval);
+        break;
+    case CLOD_RING_SHEAR_TWIST:
+        after_twist(self, state, interval);
         break;
     case CLOD_RING_SHEAR_PRESHEAR:
         after_preshear(self, state, row);

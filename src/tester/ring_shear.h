@@ -1,9 +1,12 @@
 #pragma once
 /**
  * @file ring_shear.h
- * The procedure of the Schulze ring shear test (ASTM D6773; PHYSICS 7), as a state machine that
- * looks at the walls between steps and tells them what to do next. It holds plain data only, so
- * a checkpoint stores it as it is.
+ * The procedure of a shear test, as a state machine that looks at the walls between steps and
+ * tells them what to do next. It holds plain data only, so a checkpoint stores it as it is.
+ *
+ * It is that of the Schulze ring shear test (ASTM D6773; PHYSICS 7). With `straight` it drives
+ * a Jenike cell (ASTM D6128; tester/jenike.h), which is sheared along x instead of about z;
+ * what depends on the cell is in ring_measure.c and jenike.c.
  *
  * One procedure prepares the specimen: fill, lower the lid, consolidate, preshear until steady.
  * For each shear point another one starts from that same state: reverse to zero shear stress,
@@ -28,6 +31,7 @@ typedef enum clod_ring_shear_phase {
     CLOD_RING_SHEAR_REDUCE,      ///< load lowered to the point's normal stress
     CLOD_RING_SHEAR_SHEAR,       ///< shear to the peak and beyond
     CLOD_RING_SHEAR_DONE,
+    CLOD_RING_SHEAR_TWIST, ///< Jenike: after consolidate, the lid is twisted to and fro
 } clod_ring_shear_phase;
 
 /** Things that went not as they should; bits, for the warning box. */
@@ -36,7 +40,7 @@ typedef enum clod_ring_shear_flag {
     CLOD_RING_SHEAR_NOT_STEADY = 2,  ///< preshear ended at preshear_max
     CLOD_RING_SHEAR_NO_REVERSAL = 4, ///< shear stress did not come down to zero
     CLOD_RING_SHEAR_NO_PEAK = 8,     ///< shear_max reached before the peak was passed
-    CLOD_RING_SHEAR_NO_BED = 16, ///< the bars of the lid came within a grain of the trough's
+    CLOD_RING_SHEAR_NO_BED = 16,     ///< the lid came within a grain of the lower bars or ring
 } clod_ring_shear_flag;
 
 /** Columns of the test's series, in this order; texts in clod_ring_shear_columns. */
@@ -65,6 +69,10 @@ typedef struct clod_ring_shear {
     double lid_start;   ///< m, height of the lid's plane at shift 0
     double lid_mass;    ///< kg
     double lowest_lid;  ///< m: below it no grain fits between the bars of lid and trough
+    int64_t straight;   ///< 1: a Jenike cell; bars and mean radius are 0
+    double base_height; ///< m, straight: the shear plane above the base
+    double twist_angle; ///< rad, straight: of the lid to each side
+    int64_t twists;     ///< straight: how often to and fro
     // the programme
     double preshear_stress, shear_stress;               ///< Pa
     double speed, shear_speed;                          ///< m/s at r_m
@@ -77,6 +85,7 @@ typedef struct clod_ring_shear {
     double start_stress;  ///< Pa, from which the load is ramped
     double target_speed;  ///< m/s at r_m
     int64_t calm;         ///< samples in a row in which nothing moved
+    int64_t turns;        ///< of the twisted lid, done
     double last_height;   ///< m
     int64_t flags;        ///< clod_ring_shear_flag
     clod_steady steady;
@@ -100,6 +109,13 @@ const char *clod_ring_shear_phase_name(clod_ring_shear_phase phase);
 
 /** Begin with the filling of a fresh cell (setup/ring_cell.h). */
 void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_state *state);
+
+/**
+ * Begin with the filling of any cell: the caller has filled in what describes the cell, zero
+ * what it has not, and this adds the grains and the programme.
+ */
+void clod_ring_shear_start(clod_ring_shear *self, const clod_case_programme *programme,
+                           clod_state *state);
 
 /** Begin a shear point from the presheared state: `self` is the copy of the preparing one. */
 void clod_ring_shear_branch(clod_ring_shear *self, double shear_stress, clod_state *state);

@@ -247,10 +247,10 @@ static void copper_ore_is_that_of_the_paper(void **state)
         same(ring->radius_mean, 3.175e-3);
         same(ring->radius_min, 2.85e-3);
         same(ring->radius_max, 3.49e-3);
-        same(ring->preshear_stress, ORES[i].preshear);
-        assert_int_equal(ring->shear_stress_count, 4);
+        same(ring->programme.preshear_stress, ORES[i].preshear);
+        assert_int_equal(ring->programme.shear_stress_count, 4);
         for (size_t k = 0; k < 4; k++) {
-            same(ring->shear_stresses[k], 0.2 * (double)(k + 1) * ORES[i].preshear);
+            same(ring->programme.shear_stresses[k], 0.2 * (double)(k + 1) * ORES[i].preshear);
         }
         same(ring->inner_radius, 0.05);
         same(ring->outer_radius, 0.1);
@@ -259,7 +259,7 @@ static void copper_ore_is_that_of_the_paper(void **state)
         same(ring->bar_height, 0.00635);
         same(ring->bar_width, 0.003);
         same(ring->lid_mass, 1.0);
-        same(ring->speed, ORES[i].speed);
+        same(ring->programme.speed, ORES[i].speed);
         same(ring->fill_adhesion, 0.1);
         assert_int_equal(ring->steady_blocks, 5);
         same(ring->steady_tolerance, 0.02);
@@ -296,10 +296,10 @@ static void overrides_replace_add_and_reach_into_lists(void **state)
         overrides[6]};
     clod_case *made = load(path, good, 7);
     assert_int_equal(made->seed, 11);
-    same(made->ring_shear.preshear_stress, 30e3);
-    assert_int_equal(made->ring_shear.shear_stress_count, 2);
-    same(made->ring_shear.shear_stresses[0], 5e3);
-    same(made->ring_shear.shear_stresses[1], 12e3);
+    same(made->ring_shear.programme.preshear_stress, 30e3);
+    assert_int_equal(made->ring_shear.programme.shear_stress_count, 2);
+    same(made->ring_shear.programme.shear_stresses[0], 5e3);
+    same(made->ring_shear.programme.shear_stresses[1], 12e3);
     same(made->time.step, 1e-7);
     same(clod_case_pair(made, 0, 0)->friction, 0.5);
     same(clod_case_pair(made, 0, 0)->k1, 4.75e8);

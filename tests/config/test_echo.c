@@ -59,7 +59,7 @@ static void check_echo(clod_case *made)
                             4 * sizeof(double));
     }
     const size_t from = offsetof(clod_case_ring_shear, inner_radius);
-    const size_t to = offsetof(clod_case_ring_shear, shear_stresses);
+    const size_t to = offsetof(clod_case_ring_shear, programme.shear_stresses);
     assert_memory_equal((char *)&made->ring_shear + from, (char *)&again->ring_shear + from,
                         to - from);
     assert_memory_equal(made->gravity, again->gravity, sizeof made->gravity);

@@ -45,15 +45,15 @@ static int make_cell(void **context)
                                                  .outer_radius = 0.1,
                                                  .bar_height = BAR_HEIGHT,
                                                  .lid_mass = 1.0,
-                                                 .preshear_stress = PRESHEAR,
-                                                 .speed = SPEED,
-                                                 .block_displacement = 1e-3,
-                                                 .steady_blocks = 3,
-                                                 .steady_tolerance = 0.02,
-                                                 .preshear_max = 20e-3,
-                                                 .shear_max = 5e-3,
-                                                 .beyond_peak = 1e-3,
-                                                 .peak_window = 0.2e-3};
+                                                 .programme.preshear_stress = PRESHEAR,
+                                                 .programme.speed = SPEED,
+                                                 .programme.block_displacement = 1e-3,
+                                                 .programme.steady_blocks = 3,
+                                                 .programme.steady_tolerance = 0.02,
+                                                 .programme.preshear_max = 20e-3,
+                                                 .programme.shear_max = 5e-3,
+                                                 .programme.beyond_peak = 1e-3,
+                                                 .programme.peak_window = 0.2e-3};
     for (int w = 0; w < 3; w++) {
         snprintf(now.wall[w].name, sizeof now.wall[w].name, "%s", NAMES[w]);
         now.wall[w].shapes = &now.shape[w];

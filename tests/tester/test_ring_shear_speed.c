@@ -29,15 +29,15 @@ static void begin(cell *self, double inner, double outer, double speed)
                                            .outer_radius = outer,
                                            .bar_height = 6e-3,
                                            .lid_mass = 1.0,
-                                           .preshear_stress = 10e3,
-                                           .speed = speed,
-                                           .block_displacement = BLOCK,
-                                           .steady_blocks = 3,
-                                           .steady_tolerance = 0.02,
-                                           .preshear_max = 1.0,
-                                           .shear_max = 5e-3,
-                                           .beyond_peak = 1e-3,
-                                           .peak_window = 0.2e-3}};
+                                           .programme.preshear_stress = 10e3,
+                                           .programme.speed = speed,
+                                           .programme.block_displacement = BLOCK,
+                                           .programme.steady_blocks = 3,
+                                           .programme.steady_tolerance = 0.02,
+                                           .programme.preshear_max = 1.0,
+                                           .programme.shear_max = 5e-3,
+                                           .programme.beyond_peak = 1e-3,
+                                           .programme.peak_window = 0.2e-3}};
     memset(self, 0, sizeof *self);
     for (int w = 0; w < 3; w++) {
         snprintf(self->wall[w].name, sizeof self->wall[w].name, "%s", NAMES[w]);

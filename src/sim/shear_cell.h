@@ -1,0 +1,21 @@
+#pragma once
+/**
+ * @file shear_cell.h
+ * What preflight, run and report of a shear test ask of its cell, whichever tester it is.
+ */
+
+#include "clod/case.h"
+#include "clod/status.h"
+
+typedef struct clod_shear_cell {
+    const char *key; ///< of the tester in the case file
+    const clod_case_programme *programme;
+    const char *grain_material;
+    double radius_mean;   ///< m, of the grains
+    double area;          ///< m2
+    double width, height; ///< m, of the specimen; height as filling aims at
+    double lid_mass;      ///< kg
+} clod_shear_cell;
+
+/** The cell of a case that has a shear test; borrowed from the case. */
+clod_shear_cell clod_shear_cell_of(const clod_case *from);
