@@ -261,15 +261,15 @@ static void copper_ore_is_that_of_the_paper(void **state)
         same(ring->lid_mass, 1.0);
         same(ring->programme.speed, ORES[i].speed);
         same(ring->fill_adhesion, 0.1);
-        assert_int_equal(ring->steady_blocks, 5);
-        same(ring->steady_tolerance, 0.02);
-        same(ring->block_displacement, 0.002);
-        same(ring->preshear_max, 0.12);
-        same(ring->shear_max, 0.01);
-        same(ring->beyond_peak, 0.002);
-        same(ring->peak_window, 0.0002);
+        assert_int_equal(ring->programme.steady_blocks, 5);
+        same(ring->programme.steady_tolerance, 0.02);
+        same(ring->programme.block_displacement, 0.002);
+        same(ring->programme.preshear_max, 0.12);
+        same(ring->programme.shear_max, 0.01);
+        same(ring->programme.beyond_peak, 0.002);
+        same(ring->programme.peak_window, 0.0002);
         assert_int_equal(ring->grain_count, 0);
-        assert_int_equal(ring->seeds, 1);
+        assert_int_equal(ring->programme.seeds, 1);
         clod_case_destroy(&made);
     }
 }

@@ -1,0 +1,158 @@
+// The Jenike cell with real grains through consolidation and preshear: a wall friction test,
+// whose outcome is known, and the travel from behind the base ring to before it.
+
+#include <stdio.h>
+#include <string.h>
+
+#include "law/law.h"
+#include "setup/jenike_cell.h"
+#include "step/step.h"
+#include "support/check.h"
+#include "tester/jenike.h"
+
+// Soft grains without adhesion that do not roll on the floor: they slide on it, as a block,
+// when the floor is much smoother than they are among themselves.
+static const char CASE[] =
+    "materials:\n"
+    "  ore: {density: 2481.3 kg/m3}\n"
+    "  side: {}\n"
+    "  base: {}\n"
+    "  top: {}\n"
+    "contacts:\n"
+    "  default: {law: mepa, exponent: 1.5, k1: 4.75e6 N/m^1.5, k2: 2.37e7 N/m^1.5,\n"
+    "            k_adh: 0 N/m^1.5, restitution: 0.3, friction: 0.6, coulomb: force,\n"
+    "            rolling: epsd2, rolling_friction: 0.6}\n"
+    "  ore-side: {friction: 0, rolling: none}\n"
+    "  ore-base: {friction: 0.15}\n"
+    "jenike:\n"
+    "  grain_material: ore\n"
+    "  side_material: side\n"
+    "  base_material: base\n"
+    "  lid_material: top\n"
+    "  radius: {mean: 2.8 mm, sd: 0.15 mm, min: 2.5 mm, max: 3.1 mm}\n"
+    "  diameter: 40 mm\n"
+    "  base_height: 10 mm\n"
+    "  ring_height: 14 mm\n"
+    "  fill_fraction: 0.5\n"
+    "  rim: 5 mm\n"
+    "  offset: 4 mm\n"
+    "  lid_mass: 0.02 kg\n"
+    "  preshear_stress: 5 kPa\n"
+    "  shear_stresses: [2 kPa]\n"
+    "  speed: 40 mm/s\n"
+    "  block_displacement: 0.5 mm\n"
+    "  preshear_max: 6 mm\n"
+    "  shear_max: 2 mm\n";
+
+typedef struct bed {
+    clod_case *from;
+    clod_state state;
+    clod_laws laws;
+    clod_step step;
+    clod_ring_shear test;
+    double row[CLOD_RING_SHEAR_COLUMNS];
+} bed;
+
+static void begin(bed *self, double base_height, double offset)
+{
+    clod_status status = {0};
+    const clod_step_options how = {.threads = 1};
+    self->from = clod_case_parse("cell.yaml", CASE, strlen(CASE), NULL, 0, &status);
+    if (self->from == NULL) {
+        fail_msg("%s", status.text);
+    }
+    self->from->jenike.base_height = base_height;
+    self->from->jenike.offset = offset;
+    if (!clod_setup_jenike_cell(self->from, 1, &self->state, &status) ||
+        !clod_laws_init(&self->laws, self->from, &status)) {
+        fail_msg("%s", status.text);
+    }
+    clod_laws_set_adhesion(&self->laws, self->state.adhesion);
+    if (!clod_step_init(&self->step, &self->state, &self->laws, &how, &status)) {
+        fail_msg("%s", status.text);
+    }
+    clod_jenike_begin(&self->test, self->from, &self->state);
+}
+
+static bool look(bed *self)
+{
+    clod_status status = {0};
+    const int64_t steps = clod_ring_shear_plan(&self->test, &self->state);
+    if (!clod_step_advance(&self->step, steps, &status)) {
+        fail_msg("%s", status.text);
+    }
+    const bool done = clod_ring_shear_sample(&self->test, &self->state, self->row);
+    clod_laws_set_adhesion(&self->laws, self->state.adhesion);
+    return done;
+}
+
+static void end(bed *self)
+{
+    clod_step_fini(&self->step);
+    clod_laws_fini(&self->laws);
+    clod_state_fini(&self->state);
+    clod_case_destroy(&self->from);
+}
+
+// With the shear plane at the floor the whole specimen stands in the shear ring and slides over
+// a plate: the wall friction test of ASTM D6128. The rings have no friction, so tau = 0.15 sigma
+// on the floor, but for grains that come loose for a moment and roll.
+static void a_block_on_a_plate_is_held_by_its_friction(void **state)
+{
+    (void)state;
+    bed b;
+    double tau = 0.0, tau_base = 0.0, sigma_base = 0.0, sigma = 0.0;
+    int samples = 0;
+    begin(&b, 0.0, 0.0);
+    while (!look(&b)) {
+        if (b.test.phase == CLOD_RING_SHEAR_PRESHEAR && b.test.displacement > 1.5e-3) {
+            tau += b.row[CLOD_RING_SHEAR_SHEAR_STRESS];
+            tau_base += b.row[CLOD_RING_SHEAR_SHEAR_STRESS_BASE];
+            sigma += b.row[CLOD_RING_SHEAR_NORMAL_STRESS];
+            sigma_base += b.row[CLOD_RING_SHEAR_NORMAL_STRESS_BASE];
+            samples++;
+        }
+    }
+    assert_true(samples > 50);
+    check_relative(tau / sigma, 0.15, 0.01);
+    check_relative(tau_base / sigma_base, 0.15, 0.01);
+    check_relative(sigma / samples, 5e3, 0.005); // what was asked for, at the shear plane
+    end(&b);
+}
+
+// From 4 mm behind the base ring to 2 mm before it. Above the shear plane a grain's centre is
+// in the shear ring, below it in the base ring; between floor and lid all the time.
+static void no_grain_leaves_the_cell(void **state)
+{
+    (void)state;
+    bed b;
+    double travelled = 0.0;
+    bool done = false;
+    begin(&b, 10e-3, 4e-3);
+    b.test.steady.tolerance = 1e-9; // sheared to the end of the way
+    while (!done) {
+        done = look(&b);
+        const clod_wall *ring = &b.state.walls.wall[CLOD_JENIKE_CELL_SHEAR_RING];
+        const clod_wall *lid = &b.state.walls.wall[CLOD_JENIKE_CELL_LID];
+        const double top = lid->shapes[0].center.z + lid->shift.z;
+        travelled = ring->shift.x;
+        assert_true(lid->shift.x == travelled);
+        for (size_t g = 0; g < b.state.grains.count; g++) {
+            const double *p = b.state.grains.place[g];
+            const double axis = p[2] > 10e-3 ? -4e-3 + travelled : 0.0;
+            check_at_most(hypot(p[0] - axis, p[1]), 20e-3);
+            assert_true(p[2] > 0.0 && p[2] < top);
+        }
+    }
+    check_close(travelled, 6e-3, 0.1e-3);
+    end(&b);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_block_on_a_plate_is_held_by_its_friction),
+        cmocka_unit_test(no_grain_leaves_the_cell),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
