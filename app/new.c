@@ -25,6 +25,7 @@ template;
 static const template TEMPLATES[] = {
     {"ring-shear", "virtual ring shear test of copper ore with 5 % moisture",
      CLOD_TEMPLATE_RING_SHEAR},
+    {"jenike", "virtual Jenike shear test of the same ore", CLOD_TEMPLATE_JENIKE},
     {"uniaxial", "virtual uniaxial test: flow function of the same ore",
      CLOD_TEMPLATE_UNIAXIAL},
     {"free-run", "a box of grains under a lid: settle, then compress", CLOD_TEMPLATE_FREE_RUN},

@@ -227,9 +227,8 @@ int clod_app_run(int argc, char **argv)
         .options = OPTIONS,
         .parser = parse,
         .args_doc = "CASE",
-        .doc = "Run a case file: a free run, a ring shear test up to the yield locus, or a "
-               "uniaxial "
-               "test up to the flow function.\v"
+        .doc = "Run a case file: a free run, a ring shear or Jenike shear test up to the yield "
+               "locus, or a uniaxial test up to the flow function.\v"
                "The same command goes on from the last checkpoint after an interruption; "
                "Ctrl-C, SIGTERM and a hang-up write one first (exit status 130, 143 and 129); "
                "a second Ctrl-C ends the run at once. Results and the log are in the results "

@@ -1,7 +1,8 @@
 # clod_templates.h: the case files that `clod new` writes, as C strings. A changed case file makes
 # CMake run again.
 set(header "#pragma once\n// Written by tools/templates.cmake from cases/.\n")
-foreach(entry IN ITEMS "RING_SHEAR=copper-ore-5" "UNIAXIAL=copper-ore-uniaxial"
+foreach(entry IN ITEMS "RING_SHEAR=copper-ore-5" "JENIKE=copper-ore-jenike"
+    "UNIAXIAL=copper-ore-uniaxial"
     "FREE_RUN=free-run" "CONTACT_BENCH=contact-bench")
   string(REPLACE "=" ";" entry ${entry})
   list(GET entry 0 name)

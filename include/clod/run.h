@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file run.h
- * Run a case: a free run, a ring shear test from filling to yield locus, or a uniaxial test
+ * Run a case: a free run, a shear test from filling to yield locus, or a uniaxial test
  * from filling to flow function. The same call goes on from the checkpoints that an interrupted
  * run left in its folder.
  */

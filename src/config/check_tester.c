@@ -123,7 +123,9 @@ static void check_rings(clod_loader *loader, const clod_case_jenike *test)
         clod_check_fail(
             loader, clod_check_written(loader, "jenike.preshear_max", "jenike.shear_max"),
             "grains would leak between the rings: after preshear_max + shear_max the shear "
-            "ring is %.10g m before the base ring, more than rim = %.10g m",
+            "ring is %.10g m before the base ring, more than rim = %.10g m; shear less, or "
+            "raise "
+            "offset or rim",
             before, test->rim);
     }
 }

@@ -82,5 +82,7 @@ void clod_jenike_measure(const clod_ring_shear *self, const clod_state *state, d
     row[CLOD_RING_SHEAR_HEIGHT] = height;
     row[CLOD_RING_SHEAR_BULK_DENSITY] = self->grain_mass / (self->area * height);
     row[CLOD_RING_SHEAR_SPEED] = clod_jenike_speed(state);
-    row[CLOD_RING_SHEAR_POWER] = (lid->sum_power + ring->sum_power) / steps;
+    // of the drive: what the lid does on its way down is the load's, not the stem's
+    row[CLOD_RING_SHEAR_POWER] =
+        row[CLOD_RING_SHEAR_SHEAR_STRESS] * self->area * row[CLOD_RING_SHEAR_SPEED];
 }

@@ -27,9 +27,8 @@ class Check(clod.Case):
             self.assertEqual(said, self.refused("run", case, "time.step=1 ms", words))
 
     def test_key_without_effect(self):
-        words = ("--set output.series_interval=1 ms: output.series_interval: ring_shear and "
-                 "uniaxial write a row of their series whenever they look at the walls; remove "
-                 "this key")
+        words = ("--set output.series_interval=1 ms: output.series_interval: a tester "
+                 "writes a row of its series whenever it looks at the walls; remove this key")
         for verb in ("check", "run"):
             self.refused(verb, ORE, "output.series_interval=1 ms", words)
 

@@ -12,7 +12,9 @@ import clod
 
 RING = clod.source("tests/restart/ring.yaml")
 BOX = clod.source("tests/restart/box.yaml")
-PARTS = {RING: ["preshear", "point-1", "point-2"], BOX: ["run"]}
+JENIKE = clod.source("tests/restart/jenike.yaml")
+PARTS = {RING: ["preshear", "point-1", "point-2"], JENIKE: ["preshear", "point-1", "point-2"],
+         BOX: ["run"]}
 SETS = ["scalar", "avx2", "avx512"]
 SEED = int(os.environ.get("CLOD_TEST_SEED", time.time_ns() % 1000000))
 
@@ -23,7 +25,7 @@ class Restart(clod.Case):
     def setUpClass(cls):
         """Undisturbed runs to compare with, in folders that outlive the tests."""
         cls.whole = {}
-        for case in (RING, BOX):
+        for case in PARTS:
             folder = clod.make_folder()
             cls.addClassCleanup(shutil.rmtree, folder)
             done = clod.run("run", case, "-o", folder, "-t", "1")
@@ -83,8 +85,16 @@ class Restart(clod.Case):
                 done = self.go_on(BOX, folder, "-t", "1")
                 self.assertEqual(done.stdout, self.whole[BOX][1])
 
+    def test_jenike(self):
+        folder = self.path("jenike")
+        for phase in ("twist", "preshear", "shear"):
+            self.interrupt(JENIKE, folder, signal.SIGTERM,
+                           self.has(folder, event="phase", to=phase), "-t", "1")
+        done = self.go_on(JENIKE, folder, "-t", "2")
+        self.assertEqual(done.stdout, self.whole[JENIKE][1])
+
     def test_finished_run_only_reports(self):
-        for case in (RING, BOX):
+        for case in PARTS:
             folder = self.path(os.path.basename(case))
             shutil.copytree(self.whole[case][0], folder)
             before = {name: os.stat(os.path.join(folder, name)).st_mtime_ns

@@ -95,8 +95,8 @@ static void end(bed *self)
 }
 
 // With the shear plane at the floor the whole specimen stands in the shear ring and slides over
-// a plate: the wall friction test of ASTM D6128. The rings have no friction, so tau = 0.15 sigma
-// on the floor, but for grains that come loose for a moment and roll.
+// a plate: the wall friction test of ASTM D6128. The rings have no friction, so tau = 0.15
+// sigma on the floor, but for grains that come loose for a moment and roll.
 static void a_block_on_a_plate_is_held_by_its_friction(void **state)
 {
     (void)state;

@@ -1,0 +1,168 @@
+"""A small Jenike shear test from the case file to the yield locus.
+
+The bounds are those of mechanics, not of the material: what pulls the ring and what holds the
+base balance but for the inertia of the bed, mass is kept, and the programme runs in its order.
+The case is too small and too fast for a result worth having. What the tester shares with the
+ring shear tester is in test_ring_shear.py.
+"""
+
+import csv
+import json
+import math
+import os
+import shutil
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+CASE = clod.source("tests/cli/jenike.yaml")
+TINY = clod.source("tests/restart/jenike.yaml")
+# CASE
+PRESHEAR, STRESSES, SPEED = 10e3, [3e3, 5e3, 7e3], 0.080
+PRESHEAR_MAX, SHEAR_MAX = 6e-3, 3e-3
+AREA = math.pi * 0.025 ** 2
+FILL, LOWER, CONSOLIDATE, SHEARED, REVERSE, REDUCE, SHEAR, DONE, TWIST = range(9)
+POINTS = ("point-1", "point-2", "point-3")
+
+
+def table(path):
+    """A CSV file as a list of rows of numbers by name, units cut off the names."""
+    with open(path, newline="") as file:
+        rows = csv.reader(file)
+        names = [name.split(" [")[0] for name in next(rows)]
+        return [dict(zip(names, map(float, row))) for row in rows]
+
+
+def mean(rows, name):
+    return sum(row[name] for row in rows) / len(rows)
+
+
+class Jenike(clod.Case):
+
+    @classmethod
+    def setUpClass(cls):
+        cls.out = clod.make_folder()
+        cls.addClassCleanup(shutil.rmtree, cls.out)
+        done = clod.run("run", CASE, "-o", cls.out)
+        assert done.returncode == 0, done.stderr
+        cls.report = done.stdout
+        with open(os.path.join(cls.out, "summary.json")) as file:
+            cls.summary = json.load(file)
+        cls.part = {part["part"]: part for part in cls.summary["parts"]}
+        cls.series = {name: table(os.path.join(cls.out, f"{name}.csv")) for name in cls.part}
+        cls.points = table(os.path.join(cls.out, "points.csv"))
+
+    def sheared(self):
+        """Preshear at full speed, its last 4 mm."""
+        rows = [row for row in self.series["preshear"] if row["phase"] == SHEARED]
+        return [row for row in rows if row["displacement"] > rows[-1]["displacement"] - 4e-3]
+
+    def test_phases_come_in_order(self):
+        phases = {name: [row["phase"] for row in rows] for name, rows in self.series.items()}
+        self.assertEqual(sorted(set(phases["preshear"])), [FILL, LOWER, CONSOLIDATE, SHEARED])
+        for point in POINTS:
+            self.assertEqual(sorted(set(phases[point])), [REVERSE, REDUCE, SHEAR])
+        for name, rows in self.series.items():
+            self.assertEqual(phases[name], sorted(phases[name]), name)
+            times = [row["time"] for row in rows]
+            self.assertEqual(times, sorted(set(times)), name)
+
+    def test_way_is_that_of_the_cell(self):
+        way = self.series["preshear"][-1]["displacement"]
+        self.assertAlmostEqual(way, PRESHEAR_MAX, delta=0.02e-3)
+        self.assertEqual({row["speed"] for row in self.sheared()}, {SPEED})
+        for point, stress in zip(POINTS, STRESSES):
+            rows = self.series[point]
+            self.assertLess(rows[-1]["displacement"], SHEAR_MAX + 0.02e-3)
+            top = max(row["speed"] for row in rows if row["phase"] == SHEAR)
+            self.assertAlmostEqual(top, SPEED * math.sqrt(stress / PRESHEAR), delta=1e-9)
+
+    def test_forces_balance(self):
+        """Nothing else pulls along x: they differ by the change of momentum of the bed."""
+        rows = self.sheared()
+        top, base = mean(rows, "shear_stress"), mean(rows, "shear_stress_base")
+        self.assertGreater(top, 0.2 * PRESHEAR)
+        self.assertAlmostEqual(top / base, 1.0, delta=0.01)
+
+    def test_normal_stress(self):
+        self.assertAlmostEqual(mean(self.sheared(), "normal_stress") / PRESHEAR, 1.0, delta=0.02)
+        for name, stress in zip(POINTS, STRESSES):
+            rows = [row for row in self.series[name] if row["phase"] == SHEAR]
+            self.assertAlmostEqual(mean(rows, "normal_stress") / stress, 1.0, delta=0.04)
+
+    def test_bulk_density_is_mass_over_volume(self):
+        mass = json.loads(clod.run("check", CASE, "--json").stdout)["mass_kg"]
+        for rows in self.series.values():
+            for row in rows:
+                volume = AREA * row["height"]
+                self.assertAlmostEqual(row["bulk_density"] * volume / mass, 1.0, delta=1e-8)
+
+    def test_power_is_force_times_speed(self):
+        for row in self.sheared():
+            power = row["shear_stress"] * AREA * SPEED
+            self.assertAlmostEqual(row["power"], power, delta=1e-8 * abs(power) + 1e-12)
+
+    def test_reversal(self):
+        for point in POINTS:
+            rows = [row for row in self.series[point] if row["phase"] == REVERSE]
+            self.assertGreater(rows[0]["shear_stress"], 0.0)
+            self.assertGreater(min(row["shear_stress"] for row in rows[:-1]), 0.0)
+            self.assertLessEqual(rows[-1]["shear_stress"], 0.0)
+
+    def test_points_file_gives_the_locus(self):
+        self.assertEqual([row["sigma_sh"] for row in self.points], STRESSES)
+        for row, name in zip(self.points, POINTS):
+            self.assertAlmostEqual(row["tau_sh"] / self.part[name]["shear_stress_Pa"], 1.0,
+                                   delta=1e-8)
+            self.assertEqual(row["sigma_pre"], PRESHEAR)
+        done = clod.run("locus", os.path.join(self.out, "points.csv"), "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (locus,) = json.loads(done.stdout)["loci"]
+        (here,) = self.summary["locus"]["loci"]
+        for key in ("phi_lin_deg", "c_Pa", "phi_sf_deg"):
+            self.assertAlmostEqual(locus[key]["value"] / here[key]["value"], 1.0, delta=1e-6)
+
+    def test_warnings_name_the_tester(self):
+        """Far too short a way to become steady, and far too fast."""
+        for text in ("preshear: not steady after 6 mm of shear; the preshear values are means "
+                     "of the last blocks. Raise jenike.preshear_max or steady_tolerance",
+                     "preshear: inertial number"):
+            self.assertEqual(self.report.count(text), 1, self.report)
+        self.assertIn("lower jenike.speed", self.report)
+        self.assertNotIn("ring_shear", self.report)
+
+
+class Twisted(clod.Case):
+
+    def test_lid_is_twisted_before_preshear(self):
+        """The torque on the lid works, so the way takes its time and the bed gets denser."""
+        done = clod.run("run", TINY, "-o", self.path("out"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        phases = [row["phase"] for row in table(self.path("out/preshear.csv"))]
+        seen = [phase for k, phase in enumerate(phases) if k == 0 or phases[k - 1] != phase]
+        self.assertEqual(seen, [FILL, LOWER, CONSOLIDATE, TWIST, SHEARED])
+        rows = [row for row in table(self.path("out/preshear.csv")) if row["phase"] == TWIST]
+        # 5 degrees to each side and back, the edge of 20 mm radius at 60 mm/s
+        took = 4.0 * math.radians(5.0) * 0.020 / 0.060
+        self.assertGreater(rows[-1]["time"] - rows[0]["time"], took)
+        self.assertLess(rows[-1]["time"] - rows[0]["time"], 2.5 * took)  # with its turning
+        self.assertLess(rows[-1]["height"], rows[0]["height"])
+        self.assertEqual({row["displacement"] for row in rows}, {0.0})
+
+    def test_seeds(self):
+        done = clod.run("run", TINY, "-o", self.path("two"), "--set", "jenike.seeds=2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        points = table(self.path("two/points.csv"))
+        self.assertEqual([row["seed"] for row in points], [7, 7, 8, 8])
+        self.assertNotEqual(points[0]["tau_sh"], points[2]["tau_sh"])
+
+    def test_clod_new_writes_the_ore_case(self):
+        done = clod.run("new", "jenike", self.path("case.yaml"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(clod.read(self.path("case.yaml")),
+                         clod.read(clod.source("cases/copper-ore-jenike/case.yaml")))
+
+
+if __name__ == "__main__":
+    clod.main()
