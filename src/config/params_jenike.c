@@ -50,7 +50,7 @@ static const clod_param ROWS[] = {
     REAL(offset, "m", CLOD_FROM(0, 10), "3 mm",
          "How far the shear ring begins behind the base ring; it ends as far before it when "
          "preshear_max + shear_max is twice as much.",
-         "ASTM D6128"),
+         "common cell; docs/theory/jenike.md"),
     {.key = "twists",
      .kind = CLOD_PARAM_INTEGER,
      .need = CLOD_PARAM_OPTIONAL,
@@ -71,7 +71,7 @@ static const clod_param ROWS[] = {
      .used = is_twisted,
      .unused = "twists is 0: the lid is not twisted; remove this key",
      .help = "Angle of a twist, to each side; the edge of the lid moves with `speed`.",
-     .source = "ASTM D6128"},
+     .source = "our choice"},
     CLOD_TESTER_LID(J),
     CLOD_TESTER_FILLING(J, "rings", is_filled_by_height, "900"),
     CLOD_PROGRAMME_STRESSES(J),

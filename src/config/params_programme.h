@@ -63,7 +63,8 @@
         CLOD_PROGRAMME_REAL(                                                                   \
             type, peak_window, "m", window,                                                    \
             "Shear over which the curve is smoothed to find its peak. A wide window lowers a " \
-            "sharp peak, a narrow one takes noise for it: compare 0.2 and 1 mm.",              \
+            "sharp peak, a narrow one takes noise for it: compare with one five times as "     \
+            "wide.",                                                                           \
             "PHYSICS 7; docs/theory/ring-shear.md", CLOD_ABOVE(0, 1))
 #define CLOD_PROGRAMME_SEEDS(type)                                                             \
     CLOD_PROGRAMME_WHOLE(type, seeds, "1",                                                     \

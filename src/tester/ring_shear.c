@@ -88,7 +88,7 @@ void clod_ring_shear_start(clod_ring_shear *self, const clod_case_programme *pro
     // as the operator of a shear tester: steady is when the shear stress is (ASTM D6773); a
     // height that still changes is told in the warning box
     clod_steady_init(&self->steady, programme->steady_blocks, BLOCK_SAMPLES,
-                     programme->steady_tolerance, INFINITY);
+                     programme->steady_tolerance, (double)INFINITY);
     clod_peak_init(&self->peak, programme->peak_window, programme->beyond_peak);
     clod_bed_wall(state, "lid")->load = CLOD_LOAD_NONE;
     enter(self, state, CLOD_RING_SHEAR_FILL);
