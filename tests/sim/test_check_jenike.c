@@ -126,7 +126,7 @@ static void each_fault_has_its_warning(void **state)
     assert_int_equal(report.warning_count, 0);
     assert_true(warns("jenike.speed=60 mm/s", "Lower jenike.speed to 30 mm/s"));
     assert_true(warns("jenike.grain_count=900", "Change jenike.grain_count, or write auto"));
-    assert_true(warns("jenike.ring_height=9 mm", "grain diameters across the depth"));
+    assert_true(warns("jenike.grain_count=440", "grain diameters across the depth"));
     assert_true(warns("jenike.diameter=28 mm", "grain diameters across the width"));
     assert_true(warns("jenike.lid_mass=10 kg", "Lower jenike.lid_mass"));
     assert_true(warns("jenike.shear_stresses=[20 kPa, 30 kPa]", "jenike.shear_stresses"));
