@@ -182,6 +182,18 @@ static void linear_loading_loses_the_triangle(void **state)
                    1e-9);
 }
 
+/** One step of the probe at a motion that does not change; what it cost. */
+static clod_law_spent spend_still(law_probe *probe, const clod_law_motion *m)
+{
+    const clod_law_memory memory = clod_law_memory_load(&probe->history, 0);
+    clod_law_memory after = memory;
+    const clod_law_result result = clod_law_contact(&probe->law, m, DT, &after);
+    const clod_law_spent spent =
+        clod_law_spend(&probe->law, m, &result, &after, m, &memory, DT);
+    clod_law_memory_store(&probe->history, 0, result.closed, after);
+    return spent;
+}
+
 /** A sliding contact loses mu N a way; one that sticks loses nothing. */
 static void sliding_loses_friction_times_way(void **state)
 {
@@ -195,16 +207,11 @@ static void sliding_loses_friction_times_way(void **state)
     double lost = 0.0;
     m.velocity.y = 0.1;
     for (int s = 0; s < 1000; s++) {
-        const clod_law_memory memory = clod_law_memory_load(&probe.history, 0);
-        clod_law_memory after = memory;
-        const clod_law_result result = clod_law_contact(&probe.law, &m, DT, &after);
-        const double step =
-            clod_law_spend(&probe.law, &m, &result, &after, &m, &memory, DT).friction;
+        const double step = spend_still(&probe, &m).friction;
         if (0.1 * DT * (s + 1) < stick) {
             check_close(step, 0.0, 1e-9 * limit * stick);
         }
         lost += step;
-        clod_law_memory_store(&probe.history, 0, result.closed, after);
     }
     check_relative(lost, limit * (0.1 * 1000 * DT - stick), 1e-6);
 }
@@ -221,11 +228,7 @@ static void dash_pots_lose_gamma_v_squared(void **state)
     m.velocity = (vreal3){0.01, 0.02, 0.0};
     probe.history.tangent[0] = 1e6;
     const double gamma = probe.law.damping * sqrt(m.m_star * 1e6); // k_t = k_n here
-    const clod_law_memory memory = clod_law_memory_load(&probe.history, 0);
-    clod_law_memory after = memory;
-    const clod_law_result result = clod_law_contact(&probe.law, &m, DT, &after);
-    const clod_law_spent spent =
-        clod_law_spend(&probe.law, &m, &result, &after, &m, &memory, DT);
+    const clod_law_spent spent = spend_still(&probe, &m);
     check_relative(spent.dash_pot, gamma * (1e-4 + 4e-4) * DT, 1e-9);
     check_close(spent.plastic, 0.0, 0.0);
     check_close(spent.friction, 0.0, 1e-9 * spent.dash_pot);
@@ -242,12 +245,112 @@ static void rolling_loses_cap_times_angle(void **state)
     clod_law_motion m = probe_motion(4e-6);
     m.spin_i.y = 5.0;
     m.spin_j.y = -5.0;
-    const clod_law_memory memory = clod_law_memory_load(&probe.history, 0);
-    clod_law_memory after = memory;
-    const clod_law_result result = clod_law_contact(&probe.law, &m, DT, &after);
-    const clod_law_spent spent =
-        clod_law_spend(&probe.law, &m, &result, &after, &m, &memory, DT);
+    const clod_law_spent spent = spend_still(&probe, &m);
     check_relative(spent.rolling, 0.3 * (3.8 + 2.848) * 1.5e-3 * 10.0 * DT, 1e-9);
+}
+
+/** Slip made of spins alone: the same loss as slip made of velocity. */
+static void spins_slide_as_well(void **state)
+{
+    (void)state;
+    clod_case_contact c = contact_ore();
+    c.rolling = CLOD_ROLLING_NONE;
+    law_probe probe = probe_make(&c);
+    clod_law_motion m = probe_motion(4e-6);
+    m.spin_i.z = m.spin_j.z = 20.0;
+    const double slip = 20.0 * (m.arm_i + m.arm_j) * DT;
+    for (int s = 0; s < 300; s++) {
+        spend_still(&probe, &m); // until it slides
+    }
+    const clod_law_spent spent = spend_still(&probe, &m);
+    check_relative(spent.friction, 0.35 * (3.8 + 2.848) * slip, 1e-9);
+}
+
+/** Springs of rolling: nothing is lost below the cap, cap times angle beyond it. */
+static void rolling_springs_lose_beyond_the_cap(void **state)
+{
+    (void)state;
+    const double cap = 0.3 * (3.8 + 2.848) * 1.5e-3;
+    const double r2 = 1.5e-3 * 1.5e-3;
+    for (int kind = 0; kind < 2; kind++) {
+        clod_case_contact c = contact_ore();
+        c.rolling = kind == 0 ? CLOD_ROLLING_EPSD2 : CLOD_ROLLING_EPSD;
+        law_probe probe = probe_make(&c);
+        const double stiffness = 1.425e6 * r2 * (kind == 0 ? 1.0 : 2.25 * 0.3 * 0.3);
+        const double give = cap / stiffness; // angle at which the spring is cut
+        const double rate = 0.013 * give / DT;
+        clod_law_motion m = probe_motion(4e-6);
+        m.spin_i.y = 0.5 * rate;
+        m.spin_j.y = -0.5 * rate;
+        double lost = 0.0;
+        for (int s = 0; s < 200; s++) {
+            const double step = spend_still(&probe, &m).rolling;
+            if (0.013 * (s + 1) < 1.0) {
+                check_close(step, 0.0, 1e-3 * cap * 0.013 * give);
+            }
+            lost += step;
+        }
+        check_relative(lost, cap * give * (0.013 * 200 - 1.0), 1e-3);
+        const clod_law_memory memory = clod_law_memory_load(&probe.history, 0);
+        const clod_law_stored stored =
+            clod_law_stored_energy(&probe.law, 4e-6, m.r_star, &memory);
+        check_relative(stored.rolling, 0.5 * cap * give, 1e-9);
+    }
+}
+
+/** epsd's dash-pot counts as rolling loss below the cap, and does not act at it. */
+static void the_dash_pot_of_epsd_is_a_rolling_loss(void **state)
+{
+    (void)state;
+    clod_case_contact c = contact_ore();
+    c.rolling = CLOD_ROLLING_EPSD;
+    c.rolling_damping = 0.3;
+    law_probe probe = probe_make(&c);
+    const double cap = 0.3 * (3.8 + 2.848) * 1.5e-3;
+    const double stiffness = 1.425e6 * 1.5e-3 * 1.5e-3 * 2.25 * 0.09;
+    const double rate = 0.013 * cap / stiffness / DT;
+    clod_law_motion m = probe_motion(4e-6);
+    m.spin_i.y = 0.5 * rate;
+    m.spin_j.y = -0.5 * rate;
+    const double dash_pot = 2.0 * 0.3 * sqrt(m.roll_inertia * stiffness) * rate;
+    spend_still(&probe, &m);
+    check_relative(spend_still(&probe, &m).rolling, dash_pot * rate * DT, 1e-3);
+    for (int s = 0; s < 100; s++) {
+        spend_still(&probe, &m);
+    }
+    check_relative(spend_still(&probe, &m).rolling, cap * rate * DT, 1e-3);
+}
+
+/** What is stored is told of closed contacts only. */
+static void stored_energy_is_that_of_the_closed_contact(void **state)
+{
+    (void)state;
+    const clod_case_contact c = contact_ore();
+    law_probe probe = probe_make(&c);
+    probe_path(&probe, 0.0, 8e-6, 10);
+    probe.history.spring[1][0] = 1e-7;
+    const clod_law_memory memory = clod_law_memory_load(&probe.history, 0);
+    clod_law_stored stored = clod_law_stored_energy(&probe.law, 8e-6, 1.5e-3, &memory);
+    check_relative(stored.normal,
+                   clod_law_normal_energy(&probe.law, at(&probe, 8e-6), memory.plastic), 1e-12);
+    check_relative(stored.sliding, 0.5 * memory.tangent * 1e-14, 1e-12);
+    stored = clod_law_stored_energy(&probe.law, -1e-9, 1.5e-3, &memory);
+    check_close(stored.normal, 0.0, 0.0);
+    check_close(stored.sliding, 0.0, 0.0);
+    check_close(stored.rolling, 0.0, 0.0);
+}
+
+/** The step in which a contact opens loses what its history still held. */
+static void opening_loses_what_was_held(void **state)
+{
+    (void)state;
+    const clod_case_contact c = contact_ore();
+    law_probe probe = probe_make(&c);
+    probe_path(&probe, 0.0, 8e-6, 10);
+    const double p = probe.history.plastic[0];
+    const double d = 4e-6;
+    const double pull = 2.37e9 * (d - pow(p, 2.0 / 3.0));
+    check_relative(spend_to(&probe, d, -1e-6).plastic, -0.5 * pull * p, 1e-9);
 }
 
 /** Contacts that are open before and after lose nothing, whatever their past says. */
@@ -273,6 +376,11 @@ int main(void)
         cmocka_unit_test(sliding_loses_friction_times_way),
         cmocka_unit_test(dash_pots_lose_gamma_v_squared),
         cmocka_unit_test(rolling_loses_cap_times_angle),
+        cmocka_unit_test(spins_slide_as_well),
+        cmocka_unit_test(rolling_springs_lose_beyond_the_cap),
+        cmocka_unit_test(the_dash_pot_of_epsd_is_a_rolling_loss),
+        cmocka_unit_test(stored_energy_is_that_of_the_closed_contact),
+        cmocka_unit_test(opening_loses_what_was_held),
         cmocka_unit_test(open_contacts_lose_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
