@@ -1,6 +1,5 @@
 #include "sim/free_run.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -8,6 +7,7 @@
 #include "measure/contacts.h"
 #include "output/folder.h"
 #include "setup/state.h"
+#include "sim/free_stages.h"
 
 /** Columns before those of the walls, and of each wall. */
 static const char *const FIRST[] = {"time [s]", "stage [1]", "kinetic_energy [J]",
@@ -20,69 +20,9 @@ static const char *const PER_WALL[] = {"force_x [N]",    "force_y [N]",    "forc
 #define PER_WALL_COUNT (sizeof PER_WALL / sizeof *PER_WALL)
 #define COLUMN_TEXT 80
 
-/** Where the run is; plain data. */
-typedef struct free_memory {
-    int64_t stage;
-    int64_t stage_start; ///< step
-    int64_t rows;        ///< of this stage
-} free_memory;
-
-static double series_interval(const clod_case *from)
-{
-    return from->output.series_interval;
-}
-
-static int64_t stage_steps(const clod_case *from, int64_t stage, double dt)
-{
-    return (int64_t)fmax(1.0, round(from->stages[stage].duration / dt));
-}
-
-static void change_wall(const clod_case_wall_change *change, clod_wall *wall)
-{
-    if (change->has_velocity) {
-        wall->velocity =
-            (clod_vec3){change->velocity[0], change->velocity[1], change->velocity[2]};
-    }
-    if (change->has_surface_velocity) {
-        const double *v = change->surface_velocity;
-        wall->surface_velocity = (clod_vec3){v[0], v[1], v[2]};
-    }
-    if (change->has_spin) {
-        wall->spin = change->spin;
-    }
-    if (change->has_force) {
-        wall->load = CLOD_LOAD_FORCE;
-        wall->load_force = change->force;
-    }
-    if (change->has_stress) {
-        wall->load = CLOD_LOAD_STRESS;
-        wall->load_force = change->stress * wall->area;
-    }
-}
-
-static void begin_stage(const clod_case *from, int64_t stage, clod_state *state)
-{
-    const clod_case_stage *s = &from->stages[stage];
-    state->adhesion = s->adhesion;
-    for (size_t c = 0; c < s->wall_count; c++) {
-        for (int32_t w = 0; w < state->walls.count; w++) {
-            if (strcmp(state->walls.wall[w].name, s->walls[c].name) == 0) {
-                change_wall(&s->walls[c], &state->walls.wall[w]);
-            }
-        }
-    }
-    clod_walls_reset_sums(&state->walls);
-}
-
 static int64_t free_plan(const void *data, const void *context, const clod_state *state)
 {
-    const free_memory *m = data;
-    const clod_case *from = context;
-    const int64_t end = stage_steps(from, m->stage, state->dt);
-    const double next = (double)(m->rows + 1) * series_interval(from) / state->dt;
-    const int64_t at = (int64_t)fmin(fmax(round(next), (double)m->rows + 1.0), (double)end);
-    const int64_t done = state->step - m->stage_start;
-    return at > done ? at - done : 1;
+    return clod_free_stages_plan(data, context, state);
 }
 
 static void wall_columns(const clod_wall *wall, double *row)
@@ -106,49 +46,25 @@ static void wall_columns(const clod_wall *wall, double *row)
 
 static bool free_sample(void *data, const void *context, clod_state *state, double *row)
 {
-    free_memory *m = data;
-    const clod_case *from = context;
-    const double speed = clod_measure_max_speed(state);
-    const double first[FIRST_COUNT] = {state->time, (double)m->stage,
-                                       clod_measure_kinetic_energy(state), speed};
+    const clod_free_stages *stages = data;
+    const double first[FIRST_COUNT] = {state->time, (double)stages->stage,
+                                       clod_measure_kinetic_energy(state),
+                                       clod_measure_max_speed(state)};
     memcpy(row, first, sizeof first);
     for (int32_t w = 0; w < state->walls.count; w++) {
         wall_columns(&state->walls.wall[w], row + FIRST_COUNT + (size_t)w * PER_WALL_COUNT);
     }
-    clod_walls_reset_sums(&state->walls);
-    m->rows++;
-    const int64_t done = state->step - m->stage_start;
-    const bool rested = speed < from->stages[m->stage].rest;
-    if (done < stage_steps(from, m->stage, state->dt) && !rested) {
-        return false;
-    }
-    if (m->stage + 1 == (int64_t)from->stage_count) {
-        return true;
-    }
-    *m = (free_memory){.stage = m->stage + 1, .stage_start = state->step};
-    begin_stage(from, m->stage, state);
-    return false;
+    return clod_free_stages_next(data, context, state);
 }
 
 static const char *free_phase(const void *data, const void *context)
 {
-    const free_memory *m = data;
-    const clod_case *from = context;
-    return from->stages[m->stage].name;
+    return clod_free_stages_name(data, context);
 }
 
 static double free_fraction(const void *data, const void *context)
 {
-    const free_memory *m = data;
-    const clod_case *from = context;
-    double before = 0.0;
-    double all = 0.0;
-    for (size_t s = 0; s < from->stage_count; s++) {
-        before += (int64_t)s < m->stage ? from->stages[s].duration : 0.0;
-        all += from->stages[s].duration;
-    }
-    before += fmin((double)m->rows * series_interval(from), from->stages[m->stage].duration);
-    return all > 0.0 ? before / all : 0.0;
+    return clod_free_stages_fraction(data, context);
 }
 
 /** Header texts: fixed ones, then NAME.force_x [N] and so on; one block of owned text. */
@@ -223,18 +139,17 @@ static bool write_summary(const clod_job *job, clod_status *status)
     return ok;
 }
 
-static bool run_stages(clod_job *job, free_memory *memory, clod_status *status)
+static bool run_stages(clod_job *job, clod_free_stages *stages, clod_status *status)
 {
     if (!job->resumed) {
-        *memory = (free_memory){0};
-        begin_stage(job->sim->from, 0, &job->state);
+        clod_free_stages_begin(stages, job->sim->from, &job->state);
     }
     return clod_job_run(job, status);
 }
 
 bool clod_free_run(const clod_sim *sim, char **report, clod_status *status)
 {
-    free_memory memory = {0};
+    clod_free_stages stages = {0};
     clod_job job = {.sim = sim, .name = "run", .threads = sim->options->threads};
     bool ok = clod_setup_state(sim->from, sim->from->seed, &job.state, status);
     const size_t count = FIRST_COUNT + PER_WALL_COUNT * (size_t)job.state.walls.count;
@@ -243,9 +158,9 @@ bool clod_free_run(const clod_sim *sim, char **report, clod_status *status)
     if (ok && text == NULL) {
         ok = clod_status_fail(status, CLOD_FAILED, "no memory for %zu columns", count);
     }
-    job.procedure = (clod_procedure){&memory,   sizeof memory, sim->from,  columns,       count,
+    job.procedure = (clod_procedure){&stages,   sizeof stages, sim->from,  columns,       count,
                                      free_plan, free_sample,   free_phase, free_fraction, NULL};
-    ok = ok && clod_job_resume(&job, status) && run_stages(&job, &memory, status) &&
+    ok = ok && clod_job_resume(&job, status) && run_stages(&job, &stages, status) &&
          write_summary(&job, status);
     if (ok) {
         *report = make_report(&job.state);
