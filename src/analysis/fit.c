@@ -30,6 +30,11 @@ clod_fit clod_fit_line(const double *x, const double *y, size_t count)
     return self;
 }
 
+double clod_fit_slope_error(const clod_fit *line, size_t count)
+{
+    return sqrt(line->residual / (((double)count - 2.0) * line->sxx));
+}
+
 /** Two-sided 95 % point of Student's t. */
 static double student(size_t freedom)
 {

@@ -23,6 +23,10 @@ typedef struct clod_fit {
  */
 clod_fit clod_fit_line(const double *x, const double *y, size_t count);
 
+/** Standard error of the slope, from the scatter about the line; `count` > 2. Test: test_fit.c
+ */
+double clod_fit_slope_error(const clod_fit *line, size_t count);
+
 /**
  * How far a parabola through the points stands off the line: the middle against the ends.
  *

@@ -1,43 +1,10 @@
 #include "verify/bed.h"
 
-#include <errno.h>
-#include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "measure/contacts.h"
 #include "setup/state.h"
-
-static bool make_folder(const char *path, clod_status *status)
-{
-    return mkdir(path, 0777) == 0 || errno == EEXIST ||
-           clod_status_fail(status, CLOD_FAILED, "%s: cannot be made: %s", path,
-                            strerror(errno));
-}
-
-static bool write_text(const char *path, const char *text, clod_status *status)
-{
-    FILE *out = fopen(path, "w");
-    bool written = out != NULL && fputs(text, out) >= 0;
-    if (out != NULL) {
-        written = fclose(out) == 0 && written;
-    }
-    return written || clod_status_fail(status, CLOD_FAILED, "%s: cannot be written: %s", path,
-                                       strerror(errno));
-}
-
-static bool write_case(const char *directory, const char *name, const char *text,
-                       char path[4096], clod_status *status)
-{
-    char folder[3072];
-    snprintf(folder, sizeof folder, "%s/cases", directory);
-    if (!make_folder(folder, status)) {
-        return false;
-    }
-    snprintf(folder, sizeof folder, "%s/cases/%s", directory, name);
-    snprintf(path, 4096, "%s/case.yaml", folder);
-    return make_folder(folder, status) && write_text(path, text, status);
-}
+#include "verify/case_file.h"
 
 static bool run_stages(clod_verify_bed *self, clod_verify_bed_look look, void *context,
                        clod_status *status)
@@ -75,7 +42,7 @@ bool clod_verify_bed_run(const clod_verify_bench *bench, const char *name, const
 {
     char path[4096];
     clod_verify_bed self = {0};
-    if (!write_case(bench->directory, name, text, path, status)) {
+    if (!clod_verify_case_file(bench->directory, name, text, path, status)) {
         return false;
     }
     self.from = clod_case_load(path, NULL, 0, status);

@@ -37,6 +37,9 @@ static const entry TESTS[] = {
      false},
     {"eepa-cycle", clod_verify_eepa_cycle, "eepa: the same with f0 and with surface energy",
      false},
+    {"flow-function", clod_verify_flow_function, "uniaxial test: strength over consolidation",
+     true},
+    {"janssen", clod_verify_janssen, "silo: the wall carries part of the weight", true},
 };
 #define TEST_COUNT (sizeof TESTS / sizeof *TESTS)
 
