@@ -30,12 +30,12 @@ static const clod_verify_silo SILO[SILOS] = {
 static bool check_silo(const clod_verify_bench *bench, const clod_verify_silo *of,
                        clod_status *status)
 {
-    const clod_verify_expect whole = {1.0, 1e-3, true, "balance of forces"};
+    const clod_verify_expect whole = {1.0, 1e-3, true, "Newton's second law"};
     const clod_verify_expect shallow = {0.0, CLOD_LIMITS_OVERLAP_MOST, false,
                                         "docs/theory/time-step.md"};
-    return clod_verify_bench_check(bench, &whole, clod_verify_silo_carried(of) / of->weight,
-                                   status, "%s: what floor and wall carry over the weight [1]",
-                                   of->name) &&
+    return clod_verify_bench_check(
+               bench, &whole, clod_verify_silo_carried(of) / of->weight, status,
+               "%s: force of floor and wall less inertia, over the weight [1]", of->name) &&
            clod_verify_bench_check(bench, &shallow, of->overlap, status,
                                    "%s: largest overlap over the radius [1]", of->name);
 }

@@ -87,13 +87,26 @@ static void add_grains(clod_verify_silo *self, const clod_state *state)
     self->weight += above;
 }
 
+static double momentum_of(const clod_state *state)
+{
+    double sum = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        sum += state->grains.motion[g][2] * state->grains.motion[g][3];
+    }
+    return sum;
+}
+
 static bool look(void *context, clod_verify_bed *now, clod_status *status)
 {
     clod_verify_silo *self = context;
     const clod_wall *wall = now->state.walls.wall; // the floor, then the shells
     if (!clod_verify_bed_is_in(now, "measure")) {
+        self->time = now->state.time;
+        self->momentum = momentum_of(&now->state);
         return true;
     }
+    self->inertia =
+        (momentum_of(&now->state) - self->momentum) / (now->state.time - self->time);
     const double steps = (double)wall[0].sum_steps;
     self->looks++;
     self->floor -= wall[0].sum_force.z / steps;
@@ -137,7 +150,7 @@ static double shear_from(const clod_verify_silo *self, int shell)
 
 double clod_verify_silo_carried(const clod_verify_silo *self)
 {
-    return self->floor + shear_from(self, 0);
+    return self->floor + shear_from(self, 0) - self->inertia;
 }
 
 double clod_verify_silo_wall_friction(const clod_verify_silo *self)

@@ -12,7 +12,7 @@
 #define CLOD_VERIFY_SILO_SHELL 30e-3    ///< m, height of a shell: half a diameter
 #define CLOD_VERIFY_SILO_SHELLS 14      ///< the column is about 7 diameters high
 
-/** One silo: the first four fields are given, the others are means while the floor sinks. */
+/** One silo: what is given, then means while the floor sinks. */
 typedef struct clod_verify_silo {
     const char *name; ///< of its folder
     int seed;
@@ -20,12 +20,15 @@ typedef struct clod_verify_silo {
     double rolling;  ///< rolling friction of these contacts
     double floor;    ///< N, on the floor, downwards
     double weight;   ///< N, of all grains
+    double inertia;  ///< N, rate of their upward momentum: the column sinks unevenly
     double
         above[CLOD_VERIFY_SILO_SHELLS]; ///< N, weight of the grains above the foot of a shell
     double shear[CLOD_VERIFY_SILO_SHELLS];  ///< N, on the shell, downwards
     double normal[CLOD_VERIFY_SILO_SHELLS]; ///< N, on the shell, outwards; from the overlaps
     double overlap;                         ///< largest, over the smaller radius
+    // while it runs
     int looks;
+    double time, momentum; ///< s, N s, upwards; at the last look before the measurement
 } clod_verify_silo;
 
 /** The joints below at least a shell of grains, from the top down; the last is the floor. */
@@ -41,7 +44,7 @@ bool clod_verify_silo_run(clod_verify_silo *self, const clod_verify_bench *bench
 
 // ---- measures of a silo that has run. Threads: pure. Test: tests/verify/test_silo.c
 
-/** What floor and wall carry together [N]. */
+/** What floor and wall carry together, less the inertia [N]: the weight. */
 double clod_verify_silo_carried(const clod_verify_silo *self);
 
 /** Coefficient of friction of the wall: shear over normal force of all shells. */
