@@ -77,7 +77,7 @@ static const char CASE[] =
     "  height: 80 mm\n"
     "  grain_count: 1000\n"
     "  lid_damping: 0.05\n"
-    "  consolidation_stresses: [10 kPa, 25 kPa, 50 kPa, 100 kPa]\n"
+    "  consolidation_stresses: [10 kPa, 25 kPa, 50 kPa, 80 kPa]\n"
     "  fill_adhesion: 0 %%\n";
 
 static double number(const json_t *object, const char *key)

@@ -40,28 +40,32 @@ static bool check_silo(const clod_verify_bench *bench, const clod_verify_silo *o
                                    "%s: largest overlap over the radius [1]", of->name);
 }
 
-/** With friction: K, and the length of saturation beside what friction and K of the wall say.
- */
+/** K, of the filled silo and of those whose grains slip down the wall. */
+static bool check_ratio(const clod_verify_bench *bench, const clod_verify_silo *of,
+                        clod_status *status)
+{
+    const clod_verify_expect between = {0.5 * (1.0 + RANKINE), 0.5 * (1.0 - RANKINE), false,
+                                        "Rankine's active state at 30 deg to hydrostatic"};
+    return clod_verify_bench_check(bench, &between, clod_verify_silo_stress_ratio(of), status,
+                                   "%s: stress on the wall over the vertical one, K [1]",
+                                   of->name);
+}
+
+/** With friction: the length of saturation beside what friction and K of the wall say. */
 static bool check_length(const clod_verify_bench *bench, const clod_verify_silo *of,
                          clod_status *status)
 {
-    const double ratio = clod_verify_silo_stress_ratio(of);
     const double friction = clod_verify_silo_wall_friction(of);
+    const double length =
+        CLOD_VERIFY_SILO_DIAMETER / (4.0 * friction * clod_verify_silo_stress_ratio(of));
     const clod_verify_silo_profile joints = clod_verify_silo_joints(of);
     const double saturated =
         clod_verify_saturation_fit(joints.filled, joints.apparent, joints.count);
-    const clod_verify_expect between = {0.5 * (1.0 + RANKINE), 0.5 * (1.0 - RANKINE), false,
-                                        "Rankine's active state at 30 deg to hydrostatic"};
-    const clod_verify_expect same = {CLOD_VERIFY_SILO_DIAMETER / (4.0 * friction * ratio), 0.05,
-                                     true, SOURCE};
-    return clod_verify_bench_check(bench, &between, ratio, status,
-                                   "%s: stress on the wall over the vertical one, K [1]",
-                                   of->name) &&
-           clod_verify_bench_check(bench, &same, saturated / clod_verify_silo_line_weight(of),
-                                   status,
-                                   "%s: lambda of the fit beside D/(4 mu K) with mu = %.3f of "
-                                   "the wall [m]",
-                                   of->name, friction);
+    const clod_verify_expect same = {length, 0.05, true, SOURCE};
+    return clod_verify_bench_check(
+        bench, &same, saturated / clod_verify_silo_line_weight(of), status,
+        "%s: lambda of the fit beside D/(4 mu K) with mu = %.3f of the wall [m]", of->name,
+        friction);
 }
 
 /** Grains that do not roll slip: friction of the wall is that of its contacts. */
@@ -181,7 +185,7 @@ bool clod_verify_janssen(const clod_verify_bench *bench, clod_status *status)
     for (int k = 0; k < SILOS; k++) {
         silo[k] = SILO[k];
         if (!clod_verify_silo_run(&silo[k], bench, status) ||
-            !check_silo(bench, &silo[k], status) ||
+            !check_silo(bench, &silo[k], status) || !check_ratio(bench, &silo[k], status) ||
             (k != SMOOTH && !check_length(bench, &silo[k], status))) {
             return false;
         }

@@ -25,8 +25,8 @@ static double squares(const double *filled, const double *apparent, size_t count
 
 double clod_verify_saturation_fit(const double *filled, const double *apparent, size_t count)
 {
-    double largest = 0.0;
-    for (size_t i = 0; i < count; i++) {
+    double largest = filled[0];
+    for (size_t i = 1; i < count; i++) {
         largest = fmax(largest, filled[i]);
     }
     const double step = 2.0 * log(RANGE) / SCAN;

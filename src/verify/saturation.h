@@ -19,7 +19,7 @@ double clod_verify_saturation_at(double filled, double saturated);
 /**
  * The saturated mass of a law through points, by least squares of the apparent mass.
  *
- * @param filled    [count] > 0
+ * @param filled    [count] > 0; at least one
  * @param apparent  [count] not all above `filled`
  * @return          between 1/1000 and 1000 times the largest `filled`
  * Errors  none.   Threads  pure.   Test  tests/verify/test_saturation.c
