@@ -40,6 +40,9 @@ static const entry TESTS[] = {
     {"flow-function", clod_verify_flow_function, "uniaxial test: strength over consolidation",
      true},
     {"janssen", clod_verify_janssen, "silo: the wall carries part of the weight", true},
+    {"beverloo", clod_verify_beverloo, "discharge rate of a flat-bottomed silo", true},
+    {"repose", clod_verify_repose, "angle of repose against friction and rolling friction",
+     true},
 };
 #define TEST_COUNT (sizeof TESTS / sizeof *TESTS)
 

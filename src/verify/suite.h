@@ -27,3 +27,5 @@ clod_verify_test clod_verify_luding_collision;
 clod_verify_test clod_verify_eepa_cycle;
 clod_verify_test clod_verify_flow_function;
 clod_verify_test clod_verify_janssen;
+clod_verify_test clod_verify_beverloo;
+clod_verify_test clod_verify_repose;

@@ -1,0 +1,320 @@
+/**
+ * @file beverloo.c
+ * Discharge of a flat-bottomed silo: rate against orifice,
+ *
+ *     W = C rho_b sqrt(g) (D - k d)^(5/2)
+ *
+ * Source: Beverloo, Leniger & van de Velde, Chem. Eng. Sci. 15, 260 (1961); k 1.4 +- 0.1 for
+ * spheres and 1 to 2 at most, C 0.55 to 0.65: Nedderman, Statics and Kinematics of Granular
+ * Materials (1992), 10.2. The rate does not depend on a silo wider than 2.5 D and D + 30 d
+ * (Mankoc et al., Granular Matter 9, 407 (2007)): the silo is 25 d wide, 2.5 times the largest
+ * orifice, but not D + 30 d.
+ *
+ * The domain is periodic along z: what has fallen out comes down on top of the bed, so its
+ * height, 0.8 silo diameters, stays and the flow is steady.
+ */
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "analysis/fit.h"
+#include "base/memory.h"
+#include "verify/bed.h"
+#include "verify/suite.h"
+
+#define DIAMETER 5e-3                 ///< m, mean of the grains: d
+#define SILO_RADIUS (12.5 * DIAMETER) ///< m
+#define BOTTOM (-6.0 * DIAMETER)      ///< m, of the domain
+#define TOP (34.0 * DIAMETER)         ///< m, of the domain
+#define GATE (-1.0 * DIAMETER)        ///< m, the level below which a grain has left
+#define SLAB_LOW (3.0 * DIAMETER)     ///< m, between these the bulk density is taken
+#define SLAB_HIGH (13.0 * DIAMETER)
+#define GRAINS 11000
+#define FILL 0.25     ///< s
+#define OPENING 0.05  ///< s
+#define FLOW 1.0      ///< s
+#define UNSTEADY 0.2  ///< s of the flow that are left out
+#define INTERVAL 5e-3 ///< s between looks
+#define LOOKS 512
+#define BLOCKS 8
+#define GRAVITY 9.81 ///< m/s2
+#define K_SPHERES 1.4
+#define K_ERROR 0.1
+
+static const double ORIFICES[] = {5.0, 6.0, 7.0, 8.5, 10.0}; // d
+#define ORIFICE_COUNT (sizeof ORIFICES / sizeof *ORIFICES)
+
+static const char SOURCE[] = "Beverloo et al. 1961; Nedderman 1992";
+
+/** Discharge of one silo. */
+typedef struct discharge {
+    double *height;                  ///< m, [GRAINS] of each grain at the last look
+    double time[LOOKS], mass[LOOKS]; ///< s and kg discharged, since the orifice was opened
+    size_t count;
+    double gone;        ///< kg
+    double density;     ///< kg/m3, of the bed before
+    double overlap;     ///< largest of the bed before, over a radius
+    double rate, error; ///< kg/s, and its standard error
+} discharge;
+
+/** What all silos gave. */
+typedef struct silos {
+    discharge of[ORIFICE_COUNT];
+    double density; ///< kg/m3, mean
+    double overlap; ///< largest
+} silos;
+
+static void write_case(double orifice, char *text, size_t size)
+{
+    const double r = 0.5 * DIAMETER;
+    const double edge = 1.2 * SILO_RADIUS;
+    snprintf(
+        text, size,
+        "# Written by clod verify. What falls out of the silo comes down on top of the bed.\n"
+        "title: Discharge of a flat-bottomed silo, orifice of %g grains\n"
+        "domain: {min: [%g m, %g m, %g m], max: [%g m, %g m, %g m],\n"
+        "         periodic: [false, false, true]}\n"
+        "materials:\n"
+        "  glass: {density: 2500 kg/m3, youngs_modulus: 10 MPa, poissons_ratio: 0.25}\n"
+        "contacts:\n"
+        "  default: {law: hertz, restitution: 0.5, friction: 0.5}\n"
+        "grains:\n"
+        "  - material: glass\n"
+        "    count: %d\n"
+        "    radius: {distribution: uniform, min: %g m, max: %g m}\n"
+        "    region: {annulus: {outer_radius: %g m, height: %g m}}\n"
+        "walls:\n"
+        "  silo:\n"
+        "    material: glass\n"
+        "    shapes:\n"
+        "      - cylinder: {foot: [0 m, 0 m, 0 m], axis: [0, 0, 1], radius: %g m, "
+        "length: %g m, side: inside}\n"
+        "      - annulus: {center: [0 m, 0 m, 0 m], normal: [0, 0, 1], inner_radius: %g m, "
+        "outer_radius: %g m}\n"
+        "  gate:\n"
+        "    material: glass\n"
+        "    shapes: [{disc: {center: [0 m, 0 m, 0 m], normal: [0, 0, 1], radius: %g m}}]\n"
+        "stages:\n"
+        "  - {name: fill, duration: %g s}\n"
+        "  - {name: open, duration: %g s, walls: {gate: {velocity: [%g m/s, 0 m/s, 0 m/s]}}}\n"
+        "  - {name: flow, duration: %g s, walls: {gate: {velocity: [0 m/s, 0 m/s, 0 m/s]}}}\n"
+        "output: {series_interval: %g s, snapshot_interval: 0.1 s}\n",
+        orifice / DIAMETER, -edge - orifice, -edge, BOTTOM, edge + orifice, edge, TOP, GRAINS,
+        0.9 * r, 1.1 * r, SILO_RADIUS, TOP - r, SILO_RADIUS, TOP, 0.5 * orifice, SILO_RADIUS,
+        0.5 * orifice, FILL, OPENING, 1.5 * orifice / OPENING, FLOW, INTERVAL);
+}
+
+/** Mass of the grains whose centres lie in a slab of the bed, over its volume [kg/m3]. */
+static double bulk_density(const clod_grains *grains)
+{
+    double mass = 0.0;
+    for (size_t g = 0; g < grains->count; g++) {
+        const double z = grains->place[g][2];
+        mass += z >= SLAB_LOW && z < SLAB_HIGH ? grains->motion[g][3] : 0.0;
+    }
+    return mass / (M_PI * SILO_RADIUS * SILO_RADIUS * (SLAB_HIGH - SLAB_LOW));
+}
+
+/** Follow every grain through the periodic height; what sinks below the gate has left. */
+static void follow(discharge *self, const clod_state *state)
+{
+    const clod_grains *grains = &state->grains;
+    for (size_t g = 0; g < grains->count; g++) {
+        double *last = &self->height[grains->id[g]];
+        const double now =
+            *last + clod_domain_separation(&state->domain, 2, grains->place[g][2], *last);
+        self->gone += *last > GATE && now <= GATE ? grains->motion[g][3] : 0.0;
+        *last = grains->place[g][2];
+    }
+}
+
+static bool look(void *context, clod_verify_bed *now, clod_status *status)
+{
+    discharge *self = context;
+    const clod_grains *grains = &now->state.grains;
+    if (now->state.step == 0) {
+        for (size_t g = 0; g < grains->count; g++) {
+            self->height[grains->id[g]] = grains->place[g][2];
+        }
+    }
+    follow(self, &now->state);
+    if (clod_verify_bed_is_in(now, "fill")) {
+        self->density = bulk_density(grains);
+        return clod_verify_bed_overlap(now, &self->overlap, status);
+    }
+    const double since = now->state.time - FILL - OPENING;
+    if (since >= 0.0 && self->count < LOOKS) {
+        self->time[self->count] = since;
+        self->mass[self->count++] = self->gone;
+    }
+    return true;
+}
+
+/** Rate of the steady part, and its error from the scatter between blocks of it. */
+static void evaluate(discharge *self)
+{
+    size_t first = 0;
+    while (first < self->count && self->time[first] < UNSTEADY) {
+        first++;
+    }
+    const double *t = self->time + first;
+    const double *m = self->mass + first;
+    const size_t count = self->count - first;
+    self->rate = clod_fit_line(t, m, count).slope;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (size_t b = 0; b < BLOCKS; b++) {
+        const size_t begin = b * (count - 1) / BLOCKS;
+        const size_t end = (b + 1) * (count - 1) / BLOCKS;
+        const double rate = (m[end] - m[begin]) / (t[end] - t[begin]);
+        sum += rate / BLOCKS;
+        squares += rate * rate / BLOCKS;
+    }
+    self->error = sqrt(fmax(squares - sum * sum, 0.0) / (BLOCKS - 1));
+}
+
+static bool run_silo(const clod_verify_bench *bench, double orifice, discharge *self,
+                     clod_status *status)
+{
+    char text[4096];
+    char name[32];
+    self->height = clod_memory_alloc(GRAINS, sizeof *self->height);
+    if (self->height == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for %d grains", GRAINS);
+    }
+    snprintf(name, sizeof name, "beverloo-%g", orifice);
+    write_case(orifice * DIAMETER, text, sizeof text);
+    const bool ok = clod_verify_bed_run(bench, name, text, look, self, status);
+    clod_memory_free(self->height);
+    self->height = NULL;
+    evaluate(self);
+    return ok;
+}
+
+/** Exponent of W against D - k d, and its standard error: of the points about their line, or of
+ * the rates, whichever is larger. */
+static double exponent(const silos *self, double k, double *error)
+{
+    double x[ORIFICE_COUNT];
+    double y[ORIFICE_COUNT];
+    for (size_t o = 0; o < ORIFICE_COUNT; o++) {
+        x[o] = log(ORIFICES[o] - k);
+        y[o] = log(self->of[o].rate);
+    }
+    const clod_fit line = clod_fit_line(x, y, ORIFICE_COUNT);
+    double variance = 0.0;
+    for (size_t o = 0; o < ORIFICE_COUNT; o++) {
+        const double weight = (x[o] - line.mean_x) / line.sxx;
+        const double relative = self->of[o].error / self->of[o].rate;
+        variance += weight * weight * relative * relative;
+    }
+    const double about = line.residual / (ORIFICE_COUNT - 2) / line.sxx;
+    *error = sqrt(fmax(about, variance));
+    return line.slope;
+}
+
+static bool check_exponent(const clod_verify_bench *bench, const silos *self,
+                           clod_status *status)
+{
+    double error;
+    double ignored;
+    const double found = exponent(self, K_SPHERES, &error);
+    const double low = exponent(self, K_SPHERES + K_ERROR, &ignored);
+    const double high = exponent(self, K_SPHERES - K_ERROR, &ignored);
+    const clod_verify_expect expect = {2.5, 2.0 * error + 0.5 * fabs(high - low), false,
+                                       SOURCE};
+    return clod_verify_bench_check(bench, &expect, found, status,
+                                   "exponent of W over D - %g d; two standard errors and k "
+                                   "+- %g",
+                                   K_SPHERES, K_ERROR);
+}
+
+/** W^(2/5) over D: its line gives k and C, its bend must be none. */
+static bool check_line(const clod_verify_bench *bench, const silos *self, clod_fit *line,
+                       clod_status *status)
+{
+    double root[ORIFICE_COUNT];
+    double bend_error;
+    for (size_t o = 0; o < ORIFICE_COUNT; o++) {
+        root[o] = pow(self->of[o].rate, 0.4);
+    }
+    *line = clod_fit_line(ORIFICES, root, ORIFICE_COUNT);
+    const double bend = clod_fit_sag(line, ORIFICES, root, ORIFICE_COUNT, &bend_error);
+    const double c = pow(line->slope / DIAMETER, 2.5) / (self->density * sqrt(GRAVITY));
+    const clod_verify_expect none = {0.0, bend_error, false, SOURCE};
+    const clod_verify_expect k = {1.5, 0.5, false, SOURCE};
+    const clod_verify_expect coefficient = {0.6, 0.05, false, SOURCE};
+    return clod_verify_bench_check(bench, &none, bend, status,
+                                   "bend of W^(2/5) over D [(kg/s)^(2/5)], 95 %% interval") &&
+           clod_verify_bench_check(bench, &k, -line->intercept / line->slope, status,
+                                   "k, where W^(2/5) over D is zero") &&
+           clod_verify_bench_check(bench, &coefficient, c, status,
+                                   "C, from the slope of W^(2/5) over D");
+}
+
+static bool check_bed(const clod_verify_bench *bench, const silos *self, clod_status *status)
+{
+    const clod_verify_expect stiff = {0.0, 0.01, false, "hard grains"};
+    return clod_verify_bench_check(bench, &stiff, self->overlap, status,
+                                   "largest overlap of the bed at rest, over a radius");
+}
+
+static bool write_rates(const clod_verify_bench *bench, const silos *self, const clod_fit *line,
+                        clod_status *status)
+{
+    clod_verify_curve *curve = clod_verify_curve_open(
+        bench, "beverloo-rates", "orifice over grain diameter,clod: rate [kg/s],Beverloo",
+        status);
+    for (size_t o = 0; curve != NULL && o < ORIFICE_COUNT; o++) {
+        const double on_line = pow(line->intercept + line->slope * ORIFICES[o], 2.5);
+        const double row[] = {ORIFICES[o], self->of[o].rate, on_line};
+        clod_verify_curve_add(curve, row, 3);
+    }
+    return curve != NULL && clod_verify_curve_close(&curve, status);
+}
+
+static bool write_masses(const clod_verify_bench *bench, const silos *self, clod_status *status)
+{
+    char header[256] = "time [s]";
+    for (size_t o = 0; o < ORIFICE_COUNT; o++) {
+        const size_t used = strlen(header);
+        snprintf(header + used, sizeof header - used, ",clod: mass [kg] from D = %g d",
+                 ORIFICES[o]);
+    }
+    clod_verify_curve *curve = clod_verify_curve_open(bench, "beverloo-masses", header, status);
+    for (size_t k = 0; curve != NULL && k < self->of[0].count; k++) {
+        double row[1 + ORIFICE_COUNT] = {self->of[0].time[k]};
+        for (size_t o = 0; o < ORIFICE_COUNT; o++) {
+            row[1 + o] = self->of[o].mass[k];
+        }
+        clod_verify_curve_add(curve, row, 1 + ORIFICE_COUNT);
+    }
+    return curve != NULL && clod_verify_curve_close(&curve, status);
+}
+
+static bool run_silos(const clod_verify_bench *bench, silos *self, clod_status *status)
+{
+    for (size_t o = 0; o < ORIFICE_COUNT; o++) {
+        if (!run_silo(bench, ORIFICES[o], &self->of[o], status)) {
+            return false;
+        }
+        self->density += self->of[o].density / ORIFICE_COUNT;
+        self->overlap = fmax(self->overlap, self->of[o].overlap);
+    }
+    clod_fit line;
+    return check_exponent(bench, self, status) && check_line(bench, self, &line, status) &&
+           check_bed(bench, self, status) && write_rates(bench, self, &line, status) &&
+           write_masses(bench, self, status);
+}
+
+bool clod_verify_beverloo(const clod_verify_bench *bench, clod_status *status)
+{
+    silos *self = clod_memory_alloc(1, sizeof *self);
+    if (self == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the silos");
+    }
+    const bool ok = run_silos(bench, self, status);
+    clod_memory_free(self);
+    return ok;
+}
