@@ -21,6 +21,7 @@
 #include "analysis/fit.h"
 #include "base/memory.h"
 #include "verify/bed.h"
+#include "verify/rate.h"
 #include "verify/suite.h"
 
 #define DIAMETER 5e-3                 ///< m, mean of the grains: d
@@ -37,7 +38,6 @@
 #define UNSTEADY 0.2  ///< s of the flow that are left out
 #define INTERVAL 5e-3 ///< s between looks
 #define LOOKS 512
-#define BLOCKS 8
 #define GRAVITY 9.81 ///< m/s2
 #define K_SPHERES 1.4
 #define K_ERROR 0.1
@@ -52,15 +52,15 @@ typedef struct discharge {
     double *height;                  ///< m, [GRAINS] of each grain at the last look
     double time[LOOKS], mass[LOOKS]; ///< s and kg discharged, since the orifice was opened
     size_t count;
-    double gone;        ///< kg
-    double density;     ///< kg/m3, of the bed before
-    double overlap;     ///< largest of the bed before, over a radius
-    double rate, error; ///< kg/s, and its standard error
+    double gone;    ///< kg
+    double density; ///< kg/m3, of the bed before
+    double overlap; ///< largest of the bed before, over a radius
 } discharge;
 
 /** What all silos gave. */
 typedef struct silos {
     discharge of[ORIFICE_COUNT];
+    clod_verify_rate rate[ORIFICE_COUNT];
     double density; ///< kg/m3, mean
     double overlap; ///< largest
 } silos;
@@ -151,27 +151,15 @@ static bool look(void *context, clod_verify_bed *now, clod_status *status)
     return true;
 }
 
-/** Rate of the steady part, and its error from the scatter between blocks of it. */
-static void evaluate(discharge *self)
+/** Rate of the steady part. */
+static double evaluate(const discharge *self, double *error)
 {
     size_t first = 0;
     while (first < self->count && self->time[first] < UNSTEADY) {
         first++;
     }
-    const double *t = self->time + first;
-    const double *m = self->mass + first;
-    const size_t count = self->count - first;
-    self->rate = clod_fit_line(t, m, count).slope;
-    double sum = 0.0;
-    double squares = 0.0;
-    for (size_t b = 0; b < BLOCKS; b++) {
-        const size_t begin = b * (count - 1) / BLOCKS;
-        const size_t end = (b + 1) * (count - 1) / BLOCKS;
-        const double rate = (m[end] - m[begin]) / (t[end] - t[begin]);
-        sum += rate / BLOCKS;
-        squares += rate * rate / BLOCKS;
-    }
-    self->error = sqrt(fmax(squares - sum * sum, 0.0) / (BLOCKS - 1));
+    return clod_verify_rate_of(self->time + first, self->mass + first, self->count - first,
+                               error);
 }
 
 static bool run_silo(const clod_verify_bench *bench, double orifice, discharge *self,
@@ -188,30 +176,7 @@ static bool run_silo(const clod_verify_bench *bench, double orifice, discharge *
     const bool ok = clod_verify_bed_run(bench, name, text, look, self, status);
     clod_memory_free(self->height);
     self->height = NULL;
-    evaluate(self);
     return ok;
-}
-
-/** Exponent of W against D - k d, and its standard error: of the points about their line, or of
- * the rates, whichever is larger. */
-static double exponent(const silos *self, double k, double *error)
-{
-    double x[ORIFICE_COUNT];
-    double y[ORIFICE_COUNT];
-    for (size_t o = 0; o < ORIFICE_COUNT; o++) {
-        x[o] = log(ORIFICES[o] - k);
-        y[o] = log(self->of[o].rate);
-    }
-    const clod_fit line = clod_fit_line(x, y, ORIFICE_COUNT);
-    double variance = 0.0;
-    for (size_t o = 0; o < ORIFICE_COUNT; o++) {
-        const double weight = (x[o] - line.mean_x) / line.sxx;
-        const double relative = self->of[o].error / self->of[o].rate;
-        variance += weight * weight * relative * relative;
-    }
-    const double about = line.residual / (ORIFICE_COUNT - 2) / line.sxx;
-    *error = sqrt(fmax(about, variance));
-    return line.slope;
 }
 
 static bool check_exponent(const clod_verify_bench *bench, const silos *self,
@@ -219,9 +184,12 @@ static bool check_exponent(const clod_verify_bench *bench, const silos *self,
 {
     double error;
     double ignored;
-    const double found = exponent(self, K_SPHERES, &error);
-    const double low = exponent(self, K_SPHERES + K_ERROR, &ignored);
-    const double high = exponent(self, K_SPHERES - K_ERROR, &ignored);
+    const double found =
+        clod_verify_rate_exponent(self->rate, ORIFICE_COUNT, K_SPHERES, &error);
+    const double low =
+        clod_verify_rate_exponent(self->rate, ORIFICE_COUNT, K_SPHERES + K_ERROR, &ignored);
+    const double high =
+        clod_verify_rate_exponent(self->rate, ORIFICE_COUNT, K_SPHERES - K_ERROR, &ignored);
     const clod_verify_expect expect = {2.5, 2.0 * error + 0.5 * fabs(high - low), false,
                                        SOURCE};
     return clod_verify_bench_check(bench, &expect, found, status,
@@ -237,7 +205,7 @@ static bool check_line(const clod_verify_bench *bench, const silos *self, clod_f
     double root[ORIFICE_COUNT];
     double bend_error;
     for (size_t o = 0; o < ORIFICE_COUNT; o++) {
-        root[o] = pow(self->of[o].rate, 0.4);
+        root[o] = pow(self->rate[o].value, 0.4);
     }
     *line = clod_fit_line(ORIFICES, root, ORIFICE_COUNT);
     const double bend = clod_fit_sag(line, ORIFICES, root, ORIFICE_COUNT, &bend_error);
@@ -268,7 +236,7 @@ static bool write_rates(const clod_verify_bench *bench, const silos *self, const
         status);
     for (size_t o = 0; curve != NULL && o < ORIFICE_COUNT; o++) {
         const double on_line = pow(line->intercept + line->slope * ORIFICES[o], 2.5);
-        const double row[] = {ORIFICES[o], self->of[o].rate, on_line};
+        const double row[] = {ORIFICES[o], self->rate[o].value, on_line};
         clod_verify_curve_add(curve, row, 3);
     }
     return curve != NULL && clod_verify_curve_close(&curve, status);
@@ -299,6 +267,8 @@ static bool run_silos(const clod_verify_bench *bench, silos *self, clod_status *
         if (!run_silo(bench, ORIFICES[o], &self->of[o], status)) {
             return false;
         }
+        self->rate[o].orifice = ORIFICES[o];
+        self->rate[o].value = evaluate(&self->of[o], &self->rate[o].error);
         self->density += self->of[o].density / ORIFICE_COUNT;
         self->overlap = fmax(self->overlap, self->of[o].overlap);
     }
