@@ -11,7 +11,7 @@
  * orifice, but not D + 30 d.
  *
  * The domain is periodic along z: what has fallen out comes down on top of the bed, so its
- * height, 0.8 silo diameters, stays and the flow is steady.
+ * height, 16 d, stays and the flow is steady.
  */
 
 #include <math.h>
@@ -27,11 +27,12 @@
 #define DIAMETER 5e-3                 ///< m, mean of the grains: d
 #define SILO_RADIUS (12.5 * DIAMETER) ///< m
 #define BOTTOM (-6.0 * DIAMETER)      ///< m, of the domain
-#define TOP (34.0 * DIAMETER)         ///< m, of the domain
-#define GATE (-1.0 * DIAMETER)        ///< m, the level below which a grain has left
+#define TOP (29.0 * DIAMETER)         ///< m, of the domain
+#define GATE (-0.1 * DIAMETER)        ///< m, where it is: clear of grains on the floor
+#define LEFT (-1.0 * DIAMETER)        ///< m, the level below which a grain has left
 #define SLAB_LOW (3.0 * DIAMETER)     ///< m, between these the bulk density is taken
 #define SLAB_HIGH (13.0 * DIAMETER)
-#define GRAINS 11000
+#define GRAINS 9000
 #define FILL 0.25     ///< s
 #define OPENING 0.05  ///< s
 #define FLOW 1.0      ///< s
@@ -42,8 +43,8 @@
 #define K_SPHERES 1.4
 #define K_ERROR 0.1
 
-static const double ORIFICES[] = {5.0, 6.0, 7.0, 8.5, 10.0}; // d
-#define ORIFICE_COUNT (sizeof ORIFICES / sizeof *ORIFICES)
+#define ORIFICE_COUNT 5
+static const double ORIFICES[ORIFICE_COUNT] = {5.0, 6.0, 7.0, 8.5, 10.0}; // d
 
 static const char SOURCE[] = "Beverloo et al. 1961; Nedderman 1992";
 
@@ -76,7 +77,7 @@ static void write_case(double orifice, char *text, size_t size)
         "domain: {min: [%g m, %g m, %g m], max: [%g m, %g m, %g m],\n"
         "         periodic: [false, false, true]}\n"
         "materials:\n"
-        "  glass: {density: 2500 kg/m3, youngs_modulus: 10 MPa, poissons_ratio: 0.25}\n"
+        "  glass: {density: 2500 kg/m3, youngs_modulus: 5 MPa, poissons_ratio: 0.25}\n"
         "contacts:\n"
         "  default: {law: hertz, restitution: 0.5, friction: 0.5}\n"
         "grains:\n"
@@ -94,7 +95,7 @@ static void write_case(double orifice, char *text, size_t size)
         "outer_radius: %g m}\n"
         "  gate:\n"
         "    material: glass\n"
-        "    shapes: [{disc: {center: [0 m, 0 m, 0 m], normal: [0, 0, 1], radius: %g m}}]\n"
+        "    shapes: [{disc: {center: [0 m, 0 m, %g m], normal: [0, 0, 1], radius: %g m}}]\n"
         "stages:\n"
         "  - {name: fill, duration: %g s}\n"
         "  - {name: open, duration: %g s, walls: {gate: {velocity: [%g m/s, 0 m/s, 0 m/s]}}}\n"
@@ -102,7 +103,7 @@ static void write_case(double orifice, char *text, size_t size)
         "output: {series_interval: %g s, snapshot_interval: 0.1 s}\n",
         orifice / DIAMETER, -edge - orifice, -edge, BOTTOM, edge + orifice, edge, TOP, GRAINS,
         0.9 * r, 1.1 * r, SILO_RADIUS, TOP - r, SILO_RADIUS, TOP, 0.5 * orifice, SILO_RADIUS,
-        0.5 * orifice, FILL, OPENING, 1.5 * orifice / OPENING, FLOW, INTERVAL);
+        GATE, 0.5 * orifice, FILL, OPENING, 1.5 * orifice / OPENING, FLOW, INTERVAL);
 }
 
 /** Mass of the grains whose centres lie in a slab of the bed, over its volume [kg/m3]. */
@@ -116,7 +117,7 @@ static double bulk_density(const clod_grains *grains)
     return mass / (M_PI * SILO_RADIUS * SILO_RADIUS * (SLAB_HIGH - SLAB_LOW));
 }
 
-/** Follow every grain through the periodic height; what sinks below the gate has left. */
+/** Follow every grain through the periodic height; what sinks below LEFT has left. */
 static void follow(discharge *self, const clod_state *state)
 {
     const clod_grains *grains = &state->grains;
@@ -124,7 +125,7 @@ static void follow(discharge *self, const clod_state *state)
         double *last = &self->height[grains->id[g]];
         const double now =
             *last + clod_domain_separation(&state->domain, 2, grains->place[g][2], *last);
-        self->gone += *last > GATE && now <= GATE ? grains->motion[g][3] : 0.0;
+        self->gone += *last > LEFT && now <= LEFT ? grains->motion[g][3] : 0.0;
         *last = grains->place[g][2];
     }
 }
@@ -223,7 +224,7 @@ static bool check_line(const clod_verify_bench *bench, const silos *self, clod_f
 
 static bool check_bed(const clod_verify_bench *bench, const silos *self, clod_status *status)
 {
-    const clod_verify_expect stiff = {0.0, 0.01, false, "hard grains"};
+    const clod_verify_expect stiff = {0.0, 0.02, false, "hard grains"};
     return clod_verify_bench_check(bench, &stiff, self->overlap, status,
                                    "largest overlap of the bed at rest, over a radius");
 }

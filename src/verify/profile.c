@@ -35,9 +35,9 @@ double clod_verify_profile_angle(const clod_verify_profile *self, double least, 
     while (count < self->count && self->height[count] >= least) {
         count++;
     }
-    *error = NAN;
+    *error = nan("");
     if (count < 4) {
-        return NAN;
+        return nan("");
     }
     const clod_fit line = clod_fit_line(self->x, self->height, count);
     const double variance = line.residual / (double)(count - 2) / line.sxx;

@@ -19,6 +19,10 @@ class Verify(clod.Case):
         self.assertEqual(len(names), len(set(names)))
         for line in done.stdout.splitlines():
             self.assertGreater(len(line.split()), 2, "every test says what it looks at")
+        slow = [line.split()[0] for line in done.stdout.splitlines() if line.endswith("(slow)")]
+        for name in ("beverloo", "repose"):
+            self.assertIn(name, slow, "a bed of minutes is not run unasked")
+        self.assertNotIn(QUICK, slow)
 
     def test_unknown_name(self):
         done = clod.run("verify", "-o", self.path("out"), "chung-oi-2")
