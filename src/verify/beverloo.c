@@ -7,11 +7,12 @@
  * Source: Beverloo, Leniger & van de Velde, Chem. Eng. Sci. 15, 260 (1961); k 1.4 +- 0.1 for
  * spheres and 1 to 2 at most, C 0.55 to 0.65: Nedderman, Statics and Kinematics of Granular
  * Materials (1992), 10.2. The rate does not depend on a silo wider than 2.5 D and D + 30 d
- * (Mankoc et al., Granular Matter 9, 407 (2007)): the silo is 25 d wide, 2.5 times the largest
- * orifice, but not D + 30 d.
+ * (Mankoc et al., Granular Matter 9, 407 (2007)), nor on a bed higher than 2 D: silos are 2.5 D
+ * and D + 15 d wide at least, beds 2.4 D high, so that the rain of what has fallen out does not
+ * reach down to the orifice.
  *
  * The domain is periodic along z: what has fallen out comes down on top of the bed, so its
- * height, 16 d, stays and the flow is steady.
+ * height stays and the flow is steady.
  */
 
 #include <math.h>
@@ -25,16 +26,13 @@
 #include "verify/rate.h"
 #include "verify/suite.h"
 
-#define DIAMETER 5e-3                 ///< m, mean of the grains: d
-#define SILO_RADIUS (12.5 * DIAMETER) ///< m
-#define BOTTOM (-6.0 * DIAMETER)      ///< m, of the domain
-#define TOP (29.0 * DIAMETER)         ///< m, of the domain
-#define GATE (-0.1 * DIAMETER)        ///< m, where it is: clear of grains on the floor
-#define LEFT (-1.0 * DIAMETER)        ///< m, the level below which a grain has left
-#define SLAB_LOW (3.0 * DIAMETER)     ///< m, between these the bulk density is taken
-#define SLAB_HIGH (13.0 * DIAMETER)
-#define GRAINS 9000
-#define FILL 0.25     ///< s
+#define DIAMETER 5e-3             ///< m, mean of the grains: d
+#define BOTTOM (-6.0 * DIAMETER)  ///< m, of the domain
+#define GATE (-0.1 * DIAMETER)    ///< m, where it is: clear of grains on the floor
+#define LEFT (-1.0 * DIAMETER)    ///< m, the level below which a grain has left
+#define SLAB_LOW (3.0 * DIAMETER) ///< m, between these the bulk density is taken
+#define SLAB_HIGH (12.0 * DIAMETER)
+#define FILL 0.3      ///< s
 #define OPENING 0.05  ///< s
 #define FLOW 1.0      ///< s
 #define UNSTEADY 0.2  ///< s of the flow that are left out
@@ -45,13 +43,24 @@
 #define K_ERROR 0.1
 
 #define ORIFICE_COUNT 5
-static const double ORIFICES[ORIFICE_COUNT] = {5.0, 6.0, 7.0, 8.5, 10.0}; // d
+
+/** A silo and its bed, in grain diameters. */
+typedef struct silo {
+    double orifice, width, height;
+} silo;
+
+static const silo SILOS[ORIFICE_COUNT] = {{5.0, 20.0, 16.0},
+                                          {6.0, 21.0, 16.0},
+                                          {7.5, 22.5, 18.0},
+                                          {9.5, 24.5, 23.0},
+                                          {12.0, 30.0, 29.0}};
 
 static const char SOURCE[] = "Beverloo et al. 1961; Nedderman 1992";
 
 /** Discharge of one silo. */
 typedef struct discharge {
-    double *height;                  ///< m, [GRAINS] of each grain at the last look
+    double radius;                   ///< m, of the silo
+    double *height;                  ///< m, by id, of each grain at the last look
     double time[LOOKS], mass[LOOKS]; ///< s and kg discharged, since the orifice was opened
     size_t count;
     double gone;    ///< kg
@@ -67,10 +76,19 @@ typedef struct silos {
     double overlap; ///< largest of the means
 } silos;
 
-static void write_case(double orifice, char *text, size_t size)
+/** Grains that fill the bed at a solid fraction of 0.6. */
+static int grain_count(const silo *self)
+{
+    return (int)(0.9 * self->width * self->width * self->height);
+}
+
+static void write_case(const silo *self, char *text, size_t size)
 {
     const double r = 0.5 * DIAMETER;
-    const double edge = 1.2 * SILO_RADIUS;
+    const double orifice = self->orifice * DIAMETER;
+    const double radius = 0.5 * self->width * DIAMETER;
+    const double top = 1.7 * self->height * DIAMETER; // room for a loose filling
+    const double edge = 1.2 * radius;
     snprintf(
         text, size,
         "# Written by clod verify. What falls out of the silo comes down on top of the bed.\n"
@@ -78,7 +96,7 @@ static void write_case(double orifice, char *text, size_t size)
         "domain: {min: [%g m, %g m, %g m], max: [%g m, %g m, %g m],\n"
         "         periodic: [false, false, true]}\n"
         "materials:\n"
-        "  glass: {density: 2500 kg/m3, youngs_modulus: 5 MPa, poissons_ratio: 0.25}\n"
+        "  glass: {density: 2500 kg/m3, youngs_modulus: 8 MPa, poissons_ratio: 0.25}\n"
         "contacts:\n"
         "  default: {law: hertz, restitution: 0.5, friction: 0.5}\n"
         "grains:\n"
@@ -102,20 +120,20 @@ static void write_case(double orifice, char *text, size_t size)
         "  - {name: open, duration: %g s, walls: {gate: {velocity: [%g m/s, 0 m/s, 0 m/s]}}}\n"
         "  - {name: flow, duration: %g s, walls: {gate: {velocity: [0 m/s, 0 m/s, 0 m/s]}}}\n"
         "output: {series_interval: %g s, snapshot_interval: 0.1 s}\n",
-        orifice / DIAMETER, -edge - orifice, -edge, BOTTOM, edge + orifice, edge, TOP, GRAINS,
-        0.9 * r, 1.1 * r, SILO_RADIUS, TOP - r, SILO_RADIUS, TOP, 0.5 * orifice, SILO_RADIUS,
-        GATE, 0.5 * orifice, FILL, OPENING, 1.5 * orifice / OPENING, FLOW, INTERVAL);
+        self->orifice, -edge - orifice, -edge, BOTTOM, edge + orifice, edge, top,
+        grain_count(self), 0.9 * r, 1.1 * r, radius, top - r, radius, top, 0.5 * orifice,
+        radius, GATE, 0.5 * orifice, FILL, OPENING, 1.5 * orifice / OPENING, FLOW, INTERVAL);
 }
 
 /** Mass of the grains whose centres lie in a slab of the bed, over its volume [kg/m3]. */
-static double bulk_density(const clod_grains *grains)
+static double bulk_density(const clod_grains *grains, double radius)
 {
     double mass = 0.0;
     for (size_t g = 0; g < grains->count; g++) {
         const double z = grains->place[g][2];
         mass += z >= SLAB_LOW && z < SLAB_HIGH ? grains->motion[g][3] : 0.0;
     }
-    return mass / (M_PI * SILO_RADIUS * SILO_RADIUS * (SLAB_HIGH - SLAB_LOW));
+    return mass / (M_PI * radius * radius * (SLAB_HIGH - SLAB_LOW));
 }
 
 /** Follow every grain through the periodic height; what sinks below LEFT has left. */
@@ -142,7 +160,7 @@ static bool look(void *context, clod_verify_bed *now, clod_status *status)
     }
     follow(self, &now->state);
     if (clod_verify_bed_is_in(now, "fill")) {
-        self->density = bulk_density(grains);
+        self->density = bulk_density(grains, self->radius);
         const bool ok = clod_step_export(&now->step, status);
         self->overlap = clod_measure_contacts_of(&now->state).mean_overlap;
         return ok;
@@ -166,17 +184,19 @@ static double evaluate(const discharge *self, double *error)
                                error);
 }
 
-static bool run_silo(const clod_verify_bench *bench, double orifice, discharge *self,
+static bool run_silo(const clod_verify_bench *bench, const silo *of, discharge *self,
                      clod_status *status)
 {
     char text[4096];
     char name[32];
-    self->height = clod_memory_alloc(GRAINS, sizeof *self->height);
+    self->radius = 0.5 * of->width * DIAMETER;
+    self->height = clod_memory_alloc((size_t)grain_count(of), sizeof *self->height);
     if (self->height == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for %d grains", GRAINS);
+        return clod_status_fail(status, CLOD_FAILED, "no memory for %d grains",
+                                grain_count(of));
     }
-    snprintf(name, sizeof name, "beverloo-%g", orifice);
-    write_case(orifice * DIAMETER, text, sizeof text);
+    snprintf(name, sizeof name, "beverloo-%g", of->orifice);
+    write_case(of, text, sizeof text);
     const bool ok = clod_verify_bed_run(bench, name, text, look, self, status);
     clod_memory_free(self->height);
     self->height = NULL;
@@ -206,13 +226,15 @@ static bool check_exponent(const clod_verify_bench *bench, const silos *self,
 static bool check_line(const clod_verify_bench *bench, const silos *self, clod_fit *line,
                        clod_status *status)
 {
+    double orifice[ORIFICE_COUNT];
     double root[ORIFICE_COUNT];
     double bend_error;
     for (size_t o = 0; o < ORIFICE_COUNT; o++) {
+        orifice[o] = SILOS[o].orifice;
         root[o] = pow(self->rate[o].value, 0.4);
     }
-    *line = clod_fit_line(ORIFICES, root, ORIFICE_COUNT);
-    const double bend = clod_fit_sag(line, ORIFICES, root, ORIFICE_COUNT, &bend_error);
+    *line = clod_fit_line(orifice, root, ORIFICE_COUNT);
+    const double bend = clod_fit_sag(line, orifice, root, ORIFICE_COUNT, &bend_error);
     const double c = pow(line->slope / DIAMETER, 2.5) / (self->density * sqrt(GRAVITY));
     const clod_verify_expect none = {0.0, bend_error, false, SOURCE};
     const clod_verify_expect k = {1.5, 0.5, false, SOURCE};
@@ -239,8 +261,8 @@ static bool write_rates(const clod_verify_bench *bench, const silos *self, const
         bench, "beverloo-rates", "orifice over grain diameter,clod: rate [kg/s],Beverloo",
         status);
     for (size_t o = 0; curve != NULL && o < ORIFICE_COUNT; o++) {
-        const double on_line = pow(line->intercept + line->slope * ORIFICES[o], 2.5);
-        const double row[] = {ORIFICES[o], self->rate[o].value, on_line};
+        const double on_line = pow(line->intercept + line->slope * SILOS[o].orifice, 2.5);
+        const double row[] = {SILOS[o].orifice, self->rate[o].value, on_line};
         clod_verify_curve_add(curve, row, 3);
     }
     return curve != NULL && clod_verify_curve_close(&curve, status);
@@ -252,7 +274,7 @@ static bool write_masses(const clod_verify_bench *bench, const silos *self, clod
     for (size_t o = 0; o < ORIFICE_COUNT; o++) {
         const size_t used = strlen(header);
         snprintf(header + used, sizeof header - used, ",clod: mass [kg] from D = %g d",
-                 ORIFICES[o]);
+                 SILOS[o].orifice);
     }
     clod_verify_curve *curve = clod_verify_curve_open(bench, "beverloo-masses", header, status);
     for (size_t k = 0; curve != NULL && k < self->of[0].count; k++) {
@@ -268,10 +290,10 @@ static bool write_masses(const clod_verify_bench *bench, const silos *self, clod
 static bool run_silos(const clod_verify_bench *bench, silos *self, clod_status *status)
 {
     for (size_t o = 0; o < ORIFICE_COUNT; o++) {
-        if (!run_silo(bench, ORIFICES[o], &self->of[o], status)) {
+        if (!run_silo(bench, &SILOS[o], &self->of[o], status)) {
             return false;
         }
-        self->rate[o].orifice = ORIFICES[o];
+        self->rate[o].orifice = SILOS[o].orifice;
         self->rate[o].value = evaluate(&self->of[o], &self->rate[o].error);
         self->density += self->of[o].density / ORIFICE_COUNT;
         self->overlap = fmax(self->overlap, self->of[o].overlap);

@@ -1,6 +1,6 @@
 /**
  * @file repose.c
- * Angle of repose against friction and rolling friction: grains behind a gate on a ledge, 16
+ * Angle of repose against friction and rolling friction: grains behind a gate on a ledge, 20
  * grains long and rough; the gate is lifted, what lies too steep drains over the edge, and the
  * slope that stays is measured by regression. Periodic across, so walls hold nothing; gate and
  * back wall are without friction.
@@ -21,17 +21,17 @@
 #include "verify/suite.h"
 
 #define DIAMETER 5e-3            ///< m, mean of the grains: d
-#define LENGTH (16.0 * DIAMETER) ///< m, of the ledge, along x
-#define DEPTH (6.0 * DIAMETER)   ///< m, of the period, along y
-#define COLUMN (25.0 * DIAMETER) ///< m, height up to which grains are put
+#define LENGTH (20.0 * DIAMETER) ///< m, of the ledge, along x
+#define DEPTH (8.0 * DIAMETER)   ///< m, of the period, along y
+#define COLUMN (30.0 * DIAMETER) ///< m, height up to which grains are put
 #define PIT (16.0 * DIAMETER)    ///< m, how deep it is
 #define WIDE (40.0 * DIAMETER)   ///< m, how wide the pit is
 #define BAR (0.5 * DIAMETER)     ///< m, across the bars of the ledge, and their height
 #define PITCH (1.5 * DIAMETER)   ///< m, from bar to bar
-#define BARS 10
-#define COLUMNS 11             ///< of the slope, one grain wide, from x = 2 d
+#define BARS 13
+#define COLUMNS 15             ///< of the slope, one grain wide, from x = 2 d
 #define LEAST (2.0 * DIAMETER) ///< m, lower columns are the foot of the heap
-#define GRAINS 1480
+#define GRAINS 3100
 #define LOOKS 11    ///< over 0.1 s
 #define LIFT 0.5    ///< m/s, of the gate
 #define FRICTIONS 3 ///< values
@@ -39,10 +39,10 @@
 #define SEEDS 2
 #define SIGNIFICANT 2.0 ///< standard errors
 
-static const double FRICTION[FRICTIONS] = {0.3, 0.5, 0.8};
+static const double FRICTION[FRICTIONS] = {0.2, 0.4, 0.8};
 static const double ROLLING[ROLLINGS] = {0.0, 0.05, 0.2};
 
-/** Of smooth spheres: friction 0.5, no rolling friction. */
+/** Of smooth spheres: friction 0.4, no rolling friction. */
 #define GLASS_FRICTION 1
 #define GLASS_ROLLING 0
 
@@ -127,7 +127,7 @@ static void put_case(double friction, double rolling, int seed, FILE *out)
             "  - {name: fill, duration: 0.3 s, rest: 20 mm/s}\n"
             "  - {name: lift, duration: %g s, walls: {gate: {velocity: [0 m/s, 0 m/s, "
             "%g m/s]}}}\n"
-            "  - {name: rest, duration: 1.2 s, rest: 10 mm/s, walls: {gate: {velocity: [0 m/s, "
+            "  - {name: rest, duration: 2 s, rest: 50 mm/s, walls: {gate: {velocity: [0 m/s, "
             "0 m/s, 0 m/s]}}}\n"
             "output: {series_interval: 10 ms, snapshot_interval: 0.1 s}\n",
             COLUMN / LIFT, LIFT);

@@ -53,7 +53,7 @@ class Drum(clod.Case):
         script = clod.source("cases/rotating-drum/run")
         done = subprocess.run([sys.executable, script, "--data", self.path("nothing"),
                                "--folder", self.path("out")],
-                                   capture_output=True, text=True, check=False)
+                              capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 1)
         self.assertIn("PartCoordinates.txt", done.stderr)
         self.assertIn("--data DIR", done.stderr)
