@@ -20,7 +20,7 @@ PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_phase", "clod_ring_shear_
                                     "clod_uniaxial"]),
          ("src/measure/steady.h", ["CLOD_STEADY_MAX", "clod_steady"]),
          ("src/measure/peak.h", ["CLOD_PEAK_BINS", "clod_peak"]),
-         ("src/sim/free_run.c", ["free_memory"]),
+         ("src/sim/free_stages.h", ["clod_free_stages"]),
          ("src/sim/job.h", ["clod_job_memory"])]
 COMMENT = r"/\*.*?\*/|//[^\n]*"
 
