@@ -6,6 +6,7 @@
 #include "output/folder.h"
 #include "parallel/threads.h"
 #include "sim/check.h"
+#include "sim/energy_series.h"
 #include "step/step.h"
 #include "tester/limits.h"
 
@@ -111,8 +112,8 @@ static double bytes_per_grain(const clod_step *step)
 
 /** Rate of the step on a copy of the sample [grain-steps/s]. */
 static bool time_step(const clod_state *sample, const clod_laws *laws,
-                      const clod_step_options *options, double *rate, double *bytes,
-                      const char **simd, clod_status *status)
+                      const clod_step_options *options, bool energy, double *rate,
+                      double *bytes, const char **simd, clod_status *status)
 {
     clod_state state = {0};
     clod_step step;
@@ -121,7 +122,8 @@ static bool time_step(const clod_state *sample, const clod_laws *laws,
         clod_state_fini(&state);
         return false;
     }
-    bool good = clod_step_advance(&step, SAMPLE_WARM_UP, status);
+    bool good = !energy || clod_step_open_ledger(&step, status);
+    good = good && clod_step_advance(&step, SAMPLE_WARM_UP, status);
     *rate = 0.0;
     for (int t = 0; good && t < SAMPLE_TIMES; t++) {
         const double begin = clock_now();
@@ -155,12 +157,14 @@ static bool measure_rate(const clod_check_subject *subject, clod_check_report *r
     bool good = make_sample(subject, report, &sample, status);
     report->sample_grains = sample.grains.count;
     clod_step_options options = {.threads = 1, .simd = subject->options->simd};
-    good = good &&
-           time_step(&sample, &laws, &options, &report->rate_one, bytes, &report->simd, status);
+    const bool energy = subject->from->output.energy;
+    good = good && time_step(&sample, &laws, &options, energy, &report->rate_one, bytes,
+                             &report->simd, status);
     report->rate = report->rate_one;
     if (good && report->threads > 1) {
         options.threads = report->threads;
-        good = time_step(&sample, &laws, &options, &report->rate, bytes, &report->simd, status);
+        good = time_step(&sample, &laws, &options, energy, &report->rate, bytes, &report->simd,
+                         status);
     }
     clod_state_fini(&sample);
     clod_laws_fini(&laws);
@@ -296,6 +300,7 @@ static void plan_disk(const clod_check_subject *subject, clod_check_report *repo
     }
     const double grains = (double)report->grains;
     const double contacts = from->output.contacts ? CONTACTS * PICTURE_CONTACT : 0.0;
+    columns += from->output.energy ? CLOD_ENERGY_SERIES_COLUMNS : 0.0;
     report->disk_series = rows * columns * NUMBER_BYTES;
     report->disk_snapshots = pictures * grains * (PICTURE_GRAIN + contacts);
     // two of each part are kept, and a third is there while it is written

@@ -15,23 +15,20 @@ static double flow_of(const clod_ledger *ledger, const clod_energies *now)
     return now->translation + now->rotation + now->normal + now->sliding + now->rolling + lost;
 }
 
-bool clod_energy_series_row(clod_series *series, const clod_step *step, clod_status *status)
+bool clod_energy_series_row(clod_series *series, const clod_state *state,
+                            const clod_energies *now, clod_status *status)
 {
-    if (series == NULL) {
-        return true;
-    }
-    const clod_ledger *ledger = &step->state->ledger;
-    const clod_energies now = clod_step_energies(step);
-    const double residual = clod_ledger_residual(ledger, &now);
-    const double flow = flow_of(ledger, &now);
+    const clod_ledger *ledger = &state->ledger;
+    const double residual = clod_ledger_residual(ledger, now);
+    const double flow = flow_of(ledger, now);
     const double row[CLOD_ENERGY_SERIES_COLUMNS] = {
-        step->state->time, now.translation,
-        now.rotation,      now.potential,
-        now.normal,        now.sliding,
-        now.rolling,       ledger->plastic,
-        ledger->dash_pot,  ledger->friction,
-        ledger->rolling,   ledger->wall_work,
-        residual,          flow > 0.0 ? residual / flow : 0.0,
+        state->time,      now->translation,
+        now->rotation,    now->potential,
+        now->normal,      now->sliding,
+        now->rolling,     ledger->plastic,
+        ledger->dash_pot, ledger->friction,
+        ledger->rolling,  ledger->wall_work,
+        residual,         flow > 0.0 ? residual / flow : 0.0,
     };
     return clod_series_row(series, row, status);
 }

@@ -5,12 +5,13 @@
  */
 
 #include "output/series.h"
-#include "step/step.h"
+#include "state/state.h"
 
 #define CLOD_ENERGY_SERIES_COLUMNS 14
 
 /** Header texts. */
 extern const char *const clod_energy_series_columns[CLOD_ENERGY_SERIES_COLUMNS];
 
-/** Append the row of this moment; `series` may be NULL: no ledger, nothing to do. */
-bool clod_energy_series_row(clod_series *series, const clod_step *step, clod_status *status);
+/** Append the row of this moment, whose energies are `now`. */
+bool clod_energy_series_row(clod_series *series, const clod_state *state,
+                            const clod_energies *now, clod_status *status);

@@ -35,8 +35,7 @@ typedef struct job_loop {
     double *row;
     double last_clock, last_progress, last_checkpoint; ///< s
     int64_t progress_step;
-    int64_t slice;   ///< steps between two looks at clock and signals
-    double adhesion; ///< that of the laws
+    int64_t slice; ///< steps between two looks at clock and signals
 } job_loop;
 
 static double clock_now(void)
@@ -250,19 +249,26 @@ static bool can_go_on(job_loop *loop, clod_status *status)
                             (long long)loop->job->state.step, text);
 }
 
-/** What contacts store under another adhesion is not made by the grains: the ledger starts anew
- * from it. */
-static void change_adhesion(job_loop *loop)
+/**
+ * The procedure's turn: it may take walls away and change adhesion. What that does to the
+ * stored energy is no motion of grains: the ledger's opening balance moves by it.
+ */
+static bool sample(job_loop *loop, bool *finished, clod_status *status)
 {
-    clod_ledger *ledger = &loop->job->state.ledger;
-    const bool books = ledger->open != 0 && loop->adhesion != loop->job->state.adhesion;
+    clod_job *job = loop->job;
+    const clod_procedure *p = &job->procedure;
+    const bool books = loop->energy != NULL;
     const clod_energies before = books ? clod_step_energies(&loop->step) : (clod_energies){0};
-    clod_laws_set_adhesion(&loop->laws, loop->job->state.adhesion);
-    loop->adhesion = loop->job->state.adhesion;
+    if (books && !clod_energy_series_row(loop->energy, &job->state, &before, status)) {
+        return false;
+    }
+    *finished = p->sample(p->data, p->context, &job->state, loop->row);
+    clod_laws_set_adhesion(&loop->laws, job->state.adhesion);
     if (books) {
         const clod_energies after = clod_step_energies(&loop->step);
-        ledger->start += clod_energies_sum(&after) - clod_energies_sum(&before);
+        job->state.ledger.start += clod_energies_sum(&after) - clod_energies_sum(&before);
     }
+    return clod_series_row(loop->series, loop->row, status) && can_go_on(loop, status);
 }
 
 /** One turn of the loop: steps, and when it is time for a look: measurement, output. */
@@ -281,15 +287,10 @@ static bool turn(job_loop *loop, clod_status *status)
         return true;
     }
     const char *before = p->phase(p->data, p->context);
-    const bool finished = p->sample(p->data, p->context, &job->state, loop->row);
-    if (!clod_series_row(loop->series, loop->row, status) ||
-        !clod_energy_series_row(loop->energy, &loop->step, status)) {
+    bool finished = false;
+    if (!sample(loop, &finished, status)) {
         return false;
     }
-    if (!can_go_on(loop, status)) {
-        return false;
-    }
-    change_adhesion(loop);
     const char *after = p->phase(p->data, p->context);
     if (before != after) {
         clod_eventlog_write(job->sim->log, "phase", "{s:s, s:s, s:s, s:I, s:f}", "part",
@@ -370,7 +371,6 @@ static bool open_loop(job_loop *loop, clod_status *status)
         return false;
     }
     clod_laws_set_adhesion(&loop->laws, job->state.adhesion);
-    loop->adhesion = job->state.adhesion;
     if (!clod_step_init(&loop->step, &job->state, &loop->laws, &options, status)) {
         return false;
     }

@@ -16,9 +16,12 @@ static void add_flags(json_t *list, const clod_shear_cell *cell, const clod_part
     if ((flags & CLOD_RING_SHEAR_NOT_STEADY) != 0) {
         clod_warning_box_add(
             list,
-            "%s: not steady after %.0f mm of shear; the preshear values are means of the last "
-            "blocks. Raise %s.preshear_max or steady_tolerance",
-            part->name, 1e3 * t->preshear_displacement, cell->key);
+            "%s: not steady after %.3g mm of shear; the preshear values are means of the last "
+            "blocks. %s",
+            part->name, 1e3 * t->preshear_displacement,
+            t->straight != 0
+                ? "Set jenike.twists (or raise them), or raise preshear_max with offset and rim"
+                : "Raise ring_shear.preshear_max or steady_tolerance");
     }
     if ((flags & CLOD_RING_SHEAR_NOT_SETTLED) != 0) {
         clod_warning_box_add(
@@ -32,9 +35,10 @@ static void add_flags(json_t *list, const clod_shear_cell *cell, const clod_part
     if ((flags & CLOD_RING_SHEAR_NO_PEAK) != 0) {
         clod_warning_box_add(
             list,
-            "%s: no peak within %.0f mm of shear; the largest smoothed value is taken. Raise "
-            "%s.shear_max",
-            part->name, 1e3 * cell->programme->shear_max, cell->key);
+            "%s: no peak within %.3g mm of shear; the largest smoothed value is taken. Raise "
+            "%s.shear_max%s",
+            part->name, 1e3 * cell->programme->shear_max, cell->key,
+            t->straight != 0 ? " with offset and rim" : "");
     }
 }
 

@@ -75,9 +75,12 @@ static void add_contacts(const clod_step *self, clod_energies *e)
     }
 }
 
-clod_energies clod_step_energies(const clod_step *self)
+clod_energies clod_step_energies(clod_step *self)
 {
     clod_energies e = {0};
+    for (int32_t w = 0; w < self->state->walls.count; w++) { // someone may have moved them
+        self->pose[w] = clod_wall_pose_now(&self->state->walls.wall[w]);
+    }
     add_grains(self->state, &e);
     add_contacts(self, &e);
     return e;

@@ -98,7 +98,9 @@ void clod_step_servo(clod_step *self, int part)
         wall->sum_force = clod_vec3_add(wall->sum_force, wall->force);
         wall->sum_torque = clod_vec3_add(wall->sum_torque, wall->torque);
         wall->sum_power += wall->power;
-        self->state->ledger.wall_work += 0.5 * self->view.dt * (before + wall->power);
+        if (self->near.ledger) {
+            self->state->ledger.wall_work += 0.5 * self->view.dt * (before + wall->power);
+        }
         if (wall->load != CLOD_LOAD_NONE) {
             kick_servo(wall, self->view.dt);
         }

@@ -77,8 +77,8 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status);
  */
 bool clod_step_open_ledger(clod_step *self, clod_status *status);
 
-/** Kinetic, potential and stored energies now. */
-clod_energies clod_step_energies(const clod_step *self);
+/** Kinetic, potential and stored energies now, with the walls where they are now. */
+clod_energies clod_step_energies(clod_step *self);
 
 /** Write the history of all closed contacts into state->contacts (checkpoint, measurements). */
 bool clod_step_export(clod_step *self, clod_status *status);

@@ -39,7 +39,7 @@ class Uniaxial(clod.Case):
     def setUpClass(cls):
         cls.out = clod.make_folder()
         cls.addClassCleanup(shutil.rmtree, cls.out)
-        done = clod.run("run", CASE, "-o", cls.out, "-t", "1")
+        done = clod.run("run", CASE, "-o", cls.out, "-t", "1", "--set", "output.energy=true")
         assert done.returncode == 0, done.stderr
         cls.report = done.stdout
         with open(os.path.join(cls.out, "summary.json")) as file:
@@ -50,6 +50,16 @@ class Uniaxial(clod.Case):
         done = clod.run("check", CASE, "--json", "--threads", "1")
         assert done.returncode == 0, done.stderr
         cls.check = json.loads(done.stdout)
+
+    def test_energy_ledger_closes_over_all_phases(self):
+        """Also where the mould is taken away with what its contacts store."""
+        for name in self.part:
+            with self.subTest(part=name):
+                rows = list(csv.DictReader(open(os.path.join(self.out, f"{name}-energy.csv"))))
+                self.assertGreater(len(rows), 50)
+                self.assertGreater(float(rows[-1]["lost_friction [J]"]), 0.0)
+                for row in rows:
+                    self.assertLess(abs(float(row["residual_of_flow [1]"])), 1e-3)
 
     def rows(self, part, phase):
         return [row for row in self.series[part] if row["phase"] == phase]

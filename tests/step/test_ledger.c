@@ -60,6 +60,30 @@ static void plasticity_and_adhesion_close(void **state)
     check_close(o.ledger.rolling, 0.0, 0.0);
 }
 
+/** The other laws with a history; luding's error is of the first order. */
+static void luding_and_eepa_close(void **state)
+{
+    (void)state;
+    clod_case_contact c = contact_ore();
+    c.law = CLOD_LAW_EEPA;
+    c.pull_off_force = 0.05;
+    check_second_order(&c);
+    c.pull_off_force = 0.0;
+    c.k_adh = 0.0;
+    c.surface_energy = 1.0;
+    check_second_order(&c);
+    c.law = CLOD_LAW_LUDING;
+    c.exponent = 1.0;
+    c.k1 = 1e6;
+    c.k2 = 5e6;
+    c.k_adh = 1e6;
+    c.plasticity_depth = 0.05;
+    const outcome coarse = collide(&c, DT);
+    const outcome fine = collide(&c, 0.5 * DT);
+    check_at_most(fabs(coarse.residual), 0.05 * coarse.lost);
+    check_at_most(fabs(fine.residual), 0.7 * fabs(coarse.residual));
+}
+
 static void dash_pots_close(void **state)
 {
     (void)state;
@@ -160,6 +184,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(plasticity_and_adhesion_close),
+        cmocka_unit_test(luding_and_eepa_close),
         cmocka_unit_test(dash_pots_close),
         cmocka_unit_test(friction_and_rolling_resistance_close),
         cmocka_unit_test(elastic_grains_lose_nothing),
