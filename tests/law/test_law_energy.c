@@ -51,6 +51,7 @@ static clod_case_contact law_number(int k)
         c.k2 = 5e6;
         c.k_adh = 1e6;
         c.plasticity_depth = 0.004;
+        c.restitution = 0.5; // its books go by the force, less the dash-pot's
         return c;
     }
 }
