@@ -39,7 +39,7 @@ class Uniaxial(clod.Case):
     def setUpClass(cls):
         cls.out = clod.make_folder()
         cls.addClassCleanup(shutil.rmtree, cls.out)
-        done = clod.run("run", CASE, "-o", cls.out, "-t", "1", "--set", "output.energy=true")
+        done = clod.run("run", CASE, "-o", cls.out, "-t", "1")
         assert done.returncode == 0, done.stderr
         cls.report = done.stdout
         with open(os.path.join(cls.out, "summary.json")) as file:
