@@ -176,7 +176,31 @@ static inline vmask clod_law_either(vmask a, vmask b)
  * A rolling spring that was cut lies on its cap, and whether epsd's dash-pot acts there must
  * not be left to rounding: so much longer it is cut again. One below its cap hardly notices.
  */
-#define ON_ITS_CAP (1.0 + 1e-4)
+#define ON_ITS_CAP (1.0 + 1e-9)
+
+/**
+ * Overlap after the step before: the history's tangent remembers it to rounding where it
+ * depends on it (n > 1), and whether the contact was closed; else the way back along the normal
+ * tells.
+ */
+static inline vreal clod_law_overlap_before(const clod_law *law, const clod_law_motion *before,
+                                            const clod_law_memory *memory)
+{
+    const vreal open = vreal_set(-1.0);
+    const vmask closed = vmask_less(vreal_set(0.0), memory->tangent);
+    vreal overlap = before->overlap;
+    if (law->exponent_kind == CLOD_EXPONENT_THREE_HALVES) {
+        vreal root = memory->tangent / vreal_set(1.5 * law->k1);
+        if (law->kind == CLOD_LAW_HERTZ) {
+            root = root / vreal_sqrt(before->r_star);
+        }
+        overlap = root * root;
+    } else if (law->exponent_kind == CLOD_EXPONENT_ANY) {
+        const vreal power = memory->tangent / vreal_set(law->exponent * law->k1);
+        overlap = clod_law_power(power, 1.0 / (law->exponent - 1.0));
+    }
+    return vreal_select(closed, overlap, open);
+}
 
 /** -(a + b)/2 . way: the work that two forces on i, before and after, take from a motion. */
 static inline vreal clod_law_work(vreal3 a, vreal3 b, vreal3 way)
@@ -208,8 +232,10 @@ static inline clod_law_spent clod_law_spend(const clod_law *law, const clod_law_
     const vreal3 n = now->normal;
     clod_law_memory copy = *memory;
     copy.roll = vreal3_scale(copy.roll, vreal_set(ON_ITS_CAP));
-    const clod_law_result then = clod_law_contact(law, before, 0.0, &copy);
-    const clod_law_moment a = clod_law_moment_of(law, before, &then, memory);
+    clod_law_motion past = *before;
+    past.overlap = clod_law_overlap_before(law, before, memory);
+    const clod_law_result then = clod_law_contact(law, &past, 0.0, &copy);
+    const clod_law_moment a = clod_law_moment_of(law, &past, &then, memory);
     const clod_law_moment b = clod_law_moment_of(law, now, result, after);
 
     const vreal v_n = vreal3_dot(now->velocity, n);

@@ -246,6 +246,7 @@ static void rolling_loses_cap_times_angle(void **state)
     clod_law_motion m = probe_motion(4e-6);
     m.spin_i.y = 5.0;
     m.spin_j.y = -5.0;
+    spend_still(&probe, &m); // closed from now on
     const clod_law_spent spent = spend_still(&probe, &m);
     check_relative(spent.rolling, 0.3 * (3.8 + 2.848) * 1.5e-3 * 10.0 * DT, 1e-9);
 }
@@ -348,8 +349,9 @@ static void opening_loses_what_was_held(void **state)
     const clod_case_contact c = contact_ore();
     law_probe probe = probe_make(&c);
     probe_path(&probe, 0.0, 8e-6, 10);
-    const double p = probe.history.plastic[0];
     const double d = 4e-6;
+    probe_press(&probe, d);
+    const double p = probe.history.plastic[0];
     const double pull = 2.37e9 * (d - pow(p, 2.0 / 3.0));
     check_relative(spend_to(&probe, d, -1e-6).plastic, -0.5 * pull * p, 1e-9);
 }
