@@ -356,6 +356,43 @@ static void opening_loses_what_was_held(void **state)
     check_relative(spend_to(&probe, d, -1e-6).plastic, -0.5 * pull * p, 1e-9);
 }
 
+/** The overlap of the step before comes from the history, where that depends on it. */
+static void the_history_remembers_the_overlap(void **state)
+{
+    (void)state;
+    const double d = 5e-6;
+    for (int k = 0; k < KINDS; k++) {
+        const clod_case_contact c = law_number(k);
+        law_probe probe = probe_make(&c);
+        clod_law_motion guess = probe_motion(1.3 * d);
+        clod_law_memory memory = clod_law_memory_load(&probe.history, 0);
+        assert_true(clod_law_overlap_before(&probe.law, &guess, &memory) < 0.0); // was open
+        probe_press(&probe, d);
+        memory = clod_law_memory_load(&probe.history, 0);
+        const double expected = probe.law.exponent == 1.0 ? 1.3 * d : d;
+        check_relative(clod_law_overlap_before(&probe.law, &guess, &memory), expected, 1e-12);
+    }
+}
+
+/** So a bad guess of it does no harm. */
+static void a_bad_guess_of_the_overlap_does_no_harm(void **state)
+{
+    (void)state;
+    const clod_case_contact c = contact_ore();
+    law_probe probe = probe_make(&c);
+    probe_press(&probe, 4e-6);
+    law_probe same = probe;
+    const double right = spend_to(&probe, 4e-6, 5e-6).plastic;
+    clod_law_motion now = probe_motion(5e-6);
+    clod_law_motion before = probe_motion(4.5e-6);
+    const clod_law_memory memory = clod_law_memory_load(&same.history, 0);
+    clod_law_memory after = memory;
+    const clod_law_result result = clod_law_contact(&same.law, &now, DT, &after);
+    const clod_law_spent spent =
+        clod_law_spend(&same.law, &now, &result, &after, &before, &memory, DT);
+    check_relative(spent.plastic, right, 1e-9);
+}
+
 /** Contacts that are open before and after lose nothing, whatever their past says. */
 static void open_contacts_lose_nothing(void **state)
 {
@@ -384,6 +421,8 @@ int main(void)
         cmocka_unit_test(the_dash_pot_of_epsd_is_a_rolling_loss),
         cmocka_unit_test(stored_energy_is_that_of_the_closed_contact),
         cmocka_unit_test(opening_loses_what_was_held),
+        cmocka_unit_test(the_history_remembers_the_overlap),
+        cmocka_unit_test(a_bad_guess_of_the_overlap_does_no_harm),
         cmocka_unit_test(open_contacts_lose_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
