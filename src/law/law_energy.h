@@ -199,7 +199,8 @@ static inline vreal clod_law_overlap_before(const clod_law *law, const clod_law_
         const vreal power = memory->tangent / vreal_set(law->exponent * law->k1);
         overlap = clod_law_power(power, 1.0 / (law->exponent - 1.0));
     }
-    return vreal_select(closed, overlap, open);
+    const vmask near = vmask_less(vreal_set(0.0), before->overlap); // no wall was taken away
+    return vreal_select(near, vreal_select(closed, overlap, open), open);
 }
 
 /** -(a + b)/2 . way: the work that two forces on i, before and after, take from a motion. */

@@ -371,6 +371,8 @@ static void the_history_remembers_the_overlap(void **state)
         memory = clod_law_memory_load(&probe.history, 0);
         const double expected = probe.law.exponent == 1.0 ? 1.3 * d : d;
         check_relative(clod_law_overlap_before(&probe.law, &guess, &memory), expected, 1e-12);
+        guess.overlap = -0.01; // its wall was taken away since
+        assert_true(clod_law_overlap_before(&probe.law, &guess, &memory) < 0.0);
     }
 }
 
