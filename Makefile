@@ -3,7 +3,7 @@
 #   make run               set up, build, run the full ring shear test of the 5 % ore
 #   make run ARGS=--fresh  the same, with options for `clod run`
 #   make test              set up, build, run every test and check
-.PHONY: build run test verify validate cross bench format lint package install clean help setup \
+.PHONY: build run test verify validate cross bench bench-peers format lint package install clean help setup \
 	setup-test setup-peers
 .DEFAULT_GOAL := build
 

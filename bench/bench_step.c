@@ -1,116 +1,198 @@
 /**
  * @file bench_step.c
- * Whole steps on a periodic packing: grain-steps per second of the full MEPA law with friction
- * and rolling resistance, per number of threads and per instruction set.
+ * Whole steps on a periodic packing: grain-steps per second, memory, and what the bed was like
+ * at the end, as one line of JSON.
  *
- *   bench_step PACKING.csv PACKING.box [steps] [threads] [simd]
+ *   bench_step PACKING.csv PACKING.box [--law NAME] [--steps N] [--warm N] [--threads N]
+ *              [--simd SET] [--ledger] [--stages]
+ *   bench_step --version
  *
- * The packing has lines id,x,y,z,r,vx,vy,vz [m, m/s] after a header; the box its three periods.
+ * The packing and the laws (mepa, hertz, hertz-rolling) are those of bed.h. The clock runs over
+ * `steps` after `warm` steps. --stages runs the stages one by one on one thread with a clock
+ * around each.
  */
+#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
-#include "law/law.h"
-#include "step/step.h"
+#include "bed.h"
+#include "clod/version.h"
+#include "stages.h"
 
-// Copper ore, 5 % moisture (Table 1); restitution and rolling as in cases/copper-ore-5.
-static const clod_case_contact ORE = {.law = CLOD_LAW_MEPA,
-                                      .exponent = 1.5,
-                                      .k1 = 4.75e8,
-                                      .k2 = 2.37e9,
-                                      .k_adh = 3.56e8,
-                                      .restitution = 0.3,
-                                      .friction = 0.35,
-                                      .coulomb = CLOD_COULOMB_ADHESIVE,
-                                      .tangential = CLOD_TANGENTIAL_TANGENT,
-                                      .tangential_ratio = 1.0,
-                                      .rolling = CLOD_ROLLING_EPSD2,
-                                      .rolling_friction = 0.3};
-static const clod_case_material MATERIAL = {
-    .density = 2481.3, .youngs_modulus = 119e9, .poissons_ratio = 0.34};
+#define TIME_STEP 1e-7 // s, for all programs: bench/peers
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
+typedef struct options {
+    const char *csv, *box, *law;
+    int64_t steps, warm; ///< warm < 0: a tenth of the steps, and one
+    clod_step_options step;
+    bool ledger, stages;
+} options;
+
+typedef struct measured {
+    double wall; ///< s
+    double stage[BENCH_STAGES];
+    long rss_empty, rss_stepped, rss_peak; ///< kB
+} measured;
+
+static const struct option OPTIONS[] = {
+    {"law", required_argument, NULL, 'l'},
+    {"steps", required_argument, NULL, 's'},
+    {"warm", required_argument, NULL, 'w'},
+    {"threads", required_argument, NULL, 't'},
+    {"simd", required_argument, NULL, 'i'},
+    {"ledger", no_argument, NULL, 'e'},
+    {"stages", no_argument, NULL, 'g'},
+    {"version", no_argument, NULL, 'v'},
+    {0},
+};
 
 static void give_up(const char *text)
 {
     fprintf(stderr, "bench_step: %s\n", text);
-    exit(1);
+    exit(2);
 }
 
-static void read_packing(const char *csv, const char *box, clod_state *state)
+static int64_t number(const char *text, int64_t least)
 {
-    clod_status status = {0};
-    FILE *file = fopen(csv, "r");
-    FILE *periods = fopen(box, "r");
-    if (file == NULL || periods == NULL) {
-        give_up("cannot open the packing");
+    char *end = NULL;
+    const int64_t value = strtoll(text, &end, 10);
+    if (*text == '\0' || *end != '\0' || value < least) {
+        give_up("steps and threads are whole numbers from 1, warm from 0");
     }
-    for (int a = 0; a < 3; a++) {
-        state->domain.periodic[a] = true;
-        if (fscanf(periods, "%lf", &state->domain.max[a]) != 1) {
-            give_up("the box needs three lengths");
+    return value;
+}
+
+static options read_options(int argc, char **argv)
+{
+    options o = {.law = "mepa", .steps = 2000, .warm = -1, .step = {.threads = 1}};
+    int key;
+    while ((key = getopt_long(argc, argv, "", OPTIONS, NULL)) != -1) {
+        switch (key) {
+        case 'l':
+            o.law = optarg;
+            break;
+        case 's':
+            o.steps = number(optarg, 1);
+            break;
+        case 'w':
+            o.warm = number(optarg, 0);
+            break;
+        case 't':
+            o.step.threads = (int)number(optarg, 1);
+            break;
+        case 'i':
+            o.step.simd = optarg;
+            break;
+        case 'e':
+            o.ledger = true;
+            break;
+        case 'g':
+            o.stages = true;
+            break;
+        case 'v':
+            puts(clod_version_text());
+            exit(0);
+        default:
+            exit(2);
         }
     }
-    char line[512];
-    unsigned long long id;
-    double p[4], v[3];
-    while (fgets(line, sizeof line, file) != NULL) {
-        if (sscanf(line, "%llu,%lf,%lf,%lf,%lf,%lf,%lf,%lf", &id, &p[0], &p[1], &p[2], &p[3],
-                   &v[0], &v[1], &v[2]) == 8 &&
-            !clod_grains_add(&state->grains, p, v, (double[3]){0.0}, MATERIAL.density, 0, id,
-                             &status)) {
-            give_up(status.text);
+    if (argc - optind != 2) {
+        give_up("usage: bench_step PACKING.csv PACKING.box [options], see bench/bench_step.c");
+    }
+    if (o.stages && o.step.threads != 1) {
+        give_up("--stages is for one thread");
+    }
+    o.csv = argv[optind];
+    o.box = argv[optind + 1];
+    o.warm = o.warm < 0 ? o.steps / 10 + 1 : o.warm;
+    return o;
+}
+
+/** Largest memory of the process so far [kB]; getrusage would count the caller's before exec.
+ */
+static long rss(void)
+{
+    char line[256];
+    long kilobytes = -1;
+    FILE *file = fopen("/proc/self/status", "r");
+    while (file != NULL && fgets(line, sizeof line, file) != NULL) {
+        if (strncmp(line, "VmHWM:", 6) == 0) {
+            kilobytes = strtol(line + 6, NULL, 10);
         }
     }
-    fclose(file);
-    fclose(periods);
+    if (file != NULL) {
+        fclose(file);
+    }
+    return kilobytes;
+}
+
+static bool measure(const options *o, clod_step *step, measured *m, clod_status *status)
+{
+    if ((o->ledger && !clod_step_open_ledger(step, status)) ||
+        !clod_step_advance(step, o->warm, status)) {
+        return false;
+    }
+    const double begin = bench_now();
+    const bool ok = o->stages ? bench_stages_advance(step, o->steps, m->stage, status)
+                              : clod_step_advance(step, o->steps, status);
+    m->wall = bench_now() - begin;
+    m->rss_stepped = rss();
+    const bool exported = ok && clod_step_export(step, status);
+    m->rss_peak = rss();
+    return exported;
+}
+
+static void report(const options *o, clod_step *step, const measured *m)
+{
+    const clod_state *state = step->state;
+    const double grains = (double)state->grains.count;
+    const double contacts = (double)state->contact_count;
+    const clod_energies energies = clod_step_energies(step);
+    printf("{\"version\": \"%s\", \"law\": \"%s\", \"simd\": \"%s\", \"threads\": %d, ",
+           clod_version_text(), o->law, step->kernel->name, step->threads);
+    printf("\"grains\": %zu, \"contacts_per_grain\": %.4f, \"near_per_contact\": %.4f, ",
+           state->grains.count, contacts / grains,
+           (double)step->near.pairs.count * CLOD_LANES / contacts);
+    printf("\"warm\": %lld, \"steps\": %lld, \"rebuilds\": %lld, \"refreshes\": %lld, ",
+           (long long)o->warm, (long long)o->steps, (long long)step->rebuilds,
+           (long long)step->refreshes);
+    printf("\"seconds\": %.6g, \"grain_steps_per_s\": %.4g, \"ns_per_contact\": %.2f, ",
+           m->wall, grains * (double)o->steps / m->wall,
+           1e9 * m->wall / ((double)o->steps * contacts));
+    if (o->stages) {
+        printf("\"ns_per_grain_step\": {");
+        for (int k = 0; k < BENCH_STAGES; k++) {
+            printf("%s\"%s\": %.3f", k > 0 ? ", " : "", BENCH_STAGE[k].name,
+                   1e9 * m->stage[k] / (grains * (double)o->steps));
+        }
+        printf("}, ");
+    }
+    printf("\"kinetic_J\": %.17g, \"rotational_J\": %.17g, ", energies.translation,
+           energies.rotation);
+    printf("\"rss_empty_kB\": %ld, \"rss_stepped_kB\": %ld, \"rss_peak_kB\": %ld}\n",
+           m->rss_empty, m->rss_stepped, m->rss_peak);
 }
 
 int main(int argc, char **argv)
 {
-    if (argc < 3) {
-        give_up("usage: bench_step PACKING.csv PACKING.box [steps] [threads] [simd] [ledger]");
-    }
-    const int64_t steps = argc > 3 ? atoll(argv[3]) : 2000;
-    const clod_step_options options = {.threads = argc > 4 ? atoi(argv[4]) : 1,
-                                       .simd = argc > 5 ? argv[5] : NULL};
-    clod_state state = {.dt = 1e-7, .gravity = {0.0, 0.0, -9.81}, .build_motion = -1.0};
-    read_packing(argv[1], argv[2], &state);
-    clod_law law = clod_law_make(&ORE, &MATERIAL, &MATERIAL);
-    const clod_laws laws = {.materials = 1, .count = 1, .law = &law};
-    clod_step step;
+    const options o = read_options(argc, argv);
+    measured m = {.rss_empty = rss()};
     clod_status status = {0};
-    const bool ledger = argc > 6 && strcmp(argv[6], "ledger") == 0;
-    if (!clod_step_init(&step, &state, &laws, &options, &status) ||
-        (ledger && !clod_step_open_ledger(&step, &status)) ||
-        !clod_step_advance(&step, steps / 10 + 1, &status)) {
+    clod_state state;
+    clod_law law;
+    clod_step step;
+    if (!bench_bed_law(o.law, &law, &status) ||
+        !bench_bed_read(o.csv, o.box, &state, &status)) {
         give_up(status.text);
     }
-    const double begin = now();
-    if (!clod_step_advance(&step, steps, &status)) {
+    state.dt = TIME_STEP;
+    const clod_laws laws = {.materials = 1, .count = 1, .law = &law};
+    if (!clod_step_init(&step, &state, &laws, &o.step, &status) ||
+        !measure(&o, &step, &m, &status)) {
         give_up(status.text);
     }
-    const double wall = now() - begin;
-    if (!clod_step_export(&step, &status)) {
-        give_up(status.text);
-    }
-    const double grains = (double)state.grains.count;
-    printf("{\"simd\": \"%s\", \"threads\": %d, \"grains\": %zu, \"contacts_per_grain\": %.3f, "
-           "\"near_per_contact\": %.3f, \"steps\": %lld, \"rebuilds\": %lld, \"refreshes\": "
-           "%lld, \"grain_steps_per_s\": %.4g, \"ns_per_contact\": %.2f}\n",
-           step.kernel->name, options.threads, state.grains.count,
-           (double)state.contact_count / grains,
-           (double)step.near.pairs.count * CLOD_LANES / (double)state.contact_count,
-           (long long)steps, (long long)step.rebuilds, (long long)step.refreshes,
-           grains * (double)steps / wall,
-           1e9 * wall / ((double)steps * (double)state.contact_count));
+    report(&o, &step, &m);
     clod_step_fini(&step);
     clod_state_fini(&state);
     return 0;

@@ -1,0 +1,196 @@
+/**
+ * @file bench_machine.c
+ * What this machine can do at most, as one line of JSON: additions and multiplications, divides
+ * and square roots of one core per instruction set, and bytes per second of a triad in caches
+ * and memory for one thread and for all.
+ *
+ *   bench_machine
+ *
+ * Rates are the best of several trials. A triad a = b + s c counts 24 bytes per element, as
+ * STREAM does; what a cache reads before it writes is not counted.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/memory.h"
+#include "clod/version.h"
+#include "machine_set.h"
+#include "parallel/threads.h"
+#include "stages.h"
+#include "step/kernel.h"
+
+#define TRIALS 7
+#define TRIAL_SECONDS 0.05
+#define MEMORY_BYTES (768.0 * 1048576.0) // of all threads: many times any cache of a core
+
+extern const bench_machine_set bench_machine_scalar;
+#if defined(__x86_64__)
+extern const bench_machine_set bench_machine_avx2, bench_machine_avx2_fused;
+extern const bench_machine_set bench_machine_avx512, bench_machine_avx512_fused;
+#endif
+
+typedef struct machine_row {
+    const char *kernel; ///< name for clod_kernel_choose
+    const bench_machine_set *set, *fused;
+} machine_row;
+
+static const machine_row ROWS[] = {
+#if defined(__x86_64__)
+    {"avx512", &bench_machine_avx512, &bench_machine_avx512_fused},
+    {"avx2", &bench_machine_avx2, &bench_machine_avx2_fused},
+#endif
+    {"scalar", &bench_machine_scalar, &bench_machine_scalar},
+};
+#define ROW_COUNT (sizeof ROWS / sizeof *ROWS)
+
+static volatile double sink;
+
+/** Rounds per second of a loop of one core. */
+static double rounds_per_second(double (*loop)(int64_t rounds))
+{
+    double best = 0.0;
+    int64_t rounds = 1000;
+    for (int trial = 0; trial < TRIALS;) {
+        const double begin = bench_now();
+        sink = loop(rounds);
+        const double seconds = bench_now() - begin;
+        if (seconds < TRIAL_SECONDS) {
+            rounds *= 2;
+            continue;
+        }
+        const double rate = (double)rounds / seconds;
+        best = rate > best ? rate : best;
+        trial++;
+    }
+    return best;
+}
+
+typedef struct triad_job {
+    const bench_machine_set *set;
+    size_t count; ///< elements of one array, of one thread
+    double *rate; ///< [threads] bytes/s
+} triad_job;
+
+static void run_triad(void *context, int number)
+{
+    const triad_job *job = context;
+    double *a = clod_memory_alloc(3 * job->count, sizeof(double));
+    if (a == NULL) {
+        fprintf(stderr, "bench_machine: no memory for the triad\n");
+        exit(2);
+    }
+    double *b = a + job->count;
+    double *c = b + job->count;
+    for (size_t k = 0; k < job->count; k++) {
+        b[k] = 1.0 + (double)k;
+        c[k] = 2.0;
+    }
+    double best = 0.0;
+    int64_t rounds = 1;
+    for (int trial = 0; trial < TRIALS;) {
+        const double begin = bench_now();
+        for (int64_t r = 0; r < rounds; r++) {
+            job->set->triad(a, b, c, job->count);
+        }
+        const double seconds = bench_now() - begin;
+        if (seconds < TRIAL_SECONDS) {
+            rounds *= 2;
+            continue;
+        }
+        const double rate = 24.0 * (double)job->count * (double)rounds / seconds;
+        best = rate > best ? rate : best;
+        trial++;
+    }
+    job->rate[number] = best;
+    clod_memory_free(a);
+}
+
+/** Size of a data cache of the first processor, or 0 where the system does not say [bytes]. */
+static double cache_bytes(int level)
+{
+    for (int index = 0; index < 8; index++) {
+        char path[96];
+        int found = 0;
+        double kilobytes = 0.0;
+        char type[16] = "";
+        static const char *const FILES[] = {"level", "size", "type"};
+        for (int f = 0; f < 3; f++) {
+            snprintf(path, sizeof path, "/sys/devices/system/cpu/cpu0/cache/index%d/%s", index,
+                     FILES[f]);
+            FILE *file = fopen(path, "r");
+            if (file == NULL) {
+                return 0.0;
+            }
+            const int read = f == 0   ? fscanf(file, "%d", &found)
+                             : f == 1 ? fscanf(file, "%lfK", &kilobytes)
+                                      : fscanf(file, "%15s", type);
+            fclose(file);
+            if (read != 1) {
+                return 0.0;
+            }
+        }
+        if (found == level && type[0] != 'I') {
+            return 1024.0 * kilobytes;
+        }
+    }
+    return 0.0;
+}
+
+static void print_bandwidth(const char *level, double bytes, int threads,
+                            const bench_machine_set *set, const char *comma)
+{
+    double *rate = clod_memory_alloc((size_t)threads, sizeof(double));
+    if (rate == NULL) {
+        exit(2);
+    }
+    triad_job job = {set, (size_t)(bytes / threads / 24.0) / 8 * 8, rate};
+    clod_threads_run(threads, threads, run_triad, &job);
+    double sum = 0.0;
+    for (int t = 0; t < threads; t++) {
+        sum += rate[t];
+    }
+    printf("%s{\"level\": \"%s\", \"bytes\": %.0f, \"threads\": %d, \"bytes_per_s\": %.4g}",
+           comma, level, bytes, threads, sum);
+    clod_memory_free(rate);
+}
+
+int main(void)
+{
+    const int all = clod_threads_available();
+    const bench_machine_set *best = NULL;
+    const char *comma = "";
+    printf("{\"version\": \"%s\", \"sets\": [", clod_version_text());
+    for (size_t k = 0; k < ROW_COUNT; k++) {
+        const machine_row *row = &ROWS[k];
+        if (clod_kernel_choose(row->kernel) == NULL) {
+            continue;
+        }
+        best = best == NULL ? row->set : best;
+        const double per_round = (double)row->set->operations;
+        printf("%s{\"set\": \"%s\", \"multiply_add\": %.4g, \"fused\": %.4g, \"divide\": %.4g, "
+               "\"root\": %.4g}",
+               comma, row->kernel, 2.0 * per_round * rounds_per_second(row->set->multiply_add),
+               2.0 * per_round * rounds_per_second(row->fused->multiply_add),
+               per_round * rounds_per_second(row->set->divide),
+               per_round * rounds_per_second(row->set->root));
+        comma = ", ";
+    }
+    printf("], \"bandwidth\": [");
+    const double l2 = cache_bytes(2);
+    const double l3 = cache_bytes(3);
+    comma = "";
+    for (int threads = 1; threads <= all; threads += all > 1 ? all - 1 : 1) {
+        if (l2 > 0.0) { // every thread has its own
+            print_bandwidth("L2", 0.5 * l2 * threads, threads, best, comma);
+            comma = ", ";
+        }
+        if (l3 > 0.0) {
+            print_bandwidth("L3", 0.5 * l3, threads, best, comma);
+            comma = ", ";
+        }
+        print_bandwidth("memory", MEMORY_BYTES, threads, best, comma);
+        comma = ", ";
+    }
+    printf("], \"l2_bytes\": %.0f, \"l3_bytes\": %.0f}\n", l2, l3);
+    return 0;
+}

@@ -1,0 +1,38 @@
+"""What the machine is and can do, and what the kernel asks of it."""
+
+import datetime
+import json
+import os
+import platform
+
+import count
+from programs import call
+
+SOURCE = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "packings",
+                      "pack_4k")
+
+
+def name():
+    """Processor, cores, memory and system, in words."""
+    model = platform.machine()
+    with open("/proc/cpuinfo") as file:
+        for line in file:
+            if line.startswith("model name"):
+                model = line.split(":")[1].strip()
+                break
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
+    return f"{model}, {os.cpu_count()} cores, {memory:.0f} GiB"
+
+
+def measure(bench, book, version, grains):
+    """Limits of the machine (bench_machine) and operations of the kernel (count.py)."""
+    step = os.path.join(bench, "bench_step")
+    for kind, ask in (("machine", lambda: json.loads(call([os.path.join(
+            bench, "bench_machine")])[0])),
+                      ("count", lambda: count.kernel(step, [SOURCE + ".csv", SOURCE + ".box"],
+                                                     grains))):
+        record = {"kind": kind, "program": "clod"}
+        if not book.has(record, version):
+            print(f"{kind} ...", flush=True)
+            book.add({**record, "found": ask(), "version": version, "machine": name(),
+                      "date": datetime.datetime.now().isoformat(timespec="seconds")})

@@ -1,0 +1,40 @@
+#include "stages.h"
+
+#include <time.h>
+
+const bench_stage BENCH_STAGE[BENCH_STAGES] = {
+    {"drift", clod_step_drift}, {"near", clod_step_near},     {"contact", clod_step_contact},
+    {"wall", clod_step_wall},   {"gather", clod_step_gather}, {"kick", clod_step_kick},
+    {"servo", clod_step_servo}, {"ledger", clod_step_ledger},
+};
+
+double bench_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[BENCH_STAGES],
+                          clod_status *status)
+{
+    for (int k = 0; k < BENCH_STAGES; k++) {
+        seconds[k] = 0.0;
+    }
+    double before = bench_now();
+    for (int64_t s = 0; s < steps; s++) {
+        for (int k = 0; k < BENCH_STAGES; k++) {
+            BENCH_STAGE[k].run(step, 0);
+            const double after = bench_now();
+            seconds[k] += after - before;
+            before = after;
+        }
+        if (step->failed || step->thread[0].excess || !step->thread[0].all_finite) {
+            return clod_status_fail(status, CLOD_FAILED, "a stage failed");
+        }
+        step->state->step++;
+    }
+    step->state->build_motion = step->thread[0].build_motion;
+    step->state->time = (double)step->state->step * step->state->dt;
+    return true;
+}
