@@ -55,6 +55,10 @@ bench: setup-test build ## measure the speed of the step into bench/results/step
 	@mv bench/results/step.part bench/results/step.md
 	@cat bench/results/step.md
 
+bench-peers: setup-peers build ## measure beside LIGGGHTS and LAMMPS into bench/results/peers.md, with ARGS
+	@cmake --build --preset release --target bench
+	@bench/run-peers $(RELEASE)/bench $(ARGS)
+
 format: setup-test ## put all sources into the house format
 	clang-format-14 -i $$(find src include app tests bench -name '*.[ch]')
 

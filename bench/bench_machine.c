@@ -9,6 +9,7 @@
  * Rates are the best of several trials. A triad a = b + s c counts 24 bytes per element, as
  * STREAM does; what a cache reads before it writes is not counted.
  */
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -45,6 +46,12 @@ static const machine_row ROWS[] = {
 
 static volatile double sink;
 
+static void give_up(const char *text)
+{
+    fprintf(stderr, "bench_machine: %s\n", text);
+    exit(2);
+}
+
 /** Rounds per second of a loop of one core. */
 static double rounds_per_second(double (*loop)(int64_t rounds))
 {
@@ -76,8 +83,7 @@ static void run_triad(void *context, int number)
     const triad_job *job = context;
     double *a = clod_memory_alloc(3 * job->count, sizeof(double));
     if (a == NULL) {
-        fprintf(stderr, "bench_machine: no memory for the triad\n");
-        exit(2);
+        give_up("no memory for the triad");
     }
     double *b = a + job->count;
     double *c = b + job->count;
@@ -105,43 +111,39 @@ static void run_triad(void *context, int number)
     clod_memory_free(a);
 }
 
-/** Size of a data cache of the first processor, or 0 where the system does not say [bytes]. */
-static double cache_bytes(int level)
+/** What the system says of a cache of the first processor; false at the end of its list. */
+static bool cache_word(int index, const char *name, char word[32])
 {
-    for (int index = 0; index < 8; index++) {
-        char path[96];
-        int found = 0;
-        double kilobytes = 0.0;
-        char type[16] = "";
-        static const char *const FILES[] = {"level", "size", "type"};
-        for (int f = 0; f < 3; f++) {
-            snprintf(path, sizeof path, "/sys/devices/system/cpu/cpu0/cache/index%d/%s", index,
-                     FILES[f]);
-            FILE *file = fopen(path, "r");
-            if (file == NULL) {
-                return 0.0;
-            }
-            const int read = f == 0   ? fscanf(file, "%d", &found)
-                             : f == 1 ? fscanf(file, "%lfK", &kilobytes)
-                                      : fscanf(file, "%15s", type);
-            fclose(file);
-            if (read != 1) {
-                return 0.0;
-            }
-        }
-        if (found == level && type[0] != 'I') {
-            return 1024.0 * kilobytes;
+    char path[96];
+    snprintf(path, sizeof path, "/sys/devices/system/cpu/cpu0/cache/index%d/%s", index, name);
+    FILE *file = fopen(path, "r");
+    if (file == NULL) {
+        return false;
+    }
+    const bool ok = fgets(word, 32, file) != NULL;
+    fclose(file);
+    return ok;
+}
+
+/** Size of the data cache of a level, or 0 where the system does not say [bytes]. */
+static double cache_bytes(int wanted)
+{
+    char level[32], type[32], size[32];
+    for (int index = 0; cache_word(index, "level", level); index++) {
+        if (cache_word(index, "type", type) && cache_word(index, "size", size) &&
+            strtol(level, NULL, 10) == wanted && type[0] != 'I') {
+            return 1024.0 * strtod(size, NULL); // in K, always
         }
     }
     return 0.0;
 }
 
-static void print_bandwidth(const char *level, double bytes, int threads,
-                            const bench_machine_set *set, const char *comma)
+static void print_triad(const char *level, double bytes, int threads,
+                        const bench_machine_set *set, bool first)
 {
     double *rate = clod_memory_alloc((size_t)threads, sizeof(double));
     if (rate == NULL) {
-        exit(2);
+        give_up("no memory");
     }
     triad_job job = {set, (size_t)(bytes / threads / 24.0) / 8 * 8, rate};
     clod_threads_run(threads, threads, run_triad, &job);
@@ -150,47 +152,51 @@ static void print_bandwidth(const char *level, double bytes, int threads,
         sum += rate[t];
     }
     printf("%s{\"level\": \"%s\", \"bytes\": %.0f, \"threads\": %d, \"bytes_per_s\": %.4g}",
-           comma, level, bytes, threads, sum);
+           first ? "" : ", ", level, bytes, threads, sum);
     clod_memory_free(rate);
 }
 
-int main(void)
+/** Rates of all sets of this machine; returns the best set. */
+static const bench_machine_set *print_sets(void)
 {
-    const int all = clod_threads_available();
     const bench_machine_set *best = NULL;
-    const char *comma = "";
-    printf("{\"version\": \"%s\", \"sets\": [", clod_version_text());
     for (size_t k = 0; k < ROW_COUNT; k++) {
         const machine_row *row = &ROWS[k];
         if (clod_kernel_choose(row->kernel) == NULL) {
             continue;
         }
-        best = best == NULL ? row->set : best;
         const double per_round = (double)row->set->operations;
         printf("%s{\"set\": \"%s\", \"multiply_add\": %.4g, \"fused\": %.4g, \"divide\": %.4g, "
                "\"root\": %.4g}",
-               comma, row->kernel, 2.0 * per_round * rounds_per_second(row->set->multiply_add),
+               best == NULL ? "" : ", ", row->kernel,
+               2.0 * per_round * rounds_per_second(row->set->multiply_add),
                2.0 * per_round * rounds_per_second(row->fused->multiply_add),
                per_round * rounds_per_second(row->set->divide),
                per_round * rounds_per_second(row->set->root));
-        comma = ", ";
+        best = best == NULL ? row->set : best;
     }
-    printf("], \"bandwidth\": [");
+    return best;
+}
+
+int main(void)
+{
+    const int all = clod_threads_available();
     const double l2 = cache_bytes(2);
     const double l3 = cache_bytes(3);
-    comma = "";
-    for (int threads = 1; threads <= all; threads += all > 1 ? all - 1 : 1) {
-        if (l2 > 0.0) { // every thread has its own
-            print_bandwidth("L2", 0.5 * l2 * threads, threads, best, comma);
-            comma = ", ";
+    printf("{\"version\": \"%s\", \"l2_bytes\": %.0f, \"l3_bytes\": %.0f, \"sets\": [",
+           clod_version_text(), l2, l3);
+    const bench_machine_set *best = print_sets();
+    printf("], \"bandwidth\": [");
+    for (int k = 0; k < (all > 1 ? 2 : 1); k++) {
+        const int threads = k == 0 ? 1 : all;
+        print_triad("memory", MEMORY_BYTES, threads, best, k == 0);
+        if (l2 > 0.0) { // every core has its own
+            print_triad("L2", 0.5 * l2 * threads, threads, best, false);
         }
         if (l3 > 0.0) {
-            print_bandwidth("L3", 0.5 * l3, threads, best, comma);
-            comma = ", ";
+            print_triad("L3", 0.5 * l3, threads, best, false);
         }
-        print_bandwidth("memory", MEMORY_BYTES, threads, best, comma);
-        comma = ", ";
     }
-    printf("], \"l2_bytes\": %.0f, \"l3_bytes\": %.0f}\n", l2, l3);
+    printf("]}\n");
     return 0;
 }

@@ -51,4 +51,7 @@ set_tests_properties(mutation/law PROPERTIES PROCESSORS 2)
 clod_add_check(bench/instructions 1200 bench/count-instructions ${CMAKE_BINARY_DIR}/bench/bench_step)
 set_tests_properties(bench/instructions PROPERTIES SKIP_RETURN_CODE 77)
 
+# That the program which measures measures the step (tests/bench has the tests of its table).
+clod_add_check(bench/step 600 bench/check-step ${CMAKE_BINARY_DIR}/bench/bench_step)
+
 clod_add_check(package/deb 1200 tools/check-package ${CMAKE_BINARY_DIR})

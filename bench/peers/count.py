@@ -61,6 +61,8 @@ def operations(counts, code):
     """Operations by function and kind."""
     sums = collections.defaultdict(collections.Counter)
     for (function, address), count in counts.items():
+        if address not in code:
+            raise ProgramError(f"objdump shows no instruction at {address:#x} of {function}")
         mnemonic = code[address]
         for kind, pattern in KINDS.items():
             found = re.fullmatch(pattern, mnemonic)
