@@ -1,9 +1,10 @@
 """The results so far: one JSON object a line, so that an interrupted bench goes on."""
 
+import datetime
 import json
 import os
 
-KEY = ("kind", "size", "case", "program", "threads", "run", "warm", "steps")
+KEY = ("kind", "size", "case", "program", "version", "machine", "threads", "run", "warm", "steps")
 
 
 class Book:
@@ -15,12 +16,13 @@ class Book:
             with open(path) as file:
                 self.records = [json.loads(line) for line in file]
 
-    def has(self, record, version):
+    def has(self, record):
         """Whether this run of this version of the program is there."""
-        return any(all(old.get(key) == record.get(key) for key in KEY)
-                   and old["version"] == version for old in self.records)
+        return any(all(old.get(key) == record.get(key) for key in KEY) for old in self.records)
 
     def add(self, record):
+        """Keep a record, with the time it has none of yet."""
+        record = {"date": datetime.datetime.now().isoformat(timespec="seconds"), **record}
         os.makedirs(os.path.dirname(self.path), exist_ok=True)
         self.records.append(record)
         with open(self.path, "a") as file:

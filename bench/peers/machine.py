@@ -1,6 +1,5 @@
 """What the machine is and can do, and what the kernel asks of it."""
 
-import datetime
 import json
 import os
 import platform
@@ -27,12 +26,10 @@ def name():
 def measure(bench, book, version, grains):
     """Limits of the machine (bench_machine) and operations of the kernel (count.py)."""
     step = os.path.join(bench, "bench_step")
-    for kind, ask in (("machine", lambda: json.loads(call([os.path.join(
-            bench, "bench_machine")])[0])),
-                      ("count", lambda: count.kernel(step, [SOURCE + ".csv", SOURCE + ".box"],
-                                                     grains))):
-        record = {"kind": kind, "program": "clod"}
-        if not book.has(record, version):
+    asked = {"machine": lambda: json.loads(call([os.path.join(bench, "bench_machine")])[0]),
+             "count": lambda: count.kernel(step, [SOURCE + ".csv", SOURCE + ".box"], grains)}
+    for kind, ask in asked.items():
+        record = {"kind": kind, "program": "clod", "version": version, "machine": name()}
+        if not book.has(record):
             print(f"{kind} ...", flush=True)
-            book.add({**record, "found": ask(), "version": version, "machine": name(),
-                      "date": datetime.datetime.now().isoformat(timespec="seconds")})
+            book.add({**record, "found": ask()})

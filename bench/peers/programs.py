@@ -1,5 +1,6 @@
 """Runs clod and its peers on one bed with one law, and says the same things of each."""
 
+import hashlib
 import json
 import os
 import re
@@ -8,7 +9,6 @@ import subprocess
 
 DECKS = os.path.dirname(os.path.abspath(__file__))
 PEERS = {"liggghts": "liggghts", "lammps": "lmp"}  # Debian package: program
-COMMON = ("seconds", "rate", "coordination", "kinetic_J", "rotational_J", "rss_kB")
 
 
 class ProgramError(Exception):
@@ -43,20 +43,22 @@ def clod(program, stem, law, threads, warm, steps, more=()):
     return {"seconds": said["seconds"], "rate": said["grain_steps_per_s"],
             "coordination": 2.0 * said["contacts_per_grain"], "kinetic_J": said["kinetic_J"],
             "rotational_J": said["rotational_J"], "rss_kB": said["rss_peak_kB"],
-            "version": said["version"], "clod": said}
+            "lists": said["rebuilds"] + said["refreshes"], "clod": said}
 
 
 def parse(text, grains, steps):
     """Loop time and last state of the bed from what a peer prints (bench/peers/in.*)."""
     times = re.findall(r"^Loop time of (\S+) on \d+ procs? for (\d+) steps", text, re.M)
+    builds = re.findall(r"^Neighbor list builds = (\d+)", text, re.M)
     last = re.findall(r"^ *\d+ +(\d+) +(\S+) +(\S+) +(\S+) *$", text, re.M)
-    if len(times) < 2 or int(times[1][1]) != steps or not last or int(last[-1][0]) != grains:
+    if (len(times) < 2 or len(builds) < 2 or int(times[1][1]) != steps or not last
+            or int(last[-1][0]) != grains):
         raise ProgramError("what a peer printed is not what bench/peers/in.* ask for:\n"
                            + text[-2000:])
     seconds = float(times[1][0])
     kinetic, rotational, coordination = map(float, last[-1][1:])
     return {"seconds": seconds, "rate": grains * steps / seconds, "coordination": coordination,
-            "kinetic_J": kinetic, "rotational_J": rotational}
+            "kinetic_J": kinetic, "rotational_J": rotational, "lists": int(builds[1])}
 
 
 def peer(name, stem, law, ranks, warm, steps, grains, variables=()):
@@ -69,7 +71,16 @@ def peer(name, stem, law, ranks, warm, steps, grains, variables=()):
         command += ["-var", key, str(value)]
     text, rss = call(command, {"OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
                                "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"})
-    return {**parse(text, grains, steps), "rss_kB": rss, "version": version(name)}
+    return {**parse(text, grains, steps), "rss_kB": rss}
+
+
+def clod_version(program):
+    """What bench_step says; with a digest of the file when no commit says what is in it."""
+    said = call([program, "--version"])[0].strip()
+    if "-dirty" in said or "(" not in said:
+        with open(program, "rb") as file:
+            said += f", file {hashlib.sha256(file.read()).hexdigest()[:12]}"
+    return said
 
 
 def version(package):

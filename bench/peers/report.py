@@ -49,8 +49,8 @@ def _rows(records, case, size):
                 kinetic = f"{some[0]['kinetic_J'] / ours[0]['kinetic_J']:.2f}"
                 if abs(some[0]["coordination"] / ours[0]["coordination"] - 1.0) > SAME_WORK:
                     contacts += " DIFFERS"
-            yield [size, some[0]["grains"], name, threads, some[0]["steps"], len(some),
-                   table.spread(some), ratio, contacts, kinetic]
+            yield [size, some[0]["grains"], name, threads, some[0]["steps"], some[0]["lists"],
+                   len(some), table.spread(some), ratio, contacts, kinetic]
 
 
 def _speed(records):
@@ -59,7 +59,7 @@ def _speed(records):
         rows = [row for size in plan.SIZES for row in _rows(records, case, size)]
         if rows:
             text += f"## Case {title}\n\n" + table.text(
-                ["bed", "grains", "program", "threads", "steps", "runs",
+                ["bed", "grains", "program", "threads", "steps", "lists made anew", "runs",
                  "million grain-steps/s", "clod / it", "coordination", "kinetic energy / clod's"],
                 rows)
     return text and text + f"""Same work: the coordination numbers at the end differ by at most

@@ -29,7 +29,9 @@ OBJDUMP = """
 """
 PEER = """
 Loop time of 0.25 on 1 procs for 200 steps with 30 atoms, some
+Neighbor list builds = 4
 Loop time of 1.5 on 1 procs for 1000 steps with 30 atoms
+Neighbor list builds = 3
     Step    Atoms         KinEng           spin   coordination
     1200       30   1.378392e-06   1.158921e-08    5.877333333
 Loop time of 1e-06 on 1 procs for 0 steps with 30 atoms
@@ -55,7 +57,7 @@ class Count(unittest.TestCase):
         found = programs.parse(PEER, 30, 1000)
         self.assertEqual(found, {"seconds": 1.5, "rate": 30 * 1000 / 1.5,
                                  "coordination": 5.877333333, "kinetic_J": 1.378392e-06,
-                                 "rotational_J": 1.158921e-08})
+                                 "rotational_J": 1.158921e-08, "lists": 3})
 
     def test_another_run_is_refused(self):
         for grains, steps in ((31, 1000), (30, 999)):
