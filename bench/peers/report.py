@@ -25,10 +25,11 @@ Command: `make bench-peers` (`bench/run-peers`; decks of the peers: `bench/peers
 {dates[0]} to {dates[-1]} on: {machines}; {system}.
 
 {_versions(records)}
-Beds: copies of `bench/packings/pack_4k.csv` (3750 grains of copper ore, periodic; no smaller one
-is periodic). Step 1e-7 s, double precision, gravity, all neighbours kept by motion; the same
-steps warm up and are measured in all programs. The programs take turns; medians (smallest -
-largest) over the runs. Threads of clod, MPI ranks of the peers.
+Beds: copies of `bench/packings/pack_4k.csv` (3750 grains of copper ore, periodic; cut smaller it
+would not be, so there is no bed of 1000). Step 1e-7 s, double precision, gravity. Warm-up and
+measured steps are the same ones in all programs, from the same grains. The programs take turns;
+medians (smallest - largest) over the runs. Threads are clod's threads and the peers' MPI ranks.
+Times are those of the steps alone, as each program measures them.
 
 """
 
@@ -62,11 +63,12 @@ def _speed(records):
                 ["bed", "grains", "program", "threads", "steps", "lists made anew", "runs",
                  "million grain-steps/s", "clod / it", "coordination", "kinetic energy / clod's"],
                 rows)
-    return text and text + f"""Same work: the coordination numbers at the end differ by at most
-{100 * SAME_WORK:.0f} %, else DIFFERS. The kinetic energies differ where the laws do: dash-pots (LAMMPS
-gran/hertz/history has constants in place of a restitution, `damping tsuji` another restitution,
-LIGGGHTS edinburgh/stiffness damps with k1 whatever n: docs/cross-code.md), rolling stiffness (LAMMPS
-sds), and adhesion, which LIGGGHTS takes away unless it is told limitForce off.
+    return text and text + f"""Same work: at the end of a run the coordination numbers differ by at
+most {100 * SAME_WORK:.0f} %, else DIFFERS. Kinetic energies differ where the laws do (docs/cross-code.md). LAMMPS: gran/hertz/history has
+constants in place of a restitution, `damping tsuji` gives another one, sds takes a stiffness of
+its own. LIGGGHTS edinburgh/stiffness takes k1 for the tangential stiffness and for the dash-pots
+whatever n is, so its grains come to rest sooner; it takes all adhesion away unless it is told
+limitForce off.
 
 """
 

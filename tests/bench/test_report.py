@@ -1,4 +1,4 @@
-"""The table of bench/run-peers from records made by hand; every expected number is worked out here."""
+"""The table of bench/run-peers from records made by hand; expected numbers are worked out here."""
 
 import json
 import os
@@ -15,7 +15,8 @@ PEER = {**CLOD, "version": "liggghts 3"}
 LIGGGHTS = "LIGGGHTS edinburgh/stiffness"
 
 
-def speed(size, grains, program, rates, threads=1, coordination=5.8, rss=102400, **more):
+def speed(size, grains, program, rates, threads=1, coordination=5.8, rss=102400,
+          **more):
     """Records of one program's runs."""
     base = PEER if program != "clod" else CLOD
     said = {"rss_empty_kB": 2400, "rss_stepped_kB": 52400, "contacts_per_grain": 2.9,
