@@ -7,9 +7,6 @@
 #include "law/law.h"
 #include "state/state.h"
 
-/** The ore's density, for peers that want it: bench/packing.py has the same [kg/m3]. */
-#define BENCH_DENSITY 2481.3
-
 /**
  * Read a packing: lines id,x,y,z,r,vx,vy,vz [m, m/s] after a header; the box is three periods.
  *

@@ -63,12 +63,12 @@ def _speed(records):
                 ["bed", "grains", "program", "threads", "steps", "lists made anew", "runs",
                  "million grain-steps/s", "clod / it", "coordination", "kinetic energy / clod's"],
                 rows)
-    return text and text + f"""Same work: at the end of a run the coordination numbers differ by at
-most {100 * SAME_WORK:.0f} %, else DIFFERS. Kinetic energies differ where the laws do (docs/cross-code.md). LAMMPS: gran/hertz/history has
-constants in place of a restitution, `damping tsuji` gives another one, sds takes a stiffness of
-its own. LIGGGHTS edinburgh/stiffness takes k1 for the tangential stiffness and for the dash-pots
-whatever n is, so its grains come to rest sooner; it takes all adhesion away unless it is told
-limitForce off.
+    return text and text + f"""Same work: the coordination numbers at the end of a run differ by at
+most {100 * SAME_WORK:.0f} %, else DIFFERS. Kinetic energies differ where the laws do (docs/cross-code.md).
+LAMMPS: gran/hertz/history has constants in place of a restitution, `damping tsuji` gives another
+one, sds takes a stiffness of its own. LIGGGHTS edinburgh/stiffness takes k1 for the tangential
+stiffness and for the dash-pots whatever n is, so its grains come to rest sooner; it takes all
+adhesion away unless it is told limitForce off.
 
 """
 

@@ -24,7 +24,8 @@ def speed(size, grains, program, rates, threads=1, coordination=5.8, rss=102400,
     return [{"kind": "speed", "size": size, "case": "plastic", "program": program, "run": run,
              "threads": threads, "warm": 5, "steps": 10, "grains": grains, "rate": rate,
              "coordination": coordination, "kinetic_J": 2.0 if program == "clod" else 3.0,
-             "lists": 0, "rss_kB": rss, "clod": said, **base, **more} for run, rate in enumerate(rates)]
+             "lists": 0, "rss_kB": rss, "clod": said, **base, **more}
+            for run, rate in enumerate(rates)]
 
 
 def row(text, *starts):
@@ -42,8 +43,8 @@ class Report(unittest.TestCase):
         # medians 26e6 and 2e6, so 13 times; 3 J / 2 J
         text = report.text(speed("4k", 3750, "clod", [30e6, 26e6, 20e6])
                            + speed("4k", 3750, LIGGGHTS, [1.5e6, 2e6, 2.5e6]), "Linux")
-        self.assertEqual(row(text, LIGGGHTS)[3:], ["1", "10", "0", "3", "2.00 (1.50 - 2.50)", "13.00",
-                                                   "5.800", "1.50"])
+        self.assertEqual(row(text, LIGGGHTS)[3:], ["1", "10", "0", "3", "2.00 (1.50 - 2.50)",
+                                                   "13.00", "5.800", "1.50"])
         self.assertEqual(row(text, "26.00 (20.00 - 30.00)")[:4], ["4k", "3750", "clod", "1"])
         self.assertEqual(row(text, "at least 12")[-2:], ["13.00", "reached"])
         for word in ("clod 1", "liggghts 3", "box", "2026-01-02T03:04:05", "Linux"):
