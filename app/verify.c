@@ -133,9 +133,9 @@ int clod_app_verify(int argc, char **argv)
         .parser = parse,
         .args_doc = "[NAME ...]",
         .doc =
-            "Run the verification suite, or the tests that are named: small cases whose "
-            "result is known from a closed form or from the literature. With --slow: whole "
-            "beds of grains beside laws of bulk solids, which takes long.\v"
+            "Run the verification suite, or those of its tests that are named: small cases "
+            "whose result is known from a closed form or from the literature. With --slow: "
+            "whole beds of grains beside laws of bulk solids, which takes long.\v"
             "DIR gets verification.md (with --slow validation.md) with every quantity, "
             "expected and obtained, a CSV file "
             "of each curve, and the cases, which clod run takes as well. The exit status is 0 "

@@ -33,7 +33,7 @@ typedef struct clod_verify_report {
 
 typedef struct clod_verify_options {
     const char *directory; ///< gets the report, curves as CSV, and the cases; made if need be
-    const char *const *names; ///< [name_count] tests to run
+    const char *const *names; ///< [name_count] tests to run, all slow or none
     size_t name_count;        ///< 0 = all that are slow, or all that are not
     bool slow;                ///< the slow tests, of bulk solids; their report is validation.md
     void (*progress)(void *context, const char *name); ///< before each test; or NULL
@@ -61,8 +61,9 @@ const char *clod_verify_help(size_t k);
  * @param options  which tests, and where to
  * @param report   [out] owned content (clod_verify_fini), also after a failure
  * @return         true when all tests ran; whether they passed is in report->misses
- * Errors  CLOD_USAGE: no test has this name (with a suggestion); CLOD_FAILED: disk, memory, or
- *         a case that the engine cannot run.   Threads  one per folder.
+ * Errors  CLOD_USAGE: no test has this name (with a suggestion), or the one that has it is slow
+ *         and `slow` is not set, or the other way round; CLOD_FAILED: disk, memory, or a case
+ *         that the engine cannot run.   Threads  one per folder.
  * Test    tests/verify/, tests/cli/test_verify.py
  */
 bool clod_verify_run(const clod_verify_options *options, clod_verify_report *report,

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "config/suggest.h"
 
@@ -68,28 +69,57 @@ bool clod_verify_is_slow(size_t k)
 
 static bool is_wanted(const clod_verify_options *options, const entry *test)
 {
-    bool wanted = options->name_count == 0 && test->slow == options->slow;
+    bool wanted = options->name_count == 0;
     for (size_t k = 0; k < options->name_count; k++) {
         wanted |= strcmp(options->names[k], test->name) == 0;
     }
-    return wanted;
+    return wanted && test->slow == options->slow;
+}
+
+/** The names that a run of this kind takes: "a, b, c"; the buffer is large enough for all. */
+static const char *list_names(bool slow, char *buffer, size_t size)
+{
+    size_t length = 0;
+    for (size_t t = 0; t < TEST_COUNT; t++) {
+        if (TESTS[t].slow == slow) {
+            length += (size_t)snprintf(buffer + length, size - length, "%s%s",
+                                       length > 0 ? ", " : "", TESTS[t].name);
+            CLOD_ASSERT(length < size);
+        }
+    }
+    return buffer;
+}
+
+/** Is this the name of a test of the kind that is run? */
+static bool check_name(const char *name, bool slow, clod_status *status)
+{
+    char names[512];
+    char suggestion[128];
+    clod_suggest near = clod_suggest_start(name);
+    for (size_t t = 0; t < TEST_COUNT; t++) {
+        if (strcmp(name, TESTS[t].name) != 0) {
+            clod_suggest_offer(&near, TESTS[t].name);
+        } else if (TESTS[t].slow == slow) {
+            return true;
+        } else {
+            return clod_status_fail(
+                status, CLOD_USAGE, "%s is %s test: run it %s --slow; %s --slow there are %s",
+                name, slow ? "no slow" : "a slow", slow ? "without" : "with",
+                slow ? "with" : "without", list_names(slow, names, sizeof names));
+        }
+    }
+    clod_suggest_text(&near, suggestion, sizeof suggestion);
+    return clod_status_fail(status, CLOD_USAGE,
+                            "there is no test %s%s; there are %s; clod verify --list says what "
+                            "they look at",
+                            name, suggestion, list_names(slow, names, sizeof names));
 }
 
 static bool check_names(const clod_verify_options *options, clod_status *status)
 {
     for (size_t k = 0; k < options->name_count; k++) {
-        clod_suggest near = clod_suggest_start(options->names[k]);
-        bool known = false;
-        for (size_t t = 0; t < TEST_COUNT; t++) {
-            known |= strcmp(options->names[k], TESTS[t].name) == 0;
-            clod_suggest_offer(&near, TESTS[t].name);
-        }
-        if (!known) {
-            char suggestion[128];
-            clod_suggest_text(&near, suggestion, sizeof suggestion);
-            return clod_status_fail(status, CLOD_USAGE,
-                                    "there is no test %s%s; clod verify --list lists them",
-                                    options->names[k], suggestion);
+        if (!check_name(options->names[k], options->slow, status)) {
+            return false;
         }
     }
     return true;

@@ -28,8 +28,21 @@ class Verify(clod.Case):
         done = clod.run("verify", "-o", self.path("out"), "chung-oi-2")
         self.assertEqual(done.returncode, 2)
         self.assertIn("there is no test chung-oi-2; did you mean chung-ooi-2?", done.stderr)
+        self.assertIn("there are chung-ooi-1, chung-ooi-2, ", done.stderr)
         self.assertIn("--list", done.stderr)
         self.assertFalse(os.path.exists(self.path("out")), "a wrong name leaves no folder")
+
+    def test_a_name_of_the_other_kind(self):
+        for words, message, exists in (
+                (["--slow", QUICK], f"{QUICK} is no slow test: run it without --slow", "janssen"),
+                (["--slow", "janssen", QUICK], f"{QUICK} is no slow test", "janssen"),
+                (["janssen"], "janssen is a slow test: run it with --slow", QUICK)):
+            done = clod.run("verify", "-o", self.path("out"), *words)
+            self.assertEqual(done.returncode, 2, "nothing may pass for a test that is not run")
+            self.assertIn(message, done.stderr)
+            self.assertIn(exists, done.stderr.split("--slow there are ")[1])
+            self.assertNotIn("quantities", done.stdout)
+            self.assertFalse(os.path.exists(self.path("out")))
 
     def test_wrong_use(self):
         done = clod.run("verify", "--output=")
