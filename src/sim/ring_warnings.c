@@ -20,7 +20,8 @@ static void add_flags(json_t *list, const clod_shear_cell *cell, const clod_part
             "blocks. %s",
             part->name, 1e3 * t->preshear_displacement,
             t->straight != 0
-                ? "Set jenike.twists (or raise them), or raise preshear_max with offset and rim"
+                ? "By ASTM D6128 it then gives no valid point of a yield locus. Set "
+                  "jenike.twists (or raise them), or raise preshear_max with offset and rim"
                 : "Raise ring_shear.preshear_max or steady_tolerance");
     }
     if ((flags & CLOD_RING_SHEAR_NOT_SETTLED) != 0) {
@@ -52,10 +53,11 @@ static void add_dilation(json_t *list, const clod_shear_cell *cell, const clod_p
         clod_warning_box_add(
             list,
             "%s: %sthe specimen still %s by %.3f mm per mm of shear: not the critical state. "
-            "Raise %s.%s to go further",
+            "Raise %s.%s to go further%s",
             part->name, steady ? "the shear stress is steady, but " : "",
             rate > 0.0 ? "dilates" : "contracts", fabs(rate), cell->key,
-            steady ? "steady_blocks" : "preshear_max");
+            steady ? "steady_blocks" : "preshear_max",
+            t->straight != 0 ? ", with offset and rim" : "");
     }
 }
 

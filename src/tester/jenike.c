@@ -36,6 +36,13 @@ bool clod_jenike_is_at_speed(const clod_ring_shear *self, const clod_state *stat
     return clod_jenike_speed(state) == self->target_speed;
 }
 
+bool clod_jenike_is_behind(const clod_state *state)
+{
+    const clod_wall *ring = clod_bed_wall(state, "shear_ring");
+    const clod_shape *rim = &ring->shapes[1];
+    return rim->center.x + ring->shift.x <= rim->inner - rim->outer;
+}
+
 /** Bring a spin towards its target; whether it is there. */
 static bool slew_spin(clod_wall *wall, double target, double most)
 {

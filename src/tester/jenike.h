@@ -20,6 +20,9 @@ double clod_jenike_speed(const clod_state *state);
 /** Whether the speed is the procedure's target, to the last bit. */
 bool clod_jenike_is_at_speed(const clod_ring_shear *self, const clod_state *state);
 
+/** Whether the shear ring is as far behind the base ring as its rim is thick, or farther. */
+bool clod_jenike_is_behind(const clod_state *state);
+
 /**
  * Twist the lid to one side and to the other, `twists` times, its edge moving with `speed`.
  *

@@ -231,7 +231,8 @@ static void after_preshear(clod_ring_shear *self, clod_state *state, const doubl
 static void after_reverse(clod_ring_shear *self, clod_state *state, const double *row)
 {
     set_stress(self, state, self->target_stress);
-    const bool late = self->displacement > CLOD_LIMITS_REVERSE_MAX;
+    const bool late = self->displacement > CLOD_LIMITS_REVERSE_MAX ||
+                      (self->straight != 0 && clod_jenike_is_behind(state));
     if (row[CLOD_RING_SHEAR_SHEAR_STRESS] > 0.0 && !late) {
         return;
     }

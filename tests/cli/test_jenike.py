@@ -126,7 +126,8 @@ class Jenike(clod.Case):
     def test_warnings_name_the_tester(self):
         """Far too short a way to become steady, and far too fast."""
         for text in ("preshear: not steady after 6 mm of shear; the preshear values are means "
-                     "of the last blocks. Set jenike.twists (or raise them), or raise "
+                     "of the last blocks. By ASTM D6128 it then gives no valid point of a yield "
+                     "locus. Set jenike.twists (or raise them), or raise "
                      "preshear_max with offset and rim",
                      "preshear: inertial number"):
             self.assertEqual(self.report.count(text), 1, self.report)

@@ -24,7 +24,7 @@ typedef struct cell {
     clod_case from;
     clod_state state;
     clod_wall wall[WALLS];
-    clod_shape shape[WALLS];
+    clod_shape shape[WALLS][2];
     double place[4][4], motion[4][4];
     clod_ring_shear test;
     double row[CLOD_RING_SHEAR_COLUMNS];
@@ -57,10 +57,14 @@ static void make(int64_t twists)
                                                        .peak_window = 0.1e-3}};
     for (int w = 0; w < WALLS; w++) {
         snprintf(now.wall[w].name, sizeof now.wall[w].name, "%s", NAMES[w]);
-        now.wall[w].shapes = &now.shape[w];
-        now.wall[w].shape_count = 1;
+        now.wall[w].shapes = now.shape[w];
+        now.wall[w].shape_count = w == BASE || w == LID ? 1 : 2;
     }
-    now.shape[LID] = (clod_shape){
+    now.shape[SHEAR_RING][1] = (clod_shape){.kind = CLOD_SHAPE_ANNULUS,
+                                            .center = {-3e-3, 0.0, BASE_HEIGHT},
+                                            .inner = RADIUS,
+                                            .outer = RADIUS + 3.2e-3};
+    now.shape[LID][0] = (clod_shape){
         .kind = CLOD_SHAPE_ANNULUS, .center = {-3e-3, 0.0, LID_START}, .outer = RADIUS};
     now.wall[LID].load = CLOD_LOAD_STRESS;
     now.state.walls.wall = now.wall;
@@ -234,6 +238,23 @@ static void point_goes_back_reduces_and_shears_to_the_peak(void **state)
     check_relative(now.test.shear_speed, SPEED * sqrt(0.4), 1e-12);
 }
 
+// Steady after 1 mm, 2 mm behind the base ring: 2 mm back would be 0.8 mm more than the rim.
+static void shearing_back_stops_where_the_rims_end(void **state)
+{
+    (void)state;
+    go_to_preshear();
+    look_while(CLOD_RING_SHEAR_PRESHEAR, PRESHEAR, 6e3, 100000);
+    assert_true(now.wall[SHEAR_RING].shift.x < 1.1e-3);
+    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    look_while(CLOD_RING_SHEAR_REVERSE, PRESHEAR, 3e3, 1000000); // never falls to zero
+    assert_int_equal(now.test.flags, CLOD_RING_SHEAR_NO_REVERSAL);
+    const double look_way = 0.033 * SPEED * 200 * DT;
+    check_close(-3e-3 + now.wall[SHEAR_RING].shift.x, -3.2e-3 - 0.5 * look_way,
+                0.5 * look_way * (1.0 + 1e-9));
+    look(7e3, 0.0);
+    assert_true(now.wall[SHEAR_RING].velocity.x == 0.0);
+}
+
 /** One twist is +angle, -angle, 0: the way of the edge is 4 R angle, without the turning. */
 static void lid_is_twisted_to_and_fro(void **state)
 {
@@ -304,6 +325,7 @@ int main(void)
         cmocka_unit_test(ring_and_lid_move_as_one_and_the_base_stands),
         cmocka_unit_test(preshear_ends_when_its_travel_is_used_up),
         cmocka_unit_test(point_goes_back_reduces_and_shears_to_the_peak),
+        cmocka_unit_test(shearing_back_stops_where_the_rims_end),
         cmocka_unit_test(lid_is_twisted_to_and_fro),
         cmocka_unit_test(a_lid_that_sinks_to_the_base_ring_stops_the_test),
     };

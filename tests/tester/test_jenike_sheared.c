@@ -120,31 +120,66 @@ static void a_block_on_a_plate_is_held_by_its_friction(void **state)
     end(&b);
 }
 
-// From 4 mm behind the base ring to 2 mm before it. Above the shear plane a grain's centre is
-// in the shear ring, below it in the base ring; between floor and lid all the time.
+/**
+ * The overlap of one grain that carries the whole load of the lid, all at one contact of the
+ * softest branch: d = (sigma A/k1)^(2/3) = (5 kPa pi (20 mm)^2/4.75e6 N/m^1.5)^(2/3) = 0.12 mm.
+ */
+static const double DEEPEST = 0.1205e-3;
+
+/**
+ * How far a grain of one ring reaches into the other ring's wall or rim [m]; the grain's centre
+ * is `height` above or below the plane where they meet and `from_axis` from the other's axis.
+ */
+static double into_the_other(double height, double from_axis, double radius)
+{
+    return radius - hypot(fmax(20e-3 - from_axis, 0.0), height);
+}
+
+/** Is every grain inside floor, lid and both rings, whose walls and rims it only touches? */
+static void check_inside(const bed *b)
+{
+    const clod_wall *ring = &b->state.walls.wall[CLOD_JENIKE_CELL_SHEAR_RING];
+    const clod_wall *lid = &b->state.walls.wall[CLOD_JENIKE_CELL_LID];
+    const double top = lid->shapes[0].center.z + lid->shift.z;
+    assert_true(lid->shift.x == ring->shift.x);
+    for (size_t g = 0; g < b->state.grains.count; g++) {
+        const double *p = b->state.grains.place[g];
+        const double height = p[2] - 10e-3; // above the shear plane
+        const double in_base = hypot(p[0], p[1]);
+        const double in_ring = hypot(p[0] + 4e-3 - ring->shift.x, p[1]);
+        check_at_most((height > 0.0 ? in_ring : in_base) + p[3], 20e-3 + DEEPEST);
+        check_at_most(into_the_other(height, height > 0.0 ? in_base : in_ring, p[3]), DEEPEST);
+        check_at_most(p[3] - p[2], DEEPEST);
+        check_at_most(p[2] + p[3] - top, DEEPEST);
+    }
+}
+
+// From 4 mm behind the base ring to 2 mm before it, back until the shear stress is gone, and on
+// to the end of the point.
 static void no_grain_leaves_the_cell(void **state)
 {
     (void)state;
     bed b;
-    double travelled = 0.0;
-    bool done = false;
     begin(&b, 10e-3, 4e-3);
+    const clod_wall *ring = &b.state.walls.wall[CLOD_JENIKE_CELL_SHEAR_RING];
     b.test.steady.tolerance = 1e-9; // sheared to the end of the way
-    while (!done) {
-        done = look(&b);
-        const clod_wall *ring = &b.state.walls.wall[CLOD_JENIKE_CELL_SHEAR_RING];
-        const clod_wall *lid = &b.state.walls.wall[CLOD_JENIKE_CELL_LID];
-        const double top = lid->shapes[0].center.z + lid->shift.z;
-        travelled = ring->shift.x;
-        assert_true(lid->shift.x == travelled);
-        for (size_t g = 0; g < b.state.grains.count; g++) {
-            const double *p = b.state.grains.place[g];
-            const double axis = p[2] > 10e-3 ? -4e-3 + travelled : 0.0;
-            check_at_most(hypot(p[0] - axis, p[1]), 20e-3);
-            assert_true(p[2] > 0.0 && p[2] < top);
-        }
+    while (!look(&b)) {
+        check_inside(&b);
     }
-    check_close(travelled, 6e-3, 0.1e-3);
+    check_inside(&b);
+    check_close(ring->shift.x, 6e-3, 0.1e-3);
+    clod_ring_shear_branch(&b.test, 2e3, &b.state);
+    double farthest = 0.0;
+    double back = 0.0;
+    while (!look(&b)) {
+        check_inside(&b);
+        farthest = fmax(farthest, ring->shift.x);
+        back = fmax(back, farthest - ring->shift.x);
+    }
+    check_inside(&b);
+    assert_int_equal(b.test.flags, 0);
+    assert_true(back > 0.1e-3);          // it went back,
+    assert_true(ring->shift.x > 6.1e-3); // and farther than before
     end(&b);
 }
 
