@@ -29,6 +29,11 @@ bool clod_verify_bench_check(const clod_verify_bench *self, const clod_verify_ex
     return clod_verify_report_add(self->report, &row, status);
 }
 
+void clod_verify_bench_record_miss(const clod_verify_bench *self, const char *reason)
+{
+    clod_verify_report_record_miss(self->report, reason);
+}
+
 void clod_verify_worst_offer(clod_verify_worst *self, double at, double expected, double got)
 {
     const double off = fabs(got - expected) / fabs(expected);

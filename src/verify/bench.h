@@ -25,6 +25,14 @@ bool clod_verify_bench_check(const clod_verify_bench *self, const clod_verify_ex
                              double got, clod_status *status, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 
+/**
+ * The quantity that was compared last is known to miss: a recorded miss, which is none in the
+ * count of misses until it passes.
+ *
+ * @param reason  why; it stands beside the row
+ */
+void clod_verify_bench_record_miss(const clod_verify_bench *self, const char *reason);
+
 /** The point of a curve that is furthest from what is expected there. */
 typedef struct clod_verify_worst {
     double at, expected, got;

@@ -18,6 +18,11 @@ static const clod_verify_chung_material AL_ALLOY = {"al_alloy", 2700.0, 70e9, 0.
 #define DIGITISED                                                                              \
     CLOD_VERIFY_CHUNG ", curve of test 4 as digitised in the test data of Kratos Multiphysics"
 
+#define UNEXPLAINED                                                                            \
+    "the published points are sharp to 0.3 deg (6 %), which explains half at most; the rest "  \
+    "is taken for the spring and step of the programs that made them. Kratos is off by "       \
+    "17.7 %; docs/theory/tangential.md"
+
 /**
  * Test 4, aluminium oxide, read off the published curves: digitised points of the Kratos
  * Multiphysics test data (BSD). The marks are at these angles; the abscissae as digitised are
@@ -49,21 +54,18 @@ typedef struct oblique {
 } oblique;
 
 /**
- * The scale of a difference between two results. That of the rebound angle phi is not its own
- * size: tan(phi) = (v_t' - R w)/v_n', and while the sphere sticks the two terms nearly cancel.
- * So a difference of phi is taken over what both terms would turn it by, (v_t' + R w)/v_n'
- * cos^2(phi). (The published angles are no sharper: those that follow from the published
- * restitution and spin of the same impacts differ from them by 0.34 deg on the average, which
- * is 7 % of the mean angle from 5 to 30 deg.)
+ * Of the rebound angle phi a difference is judged twice, over its own size and over what its
+ * two terms would turn it by, (v_t' + R w)/v_n' cos^2(phi) [deg]: tan(phi) = (v_t' - R w)/v_n',
+ * and while the sphere sticks the two nearly cancel. The first is a recorded miss: what the
+ * published curve can tell is in docs/theory/tangential.md.
  */
-static oblique scale_of(const clod_verify_chung *chung, const digitised *known)
+static double terms_of_rebound(const clod_verify_chung *chung, const digitised *known)
 {
     const double angle = known->angle * DEGREE;
     const double terms =
         fabs(known->restitution) * SPEED_4 * sin(angle) + chung->radius_a * fabs(known->spin);
     const double c = cos(known->rebound * DEGREE);
-    const double turn = terms / (chung->restitution * SPEED_4 * cos(angle)) * c * c;
-    return (oblique){{fabs(known->restitution), fabs(known->spin), turn / DEGREE}};
+    return terms / (chung->restitution * SPEED_4 * cos(angle)) * c * c / DEGREE;
 }
 
 static oblique oblique_of(const clod_verify_chung *chung, const clod_verify_chung_point *point,
@@ -77,7 +79,7 @@ static oblique oblique_of(const clod_verify_chung *chung, const clod_verify_chun
 typedef struct oblique_point {
     double angle;
     oblique got, sliding, published;
-    oblique scale; ///< of differences from the published values
+    double terms; ///< of the rebound angle, see terms_of_rebound [deg]
 } oblique_point;
 
 static oblique_point oblique_point_of(const clod_verify_chung *chung,
@@ -88,7 +90,7 @@ static oblique_point oblique_point_of(const clod_verify_chung *chung,
     oblique_point p = {.angle = known->angle, .sliding = none};
     p.got = oblique_of(chung, point, impact->v[0].x, impact->w[0].y, impact->v[0].z);
     p.published = (oblique){{known->restitution, known->spin, known->rebound}};
-    p.scale = scale_of(chung, known);
+    p.terms = terms_of_rebound(chung, known);
     if (clod_verify_chung_slides(chung, point)) {
         const clod_verify_chung_after after = clod_verify_chung_levered(chung, point);
         p.sliding =
@@ -100,13 +102,12 @@ static oblique_point oblique_point_of(const clod_verify_chung *chung,
 /** One of the three quantities. */
 typedef struct oblique_quantity {
     const char *file, *label;
-    const char *scale; ///< what differences from the published curve are taken over
 } oblique_quantity;
 
 static const oblique_quantity QUANTITY[QUANTITIES] = {
-    [RESTITUTION] = {"restitution", "tangential restitution [1]", "value"},
-    [SPIN] = {"spin", "spin after [rad/s]", "value"},
-    [REBOUND] = {"rebound", "rebound angle of the contact patch [deg]", "of its terms"},
+    [RESTITUTION] = {"restitution", "tangential restitution [1]"},
+    [SPIN] = {"spin", "spin after [rad/s]"},
+    [REBOUND] = {"rebound", "rebound angle of the contact patch [deg]"},
 };
 
 static bool write_oblique(const clod_verify_bench *bench, const char *sphere, int quantity,
@@ -147,27 +148,39 @@ static bool check_sliding(const clod_verify_bench *bench, const char *sphere, in
                                    QUANTITY[quantity].label, from, worst.at);
 }
 
-/** The sticking range against the published curve: mean difference over mean scale. */
+/** The sticking range against the published curve: mean difference over mean size. */
 static bool check_published(const clod_verify_bench *bench, const char *sphere, int quantity,
                             const oblique_point *points, clod_status *status)
 {
     double off = 0.0;
-    double sum = 0.0;
+    double size = 0.0;
+    double terms = 0.0;
     double to = 0.0;
     int count = 0;
     for (int k = 0; k < ANGLES; k++) {
         if (isnan(points[k].sliding.of[quantity])) {
             off += fabs(points[k].got.of[quantity] - points[k].published.of[quantity]);
-            sum += points[k].scale.of[quantity];
+            size += fabs(points[k].published.of[quantity]);
+            terms += points[k].terms;
             count++;
             to = fmax(to, points[k].angle);
         }
     }
     const clod_verify_expect none = {0.0, 0.05, false, DIGITISED};
-    return clod_verify_bench_check(bench, &none, off / sum, status,
-                                   "%s: %s, sticking (5-%.0f deg), off by %.3g, over mean %s",
-                                   sphere, QUANTITY[quantity].label, to, off / count,
-                                   QUANTITY[quantity].scale);
+    const char *label = QUANTITY[quantity].label;
+    if (!clod_verify_bench_check(bench, &none, off / size, status,
+                                 "%s: %s, sticking (5-%.0f deg), off by %.3g, over mean value",
+                                 sphere, label, to, off / count)) {
+        return false;
+    }
+    if (quantity != REBOUND) {
+        return true;
+    }
+    clod_verify_bench_record_miss(bench, UNEXPLAINED);
+    return clod_verify_bench_check(bench, &none, off / terms, status,
+                                   "%s: %s, sticking (5-%.0f deg), off by %.3g, over mean of "
+                                   "its two terms",
+                                   sphere, label, to, off / count);
 }
 
 static bool report_4(const clod_verify_bench *bench, const char *sphere,

@@ -72,7 +72,7 @@ class Verify(clod.Case):
         with open(self.path("a/b/verification.md")) as file:
             text = file.read()
         rows = [line for line in text.splitlines() if line.startswith("| " + QUICK)]
-        self.assertIn(f"{len(rows)} quantities, 0 missed.", text)
+        self.assertIn(f"{len(rows)} quantities, 0 missed;", text)
         self.assertIn(f"{len(rows)} quantities, 0 missed", done.stdout)
         self.assertTrue(any("peak force" in row for row in rows))
         with open(self.path(f"a/b/{QUICK}-al_alloy.csv")) as file:

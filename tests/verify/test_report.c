@@ -24,6 +24,7 @@ static size_t misses_of(clod_verify_row row)
     clod_status status;
     assert_true(clod_verify_report_add(&report, &row, &status));
     assert_int_equal(report.count, 1);
+    assert_int_equal(report.known, 0);
     assert_int_equal(report.rows[0].passed, report.misses == 0);
     const size_t misses = report.misses;
     clod_verify_fini(&report);
@@ -51,6 +52,34 @@ static void what_is_no_number_is_a_miss(void **state)
     assert_int_equal(misses_of(row_of(1.0, INFINITY, 1e9, true)), 1);
 }
 
+// A recorded miss is none as long as it misses; when it passes somebody must look at it.
+static void a_recorded_miss_must_miss(void **state)
+{
+    (void)state;
+    const double got[] = {2.5, 2.0, NAN};
+    const size_t misses[] = {0, 1, 0};
+    const char *const cells[] = {
+        "| 2.5 | 0.25 | **MISS**, recorded: read off a plot |\n",
+        "| 2 | 0.25 | yes, **but recorded as a miss**: read off a plot |\n",
+        "| nan | 0.25 | **MISS**, recorded: read off a plot |\n"};
+    for (int k = 0; k < 3; k++) {
+        clod_verify_report report = {0};
+        clod_status status;
+        const clod_verify_row row = row_of(2.0, got[k], 0.25, false);
+        assert_true(clod_verify_report_add(&report, &row, &status));
+        clod_verify_report_record_miss(&report, "read off a plot");
+        assert_int_equal(report.misses, misses[k]);
+        assert_int_equal(report.known, 1 - misses[k]);
+        char *text = clod_verify_report_text(&report);
+        assert_non_null(strstr(text, cells[k]));
+        assert_non_null(strstr(text, misses[k] == 0
+                                         ? "1 quantities, 0 missed; 1 recorded misses."
+                                         : "1 quantities, 1 missed; 0 recorded misses."));
+        clod_memory_free(text);
+        clod_verify_fini(&report);
+    }
+}
+
 static void the_table_counts_and_marks_a_miss(void **state)
 {
     (void)state;
@@ -63,7 +92,7 @@ static void the_table_counts_and_marks_a_miss(void **state)
     assert_int_equal(report.misses, 1);
     char *text = clod_verify_report_text(&report);
     assert_non_null(text);
-    assert_non_null(strstr(text, "100 quantities, 1 missed."));
+    assert_non_null(strstr(text, "100 quantities, 1 missed;"));
     assert_non_null(strstr(text, "| made-up | peak force [N] | 10 | nowhere | 10.02 | 0.1 % | "
                                  "**MISS** |\n"));
     assert_non_null(strstr(text, "| 10 | nowhere | 10 | 0.1 % | yes |\n"));
@@ -76,7 +105,7 @@ static void an_empty_report_has_no_misses(void **state)
     (void)state;
     clod_verify_report report = {0};
     char *text = clod_verify_report_text(&report);
-    assert_non_null(strstr(text, "0 quantities, 0 missed."));
+    assert_non_null(strstr(text, "0 quantities, 0 missed;"));
     clod_memory_free(text);
     clod_verify_fini(&report);
 }
@@ -86,6 +115,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_row_passes_within_its_tolerance_only),
         cmocka_unit_test(what_is_no_number_is_a_miss),
+        cmocka_unit_test(a_recorded_miss_must_miss),
         cmocka_unit_test(the_table_counts_and_marks_a_miss),
         cmocka_unit_test(an_empty_report_has_no_misses),
     };
