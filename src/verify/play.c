@@ -112,3 +112,9 @@ clod_vec3 clod_verify_play_force(const clod_verify_play *self, int grain)
 {
     return local(self, self->state.grains.load[self->row[grain]]);
 }
+
+clod_vec3 clod_verify_play_torque(const clod_verify_play *self, int grain)
+{
+    const double *load = self->state.grains.load[self->row[grain]];
+    return clod_verify_frame_in(self->frame, (clod_vec3){load[4], load[5], load[6]});
+}

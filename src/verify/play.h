@@ -42,3 +42,4 @@ clod_vec3 clod_verify_play_place(const clod_verify_play *self, int grain);
 clod_vec3 clod_verify_play_velocity(const clod_verify_play *self, int grain);
 clod_vec3 clod_verify_play_spin(const clod_verify_play *self, int grain);
 clod_vec3 clod_verify_play_force(const clod_verify_play *self, int grain);
+clod_vec3 clod_verify_play_torque(const clod_verify_play *self, int grain);
