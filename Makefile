@@ -8,6 +8,7 @@
 .DEFAULT_GOAL := build
 
 ARGS :=
+NAMES :=
 PREFIX := /usr/local
 RELEASE := build/release
 JOBS := $(shell nproc)
@@ -37,8 +38,8 @@ verify: setup-test build ## run the verification suite and renew docs/verificati
 	@status=0; $(RELEASE)/clod verify -o build/verify || status=$$?; \
 		tools/plot-verification build/verify docs verification && exit $$status
 
-validate: setup-test build ## run the slow tests of bulk solids and renew docs/validation.md
-	@status=0; $(RELEASE)/clod verify --slow -o build/validate || status=$$?; \
+validate: setup-test build ## run the slow tests, or NAMES of them, and renew docs/validation.md
+	@status=0; $(RELEASE)/clod verify --slow -o build/validate $(NAMES) || status=$$?; \
 		tools/plot-verification build/validate docs validation && exit $$status
 
 cross: setup-peers build ## compare with LIGGGHTS and LAMMPS and renew docs/cross-code.md

@@ -1,8 +1,10 @@
 // The verdict on a row and the table, with results made up here.
 
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
+#include "clod/version.h"
 #include "support/check.h"
 #include "verify/report.h"
 
@@ -100,6 +102,33 @@ static void the_table_counts_and_marks_a_miss(void **state)
     clod_verify_fini(&report);
 }
 
+// Slow tests are run one by one: each section counts its own rows and names the program.
+static void a_slow_report_has_a_section_for_each_test(void **state)
+{
+    (void)state;
+    clod_verify_report report = {.slow = true};
+    clod_status status;
+    char section[256];
+    for (int k = 0; k < 5; k++) {
+        clod_verify_row row = row_of(10.0, k == 1 ? 12.0 : 10.0, 1e-3, true);
+        memcpy(row.test, k < 3 ? "silo" : "heap", 5);
+        assert_true(clod_verify_report_add(&report, &row, &status));
+    }
+    char *text = clod_verify_report_text(&report);
+    for (int k = 0; k < 2; k++) {
+        const char *name = k == 0 ? "silo" : "heap";
+        snprintf(section, sizeof section, "\n\n## %s\n\n`clod verify --slow %s` of %s: %s",
+                 name, name, clod_version_text(),
+                 k == 0 ? "3 quantities, 1 missed;" : "2 quantities, 0 missed;");
+        const char *found = strstr(text, section);
+        assert_non_null(found);
+        assert_non_null(strstr(found, k == 0 ? "\n| silo | " : "\n| heap | "));
+    }
+    assert_null(strstr(strstr(text, "## heap"), "| silo |"));
+    clod_memory_free(text);
+    clod_verify_fini(&report);
+}
+
 static void an_empty_report_has_no_misses(void **state)
 {
     (void)state;
@@ -117,6 +146,7 @@ int main(void)
         cmocka_unit_test(what_is_no_number_is_a_miss),
         cmocka_unit_test(a_recorded_miss_must_miss),
         cmocka_unit_test(the_table_counts_and_marks_a_miss),
+        cmocka_unit_test(a_slow_report_has_a_section_for_each_test),
         cmocka_unit_test(an_empty_report_has_no_misses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
