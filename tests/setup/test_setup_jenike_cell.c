@@ -1,10 +1,7 @@
 // The Jenike cell: walls by hand, grains by brute force.
 
-#include <string.h>
-
-#include "geometry/wall_gap.h"
 #include "setup/jenike_cell.h"
-#include "support/check.h"
+#include "support/cell.h"
 
 // All lengths differ, so that none can stand for another.
 static const char CASE[] =
@@ -33,17 +30,6 @@ static const char CASE[] =
 
 enum { BASE, BASE_RING, SHEAR_RING, LID };
 
-static clod_case *load(const char *override)
-{
-    clod_status status = {0};
-    clod_case *from = clod_case_parse("cell.yaml", CASE, strlen(CASE), &override,
-                                      override != NULL ? 1 : 0, &status);
-    if (from == NULL) {
-        fail_msg("%s", status.text);
-    }
-    return from;
-}
-
 static void build(const clod_case *from, clod_state *state)
 {
     clod_status status = {0};
@@ -52,16 +38,10 @@ static void build(const clod_case *from, clod_state *state)
     }
 }
 
-static void end(clod_case *from, clod_state *state)
-{
-    clod_state_fini(state);
-    clod_case_destroy(&from);
-}
-
 static void walls_stand_in_order_with_their_materials(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, &s);
     const char *names[4] = {"base", "base_ring", "shear_ring", "lid"};
@@ -85,14 +65,14 @@ static void walls_stand_in_order_with_their_materials(void **state)
     assert_true(lid->load_axis.z == -1.0 && lid->mass == 0.3 && lid->load_force == 0.0);
     check_relative(lid->area, 3.14159265358979 * 0.0016, 1e-14); // pi 0.04^2
     assert_true(lid->spin_point.x == -0.004);                    // twisted about its own axis
-    end(from, &s);
+    cell_end(from, &s);
 }
 
 // Floor at 0; the shear plane at 14 mm, with both rims in it; the shear ring up to the lid.
 static void rings_meet_at_the_shear_plane(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, &s);
     const clod_shape *floor = s.walls.wall[BASE].shapes;
@@ -115,38 +95,25 @@ static void rings_meet_at_the_shear_plane(void **state)
     check_close(2.0 * lower[0].half[2], 0.014, 1e-16);
     check_close(0.014 + 2.0 * upper[0].half[2], lid->center.z, 1e-15);
     check_at_least(lid->center.z, 0.035);
-    end(from, &s);
+    cell_end(from, &s);
 }
 
 static void grains_are_in_the_cell_and_touch_nothing(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, &s);
+    cell_check_nothing_touches(&s);
     const clod_grains *g = &s.grains;
     for (size_t i = 0; i < g->count; i++) {
         const double *p = g->place[i];
-        for (int w = 0; w < 4; w++) {
-            for (int k = 0; k < s.walls.wall[w].shape_count; k++) {
-                const clod_gap gap =
-                    clod_wall_gap(&s.walls.wall[w].shapes[k], (clod_vec3){p[0], p[1], p[2]});
-                check_at_least(gap.distance, p[3]);
-            }
-        }
-        for (size_t j = i + 1; j < g->count; j++) {
-            const double *q = g->place[j];
-            const double reach = p[3] + q[3];
-            assert_true((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) +
-                            (p[2] - q[2]) * (p[2] - q[2]) >=
-                        reach * reach);
-        }
         // inside both cylinders and between floor and lid
         check_at_most(hypot(p[0], p[1]) + p[3], 0.04);
         check_at_most(hypot(p[0] + 0.004, p[1]) + p[3], 0.04);
         assert_true(p[2] > 0.0 && p[2] < s.walls.wall[LID].shapes[0].center.z);
     }
-    end(from, &s);
+    cell_end(from, &s);
 }
 
 // A shell is thin and has two sides: a grain that would leave between the rings meets a rim, at
@@ -156,7 +123,7 @@ static void no_way_leads_out_between_the_rings(void **state)
 {
     (void)state;
     static const double MOVED[] = {0.0, 0.004, 0.0085}; // behind, aligned, 4.5 mm before
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, &s);
     for (size_t m = 0; m < 3; m++) {
@@ -170,7 +137,7 @@ static void no_way_leads_out_between_the_rings(void **state)
             }
         }
     }
-    end(from, &s);
+    cell_end(from, &s);
 }
 
 // By hand: 0.6 pi 0.04^2 (0.014 + 0.021) m3 = 1.05558e-4 m3; a grain has 1.3471e-7 m3 (as in
@@ -178,7 +145,7 @@ static void no_way_leads_out_between_the_rings(void **state)
 static void heights_give_the_number_of_grains(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, &s);
     check_close((double)s.grains.count, 784.0, 11.0);
@@ -187,17 +154,17 @@ static void heights_give_the_number_of_grains(void **state)
         volume += s.grains.motion[i][3] / 2481.3;
     }
     check_relative(volume, 1.05558e-4, 1e-3); // half a grain is 6e-4
-    end(from, &s);
-    from = load("jenike.grain_count=123");
+    cell_end(from, &s);
+    from = cell_load(CASE, "jenike.grain_count=123");
     build(from, &s);
     assert_int_equal(s.grains.count, 123);
-    end(from, &s);
+    cell_end(from, &s);
 }
 
 static void state_is_ready_for_filling(void **state)
 {
     (void)state;
-    clod_case *from = load("jenike.fill_adhesion=20 %");
+    clod_case *from = cell_load(CASE, "jenike.fill_adhesion=20 %");
     clod_state s;
     build(from, &s);
     assert_true(s.adhesion == 0.2 && s.gravity[2] < -9.8 && s.step == 0);
@@ -209,18 +176,18 @@ static void state_is_ready_for_filling(void **state)
     const clod_wall *lid = &s.walls.wall[LID];
     assert_true(lid->damping > 0.0);
     check_at_most(lid->damping * s.dt / lid->mass, 0.5);
-    end(from, &s);
+    cell_end(from, &s);
 }
 
 // Few grains: the shear ring is as high as it is all the same.
 static void lid_begins_at_the_top_of_the_ring_at_least(void **state)
 {
     (void)state;
-    clod_case *from = load("jenike.grain_count=5");
+    clod_case *from = cell_load(CASE, "jenike.grain_count=5");
     clod_state s;
     build(from, &s);
     check_relative(s.walls.wall[LID].shapes[0].center.z, 0.035, 1e-14);
-    end(from, &s);
+    cell_end(from, &s);
 }
 
 int main(void)

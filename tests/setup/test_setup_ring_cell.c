@@ -2,9 +2,8 @@
 
 #include <string.h>
 
-#include "geometry/wall_gap.h"
 #include "setup/ring_cell.h"
-#include "support/check.h"
+#include "support/cell.h"
 
 static const char CASE[] =
     "title: cell\n"
@@ -34,17 +33,6 @@ static const char CASE[] =
     "  preshear_stress: 54.8 kPa\n"
     "  shear_stresses: [10.96 kPa, 43.84 kPa]\n";
 
-static clod_case *load(const char *override)
-{
-    clod_status status = {0};
-    clod_case *from = clod_case_parse("cell.yaml", CASE, strlen(CASE), &override,
-                                      override != NULL ? 1 : 0, &status);
-    if (from == NULL) {
-        fail_msg("%s", status.text);
-    }
-    return from;
-}
-
 static void build(const clod_case *from, int64_t seed, clod_state *state)
 {
     clod_status status = {0};
@@ -56,7 +44,7 @@ static void build(const clod_case *from, int64_t seed, clod_state *state)
 static void walls_stand_in_order_with_their_materials(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, 1, &s);
     assert_int_equal(s.walls.count, 3);
@@ -74,8 +62,7 @@ static void walls_stand_in_order_with_their_materials(void **state)
     assert_int_equal(lid->load, CLOD_LOAD_STRESS);
     assert_true(lid->load_axis.z == -1.0 && lid->mass == 1.0 && lid->load_force == 0.0);
     check_relative(lid->area, 3.14159265358979 * 0.0075, 1e-14); // pi (0.1^2 - 0.05^2)
-    clod_state_fini(&s);
-    clod_case_destroy(&from);
+    cell_end(from, &s);
 }
 
 // By hand: bar 0 lies along x between 50 and 100 mm less 0.285 mm at both ends, its middle at
@@ -83,7 +70,7 @@ static void walls_stand_in_order_with_their_materials(void **state)
 static void bars_are_radial_boxes_on_base_and_lid(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, 1, &s);
     const clod_shape *base = s.walls.wall[CLOD_RING_CELL_TROUGH].shapes;
@@ -105,41 +92,26 @@ static void bars_are_radial_boxes_on_base_and_lid(void **state)
     assert_true(side[1].outer == 0.1 && side[1].side == CLOD_SIDE_INSIDE);
     assert_true(side[0].symmetric && side[1].symmetric);
     check_close(2.0 * side[0].half[2], lid[0].center.z, 1e-16);
-    clod_state_fini(&s);
-    clod_case_destroy(&from);
+    cell_end(from, &s);
 }
 
 static void grains_touch_nothing(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, 1, &s);
+    cell_check_nothing_touches(&s);
     const clod_grains *g = &s.grains;
     for (size_t i = 0; i < g->count; i++) {
         const double *p = g->place[i];
-        for (int w = 0; w < 3; w++) {
-            for (int k = 0; k < s.walls.wall[w].shape_count; k++) {
-                const clod_gap gap =
-                    clod_wall_gap(&s.walls.wall[w].shapes[k], (clod_vec3){p[0], p[1], p[2]});
-                assert_true(gap.distance >= p[3]);
-            }
-        }
-        for (size_t j = i + 1; j < g->count; j++) {
-            const double *q = g->place[j];
-            const double reach = p[3] + q[3];
-            const double square = (p[0] - q[0]) * (p[0] - q[0]) +
-                                  (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]);
-            assert_true(square >= reach * reach);
-        }
         for (int a = 0; a < 3; a++) {
             assert_true(p[a] > s.domain.min[a] && p[a] < s.domain.max[a]);
         }
         const double rho = hypot(p[0], p[1]);
         assert_true(rho > 0.05 && rho < 0.1 && p[2] > 0.0);
     }
-    clod_state_fini(&s);
-    clod_case_destroy(&from);
+    cell_end(from, &s);
 }
 
 // By hand: 0.6 (pi 0.0075 m2 * 0.04 m - 40 bars * 49.43 mm * 3 mm * 6.35 mm) = 5.4289e-4 m3.
@@ -148,7 +120,7 @@ static void grains_touch_nothing(void **state)
 static void depth_and_bars_give_the_number_of_grains(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_status status = {0};
     const size_t count = clod_ring_cell_count(from, 1, &status);
     check_close((double)count, 4030.0, 30.0);
@@ -160,13 +132,11 @@ static void depth_and_bars_give_the_number_of_grains(void **state)
         volume += s.grains.motion[i][3] / 2481.3;
     }
     check_relative(volume, 5.42887e-4, 1.5e-4); // half a grain is 1.2e-4
-    clod_state_fini(&s);
-    clod_case_destroy(&from);
-    from = load("ring_shear.grain_count=321");
+    cell_end(from, &s);
+    from = cell_load(CASE, "ring_shear.grain_count=321");
     build(from, 1, &s);
     assert_int_equal(s.grains.count, 321);
-    clod_state_fini(&s);
-    clod_case_destroy(&from);
+    cell_end(from, &s);
 }
 
 // PHYSICS 5: near 1e-6 s. Damping by hand from the step's own stiffness is tested with the
@@ -174,7 +144,7 @@ static void depth_and_bars_give_the_number_of_grains(void **state)
 static void state_is_ready_for_filling(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, 1, &s);
     check_close(s.dt, 1e-6, 0.2e-6);
@@ -183,14 +153,13 @@ static void state_is_ready_for_filling(void **state)
     const clod_wall *lid = &s.walls.wall[CLOD_RING_CELL_LID];
     assert_true(lid->damping > 0.0);
     check_at_most(lid->damping * s.dt / lid->mass, 0.5);
-    clod_state_fini(&s);
-    clod_case_destroy(&from);
+    cell_end(from, &s);
 }
 
 static void seed_decides_every_bit(void **state)
 {
     (void)state;
-    clod_case *from = load("ring_shear.grain_count=500");
+    clod_case *from = cell_load(CASE, "ring_shear.grain_count=500");
     clod_state s[3];
     for (int k = 0; k < 3; k++) {
         build(from, k < 2 ? 3 : 4, &s[k]);

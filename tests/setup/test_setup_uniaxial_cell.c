@@ -1,10 +1,7 @@
 // The mould of the uniaxial test: walls by hand, grains by brute force.
 
-#include <string.h>
-
-#include "geometry/wall_gap.h"
 #include "setup/uniaxial_cell.h"
-#include "support/check.h"
+#include "support/cell.h"
 
 static const char CASE[] =
     "materials:\n"
@@ -26,17 +23,6 @@ static const char CASE[] =
     "  lid_mass: 0.3 kg\n"
     "  consolidation_stresses: [10 kPa, 50 kPa]\n";
 
-static clod_case *load(const char *override)
-{
-    clod_status status = {0};
-    clod_case *from = clod_case_parse("cell.yaml", CASE, strlen(CASE), &override,
-                                      override != NULL ? 1 : 0, &status);
-    if (from == NULL) {
-        fail_msg("%s", status.text);
-    }
-    return from;
-}
-
 static void build(const clod_case *from, clod_state *state)
 {
     clod_status status = {0};
@@ -48,7 +34,7 @@ static void build(const clod_case *from, clod_state *state)
 static void walls_stand_in_order_with_their_materials(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, &s);
     const char *names[3] = {"base", "mould", "lid"};
@@ -77,31 +63,19 @@ static void walls_stand_in_order_with_their_materials(void **state)
     assert_true(base[0].center.z == 0.0 && base[0].axis[2].z == 1.0);
     check_close(base[1].outer, 0.09, 1e-15);
     check_close(2.0 * base[1].half[2], 0.05, 1e-16);
-    clod_state_fini(&s);
-    clod_case_destroy(&from);
+    cell_end(from, &s);
 }
 
 static void grains_are_in_the_mould_and_touch_nothing(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, &s);
+    cell_check_nothing_touches(&s);
     const clod_grains *g = &s.grains;
     for (size_t i = 0; i < g->count; i++) {
         const double *p = g->place[i];
-        for (int w = 0; w < 3; w++) {
-            const clod_gap gap =
-                clod_wall_gap(&s.walls.wall[w].shapes[0], (clod_vec3){p[0], p[1], p[2]});
-            assert_true(gap.distance >= p[3]);
-        }
-        for (size_t j = i + 1; j < g->count; j++) {
-            const double *q = g->place[j];
-            const double reach = p[3] + q[3];
-            assert_true((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) +
-                            (p[2] - q[2]) * (p[2] - q[2]) >=
-                        reach * reach);
-        }
         assert_true(hypot(p[0], p[1]) < 0.03);
     }
     // room for rubble on the whole pan
@@ -109,8 +83,7 @@ static void grains_are_in_the_mould_and_touch_nothing(void **state)
         assert_true(s.domain.min[a] < -0.09 && s.domain.max[a] > 0.09);
     }
     assert_true(s.domain.max[2] > 2.0 * s.walls.wall[CLOD_UNIAXIAL_CELL_MOULD].shapes->half[2]);
-    clod_state_fini(&s);
-    clod_case_destroy(&from);
+    cell_end(from, &s);
 }
 
 // By hand: 0.6 pi 0.03^2 0.05 m3 = 8.4823e-5 m3; a grain has 1.3471e-7 m3 (as in
@@ -118,7 +91,7 @@ static void grains_are_in_the_mould_and_touch_nothing(void **state)
 static void height_gives_the_number_of_grains(void **state)
 {
     (void)state;
-    clod_case *from = load(NULL);
+    clod_case *from = cell_load(CASE, NULL);
     clod_state s;
     build(from, &s);
     check_close((double)s.grains.count, 630.0, 10.0);
@@ -127,19 +100,17 @@ static void height_gives_the_number_of_grains(void **state)
         volume += s.grains.motion[i][3] / 2481.3;
     }
     check_relative(volume, 8.4823e-5, 1e-3); // half a grain is 8e-4
-    clod_state_fini(&s);
-    clod_case_destroy(&from);
-    from = load("uniaxial.grain_count=123");
+    cell_end(from, &s);
+    from = cell_load(CASE, "uniaxial.grain_count=123");
     build(from, &s);
     assert_int_equal(s.grains.count, 123);
-    clod_state_fini(&s);
-    clod_case_destroy(&from);
+    cell_end(from, &s);
 }
 
 static void state_is_ready_for_filling(void **state)
 {
     (void)state;
-    clod_case *from = load("uniaxial.fill_adhesion=20 %");
+    clod_case *from = cell_load(CASE, "uniaxial.fill_adhesion=20 %");
     clod_state s;
     build(from, &s);
     assert_true(s.adhesion == 0.2 && s.gravity[2] < -9.8 && s.step == 0);
@@ -147,8 +118,7 @@ static void state_is_ready_for_filling(void **state)
     const clod_wall *lid = &s.walls.wall[CLOD_UNIAXIAL_CELL_LID];
     assert_true(lid->damping > 0.0);
     check_at_most(lid->damping * s.dt / lid->mass, 0.5);
-    clod_state_fini(&s);
-    clod_case_destroy(&from);
+    cell_end(from, &s);
 }
 
 // The step is that of the largest stress: overlaps go with F^(2/3) and the tangent with
@@ -159,12 +129,11 @@ static void the_largest_stress_sets_the_step(void **state)
     double dt[2];
     const char *overrides[2] = {NULL, "uniaxial.consolidation_stresses=[100 kPa, 10 kPa]"};
     for (int k = 0; k < 2; k++) {
-        clod_case *from = load(overrides[k]);
+        clod_case *from = cell_load(CASE, overrides[k]);
         clod_state s;
         build(from, &s);
         dt[k] = s.dt;
-        clod_state_fini(&s);
-        clod_case_destroy(&from);
+        cell_end(from, &s);
     }
     check_relative(dt[0] / dt[1], pow(2.0, 1.0 / 6.0), 1e-6);
 }

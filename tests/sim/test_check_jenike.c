@@ -4,8 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "clod/check.h"
-#include "support/check.h"
+#include "support/preflight.h"
 
 #define DENSITY 2481.3
 
@@ -34,32 +33,11 @@ static const char CASE[] =
     "  shear_stresses: [12.5 kPa, 25 kPa, 40 kPa]\n"
     "  speed: 10 mm/s\n";
 
-static clod_case *from;
-static clod_check_report report;
-
-static void look(const char *change)
-{
-    clod_status status = {CLOD_OK, ""};
-    const clod_check_options options = {.threads = 1, .directory = "."};
-    clod_case_destroy(&from);
-    from = clod_case_parse("case.yaml", CASE, strlen(CASE), &change, change != NULL, &status);
-    if (from == NULL || !clod_check_report_make(from, &options, &report, &status)) {
-        fail_msg("%s", status.text);
-    }
-}
-
-static int end(void **state)
-{
-    (void)state;
-    clod_case_destroy(&from);
-    return 0;
-}
-
 // I = (v/h) d sqrt(rho/sigma), h = 40 mm; the points with the same I, half the speed at 1/4.
 static void numbers_by_hand(void **state)
 {
     (void)state;
-    look(NULL);
+    preflight(CASE, NULL);
     assert_int_equal(report.kind, CLOD_CHECK_JENIKE);
     assert_int_equal(report.grains, 600);
     check_relative((double)report.full_grains, 600.0, 2e-3);
@@ -81,13 +59,13 @@ static void numbers_by_hand(void **state)
 static void limits_bound_the_time(void **state)
 {
     (void)state;
-    look(NULL);
+    preflight(CASE, NULL);
     const double usual = 0.6 + 0.06 + 0.3 + 0.4 + 3.0 * (2.0 / 0.33 + 0.3) + 0.2 / 0.5 +
                          0.2 / sqrt(0.5) + 0.2 / sqrt(0.8);
     check_relative(report.time_most, usual, 1e-9);
     assert_true(report.time_likely < report.time_most);
     const double likely = report.time_likely;
-    look("jenike.twists=3");
+    preflight(CASE, "jenike.twists=3");
     const double twisted = 3.0 * 4.0 * (10.0 * M_PI / 180.0) * 0.03 / 0.01;
     check_relative(report.time_most, usual + twisted, 1e-9);
     check_relative(report.time_likely, likely + twisted, 1e-9);
@@ -97,7 +75,7 @@ static void json_and_text_say_the_same(void **state)
 {
     static char text[CLOD_CHECK_TEXT];
     (void)state;
-    look(NULL);
+    preflight(CASE, NULL);
     assert_true(clod_check_report_json(&report, text));
     json_t *json = json_loads(text, 0, NULL);
     assert_string_equal(json_string_value(json_object_get(json, "kind")), "jenike");
@@ -109,27 +87,21 @@ static void json_and_text_say_the_same(void **state)
     assert_non_null(strstr(text, "preshear stress    50 kPa"));
 }
 
-static bool warns(const char *change, const char *words)
-{
-    bool found = false;
-    look(change);
-    for (size_t w = 0; w < report.warning_count; w++) {
-        found = found || strstr(report.warning[w], words) != NULL;
-    }
-    return found;
-}
-
 static void each_fault_has_its_warning(void **state)
 {
     (void)state;
-    look(NULL);
+    preflight(CASE, NULL);
     assert_int_equal(report.warning_count, 0);
-    assert_true(warns("jenike.speed=60 mm/s", "Lower jenike.speed to 30 mm/s"));
-    assert_true(warns("jenike.grain_count=900", "Change jenike.grain_count, or write auto"));
-    assert_true(warns("jenike.grain_count=440", "grain diameters across the depth"));
-    assert_true(warns("jenike.diameter=28 mm", "grain diameters across the width"));
-    assert_true(warns("jenike.lid_mass=10 kg", "Lower jenike.lid_mass"));
-    assert_true(warns("jenike.shear_stresses=[20 kPa, 30 kPa]", "jenike.shear_stresses"));
+    assert_true(preflight_warns(CASE, "jenike.speed=60 mm/s", "Lower jenike.speed to 30 mm/s"));
+    assert_true(preflight_warns(CASE, "jenike.grain_count=900",
+                                "Change jenike.grain_count, or write auto"));
+    assert_true(
+        preflight_warns(CASE, "jenike.grain_count=440", "grain diameters across the depth"));
+    assert_true(
+        preflight_warns(CASE, "jenike.diameter=28 mm", "grain diameters across the width"));
+    assert_true(preflight_warns(CASE, "jenike.lid_mass=10 kg", "Lower jenike.lid_mass"));
+    assert_true(preflight_warns(CASE, "jenike.shear_stresses=[20 kPa, 30 kPa]",
+                                "jenike.shear_stresses"));
 }
 
 int main(void)
@@ -140,5 +112,5 @@ int main(void)
         cmocka_unit_test(json_and_text_say_the_same),
         cmocka_unit_test(each_fault_has_its_warning),
     };
-    return cmocka_run_group_tests(tests, NULL, end);
+    return cmocka_run_group_tests(tests, NULL, preflight_end);
 }

@@ -4,8 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "clod/check.h"
-#include "support/check.h"
+#include "support/preflight.h"
 
 #define DENSITY 2481.3
 
@@ -31,32 +30,11 @@ static const char CASE[] =
     "  speed: 10 mm/s\n"
     "  crush_max: 15 %\n";
 
-static clod_case *from;
-static clod_check_report report;
-
-static void look(const char *change)
-{
-    clod_status status = {CLOD_OK, ""};
-    const clod_check_options options = {.threads = 1, .directory = "."};
-    clod_case_destroy(&from);
-    from = clod_case_parse("case.yaml", CASE, strlen(CASE), &change, change != NULL, &status);
-    if (from == NULL || !clod_check_report_make(from, &options, &report, &status)) {
-        fail_msg("%s", status.text);
-    }
-}
-
-static int end(void **state)
-{
-    (void)state;
-    clod_case_destroy(&from);
-    return 0;
-}
-
 // Half of the grains: 30 mm. I = (v/h) d sqrt(rho/sigma) at the lower stress.
 static void numbers_by_hand(void **state)
 {
     (void)state;
-    look(NULL);
+    preflight(CASE, NULL);
     assert_int_equal(report.kind, CLOD_CHECK_UNIAXIAL);
     assert_int_equal(report.grains, 450);
     check_relative((double)report.full_grains, 900.0, 2e-3);
@@ -76,7 +54,7 @@ static void json_and_text_say_the_same(void **state)
 {
     static char text[CLOD_CHECK_TEXT];
     (void)state;
-    look(NULL);
+    preflight(CASE, NULL);
     assert_true(clod_check_report_json(&report, text));
     json_t *json = json_loads(text, 0, NULL);
     assert_string_equal(json_string_value(json_object_get(json, "kind")), "uniaxial");
@@ -87,24 +65,15 @@ static void json_and_text_say_the_same(void **state)
     assert_non_null(strstr(text, "largest stress     50 kPa"));
 }
 
-static bool warns(const char *change, const char *words)
-{
-    bool found = false;
-    look(change);
-    for (size_t w = 0; w < report.warning_count; w++) {
-        found = found || strstr(report.warning[w], words) != NULL;
-    }
-    return found;
-}
-
 static void a_fast_or_thin_test_is_told(void **state)
 {
     (void)state;
-    assert_false(warns(NULL, "inertial number"));
-    assert_true(warns("uniaxial.speed=20 mm/s", "Lower uniaxial.speed to 10 mm/s"));
+    assert_false(preflight_warns(CASE, NULL, "inertial number"));
     assert_true(
-        warns("uniaxial.diameter=50 mm", "only 8.3 grain diameters across the specimen"));
-    assert_false(warns("uniaxial.diameter=70 mm", "across the specimen"));
+        preflight_warns(CASE, "uniaxial.speed=20 mm/s", "Lower uniaxial.speed to 10 mm/s"));
+    assert_true(preflight_warns(CASE, "uniaxial.diameter=50 mm",
+                                "only 8.3 grain diameters across the specimen"));
+    assert_false(preflight_warns(CASE, "uniaxial.diameter=70 mm", "across the specimen"));
 }
 
 int main(void)
@@ -114,5 +83,5 @@ int main(void)
         cmocka_unit_test(json_and_text_say_the_same),
         cmocka_unit_test(a_fast_or_thin_test_is_told),
     };
-    return cmocka_run_group_tests(tests, NULL, end);
+    return cmocka_run_group_tests(tests, NULL, preflight_end);
 }
