@@ -17,14 +17,13 @@
 
 #include "app.h"
 #include "clod/run.h"
+#include "one_case.h"
 
 #define LOG_INTERVAL 10.0 ///< s between plain lines when standard error is not a terminal
 
 typedef struct request {
-    const char *path;
+    clod_one_case of;
     clod_run_options options;
-    const char **overrides;
-    size_t override_count;
 } request;
 
 /** What the progress line shows; parts report from their own threads. */
@@ -112,28 +111,14 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case 't':
         self->options.threads = read_threads(argument, state);
         return 0;
-    case 'S':
-        self->overrides[self->override_count++] = argument;
-        return 0;
     case 'f':
         self->options.fresh = true;
         return 0;
     case 'i':
         self->options.simd = argument;
         return 0;
-    case ARGP_KEY_ARG:
-        if (self->path != NULL) {
-            argp_error(state, "one case at a time");
-        }
-        self->path = argument;
-        return 0;
-    case ARGP_KEY_END:
-        if (self->path == NULL) {
-            argp_error(state, "which case? clod new ring-shear writes an example");
-        }
-        return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return clod_one_case_parse(&self->of, key, argument, state);
     }
 }
 
@@ -193,8 +178,7 @@ static int run_case(request *self)
     screen shown = {.terminal = isatty(STDERR_FILENO) != 0, .last = -LOG_INTERVAL};
     atomic_store(&on_terminal, shown.terminal);
     clod_status status = {0};
-    clod_case *from =
-        clod_case_load(self->path, self->overrides, self->override_count, &status);
+    clod_case *from = clod_one_case_load(&self->of, &status);
     if (from == NULL) {
         fprintf(stderr, "clod run: %s\n", status.text);
         return exit_status(&status);
@@ -234,14 +218,13 @@ int clod_app_run(int argc, char **argv)
                "a second Ctrl-C ends the run at once. Results and the log are in the results "
                "folder; the result table goes to standard output.",
     };
-    request self = {.overrides = calloc((size_t)argc, sizeof(char *))};
-    if (self.overrides == NULL) {
-        fputs("clod: no memory\n", stderr);
+    request self = {.of.example = "clod new ring-shear"};
+    if (!clod_one_case_init(&self.of, argc, argv)) {
         return 1;
     }
     argp_parse(&argp, argc, argv, 0, NULL, &self);
     handle_signals();
     const int result = run_case(&self);
-    free(self.overrides);
+    free(self.of.overrides);
     return result;
 }

@@ -6,11 +6,9 @@ The case is too small and too fast for a result worth having. What the tester sh
 ring shear tester is in test_ring_shear.py.
 """
 
-import csv
 import json
 import math
 import os
-import shutil
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -26,32 +24,9 @@ FILL, LOWER, CONSOLIDATE, SHEARED, REVERSE, REDUCE, SHEAR, DONE, TWIST = range(9
 POINTS = ("point-1", "point-2", "point-3")
 
 
-def table(path):
-    """A CSV file as a list of rows of numbers by name, units cut off the names."""
-    with open(path, newline="") as file:
-        rows = csv.reader(file)
-        names = [name.split(" [")[0] for name in next(rows)]
-        return [dict(zip(names, map(float, row))) for row in rows]
+class Jenike(clod.TesterCase):
 
-
-def mean(rows, name):
-    return sum(row[name] for row in rows) / len(rows)
-
-
-class Jenike(clod.Case):
-
-    @classmethod
-    def setUpClass(cls):
-        cls.out = clod.make_folder()
-        cls.addClassCleanup(shutil.rmtree, cls.out)
-        done = clod.run("run", CASE, "-o", cls.out)
-        assert done.returncode == 0, done.stderr
-        cls.report = done.stdout
-        with open(os.path.join(cls.out, "summary.json")) as file:
-            cls.summary = json.load(file)
-        cls.part = {part["part"]: part for part in cls.summary["parts"]}
-        cls.series = {name: table(os.path.join(cls.out, f"{name}.csv")) for name in cls.part}
-        cls.points = table(os.path.join(cls.out, "points.csv"))
+    CASE = CASE
 
     def sheared(self):
         """Preshear at full speed, its last 4 mm."""
@@ -81,15 +56,16 @@ class Jenike(clod.Case):
     def test_forces_balance(self):
         """Nothing else pulls along x: they differ by the change of momentum of the bed."""
         rows = self.sheared()
-        top, base = mean(rows, "shear_stress"), mean(rows, "shear_stress_base")
+        top, base = clod.mean(rows, "shear_stress"), clod.mean(rows, "shear_stress_base")
         self.assertGreater(top, 0.2 * PRESHEAR)
         self.assertAlmostEqual(top / base, 1.0, delta=0.01)
 
     def test_normal_stress(self):
-        self.assertAlmostEqual(mean(self.sheared(), "normal_stress") / PRESHEAR, 1.0, delta=0.02)
+        self.assertAlmostEqual(clod.mean(self.sheared(), "normal_stress") / PRESHEAR, 1.0,
+                               delta=0.02)
         for name, stress in zip(POINTS, STRESSES):
             rows = [row for row in self.series[name] if row["phase"] == SHEAR]
-            self.assertAlmostEqual(mean(rows, "normal_stress") / stress, 1.0, delta=0.04)
+            self.assertAlmostEqual(clod.mean(rows, "normal_stress") / stress, 1.0, delta=0.04)
 
     def test_bulk_density_is_mass_over_volume(self):
         mass = json.loads(clod.run("check", CASE, "--json").stdout)["mass_kg"]
@@ -141,10 +117,10 @@ class Twisted(clod.Case):
         """The torque on the lid works, so the way takes its time and the bed gets denser."""
         done = clod.run("run", TINY, "-o", self.path("out"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        phases = [row["phase"] for row in table(self.path("out/preshear.csv"))]
+        phases = [row["phase"] for row in clod.table(self.path("out/preshear.csv"))]
         seen = [phase for k, phase in enumerate(phases) if k == 0 or phases[k - 1] != phase]
         self.assertEqual(seen, [FILL, LOWER, CONSOLIDATE, TWIST, SHEARED])
-        rows = [row for row in table(self.path("out/preshear.csv")) if row["phase"] == TWIST]
+        rows = [row for row in clod.table(self.path("out/preshear.csv")) if row["phase"] == TWIST]
         # 5 degrees to each side and back, the edge of 20 mm radius at 60 mm/s
         took = 4.0 * math.radians(5.0) * 0.020 / 0.060
         self.assertGreater(rows[-1]["time"] - rows[0]["time"], took)
@@ -155,7 +131,7 @@ class Twisted(clod.Case):
     def test_seeds(self):
         done = clod.run("run", TINY, "-o", self.path("two"), "--set", "jenike.seeds=2")
         self.assertEqual(done.returncode, 0, done.stderr)
-        points = table(self.path("two/points.csv"))
+        points = clod.table(self.path("two/points.csv"))
         self.assertEqual([row["seed"] for row in points], [7, 7, 8, 8])
         self.assertNotEqual(points[0]["tau_sh"], points[2]["tau_sh"])
 

@@ -5,11 +5,9 @@ but for the inertia of the bed, mass is kept, and the programme runs in its orde
 too small and too fast for a result worth having.
 """
 
-import csv
 import json
 import math
 import os
-import shutil
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -26,32 +24,9 @@ AREA = math.pi * (RO ** 2 - RI ** 2)
 FILL, LOWER, CONSOLIDATE, SHEARED, REVERSE, REDUCE, SHEAR = range(7)
 
 
-def table(path):
-    """A CSV file as a list of rows of numbers by name, units cut off the names."""
-    with open(path, newline="") as file:
-        rows = csv.reader(file)
-        names = [name.split(" [")[0] for name in next(rows)]
-        return [dict(zip(names, map(float, row))) for row in rows]
+class RingShear(clod.TesterCase):
 
-
-def mean(rows, name):
-    return sum(row[name] for row in rows) / len(rows)
-
-
-class RingShear(clod.Case):
-
-    @classmethod
-    def setUpClass(cls):
-        cls.out = clod.make_folder()
-        cls.addClassCleanup(shutil.rmtree, cls.out)
-        done = clod.run("run", CASE, "-o", cls.out)
-        assert done.returncode == 0, done.stderr
-        cls.report = done.stdout
-        with open(os.path.join(cls.out, "summary.json")) as file:
-            cls.summary = json.load(file)
-        cls.part = {part["part"]: part for part in cls.summary["parts"]}
-        cls.series = {name: table(os.path.join(cls.out, f"{name}.csv")) for name in cls.part}
-        cls.points = table(os.path.join(cls.out, "points.csv"))
+    CASE = CASE
 
     def steady(self):
         """Preshear at full speed, the last 8 mm: the blocks that the result is the mean of."""
@@ -63,7 +38,7 @@ class RingShear(clod.Case):
         rows = [row for row in self.series["preshear"]
                 if row["phase"] == SHEARED and abs(row["speed"] / SPEED - 1.0) < 1e-12]
         self.assertEqual(len(rows) % 50, 0)
-        return [mean(rows[-50 * blocks:], column) for blocks in range(4, len(rows) // 50 + 1)]
+        return [clod.mean(rows[-50 * blocks:], column) for blocks in range(4, len(rows) // 50 + 1)]
 
     def mass(self):
         """Mass of all grains, as the preflight counts them."""
@@ -98,29 +73,29 @@ class RingShear(clod.Case):
     def test_torques_balance(self):
         """No torque from outside but the two: they differ by the change of spin of the bed."""
         rows = self.steady()
-        lid, base = mean(rows, "shear_stress"), mean(rows, "shear_stress_base")
+        lid, base = clod.mean(rows, "shear_stress"), clod.mean(rows, "shear_stress_base")
         self.assertGreater(lid, 0.2 * PRESHEAR)
         self.assertAlmostEqual(lid / base, 1.0, delta=0.01)
 
     def test_normal_stress(self):
         rows = self.steady()
-        plane, base = mean(rows, "normal_stress"), mean(rows, "normal_stress_base")
+        plane, base = clod.mean(rows, "normal_stress"), clod.mean(rows, "normal_stress_base")
         self.assertAlmostEqual(plane / PRESHEAR, 1.0, delta=0.02)
         # the base carries the solid below the shear plane as well, h - h_bar of h
-        height = mean(rows, "height")
+        height = clod.mean(rows, "height")
         below = self.mass() * GRAVITY / AREA * (1.0 - BAR_HEIGHT / height)
         self.assertAlmostEqual(base - plane, below, delta=0.25 * below)
 
     def test_normal_stress_of_the_points(self):
         for name, stress in zip(("point-1", "point-2", "point-3"), STRESSES):
             rows = [row for row in self.series[name] if row["phase"] == SHEAR]
-            self.assertAlmostEqual(mean(rows, "normal_stress") / stress, 1.0, delta=0.04)
+            self.assertAlmostEqual(clod.mean(rows, "normal_stress") / stress, 1.0, delta=0.04)
             self.assertEqual(self.part[name]["normal_stress_Pa"], stress)
             # what is judged is the stress at the peak: 0.2 mm about it, give or take a bin
             peak = self.part[name]["displacement_m"]
             near = [row for row in rows if abs(row["displacement"] - peak) < 0.1e-3]
             self.assertAlmostEqual(self.part[name]["measured_normal_stress_Pa"],
-                                   mean(near, "normal_stress"), delta=0.01 * stress)
+                                   clod.mean(near, "normal_stress"), delta=0.01 * stress)
 
     def test_bulk_density_is_mass_over_volume(self):
         """Whatever the height: mass = density (A h - V) with one volume V, that of the bars."""
@@ -138,8 +113,8 @@ class RingShear(clod.Case):
     def test_power_is_torque_times_spin(self):
         """The walls turn as one: power = tau A r_m * speed / r_m, whatever the mean radius."""
         rows = self.steady()
-        work = mean(rows, "shear_stress_base") * AREA * SPEED
-        self.assertAlmostEqual(mean(rows, "power") / work, 1.0, delta=1e-6)
+        work = clod.mean(rows, "shear_stress_base") * AREA * SPEED
+        self.assertAlmostEqual(clod.mean(rows, "power") / work, 1.0, delta=1e-6)
 
     def test_reversal(self):
         for point in ("point-1", "point-2", "point-3"):
@@ -263,7 +238,7 @@ class Provoked(clod.Case):
         names = [f"seed-{seed}-{part}" for seed in (7, 8)
                  for part in ("preshear", "point-1", "point-2")]
         self.assertEqual(sorted(part["part"] for part in summary["parts"]), sorted(names))
-        points = table(self.path("out/points.csv"))
+        points = clod.table(self.path("out/points.csv"))
         self.assertEqual([row["seed"] for row in points], [7, 7, 8, 8])
         self.assertNotEqual(points[0]["tau_sh"], points[2]["tau_sh"])
         self.assertIn("2 seeds", text)

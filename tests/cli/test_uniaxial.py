@@ -25,28 +25,13 @@ PARTS = ["stress-1", "stress-2"]
 FILL, LOWER, CONSOLIDATE, UNLOAD, PREPARE, FREE, CRUSH = range(7)
 
 
-def table(path):
-    """A CSV file as a list of rows of numbers by name, units cut off the names."""
-    with open(path, newline="") as file:
-        rows = csv.reader(file)
-        names = [name.split(" [")[0] for name in next(rows)]
-        return [dict(zip(names, map(float, row))) for row in rows]
+class Uniaxial(clod.TesterCase):
 
-
-class Uniaxial(clod.Case):
+    CASE, OPTIONS, POINTS = CASE, ("-t", "1"), "flow_function.csv"
 
     @classmethod
     def setUpClass(cls):
-        cls.out = clod.make_folder()
-        cls.addClassCleanup(shutil.rmtree, cls.out)
-        done = clod.run("run", CASE, "-o", cls.out, "-t", "1")
-        assert done.returncode == 0, done.stderr
-        cls.report = done.stdout
-        with open(os.path.join(cls.out, "summary.json")) as file:
-            cls.summary = json.load(file)
-        cls.part = {part["part"]: part for part in cls.summary["parts"]}
-        cls.series = {name: table(os.path.join(cls.out, f"{name}.csv")) for name in cls.part}
-        cls.points = table(os.path.join(cls.out, "flow_function.csv"))
+        super().setUpClass()
         done = clod.run("check", CASE, "--json", "--threads", "1")
         assert done.returncode == 0, done.stderr
         cls.check = json.loads(done.stdout)

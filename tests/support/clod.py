@@ -3,6 +3,7 @@
 CTest gives the program in CLOD_BINARY and, in a tree with sanitizers, CLOD_SANITIZED=1.
 """
 
+import csv
 import json
 import os
 import shutil
@@ -79,6 +80,18 @@ def read(path):
         return file.read()
 
 
+def table(path):
+    """A CSV file as a list of rows of numbers by name, units cut off the names."""
+    with open(path, newline="") as file:
+        rows = csv.reader(file)
+        names = [name.split(" [")[0] for name in next(rows)]
+        return [dict(zip(names, map(float, row))) for row in rows]
+
+
+def mean(rows, name):
+    return sum(row[name] for row in rows) / len(rows)
+
+
 def without_clock(summary):
     """A summary without its time on the clock."""
     table = json.loads(summary)
@@ -130,6 +143,26 @@ class Case(unittest.TestCase):
         if os.path.exists(os.path.join(one, "summary.json")):
             self.assertEqual(without_clock(read(os.path.join(one, "summary.json"))),
                              without_clock(read(os.path.join(other, "summary.json"))))
+
+
+class TesterCase(Case):
+    """Tests of what one run of a tester leaves: CASE is run once, with OPTIONS."""
+
+    OPTIONS = ()
+    POINTS = "points.csv"
+
+    @classmethod
+    def setUpClass(cls):
+        cls.out = make_folder()
+        cls.addClassCleanup(shutil.rmtree, cls.out)
+        done = run("run", cls.CASE, "-o", cls.out, *cls.OPTIONS)
+        assert done.returncode == 0, done.stderr
+        cls.report = done.stdout
+        with open(os.path.join(cls.out, "summary.json")) as file:
+            cls.summary = json.load(file)
+        cls.part = {part["part"]: part for part in cls.summary["parts"]}
+        cls.series = {name: table(os.path.join(cls.out, f"{name}.csv")) for name in cls.part}
+        cls.points = table(os.path.join(cls.out, cls.POINTS))
 
 
 def main():
