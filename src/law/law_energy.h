@@ -57,7 +57,7 @@ static inline vreal clod_law_normal_energy(const clod_law *law, clod_law_stiffne
     const double n = law->exponent;
     const vreal loaded = d * s.power * (1.0 / (n + 1.0)) - plastic * d;
     const vreal rest = (n / (n + 1.0)) * plastic * clod_law_rest_overlap(law, plastic);
-    return law->k2 * s.scale * (loaded + rest) - law->touch * d;
+    return law->k2 * (loaded + rest) - law->touch * d;
 }
 
 /**
@@ -69,19 +69,7 @@ static inline vreal clod_law_normal_energy(const clod_law *law, clod_law_stiffne
 static inline vreal clod_law_history_force(const clod_law *law, clod_law_stiffness s,
                                            vreal plastic)
 {
-    return law->k2 * s.scale * (s.overlap - clod_law_rest_overlap(law, plastic));
-}
-
-/** Stiffness of the rolling spring [N m]; 0 without one. */
-static inline vreal clod_law_rolling_stiffness(const clod_law *law, vreal tangent, vreal r_star)
-{
-    if (law->rolling == CLOD_ROLLING_EPSD) {
-        return law->epsd_ratio * tangent * r_star * r_star;
-    }
-    if (law->rolling == CLOD_ROLLING_EPSD2) {
-        return clod_law_tangential_stiffness(law, tangent) * r_star * r_star;
-    }
-    return vreal_set(0.0);
+    return law->k2 * (s.overlap - clod_law_rest_overlap(law, plastic));
 }
 
 /** Stored energy of a contact from its overlap and its history. */
@@ -93,7 +81,9 @@ static inline clod_law_stored clod_law_stored_energy(const clod_law *law, vreal 
     const vmask closed = vmask_less(zero, overlap);
     const clod_law_stiffness s = clod_law_stiffness_at(law, vreal_max(overlap, zero), r_star);
     const vreal k_t = clod_law_tangential_stiffness(law, memory->tangent);
-    const vreal k_r = clod_law_rolling_stiffness(law, memory->tangent, r_star);
+    const vreal k_r = clod_law_rolling_springs(law)
+                          ? clod_law_rolling_stiffness(law, memory->tangent, r_star)
+                          : zero;
     const vreal normal = clod_law_normal_energy(law, s, memory->plastic);
     const vreal sliding = 0.5 * k_t * vreal3_dot(memory->spring, memory->spring);
     const vreal rolling = 0.5 * k_r * vreal3_dot(memory->roll, memory->roll);

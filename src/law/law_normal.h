@@ -13,8 +13,7 @@
 
 /** Overlap raised to the law's exponent, and the loading tangent, of each lane. */
 typedef struct clod_law_stiffness {
-    vreal scale;   ///< sqrt(R*) for hertz, else 1: multiplies k1, k2, k_adh
-    vreal power;   ///< x = d^n [m^n]
+    vreal power;   ///< x = d^n [m^n]; hertz: sqrt(R*) d^n [m^2]
     vreal tangent; ///< dk = n k1 d^(n-1) [N/m]
     vreal overlap; ///< d [m]
     vreal r_star;  ///< R* [m]
@@ -50,14 +49,17 @@ static inline clod_law_stiffness clod_law_stiffness_at(const clod_law *law, vrea
                                                        vreal r_star)
 {
     clod_law_stiffness s = {.overlap = overlap, .r_star = r_star};
-    s.scale = law->kind == CLOD_LAW_HERTZ ? vreal_sqrt(r_star) : vreal_set(1.0);
     if (law->exponent_kind == CLOD_EXPONENT_ONE) {
         s.power = overlap;
         s.tangent = vreal_set(law->k1);
     } else if (law->exponent_kind == CLOD_EXPONENT_THREE_HALVES) {
-        const vreal root = vreal_sqrt(overlap);
+        vreal square = overlap;
+        if (law->kind == CLOD_LAW_HERTZ) {
+            square = overlap * r_star;
+        }
+        const vreal root = vreal_sqrt(square);
         s.power = overlap * root;
-        s.tangent = 1.5 * law->k1 * s.scale * root;
+        s.tangent = 1.5 * law->k1 * root;
     } else {
         s.power = clod_law_power(overlap, law->exponent);
         s.tangent = clod_law_power(overlap, law->exponent - 1.0) * (law->exponent * law->k1);
@@ -138,7 +140,7 @@ static inline vreal clod_law_clamp(const clod_law *law, clod_law_stiffness s, vr
 {
     const vreal loading = law->virgin * s.power; // on k1: plastic overlap grows with d
     *plastic = vreal_min(vreal_max(*plastic, loading), bound);
-    return law->k2 * s.scale * (s.power - *plastic);
+    return law->k2 * (s.power - *plastic);
 }
 
 /**
@@ -181,7 +183,7 @@ static inline clod_law_normal clod_law_normal_force(const clod_law *law, clod_la
     }
     const vreal bound = law->pull_off * s.power; // on k_adh: part of the past is forgotten
     const vreal force = clod_law_clamp(law, s, bound, plastic);
-    return (clod_law_normal){force, law->k_adh * s.scale * s.power};
+    return (clod_law_normal){force, law->k_adh * s.power};
 }
 
 /**

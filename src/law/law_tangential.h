@@ -12,49 +12,71 @@
 typedef struct clod_law_frame {
     vreal3 normal; ///< n_hat, from j to i
     vreal turn;    ///< rad, turn of the pair about n_hat in one step
-    vreal soften;  ///< min(1, dk before / dk now): no energy from a growing stiffness
-    double dt;     ///< s
 } clod_law_frame;
 
-/**
- * Carry a spring into today's tangent plane: turn it with the pair about the normal, project
- * it, restore its length. When the stiffness has grown the spring is shortened so that its
- * force stays; when the stiffness has shrunk the spring stays and its force falls: either way
- * the elastic energy never rises by itself.
- */
-static inline vreal3 clod_law_spring_carry(const clod_law_frame *frame, vreal3 spring,
-                                           vreal soften)
+/** What the springs of a contact share in this step. */
+typedef struct clod_law_tangent {
+    vreal stiffness; ///< dk [N/m]
+    vreal inverse;   ///< 1/dk [m/N]
+    vreal soften;    ///< min(1, dk before / dk now): no energy from a growing stiffness
+} clod_law_tangents;
+
+/** A spring turned into today's tangent plane, not yet of its old length. */
+typedef struct clod_law_turned {
+    vreal3 spring;
+    vreal before; ///< square of its length before
+    vreal after;  ///< square of its length now; at least the least that counts
+} clod_law_turned;
+
+/** Springs shorter than the root of this [m or rad] are nothing: no length to restore. */
+#define CLOD_LAW_NOTHING 1e-80
+
+/** Turn a spring with the pair about the normal, and project it on the tangent plane. */
+static inline clod_law_turned clod_law_spring_turn(const clod_law_frame *frame, vreal3 spring)
 {
     const vreal3 n = frame->normal;
     vreal3 turned = vreal3_axpy(spring, frame->turn, vreal3_cross(n, spring));
     turned = vreal3_axpy(turned, -vreal3_dot(turned, n), n);
-    const vreal before = vreal3_dot(spring, spring);
-    const vreal after = vreal3_dot(turned, turned);
-    const vmask some = vmask_less(vreal_set(0.0), after);
-    const vreal ratio = before / vreal_select(some, after, vreal_set(1.0));
-    return vreal3_scale(turned, vreal_sqrt(ratio) * soften);
+    return (clod_law_turned){
+        turned, vreal3_dot(spring, spring),
+        vreal_max(vreal3_dot(turned, turned), vreal_set(CLOD_LAW_NOTHING))};
 }
 
 /**
- * Cut a force (or torque) to its limit; the spring is reset to what carries the cut force.
+ * Restore the length of a turned spring. When the stiffness has grown the spring is shortened
+ * so that its force stays; when the stiffness has shrunk the spring stays and its force falls:
+ * either way the elastic energy never rises by itself.
  *
- * @param trial      -stiffness spring - dash-pot
- * @param limit      >= 0
- * @param stiffness  > 0
- * @param spring     [in,out]
- * @return           the force
- * Source  PHYSICS 3, eq. (6).   Test  tests/law/test_law_tangential.c
+ * The root of before/after = 1 + e is its series: exact to rounding while the tangent plane
+ * turns by less than 2 degrees in a step (e < 1e-3), within 1e-9 up to 10 degrees. A spring
+ * that a step turns by more than 45 degrees stays shortened.
+ *
+ * @param inverse_after  1/turned.after
+ * Source  docs/theory/tangential.md, docs/adr/0010.   Test  tests/law/test_law_tangential.c
  */
-static inline vreal3 clod_law_spring_cut(vreal3 trial, vreal limit, vreal stiffness,
-                                         vreal3 *spring)
+static inline vreal3 clod_law_spring_restore(clod_law_turned turned, vreal inverse_after,
+                                             vreal soften)
 {
-    const vreal length = vreal3_dot(trial, trial);
-    const vmask slides = vmask_less(limit * limit, length);
-    const vreal safe = vreal_select(slides, length, vreal_set(1.0));
-    const vreal3 cut = vreal3_scale(trial, limit / vreal_sqrt(safe));
-    const vreal3 reset = vreal3_scale(cut, -1.0 / stiffness);
-    *spring = vreal3_select(slides, reset, *spring);
-    return vreal3_select(slides, cut, trial);
+    const vreal e = vreal_min(turned.before * inverse_after - 1.0, vreal_set(1.0));
+    const vreal e2 = e * e;
+    const vreal root = (1.0 + 0.5 * e) - e2 * (0.125 - (0.0625 * e - 0.0390625 * e2));
+    return vreal3_scale(turned.spring, root * soften);
+}
+
+/** Where a force (or torque) is beyond its limit, and its length there; elsewhere 1. */
+typedef struct clod_law_cut {
+    vmask beyond;
+    vreal square, length;
+} clod_law_cut;
+
+/** @param limit  >= 0 */
+static inline clod_law_cut clod_law_cut_of(vreal3 trial, vreal limit)
+{
+    const vreal square = vreal3_dot(trial, trial);
+    const vreal least = vreal_max(limit * limit, vreal_set(CLOD_LAW_NOTHING));
+    const vmask beyond = vmask_less(least, square);
+    const vreal safe = vreal_select(beyond, square, vreal_set(1.0));
+    return (clod_law_cut){beyond, safe, vreal_sqrt(safe)};
 }
 
 /** Tangential stiffness k_t [N/m] (PHYSICS 3). */
@@ -66,86 +88,139 @@ static inline vreal clod_law_tangential_stiffness(const clod_law *law, vreal tan
     return law->tangent_ratio * tangent;
 }
 
+/** 1/k_t [m/N]. */
+static inline vreal clod_law_tangential_compliance(const clod_law *law,
+                                                   const clod_law_tangents *tangent)
+{
+    if (law->tangential == CLOD_TANGENTIAL_LITERAL) {
+        return vreal_set(law->literal_compliance);
+    }
+    return law->inverse_ratio * tangent->inverse;
+}
+
 /** How much springs on k_t shrink in this step; a literal k_t never changes. */
-static inline vreal clod_law_tangential_soften(const clod_law *law, const clod_law_frame *frame)
+static inline vreal clod_law_tangential_soften(const clod_law *law,
+                                               const clod_law_tangents *tangent)
 {
     if (law->tangential == CLOD_TANGENTIAL_LITERAL) {
         return vreal_set(1.0);
     }
-    return frame->soften;
+    return tangent->soften;
+}
+
+/** Coefficient of the tangential dash-pot, gamma_t = damping sqrt(m* k_t) [N s/m]. */
+static inline vreal clod_law_tangential_damping(const clod_law *law, vreal normal_damping,
+                                                vreal m_star)
+{
+    if (law->tangential == CLOD_TANGENTIAL_LITERAL) {
+        return law->damping * vreal_sqrt(m_star * law->literal_stiffness);
+    }
+    return law->root_ratio * normal_damping;
 }
 
 /**
- * Friction force on i.
+ * Friction force on i before its limit: -k_t spring - gamma_t slip.
  *
- * @param slip     tangential velocity of i against j at the contact [m/s]
- * @param limit    mu N [N]
- * @param tangent  dk [N/m]
- * @param m_star   reduced mass [kg], for the dash-pot
- * @param spring   [in,out] tangential spring [m]
- * @return         F_t [N]
- * Source  PHYSICS 3, eq. (6); gamma_t = damping sqrt(m* k_t).
- * Test    tests/law/test_law_tangential.c
+ * @param tangent   dk [N/m]
+ * @param slip      tangential velocity of i against j at the contact [m/s]
+ * @param dash_pot  gamma_t [N s/m]
+ * @param spring    [in,out] tangential spring in today's plane [m]; the way of the step is added
+ * Source  PHYSICS 3, eq. (6).   Test  tests/law/test_law_tangential.c
  */
-static inline vreal3 clod_law_friction(const clod_law *law, const clod_law_frame *frame,
-                                       vreal3 slip, vreal limit, vreal tangent, vreal m_star,
-                                       vreal3 *spring)
+static inline vreal3 clod_law_friction(const clod_law *law, vreal tangent, double dt,
+                                       vreal3 slip, vreal dash_pot, vreal3 *spring)
 {
     const vreal stiffness = clod_law_tangential_stiffness(law, tangent);
-    const vreal dash_pot = law->damping * vreal_sqrt(m_star * stiffness);
-    *spring = clod_law_spring_carry(frame, *spring, clod_law_tangential_soften(law, frame));
-    *spring = vreal3_axpy(*spring, vreal_set(frame->dt), slip);
-    const vreal3 elastic = vreal3_scale(*spring, -stiffness);
-    const vreal3 trial = vreal3_axpy(elastic, -dash_pot, slip);
-    return clod_law_spring_cut(trial, limit, stiffness, spring);
-}
-
-/** Constant directional torque: -mu_r N R* along the rolling velocity. */
-static inline vreal3 clod_law_rolling_cdt(vreal3 rolling, vreal cap)
-{
-    const vreal speed2 = vreal3_dot(rolling, rolling);
-    const vmask rolls = vmask_less(vreal_set(0.0), speed2);
-    const vreal speed = vreal_sqrt(vreal_select(rolls, speed2, vreal_set(1.0)));
-    return vreal3_scale(rolling, -cap / speed);
+    *spring = vreal3_axpy(*spring, vreal_set(dt), slip);
+    return vreal3_axpy(vreal3_scale(*spring, -stiffness), -dash_pot, slip);
 }
 
 /**
- * Rolling resistance: the torque on i; j takes the opposite.
+ * Cut the friction force to its limit; the spring is reset to what carries the cut force.
  *
- * @param rolling  relative spin of i against j without its part along the normal [rad/s]
- * @param normal_measure  N [N]
- * @param tangent  dk [N/m]
- * @param r_star   R* [m]
- * @param inertia  reduced moment of inertia about the contact [kg m2], for epsd's dash-pot
- * @param roll     [in,out] rolling spring [rad]
- * @return         M [N m]
+ * @param factor      limit / length of the force where it is beyond
+ * @param compliance  1/k_t [m/N]
+ * @param spring      [in,out]
+ * Source  PHYSICS 3, eq. (6).   Test  tests/law/test_law_tangential.c
+ */
+static inline vreal3 clod_law_friction_cut(vreal3 trial, clod_law_cut cut, vreal factor,
+                                           vreal compliance, vreal3 *spring)
+{
+    const vreal3 force = vreal3_scale(trial, factor);
+    *spring = vreal3_select(cut.beyond, vreal3_scale(force, -compliance), *spring);
+    return vreal3_select(cut.beyond, force, trial);
+}
+
+/** Whether the rolling model has a spring. */
+static inline bool clod_law_rolling_springs(const clod_law *law)
+{
+    return law->rolling == CLOD_ROLLING_EPSD || law->rolling == CLOD_ROLLING_EPSD2;
+}
+
+/** Stiffness k_r of the rolling spring [N m/rad]. */
+static inline vreal clod_law_rolling_stiffness(const clod_law *law, vreal tangent, vreal r_star)
+{
+    const vreal area = r_star * r_star;
+    if (law->rolling == CLOD_ROLLING_EPSD) {
+        return law->epsd_ratio * tangent * area;
+    }
+    return clod_law_tangential_stiffness(law, tangent) * area;
+}
+
+/** How much the rolling spring shrinks in this step. */
+static inline vreal clod_law_rolling_soften(const clod_law *law,
+                                            const clod_law_tangents *tangent)
+{
+    if (law->rolling == CLOD_ROLLING_EPSD) {
+        return tangent->soften;
+    }
+    return clod_law_tangential_soften(law, tangent);
+}
+
+/** What turns against rolling before its cap: -k_r roll [N m]; cdt: the direction, rolling. */
+static inline vreal3 clod_law_rolling_pull(const clod_law *law, double dt, vreal3 rolling,
+                                           vreal stiffness, vreal3 *roll)
+{
+    if (law->rolling == CLOD_ROLLING_CDT) {
+        return rolling;
+    }
+    *roll = vreal3_axpy(*roll, vreal_set(dt), rolling);
+    return vreal3_scale(*roll, -stiffness);
+}
+
+/** Beyond what it is cut [N m]; cdt has its cap at any spin. */
+static inline vreal clod_law_rolling_limit(const clod_law *law, vreal cap)
+{
+    return law->rolling == CLOD_ROLLING_CDT ? vreal_set(0.0) : cap;
+}
+
+/**
+ * Rolling resistance: the torque of the spring cut to its cap, and the spring with it; the
+ * dash-pot of epsd acts below the cap only. cdt: the cap, against the rolling.
+ *
+ * @param pull       from clod_law_rolling_pull
+ * @param factor     cap / length of pull where it is beyond
+ * @param stiffness  k_r [N m/rad]
+ * @param rolling    relative spin of i against j without its part along the normal [rad/s]
+ * @param inertia    reduced moment of inertia about the contact [kg m2], for epsd
+ * @param roll       [in,out] rolling spring [rad]
+ * @return           M [N m], the torque on i; j takes the opposite
  * Source  Ai, Chen, Rotter, Ooi 2011; PHYSICS 4.   Test  tests/law/test_law_rolling.c
  */
-static inline vreal3 clod_law_rolling(const clod_law *law, const clod_law_frame *frame,
-                                      vreal3 rolling, vreal normal_measure, vreal tangent,
-                                      vreal r_star, vreal inertia, vreal3 *roll)
+static inline vreal3 clod_law_rolling_cut(const clod_law *law, vreal3 pull, clod_law_cut cut,
+                                          vreal factor, vreal stiffness, vreal3 rolling,
+                                          vreal inertia, vreal3 *roll)
 {
-    const vreal cap = law->rolling_friction * normal_measure * r_star;
     if (law->rolling == CLOD_ROLLING_CDT) {
-        return clod_law_rolling_cdt(rolling, cap);
+        return vreal3_scale(pull, -factor);
     }
-    const vreal area = r_star * r_star;
-    vreal stiffness = clod_law_tangential_stiffness(law, tangent) * area;
-    vreal soften = clod_law_tangential_soften(law, frame);
-    if (law->rolling == CLOD_ROLLING_EPSD) {
-        stiffness = law->epsd_ratio * tangent * area;
-        soften = frame->soften;
+    const vreal kept = vreal_select(cut.beyond, factor, vreal_set(1.0));
+    *roll = vreal3_scale(*roll, kept);
+    const vreal3 torque = vreal3_scale(pull, kept);
+    if (law->rolling != CLOD_ROLLING_EPSD) {
+        return torque;
     }
-    *roll = clod_law_spring_carry(frame, *roll, soften);
-    *roll = vreal3_axpy(*roll, vreal_set(frame->dt), rolling);
-    const vreal3 elastic = vreal3_scale(*roll, -stiffness);
-    const vreal length = vreal3_dot(elastic, elastic);
-    vreal3 torque = clod_law_spring_cut(elastic, cap, stiffness, roll);
-    if (law->rolling == CLOD_ROLLING_EPSD) { // the dash-pot acts below the cap only
-        const vreal dash_pot = 2.0 * law->rolling_damping * vreal_sqrt(inertia * stiffness);
-        const vmask below = vmask_less(length, cap * cap);
-        const vreal acting = vreal_select(below, dash_pot, vreal_set(0.0));
-        torque = vreal3_axpy(torque, -acting, rolling);
-    }
-    return torque;
+    const vreal dash_pot = 2.0 * law->rolling_damping * vreal_sqrt(inertia * stiffness);
+    const vreal acting = vreal_select(cut.beyond, vreal_set(0.0), dash_pot);
+    return vreal3_axpy(torque, -acting, rolling);
 }

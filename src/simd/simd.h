@@ -31,3 +31,4 @@
 #endif
 
 #include "simd/vreal3.h"
+#include "simd/vreal_invert.h"

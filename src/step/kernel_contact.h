@@ -48,18 +48,23 @@ static inline clod_law_motion kernel_contact_motion(const clod_kernel_view *view
     vreal_load_rows(wi, view->turning, i);
     vreal_load_rows(wj, view->turning, j);
     const vreal3 apart = kernel_separation(view, pi, pj);
-    const vreal distance = vreal_sqrt(vreal3_dot(apart, apart));
-    const vreal overlap = pi[3] + pj[3] - distance;
+    const vreal square = vreal3_dot(apart, apart);
+    const vreal distance = vreal_sqrt(square);
+    const vreal radii = pi[3] + pj[3];
+    const vreal masses = vi[3] + vj[3];
+    const vreal overlap = radii - distance;
+    vreal per_square = square, per_radii = radii, per_masses = masses;
+    vreal_invert3(&per_square, &per_radii, &per_masses); // grains: far from over- or underflow
     clod_law_motion motion = {
         .overlap = overlap,
-        .normal = vreal3_scale(apart, 1.0 / distance),
+        .normal = vreal3_scale(apart, distance * per_square),
         .velocity = {vi[0] - vj[0], vi[1] - vj[1], vi[2] - vj[2]},
         .spin_i = {wi[0], wi[1], wi[2]},
         .spin_j = {wj[0], wj[1], wj[2]},
         .arm_i = pi[3] - 0.5 * overlap,
         .arm_j = pj[3] - 0.5 * overlap,
-        .m_star = vi[3] * vj[3] / (vi[3] + vj[3]),
-        .r_star = pi[3] * pj[3] / (pi[3] + pj[3]),
+        .m_star = vi[3] * vj[3] * per_masses,
+        .r_star = pi[3] * pj[3] * per_radii,
         .roll_inertia = vreal_set(0.0),
     };
     if (law->rolling == CLOD_ROLLING_EPSD) {
@@ -87,27 +92,56 @@ static inline void kernel_contact_store(const clod_kernel_view *view,
     vreal_store_rows(view->slots, slot_j, on_j);
 }
 
-static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
-                           clod_contact_block *blocks, size_t count)
+__attribute__((always_inline)) static inline bool
+kernel_contact_loop(const clod_kernel_view v, const clod_law l, clod_contact_block *blocks, size_t count)
 {
-    const clod_kernel_view v = *view;
-    const clod_law l = *law;
     vreal excess = vreal_set(-1.0);
-    for (size_t b = 0; b < count; b++) {
-        clod_contact_block *block = &blocks[b];
-        for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
-            const clod_law_motion motion =
-                kernel_contact_motion(&v, &l, &block->i[lane], &block->j[lane]);
-            clod_law_memory memory = clod_law_memory_load(&block->history, lane);
-            const clod_law_result result = clod_law_contact(&l, &motion, v.dt, &memory);
-            clod_law_memory_store(&block->history, lane, result.closed, memory);
-            kernel_contact_store(&v, &motion, result, &block->slot_i[lane],
-                                 &block->slot_j[lane]);
-            // R* is at most the smaller radius and at least half of it
-            const vreal beyond =
-                motion.overlap - CLOD_KERNEL_OVERLAP_LIMIT * 2.0 * motion.r_star;
-            excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
+    enum { BATCH = 4 };
+    clod_law_motion motion[BATCH * CLOD_LANES / CLOD_WIDTH];
+    clod_law_trial trial[BATCH * CLOD_LANES / CLOD_WIDTH];
+    for (size_t first = 0; first < count; first += BATCH) {
+        const size_t last = first + BATCH < count ? first + BATCH : count;
+        int m = 0;
+        for (size_t b = first; b < last; b++) {
+            for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
+                motion[m++] =
+                    kernel_contact_motion(&v, &l, &blocks[b].i[lane], &blocks[b].j[lane]);
+            }
+        }
+        m = 0;
+        for (size_t b = first; b < last; b++) {
+            for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
+                trial[m] = clod_law_try(&l, &motion[m], v.dt,
+                                        clod_law_memory_load(&blocks[b].history, lane));
+                m++;
+            }
+        }
+        m = 0;
+        for (size_t b = first; b < last; b++) {
+            clod_contact_block *block = &blocks[b];
+            for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
+                const clod_law_result result = clod_law_limit(&l, &motion[m], &trial[m]);
+                clod_law_memory_store(&block->history, lane, result.closed, trial[m].memory);
+                kernel_contact_store(&v, &motion[m], result, &block->slot_i[lane],
+                                     &block->slot_j[lane]);
+                // R* is at most the smaller radius and at least half of it
+                const vreal beyond =
+                    motion[m].overlap - CLOD_KERNEL_OVERLAP_LIMIT * 2.0 * motion[m].r_star;
+                excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
+                m++;
+            }
         }
     }
     return vmask_any(vmask_less(vreal_set(0.0), excess));
+}
+
+static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
+                           clod_contact_block *blocks, size_t count)
+{
+    clod_law l = *law;
+    if (l.kind == CLOD_LAW_MEPA && l.exponent_kind == CLOD_EXPONENT_THREE_HALVES && l.coulomb == CLOD_COULOMB_ADHESIVE && l.tangential == CLOD_TANGENTIAL_TANGENT && l.rolling == CLOD_ROLLING_EPSD2) {
+        l.kind = CLOD_LAW_MEPA; l.exponent_kind = CLOD_EXPONENT_THREE_HALVES; l.coulomb = CLOD_COULOMB_ADHESIVE; l.tangential = CLOD_TANGENTIAL_TANGENT; l.rolling = CLOD_ROLLING_EPSD2;
+        return kernel_contact_loop(*view, l, blocks, count);
+    }
+    return kernel_contact_loop(*view, l, blocks, count);
 }
