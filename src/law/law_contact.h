@@ -143,8 +143,7 @@ clod_law_try(const clod_law *law, const clod_law_motion *motion, double dt,
 
     const vreal3 both = vreal3_add(motion->spin_i, motion->spin_j);
     const clod_law_frame frame = {n, 0.5 * dt * vreal3_dot(both, n)};
-    const clod_law_tangents tangent =
-        clod_law_springs_carry(law, &frame, s.tangent, &t.memory);
+    const clod_law_tangents tangent = clod_law_springs_carry(law, &frame, s.tangent, &t.memory);
     t.compliance = clod_law_tangential_compliance(law, &tangent);
 
     const vreal3 arms =

@@ -124,8 +124,8 @@ static inline vreal clod_law_tangential_damping(const clod_law *law, vreal norma
  * @param tangent   dk [N/m]
  * @param slip      tangential velocity of i against j at the contact [m/s]
  * @param dash_pot  gamma_t [N s/m]
- * @param spring    [in,out] tangential spring in today's plane [m]; the way of the step is added
- * Source  PHYSICS 3, eq. (6).   Test  tests/law/test_law_tangential.c
+ * @param spring    [in,out] tangential spring in today's plane [m]; the way of the step is
+ * added Source  PHYSICS 3, eq. (6).   Test  tests/law/test_law_tangential.c
  */
 static inline vreal3 clod_law_friction(const clod_law *law, vreal tangent, double dt,
                                        vreal3 slip, vreal dash_pot, vreal3 *spring)

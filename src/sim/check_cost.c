@@ -106,7 +106,7 @@ static double bytes_per_grain(const clod_step *step)
                            (double)near->grain_capacity * (64 + 3 * sizeof(int32_t));
     const double blocks = (double)(list->pairs.capacity + list->pairs.old_capacity) *
                               (double)sizeof(clod_contact_block) +
-                          (double)list->slot_capacity * 8 * sizeof(double);
+                          (double)list->between.share_capacity * 8 * sizeof(double);
     return (rows + contacts + candidates + sorting + blocks) / (double)state->grains.count;
 }
 

@@ -97,3 +97,16 @@ static inline void vreal_store_rows(double (*rows)[8], const int32_t *index, con
         }
     }
 }
+
+static inline void vreal_add_rows(double (*rows)[8], const int32_t *index, const vreal in[8],
+                                  int lanes)
+{
+    vreal low[4], high[4];
+    vreal_transpose4(low, in[0], in[1], in[2], in[3]);
+    vreal_transpose4(high, in[4], in[5], in[6], in[7]);
+    for (int l = 0; l < lanes; l++) {
+        double *row = rows[index[l]];
+        _mm256_store_pd(row, _mm256_load_pd(row) + low[l]);
+        _mm256_store_pd(row + 4, _mm256_load_pd(row + 4) + high[l]);
+    }
+}

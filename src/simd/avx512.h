@@ -95,7 +95,8 @@ static inline void vreal_load_rows(vreal out[4], const double (*rows)[4], const 
     out[3] = _mm512_permutex2var_pd(hi01, odd, hi23);
 }
 
-static inline void vreal_store_rows(double (*rows)[8], const int32_t *index, const vreal in[8])
+/** Lane l of all columns as row l. */
+static inline void vreal_rows(__m512d row[8], const vreal in[8])
 {
     const vreal a0 = _mm512_unpacklo_pd(in[0], in[1]); // columns 0 1 of lanes 0 2 4 6
     const vreal a1 = _mm512_unpackhi_pd(in[0], in[1]); // columns 0 1 of lanes 1 3 5 7
@@ -114,12 +115,37 @@ static inline void vreal_store_rows(double (*rows)[8], const int32_t *index, con
     const vreal ab1_57 = _mm512_shuffle_f64x2(a1, b1, 0xee);
     const vreal cd1_13 = _mm512_shuffle_f64x2(c1, d1, 0x44);
     const vreal cd1_57 = _mm512_shuffle_f64x2(c1, d1, 0xee);
-    _mm512_store_pd(rows[index[0]], _mm512_shuffle_f64x2(ab0_02, cd0_02, 0x88));
-    _mm512_store_pd(rows[index[2]], _mm512_shuffle_f64x2(ab0_02, cd0_02, 0xdd));
-    _mm512_store_pd(rows[index[4]], _mm512_shuffle_f64x2(ab0_46, cd0_46, 0x88));
-    _mm512_store_pd(rows[index[6]], _mm512_shuffle_f64x2(ab0_46, cd0_46, 0xdd));
-    _mm512_store_pd(rows[index[1]], _mm512_shuffle_f64x2(ab1_13, cd1_13, 0x88));
-    _mm512_store_pd(rows[index[3]], _mm512_shuffle_f64x2(ab1_13, cd1_13, 0xdd));
-    _mm512_store_pd(rows[index[5]], _mm512_shuffle_f64x2(ab1_57, cd1_57, 0x88));
-    _mm512_store_pd(rows[index[7]], _mm512_shuffle_f64x2(ab1_57, cd1_57, 0xdd));
+    row[0] = _mm512_shuffle_f64x2(ab0_02, cd0_02, 0x88);
+    row[2] = _mm512_shuffle_f64x2(ab0_02, cd0_02, 0xdd);
+    row[4] = _mm512_shuffle_f64x2(ab0_46, cd0_46, 0x88);
+    row[6] = _mm512_shuffle_f64x2(ab0_46, cd0_46, 0xdd);
+    row[1] = _mm512_shuffle_f64x2(ab1_13, cd1_13, 0x88);
+    row[3] = _mm512_shuffle_f64x2(ab1_13, cd1_13, 0xdd);
+    row[5] = _mm512_shuffle_f64x2(ab1_57, cd1_57, 0x88);
+    row[7] = _mm512_shuffle_f64x2(ab1_57, cd1_57, 0xdd);
+}
+
+static inline void vreal_store_rows(double (*rows)[8], const int32_t *index, const vreal in[8])
+{
+    __m512d row[8];
+    vreal_rows(row, in);
+    for (int l = 0; l < 8; l++) {
+        _mm512_store_pd(rows[index[l]], row[l]);
+    }
+}
+
+static inline void vreal_add_rows(double (*rows)[8], const int32_t *index, const vreal in[8],
+                                  int lanes)
+{
+    __m512d row[8];
+    vreal_rows(row, in);
+    if (lanes == 8) { // the rows stay in registers
+        for (int l = 0; l < 8; l++) {
+            _mm512_store_pd(rows[index[l]], _mm512_load_pd(rows[index[l]]) + row[l]);
+        }
+        return;
+    }
+    for (int l = 0; l < lanes; l++) {
+        _mm512_store_pd(rows[index[l]], _mm512_load_pd(rows[index[l]]) + row[l]);
+    }
 }

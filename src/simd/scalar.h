@@ -81,3 +81,11 @@ static inline void vreal_store_rows(double (*rows)[8], const int32_t *index, con
         rows[*index][c] = in[c];
     }
 }
+
+static inline void vreal_add_rows(double (*rows)[8], const int32_t *index, const vreal in[8],
+                                  int lanes)
+{
+    for (int c = 0; c < 8 && lanes > 0; c++) {
+        rows[*index][c] += in[c];
+    }
+}

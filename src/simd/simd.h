@@ -18,6 +18,8 @@
  *   vmask_any(m)                    true when a lane is true
  *   vreal_load_rows                 lane l of out[c] = rows[index[l]][c], c < 4
  *   vreal_store_rows                rows[index[l]][c] = lane l of in[c], c < 8
+ *   vreal_add_rows                  rows[index[l]][c] += lane l of in[c], c < 8, for the first
+ *                                   lanes, one after the other: a row may come more than once
  *
  * Test  tests/simd/test_simd.c
  */

@@ -21,8 +21,7 @@ typedef struct clod_history {
 
 /** Grain-grain contacts; i comes before j in the order of the grains. */
 typedef struct clod_contact_block {
-    int32_t i[CLOD_LANES], j[CLOD_LANES];           ///< rows of the grains
-    int32_t slot_i[CLOD_LANES], slot_j[CLOD_LANES]; ///< where each grain's share of force goes
+    int32_t i[CLOD_LANES], j[CLOD_LANES]; ///< rows of the grains
     clod_history history;
 } clod_contact_block;
 
@@ -30,8 +29,7 @@ typedef struct clod_contact_block {
 typedef struct clod_wall_block {
     int32_t i[CLOD_LANES];
     int32_t wall[CLOD_LANES], shape[CLOD_LANES]; ///< shape within the wall
-    int32_t slot_i[CLOD_LANES];
-    int32_t slot_wall[CLOD_LANES];
+    int32_t slot_wall[CLOD_LANES];               ///< where the wall's share of force goes
     clod_history history;
 } clod_wall_block;
 

@@ -7,6 +7,16 @@
 
 #define PADDING 2
 
+bool clod_grains_keep_before(clod_grains *self, clod_status *status)
+{
+    if (self->before == NULL) {
+        self->before = clod_memory_alloc(self->capacity + 1, sizeof *self->before);
+    }
+    return self->before != NULL ||
+           clod_status_fail(status, CLOD_FAILED, "no memory for the loads of %zu grains",
+                            self->count);
+}
+
 bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
 {
     const size_t capacity = count + PADDING;
@@ -30,6 +40,13 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
     if (place == NULL || motion == NULL || turning == NULL || load == NULL || id == NULL ||
         material == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", count);
+    }
+    if (self->before != NULL) {
+        clod_memory_free(self->before);
+        self->before = clod_memory_alloc(rows, sizeof *self->before);
+        if (self->before == NULL) {
+            return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", count);
+        }
     }
     self->capacity = rows;
     clod_grains_pad(self);
@@ -96,6 +113,7 @@ void clod_grains_fini(clod_grains *self)
     clod_memory_free(self->motion);
     clod_memory_free(self->turning);
     clod_memory_free(self->load);
+    clod_memory_free(self->before);
     clod_memory_free(self->id);
     clod_memory_free(self->material);
     *self = (clod_grains){0};

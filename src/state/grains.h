@@ -18,6 +18,8 @@ typedef struct clod_grains {
     double (*motion)[4];  ///< vx, vy, vz [m/s], mass [kg]
     double (*turning)[4]; ///< wx, wy, wz [rad/s], 1/moment of inertia [1/(kg m2)]
     double (*load)[8];    ///< Fx, Fy, Fz [N], 0, Tx, Ty, Tz [N m], 0: sums of the last step
+    double (*before)[8];  ///< while a step adds up loads, those of the step before; NULL unless
+                          ///< somebody asked for it (the energy ledger)
     uint64_t *id;         ///< global, never changes
     uint16_t *material;
 } clod_grains;
@@ -35,6 +37,9 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status);
 bool clod_grains_add(clod_grains *self, const double place[4], const double speed[3],
                      const double spin[3], double density, uint16_t material, uint64_t id,
                      clod_status *status);
+
+/** From now on keep the loads of the step before. */
+bool clod_grains_keep_before(clod_grains *self, clod_status *status);
 
 /** Put the two padding rows behind the last grain. */
 void clod_grains_pad(clod_grains *self);

@@ -1,34 +1,73 @@
-// Stages contact and wall: the force of every contact into its slots.
+// Stages between, contact and wall: the force of every contact onto its grains, in the order of
+// contacts whatever the number of threads.
 #include "geometry/wall_gap.h"
 #include "parallel/threads.h"
+#include "step/near_between.h"
 #include "step/step.h"
 
-/** The part of [begin, end) that belongs to one law. */
-static clod_chunk clip(clod_chunk chunk, size_t first, size_t last)
+/** Blocks and contacts of one group. */
+static bool run_group(clod_step *self, size_t group, int32_t law, double (*apart)[8])
 {
-    const size_t begin = chunk.begin > first ? chunk.begin : first;
-    const size_t end = chunk.end < last ? chunk.end : last;
-    return (clod_chunk){begin, end > begin ? end : begin};
+    const clod_near_blocks *pairs = &self->near.pairs;
+    clod_contact_block *blocks = pairs->block;
+    const size_t begin = pairs->group_start[group];
+    for (size_t b = begin; self->near.ledger && b < pairs->group_start[group + 1]; b++) {
+        self->kernel->contact_spend(&self->view, &self->laws->law[law], &blocks[b],
+                                    &pairs->spent[b]);
+    }
+    return self->kernel->contact(&self->view, &self->laws->law[law], blocks + begin,
+                                 pairs->group_count[group], apart);
+}
+
+/** This thread's share of the blocks of a law between two parts. */
+static bool run_between(clod_step *self, int32_t law, int part)
+{
+    const clod_near *near = &self->near;
+    const size_t group = clod_near_group(near, near->parts, law);
+    const size_t begin = near->pairs.group_start[group];
+    const size_t first = near->pairs.group_start[clod_near_group(near, near->parts, 0)];
+    const size_t end = near->pairs.group_start[group + 1];
+    const clod_chunk mine = clod_threads_chunk(end - begin, part, self->threads);
+    clod_contact_block *blocks = near->pairs.block;
+    for (size_t b = begin + mine.begin; near->ledger && b < begin + mine.end; b++) {
+        self->kernel->contact_spend(&self->view, &self->laws->law[law], &blocks[b],
+                                    &near->pairs.spent[b]);
+    }
+    const size_t from = mine.begin * CLOD_LANES;
+    const size_t all = near->pairs.group_count[group];
+    const size_t to = mine.end * CLOD_LANES < all ? mine.end * CLOD_LANES : all;
+    const size_t number = (begin - first) * CLOD_LANES + from;
+    return to > from && self->kernel->contact(&self->view, &self->laws->law[law],
+                                              blocks + begin + mine.begin, to - from,
+                                              near->between.share + 2 * number);
+}
+
+void clod_step_between(clod_step *self, int part)
+{
+    bool excess = false;
+    for (int32_t l = 0; l < self->laws->count && self->near.parts > 1; l++) {
+        excess |= run_between(self, l, part);
+    }
+    self->thread[part].excess = excess;
 }
 
 void clod_step_contact(clod_step *self, int part)
 {
-    const clod_near_blocks *pairs = &self->near.pairs;
-    clod_contact_block *blocks = pairs->block;
-    const clod_chunk mine = clod_threads_chunk(pairs->count, part, self->threads);
+    double(*load)[8] = self->state->grains.load;
+    const clod_chunk mine = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
     bool excess = false;
-    for (int32_t l = 0; l < self->laws->count; l++) {
-        const clod_chunk c = clip(mine, pairs->law_start[l], pairs->law_start[l + 1]);
-        for (size_t b = c.begin; self->near.ledger && b < c.end; b++) {
-            self->kernel->contact_spend(&self->view, &self->laws->law[l], &blocks[b],
-                                        &pairs->spent[b]);
-        }
-        if (c.end > c.begin) {
-            excess |= self->kernel->contact(&self->view, &self->laws->law[l], blocks + c.begin,
-                                            c.end - c.begin);
+    for (int p = (int)mine.begin; p < (int)mine.end; p++) {
+        for (int32_t l = 0; l < self->laws->count; l++) {
+            if (self->near.parts > 1) {
+                clod_near_between_add(&self->near, p, l, false, load);
+            }
+            excess |= run_group(self, clod_near_group(&self->near, p, l), l, NULL);
+            if (self->near.parts > 1) {
+                clod_near_between_add(&self->near, p, l, true, load);
+            }
         }
     }
-    self->thread[part].excess = excess;
+    self->thread[part].excess |= excess;
 }
 
 /** Geometry of one lane: gap, normal, and how the wall moves at the contact. */
@@ -73,22 +112,33 @@ void clod_step_stage_walls(const clod_step *self, const clod_wall_block *block,
     }
 }
 
-void clod_step_wall(clod_step *self, int part)
+/** Wall contacts of one group. */
+static bool run_walls(clod_step *self, size_t group, const clod_law *law)
 {
     const clod_near_blocks *walls = &self->near.walls;
     clod_wall_block *blocks = walls->block;
-    const clod_chunk mine = clod_threads_chunk(walls->count, part, self->threads);
+    size_t left = walls->group_count[group];
     bool excess = false;
-    for (int32_t l = 0; l < self->laws->count; l++) {
-        const clod_chunk c = clip(mine, walls->law_start[l], walls->law_start[l + 1]);
-        for (size_t b = c.begin; b < c.end; b++) {
-            clod_kernel_wall_stage stage;
-            clod_step_stage_walls(self, &blocks[b], &stage);
-            if (self->near.ledger) {
-                self->kernel->wall_spend(&self->view, &self->laws->law[l], &stage, &blocks[b],
-                                         &walls->spent[b]);
-            }
-            excess |= self->kernel->wall(&self->view, &self->laws->law[l], &stage, &blocks[b]);
+    for (size_t b = walls->group_start[group]; b < walls->group_start[group + 1]; b++) {
+        clod_kernel_wall_stage stage;
+        clod_step_stage_walls(self, &blocks[b], &stage);
+        if (self->near.ledger) {
+            self->kernel->wall_spend(&self->view, law, &stage, &blocks[b], &walls->spent[b]);
+        }
+        const int contacts = left < CLOD_LANES ? (int)left : CLOD_LANES;
+        excess |= self->kernel->wall(&self->view, law, &stage, &blocks[b], contacts);
+        left -= (size_t)contacts;
+    }
+    return excess;
+}
+
+void clod_step_wall(clod_step *self, int part)
+{
+    const clod_chunk mine = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
+    bool excess = false;
+    for (int p = (int)mine.begin; p < (int)mine.end; p++) {
+        for (int32_t l = 0; l < self->laws->count; l++) {
+            excess |= run_walls(self, clod_near_group(&self->near, p, l), &self->laws->law[l]);
         }
     }
     self->thread[part].excess |= excess;

@@ -22,6 +22,5 @@ const clod_kernel KERNEL_NAME(CLOD_SIMD_SUFFIX) = {
     .contact_stored = kernel_contact_stored,
     .wall_stored = kernel_wall_stored,
     .drift = kernel_drift,
-    .gather = kernel_gather,
     .kick = kernel_kick,
 };

@@ -19,12 +19,12 @@ typedef struct clod_kernel_view {
     const double (*place)[4];
     const double (*motion)[4];
     const double (*turning)[4];
-    const double (*load)[8];  ///< of the last step, until gather
-    double (*slots)[8];       ///< force and torque on each grain by each of its contacts
-    double (*wall_slots)[8];  ///< force and torque on each wall by each of its contacts
-    double dt;                ///< s
-    double period[3];         ///< m; 0 where the domain is open
-    double inverse_period[3]; ///< 1/m
+    const double (*before)[8]; ///< loads of the last step, with the ledger
+    double (*load)[8];         ///< where contacts add their force and torque on each grain
+    double (*wall_slots)[8];   ///< force and torque on each wall by each of its contacts
+    double dt;                 ///< s
+    double period[3];          ///< m; 0 where the domain is open
+    double inverse_period[3];  ///< 1/m
 } clod_kernel_view;
 
 /** Geometry of one block of wall contacts, computed just before the kernel runs. */
@@ -55,12 +55,18 @@ typedef struct clod_kernel_speed {
 typedef struct clod_kernel {
     const char *name;
     int width;
-    /** Force of `count` blocks of one law; true when an overlap is beyond the limit. */
+    /**
+     * Force of `contacts` contacts of one law, added to the loads in their order; true when an
+     * overlap is beyond the limit.
+     *
+     * @param apart  NULL, or rows [2 contacts, whole blocks] that take the shares instead of
+     *               the loads: i's, then j's, contact by contact
+     */
     bool (*contact)(const clod_kernel_view *view, const clod_law *law,
-                    clod_contact_block *blocks, size_t count);
-    /** Force of one block of wall contacts; true when an overlap is beyond the limit. */
+                    clod_contact_block *blocks, size_t contacts, double (*apart)[8]);
+    /** Force of one block of `contacts` wall contacts; true when an overlap is too large. */
     bool (*wall)(const clod_kernel_view *view, const clod_law *law,
-                 const clod_kernel_wall_stage *stage, clod_wall_block *block);
+                 const clod_kernel_wall_stage *stage, clod_wall_block *block, int contacts);
     /** For the ledger, just before `contact` or `wall`: what the block spends in this step. */
     void (*contact_spend)(const clod_kernel_view *view, const clod_law *law,
                           clod_contact_block *block, clod_spent_block *spent);
@@ -73,16 +79,12 @@ typedef struct clod_kernel {
     void (*wall_stored)(const clod_kernel_view *view, const clod_law *law,
                         const clod_kernel_wall_stage *stage, clod_wall_block *block,
                         clod_stored_block *stored);
-    /** Half a kick and a whole drift of grains [begin, end). */
+    /** Half a kick and a whole drift of grains [begin, end); their loads begin anew at zero. */
     clod_kernel_speed (*drift)(double (*place)[4], double (*motion)[4], double (*turning)[4],
-                               const double (*load)[8], double dt, size_t begin, size_t end);
-    /** Sum the slots of grains [begin, end) in order, and add gravity. */
-    void (*gather)(const double (*slots)[8], const int32_t *slot_start,
-                   const double (*motion)[4], const double gravity[3], double (*load)[8],
-                   size_t begin, size_t end);
-    /** The second half kick of grains [begin, end). */
-    void (*kick)(double (*motion)[4], double (*turning)[4], const double (*load)[8], double dt,
-                 size_t begin, size_t end);
+                               double (*load)[8], double dt, size_t begin, size_t end);
+    /** Weight onto the loads of grains [begin, end), and their second half kick. */
+    void (*kick)(double (*motion)[4], double (*turning)[4], double (*load)[8],
+                 const double gravity[3], double dt, size_t begin, size_t end);
 } clod_kernel;
 
 /**

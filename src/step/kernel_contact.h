@@ -75,10 +75,22 @@ static inline clod_law_motion kernel_contact_motion(const clod_kernel_view *view
     return motion;
 }
 
-/** Each grain's share: force and torque in its own slot. */
+/** Blocks whose contacts go through each part of the work together. */
+#define KERNEL_BATCH 4
+
+/** A few blocks of one law on their way through the three parts of the work. */
+typedef struct kernel_batch {
+    clod_contact_block *blocks;
+    int contacts; ///< the last block may have lanes without one
+    clod_law_motion motion[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
+    clod_law_trial trial[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
+} kernel_batch;
+
+/** Each grain's share: added to its load in the order of contacts, or kept apart. */
 static inline void kernel_contact_store(const clod_kernel_view *view,
                                         const clod_law_motion *motion, clod_law_result r,
-                                        const int32_t *slot_i, const int32_t *slot_j)
+                                        const int32_t *i, const int32_t *j, int lanes,
+                                        double (*apart)[8])
 {
     const vreal zero = vreal_set(0.0);
     const vreal3 turn_i = vreal3_axpy(r.roll, -motion->arm_i, r.lever);
@@ -88,60 +100,103 @@ static inline void kernel_contact_store(const clod_kernel_view *view,
                            turn_i.x,  turn_i.y,  turn_i.z,  zero};
     const vreal on_j[8] = {-r.force.x, -r.force.y, -r.force.z, zero,
                            turn_j.x,   turn_j.y,   turn_j.z,   zero};
-    vreal_store_rows(view->slots, slot_i, on_i);
-    vreal_store_rows(view->slots, slot_j, on_j);
+    if (apart != NULL) {
+        static const int32_t EVEN[8] = {0, 2, 4, 6, 8, 10, 12, 14};
+        vreal_store_rows(apart, EVEN, on_i);
+        vreal_store_rows(apart + 1, EVEN, on_j);
+        return;
+    }
+    // contacts ascend by (i, j): whatever a grain gets as j comes before what it gets as i
+    vreal_add_rows(view->load, j, on_j, lanes);
+    vreal_add_rows(view->load, i, on_i, lanes);
 }
 
-__attribute__((always_inline)) static inline bool
-kernel_contact_loop(const clod_kernel_view v, const clod_law l, clod_contact_block *blocks, size_t count)
+/** Last part: limits, histories and shares; the largest excess of an overlap so far. */
+static inline vreal kernel_batch_finish(const clod_kernel_view *view, const clod_law *law,
+                                        kernel_batch *batch, double (*apart)[8], vreal excess)
 {
+    for (int first = 0, k = 0; first < batch->contacts; first += CLOD_WIDTH, k++) {
+        clod_contact_block *block = &batch->blocks[first / CLOD_LANES];
+        const int lane = first % CLOD_LANES;
+        const int left = batch->contacts - first;
+        const clod_law_motion *motion = &batch->motion[k];
+        const clod_law_result result = clod_law_limit(law, motion, &batch->trial[k]);
+        clod_law_memory_store(&block->history, lane, result.closed, batch->trial[k].memory);
+        kernel_contact_store(view, motion, result, &block->i[lane], &block->j[lane],
+                             left < CLOD_WIDTH ? left : CLOD_WIDTH,
+                             apart != NULL ? apart + 2 * first : NULL);
+        // R* is at most the smaller radius and at least half of it
+        const vreal beyond = motion->overlap - CLOD_KERNEL_OVERLAP_LIMIT * 2.0 * motion->r_star;
+        excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
+    }
+    return excess;
+}
+
+/** Rows by which memory is asked for before it is needed: nine of ten partners are nearer. */
+#define KERNEL_LEAD 2048
+
+/**
+ * Ask for the rows up to KERNEL_LEAD behind a grain, in their order, beginning with row `from`:
+ * partners along the curve come in no order that a processor could foresee.
+ */
+static inline size_t kernel_prefetch_rows(const clod_kernel_view *view, size_t from,
+                                          int32_t grain)
+{
+    const size_t to = (size_t)grain + KERNEL_LEAD;
+    for (; from < to; from += 2) { // two rows of four in a line
+        __builtin_prefetch(view->place[from], 0, 2);
+        __builtin_prefetch(view->motion[from], 0, 2);
+        __builtin_prefetch(view->turning[from], 0, 2);
+        __builtin_prefetch(view->load[from], 1, 2);
+        __builtin_prefetch(view->load[from + 1], 1, 2);
+    }
+    return from;
+}
+
+/** Ask for the blocks of the batch to come. */
+static inline void kernel_prefetch_blocks(const clod_contact_block *blocks)
+{
+    const char *memory = (const char *)blocks;
+    for (size_t at = 0; at < KERNEL_BATCH * sizeof *blocks; at += 64) {
+        __builtin_prefetch(memory + at);
+    }
+}
+
+/**
+ * The work is done in three parts over a batch of blocks: one contact is a long chain of
+ * operations that wait for each other, and a short part has room in the processor's window for
+ * the chains of several (docs/adr/0010).
+ */
+static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
+                           clod_contact_block *blocks, size_t contacts, double (*apart)[8])
+{
+    const clod_kernel_view v = *view;
+    const clod_law l = *law;
+    const size_t full = (size_t)KERNEL_BATCH * CLOD_LANES;
     vreal excess = vreal_set(-1.0);
-    enum { BATCH = 4 };
-    clod_law_motion motion[BATCH * CLOD_LANES / CLOD_WIDTH];
-    clod_law_trial trial[BATCH * CLOD_LANES / CLOD_WIDTH];
-    for (size_t first = 0; first < count; first += BATCH) {
-        const size_t last = first + BATCH < count ? first + BATCH : count;
-        int m = 0;
-        for (size_t b = first; b < last; b++) {
-            for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
-                motion[m++] =
-                    kernel_contact_motion(&v, &l, &blocks[b].i[lane], &blocks[b].j[lane]);
-            }
+    kernel_batch batch;
+    size_t ahead = contacts > 0 ? (size_t)blocks->i[0] : 0;
+    for (size_t first = 0; first < contacts; first += full) {
+        batch.blocks = &blocks[first / CLOD_LANES];
+        batch.contacts = (int)(contacts - first < full ? contacts - first : full);
+        ahead = kernel_prefetch_rows(&v, ahead, batch.blocks->i[0]);
+        if (contacts - first > full) {
+            kernel_prefetch_blocks(batch.blocks + KERNEL_BATCH);
         }
-        m = 0;
-        for (size_t b = first; b < last; b++) {
-            for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
-                trial[m] = clod_law_try(&l, &motion[m], v.dt,
-                                        clod_law_memory_load(&blocks[b].history, lane));
-                m++;
-            }
+        for (int c = 0; c < batch.contacts; c += CLOD_WIDTH) {
+            const clod_contact_block *block = &batch.blocks[c / CLOD_LANES];
+            const int lane = c % CLOD_LANES;
+            batch.motion[c / CLOD_WIDTH] =
+                kernel_contact_motion(&v, &l, &block->i[lane], &block->j[lane]);
         }
-        m = 0;
-        for (size_t b = first; b < last; b++) {
-            clod_contact_block *block = &blocks[b];
-            for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
-                const clod_law_result result = clod_law_limit(&l, &motion[m], &trial[m]);
-                clod_law_memory_store(&block->history, lane, result.closed, trial[m].memory);
-                kernel_contact_store(&v, &motion[m], result, &block->slot_i[lane],
-                                     &block->slot_j[lane]);
-                // R* is at most the smaller radius and at least half of it
-                const vreal beyond =
-                    motion[m].overlap - CLOD_KERNEL_OVERLAP_LIMIT * 2.0 * motion[m].r_star;
-                excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
-                m++;
-            }
+        for (int c = 0; c < batch.contacts; c += CLOD_WIDTH) {
+            clod_history *history = &batch.blocks[c / CLOD_LANES].history;
+            batch.trial[c / CLOD_WIDTH] =
+                clod_law_try(&l, &batch.motion[c / CLOD_WIDTH], v.dt,
+                             clod_law_memory_load(history, c % CLOD_LANES));
         }
+        excess = kernel_batch_finish(&v, &l, &batch, apart != NULL ? apart + 2 * first : NULL,
+                                     excess);
     }
     return vmask_any(vmask_less(vreal_set(0.0), excess));
-}
-
-static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
-                           clod_contact_block *blocks, size_t count)
-{
-    clod_law l = *law;
-    if (l.kind == CLOD_LAW_MEPA && l.exponent_kind == CLOD_EXPONENT_THREE_HALVES && l.coulomb == CLOD_COULOMB_ADHESIVE && l.tangential == CLOD_TANGENTIAL_TANGENT && l.rolling == CLOD_ROLLING_EPSD2) {
-        l.kind = CLOD_LAW_MEPA; l.exponent_kind = CLOD_EXPONENT_THREE_HALVES; l.coulomb = CLOD_COULOMB_ADHESIVE; l.tangential = CLOD_TANGENTIAL_TANGENT; l.rolling = CLOD_ROLLING_EPSD2;
-        return kernel_contact_loop(*view, l, blocks, count);
-    }
-    return kernel_contact_loop(*view, l, blocks, count);
 }

@@ -8,7 +8,7 @@
 #include "law/law_energy.h"
 #include "step/kernel_wall.h"
 
-/** Velocities of grains one step ago: before the kick by the forces of then, `load`. */
+/** Velocities of grains one step ago: before the kick by the forces of then. */
 typedef struct kernel_earlier {
     vreal3 velocity, spin;
 } kernel_earlier;
@@ -23,8 +23,8 @@ static inline kernel_earlier kernel_earlier_of(const clod_kernel_view *view, con
     }
     vreal_load_rows(v, view->motion, i);
     vreal_load_rows(w, view->turning, i);
-    vreal_load_rows(f, (const double(*)[4])view->load, force);
-    vreal_load_rows(t, (const double(*)[4])view->load, torque);
+    vreal_load_rows(f, (const double(*)[4])view->before, force);
+    vreal_load_rows(t, (const double(*)[4])view->before, torque);
     const vreal push = view->dt / v[3];
     const vreal twist = view->dt * w[3];
     return (kernel_earlier){{v[0] - push * f[0], v[1] - push * f[1], v[2] - push * f[2]},

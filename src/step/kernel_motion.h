@@ -1,8 +1,7 @@
 #pragma once
 /**
  * @file kernel_motion.h
- * Velocity Verlet on rows, and the ordered sum of each grain's slots. Included by kernel.c
- * only.
+ * Velocity Verlet on rows. Included by kernel.c only.
  *
  * Rows are treated whole: column 3 of a load row is zero, so radius, mass and inertia in the
  * last column of the other rows get +0 and stay.
@@ -26,14 +25,16 @@ static inline void kernel_kick_row(double motion[4], double turning[4], const do
 }
 
 static clod_kernel_speed kernel_drift(double (*restrict place)[4], double (*restrict motion)[4],
-                                      double (*restrict turning)[4],
-                                      const double (*restrict load)[8], double dt, size_t begin,
-                                      size_t end)
+                                      double (*restrict turning)[4], double (*restrict load)[8],
+                                      double dt, size_t begin, size_t end)
 {
     const double step[4] = {dt, dt, dt, 0.0};
     clod_kernel_speed seen = {0.0, true};
     for (size_t g = begin; g < end; g++) {
         kernel_kick_row(motion[g], turning[g], load[g], 0.5 * dt);
+        for (int c = 0; c < 8; c++) {
+            load[g][c] = 0.0;
+        }
         for (int c = 0; c < 4; c++) {
             place[g][c] += step[c] * motion[g][c];
         }
@@ -47,28 +48,16 @@ static clod_kernel_speed kernel_drift(double (*restrict place)[4], double (*rest
     return seen;
 }
 
-static void kernel_gather(const double (*restrict slots)[8], const int32_t *restrict slot_start,
-                          const double (*restrict motion)[4], const double gravity[3],
-                          double (*restrict load)[8], size_t begin, size_t end)
-{
-    const double g8[8] = {gravity[0], gravity[1], gravity[2], 0.0, 0.0, 0.0, 0.0, 0.0};
-    for (size_t g = begin; g < end; g++) {
-        double sum[8] = {0.0};
-        for (int32_t s = slot_start[g]; s < slot_start[g + 1]; s++) {
-            for (int c = 0; c < 8; c++) {
-                sum[c] += slots[s][c];
-            }
-        }
-        for (int c = 0; c < 8; c++) {
-            load[g][c] = sum[c] + motion[g][3] * g8[c];
-        }
-    }
-}
-
 static void kernel_kick(double (*restrict motion)[4], double (*restrict turning)[4],
-                        const double (*restrict load)[8], double dt, size_t begin, size_t end)
+                        double (*restrict load)[8], const double gravity[3], double dt,
+                        size_t begin, size_t end)
 {
+    const double g4[4] = {gravity[0], gravity[1], gravity[2], 0.0};
     for (size_t g = begin; g < end; g++) {
+        const double mass = motion[g][3];
+        for (int c = 0; c < 4; c++) {
+            load[g][c] += mass * g4[c];
+        }
         kernel_kick_row(motion[g], turning[g], load[g], 0.5 * dt);
     }
 }

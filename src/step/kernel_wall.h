@@ -37,12 +37,12 @@ static inline clod_law_motion kernel_wall_motion(const clod_kernel_view *view,
 static inline void kernel_wall_store(const clod_kernel_view *view,
                                      const clod_kernel_wall_stage *stage,
                                      const clod_law_motion *motion, clod_law_result r,
-                                     clod_wall_block *block, int lane)
+                                     clod_wall_block *block, int lane, int lanes)
 {
     const vreal zero = vreal_set(0.0);
     const vreal3 turn = vreal3_axpy(r.roll, -motion->arm_i, r.lever);
     const vreal on_i[8] = {r.force.x, r.force.y, r.force.z, zero, turn.x, turn.y, turn.z, zero};
-    vreal_store_rows(view->slots, &block->slot_i[lane], on_i);
+    vreal_add_rows(view->load, &block->i[lane], on_i, lanes);
 
     const vreal3 to_centre = {vreal_load(&stage->lever[0][lane]),
                               vreal_load(&stage->lever[1][lane]),
@@ -56,15 +56,18 @@ static inline void kernel_wall_store(const clod_kernel_view *view,
 }
 
 static bool kernel_wall(const clod_kernel_view *view, const clod_law *law,
-                        const clod_kernel_wall_stage *stage, clod_wall_block *block)
+                        const clod_kernel_wall_stage *stage, clod_wall_block *block,
+                        int contacts)
 {
     vreal excess = vreal_set(-1.0);
-    for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
+    for (int lane = 0; lane < contacts; lane += CLOD_WIDTH) {
+        const int left = contacts - lane;
         const clod_law_motion motion = kernel_wall_motion(view, stage, &block->i[lane], lane);
         clod_law_memory memory = clod_law_memory_load(&block->history, lane);
         const clod_law_result result = clod_law_contact(law, &motion, view->dt, &memory);
         clod_law_memory_store(&block->history, lane, result.closed, memory);
-        kernel_wall_store(view, stage, &motion, result, block, lane);
+        kernel_wall_store(view, stage, &motion, result, block, lane,
+                          left < CLOD_WIDTH ? left : CLOD_WIDTH);
         const vreal beyond = motion.overlap - CLOD_KERNEL_OVERLAP_LIMIT * motion.r_star;
         excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
     }

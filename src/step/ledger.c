@@ -1,25 +1,72 @@
 // Stage ledger, and the energies of a moment. Sums go in the order of the contacts, which no
 // refresh of the near list changes (pairs that do not touch add zero): same bits always.
-#include <math.h>
+#include <string.h>
 
 #include "step/step.h"
 
-/** Add what each contact of a list spent in this step. */
-static void add_spent(const clod_near_blocks *list, clod_ledger *ledger)
+/** Sums of up to four numbers for each grain; the cut into parts changes none. */
+typedef double (*grain_sums)[4];
+
+/** Rows to add up in, all zero. */
+static grain_sums empty_sums(clod_step *self)
 {
-    clod_ledger step = {0};
-    for (size_t b = 0; b < list->count; b++) {
-        for (int l = 0; l < CLOD_LANES; l++) {
-            step.plastic += list->spent[b].plastic[l];
-            step.dash_pot += list->spent[b].dash_pot[l];
-            step.friction += list->spent[b].friction[l];
-            step.rolling += list->spent[b].rolling[l];
+    grain_sums sums = self->neighbour.rows;
+    memset(sums, 0, self->state->grains.count * sizeof *sums);
+    return sums;
+}
+
+static void add_up(clod_step *self, double all[4])
+{
+    grain_sums sums = self->neighbour.rows;
+    for (size_t g = 0; g < self->state->grains.count; g++) {
+        for (int c = 0; c < 4; c++) {
+            all[c] += sums[g][c];
         }
     }
-    ledger->plastic += step.plastic;
-    ledger->dash_pot += step.dash_pot;
-    ledger->friction += step.friction;
-    ledger->rolling += step.rolling;
+}
+
+/** What one block spent, to the grains that stand first in its contacts. */
+static void spend_block(const clod_spent_block *spent, const int32_t *i, int contacts,
+                        grain_sums sums)
+{
+    for (int l = 0; l < contacts; l++) {
+        sums[i[l]][0] += spent->plastic[l];
+        sums[i[l]][1] += spent->dash_pot[l];
+        sums[i[l]][2] += spent->friction[l];
+        sums[i[l]][3] += spent->rolling[l];
+    }
+}
+
+/** Contacts of a block of a group. */
+static int contacts_of(const clod_near_blocks *list, size_t group, size_t block)
+{
+    const size_t before = (block - list->group_start[group]) * CLOD_LANES;
+    const size_t left = list->group_count[group] - before;
+    return left < CLOD_LANES ? (int)left : CLOD_LANES;
+}
+
+/** Add what each contact of a list spent in this step: by law, by grain, by partner. */
+static void add_spent(clod_step *self, const clod_near_blocks *list, clod_ledger *ledger)
+{
+    const clod_near *near = &self->near;
+    grain_sums sums = empty_sums(self);
+    for (int32_t l = 0; l < near->laws; l++) {
+        for (int p = 0; p <= near->parts; p++) { // a grain's own part comes before `between`
+            const size_t q = clod_near_group(near, p, l);
+            for (size_t b = list->group_start[q]; b < list->group_start[q + 1]; b++) {
+                const int32_t *i = list == &near->pairs
+                                       ? ((const clod_contact_block *)list->block)[b].i
+                                       : ((const clod_wall_block *)list->block)[b].i;
+                spend_block(&list->spent[b], i, contacts_of(list, q, b), sums);
+            }
+        }
+    }
+    double all[4] = {0.0};
+    add_up(self, all);
+    ledger->plastic += all[0];
+    ledger->dash_pot += all[1];
+    ledger->friction += all[2];
+    ledger->rolling += all[3];
 }
 
 void clod_step_ledger(clod_step *self, int part)
@@ -27,8 +74,8 @@ void clod_step_ledger(clod_step *self, int part)
     if (part != 0 || !self->near.ledger) {
         return;
     }
-    add_spent(&self->near.pairs, &self->state->ledger);
-    add_spent(&self->near.walls, &self->state->ledger);
+    add_spent(self, &self->near.pairs, &self->state->ledger);
+    add_spent(self, &self->near.walls, &self->state->ledger);
 }
 
 static void add_grains(const clod_state *state, clod_energies *e)
@@ -44,35 +91,58 @@ static void add_grains(const clod_state *state, clod_energies *e)
     }
 }
 
-static void add_stored(const clod_stored_block *stored, clod_energies *e)
+static void store_block(const clod_stored_block *stored, const int32_t *i, int contacts,
+                        grain_sums sums)
 {
-    for (int l = 0; l < CLOD_LANES; l++) {
-        e->normal += stored->normal[l];
-        e->sliding += stored->sliding[l];
-        e->rolling += stored->rolling[l];
+    for (int l = 0; l < contacts; l++) {
+        sums[i[l]][0] += stored->normal[l];
+        sums[i[l]][1] += stored->sliding[l];
+        sums[i[l]][2] += stored->rolling[l];
     }
 }
 
-static void add_contacts(const clod_step *self, clod_energies *e)
+/** What the pairs of one group store. */
+static void store_pairs(clod_step *self, size_t q, const clod_law *law, grain_sums sums)
 {
     const clod_near_blocks *pairs = &self->near.pairs;
-    const clod_near_blocks *walls = &self->near.walls;
-    clod_contact_block *pair_blocks = pairs->block;
-    clod_wall_block *wall_blocks = walls->block;
+    clod_contact_block *blocks = pairs->block;
     clod_stored_block stored;
+    for (size_t b = pairs->group_start[q]; b < pairs->group_start[q + 1]; b++) {
+        self->kernel->contact_stored(&self->view, law, &blocks[b], &stored);
+        store_block(&stored, blocks[b].i, contacts_of(pairs, q, b), sums);
+    }
+}
+
+/** What the wall contacts of one group store. */
+static void store_walls(clod_step *self, size_t q, const clod_law *law, grain_sums sums)
+{
+    const clod_near_blocks *walls = &self->near.walls;
+    clod_wall_block *blocks = walls->block;
+    clod_stored_block stored;
+    for (size_t b = walls->group_start[q]; b < walls->group_start[q + 1]; b++) {
+        clod_kernel_wall_stage stage;
+        clod_step_stage_walls(self, &blocks[b], &stage);
+        self->kernel->wall_stored(&self->view, law, &stage, &blocks[b], &stored);
+        store_block(&stored, blocks[b].i, contacts_of(walls, q, b), sums);
+    }
+}
+
+static void add_contacts(clod_step *self, clod_energies *e)
+{
+    grain_sums sums = empty_sums(self);
     for (int32_t l = 0; l < self->laws->count; l++) {
-        const clod_law *law = &self->laws->law[l];
-        for (size_t b = pairs->law_start[l]; b < pairs->law_start[l + 1]; b++) {
-            self->kernel->contact_stored(&self->view, law, &pair_blocks[b], &stored);
-            add_stored(&stored, e);
+        for (int p = 0; p <= self->near.parts; p++) { // a grain's own part, then `between`
+            store_pairs(self, clod_near_group(&self->near, p, l), &self->laws->law[l], sums);
         }
-        for (size_t b = walls->law_start[l]; b < walls->law_start[l + 1]; b++) {
-            clod_kernel_wall_stage stage;
-            clod_step_stage_walls(self, &wall_blocks[b], &stage);
-            self->kernel->wall_stored(&self->view, law, &stage, &wall_blocks[b], &stored);
-            add_stored(&stored, e);
+        for (int p = 0; p <= self->near.parts; p++) {
+            store_walls(self, clod_near_group(&self->near, p, l), &self->laws->law[l], sums);
         }
     }
+    double all[4] = {0.0};
+    add_up(self, all);
+    e->normal += all[0];
+    e->sliding += all[1];
+    e->rolling += all[2];
 }
 
 clod_energies clod_step_energies(clod_step *self)
@@ -88,6 +158,10 @@ clod_energies clod_step_energies(clod_step *self)
 
 bool clod_step_open_ledger(clod_step *self, clod_status *status)
 {
+    if (!clod_grains_keep_before(&self->state->grains, status)) {
+        return false;
+    }
+    self->view.before = (const double(*)[8])self->state->grains.before;
     self->near.ledger = true;
     if (!clod_near_reserve_spent(&self->near)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the energy ledger");

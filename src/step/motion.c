@@ -1,5 +1,6 @@
-// Stages drift, gather, kick and servo: how grains and walls move.
+// Stages drift, kick and servo: how grains and walls move.
 #include <math.h>
+#include <string.h>
 
 #include "parallel/threads.h"
 #include "step/step.h"
@@ -18,14 +19,25 @@ static double drift_walls(clod_step *self)
     return fastest;
 }
 
+/** The grains of the parts that belong to a thread. */
+static clod_chunk my_grains(const clod_step *self, int part)
+{
+    const clod_chunk c = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
+    return (clod_chunk){self->near.part_start[c.begin], self->near.part_start[c.end]};
+}
+
 void clod_step_drift(clod_step *self, int part)
 {
     clod_grains *grains = &self->state->grains;
     clod_step_thread *mine = &self->thread[part];
-    const clod_chunk c = clod_threads_chunk(grains->count, part, self->threads);
+    const clod_chunk c = my_grains(self, part);
+    if (self->near.ledger) {
+        memcpy(grains->before[c.begin], grains->load[c.begin],
+               (c.end - c.begin) * sizeof *grains->load);
+    }
     const clod_kernel_speed seen =
-        self->kernel->drift(grains->place, grains->motion, grains->turning,
-                            (const double(*)[8])grains->load, self->state->dt, c.begin, c.end);
+        self->kernel->drift(grains->place, grains->motion, grains->turning, grains->load,
+                            self->state->dt, c.begin, c.end);
     mine->max_speed2 = seen.max_speed2;
     mine->finite = seen.finite;
     if (part == 0) {
@@ -34,20 +46,11 @@ void clod_step_drift(clod_step *self, int part)
     }
 }
 
-void clod_step_gather(clod_step *self, int part)
-{
-    clod_grains *grains = &self->state->grains;
-    const clod_chunk c = clod_threads_chunk(grains->count, part, self->threads);
-    self->kernel->gather((const double(*)[8])self->near.slots, self->near.slot_start,
-                         (const double(*)[4])grains->motion, self->state->gravity, grains->load,
-                         c.begin, c.end);
-}
-
 void clod_step_kick(clod_step *self, int part)
 {
     clod_grains *grains = &self->state->grains;
-    const clod_chunk c = clod_threads_chunk(grains->count, part, self->threads);
-    self->kernel->kick(grains->motion, grains->turning, (const double(*)[8])grains->load,
+    const clod_chunk c = my_grains(self, part);
+    self->kernel->kick(grains->motion, grains->turning, grains->load, self->state->gravity,
                        self->state->dt, c.begin, c.end);
 }
 

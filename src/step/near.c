@@ -5,13 +5,14 @@
 
 #include "base/memory.h"
 #include "geometry/wall_gap.h"
+#include "step/near_between.h"
 
 /** What goes through the making of one list. */
 typedef struct near_job {
     clod_near *near;
     const clod_state *state;
     const clod_contact *contacts; ///< source of history, or NULL: the old blocks
-    size_t *fill;                 ///< [laws] contacts placed so far
+    size_t *fill;                 ///< [groups] contacts placed so far
 } near_job;
 
 static bool pair_is_near(const clod_state *state, const clod_candidate *c, double skin)
@@ -50,32 +51,87 @@ static bool reserve(void *array, size_t *capacity, size_t count, size_t size)
     return fresh != NULL;
 }
 
-/** Count near candidates by law (into law_start, one ahead) and by grain. */
-static void count_near(clod_candidates *candidates, size_t *law_start, int32_t *slot_start,
-                       bool pairs)
+/** Groups of one list: each law within each part, and between two. */
+static size_t group_number(const clod_near *self)
+{
+    return clod_near_group(self, self->parts + 1, 0);
+}
+
+/** Contacts of each grain that stands first in them. */
+static void weigh(int32_t *weight, const clod_candidates *candidates)
 {
     for (size_t k = 0; k < candidates->count; k++) {
-        const clod_candidate *c = &candidates->item[k];
-        if (c->near != 0) {
-            law_start[c->law + 1]++;
-            slot_start[c->i + 1]++;
-            slot_start[c->j + 1] += pairs ? 1 : 0;
-        }
+        weight[candidates->item[k].i] += candidates->item[k].near;
     }
 }
 
-/** From contacts per law to blocks: first block of each law, and how many in all. */
-static size_t blocks_by_law(size_t *law_start, int32_t laws)
+/** Cut the grains into parts of about as much work; the cut changes no result. */
+static void cut_parts(clod_near *self, const clod_neighbour *neighbour, size_t grains)
 {
-    for (int32_t l = 0; l < laws; l++) {
-        const size_t blocks = (law_start[l + 1] + CLOD_LANES - 1) / CLOD_LANES;
-        law_start[l + 1] = law_start[l] + blocks;
+    self->part_start[0] = 0;
+    self->part_start[self->parts] = grains;
+    if (self->parts == 1) {
+        return;
     }
-    return law_start[laws];
+    for (size_t g = 0; g < grains; g++) {
+        self->weight[g] = 1; // moving it costs about as much as a contact
+    }
+    weigh(self->weight, &neighbour->pairs);
+    weigh(self->weight, &neighbour->walls);
+    int64_t all = 0;
+    for (size_t g = 0; g < grains; g++) {
+        all += self->weight[g];
+    }
+    int64_t sum = 0;
+    int part = 1;
+    for (size_t g = 0; g < grains && part < self->parts; g++) {
+        for (; part < self->parts && sum * self->parts >= all * part; part++) {
+            self->part_start[part] = g;
+        }
+        sum += self->weight[g];
+    }
+    for (; part < self->parts; part++) {
+        self->part_start[part] = grains;
+    }
+}
+
+static int part_of(const clod_near *self, int32_t grain)
+{
+    int part = 0;
+    while (part + 1 < self->parts && (size_t)grain >= self->part_start[part + 1]) {
+        part++;
+    }
+    return part;
+}
+
+/** Group of a pair (walls: of its grain). */
+static size_t group_of(const clod_near *self, const clod_candidate *c)
+{
+    const int part = part_of(self, c->i);
+    const bool between = c->shape < 0 && part_of(self, c->j) != part;
+    return clod_near_group(self, between ? self->parts : part, c->law);
+}
+
+/** Count near candidates by group, and from that the first block of each group. */
+static void count_groups(const clod_near *self, clod_near_blocks *blocks,
+                         const clod_candidates *candidates)
+{
+    const size_t groups = group_number(self);
+    memset(blocks->group_count, 0, groups * sizeof *blocks->group_count);
+    for (size_t k = 0; k < candidates->count; k++) {
+        if (candidates->item[k].near != 0) {
+            blocks->group_count[group_of(self, &candidates->item[k])]++;
+        }
+    }
+    blocks->group_start[0] = 0;
+    for (size_t q = 0; q < groups; q++) {
+        blocks->group_start[q + 1] =
+            blocks->group_start[q] + (blocks->group_count[q] + CLOD_LANES - 1) / CLOD_LANES;
+    }
 }
 
 /** Swap current and old blocks and make room for the new ones. */
-static bool turn_blocks(clod_near_blocks *self, int32_t laws, size_t size)
+static bool turn_blocks(clod_near_blocks *self, size_t groups, size_t size)
 {
     void *block = self->block;
     const size_t capacity = self->capacity;
@@ -83,7 +139,7 @@ static bool turn_blocks(clod_near_blocks *self, int32_t laws, size_t size)
     self->capacity = self->old_capacity;
     self->old = block;
     self->old_capacity = capacity;
-    self->count = blocks_by_law(self->law_start, laws);
+    self->count = self->group_start[groups];
     return reserve(&self->block, &self->capacity, self->count, size);
 }
 
@@ -120,18 +176,23 @@ static void carry_history(const near_job *job, const clod_candidate *c,
     history_put(to, lane, history);
 }
 
+/** Lane of the next contact of its group. */
+static size_t next_lane(near_job *job, const clod_near_blocks *blocks, const clod_candidate *c)
+{
+    const size_t group = group_of(job->near, c);
+    return blocks->group_start[group] * CLOD_LANES + job->fill[group]++;
+}
+
 static void place_pair(near_job *job, clod_candidate *c)
 {
     clod_near *near = job->near;
     clod_contact_block *blocks = near->pairs.block;
     const clod_contact_block *old = near->pairs.old;
-    const size_t at = near->pairs.law_start[c->law] * CLOD_LANES + job->fill[c->law]++;
+    const size_t at = next_lane(job, &near->pairs, c);
     clod_contact_block *block = &blocks[at / CLOD_LANES];
     const int lane = (int)(at % CLOD_LANES);
     block->i[lane] = c->i;
     block->j[lane] = c->j;
-    block->slot_i[lane] = near->slot_fill[c->i]++;
-    block->slot_j[lane] = near->slot_fill[c->j]++;
     const clod_history *before =
         c->lane < 0 || job->contacts != NULL ? NULL : &old[c->lane / CLOD_LANES].history;
     carry_history(job, c, before, &block->history, lane);
@@ -143,13 +204,12 @@ static void place_wall(near_job *job, clod_candidate *c)
     clod_near *near = job->near;
     clod_wall_block *blocks = near->walls.block;
     const clod_wall_block *old = near->walls.old;
-    const size_t at = near->walls.law_start[c->law] * CLOD_LANES + job->fill[c->law]++;
+    const size_t at = next_lane(job, &near->walls, c);
     clod_wall_block *block = &blocks[at / CLOD_LANES];
     const int lane = (int)(at % CLOD_LANES);
     block->i[lane] = c->i;
     block->wall[lane] = c->j;
     block->shape[lane] = c->shape;
-    block->slot_i[lane] = near->slot_fill[c->i]++;
     block->slot_wall[lane] = near->wall_slot_fill[c->j]++;
     const clod_history *before =
         c->lane < 0 || job->contacts != NULL ? NULL : &old[c->lane / CLOD_LANES].history;
@@ -157,73 +217,75 @@ static void place_wall(near_job *job, clod_candidate *c)
     c->lane = (int32_t)at;
 }
 
-/** Fill the lanes behind the last contact of each law with the padding rows of the grains. */
-static void pad_pairs(near_job *job, int32_t laws, int32_t *spare)
+/** Fill the lanes behind the last contact of each group with the padding rows of the grains. */
+static void pad_pairs(near_job *job)
 {
     const clod_near_blocks *pairs = &job->near->pairs;
     const int32_t far = (int32_t)job->state->grains.count;
     clod_contact_block *blocks = pairs->block;
-    for (int32_t l = 0; l < laws; l++) {
-        const size_t first = pairs->law_start[l] * CLOD_LANES + job->fill[l];
-        for (size_t at = first; at < pairs->law_start[l + 1] * CLOD_LANES; at++) {
+    for (size_t q = 0; q < group_number(job->near); q++) {
+        const size_t first = pairs->group_start[q] * CLOD_LANES + pairs->group_count[q];
+        for (size_t at = first; at < pairs->group_start[q + 1] * CLOD_LANES; at++) {
             clod_contact_block *block = &blocks[at / CLOD_LANES];
             const int lane = (int)(at % CLOD_LANES);
             block->i[lane] = far;
             block->j[lane] = far + 1;
-            block->slot_i[lane] = (*spare)++;
-            block->slot_j[lane] = (*spare)++;
             history_put(&block->history, lane, (double[8]){0.0});
         }
     }
 }
 
-static void pad_walls(near_job *job, int32_t laws, int32_t *spare, int32_t *wall_spare)
+static void pad_walls(near_job *job)
 {
     const clod_near_blocks *walls = &job->near->walls;
     clod_wall_block *blocks = walls->block;
-    for (int32_t l = 0; l < laws; l++) {
-        const size_t first = walls->law_start[l] * CLOD_LANES + job->fill[l];
-        for (size_t at = first; at < walls->law_start[l + 1] * CLOD_LANES; at++) {
+    int32_t spare = job->near->wall_slot_start[job->state->walls.count];
+    for (size_t q = 0; q < group_number(job->near); q++) {
+        const size_t first = walls->group_start[q] * CLOD_LANES + walls->group_count[q];
+        for (size_t at = first; at < walls->group_start[q + 1] * CLOD_LANES; at++) {
             clod_wall_block *block = &blocks[at / CLOD_LANES];
             const int lane = (int)(at % CLOD_LANES);
             block->i[lane] = (int32_t)job->state->grains.count;
             block->wall[lane] = -1;
             block->shape[lane] = -1;
-            block->slot_i[lane] = (*spare)++;
-            block->slot_wall[lane] = (*wall_spare)++;
+            block->slot_wall[lane] = spare++;
             history_put(&block->history, lane, (double[8]){0.0});
         }
     }
 }
 
+/** Arrays whose size follows from parts, laws and walls, which stay. */
+static bool allocate(clod_near *self, const clod_state *state)
+{
+    const size_t walls = (size_t)state->walls.count;
+    const size_t groups = group_number(self);
+    self->part_start = clod_memory_alloc((size_t)self->parts + 1, sizeof(size_t));
+    self->between.as_i = clod_memory_alloc(groups + 1, sizeof(size_t));
+    self->between.as_j = clod_memory_alloc(groups + 1, sizeof(size_t));
+    self->wall_slot_start = clod_memory_alloc(walls + 1, sizeof(int32_t));
+    self->wall_slot_fill = clod_memory_alloc(walls + 1, sizeof(int32_t));
+    bool good = self->part_start != NULL && self->between.as_i != NULL &&
+                self->between.as_j != NULL && self->wall_slot_start != NULL &&
+                self->wall_slot_fill != NULL;
+    clod_near_blocks *lists[] = {&self->pairs, &self->walls};
+    for (int k = 0; k < 2; k++) {
+        lists[k]->group_start = clod_memory_alloc(groups + 1, sizeof(size_t));
+        lists[k]->group_count = clod_memory_alloc(2 * groups, sizeof(size_t));
+        good = good && lists[k]->group_start != NULL && lists[k]->group_count != NULL;
+    }
+    return good;
+}
+
 static bool prepare(clod_near *self, const clod_state *state, const clod_laws *laws)
 {
-    const size_t grains = state->grains.count;
-    const size_t walls = (size_t)state->walls.count;
-    const size_t kinds = (size_t)laws->count + 1;
-    if (self->pairs.law_start == NULL) {
-        self->pairs.law_start = clod_memory_alloc(2 * kinds, sizeof(size_t));
-        self->walls.law_start = clod_memory_alloc(2 * kinds, sizeof(size_t));
-        self->wall_slot_start = clod_memory_alloc(walls + 1, sizeof(int32_t));
-        self->wall_slot_fill = clod_memory_alloc(walls + 1, sizeof(int32_t));
+    if (self->part_start == NULL) {
+        self->laws = laws->count;
+        if (!allocate(self, state)) {
+            return false;
+        }
     }
-    if (grains + 1 > self->slot_start_capacity) {
-        clod_memory_free(self->slot_start);
-        clod_memory_free(self->slot_fill);
-        self->slot_start = clod_memory_alloc(grains + 1, sizeof(int32_t));
-        self->slot_fill = clod_memory_alloc(grains + 1, sizeof(int32_t));
-        self->slot_start_capacity = grains + 1;
-    }
-    if (self->pairs.law_start == NULL || self->walls.law_start == NULL ||
-        self->wall_slot_start == NULL || self->wall_slot_fill == NULL ||
-        self->slot_start == NULL || self->slot_fill == NULL) {
-        return false;
-    }
-    memset(self->pairs.law_start, 0, 2 * kinds * sizeof(size_t));
-    memset(self->walls.law_start, 0, 2 * kinds * sizeof(size_t));
-    memset(self->slot_start, 0, (grains + 1) * sizeof(int32_t));
-    memset(self->wall_slot_start, 0, (walls + 1) * sizeof(int32_t));
-    return true;
+    return self->parts == 1 || reserve(&self->weight, &self->weight_capacity,
+                                       state->grains.count, sizeof *self->weight);
 }
 
 static void mark_near(clod_neighbour *neighbour, const clod_state *state,
@@ -239,35 +301,30 @@ static void mark_near(clod_neighbour *neighbour, const clod_state *state,
     }
 }
 
-/** Offsets of the slots from the counts; returns slots and wall slots including the padding. */
-static bool layout_slots(clod_near *self, const clod_state *state, int32_t laws)
+/** Offsets of the walls' slots from their contacts. */
+static bool layout_wall_slots(clod_near *self, const clod_neighbour *neighbour, int32_t walls)
 {
-    const size_t grains = state->grains.count;
-    for (size_t g = 0; g < grains; g++) {
-        self->slot_start[g + 1] += self->slot_start[g];
+    memset(self->wall_slot_start, 0, ((size_t)walls + 1) * sizeof(int32_t));
+    for (size_t k = 0; k < neighbour->walls.count; k++) {
+        const clod_candidate *c = &neighbour->walls.item[k];
+        self->wall_slot_start[c->j + 1] += c->near;
     }
-    for (int32_t w = 0; w < state->walls.count; w++) {
+    for (int32_t w = 0; w < walls; w++) {
         self->wall_slot_start[w + 1] += self->wall_slot_start[w];
     }
-    memcpy(self->slot_fill, self->slot_start, grains * sizeof(int32_t));
-    memcpy(self->wall_slot_fill, self->wall_slot_start,
-           (size_t)state->walls.count * sizeof(int32_t));
-    const size_t padding = (size_t)laws * CLOD_LANES;
-    const size_t used = (size_t)self->slot_start[grains];
-    const size_t wall_used = (size_t)self->wall_slot_start[state->walls.count];
-    return reserve(&self->slots, &self->slot_capacity, used + 3 * padding,
-                   sizeof *self->slots) &&
-           reserve(&self->wall_slots, &self->wall_slot_capacity, wall_used + padding,
-                   sizeof *self->wall_slots);
+    memcpy(self->wall_slot_fill, self->wall_slot_start, (size_t)walls * sizeof(int32_t));
+    const size_t padding = group_number(self) * CLOD_LANES;
+    return reserve(&self->wall_slots, &self->wall_slot_capacity,
+                   (size_t)self->wall_slot_start[walls] + padding, sizeof *self->wall_slots);
 }
 
 static void place_all(clod_near *self, clod_neighbour *neighbour, const clod_state *state,
-                      int32_t laws, bool from_contacts)
+                      bool from_contacts)
 {
+    const size_t groups = group_number(self);
     near_job job = {self, state, from_contacts ? state->contacts : NULL,
-                    self->pairs.law_start + laws + 1};
-    int32_t spare = self->slot_start[state->grains.count];
-    int32_t wall_spare = self->wall_slot_start[state->walls.count];
+                    self->pairs.group_count + groups};
+    memset(job.fill, 0, groups * sizeof *job.fill);
     for (size_t k = 0; k < neighbour->pairs.count; k++) {
         clod_candidate *c = &neighbour->pairs.item[k];
         if (c->near != 0) {
@@ -276,8 +333,9 @@ static void place_all(clod_near *self, clod_neighbour *neighbour, const clod_sta
             c->lane = -1;
         }
     }
-    pad_pairs(&job, laws, &spare);
-    job.fill = self->walls.law_start + laws + 1;
+    pad_pairs(&job);
+    job.fill = self->walls.group_count + groups;
+    memset(job.fill, 0, groups * sizeof *job.fill);
     for (size_t k = 0; k < neighbour->walls.count; k++) {
         clod_candidate *c = &neighbour->walls.item[k];
         if (c->near != 0) {
@@ -286,7 +344,7 @@ static void place_all(clod_near *self, clod_neighbour *neighbour, const clod_sta
             c->lane = -1;
         }
     }
-    pad_walls(&job, laws, &spare, &wall_spare);
+    pad_walls(&job);
 }
 
 bool clod_near_reserve_spent(clod_near *self)
@@ -297,6 +355,16 @@ bool clod_near_reserve_spent(clod_near *self)
                                      self->walls.count, sizeof *self->walls.spent));
 }
 
+/** Contacts between two parts, of all laws. */
+static size_t between_count(const clod_near *self)
+{
+    size_t count = 0;
+    for (int32_t l = 0; l < self->laws; l++) {
+        count += self->pairs.group_count[clod_near_group(self, self->parts, l)];
+    }
+    return count;
+}
+
 bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state *state,
                     const clod_laws *laws, const clod_wall_pose *pose, double skin,
                     bool from_contacts, clod_status *status)
@@ -304,17 +372,19 @@ bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state
     self->skin = skin;
     mark_near(neighbour, state, pose, skin);
     if (prepare(self, state, laws)) {
-        count_near(&neighbour->pairs, self->pairs.law_start, self->slot_start, true);
-        count_near(&neighbour->walls, self->walls.law_start, self->slot_start, false);
-        for (size_t k = 0; k < neighbour->walls.count; k++) {
-            const clod_candidate *c = &neighbour->walls.item[k];
-            self->wall_slot_start[c->j + 1] += c->near;
-        }
-        if (turn_blocks(&self->pairs, laws->count, sizeof(clod_contact_block)) &&
-            turn_blocks(&self->walls, laws->count, sizeof(clod_wall_block)) &&
-            layout_slots(self, state, laws->count) && clod_near_reserve_spent(self)) {
-            place_all(self, neighbour, state, laws->count, from_contacts);
-            return true;
+        const size_t groups = group_number(self);
+        cut_parts(self, neighbour, state->grains.count);
+        count_groups(self, &self->pairs, &neighbour->pairs);
+        count_groups(self, &self->walls, &neighbour->walls);
+        if (turn_blocks(&self->pairs, groups, sizeof(clod_contact_block)) &&
+            turn_blocks(&self->walls, groups, sizeof(clod_wall_block)) &&
+            layout_wall_slots(self, neighbour, state->walls.count) &&
+            clod_near_reserve_spent(self)) {
+            place_all(self, neighbour, state, from_contacts);
+            if (clod_neighbour_reserve_sort(neighbour, between_count(self)) &&
+                clod_near_between_make(self, neighbour->sort, neighbour->sort_scratch)) {
+                return true;
+            }
         }
     }
     return clod_status_fail(status, CLOD_FAILED, "no memory for the contacts of %zu grains",
@@ -375,15 +445,20 @@ void clod_near_fini(clod_near *self)
 {
     clod_memory_free(self->pairs.block);
     clod_memory_free(self->pairs.old);
-    clod_memory_free(self->pairs.law_start);
+    clod_memory_free(self->pairs.group_start);
+    clod_memory_free(self->pairs.group_count);
     clod_memory_free(self->pairs.spent);
     clod_memory_free(self->walls.spent);
     clod_memory_free(self->walls.block);
     clod_memory_free(self->walls.old);
-    clod_memory_free(self->walls.law_start);
-    clod_memory_free(self->slot_start);
-    clod_memory_free(self->slot_fill);
-    clod_memory_free(self->slots);
+    clod_memory_free(self->walls.group_start);
+    clod_memory_free(self->walls.group_count);
+    clod_memory_free(self->between.share);
+    clod_memory_free(self->between.by_later);
+    clod_memory_free(self->between.as_i);
+    clod_memory_free(self->between.as_j);
+    clod_memory_free(self->part_start);
+    clod_memory_free(self->weight);
     clod_memory_free(self->wall_slot_start);
     clod_memory_free(self->wall_slot_fill);
     clod_memory_free(self->wall_slots);

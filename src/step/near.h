@@ -1,9 +1,13 @@
 #pragma once
 /**
  * @file near.h
- * The pairs the force loop looks at: candidates within a thin skin, as blocks of one law each,
- * with a slot for every grain's share of every force. Made anew when motion has used the skin
- * up. Pairs that do not touch add exactly zero, so the list itself never changes a bit.
+ * The pairs the force loop looks at: candidates within a thin skin, as blocks of one law each.
+ * Made anew when motion has used the skin up. Pairs that do not touch add exactly zero, so the
+ * list itself never changes a bit.
+ *
+ * The grains are cut into parts, runs of rows with about as many contacts each, one part for
+ * each thread. Blocks stand in groups: for each part and law the contacts within the part, then
+ * for each law those between two parts; within a group contacts ascend by (i, j).
  */
 
 #include "step/kernel.h"
@@ -12,24 +16,42 @@
 typedef struct clod_near_blocks {
     void *block, *old; ///< clod_contact_block or clod_wall_block; `old` is scratch
     size_t count, capacity, old_capacity;
-    size_t *law_start;       ///< [laws + 1] first block of each law
+    size_t *group_start;     ///< [groups + 1] first block of each group
+    size_t *group_count;     ///< [groups] contacts of each group
     clod_spent_block *spent; ///< [count] with the ledger, else NULL
     size_t spent_capacity;
 } clod_near_blocks;
 
+/** Contacts between two parts: their shares wait in rows until both parts take them. */
+typedef struct clod_near_between {
+    double (*share)[8]; ///< i's, then j's, of each contact, by its number
+    int32_t *by_later;  ///< numbers of the contacts by (law, j, i)
+    size_t share_capacity, by_later_capacity;
+    size_t *as_i; ///< [laws * parts + 1] first number whose i is in a part, by (law, part)
+    size_t *as_j; ///< [laws * parts + 1] first place in by_later whose j is in a part
+} clod_near_between;
+
 typedef struct clod_near {
     double skin; ///< m, of the list as it is
+    int32_t laws;
+    int parts;          ///< set before the first list
+    size_t *part_start; ///< [parts + 1] first grain of each part
     clod_near_blocks pairs, walls;
-    int32_t *slot_start; ///< [grains + 1]; a grain's slots ascend by partner, walls last
-    int32_t *slot_fill;  ///< scratch [grains]
-    double (*slots)[8];
-    size_t slot_capacity, slot_start_capacity;
+    clod_near_between between;
+    int32_t *weight; ///< scratch [grains]: contacts of each grain
+    size_t weight_capacity;
     int32_t *wall_slot_start; ///< [walls + 1]; a wall's slots ascend by grain
     int32_t *wall_slot_fill;  ///< scratch
     double (*wall_slots)[8];
     size_t wall_slot_capacity;
     bool ledger; ///< keep room for what the contacts spend
 } clod_near;
+
+/** Group of a law's contacts within a part; part `parts`: of those between two parts. */
+static inline size_t clod_near_group(const clod_near *self, int part, int32_t law)
+{
+    return (size_t)part * (size_t)self->laws + (size_t)law;
+}
 
 /**
  * Make the near list.

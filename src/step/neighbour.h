@@ -67,6 +67,9 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
  */
 bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_status *status);
 
+/** Room for at least `items` items in sort and sort_scratch. */
+bool clod_neighbour_reserve_sort(clod_neighbour *self, size_t items);
+
 /** Room for one more candidate at the end, or NULL without memory. */
 clod_candidate *clod_neighbour_add(clod_candidates *self);
 

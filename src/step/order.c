@@ -35,6 +35,18 @@ static double bounding_cube(const clod_grains *grains, double min[3])
     return edge > 0.0 ? ((double)(1 << MORTON_BITS) - 1.0) / edge : 0.0;
 }
 
+bool clod_neighbour_reserve_sort(clod_neighbour *self, size_t items)
+{
+    if (items > self->sort_capacity) {
+        clod_memory_free(self->sort);
+        clod_memory_free(self->sort_scratch);
+        self->sort_capacity = items + items / 4;
+        self->sort = clod_memory_alloc(self->sort_capacity, sizeof *self->sort);
+        self->sort_scratch = clod_memory_alloc(self->sort_capacity, sizeof *self->sort);
+    }
+    return items == 0 || (self->sort != NULL && self->sort_scratch != NULL);
+}
+
 static bool reserve(clod_neighbour *self, const clod_state *state)
 {
     const size_t grains = state->grains.capacity;
@@ -50,15 +62,8 @@ static bool reserve(clod_neighbour *self, const clod_state *state)
         self->rows = clod_memory_alloc(grains, 8 * sizeof(double));
         self->grain_capacity = grains;
     }
-    if (items > self->sort_capacity) {
-        clod_memory_free(self->sort);
-        clod_memory_free(self->sort_scratch);
-        self->sort_capacity = items + items / 4;
-        self->sort = clod_memory_alloc(self->sort_capacity, sizeof *self->sort);
-        self->sort_scratch = clod_memory_alloc(self->sort_capacity, sizeof *self->sort);
-    }
     return self->cell_of != NULL && self->cell_item != NULL && self->rank != NULL &&
-           self->rows != NULL && self->sort != NULL && self->sort_scratch != NULL;
+           self->rows != NULL && clod_neighbour_reserve_sort(self, items);
 }
 
 /** Wrap periodic directions; a grain beyond an open side is an error. */
@@ -214,6 +219,9 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
     permute(self, grains->motion, grains->count, sizeof *grains->motion);
     permute(self, grains->turning, grains->count, sizeof *grains->turning);
     permute(self, grains->load, grains->count, sizeof *grains->load);
+    if (grains->before != NULL) {
+        permute(self, grains->before, grains->count, sizeof *grains->before);
+    }
     permute(self, grains->id, grains->count, sizeof *grains->id);
     permute(self, grains->material, grains->count, sizeof *grains->material);
     for (size_t g = 0; g < grains->count; g++) {

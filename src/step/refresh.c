@@ -26,7 +26,6 @@ static void rebuild(clod_step *self)
         !clod_neighbour_build(&self->neighbour, self->state, self->laws, &self->status) ||
         !clod_near_make(&self->near, &self->neighbour, self->state, self->laws, self->pose,
                         NEAR_FRACTION * self->neighbour.radius_min, true, &self->status);
-    self->view.slots = self->near.slots;
     self->rebuilds++;
 }
 
@@ -56,7 +55,6 @@ void clod_step_near(clod_step *self, int part)
         } else {
             refresh(self, speed);
         }
-        self->view.slots = self->near.slots;
         self->view.wall_slots = self->near.wall_slots;
     }
     clod_barrier_wait(&self->barrier);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <omp.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "parallel/threads.h"
@@ -12,11 +13,12 @@ enum {
     POSITION = 1,
     VELOCITY = 2,
     CONTACT_LIST = 4,
-    CONTACT_FORCE = 8,
+    SHARE = 8, ///< of contacts between two threads' grains
     HISTORY = 16,
     FORCE = 32,
-    WALLS = 64,
-    LEDGER = 128,
+    WALL_FORCE = 64,
+    WALLS = 128,
+    LEDGER = 256,
 };
 
 typedef struct clod_stage {
@@ -28,14 +30,14 @@ typedef struct clod_stage {
 
 static const clod_stage STAGES[] = {
     // clang-format off
-    {"drift",   clod_step_drift,   FORCE,                      POSITION | VELOCITY | WALLS, true},
-    {"near",    clod_step_near,    POSITION | VELOCITY,        CONTACT_LIST,                false},
-    {"contact", clod_step_contact, POSITION | VELOCITY,        CONTACT_FORCE | HISTORY,     false},
-    {"wall",    clod_step_wall,    POSITION | VELOCITY | WALLS, CONTACT_FORCE | HISTORY,    true},
-    {"gather",  clod_step_gather,  CONTACT_FORCE,              FORCE,                       false},
-    {"kick",    clod_step_kick,    FORCE,                      VELOCITY,                    false},
-    {"servo",   clod_step_servo,   CONTACT_FORCE,              WALLS,                       false},
-    {"ledger",  clod_step_ledger,  CONTACT_FORCE,              LEDGER,                      false},
+    {"drift",   clod_step_drift,   FORCE,                       POSITION | VELOCITY | WALLS, true},
+    {"near",    clod_step_near,    POSITION | VELOCITY,         CONTACT_LIST,                false},
+    {"between", clod_step_between, POSITION | VELOCITY,         SHARE | HISTORY,             true},
+    {"contact", clod_step_contact, POSITION | VELOCITY | SHARE, FORCE | HISTORY,             false},
+    {"wall",    clod_step_wall,    POSITION | VELOCITY | WALLS, FORCE | WALL_FORCE | HISTORY, true},
+    {"kick",    clod_step_kick,    FORCE,                       VELOCITY,                    false},
+    {"servo",   clod_step_servo,   WALL_FORCE,                  WALLS,                       false},
+    {"ledger",  clod_step_ledger,  HISTORY,                     LEDGER,                      false},
     // clang-format on
 };
 #define STAGE_COUNT (sizeof STAGES / sizeof *STAGES)
@@ -131,8 +133,8 @@ static void look(clod_step *self)
     self->view = (clod_kernel_view){.place = (const double(*)[4])grains->place,
                                     .motion = (const double(*)[4])grains->motion,
                                     .turning = (const double(*)[4])grains->turning,
-                                    .load = (const double(*)[8])grains->load,
-                                    .slots = self->near.slots,
+                                    .before = (const double(*)[8])grains->before,
+                                    .load = grains->load,
                                     .wall_slots = self->near.wall_slots};
     for (int a = 0; a < 3; a++) {
         const clod_domain *domain = &self->state->domain;
@@ -180,14 +182,21 @@ static bool build_lists(clod_step *self, clod_status *status)
 /** Forces of a state that has never been stepped: the stages without time passing. */
 static bool first_forces(clod_step *self, clod_status *status)
 {
+    clod_grains *grains = &self->state->grains;
+    memset(grains->load, 0, grains->count * sizeof *grains->load);
+    for (int t = 0; t < self->threads; t++) {
+        clod_step_between(self, t);
+    }
     for (int t = 0; t < self->threads; t++) {
         clod_step_contact(self, t);
         clod_step_wall(self, t);
     }
-    for (int t = 0; t < self->threads; t++) {
-        clod_step_gather(self, t);
-        clod_step_servo(self, t);
+    for (size_t g = 0; g < grains->count; g++) {
+        for (int a = 0; a < 3; a++) {
+            grains->load[g][a] += grains->motion[g][3] * self->state->gravity[a];
+        }
     }
+    clod_step_servo(self, 0);
     clod_walls_reset_sums(&self->state->walls);
     return !has_trouble(self, 0) || clod_trouble_report(self, status);
 }
@@ -205,10 +214,14 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
                                 options->simd != NULL ? options->simd : "best");
     }
     self->threads = options->threads > 0 ? options->threads : clod_threads_available();
+    self->near.parts = self->threads;
     clod_neighbour_init(&self->neighbour, state, options->brute_force);
     clod_grains_pad(&state->grains);
     if (!allocate(self)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the step");
+    }
+    if (self->near.ledger && !clod_grains_keep_before(&state->grains, status)) {
+        return false;
     }
     const bool fresh = state->build_motion < 0.0 || state->build_place == NULL;
     if (!periods_are_long_enough(self, status) || !build_lists(self, status)) {

@@ -39,7 +39,7 @@ typedef struct clod_step {
     clod_barrier barrier;
     clod_step_thread *thread; ///< [threads]
     clod_neighbour neighbour; ///< candidates
-    clod_near near;           ///< contact blocks, slots
+    clod_near near;           ///< contact blocks
     clod_wall_pose *pose;     ///< [walls] of this step
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
     bool failed;           ///< a rebuild went wrong; status says why
@@ -89,9 +89,9 @@ void clod_step_fini(clod_step *self);
 
 void clod_step_drift(clod_step *self, int part);
 void clod_step_near(clod_step *self, int part);
+void clod_step_between(clod_step *self, int part);
 void clod_step_contact(clod_step *self, int part);
 void clod_step_wall(clod_step *self, int part);
-void clod_step_gather(clod_step *self, int part);
 void clod_step_kick(clod_step *self, int part);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);

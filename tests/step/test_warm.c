@@ -29,7 +29,6 @@ static void rewind_to(scene *s, const clod_state *start)
                 clod_neighbour_build(&s->step.neighbour, &s->state, &s->laws, &status) &&
                 clod_near_make(&s->step.near, &s->step.neighbour, &s->state, &s->laws,
                                s->step.pose, 1e-5, true, &status));
-    s->step.view.slots = s->step.near.slots;
     s->step.view.wall_slots = s->step.near.wall_slots;
 }
 
