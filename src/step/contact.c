@@ -5,8 +5,8 @@
 #include "step/near_between.h"
 #include "step/step.h"
 
-/** Blocks and contacts of one group. */
-static bool run_group(clod_step *self, size_t group, int32_t law, double (*apart)[8])
+/** Contacts of one group, whose grains come before row `end`. */
+static bool run_group(clod_step *self, size_t group, int32_t law, size_t end)
 {
     const clod_near_blocks *pairs = &self->near.pairs;
     clod_contact_block *blocks = pairs->block;
@@ -16,7 +16,7 @@ static bool run_group(clod_step *self, size_t group, int32_t law, double (*apart
                                     &pairs->spent[b]);
     }
     return self->kernel->contact(&self->view, &self->laws->law[law], blocks + begin,
-                                 pairs->group_count[group], apart);
+                                 pairs->group_count[group], end, NULL);
 }
 
 /** This thread's share of the blocks of a law between two parts. */
@@ -38,7 +38,7 @@ static bool run_between(clod_step *self, int32_t law, int part)
     const size_t to = mine.end * CLOD_LANES < all ? mine.end * CLOD_LANES : all;
     const size_t number = (begin - first) * CLOD_LANES + from;
     return to > from && self->kernel->contact(&self->view, &self->laws->law[law],
-                                              blocks + begin + mine.begin, to - from,
+                                              blocks + begin + mine.begin, to - from, 0,
                                               near->between.share + 2 * number);
 }
 
@@ -61,7 +61,8 @@ void clod_step_contact(clod_step *self, int part)
             if (self->near.parts > 1) {
                 clod_near_between_add(&self->near, p, l, false, load);
             }
-            excess |= run_group(self, clod_near_group(&self->near, p, l), l, NULL);
+            excess |= run_group(self, clod_near_group(&self->near, p, l), l,
+                                self->near.part_start[p + 1]);
             if (self->near.parts > 1) {
                 clod_near_between_add(&self->near, p, l, true, load);
             }

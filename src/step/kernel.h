@@ -59,11 +59,13 @@ typedef struct clod_kernel {
      * Force of `contacts` contacts of one law, added to the loads in their order; true when an
      * overlap is beyond the limit.
      *
+     * @param end    row behind the last one that these contacts may touch
      * @param apart  NULL, or rows [2 contacts, whole blocks] that take the shares instead of
      *               the loads: i's, then j's, contact by contact
      */
     bool (*contact)(const clod_kernel_view *view, const clod_law *law,
-                    clod_contact_block *blocks, size_t contacts, double (*apart)[8]);
+                    clod_contact_block *blocks, size_t contacts, size_t end,
+                    double (*apart)[8]);
     /** Force of one block of `contacts` wall contacts; true when an overlap is too large. */
     bool (*wall)(const clod_kernel_view *view, const clod_law *law,
                  const clod_kernel_wall_stage *stage, clod_wall_block *block, int contacts);

@@ -137,12 +137,14 @@ static inline vreal kernel_batch_finish(const clod_kernel_view *view, const clod
 
 /**
  * Ask for the rows up to KERNEL_LEAD behind a grain, in their order, beginning with row `from`:
- * partners along the curve come in no order that a processor could foresee.
+ * partners along the curve come in no order that a processor could foresee. Rows from `end` on
+ * may be another thread's and are left alone.
  */
 static inline size_t kernel_prefetch_rows(const clod_kernel_view *view, size_t from,
-                                          int32_t grain)
+                                          int32_t grain, size_t end)
 {
-    const size_t to = (size_t)grain + KERNEL_LEAD;
+    const size_t wanted = (size_t)grain + KERNEL_LEAD;
+    const size_t to = wanted < end ? wanted : end;
     for (; from < to; from += 2) { // two rows of four in a line
         __builtin_prefetch(view->place[from], 0, 2);
         __builtin_prefetch(view->motion[from], 0, 2);
@@ -168,7 +170,8 @@ static inline void kernel_prefetch_blocks(const clod_contact_block *blocks)
  * the chains of several (docs/adr/0010).
  */
 static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
-                           clod_contact_block *blocks, size_t contacts, double (*apart)[8])
+                           clod_contact_block *blocks, size_t contacts, size_t end,
+                           double (*apart)[8])
 {
     const clod_kernel_view v = *view;
     const clod_law l = *law;
@@ -179,7 +182,7 @@ static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
     for (size_t first = 0; first < contacts; first += full) {
         batch.blocks = &blocks[first / CLOD_LANES];
         batch.contacts = (int)(contacts - first < full ? contacts - first : full);
-        ahead = kernel_prefetch_rows(&v, ahead, batch.blocks->i[0]);
+        ahead = kernel_prefetch_rows(&v, ahead, batch.blocks->i[0], end);
         if (contacts - first > full) {
             kernel_prefetch_blocks(batch.blocks + KERNEL_BATCH);
         }

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "geometry/wall_gap.h"
 #include "step/near_between.h"
+#include "step/near_parts.h"
 
 /** What goes through the making of one list. */
 typedef struct near_job {
@@ -57,58 +58,11 @@ static size_t group_number(const clod_near *self)
     return clod_near_group(self, self->parts + 1, 0);
 }
 
-/** Contacts of each grain that stands first in them. */
-static void weigh(int32_t *weight, const clod_candidates *candidates)
-{
-    for (size_t k = 0; k < candidates->count; k++) {
-        weight[candidates->item[k].i] += candidates->item[k].near;
-    }
-}
-
-/** Cut the grains into parts of about as much work; the cut changes no result. */
-static void cut_parts(clod_near *self, const clod_neighbour *neighbour, size_t grains)
-{
-    self->part_start[0] = 0;
-    self->part_start[self->parts] = grains;
-    if (self->parts == 1) {
-        return;
-    }
-    for (size_t g = 0; g < grains; g++) {
-        self->weight[g] = 1; // moving it costs about as much as a contact
-    }
-    weigh(self->weight, &neighbour->pairs);
-    weigh(self->weight, &neighbour->walls);
-    int64_t all = 0;
-    for (size_t g = 0; g < grains; g++) {
-        all += self->weight[g];
-    }
-    int64_t sum = 0;
-    int part = 1;
-    for (size_t g = 0; g < grains && part < self->parts; g++) {
-        for (; part < self->parts && sum * self->parts >= all * part; part++) {
-            self->part_start[part] = g;
-        }
-        sum += self->weight[g];
-    }
-    for (; part < self->parts; part++) {
-        self->part_start[part] = grains;
-    }
-}
-
-static int part_of(const clod_near *self, int32_t grain)
-{
-    int part = 0;
-    while (part + 1 < self->parts && (size_t)grain >= self->part_start[part + 1]) {
-        part++;
-    }
-    return part;
-}
-
 /** Group of a pair (walls: of its grain). */
 static size_t group_of(const clod_near *self, const clod_candidate *c)
 {
-    const int part = part_of(self, c->i);
-    const bool between = c->shape < 0 && part_of(self, c->j) != part;
+    const int part = clod_near_part_of(self, c->i);
+    const bool between = c->shape < 0 && clod_near_part_of(self, c->j) != part;
     return clod_near_group(self, between ? self->parts : part, c->law);
 }
 
@@ -373,7 +327,7 @@ bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state
     mark_near(neighbour, state, pose, skin);
     if (prepare(self, state, laws)) {
         const size_t groups = group_number(self);
-        cut_parts(self, neighbour, state->grains.count);
+        clod_near_cut(self, neighbour, state->grains.count);
         count_groups(self, &self->pairs, &neighbour->pairs);
         count_groups(self, &self->walls, &neighbour->walls);
         if (turn_blocks(&self->pairs, groups, sizeof(clod_contact_block)) &&

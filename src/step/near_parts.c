@@ -1,0 +1,51 @@
+// How the grains are cut into parts for the threads.
+#include "step/near_parts.h"
+
+/** Half a contact's work for each of its grains; a wall leaves all to the grain. */
+static void weigh(int32_t *weight, const clod_candidates *candidates)
+{
+    for (size_t k = 0; k < candidates->count; k++) {
+        const clod_candidate *c = &candidates->item[k];
+        const bool wall = c->shape >= 0;
+        weight[c->i] += wall ? 2 * c->near : c->near;
+        weight[wall ? c->i : c->j] += wall ? 0 : c->near;
+    }
+}
+
+void clod_near_cut(clod_near *self, const clod_neighbour *neighbour, size_t grains)
+{
+    self->part_start[0] = 0;
+    self->part_start[self->parts] = grains;
+    if (self->parts == 1) {
+        return;
+    }
+    for (size_t g = 0; g < grains; g++) {
+        self->weight[g] = 2; // moving it costs about as much as a contact
+    }
+    weigh(self->weight, &neighbour->pairs);
+    weigh(self->weight, &neighbour->walls);
+    int64_t all = 0;
+    for (size_t g = 0; g < grains; g++) {
+        all += self->weight[g];
+    }
+    int64_t sum = 0;
+    int part = 1;
+    for (size_t g = 0; g < grains && part < self->parts; g++) {
+        for (; part < self->parts && sum * self->parts >= all * part; part++) {
+            self->part_start[part] = g;
+        }
+        sum += self->weight[g];
+    }
+    for (; part < self->parts; part++) {
+        self->part_start[part] = grains;
+    }
+}
+
+int clod_near_part_of(const clod_near *self, int32_t grain)
+{
+    int part = 0;
+    while (part + 1 < self->parts && (size_t)grain >= self->part_start[part + 1]) {
+        part++;
+    }
+    return part;
+}
