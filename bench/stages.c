@@ -35,6 +35,7 @@ bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[BENCH_S
         }
         step->state->step++;
     }
+    clod_step_settle(step, 0);
     step->state->build_motion = step->thread[0].build_motion;
     step->state->time = (double)step->state->step * step->state->dt;
     return true;

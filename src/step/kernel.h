@@ -81,9 +81,13 @@ typedef struct clod_kernel {
     void (*wall_stored)(const clod_kernel_view *view, const clod_law *law,
                         const clod_kernel_wall_stage *stage, clod_wall_block *block,
                         clod_stored_block *stored);
-    /** Half a kick and a whole drift of grains [begin, end); their loads begin anew at zero. */
+    /**
+     * Half a kick and a whole drift of grains [begin, end); their loads begin anew at zero.
+     * Owed: before that the weight and the half kick that the step before has left to this one.
+     */
     clod_kernel_speed (*drift)(double (*place)[4], double (*motion)[4], double (*turning)[4],
-                               double (*load)[8], double dt, size_t begin, size_t end);
+                               double (*load)[8], const double gravity[3], bool owed, double dt,
+                               size_t begin, size_t end);
     /** Weight onto the loads of grains [begin, end), and their second half kick. */
     void (*kick)(double (*motion)[4], double (*turning)[4], double (*load)[8],
                  const double gravity[3], double dt, size_t begin, size_t end);

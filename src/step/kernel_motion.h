@@ -12,10 +12,8 @@
 #include "step/kernel.h"
 
 static inline void kernel_kick_row(double motion[4], double turning[4], const double load[8],
-                                   double half)
+                                   double push, double twist)
 {
-    const double push = half / motion[3];
-    const double twist = half * turning[3];
     for (int c = 0; c < 4; c++) {
         motion[c] += push * load[c];
     }
@@ -24,28 +22,59 @@ static inline void kernel_kick_row(double motion[4], double turning[4], const do
     }
 }
 
-static clod_kernel_speed kernel_drift(double (*restrict place)[4], double (*restrict motion)[4],
-                                      double (*restrict turning)[4], double (*restrict load)[8],
-                                      double dt, size_t begin, size_t end)
+static inline void kernel_weigh(double load[8], double mass, const double gravity[4])
+{
+    for (int c = 0; c < 4; c++) {
+        load[c] += mass * gravity[c];
+    }
+}
+
+static inline double kernel_square(const double v[4])
+{
+    return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
+
+/** The loop of kernel_drift; `owed` is a constant where it is called. */
+__attribute__((always_inline)) static inline clod_kernel_speed
+kernel_drift_rows(double (*restrict place)[4], double (*restrict motion)[4],
+                  double (*restrict turning)[4], double (*restrict load)[8],
+                  const double gravity[4], bool owed, double dt, size_t begin, size_t end)
 {
     const double step[4] = {dt, dt, dt, 0.0};
+    const double half = 0.5 * dt;
     clod_kernel_speed seen = {0.0, true};
     for (size_t g = begin; g < end; g++) {
-        kernel_kick_row(motion[g], turning[g], load[g], 0.5 * dt);
+        const double push = half / motion[g][3];
+        const double twist = half * turning[g][3];
+        if (owed) {
+            kernel_weigh(load[g], motion[g][3], gravity);
+            kernel_kick_row(motion[g], turning[g], load[g], push, twist);
+        }
+        kernel_kick_row(motion[g], turning[g], load[g], push, twist);
         for (int c = 0; c < 8; c++) {
             load[g][c] = 0.0;
         }
         for (int c = 0; c < 4; c++) {
             place[g][c] += step[c] * motion[g][c];
         }
-        const double *v = motion[g];
-        const double *w = turning[g];
-        const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-        const double w2 = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+        const double v2 = kernel_square(motion[g]);
+        const double w2 = kernel_square(turning[g]);
         seen.max_speed2 = v2 > seen.max_speed2 ? v2 : seen.max_speed2;
         seen.finite &= v2 + w2 < 1e60;
     }
     return seen;
+}
+
+static clod_kernel_speed kernel_drift(double (*restrict place)[4], double (*restrict motion)[4],
+                                      double (*restrict turning)[4], double (*restrict load)[8],
+                                      const double gravity[3], bool owed, double dt,
+                                      size_t begin, size_t end)
+{
+    const double g4[4] = {gravity[0], gravity[1], gravity[2], 0.0};
+    if (owed) {
+        return kernel_drift_rows(place, motion, turning, load, g4, true, dt, begin, end);
+    }
+    return kernel_drift_rows(place, motion, turning, load, g4, false, dt, begin, end);
 }
 
 static void kernel_kick(double (*restrict motion)[4], double (*restrict turning)[4],
@@ -54,10 +83,8 @@ static void kernel_kick(double (*restrict motion)[4], double (*restrict turning)
 {
     const double g4[4] = {gravity[0], gravity[1], gravity[2], 0.0};
     for (size_t g = begin; g < end; g++) {
-        const double mass = motion[g][3];
-        for (int c = 0; c < 4; c++) {
-            load[g][c] += mass * g4[c];
-        }
-        kernel_kick_row(motion[g], turning[g], load[g], 0.5 * dt);
+        kernel_weigh(load[g], motion[g][3], g4);
+        kernel_kick_row(motion[g], turning[g], load[g], 0.5 * dt / motion[g][3],
+                        0.5 * dt * turning[g][3]);
     }
 }

@@ -32,12 +32,14 @@ void clod_step_drift(clod_step *self, int part)
     clod_step_thread *mine = &self->thread[part];
     const clod_chunk c = my_grains(self, part);
     if (self->near.ledger) {
+        clod_step_settle(self, part);
         memcpy(grains->before[c.begin], grains->load[c.begin],
                (c.end - c.begin) * sizeof *grains->load);
     }
     const clod_kernel_speed seen =
         self->kernel->drift(grains->place, grains->motion, grains->turning, grains->load,
-                            self->state->dt, c.begin, c.end);
+                            self->state->gravity, mine->owed, self->state->dt, c.begin, c.end);
+    mine->owed = false;
     mine->max_speed2 = seen.max_speed2;
     mine->finite = seen.finite;
     if (part == 0) {
@@ -46,12 +48,22 @@ void clod_step_drift(clod_step *self, int part)
     }
 }
 
+/** The second half kick waits for the drift of the next step: one way through memory for both.
+ */
 void clod_step_kick(clod_step *self, int part)
+{
+    self->thread[part].owed = true;
+}
+
+void clod_step_settle(clod_step *self, int part)
 {
     clod_grains *grains = &self->state->grains;
     const clod_chunk c = my_grains(self, part);
-    self->kernel->kick(grains->motion, grains->turning, grains->load, self->state->gravity,
-                       self->state->dt, c.begin, c.end);
+    if (self->thread[part].owed) {
+        self->kernel->kick(grains->motion, grains->turning, grains->load, self->state->gravity,
+                           self->state->dt, c.begin, c.end);
+    }
+    self->thread[part].owed = false;
 }
 
 /** What the wall does to the grains with its force and torque and its velocity of now [W]. */

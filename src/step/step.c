@@ -73,6 +73,7 @@ static void advance_part(clod_step *self, int64_t steps, int part)
             break;
         }
     }
+    clod_step_settle(self, part);
 }
 
 /** All threads at once; alone when the run-time library does not give as many. */

@@ -29,6 +29,7 @@ typedef struct clod_step_thread {
     bool finite;                    ///< its grains' numbers
     bool all_finite;                ///< those of all threads in this step
     bool excess;                    ///< an overlap beyond the laws' range
+    bool owed;                      ///< its grains' second half kick is still to be done
 } clod_step_thread;
 
 typedef struct clod_step {
@@ -95,6 +96,9 @@ void clod_step_wall(clod_step *self, int part);
 void clod_step_kick(clod_step *self, int part);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);
+
+/** After the last step: the half kick that is owed. */
+void clod_step_settle(clod_step *self, int part);
 
 /** Gap, normal and velocity of a block of wall contacts. */
 void clod_step_stage_walls(const clod_step *self, const clod_wall_block *block,
