@@ -1,8 +1,9 @@
 #pragma once
 /**
  * @file wall_pose.h
- * Where a wall is at one moment: from space into the frame in which its shapes were given, and
- * back. Made once per wall and step; using it costs multiplications only.
+ * Where a wall is at one moment, and how it moves: from space into the frame in which its
+ * shapes were given, and back. Made once per wall and step; using it costs multiplications
+ * only.
  */
 
 #include "state/walls.h"
@@ -12,6 +13,9 @@ typedef struct clod_wall_pose {
     clod_vec3 shift;       ///< m
     clod_vec3 point;       ///< m, the spin point in the frame
     double rotation[3][3]; ///< from the frame to space
+    clod_vec3 velocity;    ///< m/s, of the origin, belt motion included
+    clod_vec3 axis;        ///< unit, of the spin
+    double spin;           ///< rad/s
 } clod_wall_pose;
 
 /** Pose of a wall now; turned by exactly nothing when its angle is 0. Threads: pure. */
@@ -23,7 +27,10 @@ static inline clod_wall_pose clod_wall_pose_now(const clod_wall *wall)
     const double cross[3][3] = {{0.0, -u[2], u[1]}, {u[2], 0.0, -u[0]}, {-u[1], u[0], 0.0}};
     clod_wall_pose pose = {.origin = clod_vec3_add(wall->spin_point, wall->shift),
                            .shift = wall->shift,
-                           .point = wall->spin_point};
+                           .point = wall->spin_point,
+                           .velocity = clod_wall_velocity(wall),
+                           .axis = wall->spin_axis,
+                           .spin = clod_wall_spin(wall)};
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) { // Rodrigues: c 1 + s [u]x + (1 - c) u u^T
             const double diagonal = i == j ? c : 0.0;
@@ -41,6 +48,13 @@ static inline clod_vec3 clod_wall_to_frame(const clod_wall_pose *pose, clod_vec3
     return (clod_vec3){pose->point.x + r[0][0] * d.x + r[1][0] * d.y + r[2][0] * d.z,
                        pose->point.y + r[0][1] * d.x + r[1][1] * d.y + r[2][1] * d.z,
                        pose->point.z + r[0][2] * d.x + r[1][2] * d.y + r[2][2] * d.z};
+}
+
+/** Velocity of the wall's material at a point of space [m/s], as clod_wall_velocity_at. */
+static inline clod_vec3 clod_wall_pose_velocity(const clod_wall_pose *pose, clod_vec3 point)
+{
+    const clod_vec3 arm = clod_vec3_sub(point, pose->origin);
+    return clod_vec3_axpy(pose->velocity, pose->spin, clod_vec3_cross(pose->axis, arm));
 }
 
 /** A direction given in the wall's frame, in space. */

@@ -1,14 +1,15 @@
 #include "parallel/barrier.h"
 
-#include <sched.h>
-
 #define SPINS 2000 ///< about 20 microseconds
 
 void clod_barrier_init(clod_barrier *self, int threads)
 {
     atomic_init(&self->arrived, 0);
     atomic_init(&self->round, 0);
+    atomic_init(&self->sleepers, 0);
     self->threads = threads;
+    self->lock = (pthread_mutex_t)PTHREAD_MUTEX_INITIALIZER;
+    self->woken = (pthread_cond_t)PTHREAD_COND_INITIALIZER;
 }
 
 static inline void relax(void)
@@ -16,6 +17,30 @@ static inline void relax(void)
 #if defined(__x86_64__)
     __builtin_ia32_pause();
 #endif
+}
+
+/** The last one opens the next round. Whoever falls asleep meanwhile has said so before it
+ * looks at the round again, and both are in one total order: it sees the round, or is seen. */
+static void open_round(clod_barrier *self, unsigned round)
+{
+    atomic_store_explicit(&self->arrived, 0, memory_order_relaxed);
+    atomic_store(&self->round, round + 1);
+    if (atomic_load(&self->sleepers) > 0) {
+        pthread_mutex_lock(&self->lock);
+        pthread_cond_broadcast(&self->woken);
+        pthread_mutex_unlock(&self->lock);
+    }
+}
+
+static void sleep_until(clod_barrier *self, unsigned round)
+{
+    pthread_mutex_lock(&self->lock);
+    atomic_fetch_add(&self->sleepers, 1);
+    while (atomic_load(&self->round) == round) {
+        pthread_cond_wait(&self->woken, &self->lock);
+    }
+    atomic_fetch_sub(&self->sleepers, 1);
+    pthread_mutex_unlock(&self->lock);
 }
 
 void clod_barrier_wait(clod_barrier *self)
@@ -26,16 +51,14 @@ void clod_barrier_wait(clod_barrier *self)
     const unsigned round = atomic_load_explicit(&self->round, memory_order_relaxed);
     if (atomic_fetch_add_explicit(&self->arrived, 1, memory_order_acq_rel) + 1 ==
         self->threads) {
-        atomic_store_explicit(&self->arrived, 0, memory_order_relaxed);
-        atomic_store_explicit(&self->round, round + 1, memory_order_release);
+        open_round(self, round);
         return;
     }
-    for (int spins = 0; atomic_load_explicit(&self->round, memory_order_acquire) == round;
-         spins++) {
-        if (spins < SPINS) {
-            relax();
-        } else {
-            sched_yield();
+    for (int spins = 0; spins < SPINS; spins++) {
+        if (atomic_load_explicit(&self->round, memory_order_acquire) != round) {
+            return;
         }
+        relax();
     }
+    sleep_until(self, round);
 }

@@ -89,8 +89,8 @@ static void stage_lane(const clod_step *self, const clod_wall_block *block, int 
     const clod_wall_pose *pose = &self->pose[block->wall[lane]];
     const clod_gap gap = clod_wall_gap_in_space(pose, &wall->shapes[block->shape[lane]], p);
     const clod_vec3 at = clod_vec3_axpy(p, -gap.distance, gap.normal);
-    const clod_vec3 v = clod_wall_velocity_at(wall, at);
-    const clod_vec3 w = clod_vec3_scale(wall->spin_axis, clod_wall_spin(wall));
+    const clod_vec3 v = clod_wall_pose_velocity(pose, at);
+    const clod_vec3 w = clod_vec3_scale(pose->axis, pose->spin);
     const clod_vec3 lever = clod_vec3_sub(p, pose->origin);
     const double normal[3] = {gap.normal.x, gap.normal.y, gap.normal.z};
     const double velocity[3] = {v.x, v.y, v.z};
