@@ -99,13 +99,11 @@ static double bytes_per_grain(const clod_step *step)
     const clod_state *state = step->state;
     const double grains = (double)state->grains.capacity;
     const double rows = grains * (3 * 4 + 8 + 1 + 4) * sizeof(double) + 2 * grains;
-    const double contacts = (double)(state->contact_capacity + near->contact_scratch_capacity) *
-                            (double)sizeof(clod_contact);
+    const double contacts = (double)state->contact_capacity * (double)sizeof(clod_contact);
     const double candidates = (double)near->pairs.capacity * sizeof(clod_candidate);
     const double sorting = 2.0 * (double)near->sort_capacity * sizeof(clod_sort_item) +
                            (double)near->grain_capacity * (64 + 3 * sizeof(int32_t));
-    const double blocks = (double)(list->pairs.capacity + list->pairs.old_capacity) *
-                              (double)sizeof(clod_contact_block) +
+    const double blocks = (double)list->pairs.capacity * (double)sizeof(clod_contact_block) +
                           (double)list->between.share_capacity * 8 * sizeof(double);
     return (rows + contacts + candidates + sorting + blocks) / (double)state->grains.count;
 }

@@ -31,7 +31,7 @@ static bool add_pair(clod_neighbour *self, const clod_state *state, const clod_l
     }
     const uint16_t *material = state->grains.material;
     const int32_t law = clod_laws_index(laws, material[i], material[j]);
-    *c = (clod_candidate){(int32_t)i, (int32_t)j, -1, law, -1, 0};
+    *c = (clod_candidate){(int32_t)i, (int32_t)j, -1, -1, (uint32_t)law & 0x7fff, 0};
     return true;
 }
 

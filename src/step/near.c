@@ -12,8 +12,7 @@
 typedef struct near_job {
     clod_near *near;
     const clod_state *state;
-    const clod_contact *contacts; ///< source of history, or NULL: the old blocks
-    size_t *fill;                 ///< [groups] contacts placed so far
+    size_t *fill; ///< [groups] contacts placed so far
 } near_job;
 
 static bool pair_is_near(const clod_state *state, const clod_candidate *c, double skin)
@@ -46,9 +45,9 @@ static bool reserve(void *array, size_t *capacity, size_t count, size_t size)
     void *old;
     memcpy(&old, array, sizeof old);
     clod_memory_free(old);
-    void *fresh = clod_memory_alloc(count + count / 4, size);
+    void *fresh = clod_memory_alloc(count + count / 8, size);
     memcpy(array, &fresh, sizeof fresh);
-    *capacity = fresh != NULL ? count + count / 4 : 0;
+    *capacity = fresh != NULL ? count + count / 8 : 0;
     return fresh != NULL;
 }
 
@@ -84,15 +83,9 @@ static void count_groups(const clod_near *self, clod_near_blocks *blocks,
     }
 }
 
-/** Swap current and old blocks and make room for the new ones. */
-static bool turn_blocks(clod_near_blocks *self, size_t groups, size_t size)
+/** Room for the blocks of all groups. */
+static bool reserve_blocks(clod_near_blocks *self, size_t groups, size_t size)
 {
-    void *block = self->block;
-    const size_t capacity = self->capacity;
-    self->block = self->old;
-    self->capacity = self->old_capacity;
-    self->old = block;
-    self->old_capacity = capacity;
     self->count = self->group_start[groups];
     return reserve(&self->block, &self->capacity, self->count, size);
 }
@@ -117,17 +110,12 @@ static void history_get(const clod_history *from, int lane, double to[8])
     }
 }
 
-/** History of a candidate from where it was, or none, into its new lane. */
-static void carry_history(const near_job *job, const clod_candidate *c,
-                          const clod_history *before, clod_history *to, int lane)
+/** History of a candidate from its row of contacts, or none, into its new lane. */
+static void carry_history(const near_job *job, const clod_candidate *c, clod_history *to,
+                          int lane)
 {
-    double history[8] = {0.0};
-    if (c->lane >= 0 && job->contacts != NULL) {
-        memcpy(history, job->contacts[c->lane].history, sizeof history);
-    } else if (c->lane >= 0) {
-        history_get(before, c->lane % CLOD_LANES, history);
-    }
-    history_put(to, lane, history);
+    static const double NONE[8] = {0.0};
+    history_put(to, lane, c->lane >= 0 ? job->state->contacts[c->lane].history : NONE);
 }
 
 /** Lane of the next contact of its group. */
@@ -141,15 +129,12 @@ static void place_pair(near_job *job, clod_candidate *c)
 {
     clod_near *near = job->near;
     clod_contact_block *blocks = near->pairs.block;
-    const clod_contact_block *old = near->pairs.old;
     const size_t at = next_lane(job, &near->pairs, c);
     clod_contact_block *block = &blocks[at / CLOD_LANES];
     const int lane = (int)(at % CLOD_LANES);
     block->i[lane] = c->i;
     block->j[lane] = c->j;
-    const clod_history *before =
-        c->lane < 0 || job->contacts != NULL ? NULL : &old[c->lane / CLOD_LANES].history;
-    carry_history(job, c, before, &block->history, lane);
+    carry_history(job, c, &block->history, lane);
     c->lane = (int32_t)at;
 }
 
@@ -157,7 +142,6 @@ static void place_wall(near_job *job, clod_candidate *c)
 {
     clod_near *near = job->near;
     clod_wall_block *blocks = near->walls.block;
-    const clod_wall_block *old = near->walls.old;
     const size_t at = next_lane(job, &near->walls, c);
     clod_wall_block *block = &blocks[at / CLOD_LANES];
     const int lane = (int)(at % CLOD_LANES);
@@ -165,9 +149,7 @@ static void place_wall(near_job *job, clod_candidate *c)
     block->wall[lane] = c->j;
     block->shape[lane] = c->shape;
     block->slot_wall[lane] = near->wall_slot_fill[c->j]++;
-    const clod_history *before =
-        c->lane < 0 || job->contacts != NULL ? NULL : &old[c->lane / CLOD_LANES].history;
-    carry_history(job, c, before, &block->history, lane);
+    carry_history(job, c, &block->history, lane);
     c->lane = (int32_t)at;
 }
 
@@ -272,12 +254,10 @@ static bool layout_wall_slots(clod_near *self, const clod_neighbour *neighbour, 
                    (size_t)self->wall_slot_start[walls] + padding, sizeof *self->wall_slots);
 }
 
-static void place_all(clod_near *self, clod_neighbour *neighbour, const clod_state *state,
-                      bool from_contacts)
+static void place_all(clod_near *self, clod_neighbour *neighbour, const clod_state *state)
 {
     const size_t groups = group_number(self);
-    near_job job = {self, state, from_contacts ? state->contacts : NULL,
-                    self->pairs.group_count + groups};
+    near_job job = {self, state, self->pairs.group_count + groups};
     memset(job.fill, 0, groups * sizeof *job.fill);
     for (size_t k = 0; k < neighbour->pairs.count; k++) {
         clod_candidate *c = &neighbour->pairs.item[k];
@@ -321,7 +301,7 @@ static size_t between_count(const clod_near *self)
 
 bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state *state,
                     const clod_laws *laws, const clod_wall_pose *pose, double skin,
-                    bool from_contacts, clod_status *status)
+                    clod_status *status)
 {
     self->skin = skin;
     mark_near(neighbour, state, pose, skin);
@@ -330,11 +310,11 @@ bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state
         clod_near_cut(self, neighbour, state->grains.count);
         count_groups(self, &self->pairs, &neighbour->pairs);
         count_groups(self, &self->walls, &neighbour->walls);
-        if (turn_blocks(&self->pairs, groups, sizeof(clod_contact_block)) &&
-            turn_blocks(&self->walls, groups, sizeof(clod_wall_block)) &&
+        if (reserve_blocks(&self->pairs, groups, sizeof(clod_contact_block)) &&
+            reserve_blocks(&self->walls, groups, sizeof(clod_wall_block)) &&
             layout_wall_slots(self, neighbour, state->walls.count) &&
             clod_near_reserve_spent(self)) {
-            place_all(self, neighbour, state, from_contacts);
+            place_all(self, neighbour, state);
             if (clod_neighbour_reserve_sort(neighbour, between_count(self)) &&
                 clod_near_between_make(self, neighbour->sort, neighbour->sort_scratch)) {
                 return true;
@@ -345,66 +325,65 @@ bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state
                             state->grains.count);
 }
 
-static bool export_one(clod_state *state, int32_t i, int32_t j, int32_t shape,
-                       const clod_history *history, int lane)
+/** Append the history of a candidate if it has touched; its row, or -1. */
+static int32_t export_one(clod_state *state, const clod_candidate *c,
+                          const clod_history *history, int lane)
 {
     if (history->tangent[lane] == 0.0) { // never touched
-        return true;
+        return -1;
     }
-    if (state->contact_count == state->contact_capacity) {
-        const size_t capacity = state->contact_capacity + state->contact_capacity / 2 + 1024;
-        void *grown = clod_memory_grow(state->contacts, state->contact_capacity, capacity,
-                                       sizeof *state->contacts);
-        if (grown == NULL) {
-            return false;
-        }
-        state->contacts = grown;
-        state->contact_capacity = capacity;
-    }
-    clod_contact *c = &state->contacts[state->contact_count++];
-    *c = (clod_contact){.i = i, .j = j, .shape = shape};
-    history_get(history, lane, c->history);
-    return true;
+    clod_contact *to = &state->contacts[state->contact_count];
+    *to = (clod_contact){.i = c->i, .j = c->j, .shape = c->shape};
+    history_get(history, lane, to->history);
+    return (int32_t)state->contact_count++;
+}
+
+/** Room for as many contacts as the lists have lanes; contents lost. */
+static bool reserve_contacts(const clod_near *self, clod_state *state)
+{
+    const size_t most = (self->pairs.count + self->walls.count) * CLOD_LANES;
+    state->contact_count = state->wall_contact_count = 0;
+    return reserve(&state->contacts, &state->contact_capacity, most, sizeof *state->contacts);
 }
 
 bool clod_near_export(const clod_near *self, clod_neighbour *neighbour, clod_state *state,
-                      clod_status *status)
+                      bool leave, clod_status *status)
 {
-    bool ok = true;
-    state->contact_count = 0;
+    if (!reserve_contacts(self, state)) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the contacts of %zu grains",
+                                state->grains.count);
+    }
     const clod_contact_block *pairs = self->pairs.block;
-    for (size_t b = 0; b < self->pairs.count; b++) {
-        for (int l = 0; l < CLOD_LANES; l++) {
-            ok =
-                ok && export_one(state, pairs[b].i[l], pairs[b].j[l], -1, &pairs[b].history, l);
+    for (size_t k = 0; k < neighbour->pairs.count; k++) { // candidates ascend: no sorting
+        clod_candidate *c = &neighbour->pairs.item[k];
+        if (c->lane >= 0) {
+            const int32_t row = export_one(state, c, &pairs[c->lane / CLOD_LANES].history,
+                                           c->lane % CLOD_LANES);
+            c->lane = leave ? row : c->lane;
         }
     }
     const size_t before = state->contact_count;
     const clod_wall_block *walls = self->walls.block;
-    for (size_t b = 0; b < self->walls.count; b++) {
-        for (int l = 0; l < CLOD_LANES; l++) {
-            ok = ok && export_one(state, walls[b].i[l], walls[b].wall[l], walls[b].shape[l],
-                                  &walls[b].history, l);
+    for (size_t k = 0; k < neighbour->walls.count; k++) {
+        clod_candidate *c = &neighbour->walls.item[k];
+        if (c->lane >= 0) {
+            const int32_t row = export_one(state, c, &walls[c->lane / CLOD_LANES].history,
+                                           c->lane % CLOD_LANES);
+            c->lane = leave ? row : c->lane;
         }
     }
     state->wall_contact_count = state->contact_count - before;
-    if (!ok) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for %zu contacts",
-                                state->contact_count);
-    }
-    return clod_neighbour_sort_contacts(neighbour, state, status);
+    return true;
 }
 
 void clod_near_fini(clod_near *self)
 {
     clod_memory_free(self->pairs.block);
-    clod_memory_free(self->pairs.old);
     clod_memory_free(self->pairs.group_start);
     clod_memory_free(self->pairs.group_count);
     clod_memory_free(self->pairs.spent);
     clod_memory_free(self->walls.spent);
     clod_memory_free(self->walls.block);
-    clod_memory_free(self->walls.old);
     clod_memory_free(self->walls.group_start);
     clod_memory_free(self->walls.group_count);
     clod_memory_free(self->between.share);

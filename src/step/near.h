@@ -14,8 +14,8 @@
 #include "step/neighbour.h"
 
 typedef struct clod_near_blocks {
-    void *block, *old; ///< clod_contact_block or clod_wall_block; `old` is scratch
-    size_t count, capacity, old_capacity;
+    void *block; ///< clod_contact_block or clod_wall_block
+    size_t count, capacity;
     size_t *group_start;     ///< [groups + 1] first block of each group
     size_t *group_count;     ///< [groups] contacts of each group
     clod_spent_block *spent; ///< [count] with the ledger, else NULL
@@ -54,23 +54,26 @@ static inline size_t clod_near_group(const clod_near *self, int part, int32_t la
 }
 
 /**
- * Make the near list.
+ * Make the near list with the histories of state->contacts.
  *
- * @param neighbour      candidates; their lanes are set to the new blocks
- * @param pose           [walls] poses now
- * @param skin           thin skin [m]
- * @param from_contacts  history comes from state->contacts, else from the old blocks
- * @return               false without memory
+ * @param neighbour  candidates; their lanes, rows of contacts before, are set to the new blocks
+ * @param pose       [walls] poses now
+ * @param skin       thin skin [m]
+ * @return           false without memory
  */
 bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state *state,
                     const clod_laws *laws, const clod_wall_pose *pose, double skin,
-                    bool from_contacts, clod_status *status);
+                    clod_status *status);
 
 /** Room for what each contact of the list spends, when `ledger` is set. */
 bool clod_near_reserve_spent(clod_near *self);
 
-/** Append the history of every closed contact to state->contacts (emptied first), sorted. */
+/**
+ * The history of every closed contact into state->contacts (emptied first), ascending.
+ *
+ * @param leave  the blocks will not be used any more: candidates point to rows of contacts
+ */
 bool clod_near_export(const clod_near *self, clod_neighbour *neighbour, clod_state *state,
-                      clod_status *status);
+                      bool leave, clod_status *status);
 
 void clod_near_fini(clod_near *self);

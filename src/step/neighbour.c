@@ -55,7 +55,7 @@ static bool find_walls(clod_neighbour *self, const clod_state *state, const clod
                     return false;
                 }
                 const int32_t law = clod_laws_index(laws, grains->material[g], wall->material);
-                *c = (clod_candidate){(int32_t)g, w, s, law, -1, 0};
+                *c = (clod_candidate){(int32_t)g, w, -1, (int16_t)s, (uint32_t)law & 0x7fff, 0};
             }
         }
     }
@@ -145,6 +145,5 @@ void clod_neighbour_fini(clod_neighbour *self)
     clod_memory_free(self->sort_scratch);
     clod_memory_free(self->rows);
     clod_memory_free(self->rank);
-    clod_memory_free(self->contact_scratch);
     *self = (clod_neighbour){0};
 }

@@ -19,10 +19,10 @@
 /** A pair that may touch before the next rebuild; for a wall, j is the wall. */
 typedef struct clod_candidate {
     int32_t i, j;
-    int32_t shape; ///< of the wall; -1 for two grains
-    int32_t law;   ///< row of clod_laws
-    int32_t lane;  ///< where its history is: lane of a block, or row of contacts; -1 none
-    int32_t near;  ///< 1 when it is on the near list that is being made
+    int32_t lane;      ///< where its history is: lane of a block, or row of contacts; -1 none
+    int16_t shape;     ///< of the wall; -1 for two grains
+    uint16_t law : 15; ///< row of clod_laws
+    uint16_t near : 1; ///< it is on the near list that is being made
 } clod_candidate;
 
 typedef struct clod_candidates {
@@ -44,8 +44,6 @@ typedef struct clod_neighbour {
     size_t sort_capacity;
     void *rows;    ///< [grain_capacity * 64 bytes] to permute with
     int32_t *rank; ///< [grains] new place of each old row
-    clod_contact *contact_scratch;
-    size_t contact_scratch_capacity;
 } clod_neighbour;
 
 /** Wide skin from the sizes of the grains; nothing is built yet. */

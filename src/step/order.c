@@ -156,23 +156,23 @@ static void sort_part(clod_neighbour *self, clod_contact *contacts, size_t first
         self->sort[k] = (clod_sort_item){(uint64_t)(uint32_t)c->i << 32 | low, k};
     }
     clod_sort(self->sort, self->sort_scratch, count);
-    for (size_t k = 0; k < count; k++) {
-        self->contact_scratch[k] = contacts[first + self->sort[k].index];
-    }
-    if (count > 0) {
-        memcpy(&contacts[first], self->contact_scratch, count * sizeof *contacts);
+    for (size_t k = 0; k < count; k++) { // along each cycle of the permutation, in place
+        const clod_contact moving = contacts[first + k];
+        size_t at = k;
+        while (self->sort[at].index != k) {
+            const size_t from = self->sort[at].index;
+            contacts[first + at] = contacts[first + from];
+            self->sort[at].index = at;
+            at = from;
+        }
+        contacts[first + at] = moving;
+        self->sort[at].index = at;
     }
 }
 
 bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_status *status)
 {
-    if (state->contact_count > self->contact_scratch_capacity) {
-        clod_memory_free(self->contact_scratch);
-        self->contact_scratch_capacity = state->contact_count + state->contact_count / 4;
-        self->contact_scratch =
-            clod_memory_alloc(self->contact_scratch_capacity, sizeof *self->contact_scratch);
-    }
-    if (!reserve(self, state) || (state->contact_count > 0 && self->contact_scratch == NULL)) {
+    if (!reserve(self, state)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu contacts",
                                 state->contact_count);
     }

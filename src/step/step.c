@@ -177,7 +177,7 @@ static bool build_lists(clod_step *self, clod_status *status)
     }
     return clod_neighbour_build(&self->neighbour, state, self->laws, status) &&
            clod_near_make(&self->near, &self->neighbour, state, self->laws, self->pose,
-                          0.01 * self->neighbour.radius_min, true, status);
+                          0.01 * self->neighbour.radius_min, status);
 }
 
 /** Forces of a state that has never been stepped: the stages without time passing. */
@@ -238,7 +238,7 @@ bool clod_step_export(clod_step *self, clod_status *status)
     if (self->failed) { // after a rebuild that failed the state has the history, the blocks not
         return true;
     }
-    return clod_near_export(&self->near, &self->neighbour, self->state, status);
+    return clod_near_export(&self->near, &self->neighbour, self->state, false, status);
 }
 
 void clod_step_fini(clod_step *self)

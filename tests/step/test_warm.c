@@ -28,7 +28,7 @@ static void rewind_to(scene *s, const clod_state *start)
     assert_true(clod_neighbour_sort(&s->step.neighbour, &s->state, &status) &&
                 clod_neighbour_build(&s->step.neighbour, &s->state, &s->laws, &status) &&
                 clod_near_make(&s->step.near, &s->step.neighbour, &s->state, &s->laws,
-                               s->step.pose, 1e-5, true, &status));
+                               s->step.pose, 1e-5, &status));
     s->step.view.wall_slots = s->step.near.wall_slots;
 }
 
