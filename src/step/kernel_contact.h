@@ -160,7 +160,7 @@ static inline void kernel_prefetch_blocks(const clod_contact_block *blocks)
 {
     const char *memory = (const char *)blocks;
     for (size_t at = 0; at < KERNEL_BATCH * sizeof *blocks; at += 64) {
-        __builtin_prefetch(memory + at);
+        __builtin_prefetch(memory + at, 1);
     }
 }
 
