@@ -15,7 +15,7 @@ typedef struct clod_law_frame {
 } clod_law_frame;
 
 /** What the springs of a contact share in this step. */
-typedef struct clod_law_tangent {
+typedef struct clod_law_tangents {
     vreal stiffness; ///< dk [N/m]
     vreal inverse;   ///< 1/dk [m/N]
     vreal soften;    ///< min(1, dk before / dk now): no energy from a growing stiffness
@@ -48,11 +48,11 @@ static inline clod_law_turned clod_law_spring_turn(const clod_law_frame *frame, 
  * either way the elastic energy never rises by itself.
  *
  * The root of before/after = 1 + e is its series: exact to rounding while the tangent plane
- * turns by less than 2 degrees in a step (e < 1e-3), within 1e-9 up to 10 degrees. A spring
- * that a step turns by more than 45 degrees stays shortened.
+ * turns by less than 2 degrees in a step (e < 1.3e-3), within 1e-9 up to 10 degrees. A spring
+ * that a step tilts by more than 45 degrees (e > 1) stays shortened.
  *
  * @param inverse_after  1/turned.after
- * Source  docs/theory/tangential.md, docs/adr/0010.   Test  tests/law/test_law_tangential.c
+ * Source  docs/theory/tangential.md, docs/adr/0010.   Test  tests/law/test_law_spring.c
  */
 static inline vreal3 clod_law_spring_restore(clod_law_turned turned, vreal inverse_after,
                                              vreal soften)
@@ -124,8 +124,8 @@ static inline vreal clod_law_tangential_damping(const clod_law *law, vreal norma
  * @param tangent   dk [N/m]
  * @param slip      tangential velocity of i against j at the contact [m/s]
  * @param dash_pot  gamma_t [N s/m]
- * @param spring    [in,out] tangential spring in today's plane [m]; the way of the step is
- * added Source  PHYSICS 3, eq. (6).   Test  tests/law/test_law_tangential.c
+ * @param spring    [in,out] tangential spring in today's plane [m]; gets the way of the step
+ * Source  PHYSICS 3, eq. (6).   Test  tests/law/test_law_tangential.c
  */
 static inline vreal3 clod_law_friction(const clod_law *law, vreal tangent, double dt,
                                        vreal3 slip, vreal dash_pot, vreal3 *spring)

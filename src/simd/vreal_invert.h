@@ -3,8 +3,8 @@
  * @file vreal_invert.h
  * Reciprocals of several numbers by one division. A vector division costs as much as a dozen
  * products; the reciprocal of a product gives those of its factors (docs/adr/0010). Each is
- * right within three roundings where the product neither overflows nor underflows: the caller
- * says why it does not. Included by simd.h.
+ * right within three roundings, the first two of three numbers within five, where the product
+ * neither overflows nor underflows: the caller says why it does not. Included by simd.h.
  *
  * Test  tests/simd/test_simd.c
  */

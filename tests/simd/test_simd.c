@@ -124,7 +124,7 @@ static void check_rows(const vocabulary *v)
                 wide[r][c] = before[r][c] = any_number(&roll);
             }
         }
-        for (int l = 0; l < 8; l++) { // different rows, as slots are
+        for (int l = 0; l < 8; l++) { // different rows
             index[l] = 6 * l + dice_pick(&roll, 6);
             for (int c = 0; c < 8; c++) {
                 columns[c][l] = any_number(&roll);
@@ -141,6 +141,89 @@ static void check_rows(const vocabulary *v)
             }
         }
         assert_memory_equal(wide, before, sizeof wide); // no other row was touched
+    }
+}
+
+/** Rows that come again, and fewer lanes than a vector has: sums go lane after lane. */
+static void check_added_rows(const vocabulary *v)
+{
+    dice roll = {5};
+    _Alignas(64) double rows[8][8], expected[8][8];
+    for (int k = 0; k < 20000; k++) {
+        const int lanes = 1 + dice_pick(&roll, 8);
+        const int different = 1 + dice_pick(&roll, 8);
+        int32_t index[8];
+        double columns[8][8];
+        for (int l = 0; l < 8; l++) {
+            index[l] = dice_pick(&roll, different);
+            for (int c = 0; c < 8; c++) {
+                rows[l][c] = expected[l][c] = any_number(&roll);
+                columns[c][l] = any_number(&roll);
+            }
+        }
+        for (int l = 0; l < lanes; l++) {
+            for (int c = 0; c < 8; c++) {
+                expected[index[l]][c] += columns[c][l];
+            }
+        }
+        v->add_rows(rows, index, columns, lanes);
+        for (int l = 0; l < 8; l++) {
+            for (int c = 0; c < 8; c++) {
+                check_bits(rows[l][c], expected[l][c]);
+            }
+        }
+    }
+}
+
+/** found = 1/a but for so many roundings of half a unit of the last place each. */
+static void check_inverse(double found, double a, int roundings)
+{
+    check_at_most(fabs(fma(found, a, -1.0)), roundings * 0x1p-53 * (1.0 + 1e-12));
+}
+
+/**
+ * As the callers have them: from squares of 1e-80 to stiffnesses of 1e12. Roundings by hand:
+ * the product, its inverse and what is taken out of it are three; the first two of three
+ * numbers go through both.
+ */
+static void check_inverses(const vocabulary *v)
+{
+    dice roll = {6};
+    for (int k = 0; k < 50000; k++) {
+        double in[3][8], out[5][8];
+        for (int c = 0; c < 3; c++) {
+            for (int l = 0; l < 8; l++) {
+                const int extreme = dice_pick(&roll, 8);
+                const double power = dice_real(&roll, -80.0, 12.0);
+                in[c][l] = extreme == 0 ? 1e-80 : extreme == 1 ? 1e12 : pow(10.0, power);
+            }
+        }
+        v->invert(in, out);
+        for (int l = 0; l < 8; l++) {
+            check_inverse(out[0][l], in[0][l], 3);
+            check_inverse(out[1][l], in[1][l], 3);
+            check_inverse(out[2][l], in[0][l], 5);
+            check_inverse(out[3][l], in[1][l], 5);
+            check_inverse(out[4][l], in[2][l], 3);
+        }
+    }
+}
+
+/** Every set has the bits of the scalar one in what plain C does not define by one operation.
+ */
+static void check_inverses_of_scalar(const vocabulary *v)
+{
+    dice roll = {7};
+    for (int k = 0; k < 20000; k++) {
+        double in[3][8], out[5][8], expected[5][8];
+        for (int l = 0; l < 24; l++) {
+            in[l / 8][l % 8] = any_number(&roll);
+        }
+        v->invert(in, out);
+        vocabulary_scalar.invert(in, expected);
+        for (int l = 0; l < 40; l++) {
+            check_bits(out[l / 8][l % 8], expected[l / 8][l % 8]);
+        }
     }
 }
 
@@ -179,6 +262,9 @@ static void check_all(const vocabulary *v)
     check_operations(v);
     check_truths(v);
     check_rows(v);
+    check_added_rows(v);
+    check_inverses(v);
+    check_inverses_of_scalar(v);
     check_vectors(v);
 }
 

@@ -71,6 +71,35 @@ static void store_rows(double (*rows)[8], const int32_t *index, double (*in)[8])
     }
 }
 
+static void add_rows(double (*rows)[8], const int32_t *index, double (*in)[8], int lanes)
+{
+    for (int l = 0; l < lanes; l += CLOD_WIDTH) {
+        vreal columns[8];
+        for (int c = 0; c < 8; c++) {
+            columns[c] = vreal_load(&in[c][l]);
+        }
+        vreal_add_rows(rows, &index[l], columns,
+                       lanes - l < CLOD_WIDTH ? lanes - l : CLOD_WIDTH);
+    }
+}
+
+static void invert(double (*in)[8], double (*out)[8])
+{
+    for (int l = 0; l < VOCABULARY_LANES; l += CLOD_WIDTH) {
+        vreal a = vreal_load(&in[0][l]), b = vreal_load(&in[1][l]);
+        vreal_invert2(&a, &b);
+        vreal_store(&out[0][l], a);
+        vreal_store(&out[1][l], b);
+        a = vreal_load(&in[0][l]);
+        b = vreal_load(&in[1][l]);
+        vreal c = vreal_load(&in[2][l]);
+        vreal_invert3(&a, &b, &c);
+        vreal_store(&out[2][l], a);
+        vreal_store(&out[3][l], b);
+        vreal_store(&out[4][l], c);
+    }
+}
+
 static void vectors(double (*in)[8], double (*out)[8])
 {
     for (int l = 0; l < VOCABULARY_LANES; l += CLOD_WIDTH) {
@@ -94,4 +123,6 @@ const vocabulary VOCABULARY(CLOD_SIMD_SUFFIX) = {.width = CLOD_WIDTH,
                                                  .any_less = any_less,
                                                  .load_rows = load_rows,
                                                  .store_rows = store_rows,
+                                                 .add_rows = add_rows,
+                                                 .invert = invert,
                                                  .vectors = vectors};

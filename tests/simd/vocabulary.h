@@ -36,6 +36,10 @@ typedef struct vocabulary {
     void (*any_less)(const double *a, const double *b, bool *out);
     void (*load_rows)(const double (*rows)[4], const int32_t *index, double (*out)[8]);
     void (*store_rows)(double (*rows)[8], const int32_t *index, double (*in)[8]);
+    /** Of the first `lanes` lanes, group by group of `width`. */
+    void (*add_rows)(double (*rows)[8], const int32_t *index, double (*in)[8], int lanes);
+    /** Rows of out: 1/a, 1/b by vreal_invert2; 1/a, 1/b, 1/c by vreal_invert3. */
+    void (*invert)(double (*in)[8], double (*out)[8]);
     /** Rows of out: a + b, a - b, a x b, a + s b, s a, (a.b, a.a, 0); s is in[6]. */
     void (*vectors)(double (*in)[8], double (*out)[8]);
 } vocabulary;

@@ -1,0 +1,160 @@
+// The cut of the grains into parts, one for each thread, and the groups of contacts that
+// follow.
+
+#include "step/near_parts.h"
+#include "support/bed.h"
+
+static const int PARTS[] = {1, 2, 3, 7, 40, 1000}; // 1000: more than grains
+#define CUTS ((int)(sizeof PARTS / sizeof *PARTS))
+
+/** Parts without a gap, in order, from the first grain to the last. */
+static void check_cover(const clod_near *near, size_t grains)
+{
+    assert_int_equal(near->part_start[0], 0);
+    assert_int_equal(near->part_start[near->parts], grains);
+    for (int p = 0; p < near->parts; p++) {
+        assert_true(near->part_start[p] <= near->part_start[p + 1]);
+        for (size_t g = near->part_start[p]; g < near->part_start[p + 1]; g++) {
+            assert_int_equal(clod_near_part_of(near, (int32_t)g), p);
+        }
+    }
+}
+
+/** Work of each grain: 2 for moving it, 1 for each pair that it is in, 2 for each wall. */
+static int64_t work_of(const scene *s, int64_t *work)
+{
+    const clod_near *near = &s->step.near;
+    const int64_t grains = (int64_t)s->state.grains.count;
+    int64_t all = 2 * grains;
+    for (int64_t g = 0; g < grains; g++) {
+        work[g] = 2;
+    }
+    const clod_contact_block *pairs = near->pairs.block;
+    for (size_t at = 0; at < near->pairs.count * CLOD_LANES; at++) {
+        const int32_t i = pairs[at / CLOD_LANES].i[at % CLOD_LANES];
+        if (i < grains) {
+            work[i]++;
+            work[pairs[at / CLOD_LANES].j[at % CLOD_LANES]]++;
+            all += 2;
+        }
+    }
+    const clod_wall_block *walls = near->walls.block;
+    for (size_t at = 0; at < near->walls.count * CLOD_LANES; at++) {
+        const int32_t i = walls[at / CLOD_LANES].i[at % CLOD_LANES];
+        if (i < grains) {
+            work[i] += 2;
+            all += 2;
+        }
+    }
+    return all;
+}
+
+/** No part is off the mean by more than the work of one grain. */
+static void check_work(const scene *s)
+{
+    const clod_near *near = &s->step.near;
+    int64_t work[1000], most = 0;
+    const int64_t all = work_of(s, work);
+    for (size_t g = 0; g < s->state.grains.count; g++) {
+        most = work[g] > most ? work[g] : most;
+    }
+    for (int p = 0; p < near->parts; p++) {
+        int64_t mine = 0;
+        for (size_t g = near->part_start[p]; g < near->part_start[p + 1]; g++) {
+            mine += work[g];
+        }
+        check_close((double)mine, (double)all / near->parts, (double)most);
+    }
+}
+
+/** One group: its law, its part, ascending by (i, j), padding behind. */
+static void check_group(const scene *s, int part, int32_t law)
+{
+    const clod_near *near = &s->step.near;
+    const size_t group = clod_near_group(near, part, law);
+    const clod_contact_block *blocks = near->pairs.block;
+    blocks += near->pairs.group_start[group];
+    const size_t contacts = near->pairs.group_count[group];
+    const size_t all = near->pairs.group_start[group + 1] - near->pairs.group_start[group];
+    const uint16_t *material = s->state.grains.material;
+    assert_true(contacts <= all * CLOD_LANES && contacts + CLOD_LANES > all * CLOD_LANES);
+    int64_t before = -1;
+    for (size_t k = 0; k < all * CLOD_LANES; k++) {
+        const int32_t i = blocks[k / CLOD_LANES].i[k % CLOD_LANES];
+        const int32_t j = blocks[k / CLOD_LANES].j[k % CLOD_LANES];
+        if (k >= contacts) {
+            assert_true(i >= (int32_t)s->state.grains.count && j > i);
+            continue;
+        }
+        const int part_i = clod_near_part_of(near, i), part_j = clod_near_part_of(near, j);
+        assert_true(i < j && clod_laws_index(&s->laws, material[i], material[j]) == law);
+        assert_true(part < near->parts ? part_i == part && part_j == part : part_i < part_j);
+        assert_true(((int64_t)i << 32 | j) > before);
+        before = (int64_t)i << 32 | j;
+    }
+}
+
+/** Every near pair is where its candidate says, so none is lost. */
+static void check_candidates(const scene *s)
+{
+    const clod_candidates *pairs = &s->step.neighbour.pairs;
+    const clod_contact_block *blocks = s->step.near.pairs.block;
+    for (size_t k = 0; k < pairs->count; k++) {
+        const clod_candidate *c = &pairs->item[k];
+        assert_true((c->lane >= 0) == (c->near != 0));
+        if (c->near != 0) {
+            assert_int_equal(blocks[c->lane / CLOD_LANES].i[c->lane % CLOD_LANES], c->i);
+            assert_int_equal(blocks[c->lane / CLOD_LANES].j[c->lane % CLOD_LANES], c->j);
+        }
+    }
+}
+
+/** Beds in motion, cut anew into other numbers of parts. */
+static void parts_cover_all_grains_and_contacts(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < BED_KINDS; kind++) {
+        scene s;
+        bed_init(&s, (bed_kind)kind, 1);
+        scene_start(&s);
+        scene_run(&s, 1500);
+        assert_true(clod_step_export(&s.step, &s.step.status));
+        for (int c = 0; c < CUTS; c++) {
+            clod_step_fini(&s.step);
+            scene_start_with(&s, (clod_step_options){.threads = PARTS[c]});
+            assert_true(s.step.near.pairs.count > 10);
+            check_cover(&s.step.near, s.state.grains.count);
+            check_work(&s);
+            for (int32_t law = 0; law < s.laws.count; law++) {
+                for (int part = 0; part <= PARTS[c]; part++) {
+                    check_group(&s, part, law);
+                }
+            }
+            check_candidates(&s);
+        }
+        scene_end(&s);
+    }
+}
+
+/** Nothing to cut is cut into parts of nothing. */
+static void no_grains_are_cut_too(void **state)
+{
+    (void)state;
+    const clod_case_contact contact = contact_ore();
+    scene s;
+    scene_init(&s, 1e-6, &contact);
+    assert_true(clod_grains_reserve(&s.state.grains, 1, &s.step.status));
+    scene_start_with(&s, (clod_step_options){.threads = 3});
+    check_cover(&s.step.near, 0);
+    scene_run(&s, 3);
+    scene_end(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(parts_cover_all_grains_and_contacts),
+        cmocka_unit_test(no_grains_are_cut_too),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
