@@ -19,7 +19,7 @@ LANES = {"pd": 4, "sd": 1}  # packed and single doubles of AVX2
 KINDS = {"flops": r"v?(add|sub|mul|min|max)(pd|sd)", "divides": r"v?div(pd|sd)",
          "roots": r"v?sqrt(pd|sd)"}
 FUSED = r"vf(n?m(add|sub)|maddsub|msubadd)\d*(pd|sd)"
-FUNCTION = "kernel_"  # kernel_contact, kernel_drift, kernel_gather, ...
+FUNCTION = "kernel_"  # kernel_contact, kernel_drift, kernel_kick, ...
 
 
 def _executed(program, packing):

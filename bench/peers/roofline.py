@@ -4,17 +4,18 @@ import plan
 import table
 
 # Bytes that one step moves between the kernel and its arrays, and that lie there, by the layout
-# of the arrays; what a cache reads before it writes is not counted, as in the triad. THE ONE
-# PLACE: change these with the arrays (src/state/contacts.h, src/state/grains.h, src/step/near.h).
+# of the arrays; what a cache reads before it writes is not counted, as in the triad. Of one
+# thread: no contacts between parts. Rows of partners are counted once, as if they stayed in a
+# cache until the last contact that needs them. THE ONE PLACE: change these with the arrays
+# (src/state/contacts.h, src/state/grains.h, src/step/near.h).
 # (what, moved per pair of the near list, moved per grain, kept per pair, kept per grain)
 BYTES = [
     ("contact: rows of places, motion, turning, once (kernel_contact.h)", 0, 96, 0, 96),
-    ("contact: indices and slots' numbers of a block, read (contacts.h)", 16, 0, 16, 0),
+    ("contact: two indices of a block, read (contacts.h)", 8, 0, 8, 0),
     ("contact: history, read and written (contacts.h)", 128, 0, 64, 0),
-    ("contact: two slots, written (near.h)", 128, 0, 128, 0),
-    ("gather: two slots, read; loads, written; masses, read (kernel_motion.h)", 128, 100, 0, 64),
-    ("kick: loads, read; motion and turning, read and written", 0, 192, 0, 0),
-    ("drift: loads, read; all rows, read and written", 0, 256, 0, 0),
+    ("contact: loads, read and written in place, once (kernel_contact.h)", 0, 128, 0, 64),
+    ("kick: loads, motion and turning, read and written (kernel_motion.h)", 0, 256, 0, 0),
+    ("drift: all rows and loads, read and written (kernel_motion.h)", 0, 320, 0, 0),
 ]
 
 
