@@ -22,6 +22,22 @@ static void memory_is_zero_and_aligned(void **state)
     clod_memory_free(NULL);
 }
 
+/** From 8 MiB on an array begins at a huge page of 2 MiB, and is zero to its end. */
+static void large_memory_begins_at_a_huge_page(void **state)
+{
+    (void)state;
+    for (size_t size = 8388608; size < 8388608 + 3; size++) {
+        unsigned char *memory = clod_memory_alloc(size, 1);
+        assert_non_null(memory);
+        assert_int_equal((uintptr_t)memory % 2097152, 0);
+        for (size_t k = 0; k < size; k++) {
+            assert_true(memory[k] == 0);
+        }
+        memset(memory, 0xff, size);
+        clod_memory_free(memory);
+    }
+}
+
 static void growing_keeps_the_old_and_zeroes_the_new(void **state)
 {
     (void)state;
@@ -82,6 +98,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(memory_is_zero_and_aligned),
+        cmocka_unit_test(large_memory_begins_at_a_huge_page),
         cmocka_unit_test(growing_keeps_the_old_and_zeroes_the_new),
         cmocka_unit_test(sizes_beyond_all_memory_give_null),
         cmocka_unit_test(texts_are_copied),
