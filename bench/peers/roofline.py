@@ -14,8 +14,7 @@ BYTES = [
     ("contact: two indices of a block, read (contacts.h)", 8, 0, 8, 0),
     ("contact: history, read and written (contacts.h)", 128, 0, 64, 0),
     ("contact: loads, read and written in place, once (kernel_contact.h)", 0, 128, 0, 64),
-    ("kick: loads, motion and turning, read and written (kernel_motion.h)", 0, 256, 0, 0),
-    ("drift: all rows and loads, read and written (kernel_motion.h)", 0, 320, 0, 0),
+    ("drift and kick: all rows and loads, read and written (kernel_motion.h)", 0, 320, 0, 0),
 ]
 
 

@@ -15,8 +15,9 @@ static bool run_group(clod_step *self, size_t group, int32_t law, size_t end)
         self->kernel->contact_spend(&self->view, &self->laws->law[law], &blocks[b],
                                     &pairs->spent[b]);
     }
-    return self->kernel->contact(&self->view, &self->laws->law[law], blocks + begin,
-                                 pairs->group_count[group], end, NULL);
+    const size_t contacts = pairs->group_count[group];
+    return contacts > 0 && self->kernel->contact(&self->view, &self->laws->law[law],
+                                                 &blocks[begin], contacts, end, NULL);
 }
 
 /** This thread's share of the blocks of a law between two parts. */

@@ -45,19 +45,21 @@ static void number_law(clod_near *self, int32_t law, size_t base, clod_sort_item
     clod_near_between *between = &self->between;
     const size_t group = clod_near_group(self, self->parts, law);
     const clod_contact_block *blocks = self->pairs.block;
-    blocks += self->pairs.group_start[group];
+    const size_t begin = self->pairs.group_start[group] * CLOD_LANES;
     const size_t count = self->pairs.group_count[group];
     size_t *as_i = between->as_i + (size_t)law * (size_t)self->parts;
     size_t *as_j = between->as_j + (size_t)law * (size_t)self->parts;
     for (size_t k = 0; k < count; k++) { // ascending by i already
-        sort[k] = (clod_sort_item){(uint64_t)(uint32_t)blocks[k / CLOD_LANES].i[k % CLOD_LANES],
-                                   base + k};
+        const size_t at = begin + k;
+        const int32_t i = blocks[at / CLOD_LANES].i[at % CLOD_LANES];
+        sort[k] = (clod_sort_item){(uint64_t)(uint32_t)i, base + k};
     }
     for (int p = 0; p < self->parts; p++) {
         as_i[p] = base + first_behind(sort, 0, count, self->part_start[p]);
     }
     for (size_t k = 0; k < count; k++) {
-        sort[k].key = (uint64_t)(uint32_t)blocks[k / CLOD_LANES].j[k % CLOD_LANES];
+        const size_t at = begin + k;
+        sort[k].key = (uint64_t)(uint32_t)blocks[at / CLOD_LANES].j[at % CLOD_LANES];
     }
     clod_sort(sort, scratch, count); // stable: equal j stay in ascending i
     for (size_t k = 0; k < count; k++) {
@@ -100,13 +102,12 @@ void clod_near_between_add(const clod_near *self, int part, int32_t law, bool as
     const size_t first = self->pairs.group_start[clod_near_group(self, self->parts, 0)];
     const size_t base = (self->pairs.group_start[group] - first) * CLOD_LANES;
     const clod_contact_block *blocks = self->pairs.block;
-    blocks += first;
     const size_t *start = (as_i ? between->as_i : between->as_j) + law * self->parts;
     const size_t end =
         part + 1 < self->parts ? start[part + 1] : base + self->pairs.group_count[group];
     for (size_t k = start[part]; k < end; k++) {
         const size_t number = as_i ? k : (size_t)between->by_later[k];
-        const clod_contact_block *block = &blocks[number / CLOD_LANES];
+        const clod_contact_block *block = &blocks[first + number / CLOD_LANES];
         const int lane = (int)(number % CLOD_LANES);
         if (as_i) {
             add_row(load[block->i[lane]], between->share[2 * number]);
