@@ -49,7 +49,8 @@ static inline clod_law_turned clod_law_spring_turn(const clod_law_frame *frame, 
  *
  * The root of before/after = 1 + e is its series: exact to rounding while the tangent plane
  * turns by less than 2 degrees in a step (e < 1.3e-3), within 1e-9 up to 10 degrees. A spring
- * that a step tilts by more than 45 degrees (e > 1) stays shortened.
+ * that a step tilts by more than 45 degrees (e > 1) stays shortened; one that it turns about
+ * the normal by much more than 10 degrees comes out longer (1e-5 at half a radian).
  *
  * @param inverse_after  1/turned.after
  * Source  docs/theory/tangential.md, docs/adr/0010.   Test  tests/law/test_law_spring.c
