@@ -83,10 +83,12 @@ typedef struct clod_kernel {
                         clod_stored_block *stored);
     /**
      * Half a kick and a whole drift of grains [begin, end); their loads begin anew at zero.
-     * Owed: before that the weight and the half kick that the step before has left to this one.
+     *
+     * @param gravity  NULL, or [3] m/s2: before that the weight and the half kick that the step
+     *                 before has left to this one
      */
     clod_kernel_speed (*drift)(double (*place)[4], double (*motion)[4], double (*turning)[4],
-                               double (*load)[8], const double gravity[3], bool owed, double dt,
+                               double (*load)[8], const double gravity[3], double dt,
                                size_t begin, size_t end);
     /** Weight onto the loads of grains [begin, end), and their second half kick. */
     void (*kick)(double (*motion)[4], double (*turning)[4], double (*load)[8],

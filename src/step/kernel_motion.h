@@ -34,11 +34,11 @@ static inline double kernel_square(const double v[4])
     return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
 
-/** The loop of kernel_drift; `owed` is a constant where it is called. */
+/** The loop of kernel_drift; whether `gravity` is NULL is known where it is called. */
 __attribute__((always_inline)) static inline clod_kernel_speed
 kernel_drift_rows(double (*restrict place)[4], double (*restrict motion)[4],
                   double (*restrict turning)[4], double (*restrict load)[8],
-                  const double gravity[4], bool owed, double dt, size_t begin, size_t end)
+                  const double gravity[4], double dt, size_t begin, size_t end)
 {
     const double step[4] = {dt, dt, dt, 0.0};
     const double half = 0.5 * dt;
@@ -46,7 +46,7 @@ kernel_drift_rows(double (*restrict place)[4], double (*restrict motion)[4],
     for (size_t g = begin; g < end; g++) {
         const double push = half / motion[g][3];
         const double twist = half * turning[g][3];
-        if (owed) {
+        if (gravity != NULL) {
             kernel_weigh(load[g], motion[g][3], gravity);
             kernel_kick_row(motion[g], turning[g], load[g], push, twist);
         }
@@ -67,14 +67,14 @@ kernel_drift_rows(double (*restrict place)[4], double (*restrict motion)[4],
 
 static clod_kernel_speed kernel_drift(double (*restrict place)[4], double (*restrict motion)[4],
                                       double (*restrict turning)[4], double (*restrict load)[8],
-                                      const double gravity[3], bool owed, double dt,
-                                      size_t begin, size_t end)
+                                      const double gravity[3], double dt, size_t begin,
+                                      size_t end)
 {
-    const double g4[4] = {gravity[0], gravity[1], gravity[2], 0.0};
-    if (owed) {
-        return kernel_drift_rows(place, motion, turning, load, g4, true, dt, begin, end);
+    if (gravity == NULL) {
+        return kernel_drift_rows(place, motion, turning, load, NULL, dt, begin, end);
     }
-    return kernel_drift_rows(place, motion, turning, load, g4, false, dt, begin, end);
+    const double g4[4] = {gravity[0], gravity[1], gravity[2], 0.0};
+    return kernel_drift_rows(place, motion, turning, load, g4, dt, begin, end);
 }
 
 static void kernel_kick(double (*restrict motion)[4], double (*restrict turning)[4],

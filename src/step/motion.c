@@ -36,9 +36,9 @@ void clod_step_drift(clod_step *self, int part)
         memcpy(grains->before[c.begin], grains->load[c.begin],
                (c.end - c.begin) * sizeof *grains->load);
     }
-    const clod_kernel_speed seen =
-        self->kernel->drift(grains->place, grains->motion, grains->turning, grains->load,
-                            self->state->gravity, mine->owed, self->state->dt, c.begin, c.end);
+    const clod_kernel_speed seen = self->kernel->drift(
+        grains->place, grains->motion, grains->turning, grains->load,
+        mine->owed ? self->state->gravity : NULL, self->state->dt, c.begin, c.end);
     mine->owed = false;
     mine->max_speed2 = seen.max_speed2;
     mine->finite = seen.finite;
