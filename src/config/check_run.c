@@ -222,6 +222,8 @@ static void check_oscillation(clod_loader *loader, const char *path, const clod_
     }
 }
 
+#define SHAPES_MAX 32767 ///< a candidate keeps the number of its shape in 16 bits
+
 static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
 {
     clod_case_wall *wall = &self->walls[index];
@@ -232,6 +234,12 @@ static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
     clod_check_material(loader, self, key, wall->material);
     if (!clean(loader, path)) {
         return;
+    }
+    if (wall->shape_count > SHAPES_MAX) {
+        snprintf(key, sizeof key, "%s.shapes", path);
+        clod_check_fail(loader, key,
+                        "has %zu shapes, at most %d are allowed; make several walls",
+                        wall->shape_count, SHAPES_MAX);
     }
     for (size_t i = 0; i < wall->shape_count; i++) {
         snprintf(key, sizeof key, "%s.shapes.%zu", path, i);

@@ -179,7 +179,7 @@ clod_law_limit(const clod_law *law, const clod_law_motion *motion, clod_law_tria
         rolls = clod_law_cut_of(trial->pull, clod_law_rolling_limit(law, trial->cap));
         per_roll = rolls.square;
     }
-    vreal_invert2(&per_slip, &per_roll);
+    vreal_invert2(&per_slip, &per_roll); // each 1 or above CLOD_LAW_NOTHING
     const vreal factor = trial->limit * (slides.length * per_slip);
     const vreal3 f_t = clod_law_friction_cut(trial->friction, slides, factor, trial->compliance,
                                              &trial->memory.spring);

@@ -53,7 +53,8 @@ static inline clod_law_motion kernel_contact_motion(const clod_kernel_view *view
     const vreal radii = pi[3] + pj[3];
     const vreal masses = vi[3] + vj[3];
     const vreal overlap = radii - distance;
-    vreal per_square = square, per_radii = radii, per_masses = masses;
+    vreal per_square = vreal_max(square, vreal_set(CLOD_LAW_NOTHING)); // one place for both
+    vreal per_radii = radii, per_masses = masses;
     vreal_invert3(&per_square, &per_radii, &per_masses); // grains: far from over- or underflow
     clod_law_motion motion = {
         .overlap = overlap,
@@ -150,7 +151,7 @@ static inline size_t kernel_prefetch_rows(const clod_kernel_view *view, size_t f
         __builtin_prefetch(view->motion[from], 0, 2);
         __builtin_prefetch(view->turning[from], 0, 2);
         __builtin_prefetch(view->load[from], 1, 2);
-        __builtin_prefetch(view->load[from + 1], 1, 2);
+        __builtin_prefetch(view->load[from + 1], 1, 2); // at the end of a part one row too far
     }
     return from;
 }

@@ -164,6 +164,7 @@ bool clod_step_open_ledger(clod_step *self, clod_status *status)
     self->view.before = (const double(*)[8])self->state->grains.before;
     self->near.ledger = true;
     if (!clod_near_reserve_spent(&self->near)) {
+        self->near.ledger = false;
         return clod_status_fail(status, CLOD_FAILED, "no memory for the energy ledger");
     }
     const clod_energies now = clod_step_energies(self);

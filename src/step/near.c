@@ -338,12 +338,23 @@ static int32_t export_one(clod_state *state, const clod_candidate *c,
     return (int32_t)state->contact_count++;
 }
 
-/** Room for as many contacts as the lists have lanes; contents lost. */
+/** Room for as many contacts as the lists have lanes, and none in it; unchanged without memory.
+ */
 static bool reserve_contacts(const clod_near *self, clod_state *state)
 {
     const size_t most = (self->pairs.count + self->walls.count) * CLOD_LANES;
+    if (most > state->contact_capacity) {
+        const size_t capacity = most + most / 8;
+        void *fresh = clod_memory_alloc(capacity, sizeof *state->contacts);
+        if (fresh == NULL) {
+            return false;
+        }
+        clod_memory_free(state->contacts);
+        state->contacts = fresh;
+        state->contact_capacity = capacity;
+    }
     state->contact_count = state->wall_contact_count = 0;
-    return reserve(&state->contacts, &state->contact_capacity, most, sizeof *state->contacts);
+    return true;
 }
 
 bool clod_near_export(const clod_near *self, clod_neighbour *neighbour, clod_state *state,

@@ -17,7 +17,7 @@ typedef struct clod_near_blocks {
     void *block; ///< clod_contact_block or clod_wall_block
     size_t count, capacity;
     size_t *group_start;     ///< [groups + 1] first block of each group
-    size_t *group_count;     ///< [groups] contacts of each group
+    size_t *group_count;     ///< [groups] contacts of each group; behind them scratch [groups]
     clod_spent_block *spent; ///< [count] with the ledger, else NULL
     size_t spent_capacity;
 } clod_near_blocks;
@@ -38,7 +38,7 @@ typedef struct clod_near {
     size_t *part_start; ///< [parts + 1] first grain of each part
     clod_near_blocks pairs, walls;
     clod_near_between between;
-    int32_t *weight; ///< scratch [grains]: contacts of each grain
+    int32_t *weight; ///< scratch [grains]: work of each grain
     size_t weight_capacity;
     int32_t *wall_slot_start; ///< [walls + 1]; a wall's slots ascend by grain
     int32_t *wall_slot_fill;  ///< scratch

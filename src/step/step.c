@@ -30,12 +30,12 @@ typedef struct clod_stage {
 
 static const clod_stage STAGES[] = {
     // clang-format off
-    {"drift",   clod_step_drift,   FORCE,                       POSITION | VELOCITY | WALLS, true},
+    {"drift",   clod_step_drift,   FORCE | VELOCITY,            POSITION | VELOCITY | FORCE | WALLS, true},
     {"near",    clod_step_near,    POSITION | VELOCITY,         CONTACT_LIST,                false},
     {"between", clod_step_between, POSITION | VELOCITY,         SHARE | HISTORY,             true},
     {"contact", clod_step_contact, POSITION | VELOCITY | SHARE, FORCE | HISTORY,             false},
     {"wall",    clod_step_wall,    POSITION | VELOCITY | WALLS, FORCE | WALL_FORCE | HISTORY, true},
-    {"kick",    clod_step_kick,    FORCE,                       VELOCITY,                    false},
+    {"kick",    clod_step_kick,    0,                           0,                           false},
     {"servo",   clod_step_servo,   WALL_FORCE,                  WALLS,                       false},
     {"ledger",  clod_step_ledger,  HISTORY,                     LEDGER,                      false},
     // clang-format on
@@ -95,6 +95,10 @@ static void advance_all(clod_step *self, int64_t steps)
 
 bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
 {
+    if (self->failed) { // once and for all
+        *status = self->status;
+        return false;
+    }
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].build_motion = self->state->build_motion;
         self->thread[t].near_motion = self->thread[0].near_motion;

@@ -86,7 +86,7 @@ static void three_threads_give_the_bits_of_one(void **state)
     compare((clod_step_options){.threads = 3});
 }
 
-/** Parts of some 40 grains: most contacts lie between two parts. */
+/** Parts of some 40 grains: many contacts lie between two parts. */
 static void seven_threads_give_the_bits_of_one(void **state)
 {
     (void)state;

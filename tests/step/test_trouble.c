@@ -149,6 +149,18 @@ static void an_overlap_with_a_wall_at_the_start(void **state)
         "a smaller time step (now 1e-06 s)");
 }
 
+/** Without a direction between them, and still named. */
+static void two_grains_in_one_place(void **state)
+{
+    (void)state;
+    scene s;
+    two_grains(&s, 0.0);
+    expect_at_start(&s, (clod_step_options){.threads = 1}, CLOD_FAILED,
+                    "step 0: grain 0 overlaps grain 1 by 200.0 % of its radius; the contact "
+                    "laws hold up to 20 %. Stiffen the contact, lower the load, or take a "
+                    "smaller time step (now 1e-06 s)");
+}
+
 static void a_velocity_that_is_not_a_number(void **state)
 {
     (void)state;
@@ -209,6 +221,7 @@ int main(void)
         cmocka_unit_test(a_grain_that_leaves),
         cmocka_unit_test(an_overlap_beyond_the_laws),
         cmocka_unit_test(an_overlap_with_a_wall_at_the_start),
+        cmocka_unit_test(two_grains_in_one_place),
         cmocka_unit_test(a_velocity_that_is_not_a_number),
         cmocka_unit_test(a_spin_without_bounds),
         cmocka_unit_test(a_time_step_far_too_long_is_found_out),
