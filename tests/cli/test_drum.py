@@ -29,11 +29,23 @@ class Drum(clod.Case):
         """Rows below a header up to the end of the run; one that is being written is left out."""
         with open(self.path("log"), "w") as file:
             file.write(LOG)
-        counts = drum.count_liggghts(self.path("log"))
+        counts = drum.count_liggghts([self.path("log")])
         self.assertEqual([round(time, 6) for time in counts], [0, 0.01, 0.03])
         self.assertEqual(list(counts.values()),
                          [[0, 0, 15047, 3963], [1, 2, 15040, 3950], [3, 4, 15030, 3940]])
-        self.assertEqual(drum.count_liggghts(self.path("no log")), {})
+        self.assertEqual(drum.count_liggghts([]), {})
+
+    def test_logs_of_an_interrupted_run(self):
+        """A run that went on at a restart file has a log of its own, and may repeat a row."""
+        first = LOG[:LOG.index("Loop time")]
+        again = first[:first.index("       0")] + "   12500  0.01  38000  1  2  15040  3950  0  0  0\n" \
+            "   25000  0.02  38000  7  8  15035  3945  0  0  0\n"
+        for name, text in (("log", first), ("log.1", again)):
+            with open(self.path(name), "w") as file:
+                file.write(text)
+        counts = drum.count_liggghts([self.path("log"), self.path("log.1")])
+        self.assertEqual([round(time, 6) for time in counts], [0, 0.01, 0.02])
+        self.assertEqual(counts[25000 * drum.STEP], [7, 8, 15035, 3945])
 
     def test_zones(self):
         types = [0, 1, 0, 1, 0, 1, 0]
