@@ -16,7 +16,8 @@ if(CLOD_SANITIZE)
   # LeakSanitizer 14 takes some blocks of thread-local storage for those of glibc 2.19, and then
   # crashes on its way out (google/sanitizers issue 1322); without this it does not look there.
   # It finds no fewer leaks: what only such a block points to would be one too many.
-  list(APPEND CLOD_TEST_ENVIRONMENT ASAN_OPTIONS=intercept_tls_get_addr=0)
+  list(APPEND CLOD_TEST_ENVIRONMENT ASAN_OPTIONS=intercept_tls_get_addr=0
+    LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/tests/support/leaks.txt:print_suppressions=0)
   find_program(SYMBOLIZER NAMES llvm-symbolizer-14 llvm-symbolizer)
   find_library(ARCHER NAMES archer PATHS /usr/lib/llvm-14/lib)
   list(APPEND CLOD_TEST_ENVIRONMENT ASAN_SYMBOLIZER_PATH=${SYMBOLIZER}
