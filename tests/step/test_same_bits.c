@@ -43,11 +43,22 @@ static int end_references(void **state)
     return 0;
 }
 
+/** Contacts between two parts: without any, threads would have been compared with nothing. */
+static size_t contacts_between(const clod_near *near)
+{
+    size_t count = 0;
+    for (int32_t l = 0; l < near->laws; l++) {
+        count += near->pairs.group_count[clod_near_group(near, near->parts, l)];
+    }
+    return count;
+}
+
 static void compare(clod_step_options options)
 {
     for (int kind = 0; kind < BED_KINDS; kind++) {
         scene b;
         run_bed(&b, (bed_kind)kind, options);
+        assert_true(options.threads == 1 || contacts_between(&b.step.near) > 0);
         check_same_bits(&reference[kind].state, &b.state);
         scene_end(&b);
     }
