@@ -1,21 +1,16 @@
 #pragma once
 /**
  * @file wall_pose.h
- * Where a wall is at one moment, and how it moves: from space into the frame in which its
- * shapes were given, and back. Made once per wall and step; using it costs multiplications
- * only.
+ * Where a wall is at one moment: from space into the frame in which its shapes were given, and
+ * back.
  */
 
 #include "state/walls.h"
 
 typedef struct clod_wall_pose {
     clod_vec3 origin;      ///< m, the spin point in space: spin_point + shift
-    clod_vec3 shift;       ///< m
     clod_vec3 point;       ///< m, the spin point in the frame
     double rotation[3][3]; ///< from the frame to space
-    clod_vec3 velocity;    ///< m/s, of the origin, belt motion included
-    clod_vec3 axis;        ///< unit, of the spin
-    double spin;           ///< rad/s
 } clod_wall_pose;
 
 /** Pose of a wall now; turned by exactly nothing when its angle is 0. Threads: pure. */
@@ -26,11 +21,7 @@ static inline clod_wall_pose clod_wall_pose_now(const clod_wall *wall)
     const double s = sin(wall->angle);
     const double cross[3][3] = {{0.0, -u[2], u[1]}, {u[2], 0.0, -u[0]}, {-u[1], u[0], 0.0}};
     clod_wall_pose pose = {.origin = clod_vec3_add(wall->spin_point, wall->shift),
-                           .shift = wall->shift,
-                           .point = wall->spin_point,
-                           .velocity = clod_wall_velocity(wall),
-                           .axis = wall->spin_axis,
-                           .spin = clod_wall_spin(wall)};
+                           .point = wall->spin_point};
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) { // Rodrigues: c 1 + s [u]x + (1 - c) u u^T
             const double diagonal = i == j ? c : 0.0;
@@ -50,13 +41,6 @@ static inline clod_vec3 clod_wall_to_frame(const clod_wall_pose *pose, clod_vec3
                        pose->point.z + r[0][2] * d.x + r[1][2] * d.y + r[2][2] * d.z};
 }
 
-/** Velocity of the wall's material at a point of space [m/s], as clod_wall_velocity_at. */
-static inline clod_vec3 clod_wall_pose_velocity(const clod_wall_pose *pose, clod_vec3 point)
-{
-    const clod_vec3 arm = clod_vec3_sub(point, pose->origin);
-    return clod_vec3_axpy(pose->velocity, pose->spin, clod_vec3_cross(pose->axis, arm));
-}
-
 /** A direction given in the wall's frame, in space. */
 static inline clod_vec3 clod_wall_to_space(const clod_wall_pose *pose, clod_vec3 d)
 {
@@ -64,4 +48,11 @@ static inline clod_vec3 clod_wall_to_space(const clod_wall_pose *pose, clod_vec3
     return (clod_vec3){r[0][0] * d.x + r[0][1] * d.y + r[0][2] * d.z,
                        r[1][0] * d.x + r[1][1] * d.y + r[1][2] * d.z,
                        r[2][0] * d.x + r[2][1] * d.y + r[2][2] * d.z};
+}
+
+/** A point given in the wall's frame, in space [m]. */
+static inline clod_vec3 clod_wall_point_to_space(const clod_wall_pose *pose, clod_vec3 p)
+{
+    const clod_vec3 arm = clod_wall_to_space(pose, clod_vec3_sub(p, pose->point));
+    return clod_vec3_add(pose->origin, arm);
 }

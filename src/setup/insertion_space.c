@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "base/memory.h"
+#include "geometry/wall_pose.h"
 
 static void set_bounds(clod_insertion_space *self, double top)
 {
@@ -39,12 +39,8 @@ bool clod_insertion_space_init(clod_insertion_space *self, const clod_case_regio
     *self = (clod_insertion_space){.region = region, .state = state};
     set_bounds(self, top);
     const clod_walls *walls = &state->walls;
-    self->pose = clod_memory_alloc((size_t)walls->count + 1, sizeof *self->pose);
-    if (self->pose == NULL) {
+    if (!clod_wall_rows_init(&self->walls, walls)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
-    }
-    for (int32_t w = 0; w < walls->count; w++) {
-        self->pose[w] = clod_wall_pose_now(&walls->wall[w]);
     }
     double period[3] = {0.0, 0.0, 0.0};
     for (int a = 0; a < 3; a++) {
@@ -89,12 +85,14 @@ static bool inside(const clod_insertion_space *self, const double place[4])
 }
 
 /** Whether a point beside a shell is on the side where the grains belong. */
-static bool right_side(const clod_shape *shape, clod_vec3 p)
+static bool right_side(const clod_wall *wall, const clod_shape *shape, const double place[4])
 {
     const bool cone = shape->kind == CLOD_SHAPE_CONE;
     if (shape->kind != CLOD_SHAPE_CYLINDER && !cone) {
         return true;
     }
+    const clod_wall_pose pose = clod_wall_pose_now(wall);
+    const clod_vec3 p = clod_wall_to_frame(&pose, (clod_vec3){place[0], place[1], place[2]});
     const clod_vec3 r = clod_vec3_sub(p, shape->center);
     const double height = clod_vec3_dot(r, shape->axis[2]);
     const double rho = clod_vec3_length(clod_vec3_axpy(r, -height, shape->axis[2]));
@@ -107,14 +105,11 @@ static bool right_side(const clod_shape *shape, clod_vec3 p)
 
 static bool clear_of_walls(const clod_insertion_space *self, const double place[4])
 {
-    const clod_vec3 p = {place[0], place[1], place[2]};
     for (int32_t w = 0; w < self->state->walls.count; w++) {
         const clod_wall *wall = &self->state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            const clod_shape *shape = &wall->shapes[s];
-            const clod_gap gap = clod_wall_gap_in_space(&self->pose[w], shape, p);
-            if (gap.distance < place[3] ||
-                !right_side(shape, clod_wall_to_frame(&self->pose[w], p))) {
+            if (clod_wall_rows_gap(&self->walls, w, s, place).distance < place[3] ||
+                !right_side(wall, &wall->shapes[s], place)) {
                 return false;
             }
         }
@@ -170,7 +165,7 @@ bool clod_insertion_space_draw(const clod_insertion_space *self, double place[4]
 
 void clod_insertion_space_fini(clod_insertion_space *self)
 {
-    clod_memory_free(self->pose);
+    clod_wall_rows_fini(&self->walls);
     clod_insertion_grid_fini(&self->grid);
     *self = (clod_insertion_space){0};
 }

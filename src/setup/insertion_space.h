@@ -4,7 +4,7 @@
  * Where a grain may be put: inside a region, clear of walls, clear of other grains.
  */
 
-#include "geometry/wall_gap.h"
+#include "geometry/wall_rows.h"
 #include "setup/insertion_grid.h"
 #include "state/state.h"
 
@@ -13,7 +13,7 @@ typedef struct clod_insertion_space {
     const clod_state *state;        ///< borrowed: its walls and the grains there before
     double low[3], high[3];         ///< m, bounding box of the region
     bool through[3];                ///< the region goes through a whole period
-    clod_wall_pose *pose;           ///< [walls] owned
+    clod_wall_rows walls;           ///< where they are
     clod_insertion_grid grid;
 } clod_insertion_space;
 

@@ -28,7 +28,7 @@ typedef struct clod_contact_block {
 /** Grain-wall contacts; the wall stands for j. */
 typedef struct clod_wall_block {
     int32_t i[CLOD_LANES];
-    int32_t wall[CLOD_LANES], shape[CLOD_LANES]; ///< shape within the wall
+    int32_t wall[CLOD_LANES], shape[CLOD_LANES]; ///< first of their rows in clod_wall_rows
     int32_t slot_wall[CLOD_LANES];               ///< where the wall's share of force goes
     clod_history history;
 } clod_wall_block;

@@ -22,19 +22,12 @@ typedef struct clod_kernel_view {
     const double (*before)[8]; ///< loads of the last step, with the ledger
     double (*load)[8];         ///< where contacts add their force and torque on each grain
     double (*wall_slots)[8];   ///< force and torque on each wall by each of its contacts
+    const double (*shape)[4];  ///< rows of the walls' shapes, and of the walls
+    const double (*wall)[4];   ///< (geometry/wall_rows.h)
     double dt;                 ///< s
     double period[3];          ///< m; 0 where the domain is open
     double inverse_period[3];  ///< 1/m
 } clod_kernel_view;
-
-/** Geometry of one block of wall contacts, computed just before the kernel runs. */
-typedef struct clod_kernel_wall_stage {
-    double distance[CLOD_LANES];    ///< m, of the centre from the surface
-    double normal[3][CLOD_LANES];   ///< from the wall to the grain
-    double velocity[3][CLOD_LANES]; ///< m/s, of the wall's material at the contact
-    double spin[3][CLOD_LANES];     ///< rad/s, of the wall
-    double lever[3][CLOD_LANES]; ///< m, from the wall's reference point to the grain's centre
-} clod_kernel_wall_stage;
 
 /** What the contacts of a block turned into heat in one step [J]. */
 typedef struct clod_spent_block {
@@ -66,21 +59,19 @@ typedef struct clod_kernel {
     bool (*contact)(const clod_kernel_view *view, const clod_law *law,
                     clod_contact_block *blocks, size_t contacts, size_t end,
                     double (*apart)[8]);
-    /** Force of one block of `contacts` wall contacts; true when an overlap is too large. */
-    bool (*wall)(const clod_kernel_view *view, const clod_law *law,
-                 const clod_kernel_wall_stage *stage, clod_wall_block *block, int contacts);
+    /** Force of `contacts` wall contacts of one law; true when an overlap is too large. */
+    bool (*wall)(const clod_kernel_view *view, const clod_law *law, clod_wall_block *blocks,
+                 size_t contacts);
     /** For the ledger, just before `contact` or `wall`: what the block spends in this step. */
     void (*contact_spend)(const clod_kernel_view *view, const clod_law *law,
                           clod_contact_block *block, clod_spent_block *spent);
     void (*wall_spend)(const clod_kernel_view *view, const clod_law *law,
-                       const clod_kernel_wall_stage *stage, clod_wall_block *block,
-                       clod_spent_block *spent);
+                       clod_wall_block *block, clod_spent_block *spent);
     /** Between steps: what the block stores. */
     void (*contact_stored)(const clod_kernel_view *view, const clod_law *law,
                            clod_contact_block *block, clod_stored_block *stored);
     void (*wall_stored)(const clod_kernel_view *view, const clod_law *law,
-                        const clod_kernel_wall_stage *stage, clod_wall_block *block,
-                        clod_stored_block *stored);
+                        clod_wall_block *block, clod_stored_block *stored);
     /**
      * Half a kick and a whole drift of grains [begin, end); their loads begin anew at zero.
      *

@@ -120,9 +120,7 @@ static void store_walls(clod_step *self, size_t q, const clod_law *law, grain_su
     clod_wall_block *blocks = walls->block;
     clod_stored_block stored;
     for (size_t b = walls->group_start[q]; b < walls->group_start[q + 1]; b++) {
-        clod_kernel_wall_stage stage;
-        clod_step_stage_walls(self, &blocks[b], &stage);
-        self->kernel->wall_stored(&self->view, law, &stage, &blocks[b], &stored);
+        self->kernel->wall_stored(&self->view, law, &blocks[b], &stored);
         store_block(&stored, blocks[b].i, contacts_of(walls, q, b), sums);
     }
 }
@@ -148,9 +146,7 @@ static void add_contacts(clod_step *self, clod_energies *e)
 clod_energies clod_step_energies(clod_step *self)
 {
     clod_energies e = {0};
-    for (int32_t w = 0; w < self->state->walls.count; w++) { // someone may have moved them
-        self->pose[w] = clod_wall_pose_now(&self->state->walls.wall[w]);
-    }
+    clod_wall_rows_update(&self->walls, &self->state->walls); // someone may have moved them
     add_grains(self->state, &e);
     add_contacts(self, &e);
     return e;

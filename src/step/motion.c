@@ -13,7 +13,7 @@ static double drift_walls(clod_step *self)
     for (int32_t w = 0; w < self->state->walls.count; w++) {
         clod_wall *wall = &self->state->walls.wall[w];
         clod_wall_move(wall, dt, self->state->step + 1);
-        self->pose[w] = clod_wall_pose_now(wall);
+        clod_wall_rows_place(&self->walls, w, wall);
         fastest = fmax(fastest, clod_wall_speed_bound(wall));
     }
     return fastest;

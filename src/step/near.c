@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "geometry/wall_gap.h"
 #include "step/near_between.h"
 #include "step/near_parts.h"
 
@@ -12,6 +11,7 @@
 typedef struct near_job {
     clod_near *near;
     const clod_state *state;
+    const clod_wall_rows *walls;
     size_t *fill; ///< [groups] contacts placed so far
 } near_job;
 
@@ -27,13 +27,10 @@ static bool pair_is_near(const clod_state *state, const clod_candidate *c, doubl
 }
 
 static bool wall_is_near(const clod_state *state, const clod_candidate *c,
-                         const clod_wall_pose *pose, double skin)
+                         const clod_wall_rows *walls, double skin)
 {
     const double *p = state->grains.place[c->i];
-    const clod_shape *shape = &state->walls.wall[c->j].shapes[c->shape];
-    const clod_gap gap =
-        clod_wall_gap_in_space(&pose[c->j], shape, (clod_vec3){p[0], p[1], p[2]});
-    return gap.distance < p[3] + skin;
+    return clod_wall_rows_gap(walls, c->j, c->shape, p).distance < p[3] + skin;
 }
 
 /** Room for `count` items, contents lost; `capacity` follows. */
@@ -146,8 +143,8 @@ static void place_wall(near_job *job, clod_candidate *c)
     clod_wall_block *block = &blocks[at / CLOD_LANES];
     const int lane = (int)(at % CLOD_LANES);
     block->i[lane] = c->i;
-    block->wall[lane] = c->j;
-    block->shape[lane] = c->shape;
+    block->wall[lane] = CLOD_WALL_ROWS * c->j;
+    block->shape[lane] = clod_wall_rows_shape(job->walls, c->j, c->shape);
     block->slot_wall[lane] = near->wall_slot_fill[c->j]++;
     carry_history(job, c, &block->history, lane);
     c->lane = (int32_t)at;
@@ -182,8 +179,7 @@ static void pad_walls(near_job *job)
             clod_wall_block *block = &blocks[at / CLOD_LANES];
             const int lane = (int)(at % CLOD_LANES);
             block->i[lane] = (int32_t)job->state->grains.count;
-            block->wall[lane] = -1;
-            block->shape[lane] = -1;
+            block->wall[lane] = block->shape[lane] = 0; // any: padding grains touch none
             block->slot_wall[lane] = spare++;
             history_put(&block->history, lane, (double[8]){0.0});
         }
@@ -225,7 +221,7 @@ static bool prepare(clod_near *self, const clod_state *state, const clod_laws *l
 }
 
 static void mark_near(clod_neighbour *neighbour, const clod_state *state,
-                      const clod_wall_pose *pose, double skin)
+                      const clod_wall_rows *walls, double skin)
 {
     for (size_t k = 0; k < neighbour->pairs.count; k++) {
         clod_candidate *c = &neighbour->pairs.item[k];
@@ -233,7 +229,7 @@ static void mark_near(clod_neighbour *neighbour, const clod_state *state,
     }
     for (size_t k = 0; k < neighbour->walls.count; k++) {
         clod_candidate *c = &neighbour->walls.item[k];
-        c->near = wall_is_near(state, c, pose, skin);
+        c->near = wall_is_near(state, c, walls, skin);
     }
 }
 
@@ -254,10 +250,11 @@ static bool layout_wall_slots(clod_near *self, const clod_neighbour *neighbour, 
                    (size_t)self->wall_slot_start[walls] + padding, sizeof *self->wall_slots);
 }
 
-static void place_all(clod_near *self, clod_neighbour *neighbour, const clod_state *state)
+static void place_all(clod_near *self, clod_neighbour *neighbour, const clod_state *state,
+                      const clod_wall_rows *walls)
 {
     const size_t groups = group_number(self);
-    near_job job = {self, state, self->pairs.group_count + groups};
+    near_job job = {self, state, walls, self->pairs.group_count + groups};
     memset(job.fill, 0, groups * sizeof *job.fill);
     for (size_t k = 0; k < neighbour->pairs.count; k++) {
         clod_candidate *c = &neighbour->pairs.item[k];
@@ -300,11 +297,11 @@ static size_t between_count(const clod_near *self)
 }
 
 bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state *state,
-                    const clod_laws *laws, const clod_wall_pose *pose, double skin,
+                    const clod_laws *laws, const clod_wall_rows *walls, double skin,
                     clod_status *status)
 {
     self->skin = skin;
-    mark_near(neighbour, state, pose, skin);
+    mark_near(neighbour, state, walls, skin);
     if (prepare(self, state, laws)) {
         const size_t groups = group_number(self);
         clod_near_cut(self, neighbour, state->grains.count);
@@ -314,7 +311,7 @@ bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state
             reserve_blocks(&self->walls, groups, sizeof(clod_wall_block)) &&
             layout_wall_slots(self, neighbour, state->walls.count) &&
             clod_near_reserve_spent(self)) {
-            place_all(self, neighbour, state);
+            place_all(self, neighbour, state, walls);
             if (clod_neighbour_reserve_sort(neighbour, between_count(self)) &&
                 clod_near_between_make(self, neighbour->sort, neighbour->sort_scratch)) {
                 return true;

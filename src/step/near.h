@@ -57,12 +57,12 @@ static inline size_t clod_near_group(const clod_near *self, int part, int32_t la
  * Make the near list with the histories of state->contacts.
  *
  * @param neighbour  candidates; their lanes, rows of contacts before, are set to the new blocks
- * @param pose       [walls] poses now
+ * @param walls      the walls as they are now
  * @param skin       thin skin [m]
  * @return           false without memory
  */
 bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state *state,
-                    const clod_laws *laws, const clod_wall_pose *pose, double skin,
+                    const clod_laws *laws, const clod_wall_rows *walls, double skin,
                     clod_status *status);
 
 /** Room for what each contact of the list spends, when `ledger` is set. */

@@ -1,7 +1,7 @@
 // How the grains are cut into parts for the threads.
 #include "step/near_parts.h"
 
-/** Work of a contact with a wall in contacts between grains; its gap is found lane by lane. */
+/** Work of a contact with a wall, where one between two grains has 2: its gap comes on top. */
 #define WALL_WORK 3
 
 /** Half a contact's work for each of its grains; a wall leaves all to the grain. */
@@ -10,7 +10,7 @@ static void weigh(int32_t *weight, const clod_candidates *candidates)
     for (size_t k = 0; k < candidates->count; k++) {
         const clod_candidate *c = &candidates->item[k];
         const bool wall = c->shape >= 0;
-        weight[c->i] += wall ? 2 * WALL_WORK * c->near : c->near;
+        weight[c->i] += wall ? WALL_WORK * c->near : c->near;
         weight[wall ? c->i : c->j] += wall ? 0 : c->near;
     }
 }

@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "base/memory.h"
-#include "geometry/wall_gap.h"
 #include "step/cells.h"
 
 /** Wide skin as a fraction of the largest radius: few candidates against rare rebuilds. */
@@ -43,11 +42,9 @@ static bool find_walls(clod_neighbour *self, const clod_state *state, const clod
         const double *p = state->build_place[g];
         for (int32_t w = 0; w < state->walls.count; w++) {
             const clod_wall *wall = &state->walls.wall[w];
-            const clod_wall_pose *pose = &self->build_pose[w];
             for (int32_t s = 0; s < wall->shape_count; s++) {
-                const clod_gap gap = clod_wall_gap_in_space(pose, &wall->shapes[s],
-                                                            (clod_vec3){p[0], p[1], p[2]});
-                if (gap.distance >= p[3] + self->skin) {
+                if (clod_wall_rows_gap(&self->build_rows, w, s, p).distance >=
+                    p[3] + self->skin) {
                     continue;
                 }
                 clod_candidate *c = clod_neighbour_add(&self->walls);
@@ -62,21 +59,18 @@ static bool find_walls(clod_neighbour *self, const clod_state *state, const clod
     return true;
 }
 
-static bool poses_at_rebuild(clod_neighbour *self, const clod_state *state)
+static bool walls_at_rebuild(clod_neighbour *self, const clod_state *state)
 {
-    const size_t count = (size_t)state->walls.count;
-    if (self->build_pose == NULL && count > 0) {
-        self->build_pose = clod_memory_alloc(count, sizeof *self->build_pose);
-        if (self->build_pose == NULL) {
-            return false;
-        }
+    if (self->build_rows.shape == NULL &&
+        !clod_wall_rows_init(&self->build_rows, &state->walls)) {
+        return false;
     }
-    for (size_t w = 0; w < count; w++) {
+    for (int32_t w = 0; w < state->walls.count; w++) {
         clod_wall then = state->walls.wall[w];
-        const double *at = &state->build_walls[4 * w];
+        const double *at = &state->build_walls[4 * (size_t)w];
         then.shift = (clod_vec3){at[0], at[1], at[2]};
         then.angle = at[3];
-        self->build_pose[w] = clod_wall_pose_now(&then);
+        clod_wall_rows_place(&self->build_rows, w, &then);
     }
     return true;
 }
@@ -110,7 +104,7 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
                           clod_status *status)
 {
     self->pairs.count = 0;
-    if (!poses_at_rebuild(self, state) || !find_walls(self, state, laws) ||
+    if (!walls_at_rebuild(self, state) || !find_walls(self, state, laws) ||
         !(self->brute_force ? clod_cells_all_pairs(self, state, laws)
                             : clod_cells_find_pairs(self, state, laws))) {
         return clod_status_fail(status, CLOD_FAILED,
@@ -137,7 +131,7 @@ void clod_neighbour_fini(clod_neighbour *self)
 {
     clod_memory_free(self->pairs.item);
     clod_memory_free(self->walls.item);
-    clod_memory_free(self->build_pose);
+    clod_wall_rows_fini(&self->build_rows);
     clod_memory_free(self->cell_of);
     clod_memory_free(self->cell_item);
     clod_memory_free(self->cell_start);

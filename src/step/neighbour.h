@@ -12,7 +12,7 @@
 #include <stdint.h>
 
 #include "base/sort.h"
-#include "geometry/wall_pose.h"
+#include "geometry/wall_rows.h"
 #include "law/law.h"
 #include "state/state.h"
 
@@ -35,7 +35,7 @@ typedef struct clod_neighbour {
     bool brute_force;
     double radius_min, radius_max;
     clod_candidates pairs, walls;
-    clod_wall_pose *build_pose; ///< [walls] at the last rebuild
+    clod_wall_rows build_rows; ///< of the walls at the last rebuild
     // scratch, kept between rebuilds
     int32_t *cell_of, *cell_item; ///< [grains]
     int32_t *cell_start;          ///< [cells + 1]

@@ -15,7 +15,7 @@ static void refresh(clod_step *self, double speed)
     const double skin = fmin(fmax(thin, lasting), self->neighbour.skin);
     self->failed =
         !clod_near_export(&self->near, &self->neighbour, self->state, true, &self->status) ||
-        !clod_near_make(&self->near, &self->neighbour, self->state, self->laws, self->pose,
+        !clod_near_make(&self->near, &self->neighbour, self->state, self->laws, &self->walls,
                         skin, &self->status);
     self->refreshes++;
 }
@@ -26,7 +26,7 @@ static void rebuild(clod_step *self)
         !clod_near_export(&self->near, &self->neighbour, self->state, true, &self->status) ||
         !clod_neighbour_sort(&self->neighbour, self->state, &self->status) ||
         !clod_neighbour_build(&self->neighbour, self->state, self->laws, &self->status) ||
-        !clod_near_make(&self->near, &self->neighbour, self->state, self->laws, self->pose,
+        !clod_near_make(&self->near, &self->neighbour, self->state, self->laws, &self->walls,
                         NEAR_FRACTION * self->neighbour.radius_min, &self->status);
     self->rebuilds++;
 }

@@ -116,17 +116,12 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
 
 static bool allocate(clod_step *self)
 {
-    const size_t walls = (size_t)self->state->walls.count;
     self->thread = clod_memory_alloc((size_t)self->threads, sizeof *self->thread);
-    self->pose = clod_memory_alloc(walls + 1, sizeof *self->pose);
-    if (self->thread == NULL || self->pose == NULL) {
+    if (self->thread == NULL || !clod_wall_rows_init(&self->walls, &self->state->walls)) {
         return false;
     }
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].finite = self->thread[t].all_finite = true;
-    }
-    for (size_t w = 0; w < walls; w++) {
-        self->pose[w] = clod_wall_pose_now(&self->state->walls.wall[w]);
     }
     return true;
 }
@@ -140,7 +135,9 @@ static void look(clod_step *self)
                                     .turning = (const double(*)[4])grains->turning,
                                     .before = (const double(*)[8])grains->before,
                                     .load = grains->load,
-                                    .wall_slots = self->near.wall_slots};
+                                    .wall_slots = self->near.wall_slots,
+                                    .shape = (const double(*)[4])self->walls.shape,
+                                    .wall = (const double(*)[4])self->walls.wall};
     for (int a = 0; a < 3; a++) {
         const clod_domain *domain = &self->state->domain;
         if (domain->periodic[a]) {
@@ -180,7 +177,7 @@ static bool build_lists(clod_step *self, clod_status *status)
         return false;
     }
     return clod_neighbour_build(&self->neighbour, state, self->laws, status) &&
-           clod_near_make(&self->near, &self->neighbour, state, self->laws, self->pose,
+           clod_near_make(&self->near, &self->neighbour, state, self->laws, &self->walls,
                           0.01 * self->neighbour.radius_min, status);
 }
 
@@ -250,6 +247,6 @@ void clod_step_fini(clod_step *self)
     clod_neighbour_fini(&self->neighbour);
     clod_near_fini(&self->near);
     clod_memory_free(self->thread);
-    clod_memory_free(self->pose);
+    clod_wall_rows_fini(&self->walls);
     *self = (clod_step){0};
 }

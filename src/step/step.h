@@ -41,7 +41,7 @@ typedef struct clod_step {
     clod_step_thread *thread; ///< [threads]
     clod_neighbour neighbour; ///< candidates
     clod_near near;           ///< contact blocks
-    clod_wall_pose *pose;     ///< [walls] of this step
+    clod_wall_rows walls;     ///< where they are in this step
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
     bool failed;           ///< a rebuild went wrong; status says why
     clod_status status;
@@ -100,7 +100,3 @@ void clod_step_ledger(clod_step *self, int part);
 
 /** After the last step: the half kick that is owed. */
 void clod_step_settle(clod_step *self, int part);
-
-/** Gap, normal and velocity of a block of wall contacts. */
-void clod_step_stage_walls(const clod_step *self, const clod_wall_block *block,
-                           clod_kernel_wall_stage *stage);

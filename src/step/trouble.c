@@ -3,8 +3,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "geometry/wall_gap.h"
-
 static bool row_is_finite(const double *row, int count)
 {
     for (int c = 0; c < count; c++) {
@@ -50,10 +48,7 @@ static double overlap_fraction(const clod_step *self, int32_t i, int32_t j)
 static double wall_overlap_fraction(const clod_step *self, const clod_candidate *c)
 {
     const double *p = self->state->grains.place[c->i];
-    const clod_shape *shape = &self->state->walls.wall[c->j].shapes[c->shape];
-    const clod_gap gap =
-        clod_wall_gap_in_space(&self->pose[c->j], shape, (clod_vec3){p[0], p[1], p[2]});
-    return (p[3] - gap.distance) / p[3];
+    return (p[3] - clod_wall_rows_gap(&self->walls, c->j, c->shape, p).distance) / p[3];
 }
 
 static bool report_overlap(const clod_step *self, clod_status *status)

@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "geometry/wall_gap.h"
+#include "geometry/wall_pose.h"
 #include "support/check.h"
 
 static double uniform(uint64_t item, uint64_t draw)
@@ -253,43 +254,6 @@ static void pose_turns_about_the_spin_point_and_back(void **state)
     check_close(clod_vec3_length(clod_vec3_sub(forth, turned)), 0.0, 1e-15);
 }
 
-static void pose_of_a_wall_at_rest_changes_no_bit(void **state)
-{
-    (void)state;
-    clod_wall wall = turned_wall();
-    wall.angle = 0.0;
-    wall.shift = wall.spin_point = (clod_vec3){0.0, 0.0, 0.0};
-    const clod_wall_pose pose = clod_wall_pose_now(&wall);
-    const clod_vec3 p = {0.7, -0.4, 1.1};
-    const clod_vec3 q = clod_wall_to_frame(&pose, p);
-    assert_true(p.x == q.x && p.y == q.y && p.z == q.z);
-}
-
-static void symmetric_shape_is_the_same_at_any_angle(void **state)
-{
-    (void)state;
-    const clod_wall wall = turned_wall();
-    const clod_wall_pose pose = clod_wall_pose_now(&wall);
-    clod_shape s = annulus_1_2();
-    tilt(s.axis);
-    const clod_vec3 turn = clod_vec3_unit(clod_vec3_cross(s.axis[2], wall.spin_axis));
-    const double angle = acos(clod_vec3_dot(s.axis[2], wall.spin_axis));
-    for (int a = 0; a < 3; a++) { // its axis on the spin axis
-        s.axis[a] = clod_vec3_rotate(s.axis[a], turn, angle);
-    }
-    s.center = clod_vec3_axpy(wall.spin_point, 0.4, wall.spin_axis);
-    clod_shape flagged = s;
-    flagged.symmetric = true;
-    for (uint64_t i = 0; i < 1000; i++) {
-        const clod_vec3 p = random_point(i);
-        const clod_gap turned = clod_wall_gap_in_space(&pose, &s, p);
-        const clod_gap still = clod_wall_gap_in_space(&pose, &flagged, p);
-        check_close(still.distance, turned.distance, 1e-13);
-        const clod_vec3 d = clod_vec3_sub(still.normal, turned.normal);
-        check_close(clod_vec3_length(d), 0.0, 1e-12);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -301,8 +265,6 @@ int main(void)
         cmocka_unit_test(distance_is_continuous_everywhere),
         cmocka_unit_test(no_sampled_point_of_the_surface_is_nearer),
         cmocka_unit_test(pose_turns_about_the_spin_point_and_back),
-        cmocka_unit_test(pose_of_a_wall_at_rest_changes_no_bit),
-        cmocka_unit_test(symmetric_shape_is_the_same_at_any_angle),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

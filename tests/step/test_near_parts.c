@@ -20,7 +20,7 @@ static void check_cover(const clod_near *near, size_t grains)
     }
 }
 
-/** Work of each grain: 2 for moving it, 1 for each pair that it is in, 6 for each wall. */
+/** Work of each grain: 2 for moving it, 1 for each pair that it is in, 3 for each wall. */
 static int64_t work_of(const scene *s, int64_t *work)
 {
     const clod_near *near = &s->step.near;
@@ -42,8 +42,8 @@ static int64_t work_of(const scene *s, int64_t *work)
     for (size_t at = 0; at < near->walls.count * CLOD_LANES; at++) {
         const int32_t i = walls[at / CLOD_LANES].i[at % CLOD_LANES];
         if (i < grains) {
-            work[i] += 6;
-            all += 6;
+            work[i] += 3;
+            all += 3;
         }
     }
     return all;

@@ -21,14 +21,14 @@ static void rewind_to(scene *s, const clod_state *start)
         clod_shape *shapes = s->state.walls.wall[w].shapes;
         s->state.walls.wall[w] = start->walls.wall[w];
         s->state.walls.wall[w].shapes = shapes;
-        s->step.pose[w] = clod_wall_pose_now(&s->state.walls.wall[w]);
     }
+    clod_wall_rows_update(&s->step.walls, &s->state.walls);
     s->state.contact_count = s->state.wall_contact_count = 0;
     s->step.thread[0].near_motion = 0.0;
     assert_true(clod_neighbour_sort(&s->step.neighbour, &s->state, &status) &&
                 clod_neighbour_build(&s->step.neighbour, &s->state, &s->laws, &status) &&
                 clod_near_make(&s->step.near, &s->step.neighbour, &s->state, &s->laws,
-                               s->step.pose, 1e-5, &status));
+                               &s->step.walls, 1e-5, &status));
     s->step.view.wall_slots = s->step.near.wall_slots;
 }
 

@@ -1,0 +1,55 @@
+#pragma once
+/**
+ * @file wall_rows.h
+ * All walls as they are at one moment, in rows of four numbers that kernels load by number: the
+ * shapes of all walls in space (wall_closest.h), and how each wall moves. Turned and shifted
+ * once per wall and step, so a contact meets its shape where it is.
+ *
+ * A shape that its wall's turning leaves where it is (clod_shape.symmetric) is never turned,
+ * and one of a wall at rest is exactly the one that was given.
+ */
+
+#include "geometry/wall_closest.h"
+#include "geometry/wall_gap.h"
+#include "state/walls.h"
+
+/** Rows of a shape, and of a wall: its velocity [m/s], its spin [rad/s], where it turns [m]. */
+enum { CLOD_SHAPE_ROWS = 4, CLOD_WALL_ROWS = 3 };
+
+typedef struct clod_wall_rows {
+    double (*shape)[4];   ///< [shapes * CLOD_SHAPE_ROWS]
+    double (*wall)[4];    ///< [walls * CLOD_WALL_ROWS]
+    int32_t *first_shape; ///< [walls + 1] number of each wall's first shape
+    double (*at)[4];      ///< [walls] shift and angle that its shapes' rows are for
+} clod_wall_rows;
+
+/**
+ * Rows of the walls where they are now.
+ *
+ * @return  false without memory
+ * Errors  false.   Threads  pure.   Test  tests/geometry/test_wall_rows.c
+ */
+bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls);
+
+/** The walls have moved: the same rows for where they are now. */
+void clod_wall_rows_update(clod_wall_rows *self, const clod_walls *walls);
+
+/** Rows of wall `w` alone, where `wall` says it is. */
+void clod_wall_rows_place(clod_wall_rows *self, int32_t w, const clod_wall *wall);
+
+/** First row of a shape of a wall. */
+static inline int32_t clod_wall_rows_shape(const clod_wall_rows *self, int32_t w, int32_t shape)
+{
+    return CLOD_SHAPE_ROWS * (self->first_shape[w] + shape);
+}
+
+/** Gap between a shape of a wall and a point of space [m]. */
+static inline clod_gap clod_wall_rows_gap(const clod_wall_rows *self, int32_t w, int32_t shape,
+                                          const double p[3])
+{
+    return clod_wall_gap_rows((const double(*)[4])self->shape +
+                                  clod_wall_rows_shape(self, w, shape),
+                              (clod_vec3){p[0], p[1], p[2]});
+}
+
+void clod_wall_rows_fini(clod_wall_rows *self);

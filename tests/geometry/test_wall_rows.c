@@ -1,0 +1,210 @@
+// Rows of walls in space (src/geometry/wall_rows.c): the same gaps as in the wall's frame,
+// where the point is taken back by the wall's pose; velocities against clod_wall_velocity_at.
+
+#include "base/random.h"
+#include "geometry/wall_pose.h"
+#include "geometry/wall_rows.h"
+#include "support/check.h"
+
+enum { KINDS = 7, POINTS = 1000 };
+
+static double between(double from, double to, uint64_t item, uint64_t draw)
+{
+    return from + (to - from) * clod_random_uniform(11, CLOD_RANDOM_TEST, item, draw);
+}
+
+static clod_vec3 random_point(uint64_t item)
+{
+    return (clod_vec3){between(-4.0, 4.0, item, 0), between(-4.0, 4.0, item, 1),
+                       between(-4.0, 4.0, item, 2)};
+}
+
+/** One shape of every kind, tilted and beside the origin. */
+static void make_shapes(clod_shape shapes[KINDS])
+{
+    static const clod_shape_kind ALL[KINDS] = {
+        CLOD_SHAPE_PLANE, CLOD_SHAPE_DISC, CLOD_SHAPE_ANNULUS, CLOD_SHAPE_CYLINDER,
+        CLOD_SHAPE_CONE,  CLOD_SHAPE_BOX,  CLOD_SHAPE_BAR};
+    const clod_vec3 turn = clod_vec3_unit((clod_vec3){1.0, -2.0, 0.5});
+    for (int k = 0; k < KINDS; k++) {
+        clod_shape *s = &shapes[k];
+        *s = (clod_shape){.kind = ALL[k],
+                          .center = {0.3, -0.2 * k, 0.1},
+                          .outer = 2.0,
+                          .half = {0.5, 1.0, 1.5},
+                          .side = k % 2 == 0 ? CLOD_SIDE_INSIDE : CLOD_SIDE_OUTSIDE};
+        s->inner = s->kind == CLOD_SHAPE_DISC ? 0.0 : 0.8;
+        s->axis[0] = clod_vec3_rotate((clod_vec3){1.0, 0.0, 0.0}, turn, 0.7 + k);
+        s->axis[1] = clod_vec3_rotate((clod_vec3){0.0, 1.0, 0.0}, turn, 0.7 + k);
+        s->axis[2] = clod_vec3_rotate((clod_vec3){0.0, 0.0, 1.0}, turn, 0.7 + k);
+    }
+}
+
+/** A wall that moves in every way, and one at rest, with the same shapes. */
+static void make_walls(clod_wall wall[2], clod_shape *shapes)
+{
+    wall[0] = (clod_wall){.spin_axis = clod_vec3_unit((clod_vec3){1.0, 2.0, -0.5}),
+                          .spin_point = {0.1, 0.2, -0.3},
+                          .shift = {1.0, -2.0, 0.5},
+                          .angle = 2.3,
+                          .velocity = {0.4, 0.1, -0.2},
+                          .surface_velocity = {0.0, 0.5, 0.0},
+                          .spin = 2.0,
+                          .load_axis = {0.0, 0.0, -1.0},
+                          .servo_velocity = 0.25};
+    wall[1] = (clod_wall){.spin_axis = {0.0, 0.0, 1.0}};
+    for (int w = 0; w < 2; w++) {
+        wall[w].shapes = shapes;
+        wall[w].shape_count = KINDS;
+    }
+}
+
+static double apart(clod_vec3 a, clod_vec3 b)
+{
+    return clod_vec3_length(clod_vec3_sub(a, b));
+}
+
+static void gaps_are_those_of_the_turned_wall(void **state)
+{
+    (void)state;
+    clod_shape shapes[KINDS];
+    clod_wall wall[2];
+    make_shapes(shapes);
+    make_walls(wall, shapes);
+    clod_wall_rows rows;
+    assert_true(clod_wall_rows_init(&rows, &(clod_walls){.count = 2, .wall = wall}));
+    const clod_wall_pose pose = clod_wall_pose_now(&wall[0]);
+    for (uint64_t i = 0; i < POINTS; i++) {
+        const clod_vec3 p = random_point(i);
+        for (int s = 0; s < KINDS; s++) {
+            const clod_gap gap = clod_wall_rows_gap(&rows, 0, s, (double[3]){p.x, p.y, p.z});
+            const clod_gap framed = clod_wall_gap(&shapes[s], clod_wall_to_frame(&pose, p));
+            check_close(gap.distance, framed.distance, 1e-14);
+            check_close(apart(gap.normal, clod_wall_to_space(&pose, framed.normal)), 0.0,
+                        1e-12);
+        }
+    }
+    clod_wall_rows_fini(&rows);
+}
+
+static void wall_at_rest_has_the_shapes_that_were_given(void **state)
+{
+    (void)state;
+    clod_shape shapes[KINDS];
+    clod_wall wall[2];
+    make_shapes(shapes);
+    make_walls(wall, shapes);
+    clod_wall_rows rows;
+    assert_true(clod_wall_rows_init(&rows, &(clod_walls){.count = 2, .wall = wall}));
+    for (int s = 0; s < KINDS; s++) {
+        const clod_vec3 p = random_point((uint64_t)s);
+        const clod_gap gap = clod_wall_rows_gap(&rows, 1, s, (double[3]){p.x, p.y, p.z});
+        const clod_gap given = clod_wall_gap(&shapes[s], p);
+        assert_true(gap.distance == given.distance);
+        assert_true(apart(gap.normal, given.normal) == 0.0);
+    }
+    clod_wall_rows_fini(&rows);
+}
+
+// Shapes with their axis on the wall's: turning them changes nothing but the last bits.
+static void symmetric_shape_is_the_same_at_any_angle(void **state)
+{
+    (void)state;
+    clod_shape shapes[2 * KINDS];
+    clod_wall wall[2];
+    make_shapes(shapes);
+    make_walls(wall, shapes);
+    const clod_vec3 axis = wall[0].spin_axis;
+    for (int k = 0; k < KINDS; k++) {
+        clod_shape *s = &shapes[k];
+        s->center = clod_vec3_axpy(wall[0].spin_point, 0.1 * k, axis);
+        s->axis[0] = clod_vec3_unit(clod_vec3_cross(axis, (clod_vec3){0.0, 0.0, 1.0}));
+        s->axis[1] = clod_vec3_cross(axis, s->axis[0]);
+        s->axis[2] = axis;
+        shapes[KINDS + k] = *s;
+        shapes[KINDS + k].symmetric = true;
+    }
+    wall[0].shape_count = 2 * KINDS;
+    clod_wall_rows rows;
+    assert_true(clod_wall_rows_init(&rows, &(clod_walls){.count = 1, .wall = wall}));
+    for (uint64_t i = 0; i < POINTS; i++) {
+        const clod_vec3 p = random_point(i);
+        for (int k = 0; k < KINDS; k++) {
+            if (shapes[k].kind == CLOD_SHAPE_BOX || shapes[k].kind == CLOD_SHAPE_BAR) {
+                continue;
+            }
+            const double at[3] = {p.x, p.y, p.z};
+            const clod_gap turned = clod_wall_rows_gap(&rows, 0, k, at);
+            const clod_gap still = clod_wall_rows_gap(&rows, 0, KINDS + k, at);
+            check_close(still.distance, turned.distance, 1e-13);
+            check_close(apart(still.normal, turned.normal), 0.0, 1e-12);
+        }
+    }
+    clod_wall_rows_fini(&rows);
+}
+
+static void rows_follow_a_wall_that_moves(void **state)
+{
+    (void)state;
+    clod_shape shapes[KINDS];
+    clod_wall wall[2];
+    make_shapes(shapes);
+    make_walls(wall, shapes);
+    const clod_walls walls = {.count = 2, .wall = wall};
+    clod_wall_rows rows, fresh;
+    assert_true(clod_wall_rows_init(&rows, &walls));
+    for (int64_t step = 1; step <= 3; step++) {
+        clod_wall_move(&wall[0], 0.1, step);
+        clod_wall_rows_update(&rows, &walls);
+        assert_true(clod_wall_rows_init(&fresh, &walls));
+        for (int s = 0; s < KINDS * CLOD_SHAPE_ROWS; s++) {
+            for (int c = 0; c < 4; c++) {
+                assert_true(rows.shape[s][c] == fresh.shape[s][c]);
+            }
+        }
+        clod_wall_rows_fini(&fresh);
+    }
+    clod_wall_rows_fini(&rows);
+}
+
+/** Velocity of the material at a point from the rows: v + w x (p - origin). */
+static clod_vec3 velocity_at(const double (*row)[4], clod_vec3 p)
+{
+    const clod_vec3 arm = {p.x - row[2][0], p.y - row[2][1], p.z - row[2][2]};
+    const clod_vec3 spin = {row[1][0], row[1][1], row[1][2]};
+    return clod_vec3_add((clod_vec3){row[0][0], row[0][1], row[0][2]},
+                         clod_vec3_cross(spin, arm));
+}
+
+static void rows_tell_how_a_wall_moves(void **state)
+{
+    (void)state;
+    clod_shape shapes[KINDS];
+    clod_wall wall[2];
+    make_shapes(shapes);
+    make_walls(wall, shapes);
+    clod_wall_rows rows;
+    assert_true(clod_wall_rows_init(&rows, &(clod_walls){.count = 2, .wall = wall}));
+    for (uint64_t i = 0; i < POINTS; i++) {
+        const clod_vec3 p = random_point(i);
+        for (int w = 0; w < 2; w++) {
+            const double(*row)[4] =
+                (const double(*)[4])rows.wall + (ptrdiff_t)CLOD_WALL_ROWS * w;
+            check_close(apart(velocity_at(row, p), clod_wall_velocity_at(&wall[w], p)), 0.0,
+                        1e-13);
+        }
+    }
+    clod_wall_rows_fini(&rows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(gaps_are_those_of_the_turned_wall),
+        cmocka_unit_test(wall_at_rest_has_the_shapes_that_were_given),
+        cmocka_unit_test(symmetric_shape_is_the_same_at_any_angle),
+        cmocka_unit_test(rows_follow_a_wall_that_moves),
+        cmocka_unit_test(rows_tell_how_a_wall_moves),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
