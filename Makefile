@@ -3,8 +3,8 @@
 #   make run               set up, build, run the full ring shear test of the 5 % ore
 #   make run ARGS=--fresh  the same, with options for `clod run`
 #   make test              set up, build, run every test and check
-.PHONY: build run test verify validate cross bench bench-peers format lint package install clean help setup \
-	setup-test setup-peers
+.PHONY: build run test verify validate cross bench bench-peers check-arm format lint package install clean help \
+	setup setup-test setup-peers setup-arm
 .DEFAULT_GOAL := build
 
 ARGS :=
@@ -21,6 +21,9 @@ setup-test: ## install the packages that the tests need as well
 
 setup-peers: ## install LIGGGHTS and LAMMPS too, for comparison (500 MB)
 	@tools/setup peers
+
+setup-arm: ## install a compiler and an emulator for 64-bit ARM (300 MB)
+	@tools/setup arm
 
 build: setup ## build the program, build/release/clod
 	@cmake --preset release -DCLOD_TESTS=OFF --log-level=WARNING
@@ -59,6 +62,9 @@ bench: setup-test build ## measure the speed of the step into bench/results/step
 bench-peers: setup-peers build ## measure beside LIGGGHTS and LAMMPS into bench/results/peers.md, with ARGS
 	@cmake --build --preset release --target bench
 	@bench/run-peers $(RELEASE)/bench $(ARGS)
+
+check-arm: setup-arm build ## see that clod gives the same bits on 64-bit ARM, in qemu
+	@tools/check-arm $(RELEASE)/clod
 
 format: setup-test ## put all sources into the house format
 	clang-format-14 -i $$(find src include app tests bench -name '*.[ch]')

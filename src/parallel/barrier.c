@@ -16,15 +16,19 @@ static inline void relax(void)
 {
 #if defined(__x86_64__)
     __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    __asm__ volatile("yield");
 #endif
 }
 
 /** The last one opens the next round. Whoever falls asleep meanwhile has said so before it
- * looks at the round again, and both are in one total order: it sees the round, or is seen. */
+ * looks at the round again, and both are in one total order: it sees the round, or is seen.
+ * An exchange, not a store: qemu's ARM on x86 lets the load overtake a store (docs/adr/0014).
+ */
 static void open_round(clod_barrier *self, unsigned round)
 {
     atomic_store_explicit(&self->arrived, 0, memory_order_relaxed);
-    atomic_store(&self->round, round + 1);
+    atomic_exchange(&self->round, round + 1);
     if (atomic_load(&self->sleepers) > 0) {
         pthread_mutex_lock(&self->lock);
         pthread_cond_broadcast(&self->woken);

@@ -131,7 +131,7 @@ static bool check_request(const clod_case *from, const clod_run_options *options
     return clod_kernel_choose(options->simd) != NULL ||
            clod_status_fail(status, CLOD_USAGE,
                             "instruction set '%s' is unknown or not in this machine; use "
-                            "scalar, avx2 or avx512, or leave it out for the best",
+                            "scalar, avx2, avx512 or neon, or leave it out for the best",
                             options->simd);
 }
 

@@ -28,6 +28,8 @@
 #include "simd/avx512.h"
 #elif defined(CLOD_SIMD_AVX2)
 #include "simd/avx2.h"
+#elif defined(CLOD_SIMD_NEON)
+#include "simd/neon.h"
 #else
 #include "simd/scalar.h"
 #endif

@@ -89,7 +89,7 @@ typedef struct clod_kernel {
 /**
  * Kernel of an instruction set.
  *
- * @param name  "scalar", "avx2", "avx512", or NULL for the best one of this machine
+ * @param name  "scalar", "avx2", "avx512", "neon", or NULL for the best one of this machine
  * @return      static kernel, or NULL when the set is unknown or this machine lacks it
  * Errors  NULL.   Threads  pure.
  */

@@ -31,7 +31,13 @@ static bool machine_has(const clod_kernel *kernel)
     return kernel != NULL;
 }
 
+#if defined(__aarch64__)
+extern const clod_kernel clod_kernel_neon;
+
+static const clod_kernel *const KERNELS[] = {&clod_kernel_neon, &clod_kernel_scalar};
+#else
 static const clod_kernel *const KERNELS[] = {&clod_kernel_scalar};
+#endif
 #endif
 
 const clod_kernel *clod_kernel_choose(const char *name)

@@ -212,7 +212,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
     if (self->kernel == NULL) {
         return clod_status_fail(status, CLOD_USAGE,
                                 "instruction set '%s' is unknown or not in this machine; use "
-                                "scalar, avx2 or avx512, or leave it out for the best",
+                                "scalar, avx2, avx512 or neon, or leave it out for the best",
                                 options->simd != NULL ? options->simd : "best");
     }
     self->threads = options->threads > 0 ? options->threads : clod_threads_available();

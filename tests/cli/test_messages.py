@@ -64,8 +64,8 @@ class Messages(clod.Case):
         self.refused(["run"], "which case?", "clod new ring-shear")
         self.refused(["run", BOX, RING], "one case at a time")
         self.refused(["run", BOX, "--set"], "requires an argument")
-        self.refused(["run", BOX, "--simd", "neon", "-o", "x"],
-                     "instruction set 'neon' is unknown", "scalar, avx2 or avx512")
+        self.refused(["run", BOX, "--simd", "mmx", "-o", "x"],
+                     "instruction set 'mmx' is unknown", "scalar, avx2, avx512 or neon")
         self.refused(["run", BOX, "--output="], "--output: the name of a folder is needed")
         self.assertEqual(os.listdir(self.folder), [], "wrong options leave no folder")
 

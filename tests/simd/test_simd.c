@@ -297,6 +297,13 @@ static void avx512_is_plain_c(void **state)
     (void)state;
     check_set("avx512", &vocabulary_avx512, 8);
 }
+#elif defined(__aarch64__)
+static void neon_is_plain_c(void **state)
+{
+    (void)state;
+    assert_int_equal(vocabulary_neon.width, 2);
+    check_all(&vocabulary_neon);
+}
 #endif
 
 int main(void)
@@ -306,6 +313,8 @@ int main(void)
 #if defined(__x86_64__)
         cmocka_unit_test(avx2_is_plain_c),
         cmocka_unit_test(avx512_is_plain_c),
+#elif defined(__aarch64__)
+        cmocka_unit_test(neon_is_plain_c),
 #endif
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -48,4 +48,6 @@ extern const vocabulary vocabulary_scalar;
 #if defined(__x86_64__)
 extern const vocabulary vocabulary_avx2;
 extern const vocabulary vocabulary_avx512;
+#elif defined(__aarch64__)
+extern const vocabulary vocabulary_neon;
 #endif

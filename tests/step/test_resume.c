@@ -41,7 +41,7 @@ static void finish(scene *s)
 static void a_run_cut_at_random_goes_on_with_the_same_bits(void **state)
 {
     (void)state;
-    const char *const sets[] = {"scalar", "avx2", "avx512"};
+    const char *const sets[] = {"scalar", "avx2", "avx512", "neon"};
     dice roll = {5};
     for (int kind = 0; kind < BED_KINDS; kind++) {
         scene whole, cut;
@@ -51,7 +51,7 @@ static void a_run_cut_at_random_goes_on_with_the_same_bits(void **state)
         scene_open_ledger(&cut);
         for (int k = 0; k < 40; k++) {
             scene_run(&cut, 1 + dice_pick(&roll, STEPS / 40 - 1));
-            const char *set = sets[dice_pick(&roll, 3)];
+            const char *set = sets[dice_pick(&roll, 4)];
             replace(&cut,
                     (clod_step_options){.threads = 1 + dice_pick(&roll, 2),
                                         .simd = clod_kernel_choose(set) != NULL ? set : NULL,

@@ -85,6 +85,12 @@ static void avx512_gives_the_bits_of_scalar(void **state)
     compare_sets("avx512");
 }
 
+static void neon_gives_the_bits_of_scalar(void **state)
+{
+    (void)state;
+    compare_sets("neon");
+}
+
 static void two_threads_give_the_bits_of_one(void **state)
 {
     (void)state;
@@ -236,6 +242,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(avx2_gives_the_bits_of_scalar),
         cmocka_unit_test(avx512_gives_the_bits_of_scalar),
+        cmocka_unit_test(neon_gives_the_bits_of_scalar),
         cmocka_unit_test(two_threads_give_the_bits_of_one),
         cmocka_unit_test(three_threads_give_the_bits_of_one),
         cmocka_unit_test(seven_threads_give_the_bits_of_one),

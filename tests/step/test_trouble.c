@@ -37,7 +37,7 @@ static void an_unknown_instruction_set(void **state)
     two_grains(&s, 0.01);
     expect_at_start(&s, (clod_step_options){.threads = 1, .simd = "mmx"}, CLOD_USAGE,
                     "instruction set 'mmx' is unknown or not in this machine; use scalar, "
-                    "avx2 or avx512, or leave it out for the best");
+                    "avx2, avx512 or neon, or leave it out for the best");
 }
 
 /** 4 R + 2 skin, skin 0.3 R, R = 3 mm: 13.8 mm. */
