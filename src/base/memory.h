@@ -11,8 +11,8 @@
 #define CLOD_MEMORY_ALIGNMENT 64
 
 /**
- * Zeroed memory aligned to a cache line; from 8 MiB on to a huge page, and in such pages where
- * the system gives them (docs/adr/0012).
+ * Zeroed memory aligned to a cache line; from 8 MiB on to a huge page, in such pages where the
+ * system gives them, and taken from it as it is first used (docs/adr/0012).
  *
  * @param count  number of items
  * @param size   bytes of one item

@@ -91,7 +91,7 @@ static bool make_sample(const clod_check_subject *subject, const clod_check_repo
     return good;
 }
 
-/** Bytes that state and step take for each grain. */
+/** Bytes that state and step take for each grain; room that is never used takes none. */
 static double bytes_per_grain(const clod_step *step)
 {
     const clod_neighbour *near = &step->neighbour;
@@ -100,10 +100,10 @@ static double bytes_per_grain(const clod_step *step)
     const double grains = (double)state->grains.capacity;
     const double rows = grains * (3 * 4 + 8 + 1 + 4) * sizeof(double) + 2 * grains;
     const double contacts = (double)state->contact_capacity * (double)sizeof(clod_contact);
-    const double candidates = (double)near->pairs.capacity * sizeof(clod_candidate);
+    const double candidates = (double)near->pairs.count * sizeof(clod_candidate);
     const double sorting = 2.0 * (double)near->sort_capacity * sizeof(clod_sort_item) +
-                           (double)near->grain_capacity * (64 + 3 * sizeof(int32_t));
-    const double blocks = (double)list->pairs.capacity * (double)sizeof(clod_contact_block) +
+                           (double)near->grain_capacity * 3 * sizeof(int32_t);
+    const double blocks = (double)list->pairs.count * (double)sizeof(clod_contact_block) +
                           (double)list->between.share_capacity * 8 * sizeof(double);
     return (rows + contacts + candidates + sorting + blocks) / (double)state->grains.count;
 }

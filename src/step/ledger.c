@@ -10,14 +10,14 @@ typedef double (*grain_sums)[4];
 /** Rows to add up in, all zero. */
 static grain_sums empty_sums(clod_step *self)
 {
-    grain_sums sums = self->neighbour.rows;
+    grain_sums sums = clod_neighbour_rows(&self->neighbour);
     memset(sums, 0, self->state->grains.count * sizeof *sums);
     return sums;
 }
 
 static void add_up(clod_step *self, double all[4])
 {
-    grain_sums sums = self->neighbour.rows;
+    grain_sums sums = clod_neighbour_rows(&self->neighbour);
     for (size_t g = 0; g < self->state->grains.count; g++) {
         for (int c = 0; c < 4; c++) {
             all[c] += sums[g][c];

@@ -7,6 +7,8 @@
 
 /** Wide skin as a fraction of the largest radius: few candidates against rare rebuilds. */
 #define SKIN_FRACTION 0.3
+/** Room to begin with for candidates, per grain: twice what a dense bed of one size has. */
+#define LIKELY_PAIRS 10
 
 void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool brute_force)
 {
@@ -17,6 +19,13 @@ void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool bru
         self->radius_max = fmax(self->radius_max, radius);
     }
     self->skin = SKIN_FRACTION * self->radius_max;
+}
+
+/** Room for a number of candidates, or none: then they are asked for as they come. */
+static void reserve_pairs(clod_candidates *self, size_t count)
+{
+    self->item = clod_memory_alloc(count, sizeof *self->item);
+    self->capacity = self->item != NULL ? count : 0;
 }
 
 clod_candidate *clod_neighbour_add(clod_candidates *self)
@@ -104,6 +113,9 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
                           clod_status *status)
 {
     self->pairs.count = 0;
+    if (self->pairs.capacity == 0) { // memory that is never used costs nothing (base/memory.c)
+        reserve_pairs(&self->pairs, LIKELY_PAIRS * state->grains.count);
+    }
     if (!walls_at_rebuild(self, state) || !find_walls(self, state, laws) ||
         !(self->brute_force ? clod_cells_all_pairs(self, state, laws)
                             : clod_cells_find_pairs(self, state, laws))) {
@@ -137,7 +149,6 @@ void clod_neighbour_fini(clod_neighbour *self)
     clod_memory_free(self->cell_start);
     clod_memory_free(self->sort);
     clod_memory_free(self->sort_scratch);
-    clod_memory_free(self->rows);
     clod_memory_free(self->rank);
     *self = (clod_neighbour){0};
 }

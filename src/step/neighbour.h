@@ -40,11 +40,20 @@ typedef struct clod_neighbour {
     int32_t *cell_of, *cell_item; ///< [grains]
     int32_t *cell_start;          ///< [cells + 1]
     size_t cell_capacity, grain_capacity;
-    clod_sort_item *sort, *sort_scratch; ///< [max(grains, contacts)]
+    clod_sort_item *sort, *sort_scratch; ///< [max(2 grains, contacts)]
     size_t sort_capacity;
-    void *rows;    ///< [grain_capacity * 64 bytes] to permute with
     int32_t *rank; ///< [grains] new place of each old row
 } clod_neighbour;
+
+/** Items of sort_scratch that a row of four numbers takes. */
+#define CLOD_NEIGHBOUR_ROW_ITEMS (4 * sizeof(double) / sizeof(clod_sort_item))
+
+/** Scratch for a row of four numbers per grain, in sort_scratch: not while something is sorted.
+ */
+static inline double (*clod_neighbour_rows(const clod_neighbour *self))[4]
+{
+    return (double(*)[4])self->sort_scratch;
+}
 
 /** Wide skin from the sizes of the grains; nothing is built yet. */
 void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool brute_force);

@@ -50,20 +50,19 @@ bool clod_neighbour_reserve_sort(clod_neighbour *self, size_t items)
 static bool reserve(clod_neighbour *self, const clod_state *state)
 {
     const size_t grains = state->grains.capacity;
-    const size_t items = grains > state->contact_count ? grains : state->contact_count;
+    const size_t rows = CLOD_NEIGHBOUR_ROW_ITEMS * grains;
+    const size_t items = rows > state->contact_count ? rows : state->contact_count;
     if (grains > self->grain_capacity) {
         clod_memory_free(self->cell_of);
         clod_memory_free(self->cell_item);
         clod_memory_free(self->rank);
-        clod_memory_free(self->rows);
         self->cell_of = clod_memory_alloc(grains, sizeof *self->cell_of);
         self->cell_item = clod_memory_alloc(grains, sizeof *self->cell_item);
         self->rank = clod_memory_alloc(grains, sizeof *self->rank);
-        self->rows = clod_memory_alloc(grains, 8 * sizeof(double));
         self->grain_capacity = grains;
     }
     return self->cell_of != NULL && self->cell_item != NULL && self->rank != NULL &&
-           self->rows != NULL && clod_neighbour_reserve_sort(self, items);
+           clod_neighbour_reserve_sort(self, items);
 }
 
 /** Wrap periodic directions; a grain beyond an open side is an error. */
@@ -115,15 +114,40 @@ static void sort_along_curve(clod_neighbour *self, const clod_grains *grains)
     }
 }
 
-/** Bring one array into the new order. */
-static void permute(const clod_neighbour *self, void *array, size_t count, size_t size)
+/** Bring `size` bytes of each row of an array into the new order; its rows are `stride` apart.
+ */
+static void permute(const clod_neighbour *self, void *array, size_t count, size_t stride,
+                    size_t size)
 {
-    char *to = self->rows;
-    const char *from = array;
+    char *to = (char *)clod_neighbour_rows(self);
+    char *from = array;
     for (size_t g = 0; g < count; g++) {
-        memcpy(to + g * size, from + self->sort[g].index * size, size);
+        memcpy(to + g * size, from + self->sort[g].index * stride, size);
     }
-    memcpy(array, to, count * size);
+    for (size_t g = 0; g < count; g++) {
+        memcpy(from + g * stride, to + g * size, size);
+    }
+}
+
+/** Rows of eight numbers, in two halves: the scratch has room for rows of four. */
+static void permute_loads(const clod_neighbour *self, double (*loads)[8], size_t count)
+{
+    for (size_t half = 0; loads != NULL && half < 2; half++) {
+        permute(self, &loads[0][4 * half], count, sizeof *loads, sizeof *loads / 2);
+    }
+}
+
+/** The rows of all grains, and what belongs to them. */
+static void permute_grains(const clod_neighbour *self, clod_grains *grains)
+{
+    const size_t n = grains->count;
+    permute(self, grains->place, n, sizeof *grains->place, sizeof *grains->place);
+    permute(self, grains->motion, n, sizeof *grains->motion, sizeof *grains->motion);
+    permute(self, grains->turning, n, sizeof *grains->turning, sizeof *grains->turning);
+    permute_loads(self, grains->load, n);
+    permute_loads(self, grains->before, n);
+    permute(self, grains->id, n, sizeof *grains->id, sizeof *grains->id);
+    permute(self, grains->material, n, sizeof *grains->material, sizeof *grains->material);
 }
 
 /** Rename the grains of a contact; when their order turns, i and j swap and springs with them.
@@ -215,15 +239,7 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
                                 grains->count);
     }
     sort_along_curve(self, grains);
-    permute(self, grains->place, grains->count, sizeof *grains->place);
-    permute(self, grains->motion, grains->count, sizeof *grains->motion);
-    permute(self, grains->turning, grains->count, sizeof *grains->turning);
-    permute(self, grains->load, grains->count, sizeof *grains->load);
-    if (grains->before != NULL) {
-        permute(self, grains->before, grains->count, sizeof *grains->before);
-    }
-    permute(self, grains->id, grains->count, sizeof *grains->id);
-    permute(self, grains->material, grains->count, sizeof *grains->material);
+    permute_grains(self, grains);
     for (size_t g = 0; g < grains->count; g++) {
         self->rank[self->sort[g].index] = (int32_t)g;
     }

@@ -1,5 +1,6 @@
 // Heap memory: zeroed, aligned, counted, and NULL where there is none.
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,6 +38,33 @@ static void large_memory_begins_at_a_huge_page(void **state)
         clod_memory_free(memory);
     }
 }
+
+#if defined(__linux__)
+/** Memory of this process in pages that are there. */
+static int64_t pages_here(void)
+{
+    long all = 0, here = 0;
+    FILE *file = fopen("/proc/self/statm", "r");
+    assert_non_null(file);
+    assert_int_equal(fscanf(file, "%ld %ld", &all, &here), 2);
+    fclose(file);
+    return here;
+}
+
+/** 256 MiB of which 16 are written: the rest is not taken from the system. */
+static void large_memory_is_taken_as_it_is_used(void **state)
+{
+    (void)state;
+    const size_t size = 268435456, used = 16777216, page = 4096;
+    const int64_t before = pages_here();
+    unsigned char *memory = clod_memory_alloc(size, 1);
+    assert_non_null(memory);
+    memset(memory, 1, used);
+    const int64_t taken = pages_here() - before;
+    assert_in_range(taken, used / page, (used + size / 4) / page);
+    clod_memory_free(memory);
+}
+#endif
 
 static void growing_keeps_the_old_and_zeroes_the_new(void **state)
 {
@@ -99,6 +127,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(memory_is_zero_and_aligned),
         cmocka_unit_test(large_memory_begins_at_a_huge_page),
+#if defined(__linux__)
+        cmocka_unit_test(large_memory_is_taken_as_it_is_used),
+#endif
         cmocka_unit_test(growing_keeps_the_old_and_zeroes_the_new),
         cmocka_unit_test(sizes_beyond_all_memory_give_null),
         cmocka_unit_test(texts_are_copied),
