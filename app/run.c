@@ -84,7 +84,9 @@ static const struct argp_option OPTIONS[] = {
      0},
     {"fresh", 'f', NULL, 0, "forget earlier results of the folder instead of going on", 0},
     {"simd", 'i', "SET", 0,
-     "instruction set: scalar, avx2, avx512, neon (the best); results do not depend on it", 0},
+     "instruction set: scalar, avx2, avx512, neon (this machine's best); results do not depend "
+     "on it",
+     0},
     {0},
 };
 

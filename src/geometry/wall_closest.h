@@ -20,28 +20,33 @@
 
 #include <float.h>
 
+/** Kinds in row 0; a shell has +1 or -1. */
+#define CLOD_WALL_BOX 0.0
+#define CLOD_WALL_PLANE 2.0
+
 #include "simd/simd.h"
 
-typedef struct clod_closest {
+typedef struct clod_wall_closest {
     vreal distance; ///< m, from the surface to the point; below 0 in a box or behind a plane
     vreal3 normal;  ///< unit, from the surface to the point
-} clod_closest;
+} clod_wall_closest;
 
 /** Where a point is beside the two kinds of surface with a closest point. */
-typedef struct clod_closest_away {
+typedef struct clod_wall_closest_away {
     vreal3 away;  ///< m, from the closest point to the point
     vreal square; ///< m2, of its length
     vreal3 on;    ///< normal if the point is on the surface (box: in it) ...
     vreal depth;  ///< m, and how deep
-} clod_closest_away;
+} clod_wall_closest_away;
 
-static inline vreal clod_closest_clamp(vreal x, vreal low, vreal high)
+static inline vreal clod_wall_closest_clamp(vreal x, vreal low, vreal high)
 {
     return vreal_min(vreal_max(x, low), high);
 }
 
 /** Beside a shell; r from its foot, `height` along its axis. */
-static inline clod_closest_away clod_closest_shell(vreal s[4][4], vreal3 r, vreal height)
+static inline clod_wall_closest_away clod_wall_closest_shell(vreal s[4][4], vreal3 r,
+                                                             vreal height)
 {
     const vreal3 axis = {s[2][0], s[2][1], s[2][2]};
     const vreal3 any = {s[1][0], s[1][1], s[1][2]};
@@ -56,27 +61,28 @@ static inline clod_closest_away clod_closest_shell(vreal s[4][4], vreal3 r, vrea
     const vreal from = rho - s[3][0];
     const vreal along = from * er + height * ez;
     const vreal across = from * ez - height * er;
-    const vreal beyond = along - clod_closest_clamp(along, zero, s[3][3]);
+    const vreal beyond = along - clod_wall_closest_clamp(along, zero, s[3][3]);
     const vreal dr = across * ez + beyond * er;
     const vreal dz = beyond * ez - across * er;
     const vreal3 out = vreal3_axpy(vreal3_scale(radial, ez), -er, axis);
-    return (clod_closest_away){.away = vreal3_axpy(vreal3_scale(radial, dr), dz, axis),
-                               .square = dr * dr + dz * dz,
-                               .on = vreal3_scale(out, s[0][3]),
-                               .depth = zero};
+    return (clod_wall_closest_away){.away = vreal3_axpy(vreal3_scale(radial, dr), dz, axis),
+                                    .square = dr * dr + dz * dz,
+                                    .on = vreal3_scale(out, s[0][3]),
+                                    .depth = zero};
 }
 
 /** Beside a solid box, or within it: out through the nearest face. */
-static inline clod_closest_away clod_closest_box(vreal s[4][4], vreal3 r, vreal height)
+static inline clod_wall_closest_away clod_wall_closest_box(vreal s[4][4], vreal3 r,
+                                                           vreal height)
 {
     const vreal3 axis[3] = {
         {s[1][0], s[1][1], s[1][2]}, {s[3][0], s[3][1], s[3][2]}, {s[2][0], s[2][1], s[2][2]}};
     const vreal half[3] = {s[1][3], s[3][3], s[2][3]};
     const vreal at[3] = {vreal3_dot(r, axis[0]), vreal3_dot(r, axis[1]), height};
     const vreal zero = vreal_set(0.0);
-    clod_closest_away beside = {{zero, zero, zero}, zero, {zero, zero, zero}, zero};
+    clod_wall_closest_away beside = {{zero, zero, zero}, zero, {zero, zero, zero}, zero};
     for (int a = 0; a < 3; a++) {
-        const vreal out = at[a] - clod_closest_clamp(at[a], -half[a], half[a]);
+        const vreal out = at[a] - clod_wall_closest_clamp(at[a], -half[a], half[a]);
         const vreal depth = half[a] - vreal_abs(at[a]);
         const vreal side =
             vreal_select(vmask_less(at[a], zero), vreal_set(-1.0), vreal_set(1.0));
@@ -97,16 +103,16 @@ static inline clod_closest_away clod_closest_box(vreal s[4][4], vreal3 r, vreal 
  * @param p  the points [m]
  * Errors  none.   Threads  pure.   Test  tests/geometry/test_wall_gap.c, test_wall_cone.c
  */
-__attribute__((always_inline)) static inline clod_closest clod_closest_point(vreal s[4][4],
-                                                                             vreal3 p)
+__attribute__((always_inline)) static inline clod_wall_closest
+clod_wall_closest_point(vreal s[4][4], vreal3 p)
 {
     const vreal3 axis = {s[2][0], s[2][1], s[2][2]};
     const vreal3 r = vreal3_sub(p, (vreal3){s[0][0], s[0][1], s[0][2]});
     const vreal height = vreal3_dot(r, axis);
     const vmask plane = vmask_less(vreal_set(1.5), s[0][3]);
     const vmask box = vmask_less(vreal_abs(s[0][3]), vreal_set(0.5));
-    const clod_closest_away shell = clod_closest_shell(s, r, height);
-    const clod_closest_away solid = clod_closest_box(s, r, height);
+    const clod_wall_closest_away shell = clod_wall_closest_shell(s, r, height);
+    const clod_wall_closest_away solid = clod_wall_closest_box(s, r, height);
     const vreal least = vreal_set(DBL_MIN);
     vreal distance = vreal_sqrt(vreal_select(box, solid.square, shell.square));
     vreal3 normal = vreal3_scale(vreal3_select(box, solid.away, shell.away),
@@ -116,6 +122,6 @@ __attribute__((always_inline)) static inline clod_closest clod_closest_point(vre
         normal = vreal3_select(on, vreal3_select(box, solid.on, shell.on), normal);
         distance = vreal_select(on, vreal_select(box, -solid.depth, shell.depth), distance);
     }
-    return (clod_closest){vreal_select(plane, height, distance),
-                          vreal3_select(plane, axis, normal)};
+    return (clod_wall_closest){vreal_select(plane, height, distance),
+                               vreal3_select(plane, axis, normal)};
 }

@@ -16,6 +16,7 @@
  * Shapes are not repeated in periodic directions: give them the length of the domain.
  */
 
+#include "base/assert.h"
 #include "base/vec3.h"
 #include "geometry/wall_closest.h"
 #include "state/walls.h"
@@ -41,6 +42,7 @@ static inline void clod_wall_shape_line(const clod_shape *s, double row[4])
     const double widening = flat || cone ? s->inner - s->outer : 0.0;
     const double rise = flat ? 0.0 : 2.0 * s->half[2];
     const double slant = sqrt(widening * widening + rise * rise);
+    CLOD_ASSERT(slant > 0.0); // refused when the walls are set up
     const double line[4] = {s->outer, widening / slant, rise / slant, slant};
     for (int c = 0; c < 4; c++) {
         row[c] = line[c];
@@ -54,7 +56,10 @@ static inline void clod_wall_shape_rows(const clod_shape *s, double (*row)[4])
     const bool box = s->kind == CLOD_SHAPE_BOX || s->kind == CLOD_SHAPE_BAR;
     const bool shell = s->kind == CLOD_SHAPE_CYLINDER || s->kind == CLOD_SHAPE_CONE;
     const double side = shell && s->side == CLOD_SIDE_INSIDE ? -1.0 : 1.0;
-    clod_wall_shape_row(row[0], s->center, plane ? 2.0 : box ? 0.0 : side);
+    clod_wall_shape_row(row[0], s->center,
+                        plane ? CLOD_WALL_PLANE
+                        : box ? CLOD_WALL_BOX
+                              : side);
     clod_wall_shape_row(row[1], s->axis[0], s->half[0]);
     clod_wall_shape_row(row[2], s->axis[2], s->half[2]);
     clod_wall_shape_row(row[3], s->axis[1], s->half[1]);
@@ -68,7 +73,7 @@ static inline void clod_wall_shape_rows(const clod_shape *s, double (*row)[4])
  *
  * @param row  [4][4] rows of the shape
  * @param p    the grain's centre, in the frame of the rows [m]
- * Errors  none.   Threads  pure.
+ * Errors  none.   Threads  pure.   Test  tests/geometry/test_wall_rows.c
  */
 static inline clod_gap clod_wall_gap_rows(const double (*row)[4], clod_vec3 p)
 {
@@ -77,8 +82,8 @@ static inline clod_gap clod_wall_gap_rows(const double (*row)[4], clod_vec3 p)
     for (int k = 0; k < 4; k++) {
         vreal_load_rows(s[k], row + k, FIRST);
     }
-    const clod_closest at =
-        clod_closest_point(s, (vreal3){vreal_set(p.x), vreal_set(p.y), vreal_set(p.z)});
+    const clod_wall_closest at =
+        clod_wall_closest_point(s, (vreal3){vreal_set(p.x), vreal_set(p.y), vreal_set(p.z)});
     return (clod_gap){at.distance, {at.normal.x, at.normal.y, at.normal.z}};
 }
 

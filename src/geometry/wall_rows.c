@@ -14,7 +14,7 @@ bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls)
     for (size_t w = 0; w < count; w++) {
         shapes += (size_t)walls->wall[w].shape_count;
     }
-    self->shape = clod_memory_alloc(CLOD_SHAPE_ROWS * shapes + 1, sizeof *self->shape);
+    self->shape = clod_memory_alloc(CLOD_SHAPE_ROWS * (shapes + 1), sizeof *self->shape);
     self->wall = clod_memory_alloc(CLOD_WALL_ROWS * count + 1, sizeof *self->wall);
     self->first_shape = clod_memory_alloc(count + 1, sizeof *self->first_shape);
     self->at = clod_memory_alloc(count + 1, sizeof *self->at);
@@ -23,6 +23,7 @@ bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls)
         clod_wall_rows_fini(self);
         return false;
     }
+    self->shape[CLOD_SHAPE_ROWS * shapes][3] = CLOD_WALL_PLANE; // all zero else: nowhere
     for (int32_t w = 0; w < walls->count; w++) {
         self->first_shape[w + 1] = self->first_shape[w] + walls->wall[w].shape_count;
         self->at[w][0] = NAN; // nowhere yet

@@ -17,7 +17,7 @@
 enum { CLOD_SHAPE_ROWS = 4, CLOD_WALL_ROWS = 3 };
 
 typedef struct clod_wall_rows {
-    double (*shape)[4];   ///< [shapes * CLOD_SHAPE_ROWS]
+    double (*shape)[4];   ///< [(shapes + 1) * CLOD_SHAPE_ROWS]; the last one is for padding
     double (*wall)[4];    ///< [walls * CLOD_WALL_ROWS]
     int32_t *first_shape; ///< [walls + 1] number of each wall's first shape
     double (*at)[4];      ///< [walls] shift and angle that its shapes' rows are for
@@ -27,7 +27,8 @@ typedef struct clod_wall_rows {
  * Rows of the walls where they are now.
  *
  * @return  false without memory
- * Errors  false.   Threads  pure.   Test  tests/geometry/test_wall_rows.c
+ * Errors  false.   Threads  one per set of rows, as for the rest of this file; looking is free.
+ * Test    tests/geometry/test_wall_rows.c
  */
 bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls);
 
@@ -36,6 +37,12 @@ void clod_wall_rows_update(clod_wall_rows *self, const clod_walls *walls);
 
 /** Rows of wall `w` alone, where `wall` says it is. */
 void clod_wall_rows_place(clod_wall_rows *self, int32_t w, const clod_wall *wall);
+
+/** First row of the shape that every point is at distance 0 from: padding grains have R < 0. */
+static inline int32_t clod_wall_rows_padding(const clod_wall_rows *self, int32_t walls)
+{
+    return CLOD_SHAPE_ROWS * self->first_shape[walls];
+}
 
 /** First row of a shape of a wall. */
 static inline int32_t clod_wall_rows_shape(const clod_wall_rows *self, int32_t w, int32_t shape)

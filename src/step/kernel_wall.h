@@ -29,7 +29,7 @@ static inline kernel_wall_meeting kernel_wall_meet(const clod_kernel_view *view,
         vreal_load_rows(wall[k], view->wall + k, &block->wall[lane]);
     }
     const vreal3 centre = {p[0], p[1], p[2]};
-    const clod_closest closest = clod_closest_point(s, centre);
+    const clod_wall_closest closest = clod_wall_closest_point(s, centre);
     const vreal3 spin = {wall[1][0], wall[1][1], wall[1][2]};
     const vreal3 to_centre = vreal3_sub(centre, (vreal3){wall[2][0], wall[2][1], wall[2][2]});
     const vreal3 lever = vreal3_axpy(to_centre, -closest.distance, closest.normal);

@@ -179,7 +179,8 @@ static void pad_walls(near_job *job)
             clod_wall_block *block = &blocks[at / CLOD_LANES];
             const int lane = (int)(at % CLOD_LANES);
             block->i[lane] = (int32_t)job->state->grains.count;
-            block->wall[lane] = block->shape[lane] = 0; // any: padding grains touch none
+            block->wall[lane] = 0;
+            block->shape[lane] = clod_wall_rows_padding(job->walls, job->state->walls.count);
             block->slot_wall[lane] = spare++;
             history_put(&block->history, lane, (double[8]){0.0});
         }

@@ -15,7 +15,7 @@ BOX = clod.source("tests/restart/box.yaml")
 JENIKE = clod.source("tests/restart/jenike.yaml")
 PARTS = {RING: ["preshear", "point-1", "point-2"], JENIKE: ["preshear", "point-1", "point-2"],
          BOX: ["run"]}
-SETS = ["scalar", "avx2", "avx512"]
+SETS = ["scalar", "avx2", "avx512", "neon"]
 SEED = int(os.environ.get("CLOD_TEST_SEED", time.time_ns() % 1000000))
 
 

@@ -4,6 +4,7 @@
 #include <float.h>
 #include <string.h>
 
+#include "geometry/wall_gap.h"
 #include "step/kernel.h"
 #include "support/check.h"
 #include "support/dice.h"
@@ -257,8 +258,69 @@ static void check_vectors(const vocabulary *v)
     }
 }
 
+/** A shape of any kind, upright or tilted; its sizes are small whole numbers. */
+static clod_shape any_shape(dice *roll)
+{
+    static const clod_shape_kind KINDS[] = {
+        CLOD_SHAPE_PLANE, CLOD_SHAPE_DISC, CLOD_SHAPE_ANNULUS, CLOD_SHAPE_CYLINDER,
+        CLOD_SHAPE_CONE,  CLOD_SHAPE_BOX,  CLOD_SHAPE_BAR};
+    clod_shape s = {.kind = KINDS[dice_pick(roll, 7)],
+                    .outer = 2.0,
+                    .half = {1.0, 2.0, 1.0},
+                    .side = dice_pick(roll, 2) == 0 ? CLOD_SIDE_INSIDE : CLOD_SIDE_OUTSIDE};
+    s.inner = s.kind == CLOD_SHAPE_DISC ? 0.0 : dice_pick(roll, 2);
+    if (s.kind == CLOD_SHAPE_ANNULUS) {
+        s.inner = 1.0;
+    }
+    const double angle = dice_pick(roll, 2) == 0 ? 0.0 : dice_real(roll, 0.0, 6.0);
+    for (int a = 0; a < 3; a++) {
+        const clod_vec3 e = {a == 0, a == 1, a == 2};
+        s.axis[a] = clod_vec3_rotate(e, (clod_vec3){0.6, 0.0, 0.8}, angle);
+    }
+    return s;
+}
+
+/** Anywhere, or where whole and half numbers meet surfaces, rims, axes and middles. */
+static double any_coordinate(dice *roll)
+{
+    return dice_pick(roll, 3) == 0 ? dice_real(roll, -4.0, 4.0)
+                                   : 0.5 * (dice_pick(roll, 17) - 8);
+}
+
+/** Lanes with shapes of all kinds: what one lane at a time gives, to the last bit. */
+static void check_closest(const vocabulary *v)
+{
+    dice roll = {6};
+    int on = 0;
+    for (int k = 0; k < 20000; k++) {
+        double in[19][8], row[8][4][4], out[4][8];
+        for (int l = 0; l < 8; l++) {
+            const clod_shape s = any_shape(&roll);
+            clod_wall_shape_rows(&s, row[l]);
+            for (int c = 0; c < 16; c++) {
+                in[c][l] = row[l][c / 4][c % 4];
+            }
+            for (int c = 16; c < 19; c++) {
+                in[c][l] = any_coordinate(&roll);
+            }
+        }
+        v->closest(in, out);
+        for (int l = 0; l < 8; l++) {
+            const clod_vec3 p = {in[16][l], in[17][l], in[18][l]};
+            const clod_gap gap = clod_wall_gap_rows((const double(*)[4])row[l], p);
+            check_bits(out[0][l], gap.distance);
+            check_bits(out[1][l], gap.normal.x);
+            check_bits(out[2][l], gap.normal.y);
+            check_bits(out[3][l], gap.normal.z);
+            on += gap.distance <= 0.0 && row[l][0][3] != CLOD_WALL_PLANE;
+        }
+    }
+    assert_true(on > 1000); // surfaces and insides were met
+}
+
 static void check_all(const vocabulary *v)
 {
+    check_closest(v);
     check_operations(v);
     check_truths(v);
     check_rows(v);

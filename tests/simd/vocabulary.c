@@ -1,6 +1,7 @@
 // Compiled once per instruction set, see tools/tests.cmake.
 #include "vocabulary.h"
 
+#include "geometry/wall_closest.h"
 #include "simd/simd.h"
 
 static vreal operate(vocabulary_operation operation, vreal a, vreal b, double first)
@@ -115,6 +116,19 @@ static void vectors(double (*in)[8], double (*out)[8])
     }
 }
 
+static void closest(double (*in)[8], double (*out)[8])
+{
+    for (int l = 0; l < VOCABULARY_LANES; l += CLOD_WIDTH) {
+        vreal s[4][4];
+        for (int c = 0; c < 16; c++) {
+            s[c / 4][c % 4] = vreal_load(&in[c][l]);
+        }
+        const clod_wall_closest at = clod_wall_closest_point(s, vreal3_load(in + 16, l));
+        vreal_store(&out[0][l], at.distance);
+        vreal3_store(out + 1, l, at.normal);
+    }
+}
+
 #define VOCABULARY_OF(suffix) vocabulary_##suffix
 #define VOCABULARY(suffix) VOCABULARY_OF(suffix)
 
@@ -125,4 +139,5 @@ const vocabulary VOCABULARY(CLOD_SIMD_SUFFIX) = {.width = CLOD_WIDTH,
                                                  .store_rows = store_rows,
                                                  .add_rows = add_rows,
                                                  .invert = invert,
-                                                 .vectors = vectors};
+                                                 .vectors = vectors,
+                                                 .closest = closest};

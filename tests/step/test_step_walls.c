@@ -30,6 +30,31 @@ static void a_resting_grain_weighs_on_the_floor(void **state)
     scene_end(&s);
 }
 
+/** Lanes without a contact stay so where a wall has all the room about the origin. */
+static void a_wall_that_holds_the_origin_touches_its_grain_only(void **state)
+{
+    (void)state;
+    static const char *const SETS[] = {"scalar", "avx2", "avx512", "neon"};
+    const clod_case_contact contact = contact_elastic(1.0, K);
+    const clod_shape shapes[] = {shape_floor(5.0),
+                                 shape_box((clod_vec3){0.0, 0.0, 2.0}, 3.0, 3.0, 3.0)};
+    for (int k = 0; k < 8; k++) {
+        const char *set = SETS[k / 2];
+        if (clod_kernel_choose(set) == NULL) {
+            continue;
+        }
+        scene s;
+        scene_init(&s, 1e-5, &contact);
+        s.state.gravity[2] = -G;
+        const clod_wall *floor = scene_wall(&s, "floor", shapes[k % 2]);
+        scene_grain(&s, 0.05, 0.02, 5.0 + R - MASS * G / K, R);
+        scene_start_with(&s, (clod_step_options){.threads = 1, .simd = set});
+        scene_run(&s, 100); // an overlap of nothing with the floor would end it
+        check_relative(floor->force.z, -MASS * G, 1e-8);
+        scene_end(&s);
+    }
+}
+
 /** Momentum and angular momentum about the origin, kinetic energy. */
 typedef struct motion {
     double p[3], l[3], kinetic;
@@ -239,6 +264,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_resting_grain_weighs_on_the_floor),
+        cmocka_unit_test(a_wall_that_holds_the_origin_touches_its_grain_only),
         cmocka_unit_test(action_is_reaction),
         cmocka_unit_test(a_rotating_bar_pushes_a_grain),
         cmocka_unit_test(torque_is_about_the_spin_point),
