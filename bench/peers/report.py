@@ -9,11 +9,16 @@ SAME_WORK = 0.02  # largest difference of the coordination number
 
 
 def _versions(records):
-    """One line for each program and build."""
+    """One line for each program and build, with the beds that it was measured on last."""
     found = {}
     for record in records:
-        found.setdefault(record["version"], set()).add(record.get("program"))
-    return "".join(f"- {version}\n" for version in found)
+        sizes = found.setdefault(record["version"], set())
+        if record["kind"] == "speed":
+            sizes.add(record["size"])
+    beds = {version: ", ".join(size for size in plan.SIZES if size in sizes)
+            for version, sizes in found.items()}
+    return "".join(f"- {version}" + (f": {beds[version]}" if beds[version] else "") + "\n"
+                   for version in found)
 
 
 def _header(records, system):
