@@ -16,7 +16,6 @@
  * Shapes are not repeated in periodic directions: give them the length of the domain.
  */
 
-#include "base/assert.h"
 #include "base/vec3.h"
 #include "geometry/wall_closest.h"
 #include "state/walls.h"
@@ -42,8 +41,9 @@ static inline void clod_wall_shape_line(const clod_shape *s, double row[4])
     const double widening = flat || cone ? s->inner - s->outer : 0.0;
     const double rise = flat ? 0.0 : 2.0 * s->half[2];
     const double slant = sqrt(widening * widening + rise * rise);
-    CLOD_ASSERT(slant > 0.0); // refused when the walls are set up
-    const double line[4] = {s->outer, widening / slant, rise / slant, slant};
+    const bool ring = slant == 0.0; // a line of no length: any slope will do
+    const double line[4] = {s->outer, ring ? 0.0 : widening / slant, ring ? 1.0 : rise / slant,
+                            slant};
     for (int c = 0; c < 4; c++) {
         row[c] = line[c];
     }

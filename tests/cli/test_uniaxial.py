@@ -10,6 +10,7 @@ import math
 import os
 import shutil
 import signal
+import statistics
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -109,11 +110,14 @@ class Uniaxial(clod.TesterCase):
             self.assertAlmostEqual(point["rho_b"] / rested["bulk_density"], 1.0, delta=1e-8)
             self.assertAlmostEqual(point["void_ratio"], 1.0 / rested["solid_fraction"] - 1.0,
                                    delta=1e-8)
-            # the smoothed peak: below the largest sample, above the mean of its surroundings
+            # the smoothed peak: below the largest sample, and the mean of the samples about it
+            # within three of their standard errors (eight samples of a stress that fluctuates)
             self.assertLess(point["sigma_c"], most)
             near = [row["axial_stress"] for row in crushed
                     if abs(row["strain"] - point["strain_at_peak"]) < 1e-3]
-            self.assertAlmostEqual(point["sigma_c"] / (sum(near) / len(near)), 1.0, delta=0.02)
+            self.assertGreater(len(near), 5)
+            self.assertAlmostEqual(point["sigma_c"], statistics.mean(near),
+                                   delta=3.0 * statistics.stdev(near) / math.sqrt(len(near)))
             self.assertLess(point["strain_at_peak"], CRUSH_MAX)
             self.assertAlmostEqual(point["ffc"] * point["sigma_c"] / point["sigma_1"], 1.0,
                                    delta=1e-8)

@@ -230,6 +230,20 @@ static void no_sampled_point_of_the_surface_is_nearer(void **state)
     }
 }
 
+// By hand: a cylinder of no length and an annulus of no width are the ring x2 + y2 = 4, z = 0.
+static void shell_of_no_length_is_a_ring(void **state)
+{
+    (void)state;
+    clod_shape s = upright(CLOD_SHAPE_CYLINDER);
+    for (int k = 0; k < 2; k++) {
+        s.outer = 2.0;
+        s.inner = k == 0 ? 0.0 : 2.0;
+        s.kind = k == 0 ? CLOD_SHAPE_CYLINDER : CLOD_SHAPE_ANNULUS;
+        assert_gap(&s, (clod_vec3){5.0, 0.0, 4.0}, 5.0, (clod_vec3){0.6, 0.0, 0.8});
+        assert_gap(&s, (clod_vec3){0.0, 0.5, -2.0}, 2.5, (clod_vec3){0.0, -0.6, -0.8});
+    }
+}
+
 static clod_wall turned_wall(void)
 {
     return (clod_wall){.spin_axis = clod_vec3_unit((clod_vec3){1.0, 2.0, -0.5}),
@@ -261,6 +275,7 @@ int main(void)
         cmocka_unit_test(box_has_faces_edges_corners_and_an_inside),
         cmocka_unit_test(annulus_acts_from_both_sides_and_at_its_rims),
         cmocka_unit_test(cylinder_acts_inside_outside_and_at_its_rims),
+        cmocka_unit_test(shell_of_no_length_is_a_ring),
         cmocka_unit_test(normal_is_unit_and_its_foot_is_on_the_surface),
         cmocka_unit_test(distance_is_continuous_everywhere),
         cmocka_unit_test(no_sampled_point_of_the_surface_is_nearer),
