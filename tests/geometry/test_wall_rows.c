@@ -59,6 +59,22 @@ static void make_walls(clod_wall wall[2], clod_shape *shapes)
     }
 }
 
+/** The walls, and their rows. */
+typedef struct yard {
+    clod_shape shapes[2 * KINDS];
+    clod_wall wall[2];
+    clod_walls walls;
+    clod_wall_rows rows;
+} yard;
+
+static void yard_init(yard *self)
+{
+    make_shapes(self->shapes);
+    make_walls(self->wall, self->shapes);
+    self->walls = (clod_walls){.count = 2, .wall = self->wall};
+    assert_true(clod_wall_rows_init(&self->rows, &self->walls));
+}
+
 static double apart(clod_vec3 a, clod_vec3 b)
 {
     return clod_vec3_length(clod_vec3_sub(a, b));
@@ -67,80 +83,70 @@ static double apart(clod_vec3 a, clod_vec3 b)
 static void gaps_are_those_of_the_turned_wall(void **state)
 {
     (void)state;
-    clod_shape shapes[KINDS];
-    clod_wall wall[2];
-    make_shapes(shapes);
-    make_walls(wall, shapes);
-    clod_wall_rows rows;
-    assert_true(clod_wall_rows_init(&rows, &(clod_walls){.count = 2, .wall = wall}));
-    const clod_wall_pose pose = clod_wall_pose_now(&wall[0]);
+    yard y;
+    yard_init(&y);
+    const clod_wall_pose pose = clod_wall_pose_now(&y.wall[0]);
     for (uint64_t i = 0; i < POINTS; i++) {
         const clod_vec3 p = random_point(i);
         for (int s = 0; s < KINDS; s++) {
-            const clod_gap gap = clod_wall_rows_gap(&rows, 0, s, (double[3]){p.x, p.y, p.z});
-            const clod_gap framed = clod_wall_gap(&shapes[s], clod_wall_to_frame(&pose, p));
+            const clod_gap gap = clod_wall_rows_gap(&y.rows, 0, s, (double[3]){p.x, p.y, p.z});
+            const clod_gap framed = clod_wall_gap(&y.shapes[s], clod_wall_to_frame(&pose, p));
             check_close(gap.distance, framed.distance, 1e-14);
             check_close(apart(gap.normal, clod_wall_to_space(&pose, framed.normal)), 0.0,
                         1e-12);
         }
     }
-    clod_wall_rows_fini(&rows);
+    clod_wall_rows_fini(&y.rows);
 }
 
 static void wall_at_rest_has_the_shapes_that_were_given(void **state)
 {
     (void)state;
-    clod_shape shapes[KINDS];
-    clod_wall wall[2];
-    make_shapes(shapes);
-    make_walls(wall, shapes);
-    clod_wall_rows rows;
-    assert_true(clod_wall_rows_init(&rows, &(clod_walls){.count = 2, .wall = wall}));
+    yard y;
+    yard_init(&y);
     for (int s = 0; s < KINDS; s++) {
         const clod_vec3 p = random_point((uint64_t)s);
-        const clod_gap gap = clod_wall_rows_gap(&rows, 1, s, (double[3]){p.x, p.y, p.z});
-        const clod_gap given = clod_wall_gap(&shapes[s], p);
+        const clod_gap gap = clod_wall_rows_gap(&y.rows, 1, s, (double[3]){p.x, p.y, p.z});
+        const clod_gap given = clod_wall_gap(&y.shapes[s], p);
         assert_true(gap.distance == given.distance);
         assert_true(apart(gap.normal, given.normal) == 0.0);
     }
-    clod_wall_rows_fini(&rows);
+    clod_wall_rows_fini(&y.rows);
 }
 
 // Shapes with their axis on the wall's: turning them changes nothing but the last bits.
 static void symmetric_shape_is_the_same_at_any_angle(void **state)
 {
     (void)state;
-    clod_shape shapes[2 * KINDS];
-    clod_wall wall[2];
-    make_shapes(shapes);
-    make_walls(wall, shapes);
-    const clod_vec3 axis = wall[0].spin_axis;
+    yard y;
+    yard_init(&y);
+    clod_wall_rows_fini(&y.rows);
+    const clod_vec3 axis = y.wall[0].spin_axis;
     for (int k = 0; k < KINDS; k++) {
-        clod_shape *s = &shapes[k];
-        s->center = clod_vec3_axpy(wall[0].spin_point, 0.1 * k, axis);
+        clod_shape *s = &y.shapes[k];
+        s->center = clod_vec3_axpy(y.wall[0].spin_point, 0.1 * k, axis);
         s->axis[0] = clod_vec3_unit(clod_vec3_cross(axis, (clod_vec3){0.0, 0.0, 1.0}));
         s->axis[1] = clod_vec3_cross(axis, s->axis[0]);
         s->axis[2] = axis;
-        shapes[KINDS + k] = *s;
-        shapes[KINDS + k].symmetric = true;
+        y.shapes[KINDS + k] = *s;
+        y.shapes[KINDS + k].symmetric = true;
     }
-    wall[0].shape_count = 2 * KINDS;
-    clod_wall_rows rows;
-    assert_true(clod_wall_rows_init(&rows, &(clod_walls){.count = 1, .wall = wall}));
+    y.wall[0].shape_count = 2 * KINDS;
+    assert_true(clod_wall_rows_init(&y.rows, &y.walls));
     for (uint64_t i = 0; i < POINTS; i++) {
         const clod_vec3 p = random_point(i);
         for (int k = 0; k < KINDS; k++) {
-            if (shapes[k].kind == CLOD_SHAPE_BOX || shapes[k].kind == CLOD_SHAPE_BAR) {
+            if (y.shapes[k].kind == CLOD_SHAPE_BOX || y.shapes[k].kind == CLOD_SHAPE_BAR) {
                 continue;
             }
             const double at[3] = {p.x, p.y, p.z};
-            const clod_gap turned = clod_wall_rows_gap(&rows, 0, k, at);
-            const clod_gap still = clod_wall_rows_gap(&rows, 0, KINDS + k, at);
+            const clod_gap turned = clod_wall_rows_gap(&y.rows, 0, k, at);
+            const clod_gap still = clod_wall_rows_gap(&y.rows, 0, KINDS + k, at);
             check_close(still.distance, turned.distance, 1e-13);
             check_close(apart(still.normal, turned.normal), 0.0, 1e-12);
         }
     }
-    clod_wall_rows_fini(&rows);
+    clod_wall_rows_fini(&y.rows);
 }
 
 static void check_rows(const double (*a)[4], const double (*b)[4], int count)
@@ -155,26 +161,22 @@ static void check_rows(const double (*a)[4], const double (*b)[4], int count)
 static void rows_follow_walls_that_move(void **state)
 {
     (void)state;
-    clod_shape shapes[KINDS];
-    clod_wall wall[2];
-    make_shapes(shapes);
-    make_walls(wall, shapes);
-    const clod_walls walls = {.count = 2, .wall = wall};
-    clod_wall_rows rows, fresh;
-    assert_true(clod_wall_rows_init(&rows, &walls));
+    yard y;
+    yard_init(&y);
+    clod_wall_rows fresh;
     for (int64_t step = 1; step <= 3; step++) {
-        clod_wall_move(&wall[0], 0.1, step);
-        wall[0].servo_velocity += 0.5;
-        wall[1].surface_velocity.x += 0.25; // a belt: nothing else of this wall changes
-        clod_wall_rows_update(&rows, &walls);
-        assert_true(clod_wall_rows_init(&fresh, &walls));
-        check_rows((const double(*)[4])rows.shape, (const double(*)[4])fresh.shape,
+        clod_wall_move(&y.wall[0], 0.1, step);
+        y.wall[0].servo_velocity += 0.5;
+        y.wall[1].surface_velocity.x += 0.25; // a belt: nothing else of this wall changes
+        clod_wall_rows_update(&y.rows, &y.walls);
+        assert_true(clod_wall_rows_init(&fresh, &y.walls));
+        check_rows((const double(*)[4])y.rows.shape, (const double(*)[4])fresh.shape,
                    2 * KINDS * CLOD_SHAPE_ROWS);
-        check_rows((const double(*)[4])rows.wall, (const double(*)[4])fresh.wall,
+        check_rows((const double(*)[4])y.rows.wall, (const double(*)[4])fresh.wall,
                    2 * CLOD_WALL_ROWS);
         clod_wall_rows_fini(&fresh);
     }
-    clod_wall_rows_fini(&rows);
+    clod_wall_rows_fini(&y.rows);
 }
 
 /** Velocity of the material at a point from the rows: v + w x (p - origin). */
@@ -189,22 +191,18 @@ static clod_vec3 velocity_at(const double (*row)[4], clod_vec3 p)
 static void rows_tell_how_a_wall_moves(void **state)
 {
     (void)state;
-    clod_shape shapes[KINDS];
-    clod_wall wall[2];
-    make_shapes(shapes);
-    make_walls(wall, shapes);
-    clod_wall_rows rows;
-    assert_true(clod_wall_rows_init(&rows, &(clod_walls){.count = 2, .wall = wall}));
+    yard y;
+    yard_init(&y);
     for (uint64_t i = 0; i < POINTS; i++) {
         const clod_vec3 p = random_point(i);
         for (int w = 0; w < 2; w++) {
             const double(*row)[4] =
-                (const double(*)[4])rows.wall + (ptrdiff_t)CLOD_WALL_ROWS * w;
-            check_close(apart(velocity_at(row, p), clod_wall_velocity_at(&wall[w], p)), 0.0,
+                (const double(*)[4])y.rows.wall + (ptrdiff_t)CLOD_WALL_ROWS * w;
+            check_close(apart(velocity_at(row, p), clod_wall_velocity_at(&y.wall[w], p)), 0.0,
                         1e-13);
         }
     }
-    clod_wall_rows_fini(&rows);
+    clod_wall_rows_fini(&y.rows);
 }
 
 int main(void)
