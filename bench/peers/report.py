@@ -34,7 +34,8 @@ Beds: copies of `bench/packings/pack_4k.csv` (3750 grains of copper ore, periodi
 would not be, so there is no bed of 1000). Step 1e-7 s, double precision, gravity. Warm-up and
 measured steps are the same ones in all programs, from the same grains. The programs take turns;
 medians (smallest - largest) over the runs. Threads are clod's threads and the peers' MPI ranks.
-Times are those of the steps alone, as each program measures them.
+Times are those of the steps alone, as each program measures them. Runs can be
+added to those that are there, so rows may have different numbers of them.
 
 """
 

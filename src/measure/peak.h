@@ -5,6 +5,7 @@
  *
  * The curve is averaged in CLOD_PEAK_BINS bins of equal displacement per window, and smoothed
  * by the mean of the last CLOD_PEAK_BINS bins: a moving average over `window` metres, centred.
+ * Where samples are further apart than a bin, each is a bin and the average is wider than that.
  * The peak is the largest value of the smoothed curve. It is passed when the curve was sheared
  * `beyond` metres further without a larger one. Curves that rise to a plateau and never fall
  * are not passed for as long as they rise: the caller stops at its own limit and takes the

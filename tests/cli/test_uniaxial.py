@@ -10,7 +10,6 @@ import math
 import os
 import shutil
 import signal
-import statistics
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -110,14 +109,16 @@ class Uniaxial(clod.TesterCase):
             self.assertAlmostEqual(point["rho_b"] / rested["bulk_density"], 1.0, delta=1e-8)
             self.assertAlmostEqual(point["void_ratio"], 1.0 / rested["solid_fraction"] - 1.0,
                                    delta=1e-8)
-            # the smoothed peak: below the largest sample, and the mean of the samples about it
-            # within three of their standard errors (eight samples of a stress that fluctuates)
+            # the smoothed peak: below the largest sample, and the mean of what is averaged: 16
+            # bins, which are as wide as samples are apart where that is more than a 16th of the
+            # window of 0.002 (the lid still speeds up: measure/peak.h)
             self.assertLess(point["sigma_c"], most)
+            strains = [row["strain"] for row in crushed]
+            after = next(k for k, s in enumerate(strains) if s > point["strain_at_peak"])
+            half = max(1e-3, 8 * (strains[after] - strains[after - 1]))
             near = [row["axial_stress"] for row in crushed
-                    if abs(row["strain"] - point["strain_at_peak"]) < 1e-3]
-            self.assertGreater(len(near), 5)
-            self.assertAlmostEqual(point["sigma_c"], statistics.mean(near),
-                                   delta=3.0 * statistics.stdev(near) / math.sqrt(len(near)))
+                    if abs(row["strain"] - point["strain_at_peak"]) < half]
+            self.assertAlmostEqual(point["sigma_c"] / (sum(near) / len(near)), 1.0, delta=0.005)
             self.assertLess(point["strain_at_peak"], CRUSH_MAX)
             self.assertAlmostEqual(point["ffc"] * point["sigma_c"] / point["sigma_1"], 1.0,
                                    delta=1e-8)
