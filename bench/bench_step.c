@@ -4,14 +4,16 @@
  * at the end, as one line of JSON.
  *
  *   bench_step PACKING.csv PACKING.box [--law NAME] [--steps N] [--warm N] [--threads N]
- *              [--simd SET] [--ledger] [--stages]
+ *              [--simd SET] [--ledger] [--stages] [--peak]
  *   bench_step --version
  *
  * The packing and the laws (mepa, hertz, hertz-rolling) are those of bed.h. The clock runs over
  * `steps` after `warm` steps. --stages runs the stages one by one on one thread with a clock
- * around each.
+ * around each. --peak makes all lists anew in one more step, behind the clock: the most memory
+ * that a run takes.
  */
 #include <getopt.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,25 +28,24 @@ typedef struct options {
     const char *csv, *box, *law;
     int64_t steps, warm; ///< warm < 0: a tenth of the steps, and one
     clod_step_options step;
-    bool ledger, stages;
+    bool ledger, stages, peak;
 } options;
 
 typedef struct measured {
     double wall; ///< s
     double stage[BENCH_STAGES];
+    clod_energies energies;
+    double contacts;
+    int64_t rebuilds;
     long rss_empty, rss_stepped, rss_peak; ///< kB
 } measured;
 
 static const struct option OPTIONS[] = {
-    {"law", required_argument, NULL, 'l'},
-    {"steps", required_argument, NULL, 's'},
-    {"warm", required_argument, NULL, 'w'},
-    {"threads", required_argument, NULL, 't'},
-    {"simd", required_argument, NULL, 'i'},
-    {"ledger", no_argument, NULL, 'e'},
-    {"stages", no_argument, NULL, 'g'},
-    {"version", no_argument, NULL, 'v'},
-    {0},
+    {"law", required_argument, NULL, 'l'},  {"steps", required_argument, NULL, 's'},
+    {"warm", required_argument, NULL, 'w'}, {"threads", required_argument, NULL, 't'},
+    {"simd", required_argument, NULL, 'i'}, {"ledger", no_argument, NULL, 'e'},
+    {"stages", no_argument, NULL, 'g'},     {"peak", no_argument, NULL, 'p'},
+    {"version", no_argument, NULL, 'v'},    {0},
 };
 
 static void give_up(const char *text)
@@ -90,6 +91,9 @@ static options read_options(int argc, char **argv)
         case 'g':
             o.stages = true;
             break;
+        case 'p':
+            o.peak = true;
+            break;
         case 'v':
             puts(clod_version_text());
             exit(0);
@@ -127,6 +131,14 @@ static long rss(void)
     return kilobytes;
 }
 
+/** One step in which all lists are made anew. */
+static bool rebuild(clod_step *step, clod_status *status)
+{
+    const int64_t before = step->rebuilds;
+    step->state->build_motion = INFINITY;
+    return clod_step_advance(step, 1, status) && step->rebuilds > before;
+}
+
 static bool measure(const options *o, clod_step *step, measured *m, clod_status *status)
 {
     if ((o->ledger && !clod_step_open_ledger(step, status)) ||
@@ -138,24 +150,27 @@ static bool measure(const options *o, clod_step *step, measured *m, clod_status 
                               : clod_step_advance(step, o->steps, status);
     m->wall = bench_now() - begin;
     m->rss_stepped = rss();
-    const bool exported = ok && clod_step_export(step, status);
+    m->rebuilds = step->rebuilds;
+    const bool good =
+        ok && (!o->peak || rebuild(step, status)) && clod_step_export(step, status);
     m->rss_peak = rss();
-    return exported;
+    m->contacts = (double)step->state->contact_count;
+    m->energies = clod_step_energies(step); // takes the contacts back, and scratch of its own
+    return good;
 }
 
 static void report(const options *o, clod_step *step, const measured *m)
 {
     const clod_state *state = step->state;
     const double grains = (double)state->grains.count;
-    const double contacts = (double)state->contact_count;
-    const clod_energies energies = clod_step_energies(step);
+    const double contacts = m->contacts;
     printf("{\"version\": \"%s\", \"law\": \"%s\", \"simd\": \"%s\", \"threads\": %d, ",
            clod_version_text(), o->law, step->kernel->name, step->threads);
     printf("\"grains\": %zu, \"contacts_per_grain\": %.4f, \"near_per_contact\": %.4f, ",
            state->grains.count, contacts / grains,
            (double)step->near.pairs.count * CLOD_LANES / contacts);
     printf("\"warm\": %lld, \"steps\": %lld, \"rebuilds\": %lld, \"refreshes\": %lld, ",
-           (long long)o->warm, (long long)o->steps, (long long)step->rebuilds,
+           (long long)o->warm, (long long)o->steps, (long long)m->rebuilds,
            (long long)step->refreshes);
     printf("\"seconds\": %.6g, \"grain_steps_per_s\": %.4g, \"ns_per_contact\": %.2f, ",
            m->wall, grains * (double)o->steps / m->wall,
@@ -168,8 +183,8 @@ static void report(const options *o, clod_step *step, const measured *m)
         }
         printf("}, ");
     }
-    printf("\"kinetic_J\": %.17g, \"rotational_J\": %.17g, ", energies.translation,
-           energies.rotation);
+    printf("\"kinetic_J\": %.17g, \"rotational_J\": %.17g, ", m->energies.translation,
+           m->energies.rotation);
     printf("\"rss_empty_kB\": %ld, \"rss_stepped_kB\": %ld, \"rss_peak_kB\": %ld}\n",
            m->rss_empty, m->rss_stepped, m->rss_peak);
 }

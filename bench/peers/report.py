@@ -104,7 +104,8 @@ def _memory(records):
     rows = []
     for size in plan.SIZES:
         for name in plan.programs(size, plan.FULL):
-            runs = table.chosen(records, kind="speed", size=size, case=plan.FULL, program=name,
+            kind = "memory" if name == plan.CLOD else "speed"
+            runs = table.chosen(records, kind=kind, size=size, case=plan.FULL, program=name,
                                 threads=1)
             each = targets.bytes_per_grain(records, size, name)
             if each:
@@ -117,9 +118,8 @@ def _memory(records):
                 rows.append([size, name, f"{runs[0]['rss_kB'] / 1024:.0f}", f"{each:.0f}",
                              f"{each / contacts:.0f}", stepped])
     return rows and ("## Memory\n\nLargest resident memory on one core, case c. clod: less that of "
-                     "its start; the last column before it\nwrites all contacts out, which a "
-                     "rebuild of the lists does too. Peers: less that of the 4k bed, over the\n"
-                     "grains more.\n\n"
+                     "its start, with all lists made anew\nand all histories written out; the last "
+                     "column before that. Peers: less that of the 4k bed, over the grains\nmore.\n\n"
                      + table.text(["bed", "program", "MiB", "bytes per grain with its contacts",
                                    "per contact", "bytes per grain, stepping only"], rows)) or ""
 

@@ -17,7 +17,8 @@ def bytes_per_grain(records, size, name):
     Memory of a grain with its contacts, from the runs on one core, or None: clod's less that of
     its start; a peer's less that of the smallest bed, over the grains more.
     """
-    keys = {"kind": "speed", "case": plan.FULL, "program": name, "threads": 1}
+    keys = {"kind": "memory" if name == plan.CLOD else "speed", "case": plan.FULL,
+            "program": name, "threads": 1}
     runs = table.chosen(records, size=size, **keys)
     small = table.chosen(records, size="4k", **keys)
     if not runs:

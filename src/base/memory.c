@@ -5,8 +5,9 @@
 #include <string.h>
 #include <sys/mman.h>
 
+#define PAGE 4096         ///< bytes, or a multiple where pages are larger
 #define HUGE_PAGE 2097152 ///< bytes
-#define HUGE_FROM 8388608 ///< bytes from which on an array takes huge pages
+#define GIVE_FROM 1048576 ///< bytes from which on an array's pages are given back
 
 static atomic_uint_fast64_t allocations;
 
@@ -32,7 +33,7 @@ void *clod_memory_alloc(size_t count, size_t size)
     }
     atomic_fetch_add_explicit(&allocations, 1, memory_order_relaxed);
     const size_t alignment =
-        count * size >= HUGE_FROM ? (size_t)HUGE_PAGE : (size_t)CLOD_MEMORY_ALIGNMENT;
+        count * size >= CLOD_MEMORY_LARGE ? (size_t)HUGE_PAGE : (size_t)CLOD_MEMORY_ALIGNMENT;
     const size_t whole = (count * size + alignment) / alignment * alignment;
     void *memory = aligned_alloc(alignment, whole);
     if (memory != NULL && alignment == HUGE_PAGE) {
@@ -51,6 +52,22 @@ void *clod_memory_grow(void *memory, size_t old_count, size_t new_count, size_t 
         clod_memory_free(memory);
     }
     return grown;
+}
+
+void clod_memory_give_back(void *memory, size_t bytes, size_t array)
+{
+#if defined(__linux__)
+    const uintptr_t page = array >= CLOD_MEMORY_LARGE ? HUGE_PAGE : PAGE;
+    const uintptr_t from = ((uintptr_t)memory + page - 1) / page * page;
+    const uintptr_t to = ((uintptr_t)memory + bytes) / page * page;
+    if (array >= GIVE_FROM && from < to) {
+        madvise((char *)memory + (from - (uintptr_t)memory), to - from, MADV_DONTNEED);
+    }
+#else
+    (void)memory;
+    (void)bytes;
+    (void)array;
+#endif
 }
 
 char *clod_memory_text(const char *text)

@@ -24,6 +24,20 @@ void *clod_memory_alloc(size_t count, size_t size);
 /** Grow to new_count items, zeroing the new ones; NULL (old memory kept) when there is none. */
 void *clod_memory_grow(void *memory, size_t old_count, size_t new_count, size_t size);
 
+/** Bytes from which on an array lies in huge pages. */
+#define CLOD_MEMORY_LARGE 8388608
+
+/**
+ * Give what lies in the first `bytes` of an array, and is not needed any more, back to the
+ * system: its whole pages, if the array has 1 MiB or more. They come again, zeroed, when they
+ * are next used (docs/adr/0016).
+ *
+ * @param memory  start of an array, or a place within it
+ * @param bytes   that may be lost from there on
+ * @param array   bytes of the whole array
+ */
+void clod_memory_give_back(void *memory, size_t bytes, size_t array);
+
 /** Owned copy of a text; NULL gives NULL. */
 char *clod_memory_text(const char *text);
 

@@ -91,8 +91,10 @@ static bool make_sample(const clod_check_subject *subject, const clod_check_repo
     return good;
 }
 
-/** Bytes that state and step take for each grain; room that is never used takes none. */
-static double bytes_per_grain(const clod_step *step)
+/** Bytes that state and step take for each grain; room that is never used takes none. A large
+ *  bed holds histories in blocks or in the state's list, a small one in both (base/memory.h).
+ */
+static void count_bytes(const clod_step *step, double *small, double *large)
 {
     const clod_neighbour *near = &step->neighbour;
     const clod_near *list = &step->near;
@@ -100,18 +102,21 @@ static double bytes_per_grain(const clod_step *step)
     const double grains = (double)state->grains.capacity;
     const double rows = grains * (3 * 4 + 8 + 1 + 4) * sizeof(double) + 2 * grains;
     const double contacts = (double)state->contact_capacity * (double)sizeof(clod_contact);
-    const double candidates = (double)near->pairs.count * sizeof(clod_candidate);
+    const double candidates =
+        (double)near->pairs.count * sizeof(clod_partner) + grains * sizeof(uint32_t);
     const double sorting = 2.0 * (double)near->sort_capacity * sizeof(clod_sort_item) +
                            (double)near->grain_capacity * 3 * sizeof(int32_t);
     const double blocks = (double)list->pairs.count * (double)sizeof(clod_contact_block) +
                           (double)list->between.share_capacity * 8 * sizeof(double);
-    return (rows + contacts + candidates + sorting + blocks) / (double)state->grains.count;
+    const double count = (double)state->grains.count;
+    *small = (rows + candidates + sorting + contacts + blocks) / count;
+    *large = (rows + candidates + fmax(contacts, blocks)) / count;
 }
 
 /** Rate of the step on a copy of the sample [grain-steps/s]. */
 static bool time_step(const clod_state *sample, const clod_laws *laws,
                       const clod_step_options *options, bool energy, double *rate,
-                      double *bytes, const char **simd, clod_status *status)
+                      double bytes[2], const char **simd, clod_status *status)
 {
     clod_state state = {0};
     clod_step step;
@@ -136,7 +141,7 @@ static bool time_step(const clod_state *sample, const clod_laws *laws,
     }
     good = good && clod_step_export(&step, status);
     if (good) {
-        *bytes = bytes_per_grain(&step);
+        count_bytes(&step, &bytes[0], &bytes[1]);
         *simd = step.kernel->name;
     }
     clod_step_fini(&step);
@@ -145,7 +150,7 @@ static bool time_step(const clod_state *sample, const clod_laws *laws,
 }
 
 static bool measure_rate(const clod_check_subject *subject, clod_check_report *report,
-                         double *bytes, clod_status *status)
+                         double bytes[2], clod_status *status)
 {
     clod_state sample;
     clod_laws laws;
@@ -324,15 +329,17 @@ static bool find_space(const clod_check_subject *subject, clod_check_report *rep
 bool clod_check_cost(const clod_check_subject *subject, clod_check_report *report,
                      clod_status *status)
 {
-    double bytes = 0.0;
+    double bytes[2] = {0.0}; // a grain, of a small bed and of a large one
     const int threads = subject->options->threads;
     report->processors = clod_threads_available();
     report->threads = threads > 0 ? threads : report->processors;
-    if (!measure_rate(subject, report, &bytes, status)) {
+    if (!measure_rate(subject, report, bytes, status)) {
         return false;
     }
     plan_run(subject->from, report);
     plan_disk(subject, report);
-    report->memory = bytes * (double)report->grains * report->side_by_side;
+    const double histories = (double)report->grains * sizeof(clod_contact);
+    const bool large = histories >= CLOD_MEMORY_LARGE;
+    report->memory = bytes[large ? 1 : 0] * (double)report->grains * report->side_by_side;
     return find_space(subject, report, status);
 }

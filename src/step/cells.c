@@ -22,29 +22,18 @@ static bool within_skin(const clod_state *state, const double a[4], const double
     return x * x + y * y + z * z < reach * reach;
 }
 
-static bool add_pair(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
-                     size_t i, size_t j)
-{
-    clod_candidate *c = clod_neighbour_add(&self->pairs);
-    if (c == NULL) {
-        return false;
-    }
-    const uint16_t *material = state->grains.material;
-    const int32_t law = clod_laws_index(laws, material[i], material[j]);
-    *c = (clod_candidate){(int32_t)i, (int32_t)j, -1, -1, (uint32_t)law & 0x7fff, 0};
-    return true;
-}
-
-bool clod_cells_all_pairs(clod_neighbour *self, const clod_state *state, const clod_laws *laws)
+bool clod_cells_all_pairs(clod_neighbour *self, const clod_state *state)
 {
     for (size_t i = 0; i < state->grains.count; i++) {
+        self->pairs.start[i] = (uint32_t)self->pairs.count;
         for (size_t j = i + 1; j < state->grains.count; j++) {
             if (within_skin(state, state->build_place[i], state->build_place[j], self->skin) &&
-                !add_pair(self, state, laws, i, j)) {
+                !clod_neighbour_add(&self->pairs, j)) {
                 return false;
             }
         }
     }
+    self->pairs.start[state->grains.count] = (uint32_t)self->pairs.count;
     return true;
 }
 
@@ -150,8 +139,8 @@ static int around(const cell_grid *grid, int axis, int32_t c, int32_t out[3])
 }
 
 /** Later partners of i in one cell. */
-static bool search_cell(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
-                        size_t i, int32_t cell, size_t cells)
+static bool search_cell(clod_neighbour *self, const clod_state *state, size_t i, int32_t cell,
+                        size_t cells)
 {
     const int32_t begin = self->cell_start[cell + 1];
     const int32_t end =
@@ -160,7 +149,7 @@ static bool search_cell(clod_neighbour *self, const clod_state *state, const clo
         const size_t j = (size_t)self->cell_item[k];
         if (j > i &&
             within_skin(state, state->build_place[i], state->build_place[j], self->skin) &&
-            !add_pair(self, state, laws, i, j)) {
+            !clod_neighbour_add(&self->pairs, j)) {
             return false;
         }
     }
@@ -168,10 +157,10 @@ static bool search_cell(clod_neighbour *self, const clod_state *state, const clo
 }
 
 /** Put the candidates from `first` on into ascending j; a handful of items. */
-static void order_tail(clod_candidates *self, size_t first)
+static void order_tail(clod_pairs *self, size_t first)
 {
     for (size_t k = first + 1; k < self->count; k++) {
-        const clod_candidate moving = self->item[k];
+        const clod_partner moving = self->item[k];
         size_t at = k;
         while (at > first && self->item[at - 1].j > moving.j) {
             self->item[at] = self->item[at - 1];
@@ -181,9 +170,10 @@ static void order_tail(clod_candidates *self, size_t first)
     }
 }
 
-bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state, const clod_laws *laws)
+bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state)
 {
     if (state->grains.count == 0) {
+        self->pairs.start[0] = 0;
         return true;
     }
     const cell_grid grid = make_grid(self, state);
@@ -193,6 +183,7 @@ bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state, const 
     const size_t cells = (size_t)grid.n[0] * (size_t)grid.n[1] * (size_t)grid.n[2];
     for (size_t i = 0; i < state->grains.count; i++) {
         const size_t first = self->pairs.count;
+        self->pairs.start[i] = (uint32_t)first;
         int32_t x[3], y[3], z[3];
         const double *p = state->build_place[i];
         const int nx = around(&grid, 0, cell_along(&grid, 0, p[0]), x);
@@ -201,11 +192,12 @@ bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state, const 
         for (int c = 0; c < nx * ny * nz; c++) {
             const int32_t cell =
                 (z[c / (nx * ny)] * grid.n[1] + y[c / nx % ny]) * grid.n[0] + x[c % nx];
-            if (!search_cell(self, state, laws, i, cell, cells)) {
+            if (!search_cell(self, state, i, cell, cells)) {
                 return false;
             }
         }
         order_tail(&self->pairs, first);
     }
+    self->pairs.start[state->grains.count] = (uint32_t)self->pairs.count;
     return true;
 }

@@ -8,8 +8,7 @@
 #include "step/neighbour.h"
 
 /** Fill self->pairs in ascending (i, j); false without memory. */
-bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state,
-                           const clod_laws *laws);
+bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state);
 
 /** The same by looking at every pair. */
-bool clod_cells_all_pairs(clod_neighbour *self, const clod_state *state, const clod_laws *laws);
+bool clod_cells_all_pairs(clod_neighbour *self, const clod_state *state);

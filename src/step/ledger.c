@@ -1,5 +1,6 @@
 // Stage ledger, and the energies of a moment. Sums go in the order of the contacts, which no
 // refresh of the near list changes (pairs that do not touch add zero): same bits always.
+#include <math.h>
 #include <string.h>
 
 #include "step/step.h"
@@ -146,9 +147,16 @@ static void add_contacts(clod_step *self, clod_energies *e)
 clod_energies clod_step_energies(clod_step *self)
 {
     clod_energies e = {0};
+    if (!clod_step_take_back(self)) {
+        e.normal = NAN;
+        return e;
+    }
     clod_wall_rows_update(&self->walls, &self->state->walls); // someone may have moved them
     add_grains(self->state, &e);
     add_contacts(self, &e);
+    if (!self->near.ledger) { // else every step needs the scratch
+        clod_neighbour_give_back(&self->neighbour);
+    }
     return e;
 }
 

@@ -54,14 +54,15 @@ static inline size_t clod_near_group(const clod_near *self, int part, int32_t la
 }
 
 /**
- * Make the near list with the histories of state->contacts.
+ * Make the near list. The histories of state->contacts go into its blocks, and the state's list
+ * is empty then; without memory nothing is lost.
  *
- * @param neighbour  candidates; their lanes, rows of contacts before, are set to the new blocks
+ * @param neighbour  candidates; it is noted which of them are near
  * @param walls      the walls as they are now
  * @param skin       thin skin [m]
  * @return           false without memory
  */
-bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state *state,
+bool clod_near_make(clod_near *self, clod_neighbour *neighbour, clod_state *state,
                     const clod_laws *laws, const clod_wall_rows *walls, double skin,
                     clod_status *status);
 
@@ -69,11 +70,10 @@ bool clod_near_make(clod_near *self, clod_neighbour *neighbour, const clod_state
 bool clod_near_reserve_spent(clod_near *self);
 
 /**
- * The history of every closed contact into state->contacts (emptied first), ascending.
- *
- * @param leave  the blocks will not be used any more: candidates point to rows of contacts
+ * The history of every closed contact into state->contacts (emptied first), ascending. The
+ * blocks hold nothing then, until the list is made again.
  */
-bool clod_near_export(const clod_near *self, clod_neighbour *neighbour, clod_state *state,
-                      bool leave, clod_status *status);
+bool clod_near_export(clod_near *self, clod_neighbour *neighbour, clod_state *state,
+                      const clod_laws *laws, clod_status *status);
 
 void clod_near_fini(clod_near *self);

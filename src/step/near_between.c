@@ -9,8 +9,13 @@ static size_t lanes_between(const clod_near *self)
     return (self->pairs.count - first) * CLOD_LANES;
 }
 
-static bool reserve(clod_near_between *self, size_t lanes)
+bool clod_near_between_reserve(clod_near *near)
 {
+    if (near->parts == 1) {
+        return true;
+    }
+    clod_near_between *self = &near->between;
+    const size_t lanes = lanes_between(near);
     if (2 * lanes > self->share_capacity) {
         clod_memory_free(self->share);
         self->share_capacity = 2 * lanes + lanes / 2;
@@ -70,13 +75,10 @@ static void number_law(clod_near *self, int32_t law, size_t base, clod_sort_item
     }
 }
 
-bool clod_near_between_make(clod_near *self, clod_sort_item *sort, clod_sort_item *scratch)
+void clod_near_between_make(clod_near *self, clod_sort_item *sort, clod_sort_item *scratch)
 {
     if (self->parts == 1) {
-        return true;
-    }
-    if (!reserve(&self->between, lanes_between(self))) {
-        return false;
+        return;
     }
     const size_t first = self->pairs.group_start[clod_near_group(self, self->parts, 0)];
     for (int32_t l = 0; l < self->laws; l++) {
@@ -84,7 +86,6 @@ bool clod_near_between_make(clod_near *self, clod_sort_item *sort, clod_sort_ite
         number_law(self, l, (self->pairs.group_start[group] - first) * CLOD_LANES, sort,
                    scratch);
     }
-    return true;
 }
 
 static void add_row(double *load, const double *share)

@@ -6,13 +6,15 @@
 
 #include "step/near.h"
 
+/** Room for the contacts between parts, once all groups have their blocks; false without. */
+bool clod_near_between_reserve(clod_near *self);
+
 /**
  * Number the contacts between parts after the blocks have been filled.
  *
  * @param sort, scratch  room for as many items as there are such contacts
- * @return               false without memory
  */
-bool clod_near_between_make(clod_near *self, clod_sort_item *sort, clod_sort_item *scratch);
+void clod_near_between_make(clod_near *self, clod_sort_item *sort, clod_sort_item *scratch);
 
 /** Add to the loads what the grains of a part get as i (later), or as j (not later), of a law's
  *  contacts with other parts. */

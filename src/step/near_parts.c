@@ -4,14 +4,22 @@
 /** Work of a contact with a wall, where one between two grains has 2: its gap comes on top. */
 #define WALL_WORK 3
 
-/** Half a contact's work for each of its grains; a wall leaves all to the grain. */
-static void weigh(int32_t *weight, const clod_candidates *candidates)
+/** Half a contact's work for each of its grains. */
+static void weigh_pairs(int32_t *weight, const clod_pairs *pairs, size_t grains)
 {
-    for (size_t k = 0; k < candidates->count; k++) {
-        const clod_candidate *c = &candidates->item[k];
-        const bool wall = c->shape >= 0;
-        weight[c->i] += wall ? WALL_WORK * c->near : c->near;
-        weight[wall ? c->i : c->j] += wall ? 0 : c->near;
+    for (size_t i = 0; i < grains; i++) {
+        for (size_t k = pairs->start[i]; k < pairs->start[i + 1]; k++) {
+            weight[i] += pairs->item[k].near;
+            weight[pairs->item[k].j] += pairs->item[k].near;
+        }
+    }
+}
+
+/** A wall leaves all work to the grain. */
+static void weigh_walls(int32_t *weight, const clod_wall_candidates *walls)
+{
+    for (size_t k = 0; k < walls->count; k++) {
+        weight[walls->item[k].i] += WALL_WORK * walls->item[k].near;
     }
 }
 
@@ -25,8 +33,8 @@ void clod_near_cut(clod_near *self, const clod_neighbour *neighbour, size_t grai
     for (size_t g = 0; g < grains; g++) {
         self->weight[g] = 2; // moving it costs about as much as a contact
     }
-    weigh(self->weight, &neighbour->pairs);
-    weigh(self->weight, &neighbour->walls);
+    weigh_pairs(self->weight, &neighbour->pairs, grains);
+    weigh_walls(self->weight, &neighbour->walls);
     int64_t all = 0;
     for (size_t g = 0; g < grains; g++) {
         all += self->weight[g];

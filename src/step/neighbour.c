@@ -1,6 +1,7 @@
 #include "step/neighbour.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "step/cells.h"
@@ -21,25 +22,39 @@ void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool bru
     self->skin = SKIN_FRACTION * self->radius_max;
 }
 
-/** Room for a number of candidates, or none: then they are asked for as they come. */
-static void reserve_pairs(clod_candidates *self, size_t count)
+/** Room for a number of pairs, or none: then it is asked for as they come. */
+static void reserve_pairs(clod_pairs *self, size_t count)
 {
     self->item = clod_memory_alloc(count, sizeof *self->item);
     self->capacity = self->item != NULL ? count : 0;
 }
 
-clod_candidate *clod_neighbour_add(clod_candidates *self)
+/** Room for one more item in an array, which is moved; false without memory. */
+static bool reserve_one(void *array, size_t count, size_t *capacity, size_t size)
 {
-    if (self->count == self->capacity) {
-        const size_t capacity = self->capacity + self->capacity / 2 + 1024;
-        void *item = clod_memory_grow(self->item, self->capacity, capacity, sizeof *self->item);
-        if (item == NULL) {
-            return NULL;
-        }
-        self->item = item;
-        self->capacity = capacity;
+    if (count < *capacity) {
+        return true;
     }
-    return &self->item[self->count++];
+    const size_t more = *capacity + *capacity / 2 + 1024;
+    void *old;
+    memcpy(&old, array, sizeof old);
+    void *grown = clod_memory_grow(old, *capacity, more, size);
+    if (grown == NULL) {
+        return false;
+    }
+    memcpy(array, &grown, sizeof grown);
+    *capacity = more;
+    return true;
+}
+
+bool clod_neighbour_add(clod_pairs *self, size_t j)
+{
+    if (self->count == UINT32_MAX || // start could not tell where they are
+        !reserve_one(&self->item, self->count, &self->capacity, sizeof *self->item)) {
+        return false;
+    }
+    self->item[self->count++] = (clod_partner){(uint32_t)j & 0x7fffffff, 0};
+    return true;
 }
 
 /** Grains and shapes of walls that are within the skin, walls as they were at the rebuild. */
@@ -56,12 +71,14 @@ static bool find_walls(clod_neighbour *self, const clod_state *state, const clod
                     p[3] + self->skin) {
                     continue;
                 }
-                clod_candidate *c = clod_neighbour_add(&self->walls);
-                if (c == NULL) {
+                clod_wall_candidates *walls = &self->walls;
+                if (!reserve_one(&walls->item, walls->count, &walls->capacity,
+                                 sizeof *walls->item)) {
                     return false;
                 }
                 const int32_t law = clod_laws_index(laws, grains->material[g], wall->material);
-                *c = (clod_candidate){(int32_t)g, w, -1, (int16_t)s, (uint32_t)law & 0x7fff, 0};
+                walls->item[walls->count++] = (clod_wall_candidate){
+                    (int32_t)g, w, -1, (int16_t)s, (uint32_t)law & 0x7fff, 0};
             }
         }
     }
@@ -84,26 +101,30 @@ static bool walls_at_rebuild(clod_neighbour *self, const clod_state *state)
     return true;
 }
 
-/** -1, 0, 1 as candidate `c` stands before, at, after contact `k`. */
-static int compare(const clod_candidate *c, const clod_contact *k)
+/** Both lists ascend: one walk sees that contacts [0, end) are candidates; the first that is
+ *  none, or end. */
+static size_t find_pairs(const clod_pairs *self, size_t grains, const clod_contact *contacts,
+                         size_t end)
 {
-    if (c->i != k->i) {
-        return c->i < k->i ? -1 : 1;
+    size_t k = 0;
+    for (size_t i = 0; i < grains; i++) {
+        for (size_t p = self->start[i]; p < self->start[i + 1] && k < end; p++) {
+            k += (size_t)contacts[k].i == i && (uint32_t)contacts[k].j == self->item[p].j;
+        }
     }
-    if (c->j != k->j) {
-        return c->j < k->j ? -1 : 1;
-    }
-    return (c->shape > k->shape) - (c->shape < k->shape);
+    return k;
 }
 
-/** Both lists ascend: one walk tells each candidate its contact; the first one left, or end. */
-static size_t attach(clod_candidates *self, const clod_contact *contacts, size_t begin,
-                     size_t end)
+/** The same for walls, contacts [begin, end); each candidate is told its contact. */
+static size_t attach_walls(clod_wall_candidates *self, const clod_contact *contacts,
+                           size_t begin, size_t end)
 {
     size_t k = begin;
     for (size_t c = 0; c < self->count && k < end; c++) {
-        if (compare(&self->item[c], &contacts[k]) == 0) {
-            self->item[c].lane = (int32_t)k++;
+        clod_wall_candidate *at = &self->item[c];
+        if (at->i == contacts[k].i && at->wall == contacts[k].j &&
+            at->shape == contacts[k].shape) {
+            at->lane = (int32_t)k++;
         }
     }
     return k;
@@ -117,16 +138,16 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
         reserve_pairs(&self->pairs, LIKELY_PAIRS * state->grains.count);
     }
     if (!walls_at_rebuild(self, state) || !find_walls(self, state, laws) ||
-        !(self->brute_force ? clod_cells_all_pairs(self, state, laws)
-                            : clod_cells_find_pairs(self, state, laws))) {
+        !(self->brute_force ? clod_cells_all_pairs(self, state)
+                            : clod_cells_find_pairs(self, state))) {
         return clod_status_fail(status, CLOD_FAILED,
                                 "no memory for the contact candidates of %zu grains",
                                 state->grains.count);
     }
     const size_t pairs = state->contact_count - state->wall_contact_count;
-    size_t left = attach(&self->pairs, state->contacts, 0, pairs);
+    size_t left = find_pairs(&self->pairs, state->grains.count, state->contacts, pairs);
     if (left == pairs) {
-        left = attach(&self->walls, state->contacts, pairs, state->contact_count);
+        left = attach_walls(&self->walls, state->contacts, pairs, state->contact_count);
     }
     if (left < state->contact_count) {
         const uint64_t grain = state->grains.id[state->contacts[left].i];
@@ -139,8 +160,22 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
     return true;
 }
 
+void clod_neighbour_give_back(clod_neighbour *self)
+{
+    const size_t sort = self->sort_capacity * sizeof *self->sort;
+    const size_t grains = self->grain_capacity * sizeof *self->rank;
+    const size_t cells = self->cell_capacity * sizeof *self->cell_start;
+    clod_memory_give_back(self->sort, sort, sort);
+    clod_memory_give_back(self->sort_scratch, sort, sort);
+    clod_memory_give_back(self->cell_of, grains, grains);
+    clod_memory_give_back(self->cell_item, grains, grains);
+    clod_memory_give_back(self->rank, grains, grains);
+    clod_memory_give_back(self->cell_start, cells, cells);
+}
+
 void clod_neighbour_fini(clod_neighbour *self)
 {
+    clod_memory_free(self->pairs.start);
     clod_memory_free(self->pairs.item);
     clod_memory_free(self->walls.item);
     clod_wall_rows_fini(&self->build_rows);

@@ -16,31 +16,44 @@
 #include "law/law.h"
 #include "state/state.h"
 
-/** A pair that may touch before the next rebuild; for a wall, j is the wall. */
-typedef struct clod_candidate {
-    int32_t i, j;
-    int32_t lane;      ///< where its history is: lane of a block, or row of contacts; -1 none
-    int16_t shape;     ///< of the wall; -1 for two grains
-    uint16_t law : 15; ///< row of clod_laws
-    uint16_t near : 1; ///< it is on the near list that is being made
-} clod_candidate;
+/** A later grain that a grain may touch before the next rebuild. */
+typedef struct clod_partner {
+    uint32_t j : 31;
+    uint32_t near : 1; ///< the pair is on the near list
+} clod_partner;
 
-typedef struct clod_candidates {
-    clod_candidate *item; ///< [count], in ascending (i, j, shape)
+typedef struct clod_pairs {
+    uint32_t *start;    ///< [grains + 1] first partner of each grain
+    clod_partner *item; ///< [count], in ascending (i, j)
     size_t count, capacity;
-} clod_candidates;
+} clod_pairs;
+
+/** A grain and a shape of a wall that may touch. */
+typedef struct clod_wall_candidate {
+    int32_t i, wall;
+    int32_t lane;      ///< where its history is: lane of a block, or row of contacts; -1 none
+    int16_t shape;     ///< of the wall
+    uint16_t law : 15; ///< row of clod_laws
+    uint16_t near : 1; ///< it is on the near list
+} clod_wall_candidate;
+
+typedef struct clod_wall_candidates {
+    clod_wall_candidate *item; ///< [count], in ascending (i, wall, shape)
+    size_t count, capacity;
+} clod_wall_candidates;
 
 typedef struct clod_neighbour {
     double skin; ///< m
     bool brute_force;
     double radius_min, radius_max;
-    clod_candidates pairs, walls;
+    clod_pairs pairs;
+    clod_wall_candidates walls;
     clod_wall_rows build_rows; ///< of the walls at the last rebuild
     // scratch, kept between rebuilds
     int32_t *cell_of, *cell_item; ///< [grains]
     int32_t *cell_start;          ///< [cells + 1]
     size_t cell_capacity, grain_capacity;
-    clod_sort_item *sort, *sort_scratch; ///< [max(2 grains, contacts)]
+    clod_sort_item *sort, *sort_scratch; ///< [sort_capacity]
     size_t sort_capacity;
     int32_t *rank; ///< [grains] new place of each old row
 } clod_neighbour;
@@ -66,7 +79,7 @@ void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool bru
  */
 bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status);
 
-/** Candidates from state->build_place and build_walls; each finds its row of contacts. */
+/** Candidates from state->build_place and build_walls; every contact must be among them. */
 bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
                           clod_status *status);
 
@@ -77,7 +90,10 @@ bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_
 /** Room for at least `items` items in sort and sort_scratch. */
 bool clod_neighbour_reserve_sort(clod_neighbour *self, size_t items);
 
-/** Room for one more candidate at the end, or NULL without memory. */
-clod_candidate *clod_neighbour_add(clod_candidates *self);
+/** Add a pair at the end of the candidates; false without memory. */
+bool clod_neighbour_add(clod_pairs *self, size_t j);
+
+/** Give the scratch of a large bed back to the system until it is next used. */
+void clod_neighbour_give_back(clod_neighbour *self);
 
 void clod_neighbour_fini(clod_neighbour *self);

@@ -6,6 +6,8 @@
 #include "step/neighbour.h"
 
 #define MORTON_BITS 21
+/** Places of contacts that one item of the scratch for sorting has room for. */
+#define PLACES_PER_ITEM (sizeof(clod_sort_item) / sizeof(int32_t))
 
 /** Spread the low 21 bits of x so that two free bits follow each. */
 static uint64_t spread(uint64_t x)
@@ -50,19 +52,23 @@ bool clod_neighbour_reserve_sort(clod_neighbour *self, size_t items)
 static bool reserve(clod_neighbour *self, const clod_state *state)
 {
     const size_t grains = state->grains.capacity;
-    const size_t rows = CLOD_NEIGHBOUR_ROW_ITEMS * grains;
-    const size_t items = rows > state->contact_count ? rows : state->contact_count;
+    const size_t pairs = state->contact_count - state->wall_contact_count;
+    size_t items = CLOD_NEIGHBOUR_ROW_ITEMS * grains;
+    items = items > state->wall_contact_count ? items : state->wall_contact_count;
+    items = items > pairs / PLACES_PER_ITEM ? items : pairs / PLACES_PER_ITEM + 1;
     if (grains > self->grain_capacity) {
+        clod_memory_free(self->pairs.start);
         clod_memory_free(self->cell_of);
         clod_memory_free(self->cell_item);
         clod_memory_free(self->rank);
+        self->pairs.start = clod_memory_alloc(grains, sizeof *self->pairs.start);
         self->cell_of = clod_memory_alloc(grains, sizeof *self->cell_of);
         self->cell_item = clod_memory_alloc(grains, sizeof *self->cell_item);
         self->rank = clod_memory_alloc(grains, sizeof *self->rank);
         self->grain_capacity = grains;
     }
-    return self->cell_of != NULL && self->cell_item != NULL && self->rank != NULL &&
-           clod_neighbour_reserve_sort(self, items);
+    return self->pairs.start != NULL && self->cell_of != NULL && self->cell_item != NULL &&
+           self->rank != NULL && clod_neighbour_reserve_sort(self, items);
 }
 
 /** Wrap periodic directions; a grain beyond an open side is an error. */
@@ -169,27 +175,66 @@ static void rename_contact(const clod_neighbour *self, clod_contact *c)
     }
 }
 
-/** Sort `count` contacts from `first` on. */
-static void sort_part(clod_neighbour *self, clod_contact *contacts, size_t first, size_t count)
+/** Put `count` pairs into ascending (i, j): by counting to the run of their i, in place along
+ *  the cycles of that permutation, then by j, a handful in each run. */
+static void sort_pairs(clod_neighbour *self, clod_contact *contacts, size_t count,
+                       size_t grains)
+{
+    int32_t *place = (int32_t *)self->sort;
+    int32_t *next = self->cell_of; // where the next pair of each grain goes
+    memset(next, 0, grains * sizeof *next);
+    for (size_t k = 0; k < count; k++) {
+        next[contacts[k].i]++;
+    }
+    int32_t sum = 0;
+    for (size_t g = 0; g < grains; g++) {
+        const int32_t mine = next[g];
+        next[g] = sum;
+        sum += mine;
+    }
+    for (size_t k = 0; k < count; k++) {
+        place[k] = next[contacts[k].i]++;
+    }
+    for (size_t k = 0; k < count; k++) {
+        while ((size_t)place[k] != k) {
+            const size_t to = (size_t)place[k];
+            const clod_contact moving = contacts[to];
+            contacts[to] = contacts[k];
+            contacts[k] = moving;
+            place[k] = place[to];
+            place[to] = (int32_t)to;
+        }
+    }
+    for (size_t k = 1; k < count; k++) {
+        const clod_contact moving = contacts[k];
+        size_t at = k;
+        for (; at > 0 && contacts[at - 1].i == moving.i && contacts[at - 1].j > moving.j;
+             at--) {
+            contacts[at] = contacts[at - 1];
+        }
+        contacts[at] = moving;
+    }
+}
+
+/** Put `count` contacts with walls into ascending (i, wall, shape). */
+static void sort_walls(clod_neighbour *self, clod_contact *contacts, size_t count)
 {
     for (size_t k = 0; k < count; k++) {
-        const clod_contact *c = &contacts[first + k];
-        const uint64_t low =
-            c->shape < 0 ? (uint64_t)(uint32_t)c->j
-                         : (uint64_t)(uint32_t)c->j << 16 | (uint64_t)(uint32_t)c->shape;
+        const clod_contact *c = &contacts[k];
+        const uint64_t low = (uint64_t)(uint32_t)c->j << 16 | (uint64_t)(uint32_t)c->shape;
         self->sort[k] = (clod_sort_item){(uint64_t)(uint32_t)c->i << 32 | low, k};
     }
     clod_sort(self->sort, self->sort_scratch, count);
     for (size_t k = 0; k < count; k++) { // along each cycle of the permutation, in place
-        const clod_contact moving = contacts[first + k];
+        const clod_contact moving = contacts[k];
         size_t at = k;
         while (self->sort[at].index != k) {
             const size_t from = self->sort[at].index;
-            contacts[first + at] = contacts[first + from];
+            contacts[at] = contacts[from];
             self->sort[at].index = at;
             at = from;
         }
-        contacts[first + at] = moving;
+        contacts[at] = moving;
         self->sort[at].index = at;
     }
 }
@@ -201,8 +246,11 @@ bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_
                                 state->contact_count);
     }
     const size_t pairs = state->contact_count - state->wall_contact_count;
-    sort_part(self, state->contacts, 0, pairs);
-    sort_part(self, state->contacts, pairs, state->wall_contact_count);
+    sort_pairs(self, state->contacts, pairs, state->grains.count);
+    if (state->wall_contact_count > 0) {
+        sort_walls(self, state->contacts + pairs, state->wall_contact_count);
+    }
+    clod_neighbour_give_back(self);
     return true;
 }
 
@@ -228,6 +276,17 @@ static bool note_rebuild(clod_state *state)
     return true;
 }
 
+/** What the last rebuild left and this one makes anew, back to the system: large beds. */
+static void give_back_old(const clod_neighbour *self, const clod_state *state)
+{
+    const size_t pairs = self->pairs.capacity * sizeof *self->pairs.item;
+    clod_memory_give_back(self->pairs.item, pairs, pairs);
+    if (state->build_place != NULL) {
+        const size_t places = state->grains.capacity * sizeof *state->build_place;
+        clod_memory_give_back(state->build_place, places, places);
+    }
+}
+
 bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status)
 {
     clod_grains *grains = &state->grains;
@@ -238,6 +297,7 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
         return clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu grains",
                                 grains->count);
     }
+    give_back_old(self, state);
     sort_along_curve(self, grains);
     permute_grains(self, grains);
     for (size_t g = 0; g < grains->count; g++) {
@@ -246,9 +306,9 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
     for (size_t k = 0; k < state->contact_count; k++) {
         rename_contact(self, &state->contacts[k]);
     }
-    if (!note_rebuild(state)) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu grains",
-                                grains->count);
+    if (!clod_neighbour_sort_contacts(self, state, status)) {
+        return false;
     }
-    return clod_neighbour_sort_contacts(self, state, status);
+    return note_rebuild(state) ||
+           clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu grains", grains->count);
 }

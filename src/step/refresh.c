@@ -13,17 +13,18 @@ static void refresh(clod_step *self, double speed)
     const double lasting = 2.0 * NEAR_STEPS * speed * self->state->dt;
     const double thin = NEAR_FRACTION * self->neighbour.radius_min;
     const double skin = fmin(fmax(thin, lasting), self->neighbour.skin);
-    self->failed =
-        !clod_near_export(&self->near, &self->neighbour, self->state, true, &self->status) ||
-        !clod_near_make(&self->near, &self->neighbour, self->state, self->laws, &self->walls,
-                        skin, &self->status);
+    self->failed = !clod_near_export(&self->near, &self->neighbour, self->state, self->laws,
+                                     &self->status) ||
+                   !clod_near_make(&self->near, &self->neighbour, self->state, self->laws,
+                                   &self->walls, skin, &self->status);
     self->refreshes++;
 }
 
 static void rebuild(clod_step *self)
 {
     self->failed =
-        !clod_near_export(&self->near, &self->neighbour, self->state, true, &self->status) ||
+        !clod_near_export(&self->near, &self->neighbour, self->state, self->laws,
+                          &self->status) ||
         !clod_neighbour_sort(&self->neighbour, self->state, &self->status) ||
         !clod_neighbour_build(&self->neighbour, self->state, self->laws, &self->status) ||
         !clod_near_make(&self->near, &self->neighbour, self->state, self->laws, &self->walls,

@@ -93,9 +93,21 @@ static void advance_all(clod_step *self, int64_t steps)
     }
 }
 
+bool clod_step_take_back(clod_step *self)
+{
+    if (self->exported && !self->failed) {
+        self->failed = !clod_near_make(&self->near, &self->neighbour, self->state, self->laws,
+                                       &self->walls, self->near.skin, &self->status);
+        self->exported = self->failed;
+        self->view.wall_slots = self->near.wall_slots;
+        self->thread[0].near_motion = 0.0;
+    }
+    return !self->failed;
+}
+
 bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
 {
-    if (self->failed) { // once and for all
+    if (!clod_step_take_back(self)) { // failed once and for all
         *status = self->status;
         return false;
     }
@@ -236,10 +248,12 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
 
 bool clod_step_export(clod_step *self, clod_status *status)
 {
-    if (self->failed) { // after a rebuild that failed the state has the history, the blocks not
+    if (self->failed || self->exported) { // the state has the history, the blocks not
         return true;
     }
-    return clod_near_export(&self->near, &self->neighbour, self->state, false, status);
+    self->exported =
+        clod_near_export(&self->near, &self->neighbour, self->state, self->laws, status);
+    return self->exported;
 }
 
 void clod_step_fini(clod_step *self)

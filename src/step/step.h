@@ -43,6 +43,7 @@ typedef struct clod_step {
     clod_near near;           ///< contact blocks
     clod_wall_rows walls;     ///< where they are in this step
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
+    bool exported;         ///< histories are in the state, the blocks are to be made again
     bool failed;           ///< a rebuild went wrong; status says why
     clod_status status;
     // for reports
@@ -79,11 +80,16 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status);
  */
 bool clod_step_open_ledger(clod_step *self, clod_status *status);
 
-/** Kinetic, potential and stored energies now, with the walls where they are now. */
+/** Kinetic, potential and stored energies now, with the walls where they are now; not a number
+ *  after a list that could not be made: the next advance says why. */
 clod_energies clod_step_energies(clod_step *self);
 
-/** Write the history of all closed contacts into state->contacts (checkpoint, measurements). */
+/** Bring the history of all closed contacts into state->contacts (checkpoint, measurements);
+ *  whatever needs it next takes it back. */
 bool clod_step_export(clod_step *self, clod_status *status);
+
+/** After an export: the histories into blocks again, of a list made now; false: see status. */
+bool clod_step_take_back(clod_step *self);
 
 void clod_step_fini(clod_step *self);
 

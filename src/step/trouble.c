@@ -45,48 +45,65 @@ static double overlap_fraction(const clod_step *self, int32_t i, int32_t j)
     return (a[3] + b[3] - sqrt(s2)) / fmin(a[3], b[3]);
 }
 
-static double wall_overlap_fraction(const clod_step *self, const clod_candidate *c)
+static double wall_overlap_fraction(const clod_step *self, const clod_wall_candidate *c)
 {
     const double *p = self->state->grains.place[c->i];
-    return (p[3] - clod_wall_rows_gap(&self->walls, c->j, c->shape, p).distance) / p[3];
+    return (p[3] - clod_wall_rows_gap(&self->walls, c->wall, c->shape, p).distance) / p[3];
+}
+
+/** The largest overlap there is: of which grain, and with which grain or wall. */
+typedef struct worst_overlap {
+    double fraction; ///< of the radius; 0: there is none
+    int32_t i, j;    ///< j < 0: with a wall
+    int32_t wall;
+} worst_overlap;
+
+static worst_overlap find_worst(const clod_step *self)
+{
+    worst_overlap worst = {0};
+    const clod_pairs *pairs = &self->neighbour.pairs;
+    for (size_t i = 0; i < self->state->grains.count; i++) {
+        for (size_t k = pairs->start[i]; k < pairs->start[i + 1]; k++) {
+            const int32_t j = (int32_t)pairs->item[k].j;
+            const double fraction = overlap_fraction(self, (int32_t)i, j);
+            if (fraction > worst.fraction) {
+                worst = (worst_overlap){fraction, (int32_t)i, j, -1};
+            }
+        }
+    }
+    for (size_t k = 0; k < self->neighbour.walls.count; k++) {
+        const clod_wall_candidate *c = &self->neighbour.walls.item[k];
+        const double fraction = wall_overlap_fraction(self, c);
+        if (fraction > worst.fraction) {
+            worst = (worst_overlap){fraction, c->i, -1, c->wall};
+        }
+    }
+    return worst;
 }
 
 static bool report_overlap(const clod_step *self, clod_status *status)
 {
     const clod_state *state = self->state;
-    double worst = 0.0;
-    const clod_candidate *at = NULL;
-    for (size_t k = 0; k < self->neighbour.pairs.count; k++) {
-        const clod_candidate *c = &self->neighbour.pairs.item[k];
-        const double fraction = overlap_fraction(self, c->i, c->j);
-        at = fraction > worst ? c : at;
-        worst = fmax(worst, fraction);
-    }
-    for (size_t k = 0; k < self->neighbour.walls.count; k++) {
-        const clod_candidate *c = &self->neighbour.walls.item[k];
-        const double fraction = wall_overlap_fraction(self, c);
-        at = fraction > worst ? c : at;
-        worst = fmax(worst, fraction);
-    }
-    if (at == NULL) {
+    const worst_overlap worst = find_worst(self);
+    if (!(worst.fraction > 0.0)) {
         return clod_status_fail(status, CLOD_FAILED, "step %lld: an overlap is out of range",
                                 (long long)state->step);
     }
-    const unsigned long long i = (unsigned long long)state->grains.id[at->i];
+    const unsigned long long i = (unsigned long long)state->grains.id[worst.i];
     char partner[64];
-    if (at->shape < 0) {
+    if (worst.j >= 0) {
         snprintf(partner, sizeof partner, "grain %llu",
-                 (unsigned long long)state->grains.id[at->j]);
+                 (unsigned long long)state->grains.id[worst.j]);
     } else {
-        snprintf(partner, sizeof partner, "wall '%s'", state->walls.wall[at->j].name);
+        snprintf(partner, sizeof partner, "wall '%s'", state->walls.wall[worst.wall].name);
     }
     return clod_status_fail(
         status, CLOD_FAILED,
         "step %lld: grain %llu overlaps %s by %.1f %% of its radius; the contact laws hold up "
         "to "
         "%.0f %%. Stiffen the contact, lower the load, or take a smaller time step (now %g s)",
-        (long long)state->step, i, partner, 100.0 * worst, 100.0 * CLOD_KERNEL_OVERLAP_LIMIT,
-        state->dt);
+        (long long)state->step, i, partner, 100.0 * worst.fraction,
+        100.0 * CLOD_KERNEL_OVERLAP_LIMIT, state->dt);
 }
 
 bool clod_trouble_report(const clod_step *self, clod_status *status)

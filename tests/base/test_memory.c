@@ -64,6 +64,44 @@ static void large_memory_is_taken_as_it_is_used(void **state)
     assert_in_range(taken, used / page, (used + size / 4) / page);
     clod_memory_free(memory);
 }
+
+/** What is given back is there no more, comes again as zeros, and its neighbours stay. */
+static void large_memory_is_given_back(void **state)
+{
+    (void)state;
+    const size_t sizes[] = {67108864, 4194304}, page[] = {2097152, 4096};
+    for (int k = 0; k < 2; k++) {
+        const size_t size = sizes[k], begin = size / 4 + 1, bytes = size / 2;
+        unsigned char *memory = clod_memory_alloc(size, 1);
+        assert_non_null(memory);
+        memset(memory, 7, size);
+        const int64_t before = pages_here();
+        clod_memory_give_back(memory + begin, bytes, size);
+        assert_in_range(before - pages_here(), (bytes - 2 * page[k]) / 4096, bytes / 4096);
+        size_t zeros = 0;
+        for (size_t b = 0; b < size; b++) {
+            assert_true(memory[b] == 7 || (b >= begin && b < begin + bytes));
+            zeros += memory[b] == 0;
+        }
+        assert_true(zeros > bytes - 2 * page[k]);
+        clod_memory_free(memory);
+    }
+}
+
+/** Arrays below 1 MiB stay as they are. */
+static void small_memory_is_kept(void **state)
+{
+    (void)state;
+    const size_t size = 1048575;
+    unsigned char *memory = clod_memory_alloc(size, 1);
+    assert_non_null(memory);
+    memset(memory, 7, size);
+    clod_memory_give_back(memory, size, size);
+    for (size_t b = 0; b < size; b++) {
+        assert_true(memory[b] == 7);
+    }
+    clod_memory_free(memory);
+}
 #endif
 
 static void growing_keeps_the_old_and_zeroes_the_new(void **state)
@@ -129,6 +167,8 @@ int main(void)
         cmocka_unit_test(large_memory_begins_at_a_huge_page),
 #if defined(__linux__)
         cmocka_unit_test(large_memory_is_taken_as_it_is_used),
+        cmocka_unit_test(large_memory_is_given_back),
+        cmocka_unit_test(small_memory_is_kept),
 #endif
         cmocka_unit_test(growing_keeps_the_old_and_zeroes_the_new),
         cmocka_unit_test(sizes_beyond_all_memory_give_null),

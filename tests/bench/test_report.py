@@ -69,7 +69,7 @@ class Report(unittest.TestCase):
     def test_memory(self):
         # clod: (152400 - 2400) kB over 300000 grains is 512 bytes, 1024 * 50000 / 300000 before;
         # the peer: (650000 - 50000) kB over 296250 grains more
-        records = (speed("300k", 300000, "clod", [2e7], rss=152400)
+        records = (speed("300k", 300000, "clod", [2e7], rss=152400, kind="memory")
                    + speed("300k", 300000, LIGGGHTS, [2e6], rss=650000)
                    + speed("4k", 3750, LIGGGHTS, [2e6], rss=50000))
         self.assertEqual(targets.bytes_per_grain(records, "300k", "clod"), 512.0)

@@ -2,6 +2,7 @@
 // follow.
 
 #include "step/near_parts.h"
+#include "step/near_walk.h"
 #include "support/bed.h"
 
 static const int PARTS[] = {1, 2, 3, 7, 40, 1000}; // 1000: more than grains
@@ -94,19 +95,27 @@ static void check_group(const scene *s, int part, int32_t law)
     }
 }
 
-/** Every near pair is where its candidate says, so none is lost. */
+/** Groups hold as many pairs as candidates are near, and the walk finds each in its lane. */
 static void check_candidates(const scene *s)
 {
-    const clod_candidates *pairs = &s->step.neighbour.pairs;
-    const clod_contact_block *blocks = s->step.near.pairs.block;
+    const clod_near *near = &s->step.near;
+    const clod_pairs *pairs = &s->step.neighbour.pairs;
+    const clod_contact_block *blocks = near->pairs.block;
+    size_t marked = 0, held = 0, walked = 0;
     for (size_t k = 0; k < pairs->count; k++) {
-        const clod_candidate *c = &pairs->item[k];
-        assert_true((c->lane >= 0) == (c->near != 0));
-        if (c->near != 0) {
-            assert_int_equal(blocks[c->lane / CLOD_LANES].i[c->lane % CLOD_LANES], c->i);
-            assert_int_equal(blocks[c->lane / CLOD_LANES].j[c->lane % CLOD_LANES], c->j);
-        }
+        marked += pairs->item[k].near;
     }
+    for (size_t q = 0; q < clod_near_groups(near); q++) {
+        held += near->pairs.group_count[q];
+    }
+    clod_near_walk walk = clod_near_walk_begin(near, pairs, &s->state, &s->laws);
+    while (clod_near_walk_on(&walk)) {
+        const size_t at = clod_near_walk_lane(&walk);
+        assert_int_equal(blocks[at / CLOD_LANES].i[at % CLOD_LANES], walk.i);
+        assert_int_equal(blocks[at / CLOD_LANES].j[at % CLOD_LANES], walk.j);
+        walked++;
+    }
+    assert_true(marked == held && held == walked);
 }
 
 /** Beds in motion, cut anew into other numbers of parts. */
@@ -123,6 +132,7 @@ static void parts_cover_all_grains_and_contacts(void **state)
             clod_step_fini(&s.step);
             scene_start_with(&s, (clod_step_options){.threads = PARTS[c]});
             assert_true(s.step.near.pairs.count > 10);
+            assert_int_equal(s.state.contact_count, 0); // the blocks have them
             check_cover(&s.step.near, s.state.grains.count);
             check_work(&s);
             for (int32_t law = 0; law < s.laws.count; law++) {
