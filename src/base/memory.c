@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #define PAGE 4096         ///< bytes, or a multiple where pages are larger
-#define HUGE_PAGE 2097152 ///< bytes
 #define GIVE_FROM 1048576 ///< bytes from which on an array's pages are given back
 
 static atomic_uint_fast64_t allocations;
@@ -28,15 +28,15 @@ static void take_huge_pages(void *memory, size_t bytes)
 
 void *clod_memory_alloc(size_t count, size_t size)
 {
-    if (size != 0 && count > (SIZE_MAX - HUGE_PAGE) / size) {
+    if (size != 0 && count > (SIZE_MAX - CLOD_MEMORY_HUGE_PAGE) / size) {
         return NULL;
     }
     atomic_fetch_add_explicit(&allocations, 1, memory_order_relaxed);
-    const size_t alignment =
-        count * size >= CLOD_MEMORY_LARGE ? (size_t)HUGE_PAGE : (size_t)CLOD_MEMORY_ALIGNMENT;
+    const size_t alignment = count * size >= CLOD_MEMORY_LARGE ? (size_t)CLOD_MEMORY_HUGE_PAGE
+                                                               : (size_t)CLOD_MEMORY_ALIGNMENT;
     const size_t whole = (count * size + alignment) / alignment * alignment;
     void *memory = aligned_alloc(alignment, whole);
-    if (memory != NULL && alignment == HUGE_PAGE) {
+    if (memory != NULL && alignment == CLOD_MEMORY_HUGE_PAGE) {
         take_huge_pages(memory, whole);
     } else if (memory != NULL) {
         memset(memory, 0, whole);
@@ -57,7 +57,8 @@ void *clod_memory_grow(void *memory, size_t old_count, size_t new_count, size_t 
 void clod_memory_give_back(void *memory, size_t bytes, size_t array)
 {
 #if defined(__linux__)
-    const uintptr_t page = array >= CLOD_MEMORY_LARGE ? HUGE_PAGE : PAGE;
+    const uintptr_t page =
+        array >= CLOD_MEMORY_LARGE ? CLOD_MEMORY_HUGE_PAGE : (uintptr_t)sysconf(_SC_PAGESIZE);
     const uintptr_t from = ((uintptr_t)memory + page - 1) / page * page;
     const uintptr_t to = ((uintptr_t)memory + bytes) / page * page;
     if (array >= GIVE_FROM && from < to) {

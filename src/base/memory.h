@@ -26,11 +26,12 @@ void *clod_memory_grow(void *memory, size_t old_count, size_t new_count, size_t 
 
 /** Bytes from which on an array lies in huge pages. */
 #define CLOD_MEMORY_LARGE 8388608
+#define CLOD_MEMORY_HUGE_PAGE 2097152 ///< bytes
 
 /**
  * Give what lies in the first `bytes` of an array, and is not needed any more, back to the
- * system: its whole pages, if the array has 1 MiB or more. They come again, zeroed, when they
- * are next used (docs/adr/0016).
+ * system: its whole pages, if the array has 1 MiB or more and the system takes them. They come
+ * again when they are next used; what is in them then is not defined (docs/adr/0016).
  *
  * @param memory  start of an array, or a place within it
  * @param bytes   that may be lost from there on

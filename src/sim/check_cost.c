@@ -91,32 +91,41 @@ static bool make_sample(const clod_check_subject *subject, const clod_check_repo
     return good;
 }
 
-/** Bytes that state and step take for each grain; room that is never used takes none. A large
- *  bed holds histories in blocks or in the state's list, a small one in both (base/memory.h).
- */
-static void count_bytes(const clod_step *step, double *small, double *large)
+/** Bytes of a grain of the sample. */
+typedef struct grain_bytes {
+    double contacts, blocks; ///< histories: a large bed holds them once, a small one in both
+    double scratch;          ///< given back in a large bed (docs/adr/0016)
+    double other;
+} grain_bytes;
+
+/** What state and step take; room that is never used takes none. */
+static grain_bytes count_bytes(const clod_step *step)
 {
     const clod_neighbour *near = &step->neighbour;
     const clod_near *list = &step->near;
     const clod_state *state = step->state;
     const double grains = (double)state->grains.capacity;
     const double rows = grains * (3 * 4 + 8 + 1 + 4) * sizeof(double) + 2 * grains;
-    const double contacts = (double)state->contact_capacity * (double)sizeof(clod_contact);
+    const double contacts = (double)state->contact_count * (double)sizeof(clod_contact);
     const double candidates =
         (double)near->pairs.count * sizeof(clod_partner) + grains * sizeof(uint32_t);
     const double sorting = 2.0 * (double)near->sort_capacity * sizeof(clod_sort_item) +
                            (double)near->grain_capacity * 3 * sizeof(int32_t);
     const double blocks = (double)list->pairs.count * (double)sizeof(clod_contact_block) +
                           (double)list->between.share_capacity * 8 * sizeof(double);
+    const double ledger = list->ledger
+                              ? grains * (8 + 4) * sizeof(double) +
+                                    (double)list->pairs.count * (double)sizeof(clod_spent_block)
+                              : 0.0;
     const double count = (double)state->grains.count;
-    *small = (rows + candidates + sorting + contacts + blocks) / count;
-    *large = (rows + candidates + fmax(contacts, blocks)) / count;
+    return (grain_bytes){contacts / count, blocks / count, sorting / count,
+                         (rows + candidates + ledger) / count};
 }
 
 /** Rate of the step on a copy of the sample [grain-steps/s]. */
 static bool time_step(const clod_state *sample, const clod_laws *laws,
                       const clod_step_options *options, bool energy, double *rate,
-                      double bytes[2], const char **simd, clod_status *status)
+                      grain_bytes *bytes, const char **simd, clod_status *status)
 {
     clod_state state = {0};
     clod_step step;
@@ -141,7 +150,7 @@ static bool time_step(const clod_state *sample, const clod_laws *laws,
     }
     good = good && clod_step_export(&step, status);
     if (good) {
-        count_bytes(&step, &bytes[0], &bytes[1]);
+        *bytes = count_bytes(&step);
         *simd = step.kernel->name;
     }
     clod_step_fini(&step);
@@ -150,7 +159,7 @@ static bool time_step(const clod_state *sample, const clod_laws *laws,
 }
 
 static bool measure_rate(const clod_check_subject *subject, clod_check_report *report,
-                         double bytes[2], clod_status *status)
+                         grain_bytes *bytes, clod_status *status)
 {
     clod_state sample;
     clod_laws laws;
@@ -326,20 +335,28 @@ static bool find_space(const clod_check_subject *subject, clod_check_report *rep
     return good;
 }
 
+/** Memory of one part of a run while it writes a checkpoint: two images of the file. */
+static double memory_of(const grain_bytes *each, double grains)
+{
+    const double image = grains * (STORED_GRAIN + CONTACTS * STORED_CONTACT);
+    const bool large = grains * each->contacts >= CLOD_MEMORY_LARGE;
+    const double histories = large ? fmax(each->contacts, each->blocks)
+                                   : each->contacts + each->blocks + each->scratch;
+    return grains * (each->other + histories) + 2.0 * image;
+}
+
 bool clod_check_cost(const clod_check_subject *subject, clod_check_report *report,
                      clod_status *status)
 {
-    double bytes[2] = {0.0}; // a grain, of a small bed and of a large one
+    grain_bytes bytes = {0};
     const int threads = subject->options->threads;
     report->processors = clod_threads_available();
     report->threads = threads > 0 ? threads : report->processors;
-    if (!measure_rate(subject, report, bytes, status)) {
+    if (!measure_rate(subject, report, &bytes, status)) {
         return false;
     }
     plan_run(subject->from, report);
     plan_disk(subject, report);
-    const double histories = (double)report->grains * sizeof(clod_contact);
-    const bool large = histories >= CLOD_MEMORY_LARGE;
-    report->memory = bytes[large ? 1 : 0] * (double)report->grains * report->side_by_side;
+    report->memory = memory_of(&bytes, (double)report->grains) * report->side_by_side;
     return find_space(subject, report, status);
 }

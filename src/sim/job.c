@@ -379,9 +379,10 @@ static bool open_loop(job_loop *loop, clod_status *status)
     return !job->sim->from->output.energy || open_energy(loop, status);
 }
 
-static void log_end(const job_loop *loop, const clod_job *job, bool ok,
-                    const clod_status *status)
+static void log_end(job_loop *loop, const clod_job *job, bool ok, const clod_status *status)
 {
+    clod_status ignored;
+    clod_step_export(&loop->step, &ignored); // after most ends it is done already
     const clod_measure_contacts bed = clod_measure_contacts_of(&job->state);
     clod_eventlog_write(job->sim->log, ok ? "finished" : "stopped",
                         "{s:s, s:I, s:f, s:f, s:i, s:I, s:I, s:I, s:f, s:f, s:s}", "part",

@@ -162,6 +162,10 @@ clod_energies clod_step_energies(clod_step *self)
 
 bool clod_step_open_ledger(clod_step *self, clod_status *status)
 {
+    if (!clod_step_take_back(self)) {
+        *status = self->status;
+        return false;
+    }
     if (!clod_grains_keep_before(&self->state->grains, status)) {
         return false;
     }

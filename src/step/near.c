@@ -16,6 +16,8 @@ typedef struct near_job {
     const clod_wall_rows *walls;
 } near_job;
 
+static const double NO_HISTORY[8] = {0.0};
+
 static bool pair_is_near(const clod_state *state, size_t i, size_t j, double skin)
 {
     const double *a = state->grains.place[i];
@@ -109,8 +111,6 @@ static void history_put(clod_history *to, int lane, const double from[8])
     }
 }
 
-static const double NO_HISTORY[8] = {0.0};
-
 /** Near pairs into blocks, with the histories of those contacts that are there: both ascend. */
 static void place_pairs(near_job *job, const clod_pairs *pairs)
 {
@@ -118,7 +118,8 @@ static void place_pairs(near_job *job, const clod_pairs *pairs)
     const clod_state *state = job->state;
     const size_t contacts = state->contact_count - state->wall_contact_count;
     clod_near_walk walk = clod_near_walk_begin(job->near, pairs, state, job->laws);
-    size_t k = 0, next = CLOD_NEAR_GIVE_BACK;
+    const size_t room = state->contact_capacity * sizeof *state->contacts;
+    size_t k = 0, next = CLOD_NEAR_GIVE_BACK, given = 0;
     while (clod_near_walk_on(&walk)) {
         const size_t at = clod_near_walk_lane(&walk);
         clod_contact_block *block = &blocks[at / CLOD_LANES];
@@ -133,8 +134,7 @@ static void place_pairs(near_job *job, const clod_pairs *pairs)
         const bool touches = k < contacts && from[k].i == walk.i && from[k].j == walk.j;
         history_put(&block->history, lane, touches ? from[k].history : NO_HISTORY);
         if (k >= next) {
-            clod_near_give_back(state->contacts, k * sizeof *from,
-                                state->contact_capacity * sizeof *from);
+            given = clod_near_give_back(state->contacts, room, given, k * sizeof *from);
             next += CLOD_NEAR_GIVE_BACK;
         }
     }
@@ -185,7 +185,7 @@ static void pad_pairs(near_job *job)
             const int lane = (int)(at % CLOD_LANES);
             block->i[lane] = far;
             block->j[lane] = far + 1;
-            history_put(&block->history, lane, (double[8]){0.0});
+            history_put(&block->history, lane, NO_HISTORY);
         }
     }
 }
@@ -204,7 +204,7 @@ static void pad_walls(near_job *job)
             block->wall[lane] = 0;
             block->shape[lane] = clod_wall_rows_padding(job->walls, job->state->walls.count);
             block->slot_wall[lane] = spare++;
-            history_put(&block->history, lane, (double[8]){0.0});
+            history_put(&block->history, lane, NO_HISTORY);
         }
     }
 }
@@ -284,7 +284,7 @@ static void place_all(near_job *job, clod_neighbour *neighbour)
     pad_pairs(job);
     clod_state *state = job->state;
     const size_t room = state->contact_capacity * sizeof *state->contacts;
-    clod_near_give_back(state->contacts, room, room);
+    clod_near_give_back(state->contacts, room, 0, room);
     state->contact_count = state->wall_contact_count = 0;
 }
 

@@ -57,7 +57,7 @@ static inline size_t clod_near_group(const clod_near *self, int part, int32_t la
  * Make the near list. The histories of state->contacts go into its blocks, and the state's list
  * is empty then; without memory nothing is lost.
  *
- * @param neighbour  candidates; it is noted which of them are near
+ * @param neighbour  candidates; it is noted which are near, and where those of walls are
  * @param walls      the walls as they are now
  * @param skin       thin skin [m]
  * @return           false without memory

@@ -2,6 +2,9 @@
 #include "base/memory.h"
 #include "step/near_walk.h"
 
+/** Pairs after which what has been read in all groups is given back. */
+#define OTHER_GROUPS_EVERY ((size_t)8 * CLOD_NEAR_GIVE_BACK)
+
 static void history_get(const clod_history *from, int lane, double to[8])
 {
     to[0] = from->plastic[lane];
@@ -31,15 +34,26 @@ static bool reserve_contacts(const clod_near *self, clod_state *state)
     return true;
 }
 
-/** Blocks that have been read to the end, of all groups. */
-static void give_back_blocks(const clod_near *self, const size_t *fill)
+/**
+ * Give back blocks that have been read to the end: those of all parts before the one that the
+ * walk is in, with those of its first law, and from time to time those of the other groups that
+ * are being read.
+ */
+static size_t give_back_blocks(const clod_near *self, const clod_near_walk *walk, size_t given,
+                               bool others)
 {
     clod_contact_block *blocks = self->pairs.block;
-    for (size_t q = 0; q < clod_near_groups(self); q++) {
-        clod_near_give_back(&blocks[self->pairs.group_start[q]],
-                            fill[q] / CLOD_LANES * sizeof *blocks,
-                            self->pairs.capacity * sizeof *blocks);
+    const size_t bytes = self->pairs.capacity * sizeof *blocks;
+    const size_t first = clod_near_group(self, walk->part, 0);
+    for (int32_t l = 0; others && bytes >= CLOD_MEMORY_LARGE && l < self->laws; l++) {
+        const size_t groups[] = {first + (size_t)l, clod_near_group(self, self->parts, l)};
+        for (int k = l == 0 ? 1 : 0; k < 2; k++) {
+            clod_memory_give_back(&blocks[self->pairs.group_start[groups[k]]],
+                                  walk->fill[groups[k]] / CLOD_LANES * sizeof *blocks, bytes);
+        }
     }
+    const size_t read = self->pairs.group_start[first] + walk->fill[first] / CLOD_LANES;
+    return clod_near_give_back(blocks, bytes, given, read * sizeof *blocks);
 }
 
 static void export_pairs(const clod_near *self, const clod_neighbour *neighbour,
@@ -47,6 +61,7 @@ static void export_pairs(const clod_near *self, const clod_neighbour *neighbour,
 {
     const clod_contact_block *blocks = self->pairs.block;
     clod_near_walk walk = clod_near_walk_begin(self, &neighbour->pairs, state, laws);
+    size_t given = 0;
     size_t next = CLOD_NEAR_GIVE_BACK;
     while (clod_near_walk_on(&walk)) { // ascending: no sorting
         const size_t at = clod_near_walk_lane(&walk);
@@ -59,7 +74,7 @@ static void export_pairs(const clod_near *self, const clod_neighbour *neighbour,
         *to = (clod_contact){.i = walk.i, .j = walk.j, .shape = -1};
         history_get(history, lane, to->history);
         if (state->contact_count >= next) {
-            give_back_blocks(self, walk.fill);
+            given = give_back_blocks(self, &walk, given, next % OTHER_GROUPS_EVERY == 0);
             next += CLOD_NEAR_GIVE_BACK;
         }
     }
@@ -98,6 +113,6 @@ bool clod_near_export(clod_near *self, clod_neighbour *neighbour, clod_state *st
     export_pairs(self, neighbour, state, laws);
     export_walls(self, neighbour, state);
     const size_t blocks = self->pairs.capacity * sizeof(clod_contact_block);
-    clod_near_give_back(self->pairs.block, blocks, blocks);
+    clod_near_give_back(self->pairs.block, blocks, 0, blocks);
     return true;
 }

@@ -11,13 +11,23 @@
 /** Pairs after which what has been read of their histories is given back. */
 #define CLOD_NEAR_GIVE_BACK 4096
 
-/** Give back histories that have been read, in a bed large enough for huge pages: those are
- * back soon, small ones would cost time at every list. As clod_memory_give_back. */
-static inline void clod_near_give_back(void *memory, size_t bytes, size_t array)
+/**
+ * Give back histories that have been read, in a bed large enough for huge pages: those are back
+ * soon, small ones would cost time at every list.
+ *
+ * @param array  of so many `bytes`, begins at a huge page
+ * @param given  how far it has been given back before
+ * @param read   how far it has been read
+ * @return       how far it is given back now
+ */
+static inline size_t clod_near_give_back(void *array, size_t bytes, size_t given, size_t read)
 {
-    if (array >= CLOD_MEMORY_LARGE) {
-        clod_memory_give_back(memory, bytes, array);
+    const size_t whole = read / CLOD_MEMORY_HUGE_PAGE * CLOD_MEMORY_HUGE_PAGE;
+    if (bytes < CLOD_MEMORY_LARGE || whole <= given) {
+        return given;
     }
+    clod_memory_give_back((char *)array + given, whole - given, bytes);
+    return whole;
 }
 
 typedef struct clod_near_walk {

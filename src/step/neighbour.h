@@ -50,10 +50,10 @@ typedef struct clod_neighbour {
     clod_wall_candidates walls;
     clod_wall_rows build_rows; ///< of the walls at the last rebuild
     // scratch, kept between rebuilds
-    int32_t *cell_of, *cell_item; ///< [grains]
+    int32_t *cell_of, *cell_item; ///< [grains]; cell_of also counts contacts by grain
     int32_t *cell_start;          ///< [cells + 1]
     size_t cell_capacity, grain_capacity;
-    clod_sort_item *sort, *sort_scratch; ///< [sort_capacity]
+    clod_sort_item *sort, *sort_scratch; ///< [sort_capacity]; sort also has places of contacts
     size_t sort_capacity;
     int32_t *rank; ///< [grains] new place of each old row
 } clod_neighbour;
@@ -90,7 +90,7 @@ bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_
 /** Room for at least `items` items in sort and sort_scratch. */
 bool clod_neighbour_reserve_sort(clod_neighbour *self, size_t items);
 
-/** Add a pair at the end of the candidates; false without memory. */
+/** Add a pair at the end of the candidates; false without memory, and beyond 2^32 - 1. */
 bool clod_neighbour_add(clod_pairs *self, size_t j);
 
 /** Give the scratch of a large bed back to the system until it is next used. */

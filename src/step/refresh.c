@@ -8,27 +8,37 @@
 /** ... and enough for about this many steps at the speed of now. */
 #define NEAR_STEPS 40.0
 
+/** Histories into the state. */
+static bool take_out(clod_step *self)
+{
+    self->exported =
+        clod_near_export(&self->near, &self->neighbour, self->state, self->laws, &self->status);
+    return self->exported;
+}
+
+/** And into blocks again, those of a list with this skin. */
+static bool put_back(clod_step *self, double skin)
+{
+    self->exported = !clod_near_make(&self->near, &self->neighbour, self->state, self->laws,
+                                     &self->walls, skin, &self->status);
+    return !self->exported;
+}
+
 static void refresh(clod_step *self, double speed)
 {
     const double lasting = 2.0 * NEAR_STEPS * speed * self->state->dt;
     const double thin = NEAR_FRACTION * self->neighbour.radius_min;
     const double skin = fmin(fmax(thin, lasting), self->neighbour.skin);
-    self->failed = !clod_near_export(&self->near, &self->neighbour, self->state, self->laws,
-                                     &self->status) ||
-                   !clod_near_make(&self->near, &self->neighbour, self->state, self->laws,
-                                   &self->walls, skin, &self->status);
+    self->failed = !take_out(self) || !put_back(self, skin);
     self->refreshes++;
 }
 
 static void rebuild(clod_step *self)
 {
     self->failed =
-        !clod_near_export(&self->near, &self->neighbour, self->state, self->laws,
-                          &self->status) ||
-        !clod_neighbour_sort(&self->neighbour, self->state, &self->status) ||
+        !take_out(self) || !clod_neighbour_sort(&self->neighbour, self->state, &self->status) ||
         !clod_neighbour_build(&self->neighbour, self->state, self->laws, &self->status) ||
-        !clod_near_make(&self->near, &self->neighbour, self->state, self->laws, &self->walls,
-                        NEAR_FRACTION * self->neighbour.radius_min, &self->status);
+        !put_back(self, NEAR_FRACTION * self->neighbour.radius_min);
     self->rebuilds++;
 }
 

@@ -96,6 +96,7 @@ static void advance_all(clod_step *self, int64_t steps)
 bool clod_step_take_back(clod_step *self)
 {
     if (self->exported && !self->failed) {
+        clod_wall_rows_update(&self->walls, &self->state->walls); // someone may have moved them
         self->failed = !clod_near_make(&self->near, &self->neighbour, self->state, self->laws,
                                        &self->walls, self->near.skin, &self->status);
         self->exported = self->failed;
@@ -248,7 +249,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
 
 bool clod_step_export(clod_step *self, clod_status *status)
 {
-    if (self->failed || self->exported) { // the state has the history, the blocks not
+    if (self->exported) { // the state has the history already, the blocks not
         return true;
     }
     self->exported =

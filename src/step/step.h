@@ -43,7 +43,7 @@ typedef struct clod_step {
     clod_near near;           ///< contact blocks
     clod_wall_rows walls;     ///< where they are in this step
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
-    bool exported;         ///< histories are in the state, the blocks are to be made again
+    bool exported;         ///< histories are in the state, not in the blocks
     bool failed;           ///< a rebuild went wrong; status says why
     clod_status status;
     // for reports
@@ -85,7 +85,7 @@ bool clod_step_open_ledger(clod_step *self, clod_status *status);
 clod_energies clod_step_energies(clod_step *self);
 
 /** Bring the history of all closed contacts into state->contacts (checkpoint, measurements);
- *  whatever needs it next takes it back. */
+ *  there until the next advance, energies or opening of the ledger take it back. */
 bool clod_step_export(clod_step *self, clod_status *status);
 
 /** After an export: the histories into blocks again, of a list made now; false: see status. */
