@@ -118,8 +118,9 @@ def _memory(records):
                 rows.append([size, name, f"{runs[0]['rss_kB'] / 1024:.0f}", f"{each:.0f}",
                              f"{each / contacts:.0f}", stepped])
     return rows and ("## Memory\n\nLargest resident memory on one core, case c. clod: less that of "
-                     "its start, with all lists made anew\nand all histories written out; the last "
-                     "column before that. Peers: less that of the 4k bed, over the grains\nmore.\n\n"
+                     "its start, with all lists made anew\nand all histories moved out as for a "
+                     "checkpoint; the last column before that. Peers: less that of the\n4k bed, "
+                     "over the grains more.\n\n"
                      + table.text(["bed", "program", "MiB", "bytes per grain with its contacts",
                                    "per contact", "bytes per grain, stepping only"], rows)) or ""
 
