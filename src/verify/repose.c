@@ -127,7 +127,7 @@ static void put_case(double friction, double rolling, int seed, FILE *out)
             "  - {name: fill, duration: 0.3 s, rest: 20 mm/s}\n"
             "  - {name: lift, duration: %g s, walls: {gate: {velocity: [0 m/s, 0 m/s, "
             "%g m/s]}}}\n"
-            "  - {name: rest, duration: 2 s, rest: 20 mm/s, walls: {gate: {velocity: [0 m/s, "
+            "  - {name: rest, duration: 4 s, rest: 20 mm/s, walls: {gate: {velocity: [0 m/s, "
             "0 m/s, 0 m/s]}}}\n"
             "output: {series_interval: 10 ms, snapshot_interval: 0.1 s}\n",
             COLUMN / LIFT, LIFT);
