@@ -127,8 +127,8 @@ static void place_pairs(near_job *job, const clod_pairs *pairs)
         block->i[lane] = walk.i;
         block->j[lane] = walk.j;
         const clod_contact *from = state->contacts;
-        for (; k < contacts &&
-               (from[k].i < walk.i || (from[k].i == walk.i && from[k].j < walk.j));) {
+        while (k < contacts &&
+               (from[k].i < walk.i || (from[k].i == walk.i && from[k].j < walk.j))) {
             k++;
         }
         const bool touches = k < contacts && from[k].i == walk.i && from[k].j == walk.j;
