@@ -24,6 +24,7 @@ typedef struct clod_kernel_view {
     double (*wall_slots)[8];   ///< force and torque on each wall by each of its contacts
     const double (*shape)[4];  ///< rows of the walls' shapes, and of the walls
     const double (*wall)[4];   ///< (geometry/wall_rows.h)
+    size_t lead;               ///< rows by which memory is asked for before it is needed
     double dt;                 ///< s
     double period[3];          ///< m; 0 where the domain is open
     double inverse_period[3];  ///< 1/m

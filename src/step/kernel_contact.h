@@ -133,18 +133,15 @@ static inline vreal kernel_batch_finish(const clod_kernel_view *view, const clod
     return excess;
 }
 
-/** Rows by which memory is asked for before it is needed: nine of ten partners are nearer. */
-#define KERNEL_LEAD 2048
-
 /**
- * Ask for the rows up to KERNEL_LEAD behind a grain, in their order, beginning with row `from`:
- * partners along the curve come in no order that a processor could foresee. Rows from `end` on
- * may be another thread's and are left alone.
+ * Ask for the rows up to view->lead behind a grain, in their order, beginning with row `from`:
+ * partners come from several lines at once, in no order that a processor could foresee. Rows
+ * from `end` on may be another thread's and are left alone.
  */
 static inline size_t kernel_prefetch_rows(const clod_kernel_view *view, size_t from,
                                           int32_t grain, size_t end)
 {
-    const size_t wanted = (size_t)grain + KERNEL_LEAD;
+    const size_t wanted = (size_t)grain + view->lead;
     const size_t to = wanted < end ? wanted : end;
     for (; from < to; from += 2) { // two rows of four in a line
         __builtin_prefetch(view->place[from], 0, 2);

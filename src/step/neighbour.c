@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "step/cells.h"
+#include "step/layers.h"
 
 /** Wide skin as a fraction of the largest radius: few candidates against rare rebuilds. */
 #define SKIN_FRACTION 0.3
@@ -101,6 +102,15 @@ static bool walls_at_rebuild(clod_neighbour *self, const clod_state *state)
     return true;
 }
 
+/** A layer, and something for what is uneven: partners are in the next one at most. */
+static size_t lead_of(const clod_state *state)
+{
+    const double(*place)[4] = (const double(*)[4])state->build_place;
+    const clod_layers layers = clod_layers_of(place, state->grains.count);
+    const size_t fullest = clod_layers_fullest(&layers, place, state->grains.count);
+    return fullest + fullest / 8 + 64;
+}
+
 /** Both lists ascend: one walk sees that contacts [0, end) are candidates; the first that is
  *  none, or end. */
 static size_t find_pairs(const clod_pairs *self, size_t grains, const clod_contact *contacts,
@@ -134,6 +144,7 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
                           clod_status *status)
 {
     self->pairs.count = 0;
+    self->lead = lead_of(state);
     if (self->pairs.capacity == 0) { // memory that is never used costs nothing (base/memory.c)
         reserve_pairs(&self->pairs, LIKELY_PAIRS * state->grains.count);
     }

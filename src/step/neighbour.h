@@ -2,7 +2,7 @@
 /**
  * @file neighbour.h
  * Who may touch whom: all pairs within a wide skin, found with cells and rebuilt rarely. At a
- * rebuild the grains are sorted along a space-filling curve, which fixes the order of sums.
+ * rebuild the grains are sorted by layers (layers.h), which fixes the order of sums.
  *
  * The candidates are a function of the positions at the rebuild (state->build_place) alone, so
  * a checkpoint restores exactly the same list and the same moment of the next rebuild.
@@ -46,6 +46,7 @@ typedef struct clod_neighbour {
     double skin; ///< m
     bool brute_force;
     double radius_min, radius_max;
+    size_t lead; ///< rows behind a grain that has all but a few of its partners among them
     clod_pairs pairs;
     clod_wall_candidates walls;
     clod_wall_rows build_rows; ///< of the walls at the last rebuild
@@ -72,7 +73,7 @@ static inline double (*clod_neighbour_rows(const clod_neighbour *self))[4]
 void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool brute_force);
 
 /**
- * Wrap the grains into the domain, sort them along the curve, carry state->contacts over and
+ * Wrap the grains into the domain, sort them by layers, carry state->contacts over and
  * note positions as those of the rebuild.
  *
  * @return  false: a grain has left an open domain (the text names it), or no memory

@@ -1,41 +1,13 @@
-// The one total order of grains: along a Morton curve, then by id. Sums run in this order.
+// The one total order of grains: by layers (layers.h), then by id. Sums run in this order.
 #include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
+#include "step/layers.h"
 #include "step/neighbour.h"
 
-#define MORTON_BITS 21
 /** Places of contacts that one item of the scratch for sorting has room for. */
 #define PLACES_PER_ITEM (sizeof(clod_sort_item) / sizeof(int32_t))
-
-/** Spread the low 21 bits of x so that two free bits follow each. */
-static uint64_t spread(uint64_t x)
-{
-    x &= 0x1fffff;
-    x = (x | x << 32) & 0x1f00000000ffff;
-    x = (x | x << 16) & 0x1f0000ff0000ff;
-    x = (x | x << 8) & 0x100f00f00f00f00f;
-    x = (x | x << 4) & 0x10c30c30c30c30c3;
-    x = (x | x << 2) & 0x1249249249249249;
-    return x;
-}
-
-/** Origin and scale of the curve: the grains' bounding cube. */
-static double bounding_cube(const clod_grains *grains, double min[3])
-{
-    double max[3] = {-INFINITY, -INFINITY, -INFINITY};
-    min[0] = min[1] = min[2] = INFINITY;
-    double edge = 0.0;
-    for (int a = 0; a < 3; a++) {
-        for (size_t g = 0; g < grains->count; g++) {
-            min[a] = fmin(min[a], grains->place[g][a]);
-            max[a] = fmax(max[a], grains->place[g][a]);
-        }
-        edge = fmax(edge, max[a] - min[a]);
-    }
-    return edge > 0.0 ? ((double)(1 << MORTON_BITS) - 1.0) / edge : 0.0;
-}
 
 bool clod_neighbour_reserve_sort(clod_neighbour *self, size_t items)
 {
@@ -96,16 +68,12 @@ static bool wrap(clod_state *state, clod_status *status)
     return true;
 }
 
-static void sort_along_curve(clod_neighbour *self, const clod_grains *grains)
+static void sort_by_layers(clod_neighbour *self, const clod_grains *grains)
 {
-    double min[3];
-    const double scale = bounding_cube(grains, min);
+    const double(*place)[4] = (const double(*)[4])grains->place;
+    const clod_layers layers = clod_layers_of(place, grains->count);
     for (size_t g = 0; g < grains->count; g++) {
-        const double *p = grains->place[g];
-        const uint64_t x = spread((uint64_t)((p[0] - min[0]) * scale));
-        const uint64_t y = spread((uint64_t)((p[1] - min[1]) * scale));
-        const uint64_t z = spread((uint64_t)((p[2] - min[2]) * scale));
-        self->sort[g] = (clod_sort_item){x | y << 1 | z << 2, g};
+        self->sort[g] = (clod_sort_item){clod_layers_key(&layers, place[g]), g};
     }
     clod_sort(self->sort, self->sort_scratch, grains->count);
     for (size_t k = 1; k < grains->count; k++) { // equal keys are rare: by id
@@ -298,7 +266,7 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
                                 grains->count);
     }
     give_back_old(self, state);
-    sort_along_curve(self, grains);
+    sort_by_layers(self, grains);
     permute_grains(self, grains);
     for (size_t g = 0; g < grains->count; g++) {
         self->rank[self->sort[g].index] = (int32_t)g;

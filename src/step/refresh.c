@@ -69,6 +69,7 @@ void clod_step_near(clod_step *self, int part)
             refresh(self, speed);
         }
         self->view.wall_slots = self->near.wall_slots;
+        self->view.lead = self->neighbour.lead;
     }
     clod_barrier_wait(&self->barrier);
     mine->near_motion = 0.0;

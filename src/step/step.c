@@ -150,7 +150,8 @@ static void look(clod_step *self)
                                     .load = grains->load,
                                     .wall_slots = self->near.wall_slots,
                                     .shape = (const double(*)[4])self->walls.shape,
-                                    .wall = (const double(*)[4])self->walls.wall};
+                                    .wall = (const double(*)[4])self->walls.wall,
+                                    .lead = self->neighbour.lead};
     for (int a = 0; a < 3; a++) {
         const clod_domain *domain = &self->state->domain;
         if (domain->periodic[a]) {

@@ -1,0 +1,69 @@
+#include "step/layers.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+#define BITS 21 ///< of the key for each of its three parts
+#define STEPS ((double)((1 << BITS) - 1))
+
+/** Axes from the longest side to the shortest; equal sides as x, y, z. */
+static void order_axes(clod_layers *self, const double extent[3])
+{
+    for (int a = 0; a < 3; a++) {
+        int longer = 0;
+        for (int b = 0; b < 3; b++) {
+            longer += b < a ? extent[b] >= extent[a] : extent[b] > extent[a];
+        }
+        self->axis[longer] = a;
+    }
+}
+
+clod_layers clod_layers_of(const double (*place)[4], size_t count)
+{
+    clod_layers self = {{0, 1, 2}, {0.0}, {0.0}};
+    double min[3] = {INFINITY, INFINITY, INFINITY}, max[3] = {-INFINITY, -INFINITY, -INFINITY};
+    double least = INFINITY, largest = 0.0; // radii: not their sum, which has an order
+    for (size_t g = 0; g < count; g++) {
+        for (int a = 0; a < 3; a++) {
+            min[a] = fmin(min[a], place[g][a]);
+            max[a] = fmax(max[a], place[g][a]);
+        }
+        least = fmin(least, place[g][3]);
+        largest = fmax(largest, place[g][3]);
+    }
+    if (count == 0) {
+        return self;
+    }
+    const double extent[3] = {max[0] - min[0], max[1] - min[1], max[2] - min[2]};
+    order_axes(&self, extent);
+    for (int k = 0; k < 3; k++) {
+        const double length = extent[self.axis[k]];
+        const double finest = length > 0.0 ? STEPS / length : 0.0;
+        self.min[k] = min[self.axis[k]];
+        self.scale[k] = k < 2 ? fmin(1.0 / (least + largest), finest) : finest;
+    }
+    return self;
+}
+
+static uint64_t part_of_key(const clod_layers *self, const double place[4], int k)
+{
+    return (uint64_t)((place[self->axis[k]] - self->min[k]) * self->scale[k]);
+}
+
+uint64_t clod_layers_key(const clod_layers *self, const double place[4])
+{
+    return part_of_key(self, place, 0) << 2 * BITS | part_of_key(self, place, 1) << BITS |
+           part_of_key(self, place, 2);
+}
+
+size_t clod_layers_fullest(const clod_layers *self, const double (*place)[4], size_t count)
+{
+    size_t fullest = 0, begin = 0;
+    for (size_t g = 0; g < count; g++) {
+        if (part_of_key(self, place[g], 0) != part_of_key(self, place[begin], 0)) {
+            begin = g;
+        }
+        fullest = g + 1 - begin > fullest ? g + 1 - begin : fullest;
+    }
+    return fullest;
+}

@@ -1,0 +1,31 @@
+#pragma once
+/**
+ * @file layers.h
+ * The order in which grains lie in memory: layers across the longest side of the bed, lines
+ * across its next one in each layer, each as wide as the smallest and the largest radius
+ * together, and along the lines by place. So the partners of a grain are at most about one
+ * layer behind it, however large the bed is.
+ */
+
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct clod_layers {
+    int axis[3];     ///< along which layers, lines and places in a line ascend
+    double min[3];   ///< m, of the grains' centres along each of them
+    double scale[3]; ///< steps of the key per metre: layers, lines, places
+} clod_layers;
+
+/**
+ * Layers of a bed.
+ *
+ * @param place  [count] x, y, z, radius [m]
+ * Errors  none.   Threads  pure.   Test  tests/step/test_layers.c
+ */
+clod_layers clod_layers_of(const double (*place)[4], size_t count);
+
+/** Where a grain of the bed belongs: keys ascend by layer, line and place. */
+uint64_t clod_layers_key(const clod_layers *self, const double place[4]);
+
+/** Rows of the fullest layer of a bed in this order. */
+size_t clod_layers_fullest(const clod_layers *self, const double (*place)[4], size_t count);
