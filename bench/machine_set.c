@@ -1,6 +1,6 @@
 // Compiled once per instruction set: CLOD_SIMD_SUFFIX names it, CLOD_SIMD_<SET> selects it. The
-// sets called ..._fused may contract m x + a into one instruction, which clod's kernels must
-// not.
+// sets called ..._fused may contract m x + a into one instruction, which clod's kernels do by
+// name only.
 #include "machine_set.h"
 
 #include "simd/simd.h"

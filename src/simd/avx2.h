@@ -28,6 +28,11 @@ static inline vreal vreal_set(double a)
     return _mm256_set1_pd(a);
 }
 
+static inline vreal vreal_fma(vreal a, vreal b, vreal c)
+{
+    return _mm256_fmadd_pd(a, b, c);
+}
+
 static inline vreal vreal_sqrt(vreal a)
 {
     return _mm256_sqrt_pd(a);

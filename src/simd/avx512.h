@@ -28,6 +28,11 @@ static inline vreal vreal_set(double a)
     return _mm512_set1_pd(a);
 }
 
+static inline vreal vreal_fma(vreal a, vreal b, vreal c)
+{
+    return _mm512_fmadd_pd(a, b, c);
+}
+
 static inline vreal vreal_sqrt(vreal a)
 {
     return _mm512_sqrt_pd(a);

@@ -28,6 +28,11 @@ static inline vreal vreal_set(double a)
     return vdupq_n_f64(a);
 }
 
+static inline vreal vreal_fma(vreal a, vreal b, vreal c)
+{
+    return vfmaq_f64(c, a, b);
+}
+
 static inline vreal vreal_sqrt(vreal a)
 {
     return vsqrtq_f64(a);

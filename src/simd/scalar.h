@@ -28,6 +28,11 @@ static inline vreal vreal_set(double a)
     return a;
 }
 
+static inline vreal vreal_fma(vreal a, vreal b, vreal c)
+{
+    return fma(a, b, c);
+}
+
 static inline vreal vreal_sqrt(vreal a)
 {
     return sqrt(a);

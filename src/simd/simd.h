@@ -10,6 +10,7 @@
  *
  *   vreal_load, vreal_store         CLOD_WIDTH doubles in a row
  *   vreal_set(a)                    a in every lane
+ *   vreal_fma(a, b, c)              a b + c, rounded once
  *   vreal_sqrt, vreal_abs, vreal_round (to nearest, ties to even)
  *   vreal_min(a, b)                 a < b ? a : b           (b when one is NaN)
  *   vreal_max(a, b)                 a > b ? a : b           (b when one is NaN)

@@ -4,19 +4,37 @@
 #include "step/near_between.h"
 #include "step/step.h"
 
-/** Contacts of one group, whose grains come before row `end`. */
-static bool run_group(clod_step *self, size_t group, int32_t law, size_t end)
+/** Memory of a group from which it pays to ask for it ahead [bytes]: less lies in the caches.
+ */
+#define LARGE_GROUP ((size_t)4 << 20)
+
+/** The last row of a part, up to which memory is to be asked for; 0: nothing is. */
+static size_t ask_until(const clod_step *self, int part, size_t blocks)
+{
+    const clod_grains *grains = &self->state->grains;
+    const size_t end = self->near.part_start[part + 1];
+    const size_t row = sizeof *grains->place + sizeof *grains->motion +
+                       sizeof *grains->turning + sizeof *grains->load;
+    const size_t memory =
+        (end - self->near.part_start[part]) * row + blocks * sizeof(clod_contact_block);
+    return memory < LARGE_GROUP ? 0 : end;
+}
+
+/** Contacts of one law within one part. */
+static bool run_within(clod_step *self, int part, int32_t law)
 {
     const clod_near_blocks *pairs = &self->near.pairs;
+    const size_t group = clod_near_group(&self->near, part, law);
+    const size_t begin = pairs->group_start[group], end = pairs->group_start[group + 1];
     clod_contact_block *blocks = pairs->block;
-    const size_t begin = pairs->group_start[group];
-    for (size_t b = begin; self->near.ledger && b < pairs->group_start[group + 1]; b++) {
+    for (size_t b = begin; self->near.ledger && b < end; b++) {
         self->kernel->contact_spend(&self->view, &self->laws->law[law], &blocks[b],
                                     &pairs->spent[b]);
     }
     const size_t contacts = pairs->group_count[group];
-    return contacts > 0 && self->kernel->contact(&self->view, &self->laws->law[law],
-                                                 &blocks[begin], contacts, end, NULL);
+    return contacts > 0 &&
+           self->kernel->contact(&self->view, &self->laws->law[law], &blocks[begin], contacts,
+                                 ask_until(self, part, end - begin), NULL);
 }
 
 /** This thread's share of the blocks of a law between two parts. */
@@ -61,8 +79,7 @@ void clod_step_contact(clod_step *self, int part)
             if (self->near.parts > 1) {
                 clod_near_between_add(&self->near, p, l, false, load);
             }
-            excess |= run_group(self, clod_near_group(&self->near, p, l), l,
-                                self->near.part_start[p + 1]);
+            excess |= run_within(self, p, l);
             if (self->near.parts > 1) {
                 clod_near_between_add(&self->near, p, l, true, load);
             }

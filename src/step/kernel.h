@@ -53,7 +53,8 @@ typedef struct clod_kernel {
      * Force of `contacts` contacts of one law, added to the loads in their order; true when an
      * overlap is beyond the limit.
      *
-     * @param end    row behind the last one to ask for ahead: that of the part; 0 asks for none
+     * @param end    row behind the last one to ask for ahead: that of the part; 0 asks for no
+     *               memory ahead
      * @param apart  NULL, or rows [2 contacts, whole blocks] that take the shares instead of
      *               the loads: i's, then j's, contact by contact
      */

@@ -181,7 +181,7 @@ static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
         batch.blocks = &blocks[first / CLOD_LANES];
         batch.contacts = (int)(contacts - first < full ? contacts - first : full);
         ahead = kernel_prefetch_rows(&v, ahead, batch.blocks->i[0], end);
-        if (contacts - first > full) {
+        if (end > 0 && contacts - first > full) {
             kernel_prefetch_blocks(batch.blocks + KERNEL_BATCH);
         }
         for (int c = 0; c < batch.contacts; c += CLOD_WIDTH) {

@@ -58,6 +58,8 @@ static double expected_of(vocabulary_operation operation, double a, double b, do
         return rint(a);
     case OP_NEGATIVE:
         return -a;
+    case OP_FMA:
+        return fma(a, b, first);
     case OP_SET:
         return first;
     default:
@@ -246,14 +248,14 @@ static void check_vectors(const vocabulary *v)
                 b[c] = in[3 + c][l];
                 check_bits(out[c][l], a[c] + b[c]);
                 check_bits(out[3 + c][l], a[c] - b[c]);
-                check_bits(out[9 + c][l], a[c] + in[6][l] * b[c]);
+                check_bits(out[9 + c][l], fma(in[6][l], b[c], a[c]));
                 check_bits(out[12 + c][l], a[c] * in[6][l]);
             }
-            check_bits(out[6][l], a[1] * b[2] - a[2] * b[1]);
-            check_bits(out[7][l], a[2] * b[0] - a[0] * b[2]);
-            check_bits(out[8][l], a[0] * b[1] - a[1] * b[0]);
-            check_bits(out[15][l], a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
-            check_bits(out[16][l], a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+            check_bits(out[6][l], fma(a[1], b[2], -(a[2] * b[1])));
+            check_bits(out[7][l], fma(a[2], b[0], -(a[0] * b[2])));
+            check_bits(out[8][l], fma(a[0], b[1], -(a[1] * b[0])));
+            check_bits(out[15][l], fma(a[2], b[2], fma(a[1], b[1], a[0] * b[0])));
+            check_bits(out[16][l], fma(a[2], a[2], fma(a[1], a[1], a[0] * a[0])));
         }
     }
 }

@@ -29,6 +29,8 @@ static vreal operate(vocabulary_operation operation, vreal a, vreal b, double fi
         return vreal_round(a);
     case OP_NEGATIVE:
         return -a;
+    case OP_FMA:
+        return vreal_fma(a, b, vreal_set(first));
     case OP_SET:
         return vreal_set(first);
     default:

@@ -22,6 +22,7 @@ typedef enum vocabulary_operation {
     OP_ABS,
     OP_ROUND,
     OP_NEGATIVE,
+    OP_FMA,  ///< a b + a[0], rounded once
     OP_SET,  ///< a[0] in every lane
     OP_BOTH, ///< 3 a - b / 2: between vectors and doubles
     OP_COUNT

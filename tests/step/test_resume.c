@@ -154,7 +154,7 @@ static void a_state_that_does_not_hold_together_is_refused(void **state)
     scene_open_ledger(&s);
     scene_run(&s, 1000);
     assert_true(clod_step_export(&s.step, &status));
-    s.state.contacts[0].j = (int32_t)s.state.grains.count - 1; // far away along the curve
+    s.state.contacts[0].j = (int32_t)s.state.grains.count - 1; // far away in the order
     const unsigned long long grain = s.state.grains.id[s.state.contacts[0].i];
     clod_step_fini(&s.step);
     const clod_step_options one = {.threads = 1};

@@ -206,7 +206,7 @@ static void the_way_of_asking_does_not_matter(void **state)
     scene_end(&b);
 }
 
-/** Grains given in another order, with the same ids: the order of sums is the curve's. */
+/** Grains given in another order, with the same ids: the order of sums is that of places. */
 static void the_order_of_the_input_does_not_matter(void **state)
 {
     (void)state;
