@@ -12,9 +12,14 @@ static const clod_verify_chung_material AL_ALLOY = {"al_alloy", 2700.0, 70e9, 0.
 #define DEGREE (M_PI / 180.0)
 #define SPEED_4 3.9 ///< m/s
 
-#define SLIDING                                                                                \
-    "rigid body sliding, friction at the lever R - <d>, "                                      \
-    "src/verify/hertz.h; " CLOD_VERIFY_CHUNG
+#define SLIDING "rigid body sliding, src/verify/hertz.h; " CLOD_VERIFY_CHUNG
+#define LEVERED                                                                                \
+    "rigid body sliding with the lever R - <d> of docs/theory/walls.md, src/verify/hertz.h"
+#define LEVER_REASON                                                                           \
+    "clod's contact is on the plane: friction acts at the lever R - <d>, <d> the mean "        \
+    "overlap "                                                                                 \
+    "of the impact, where rigid theory has R; here the two terms of the angle nearly cancel; " \
+    "the next row counts it"
 #define DIGITISED                                                                              \
     CLOD_VERIFY_CHUNG ", curve of test 4 as digitised in the test data of Kratos Multiphysics"
 
@@ -78,7 +83,7 @@ static oblique oblique_of(const clod_verify_chung *chung, const clod_verify_chun
 /** What clod found, what sliding throughout gives (NAN: no sliding) and what was published. */
 typedef struct oblique_point {
     double angle;
-    oblique got, sliding, published;
+    oblique got, sliding, levered, published; ///< levered: sliding with the lever of clod
     double terms; ///< of the rebound angle, see terms_of_rebound [deg]
 } oblique_point;
 
@@ -87,14 +92,16 @@ static oblique_point oblique_point_of(const clod_verify_chung *chung,
                                       const clod_verify_impact *impact, const digitised *known)
 {
     const oblique none = {{NAN, NAN, NAN}};
-    oblique_point p = {.angle = known->angle, .sliding = none};
+    oblique_point p = {.angle = known->angle, .sliding = none, .levered = none};
     p.got = oblique_of(chung, point, impact->v[0].x, impact->w[0].y, impact->v[0].z);
     p.published = (oblique){{known->restitution, known->spin, known->rebound}};
     p.terms = terms_of_rebound(chung, known);
     if (clod_verify_chung_slides(chung, point)) {
-        const clod_verify_chung_after after = clod_verify_chung_levered(chung, point);
-        p.sliding =
-            oblique_of(chung, point, after.v_a, after.w_a, chung->restitution * point->normal);
+        const double v_n = chung->restitution * point->normal;
+        clod_verify_chung_after after = clod_verify_chung_sliding(chung, point);
+        p.sliding = oblique_of(chung, point, after.v_a, after.w_a, v_n);
+        after = clod_verify_chung_levered(chung, point);
+        p.levered = oblique_of(chung, point, after.v_a, after.w_a, v_n);
     }
     return p;
 }
@@ -128,24 +135,41 @@ static bool write_oblique(const clod_verify_bench *bench, const char *sphere, in
     return curve != NULL && clod_verify_curve_close(&curve, status);
 }
 
-/** The sliding range against the closed form: the worst angle. */
-static bool check_sliding(const clod_verify_bench *bench, const char *sphere, int quantity,
-                          const oblique_point *points, clod_status *status)
+/** The sliding range against one of the closed forms: the worst angle. */
+static bool check_form(const clod_verify_bench *bench, const char *sphere, int quantity,
+                       const oblique_point *points, bool levered, clod_status *status)
 {
     clod_verify_worst worst = CLOD_VERIFY_WORST;
     double from = 90.0;
     for (int k = 0; k < ANGLES; k++) {
-        const double expected = points[k].sliding.of[quantity];
-        if (!isnan(expected)) {
-            clod_verify_worst_offer(&worst, points[k].angle, expected,
+        const oblique *form = levered ? &points[k].levered : &points[k].sliding;
+        if (!isnan(form->of[quantity])) {
+            clod_verify_worst_offer(&worst, points[k].angle, form->of[quantity],
                                     points[k].got.of[quantity]);
             from = fmin(from, points[k].angle);
         }
     }
-    const clod_verify_expect sliding = {worst.expected, 5e-3, true, SLIDING};
+    const clod_verify_expect sliding = {worst.expected, 5e-3, true,
+                                        levered ? LEVERED : SLIDING};
     return clod_verify_bench_check(bench, &sliding, worst.got, status,
-                                   "%s: %s, sliding (%.0f-85 deg), worst at %.0f deg", sphere,
-                                   QUANTITY[quantity].label, from, worst.at);
+                                   "%s: %s, sliding%s (%.0f-85 deg), worst at %.0f deg", sphere,
+                                   QUANTITY[quantity].label, levered ? " with the lever" : "",
+                                   from, worst.at);
+}
+
+/** The sliding range; the rebound angle, where terms cancel, is a recorded miss and judged
+ *  beside the form with clod's lever, too. */
+static bool check_sliding(const clod_verify_bench *bench, const char *sphere, int quantity,
+                          const oblique_point *points, clod_status *status)
+{
+    if (!check_form(bench, sphere, quantity, points, false, status)) {
+        return false;
+    }
+    if (quantity != REBOUND) {
+        return true;
+    }
+    clod_verify_bench_record_miss(bench, LEVER_REASON);
+    return check_form(bench, sphere, quantity, points, true, status);
 }
 
 /** The sticking range against the published curve: mean difference over mean size. */

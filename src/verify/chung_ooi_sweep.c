@@ -10,6 +10,10 @@
 #define SLIDING "rigid body sliding, src/verify/hertz.h; " CLOD_VERIFY_CHUNG
 #define LEVER                                                                                  \
     "rigid body sliding with the lever R - <d> of docs/theory/walls.md, src/verify/hertz.h"
+#define LEVER_REASON                                                                           \
+    "clod's contact is on the plane: friction acts at the lever R - <d>, <d> the mean "        \
+    "overlap "                                                                                 \
+    "of the impact, where rigid theory has R; the next row counts it"
 
 // Materials as published (and repeated by the benchmark decks of PySPH and LIGGGHTS).
 static const clod_verify_chung_material STEEL = {"steel", 7850.0, 208e9, 0.30};
@@ -29,20 +33,13 @@ typedef struct sweep {
     clod_verify_chung chung;
     clod_verify_chung_point points[POINTS_MOST];
     int count;
-    bool lever; ///< the closed form counts the overlap in the lever; elastic impacts on a plane
+    bool lever; ///< elastic impacts on a plane, deep enough to see the overlap in the lever
 } sweep;
 
 static clod_verify_chung_after after_of(const clod_verify_impact *impact)
 {
     return (clod_verify_chung_after){impact->v[0].x, impact->v[1].x, impact->w[0].y,
                                      impact->w[1].y};
-}
-
-/** Sliding throughout, by the closed form that the sweep asks for. */
-static clod_verify_chung_after expected_of(const sweep *self, int k)
-{
-    return self->lever ? clod_verify_chung_levered(&self->chung, &self->points[k])
-                       : clod_verify_chung_sliding(&self->chung, &self->points[k]);
 }
 
 /** Slip after, and spin of a, over mu v_n. */
@@ -74,7 +71,7 @@ static bool write_sweep(const clod_verify_bench *bench, const sweep *self,
         double row[5] = {start[0], NAN, NAN, NAN, NAN};
         put_point(self, k, &got, &row[1]);
         if (clod_verify_chung_slides(&self->chung, p)) {
-            const clod_verify_chung_after expected = expected_of(self, k);
+            const clod_verify_chung_after expected = clod_verify_chung_sliding(&self->chung, p);
             put_point(self, k, &expected, &row[3]);
         }
         clod_verify_curve_add(curve, row, 5);
@@ -98,25 +95,33 @@ static bool check_sweep(const clod_verify_bench *bench, const sweep *self,
 {
     clod_verify_worst v_a = CLOD_VERIFY_WORST, w_a = CLOD_VERIFY_WORST;
     clod_verify_worst v_b = CLOD_VERIFY_WORST, w_b = CLOD_VERIFY_WORST;
+    clod_verify_worst w_levered = CLOD_VERIFY_WORST;
     for (int k = 0; k < self->count; k++) {
         const clod_verify_chung_point *p = &self->points[k];
         if (!clod_verify_chung_slides(&self->chung, p)) {
             continue;
         }
         const clod_verify_chung_after got = after_of(&impacts[k]);
-        const clod_verify_chung_after expected = expected_of(self, k);
+        const clod_verify_chung_after expected = clod_verify_chung_sliding(&self->chung, p);
         const double at =
             clod_verify_chung_slip(&self->chung, p->slip, p->spin_a, 0.0, p->spin_b) /
             (self->chung.friction * p->normal);
         clod_verify_worst_offer(&v_a, at, expected.v_a, got.v_a);
         clod_verify_worst_offer(&w_a, at, expected.w_a, got.w_a);
+        clod_verify_worst_offer(&w_levered, at, clod_verify_chung_levered(&self->chung, p).w_a,
+                                got.w_a);
         clod_verify_worst_offer(&v_b, at, expected.v_b, got.v_b);
         clod_verify_worst_offer(&w_b, at, expected.w_b, got.w_b);
     }
-    const char *turn = self->lever ? LEVER : SLIDING;
-    return check_quantity(bench, self, &v_a, "velocity along the plane [m/s]", SLIDING,
-                          status) &&
-           check_quantity(bench, self, &w_a, "spin [rad/s]", turn, status) &&
+    if (!check_quantity(bench, self, &v_a, "velocity along the plane [m/s]", SLIDING, status) ||
+        !check_quantity(bench, self, &w_a, "spin [rad/s]", SLIDING, status)) {
+        return false;
+    }
+    if (self->lever) {
+        clod_verify_bench_record_miss(bench, LEVER_REASON);
+    }
+    return (!self->lever || check_quantity(bench, self, &w_levered,
+                                           "spin, with the lever [rad/s]", LEVER, status)) &&
            (self->chung.b == NULL ||
             (check_quantity(bench, self, &v_b, "velocity of the other [m/s]", SLIDING,
                             status) &&
@@ -245,18 +250,15 @@ bool clod_verify_chung_ooi_7(const clod_verify_bench *bench, clod_status *status
     return ok;
 }
 
-/**
- * The other sphere as published: 5 times the radius, 1 000 times the density, and in case A
- * 1 000 times the modulus as well. clod takes at most 1e5 kg/m3 and 1e13 Pa, so the closed form
- * is that of the masses which it has.
- */
+/** The other sphere as published: 5 times the radius, 1 000 times the density, and in case A
+ *  1 000 times the modulus as well. */
 static clod_verify_chung_material target_of(const clod_verify_chung_material *sphere,
                                             double stiffer)
 {
     clod_verify_chung_material target = *sphere;
     target.name = "target";
-    target.density = fmin(1000.0 * sphere->density, 1e5);
-    target.youngs_modulus = fmin(stiffer * sphere->youngs_modulus, 1e13);
+    target.density = 1000.0 * sphere->density;
+    target.youngs_modulus = stiffer * sphere->youngs_modulus;
     return target;
 }
 

@@ -184,6 +184,22 @@ static bool check_flat(const clod_verify_bench *bench, const flow *self, const f
                                    clod_fit_slope_error(&line, POINTS));
 }
 
+/** With the same pull, the elastic powder's slope is below that of the plastic one. */
+static bool check_flatter(const clod_verify_bench *bench, const flow *self, const flow *plastic,
+                          clod_status *status)
+{
+    const clod_fit line = clod_fit_line(self->sigma_1, self->sigma_c, POINTS);
+    const clod_fit steep = clod_fit_line(plastic->sigma_1, plastic->sigma_c, POINTS);
+    const double error =
+        hypot(clod_fit_slope_error(&line, POINTS), clod_fit_slope_error(&steep, POINTS));
+    const clod_verify_expect yes = {1.0, 0.0, false, THAKUR};
+    return clod_verify_bench_check(
+        bench, &yes, steep.slope - line.slope > 2.0 * error, status,
+        "%s: its slope is %.4f below that of k2 = 5 k1 with the same pull, above two errors of "
+        "%.4f (1: yes)",
+        POWDER[ELASTIC].name, steep.slope - line.slope, error);
+}
+
 /** k2 = 5 k1: a slope beyond doubt. */
 static bool check_rise(const clod_verify_bench *bench, powder_kind kind, const flow *self,
                        clod_status *status)
@@ -243,6 +259,7 @@ bool clod_verify_flow_function(const clod_verify_bench *bench, clod_status *stat
     }
     return write_curve(bench, found, status) &&
            check_flat(bench, &found[ELASTIC], &found[GROWING], status) &&
+           check_flatter(bench, &found[ELASTIC], &found[CONSTANT], status) &&
            check_rise(bench, CONSTANT, &found[CONSTANT], status) &&
            check_rise(bench, GROWING, &found[GROWING], status) &&
            check_order(bench, &found[GROWING], status);

@@ -18,7 +18,7 @@ bool clod_verify_report_add(clod_verify_report *self, const clod_verify_row *row
 
 /**
  * The row that was added last is known to miss, for this reason: a recorded miss, which counts
- * as a miss when it passes and not otherwise.
+ * as a miss when it passes and not otherwise. In a slow report it may pass: beds are chaotic.
  */
 void clod_verify_report_record_miss(clod_verify_report *self, const char *reason);
 

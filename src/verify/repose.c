@@ -208,9 +208,9 @@ static bool check_rise(const clod_verify_bench *bench, const faults *found, cons
 {
     const clod_verify_expect none = {0.0, 0.0, false, "Zhou et al. 2001: both raise it"};
     return clod_verify_bench_check(bench, &none, found->falls, status,
-                                   "neighbours that fall by two errors (%.2g deg), along %s, "
-                                   "any %s",
-                                   error, along, beside) &&
+                                   "neighbours that fall by %.2g deg, two errors of their "
+                                   "difference, along %s, any %s",
+                                   SIGNIFICANT * M_SQRT2 * error, along, beside) &&
            clod_verify_bench_check(bench, &none, found->flat, status,
                                    "ends that do not rise by two errors, along %s, any %s",
                                    along, beside);
@@ -258,9 +258,15 @@ static bool check_rest(const clod_verify_bench *bench, const heaps *self, clod_s
 static bool check_glass(const clod_verify_bench *bench, const heaps *self, clod_status *status)
 {
     const clod_verify_expect glass = {23.0, 3.0, false, "smooth spheres: Albert et al. 1997"};
-    return clod_verify_bench_check(bench, &glass, self->angle[GLASS_FRICTION][GLASS_ROLLING],
-                                   status, "angle at friction %g, rolling friction %g [deg]",
-                                   FRICTION[GLASS_FRICTION], ROLLING[GLASS_ROLLING]);
+    if (!clod_verify_bench_check(bench, &glass, self->angle[GLASS_FRICTION][GLASS_ROLLING],
+                                 status, "angle at friction %g, rolling friction %g [deg]",
+                                 FRICTION[GLASS_FRICTION], ROLLING[GLASS_ROLLING])) {
+        return false;
+    }
+    clod_verify_bench_record_miss(bench, "small heaps, two of them, whose mean has a standard "
+                                         "error of 0.6 deg and more: 25.0 and 26.1 deg with "
+                                         "two sets of last bits");
+    return true;
 }
 
 static bool write_angles(const clod_verify_bench *bench, const heaps *self, clod_status *status)
