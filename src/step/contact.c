@@ -8,7 +8,7 @@
  */
 #define LARGE_GROUP ((size_t)4 << 20)
 
-/** The last row of a part, up to which memory is to be asked for; 0: nothing is. */
+/** The row behind the last of a part, up to which memory is asked for; 0: none is. */
 static size_t ask_until(const clod_step *self, int part, size_t blocks)
 {
     const clod_grains *grains = &self->state->grains;

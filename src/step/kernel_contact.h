@@ -136,7 +136,7 @@ static inline vreal kernel_batch_finish(const clod_kernel_view *view, const clod
 /**
  * Ask for the rows up to view->lead behind a grain, in their order, beginning with row `from`:
  * partners come from several lines at once, in no order that a processor could foresee. Rows
- * from `end` on may be another thread's and are left alone.
+ * from `end` on may be another thread's and are left alone, but for at most the first.
  */
 static inline size_t kernel_prefetch_rows(const clod_kernel_view *view, size_t from,
                                           int32_t grain, size_t end)

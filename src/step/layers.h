@@ -4,7 +4,8 @@
  * The order in which grains lie in memory: layers across the longest side of the bed, lines
  * across its next one in each layer, each as wide as the smallest and the largest radius
  * together, and along the lines by place. So the partners of a grain are at most about one
- * layer behind it, however large the bed is.
+ * layer behind it, two for the largest of very different grains, however large the bed is; but
+ * for those across a periodic longest side.
  */
 
 #include <stddef.h>

@@ -102,13 +102,14 @@ static bool walls_at_rebuild(clod_neighbour *self, const clod_state *state)
     return true;
 }
 
-/** A layer, and something for what is uneven: partners are in the next one at most. */
-static size_t lead_of(const clod_state *state)
+/** A layer of the largest grains, and something for what is uneven. */
+static size_t lead_of(const clod_neighbour *self, const clod_state *state)
 {
     const double(*place)[4] = (const double(*)[4])state->build_place;
     const clod_layers layers = clod_layers_of(place, state->grains.count);
     const size_t fullest = clod_layers_fullest(&layers, place, state->grains.count);
-    return fullest + fullest / 8 + 64;
+    const double reach = 2.0 * self->radius_max / (self->radius_min + self->radius_max);
+    return (size_t)((reach + 0.0625) * (double)fullest) + 64;
 }
 
 /** Both lists ascend: one walk sees that contacts [0, end) are candidates; the first that is
@@ -144,7 +145,7 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
                           clod_status *status)
 {
     self->pairs.count = 0;
-    self->lead = lead_of(state);
+    self->lead = lead_of(self, state);
     if (self->pairs.capacity == 0) { // memory that is never used costs nothing (base/memory.c)
         reserve_pairs(&self->pairs, LIKELY_PAIRS * state->grains.count);
     }

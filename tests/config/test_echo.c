@@ -73,9 +73,8 @@ static void check_echo(clod_case *made)
 static void echo_loads_again_to_the_same_case(void **state)
 {
     (void)state;
-    static const char *const CASES[] = {"copper-ore-5", "copper-ore-5-literal",
-                                        "copper-ore-8", "copper-ore-uniaxial",
-                                        "free-run",     "contact-bench"};
+    static const char *const CASES[] = {"copper-ore-5", "copper-ore-8", "copper-ore-uniaxial",
+                                        "free-run", "contact-bench"};
     for (size_t i = 0; i < sizeof CASES / sizeof CASES[0]; i++) {
         char path[512];
         snprintf(path, sizeof path, CLOD_SOURCE_DIR "/cases/%s/case.yaml", CASES[i]);

@@ -91,6 +91,32 @@ static void test_partners_are_near(void **state)
     assert_true((double)within > 0.95 * (double)pairs);
 }
 
+/** With radii of 1 and 2 the largest grains reach over the next layer, never farther. */
+static void test_unequal_partners_are_near(void **state)
+{
+    (void)state;
+    static double place[GRAINS][4];
+    clod_layers layers;
+    fill(place, (double[3]){15.0, 29.0, 8.0}, 7);
+    for (size_t g = 0; g < GRAINS; g++) {
+        place[g][3] = g % 8 == 0 ? RADIUS : 0.5 * RADIUS;
+    }
+    sort(place, &layers);
+    const size_t fullest = clod_layers_fullest(&layers, (const double(*)[4])place, GRAINS);
+    size_t pairs = 0, within = 0;
+    for (size_t i = 0; i < GRAINS; i++) {
+        for (size_t j = i + 1; j < GRAINS; j++) {
+            if (length(place[i], place[j]) < place[i][3] + place[j][3]) {
+                assert_true(j - i < 3 * fullest);
+                pairs++;
+                within += 3 * (j - i) <= 4 * fullest; // 2 r_max / (r_min + r_max)
+            }
+        }
+    }
+    assert_true(pairs > GRAINS / 4);
+    assert_true((double)within > 0.95 * (double)pairs);
+}
+
 /** Beds without a side: no grain, one grain, all at one place, a row of them far apart. */
 static void test_flat_beds(void **state)
 {
@@ -117,6 +143,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_longest_side_first),
         cmocka_unit_test(test_partners_are_near),
+        cmocka_unit_test(test_unequal_partners_are_near),
         cmocka_unit_test(test_flat_beds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
