@@ -91,6 +91,12 @@ def same_liggghts():
                laws.mepa(1, K, 5 * K, 2 * K, 0.0), steps=300)
     yield Case("mepa n = 3/2, sliding friction", peer, _dense(0.1, 50.0, LOOSE),
                laws.mepa(1.5, 5e5, 25e5, 10e5, 0.2))
+    yield Case("eepa n = 1, constant pull, sliding friction", peer, _dense(0.1, 50.0, LOOSE),
+               laws.eepa(1, K, 5 * K, 2 * K, 0.05, 0.2))
+    yield Case("eepa n = 1, constant pull, all branches, no friction", peer,
+               _dense(0.1, 0.0, LOOSE), laws.eepa(1, K, 5 * K, 2 * K, 0.05, 0.0), steps=300)
+    yield Case("eepa n = 3/2, constant pull, sliding friction", peer, _dense(0.1, 50.0, LOOSE),
+               laws.eepa(1.5, 5e5, 25e5, 10e5, 0.05, 0.2))
     yield Case("luding, sliding friction", peer, _dense(0.1, 50.0, LOOSE),
                laws.luding(K, 5 * K, 2 * K, 0.01, 0.2))
     yield Case("luding, dash-pots", peer, _dense(0.01, 5.0, CLOSED),

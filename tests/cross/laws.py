@@ -110,6 +110,15 @@ def mepa(n, k1, k2, k_adh, friction, e=1.0):
             "model": "edinburgh/stiffness tangential history fixKc on limitForce off"}
 
 
+def eepa(n, k1, k2, k_adh, pull_off, friction, e=1.0):
+    """EEPA with a constant pull [N]: mepa with f0, which LIGGGHTS wants below zero."""
+    law = mepa(n, k1, k2, k_adh, friction, e)
+    text = f"law: eepa, pull_off_force: {number(pull_off)} N"
+    law["clod"] = law["clod"].replace("law: mepa", text)
+    law["properties"]["pullOffForce peratomtypepair 1"] = -pull_off
+    return law
+
+
 def luding(k1, k2, k_adh, depth, friction, e=1.0):
     """Luding's law in clod and LIGGGHTS."""
     keys = {"exponent": "1", "k1": number(k1) + " N/m", "k2": number(k2) + " N/m",

@@ -1,11 +1,15 @@
 """docs/cross-code.md: what was compared, with which versions, and what came out."""
 
+import subprocess
+
 import forces
 import peers
+import programs
 
 INTRODUCTION = """# The same grains in other programs
 
-Written by `tools/cross-check`; `make cross` runs it and renews this page. clod,
+Written by `tools/cross-check`; `make cross` runs it and renews this page.
+{clod},
 LIGGGHTS {liggghts} and LAMMPS {lammps}
 (Debian packages, run as programs on one core) get the same grains, law and step. `tests/cross` has
 the grains, laws and decks. The exit status is not 0 when anything below misses.
@@ -76,7 +80,9 @@ def _answer(good):
 
 
 def header():
-    return INTRODUCTION.format(liggghts=peers.version("liggghts"),
+    asked = subprocess.run([programs.CLOD, "--version"], text=True, stdout=subprocess.PIPE,
+                           check=True)
+    return INTRODUCTION.format(clod=asked.stdout.strip(), liggghts=peers.version("liggghts"),
                                lammps=peers.version("lammps"))
 
 
