@@ -206,11 +206,19 @@ static bool check_rise(const clod_verify_bench *bench, powder_kind kind, const f
 {
     const clod_fit line = clod_fit_line(self->sigma_1, self->sigma_c, POINTS);
     const clod_verify_expect yes = {1.0, 0.0, false, THAKUR};
-    return clod_verify_bench_check(
-        bench, &yes, line.slope > CLEAR * clod_fit_slope_error(&line, POINTS), status,
-        "%s: the slope %.3f is above %g standard errors of %.3f "
-        "(1: yes)",
-        POWDER[kind].name, line.slope, CLEAR, clod_fit_slope_error(&line, POINTS));
+    if (!clod_verify_bench_check(
+            bench, &yes, line.slope > CLEAR * clod_fit_slope_error(&line, POINTS), status,
+            "%s: the slope %.3f is above %g standard errors of %.3f "
+            "(1: yes)",
+            POWDER[kind].name, line.slope, CLEAR, clod_fit_slope_error(&line, POINTS))) {
+        return false;
+    }
+    if (kind == CONSTANT) {
+        clod_verify_bench_record_miss(bench, "twelve specimens: 0.0105 +- 0.0018, 0.010 +- "
+                                             "0.001 and 0.0117 +- 0.0024 with three sets of "
+                                             "last bits");
+    }
+    return true;
 }
 
 /** Each consolidation leaves the solid stronger than the one before. */
