@@ -1,7 +1,6 @@
 #include "step/layers.h"
 
 #include <math.h>
-#include <stdbool.h>
 
 #define BITS 21 ///< of the key for each of its three parts
 #define STEPS ((double)((1 << BITS) - 1))
