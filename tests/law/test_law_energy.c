@@ -320,7 +320,10 @@ static void the_dash_pot_of_epsd_is_a_rolling_loss(void **state)
     for (int s = 0; s < 100; s++) {
         spend_still(&probe, &m);
     }
-    check_relative(spend_still(&probe, &m).rolling, cap * rate * DT, 1e-3);
+    for (int s = 0; s < 100; s++) { // whichever way the last bit of the spring was rounded
+        m.overlap = 4e-6 * (1.0 + 1e-7 * s);
+        check_relative(spend_still(&probe, &m).rolling, cap * rate * DT, 1e-3);
+    }
 }
 
 /** What is stored is told of closed contacts only. */
