@@ -14,6 +14,9 @@
 #include "verify/impact.h"
 
 #define CLOD_VERIFY_CHUNG "Chung & Ooi 2011"
+/** Source of the closed form of clod_verify_chung_levered. */
+#define CLOD_VERIFY_CHUNG_LEVER                                                                \
+    "rigid body sliding with the lever R - <d> of docs/theory/walls.md, src/verify/hertz.h"
 
 typedef struct clod_verify_chung_material {
     const char *name;

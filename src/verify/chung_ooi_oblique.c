@@ -13,8 +13,6 @@ static const clod_verify_chung_material AL_ALLOY = {"al_alloy", 2700.0, 70e9, 0.
 #define SPEED_4 3.9 ///< m/s
 
 #define SLIDING "rigid body sliding, src/verify/hertz.h; " CLOD_VERIFY_CHUNG
-#define LEVERED                                                                                \
-    "rigid body sliding with the lever R - <d> of docs/theory/walls.md, src/verify/hertz.h"
 #define LEVER_REASON                                                                           \
     "clod's contact is on the plane: friction acts at the lever R - <d>, <d> the mean "        \
     "overlap "                                                                                 \
@@ -150,7 +148,7 @@ static bool check_form(const clod_verify_bench *bench, const char *sphere, int q
         }
     }
     const clod_verify_expect sliding = {worst.expected, 5e-3, true,
-                                        levered ? LEVERED : SLIDING};
+                                        levered ? CLOD_VERIFY_CHUNG_LEVER : SLIDING};
     return clod_verify_bench_check(bench, &sliding, worst.got, status,
                                    "%s: %s, sliding%s (%.0f-85 deg), worst at %.0f deg", sphere,
                                    QUANTITY[quantity].label, levered ? " with the lever" : "",

@@ -8,8 +8,6 @@
 
 #define POINTS_MOST 16
 #define SLIDING "rigid body sliding, src/verify/hertz.h; " CLOD_VERIFY_CHUNG
-#define LEVER                                                                                  \
-    "rigid body sliding with the lever R - <d> of docs/theory/walls.md, src/verify/hertz.h"
 #define LEVER_REASON                                                                           \
     "clod's contact is on the plane: friction acts at the lever R - <d>, <d> the mean "        \
     "overlap "                                                                                 \
@@ -120,8 +118,9 @@ static bool check_sweep(const clod_verify_bench *bench, const sweep *self,
     if (self->lever) {
         clod_verify_bench_record_miss(bench, LEVER_REASON);
     }
-    return (!self->lever || check_quantity(bench, self, &w_levered,
-                                           "spin, with the lever [rad/s]", LEVER, status)) &&
+    return (!self->lever ||
+            check_quantity(bench, self, &w_levered, "spin, with the lever [rad/s]",
+                           CLOD_VERIFY_CHUNG_LEVER, status)) &&
            (self->chung.b == NULL ||
             (check_quantity(bench, self, &v_b, "velocity of the other [m/s]", SLIDING,
                             status) &&
