@@ -9,6 +9,9 @@
 #include "law/law_tangential.h"
 #include "state/contacts.h"
 
+/** A part of the law, in line wherever it is used: its vectors stay in registers. */
+#define CLOD_LAW_PART __attribute__((always_inline)) static inline
+
 /** Kinematics of a contact; j is the later grain or the wall. */
 typedef struct clod_law_motion {
     vreal overlap;      ///< d [m]; the contact is open when <= 0
@@ -55,139 +58,164 @@ static inline void clod_law_memory_store(clod_history *history, int lane, vmask 
     vreal3_store(history->roll, lane, vreal3_select(closed, memory.roll, none));
 }
 
-/**
- * Carry both springs into today's tangent plane, with the length that they had, shortened where
- * the stiffness has grown (docs/adr/0004).
- *
- * @param stiffness  dk now [N/m]
- * @param memory     [in,out] its springs; its tangent is the one before
- * @return           what friction and rolling need of dk
- * The product of the three numbers inverted together lies far from the ends of the range: both
- * squares are at least CLOD_LAW_NOTHING.
- */
-static inline clod_law_tangents clod_law_springs_carry(const clod_law *law,
-                                                       const clod_law_frame *frame,
-                                                       vreal stiffness, clod_law_memory *memory)
+/** Relative spin without its part along the normal [rad/s]. */
+static inline vreal3 clod_law_rolling_of(const clod_law_motion *motion)
 {
-    clod_law_tangents tangent = {.stiffness = stiffness, .inverse = stiffness};
-    const clod_law_turned spring = clod_law_spring_turn(frame, memory->spring);
-    vreal spring_after = spring.after;
-    if (clod_law_rolling_springs(law)) {
-        const clod_law_turned roll = clod_law_spring_turn(frame, memory->roll);
-        vreal roll_after = roll.after;
-        vreal_invert3(&tangent.inverse, &spring_after, &roll_after);
-        tangent.soften = vreal_min(memory->tangent * tangent.inverse, vreal_set(1.0));
-        const vreal soften = clod_law_rolling_soften(law, &tangent);
-        memory->roll = clod_law_spring_restore(roll, roll_after, soften);
-    } else {
-        vreal_invert2(&tangent.inverse, &spring_after);
-        tangent.soften = vreal_min(memory->tangent * tangent.inverse, vreal_set(1.0));
-    }
-    const vreal soften = clod_law_tangential_soften(law, &tangent);
-    memory->spring = clod_law_spring_restore(spring, spring_after, soften);
-    memory->tangent = stiffness;
-    return tangent;
+    const vreal3 spins = vreal3_sub(motion->spin_i, motion->spin_j);
+    return vreal3_axpy(spins, -vreal3_dot(spins, motion->normal), motion->normal);
 }
 
-/** A contact before its limits: what is left to do is to cut two vectors. */
-typedef struct clod_law_trial {
-    vreal push;           ///< normal force with its dash-pot [N]
-    vreal3 friction;      ///< force of tangential spring and dash-pot [N]
-    vreal3 pull;          ///< from clod_law_rolling_pull
-    vreal3 rolling;       ///< relative spin without its part along the normal [rad/s]
-    vreal limit;          ///< mu N [N]
-    vreal cap;            ///< mu_r N R* [N m]
-    vreal compliance;     ///< 1/k_t [m/N]
-    vreal roll_stiffness; ///< k_r [N m/rad]
-    clod_law_memory memory;
-} clod_law_trial;
-
-/** What rolling resistance would be without its cap, into the trial. */
-static inline void clod_law_try_rolling(const clod_law *law, const clod_law_motion *motion,
-                                        double dt, vreal measure, vreal tangent,
-                                        clod_law_trial *t)
+/** Tangential velocity of i against j at the contact [m/s]. */
+static inline vreal3 clod_law_slip_of(const clod_law_motion *motion)
 {
     const vreal3 n = motion->normal;
-    const vreal3 spins = vreal3_sub(motion->spin_i, motion->spin_j);
-    t->rolling = vreal3_axpy(spins, -vreal3_dot(spins, n), n);
-    t->cap = law->rolling_friction * measure * motion->r_star;
-    t->roll_stiffness = clod_law_rolling_stiffness(law, tangent, motion->r_star);
-    t->pull = clod_law_rolling_pull(law, dt, t->rolling, t->roll_stiffness, &t->memory.roll);
+    const vreal3 arms =
+        vreal3_axpy(vreal3_scale(motion->spin_i, motion->arm_i), motion->arm_j, motion->spin_j);
+    const vreal3 across = vreal3_axpy(motion->velocity, -vreal3_dot(motion->velocity, n), n);
+    return vreal3_sub(across, vreal3_cross(arms, n));
 }
 
 /**
- * First half of a contact: normal force, springs in today's plane with the way of this step,
- * and the limits.
+ * What is found out about a contact on its way. It goes through three parts, each a function:
+ * pressed, carried, limited. The contact loop takes several contacts through one part before
+ * the next (docs/adr/0019).
+ */
+typedef struct clod_law_trial {
+    vreal push;                       ///< normal force with its dash-pot [N]
+    vreal measure;                    ///< N, which the limits multiply [N]
+    vreal dash_pot;                   ///< gamma_t [N s/m]
+    vreal stiffness;                  ///< dk [N/m]
+    vreal spring_square, roll_square; ///< of the springs' lengths before they were turned
+    vreal compliance;                 ///< 1/k_t [m/N]
+    vreal3 friction;                  ///< force of tangential spring and dash-pot [N]
+} clod_law_trial;
+
+/**
+ * First part: the normal force, and the springs turned into today's tangent plane.
  *
  * @param law     the pair's law
  * @param motion  kinematics, one contact per lane
  * @param dt      time step [s]
- * @param memory  history before
- * Errors  none.   Threads  pure.
- * Source  PHYSICS 1-4.   Test  tests/law/
+ * @param memory  [in,out] history before; its P is that after, its springs are turned and not
+ *                of their old length
+ * @param trial   [out] push to roll_square
+ * Errors  none.   Threads  pure.   Source  PHYSICS 1-4.   Test  tests/law/
  */
-__attribute__((always_inline)) static inline clod_law_trial // its vectors stay in registers
-clod_law_try(const clod_law *law, const clod_law_motion *motion, double dt,
-             clod_law_memory memory)
+CLOD_LAW_PART void clod_law_press(const clod_law *law, const clod_law_motion *motion, double dt,
+                                  clod_law_memory *memory, clod_law_trial *trial)
 {
-    clod_law_trial t = {.memory = memory};
     const vreal3 n = motion->normal;
     const vreal overlap = vreal_max(motion->overlap, vreal_set(0.0));
     const clod_law_stiffness s = clod_law_stiffness_at(law, overlap, motion->r_star);
-    const clod_law_normal normal = clod_law_normal_force(law, s, &t.memory.plastic);
-    const vreal measure = clod_law_normal_measure(law, normal);
+    const clod_law_normal normal = clod_law_normal_force(law, s, &memory->plastic);
     const vreal damping = clod_law_damping(law, s, motion->m_star);
-    const vreal v_n = vreal3_dot(motion->velocity, n);
-    t.push = normal.force - damping * v_n;
-    t.limit = law->friction * measure;
+    trial->push = normal.force - damping * vreal3_dot(motion->velocity, n);
+    trial->measure = clod_law_normal_measure(law, normal);
+    trial->dash_pot = clod_law_tangential_damping(law, damping, motion->m_star);
+    trial->stiffness = s.tangent;
 
     const vreal3 both = vreal3_add(motion->spin_i, motion->spin_j);
     const clod_law_frame frame = {n, 0.5 * dt * vreal3_dot(both, n)};
-    const clod_law_tangents tangent = clod_law_springs_carry(law, &frame, s.tangent, &t.memory);
-    t.compliance = clod_law_tangential_compliance(law, &tangent);
-
-    const vreal3 arms =
-        vreal3_axpy(vreal3_scale(motion->spin_i, motion->arm_i), motion->arm_j, motion->spin_j);
-    const vreal3 across = vreal3_axpy(motion->velocity, -v_n, n);
-    const vreal3 slip = vreal3_sub(across, vreal3_cross(arms, n));
-    const vreal dash_pot = clod_law_tangential_damping(law, damping, motion->m_star);
-    t.friction = clod_law_friction(law, s.tangent, dt, slip, dash_pot, &t.memory.spring);
-    if (law->rolling != CLOD_ROLLING_NONE) {
-        clod_law_try_rolling(law, motion, dt, measure, s.tangent, &t);
+    trial->spring_square = vreal3_dot(memory->spring, memory->spring);
+    memory->spring = clod_law_spring_turn(&frame, memory->spring);
+    if (clod_law_rolling_springs(law)) {
+        trial->roll_square = vreal3_dot(memory->roll, memory->roll);
+        memory->roll = clod_law_spring_turn(&frame, memory->roll);
     }
-    return t;
 }
 
 /**
- * Second half of a contact: friction and rolling resistance cut to their limits.
+ * Second part: the springs get the length that they had, shortened where the stiffness has
+ * grown (docs/adr/0004), and the way of this step; and the force of the tangential one.
  *
- * @param trial  [in,out] its memory becomes the history after; meaningful in closed lanes only
- * @return       force and torques, zero where the contact is open
- * Errors  none.   Threads  pure.
- * Source  PHYSICS 3, 4.   Test  tests/law/
+ * @param memory  [in,out] turned springs, and the tangent of the step before
+ * @param trial   [in,out] gets compliance and friction
+ * The product of the three numbers inverted together lies far from the ends of the range: both
+ * squares are at least CLOD_LAW_NOTHING.
+ * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
  */
-__attribute__((always_inline)) static inline clod_law_result
-clod_law_limit(const clod_law *law, const clod_law_motion *motion, clod_law_trial *trial)
+CLOD_LAW_PART void clod_law_carry(const clod_law *law, const clod_law_motion *motion, double dt,
+                                  clod_law_memory *memory, clod_law_trial *trial)
+{
+    const vreal step = vreal_set(dt);
+    clod_law_tangents tangent = {.stiffness = trial->stiffness, .inverse = trial->stiffness};
+    vreal per_spring = clod_law_spring_square(memory->spring);
+    if (clod_law_rolling_springs(law)) {
+        vreal per_roll = clod_law_spring_square(memory->roll);
+        vreal_invert3(&tangent.inverse, &per_spring, &per_roll);
+        tangent.soften = vreal_min(memory->tangent * tangent.inverse, vreal_set(1.0));
+        memory->roll = clod_law_spring_restore(memory->roll, trial->roll_square, per_roll,
+                                               clod_law_rolling_soften(law, &tangent));
+        memory->roll = vreal3_axpy(memory->roll, step, clod_law_rolling_of(motion));
+    } else {
+        vreal_invert2(&tangent.inverse, &per_spring);
+        tangent.soften = vreal_min(memory->tangent * tangent.inverse, vreal_set(1.0));
+    }
+    memory->spring = clod_law_spring_restore(memory->spring, trial->spring_square, per_spring,
+                                             clod_law_tangential_soften(law, &tangent));
+    const vreal3 slip = clod_law_slip_of(motion);
+    memory->spring = vreal3_axpy(memory->spring, step, slip);
+    memory->tangent = trial->stiffness;
+    trial->compliance = clod_law_tangential_compliance(law, &tangent);
+    trial->friction =
+        clod_law_friction(law, trial->stiffness, slip, trial->dash_pot, memory->spring);
+}
+
+/** Rolling resistance before its cap. */
+typedef struct clod_law_resistance {
+    vreal3 rolling;  ///< rad/s, for cdt and epsd
+    vreal3 pull;     ///< from clod_law_rolling_pull
+    vreal stiffness; ///< k_r [N m/rad]
+    vreal cap;       ///< mu_r N R* [N m]
+} clod_law_resistance;
+
+static inline clod_law_resistance clod_law_resist(const clod_law *law,
+                                                  const clod_law_motion *motion,
+                                                  const clod_law_trial *trial, vreal3 roll)
+{
+    clod_law_resistance r = {.rolling = roll};
+    if (law->rolling != CLOD_ROLLING_EPSD2) { // its spring knows the way already
+        r.rolling = clod_law_rolling_of(motion);
+    }
+    r.stiffness = clod_law_rolling_stiffness(law, trial->stiffness, motion->r_star);
+    r.pull = clod_law_rolling_pull(law, r.rolling, r.stiffness, roll);
+    r.cap = law->rolling_friction * trial->measure * motion->r_star;
+    return r;
+}
+
+/**
+ * Last part: friction and rolling resistance cut to their limits.
+ *
+ * @param memory  [in,out] becomes the history after; meaningful in closed lanes only
+ * @return        force and torques, zero where the contact is open
+ * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
+ */
+CLOD_LAW_PART clod_law_result clod_law_limit(const clod_law *law, const clod_law_motion *motion,
+                                             const clod_law_trial *trial,
+                                             clod_law_memory *memory)
 {
     const vreal zero = vreal_set(0.0);
     const vreal3 none = {zero, zero, zero};
     const vreal3 n = motion->normal;
-    const clod_law_cut slides = clod_law_cut_of(trial->friction, trial->limit);
+    const vreal limit = law->friction * trial->measure;
+    const clod_law_cut slides = clod_law_cut_of(trial->friction, limit);
+    clod_law_resistance resistance = {none, none, zero, zero};
     clod_law_cut rolls = slides;
     vreal per_slip = slides.square, per_roll = vreal_set(1.0);
     if (law->rolling != CLOD_ROLLING_NONE) {
-        rolls = clod_law_cut_of(trial->pull, clod_law_rolling_limit(law, trial->cap));
+        resistance = clod_law_resist(law, motion, trial, memory->roll);
+        rolls = clod_law_cut_of(resistance.pull, clod_law_rolling_limit(law, resistance.cap));
         per_roll = rolls.square;
     }
     vreal_invert2(&per_slip, &per_roll); // each 1 or above CLOD_LAW_NOTHING
-    const vreal factor = trial->limit * (slides.length * per_slip);
+    const vreal factor = limit * (slides.length * per_slip);
     const vreal3 f_t = clod_law_friction_cut(trial->friction, slides, factor, trial->compliance,
-                                             &trial->memory.spring);
+                                             &memory->spring);
     vreal3 roll = none;
     if (law->rolling != CLOD_ROLLING_NONE) {
-        const vreal share = trial->cap * (rolls.length * per_roll);
-        roll = clod_law_rolling_cut(law, trial->pull, rolls, share, trial->roll_stiffness,
-                                    trial->rolling, motion->roll_inertia, &trial->memory.roll);
+        const vreal share = resistance.cap * (rolls.length * per_roll);
+        roll = clod_law_rolling_cut(law, resistance.pull, rolls, share, resistance.stiffness,
+                                    resistance.rolling, motion->roll_inertia, &memory->roll);
     }
     const vmask closed = vmask_less(zero, motion->overlap);
     return (clod_law_result){vreal3_select(closed, vreal3_axpy(f_t, trial->push, n), none),
@@ -195,13 +223,13 @@ clod_law_limit(const clod_law *law, const clod_law_motion *motion, clod_law_tria
                              vreal3_select(closed, roll, none), closed};
 }
 
-/** Force and torque of one contact, and its new history: both halves. */
-__attribute__((always_inline)) static inline clod_law_result
-clod_law_contact(const clod_law *law, const clod_law_motion *motion, double dt,
-                 clod_law_memory *memory)
+/** Force and torque of one contact, and its new history: all three parts. */
+CLOD_LAW_PART clod_law_result clod_law_contact(const clod_law *law,
+                                               const clod_law_motion *motion, double dt,
+                                               clod_law_memory *memory)
 {
-    clod_law_trial trial = clod_law_try(law, motion, dt, *memory);
-    const clod_law_result result = clod_law_limit(law, motion, &trial);
-    *memory = trial.memory;
-    return result;
+    clod_law_trial trial;
+    clod_law_press(law, motion, dt, memory, &trial);
+    clod_law_carry(law, motion, dt, memory, &trial);
+    return clod_law_limit(law, motion, &trial, memory);
 }

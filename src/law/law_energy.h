@@ -220,7 +220,6 @@ static inline clod_law_spent clod_law_spend(const clod_law *law, const clod_law_
                                             const clod_law_memory *memory, double dt)
 {
     const vreal step = vreal_set(dt);
-    const vreal3 n = now->normal;
     clod_law_memory copy = *memory;
     copy.roll = vreal3_scale(copy.roll, vreal_set(ON_ITS_CAP));
     clod_law_motion past = *before;
@@ -229,13 +228,9 @@ static inline clod_law_spent clod_law_spend(const clod_law *law, const clod_law_
     const clod_law_moment a = clod_law_moment_of(law, &past, &then, memory);
     const clod_law_moment b = clod_law_moment_of(law, now, result, after);
 
-    const vreal v_n = vreal3_dot(now->velocity, n);
-    const vreal3 arms =
-        vreal3_axpy(vreal3_scale(now->spin_i, now->arm_i), now->arm_j, now->spin_j);
-    const vreal3 across = vreal3_axpy(now->velocity, -v_n, n);
-    const vreal3 slip = vreal3_scale(vreal3_sub(across, vreal3_cross(arms, n)), step);
-    const vreal3 spins = vreal3_sub(now->spin_i, now->spin_j);
-    const vreal3 turn = vreal3_scale(vreal3_axpy(spins, -vreal3_dot(spins, n), n), step);
+    const vreal v_n = vreal3_dot(now->velocity, now->normal);
+    const vreal3 slip = vreal3_scale(clod_law_slip_of(now), step);
+    const vreal3 turn = vreal3_scale(clod_law_rolling_of(now), step);
 
     const vreal plastic = clod_law_history_cost(law, &a, &b);
     const vreal viscous = clod_law_work(a.viscous, b.viscous, slip);

@@ -21,25 +21,24 @@ typedef struct clod_law_tangents {
     vreal soften;    ///< min(1, dk before / dk now): no energy from a growing stiffness
 } clod_law_tangents;
 
-/** A spring turned into today's tangent plane, not yet of its old length. */
-typedef struct clod_law_turned {
-    vreal3 spring;
-    vreal before; ///< square of its length before
-    vreal after;  ///< square of its length now; at least the least that counts
-} clod_law_turned;
-
 /** Springs shorter than the root of this [m or rad] are nothing: no length to restore. */
 #define CLOD_LAW_NOTHING 1e-80
 
-/** Turn a spring with the pair about the normal, and project it on the tangent plane. */
-static inline clod_law_turned clod_law_spring_turn(const clod_law_frame *frame, vreal3 spring)
+/**
+ * Turn a spring with the pair about the normal, and project it on the tangent plane. It is not
+ * of its old length then.
+ */
+static inline vreal3 clod_law_spring_turn(const clod_law_frame *frame, vreal3 spring)
 {
     const vreal3 n = frame->normal;
-    vreal3 turned = vreal3_axpy(spring, frame->turn, vreal3_cross(n, spring));
-    turned = vreal3_axpy(turned, -vreal3_dot(turned, n), n);
-    return (clod_law_turned){
-        turned, vreal3_dot(spring, spring),
-        vreal_max(vreal3_dot(turned, turned), vreal_set(CLOD_LAW_NOTHING))};
+    const vreal3 turned = vreal3_axpy(spring, frame->turn, vreal3_cross(n, spring));
+    return vreal3_axpy(turned, -vreal3_dot(turned, n), n);
+}
+
+/** Square of a spring's length, at least the least that counts: it can be inverted. */
+static inline vreal clod_law_spring_square(vreal3 spring)
+{
+    return vreal_max(vreal3_dot(spring, spring), vreal_set(CLOD_LAW_NOTHING));
 }
 
 /**
@@ -52,16 +51,17 @@ static inline clod_law_turned clod_law_spring_turn(const clod_law_frame *frame, 
  * that a step tilts by more than 45 degrees (e > 1) stays shortened; one that it turns about
  * the normal by much more than 10 degrees comes out longer (1e-5 at half a radian).
  *
- * @param inverse_after  1/turned.after
+ * @param before     square of its length before it was turned
+ * @param per_after  1/clod_law_spring_square of it now
  * Source  docs/theory/tangential.md, docs/adr/0010.   Test  tests/law/test_law_spring.c
  */
-static inline vreal3 clod_law_spring_restore(clod_law_turned turned, vreal inverse_after,
+static inline vreal3 clod_law_spring_restore(vreal3 turned, vreal before, vreal per_after,
                                              vreal soften)
 {
-    const vreal e = vreal_min(turned.before * inverse_after - 1.0, vreal_set(1.0));
+    const vreal e = vreal_min(before * per_after - 1.0, vreal_set(1.0));
     const vreal e2 = e * e;
     const vreal root = (1.0 + 0.5 * e) - e2 * (0.125 - (0.0625 * e - 0.0390625 * e2));
-    return vreal3_scale(turned.spring, root * soften);
+    return vreal3_scale(turned, root * soften);
 }
 
 /** Where a force (or torque) is beyond its limit, and its length there; elsewhere 1. */
@@ -125,15 +125,14 @@ static inline vreal clod_law_tangential_damping(const clod_law *law, vreal norma
  * @param tangent   dk [N/m]
  * @param slip      tangential velocity of i against j at the contact [m/s]
  * @param dash_pot  gamma_t [N s/m]
- * @param spring    [in,out] tangential spring in today's plane [m]; gets the way of the step
+ * @param spring    tangential spring in today's plane, with the way of the step [m]
  * Source  PHYSICS 3, eq. (6).   Test  tests/law/test_law_tangential.c
  */
-static inline vreal3 clod_law_friction(const clod_law *law, vreal tangent, double dt,
-                                       vreal3 slip, vreal dash_pot, vreal3 *spring)
+static inline vreal3 clod_law_friction(const clod_law *law, vreal tangent, vreal3 slip,
+                                       vreal dash_pot, vreal3 spring)
 {
     const vreal stiffness = clod_law_tangential_stiffness(law, tangent);
-    *spring = vreal3_axpy(*spring, vreal_set(dt), slip);
-    return vreal3_axpy(vreal3_scale(*spring, -stiffness), -dash_pot, slip);
+    return vreal3_axpy(vreal3_scale(spring, -stiffness), -dash_pot, slip);
 }
 
 /**
@@ -179,14 +178,13 @@ static inline vreal clod_law_rolling_soften(const clod_law *law,
 }
 
 /** What turns against rolling before its cap: -k_r roll [N m]; cdt: the direction, rolling. */
-static inline vreal3 clod_law_rolling_pull(const clod_law *law, double dt, vreal3 rolling,
-                                           vreal stiffness, vreal3 *roll)
+static inline vreal3 clod_law_rolling_pull(const clod_law *law, vreal3 rolling, vreal stiffness,
+                                           vreal3 roll)
 {
     if (law->rolling == CLOD_ROLLING_CDT) {
         return rolling;
     }
-    *roll = vreal3_axpy(*roll, vreal_set(dt), rolling);
-    return vreal3_scale(*roll, -stiffness);
+    return vreal3_scale(roll, -stiffness);
 }
 
 /** Beyond what it is cut [N m]; cdt has its cap at any spin. */

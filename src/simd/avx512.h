@@ -83,21 +83,19 @@ static inline vreal vreal_pair_rows(const double *low, const double *high)
 static inline void vreal_load_rows(vreal out[4], const double (*rows)[4], const int32_t *index)
 {
     // rows paired so that after the unpacks every 128-bit part holds two lanes that belong
-    // together
-    const vreal r04 = vreal_pair_rows(rows[index[0]], rows[index[4]]);
-    const vreal r15 = vreal_pair_rows(rows[index[1]], rows[index[5]]);
-    const vreal r26 = vreal_pair_rows(rows[index[2]], rows[index[6]]);
-    const vreal r37 = vreal_pair_rows(rows[index[3]], rows[index[7]]);
-    const vreal lo01 = _mm512_unpacklo_pd(r04, r15); // x0 x1 z0 z1 x4 x5 z4 z5
-    const vreal hi01 = _mm512_unpackhi_pd(r04, r15); // y, w likewise
-    const vreal lo23 = _mm512_unpacklo_pd(r26, r37);
-    const vreal hi23 = _mm512_unpackhi_pd(r26, r37);
-    const __m512i even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
-    const __m512i odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
-    out[0] = _mm512_permutex2var_pd(lo01, even, lo23);
-    out[1] = _mm512_permutex2var_pd(hi01, even, hi23);
-    out[2] = _mm512_permutex2var_pd(lo01, odd, lo23);
-    out[3] = _mm512_permutex2var_pd(hi01, odd, hi23);
+    // together, and parts 0 and 2 follow each other: shuffles of parts are cheap
+    const vreal r02 = vreal_pair_rows(rows[index[0]], rows[index[2]]);
+    const vreal r13 = vreal_pair_rows(rows[index[1]], rows[index[3]]);
+    const vreal r46 = vreal_pair_rows(rows[index[4]], rows[index[6]]);
+    const vreal r57 = vreal_pair_rows(rows[index[5]], rows[index[7]]);
+    const vreal lo03 = _mm512_unpacklo_pd(r02, r13); // x0 x1 z0 z1 x2 x3 z2 z3
+    const vreal hi03 = _mm512_unpackhi_pd(r02, r13); // y, w likewise
+    const vreal lo47 = _mm512_unpacklo_pd(r46, r57);
+    const vreal hi47 = _mm512_unpackhi_pd(r46, r57);
+    out[0] = _mm512_shuffle_f64x2(lo03, lo47, 0x88);
+    out[1] = _mm512_shuffle_f64x2(hi03, hi47, 0x88);
+    out[2] = _mm512_shuffle_f64x2(lo03, lo47, 0xdd);
+    out[3] = _mm512_shuffle_f64x2(hi03, hi47, 0xdd);
 }
 
 /** Lane l of all columns as row l. */

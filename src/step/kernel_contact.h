@@ -42,10 +42,10 @@ static inline clod_law_motion kernel_contact_motion(const clod_kernel_view *view
 {
     vreal pi[4], pj[4], vi[4], vj[4], wi[4], wj[4];
     vreal_load_rows(pi, view->place, i);
-    vreal_load_rows(pj, view->place, j);
     vreal_load_rows(vi, view->motion, i);
-    vreal_load_rows(vj, view->motion, j);
     vreal_load_rows(wi, view->turning, i);
+    vreal_load_rows(pj, view->place, j);
+    vreal_load_rows(vj, view->motion, j);
     vreal_load_rows(wj, view->turning, j);
     const vreal3 apart = kernel_separation(view, pi, pj);
     const vreal square = vreal3_dot(apart, apart);
@@ -79,13 +79,78 @@ static inline clod_law_motion kernel_contact_motion(const clod_kernel_view *view
 /** Blocks whose contacts go through each part of the work together. */
 #define KERNEL_BATCH 4
 
-/** A few blocks of one law on their way through the three parts of the work. */
+/** Blocks by which histories are asked for ahead. */
+#define KERNEL_AHEAD 16
+
+/** A few blocks of one law on their way through the parts of the work. */
 typedef struct kernel_batch {
     clod_contact_block *blocks;
-    int contacts; ///< the last block may have lanes without one
+    const clod_contact_block *asked; ///< memory is asked for up to here
+    int contacts;                    ///< the last block may have lanes without one
     clod_law_motion motion[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
     clod_law_trial trial[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
 } kernel_batch;
+
+/** Springs between two parts of the work lie in the history. */
+static inline void kernel_springs_store(const clod_law *law, clod_history *history, int lane,
+                                        const clod_law_memory *memory)
+{
+    vreal3_store(history->spring, lane, memory->spring);
+    if (clod_law_rolling_springs(law)) {
+        vreal3_store(history->roll, lane, memory->roll);
+    }
+}
+
+/** First part: kinematics. */
+static inline void kernel_batch_move(const clod_kernel_view *view, const clod_law *law,
+                                     kernel_batch *batch)
+{
+    for (int first = 0, k = 0; first < batch->contacts; first += CLOD_WIDTH, k++) {
+        const clod_contact_block *block = &batch->blocks[first / CLOD_LANES];
+        const int lane = first % CLOD_LANES;
+        batch->motion[k] = kernel_contact_motion(view, law, &block->i[lane], &block->j[lane]);
+    }
+}
+
+static inline void kernel_prefetch_block(const clod_contact_block *block)
+{
+    for (size_t at = 0; at < sizeof *block; at += 64) {
+        __builtin_prefetch((const char *)block + at, 1);
+    }
+}
+
+/** Second part: normal forces, and springs turned. Open contacts forget their P. */
+static inline void kernel_batch_press(const clod_law *law, double dt, kernel_batch *batch)
+{
+    for (int first = 0, k = 0; first < batch->contacts; first += CLOD_WIDTH, k++) {
+        clod_contact_block *block = &batch->blocks[first / CLOD_LANES];
+        const int lane = first % CLOD_LANES;
+        if (block + KERNEL_AHEAD < batch->asked) {
+            kernel_prefetch_block(block + KERNEL_AHEAD);
+        }
+        clod_law_memory memory = clod_law_memory_load(&block->history, lane);
+        clod_law_press(law, &batch->motion[k], dt, &memory, &batch->trial[k]);
+        const vmask closed = vmask_less(vreal_set(0.0), batch->motion[k].overlap);
+        vreal_store(&block->history.plastic[lane],
+                    vreal_select(closed, memory.plastic, vreal_set(0.0)));
+        kernel_springs_store(law, &block->history, lane, &memory);
+    }
+}
+
+/** Third part: springs carried on. Open contacts forget their tangent. */
+static inline void kernel_batch_carry(const clod_law *law, double dt, kernel_batch *batch)
+{
+    for (int first = 0, k = 0; first < batch->contacts; first += CLOD_WIDTH, k++) {
+        clod_history *history = &batch->blocks[first / CLOD_LANES].history;
+        const int lane = first % CLOD_LANES;
+        clod_law_memory memory = clod_law_memory_load(history, lane);
+        clod_law_carry(law, &batch->motion[k], dt, &memory, &batch->trial[k]);
+        const vmask closed = vmask_less(vreal_set(0.0), batch->motion[k].overlap);
+        vreal_store(&history->tangent[lane],
+                    vreal_select(closed, memory.tangent, vreal_set(0.0)));
+        kernel_springs_store(law, history, lane, &memory);
+    }
+}
 
 /** Each grain's share: added to its load in the order of contacts, or kept apart. */
 static inline void kernel_contact_store(const clod_kernel_view *view,
@@ -112,17 +177,22 @@ static inline void kernel_contact_store(const clod_kernel_view *view,
     vreal_add_rows(view->load, i, on_i, lanes);
 }
 
-/** Last part: limits, histories and shares; the largest excess of an overlap so far. */
-static inline vreal kernel_batch_finish(const clod_kernel_view *view, const clod_law *law,
-                                        kernel_batch *batch, double (*apart)[8], vreal excess)
+/** Last part: limits and shares; the largest excess of an overlap so far. */
+static inline vreal kernel_batch_limit(const clod_kernel_view *view, const clod_law *law,
+                                       kernel_batch *batch, double (*apart)[8], vreal excess)
 {
+    const vreal zero = vreal_set(0.0);
+    const vreal3 none = {zero, zero, zero};
     for (int first = 0, k = 0; first < batch->contacts; first += CLOD_WIDTH, k++) {
         clod_contact_block *block = &batch->blocks[first / CLOD_LANES];
         const int lane = first % CLOD_LANES;
         const int left = batch->contacts - first;
         const clod_law_motion *motion = &batch->motion[k];
-        const clod_law_result result = clod_law_limit(law, motion, &batch->trial[k]);
-        clod_law_memory_store(&block->history, lane, result.closed, batch->trial[k].memory);
+        clod_law_memory memory = clod_law_memory_load(&block->history, lane);
+        const clod_law_result result = clod_law_limit(law, motion, &batch->trial[k], &memory);
+        memory.spring = vreal3_select(result.closed, memory.spring, none);
+        memory.roll = vreal3_select(result.closed, memory.roll, none);
+        kernel_springs_store(law, &block->history, lane, &memory);
         kernel_contact_store(view, motion, result, &block->i[lane], &block->j[lane],
                              left < CLOD_WIDTH ? left : CLOD_WIDTH,
                              apart != NULL ? apart + 2 * first : NULL);
@@ -153,19 +223,10 @@ static inline size_t kernel_prefetch_rows(const clod_kernel_view *view, size_t f
     return from;
 }
 
-/** Ask for the blocks of the batch to come. */
-static inline void kernel_prefetch_blocks(const clod_contact_block *blocks)
-{
-    const char *memory = (const char *)blocks;
-    for (size_t at = 0; at < KERNEL_BATCH * sizeof *blocks; at += 64) {
-        __builtin_prefetch(memory + at, 1);
-    }
-}
-
 /**
- * The work is done in three parts over a batch of blocks: one contact is a long chain of
- * operations that wait for each other, and a short part has room in the processor's window for
- * the chains of several (docs/adr/0010).
+ * The work is done in parts over a batch of blocks: one contact is a long chain of operations
+ * that wait for each other, and a short part has room in the processor's window for the chains
+ * of several (docs/adr/0010, 0019).
  */
 static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
                            clod_contact_block *blocks, size_t contacts, size_t end,
@@ -176,28 +237,17 @@ static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
     const size_t full = (size_t)KERNEL_BATCH * CLOD_LANES;
     vreal excess = vreal_set(-1.0);
     kernel_batch batch;
+    batch.asked = end > 0 ? blocks + contacts / CLOD_LANES : blocks;
     size_t ahead = contacts > 0 ? (size_t)blocks->i[0] : 0;
     for (size_t first = 0; first < contacts; first += full) {
         batch.blocks = &blocks[first / CLOD_LANES];
         batch.contacts = (int)(contacts - first < full ? contacts - first : full);
         ahead = kernel_prefetch_rows(&v, ahead, batch.blocks->i[0], end);
-        if (end > 0 && contacts - first > full) {
-            kernel_prefetch_blocks(batch.blocks + KERNEL_BATCH);
-        }
-        for (int c = 0; c < batch.contacts; c += CLOD_WIDTH) {
-            const clod_contact_block *block = &batch.blocks[c / CLOD_LANES];
-            const int lane = c % CLOD_LANES;
-            batch.motion[c / CLOD_WIDTH] =
-                kernel_contact_motion(&v, &l, &block->i[lane], &block->j[lane]);
-        }
-        for (int c = 0; c < batch.contacts; c += CLOD_WIDTH) {
-            clod_history *history = &batch.blocks[c / CLOD_LANES].history;
-            batch.trial[c / CLOD_WIDTH] =
-                clod_law_try(&l, &batch.motion[c / CLOD_WIDTH], v.dt,
-                             clod_law_memory_load(history, c % CLOD_LANES));
-        }
-        excess = kernel_batch_finish(&v, &l, &batch, apart != NULL ? apart + 2 * first : NULL,
-                                     excess);
+        kernel_batch_move(&v, &l, &batch);
+        kernel_batch_press(&l, v.dt, &batch);
+        kernel_batch_carry(&l, v.dt, &batch);
+        excess = kernel_batch_limit(&v, &l, &batch, apart != NULL ? apart + 2 * first : NULL,
+                                    excess);
     }
     return vmask_any(vmask_less(vreal_set(0.0), excess));
 }

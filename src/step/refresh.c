@@ -3,10 +3,21 @@
 
 #include "step/step.h"
 
-/** Thin skin: at least this fraction of the smallest radius ... */
-#define NEAR_FRACTION 0.01
-/** ... and enough for about this many steps at the speed of now. */
-#define NEAR_STEPS 40.0
+/**
+ * What a near list costs, over what the pairs within a skin of one smallest radius cost in a
+ * step (docs/adr/0019).
+ */
+#define NEAR_COST 1.35
+/** The thinnest skin, as a fraction of the smallest radius: next to no pairs. */
+#define NEAR_LEAST 1e-3
+
+double clod_step_thin_skin(const clod_step *self, double speed)
+{
+    const double radius = self->neighbour.radius_min;
+    const double closing = 2.0 * speed * self->state->dt;
+    const double skin = fmax(NEAR_LEAST * radius, sqrt(NEAR_COST * closing * radius));
+    return fmin(skin, self->neighbour.skin);
+}
 
 /** Histories into the state. */
 static bool take_out(clod_step *self)
@@ -26,19 +37,16 @@ static bool put_back(clod_step *self, double skin)
 
 static void refresh(clod_step *self, double speed)
 {
-    const double lasting = 2.0 * NEAR_STEPS * speed * self->state->dt;
-    const double thin = NEAR_FRACTION * self->neighbour.radius_min;
-    const double skin = fmin(fmax(thin, lasting), self->neighbour.skin);
-    self->failed = !take_out(self) || !put_back(self, skin);
+    self->failed = !take_out(self) || !put_back(self, clod_step_thin_skin(self, speed));
     self->refreshes++;
 }
 
-static void rebuild(clod_step *self)
+static void rebuild(clod_step *self, double speed)
 {
     self->failed =
         !take_out(self) || !clod_neighbour_sort(&self->neighbour, self->state, &self->status) ||
         !clod_neighbour_build(&self->neighbour, self->state, self->laws, &self->status) ||
-        !put_back(self, NEAR_FRACTION * self->neighbour.radius_min);
+        !put_back(self, clod_step_thin_skin(self, speed));
     self->rebuilds++;
 }
 
@@ -64,7 +72,7 @@ void clod_step_near(clod_step *self, int part)
     clod_barrier_wait(&self->barrier);
     if (part == 0) {
         if (again) {
-            rebuild(self);
+            rebuild(self, speed);
         } else {
             refresh(self, speed);
         }

@@ -178,6 +178,20 @@ static bool periods_are_long_enough(const clod_step *self, clod_status *status)
     return true;
 }
 
+/** Speed of the fastest grain, or of the fastest point of a wall [m/s]. */
+static double fastest(const clod_state *state)
+{
+    double speed2 = 0.0, walls = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        const double *v = state->grains.motion[g];
+        speed2 = fmax(speed2, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        walls = fmax(walls, clod_wall_speed_bound(&state->walls.wall[w]));
+    }
+    return fmax(sqrt(speed2), walls);
+}
+
 /** Lists of a state: as they were at its last rebuild, or for the first time. */
 static bool build_lists(clod_step *self, clod_status *status)
 {
@@ -192,7 +206,7 @@ static bool build_lists(clod_step *self, clod_status *status)
     }
     return clod_neighbour_build(&self->neighbour, state, self->laws, status) &&
            clod_near_make(&self->near, &self->neighbour, state, self->laws, &self->walls,
-                          0.01 * self->neighbour.radius_min, status);
+                          clod_step_thin_skin(self, fastest(state)), status);
 }
 
 /** Forces of a state that has never been stepped: the stages without time passing. */

@@ -104,5 +104,11 @@ void clod_step_kick(clod_step *self, int part);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);
 
+/**
+ * Thin skin of a near list made at this speed of the fastest grain [m]. A list lasts the longer
+ * the thicker its skin, and has the more pairs that do not touch: this one costs least.
+ */
+double clod_step_thin_skin(const clod_step *self, double speed);
+
 /** After the last step: the half kick that is owed. */
 void clod_step_settle(clod_step *self, int part);

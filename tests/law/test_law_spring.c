@@ -29,8 +29,9 @@ static double length3(vreal3 a)
 static vreal3 carry(vreal3 spring, clod_vec3 normal, clod_vec3 axis, double tilt, double turn)
 {
     const clod_law_frame frame = {real3(clod_vec3_rotate(normal, axis, tilt)), turn};
-    const clod_law_turned turned = clod_law_spring_turn(&frame, spring);
-    const vreal3 after = clod_law_spring_restore(turned, 1.0 / turned.after, 1.0);
+    const vreal3 turned = clod_law_spring_turn(&frame, spring);
+    const vreal3 after = clod_law_spring_restore(turned, vreal3_dot(spring, spring),
+                                                 1.0 / clod_law_spring_square(turned), 1.0);
     check_close(vreal3_dot(after, frame.normal), 0.0, 4e-16 * length3(spring));
     return after;
 }
