@@ -7,7 +7,7 @@
  * What a near list costs, over what the pairs within a skin of one smallest radius cost in a
  * step (docs/adr/0019).
  */
-#define NEAR_COST 1.35
+#define NEAR_COST 3.0
 /** The thinnest skin, as a fraction of the smallest radius: next to no pairs. */
 #define NEAR_LEAST 1e-3
 
