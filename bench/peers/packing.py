@@ -1,8 +1,11 @@
 """
 Beds of any size: copies of the packing side by side, in the formats of clod's bench_step and of
-its peers. A periodic packing fits its own copies, so contacts per grain stay the same.
+its peers. A periodic packing fits its own copies, so contacts per grain stay the same; a column cut
+from it does not quite.
 """
 
+import itertools
+import math
 import os
 
 DENSITY = 2481.3  # kg/m3, as in bench/bed.h
@@ -23,6 +26,28 @@ def tiled(rows, period, copies):
         dx, dy, dz = (n * length for n, length in zip(shift, period))
         for x, y, z, *rest in rows:
             yield (x + dx, y + dy, z + dz, *rest)
+
+
+def _overlap(a, b, period):
+    """Overlap of two grains or their nearest images, over the smaller radius; < 0 apart."""
+    apart = (p - q - length * round((p - q) / length) for p, q, length in zip(a, b, period))
+    return (a[3] + b[3] - math.hypot(*apart)) / min(a[3], b[3])
+
+
+def cut(rows, period, share):
+    """
+    A column: the grains in the first `share` of each side, and its periods. Its new borders would
+    bring grains together that were not: whoever would overlap one before it more than any two do
+    in the packing is left out. So it is a bed with gaps and loose grains at two seams.
+    """
+    lengths = [part * length for part, length in zip(share, period)]
+    inside = [row for row in rows if all(x < length for x, length in zip(row, lengths))]
+    most = max(_overlap(a, b, period) for a, b in itertools.combinations(inside, 2))
+    kept = []
+    for row in inside:
+        if all(_overlap(row, other, lengths) <= most for other in kept):
+            kept.append(row)
+    return kept, lengths
 
 
 def write_clod(stem, rows, lengths):
@@ -52,6 +77,9 @@ def write_peers(path, rows, lengths, count):
 def make(stem, source, copies, for_peers):
     """Write STEM.csv, STEM.box and, for peers, STEM.data where they are absent; grains."""
     rows, period = read(source + ".csv", source + ".box")
+    if min(copies) < 1:
+        rows, period = cut(rows, period, copies)
+        copies = (1, 1, 1)
     lengths = [n * length for n, length in zip(copies, period)]
     count = len(rows) * copies[0] * copies[1] * copies[2]
     os.makedirs(os.path.dirname(stem), exist_ok=True)

@@ -3,9 +3,9 @@
 SOURCE_GRAINS = 3750  # bench/packings/pack_4k.csv
 SLOWEST = 2e6  # grain-steps/s of the slowest program; only sets how many steps a run has
 
-# name: copies along x, y, z; whether the peers run it and all cases are run. The packing is the
-# smallest bed: cut smaller it would not be periodic any more.
-SIZES = {"4k": ((1, 1, 1), True), "11k": ((1, 1, 3), False), "30k": ((2, 2, 2), True),
+# name: copies along x, y, z; whether the peers run it and all cases are run. Less than one copy is
+# a column cut from the packing (packing.cut), for the cost of a small bed only.
+SIZES = {"1k": ((0.55, 0.55, 1), False), "4k": ((1, 1, 1), True), "11k": ((1, 1, 3), False), "30k": ((2, 2, 2), True),
          "101k": ((3, 3, 3), False), "300k": ((4, 4, 5), True), "1M": ((5, 6, 9), True),
          "3M": ((8, 10, 10), False)}
 
@@ -26,9 +26,15 @@ CLOD = "clod"
 FULL = "plastic"  # the case of sizes that only clod runs, of memory, stages and scaling
 
 
+def cut(size):
+    """Whether a bed is less than the packing: its seams are not at rest, no target is its own."""
+    return min(SIZES[size][0]) < 1
+
+
 def grains(size):
+    """How many; about, where the packing is cut."""
     nx, ny, nz = SIZES[size][0]
-    return SOURCE_GRAINS * nx * ny * nz
+    return round(SOURCE_GRAINS * nx * ny * nz)
 
 
 def steps(size, seconds):

@@ -30,8 +30,8 @@ Command: `make bench-peers` (`bench/run-peers`; decks of the peers: `bench/peers
 {dates[0]} to {dates[-1]} on: {machines}; {system}.
 
 {_versions(records)}
-Beds: copies of `bench/packings/pack_4k.csv` (3750 grains of copper ore, periodic; cut smaller it
-would not be, so there is no bed of 1000). Step 1e-7 s, double precision, gravity. Warm-up and
+Beds: copies of `bench/packings/pack_4k.csv` (3750 grains of copper ore, periodic); 1k is a column cut
+from it, loose at its seams (`packing.cut`), for the cost of a small bed. Step 1e-7 s, double precision, gravity. Warm-up and
 measured steps are the same ones in all programs, from the same grains. The programs take turns;
 medians (smallest - largest) over the runs. Threads are clod's threads and the peers' MPI ranks.
 Times are those of the steps alone, as each program measures them. Runs can be

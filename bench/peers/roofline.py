@@ -68,7 +68,7 @@ def _share_rows(records, machine, operations):
         if not peaks:
             continue
         pairs = runs[0]["clod"]["contacts_per_grain"] * runs[0]["clod"]["near_per_contact"]
-        moved, kept = bytes_of(pairs, 1, 2), plan.grains(size) * bytes_of(pairs, 3, 4)
+        moved, kept = bytes_of(pairs, 1, 2), runs[0]["grains"] * bytes_of(pairs, 3, 4)
         home = _home(machine, kept)
         bandwidth = [b["bytes_per_s"] for b in machine["bandwidth"]
                      if b["level"] == home and b["threads"] == 1]

@@ -48,7 +48,7 @@ def _own(records):
     rates = {(size, threads): table.rate(records, case=plan.FULL, size=size, program=plan.CLOD,
                                          threads=threads)
              for size in plan.SIZES for threads in (1, 2)}
-    for size in plan.SIZES:
+    for size in (size for size in plan.SIZES if not plan.cut(size)):
         yield ("case c: two threads / one", size, _over(rates[size, 2], rates[size, 1]),
                TWO_THREADS)
     for size in LARGE["beds"]:
@@ -70,7 +70,7 @@ def text(records):
              _verdict(what, value, least)]
             for found in (_ratios, _own) for what, size, value, least in found(records)
             if value is not None]
-    for size in plan.SIZES:
+    for size in (size for size in plan.SIZES if not plan.cut(size)):
         value = bytes_per_grain(records, size, plan.CLOD)
         if value is not None:
             rows.append(["case c: bytes per grain with its contacts", size,

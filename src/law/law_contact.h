@@ -9,8 +9,8 @@
 #include "law/law_tangential.h"
 #include "state/contacts.h"
 
-/** A part of the law, in line wherever it is used: its vectors stay in registers. */
-#define CLOD_LAW_PART __attribute__((always_inline)) static inline
+/** A pass of the law, in line wherever it is used: its vectors stay in registers. */
+#define CLOD_LAW_PASS __attribute__((always_inline)) static inline
 
 /** Kinematics of a contact; j is the later grain or the wall. */
 typedef struct clod_law_motion {
@@ -76,22 +76,22 @@ static inline vreal3 clod_law_slip_of(const clod_law_motion *motion)
 }
 
 /**
- * What is found out about a contact on its way. It goes through three parts, each a function:
- * pressed, carried, limited. The contact loop takes several contacts through one part before
- * the next (docs/adr/0019).
+ * What is found out about a contact on its way through three passes, each a function: pressed,
+ * carried, limited. The contact loop takes several contacts through one pass before the next
+ * (docs/adr/0019).
  */
 typedef struct clod_law_trial {
     vreal push;                       ///< normal force with its dash-pot [N]
     vreal measure;                    ///< N, which the limits multiply [N]
     vreal dash_pot;                   ///< gamma_t [N s/m]
     vreal stiffness;                  ///< dk [N/m]
-    vreal spring_square, roll_square; ///< of the springs' lengths before they were turned
+    vreal spring_square, roll_square; ///< lengths of the springs before, squared [m2, rad2]
     vreal compliance;                 ///< 1/k_t [m/N]
     vreal3 friction;                  ///< force of tangential spring and dash-pot [N]
 } clod_law_trial;
 
 /**
- * First part: the normal force, and the springs turned into today's tangent plane.
+ * First pass: the normal force, and the springs turned into today's tangent plane.
  *
  * @param law     the pair's law
  * @param motion  kinematics, one contact per lane
@@ -101,7 +101,7 @@ typedef struct clod_law_trial {
  * @param trial   [out] push to roll_square
  * Errors  none.   Threads  pure.   Source  PHYSICS 1-4.   Test  tests/law/
  */
-CLOD_LAW_PART void clod_law_press(const clod_law *law, const clod_law_motion *motion, double dt,
+CLOD_LAW_PASS void clod_law_press(const clod_law *law, const clod_law_motion *motion, double dt,
                                   clod_law_memory *memory, clod_law_trial *trial)
 {
     const vreal3 n = motion->normal;
@@ -125,20 +125,23 @@ CLOD_LAW_PART void clod_law_press(const clod_law *law, const clod_law_motion *mo
 }
 
 /**
- * Second part: the springs get the length that they had, shortened where the stiffness has
- * grown (docs/adr/0004), and the way of this step; and the force of the tangential one.
- *
- * @param memory  [in,out] turned springs, and the tangent of the step before
- * @param trial   [in,out] gets compliance and friction
- * The product of the three numbers inverted together lies far from the ends of the range: both
+ * Second pass: the springs get the length that they had, shortened where the stiffness has
+ * grown (docs/adr/0004), and the way of this step; and the force of the tangential one. The
+ * product of the three numbers inverted together lies far from the ends of the range: both
  * squares are at least CLOD_LAW_NOTHING.
+ *
+ * @param law     the pair's law
+ * @param motion  as for clod_law_press
+ * @param dt      time step [s]
+ * @param memory  [in,out] turned springs, and the tangent of the step before
+ * @param trial   [in,out] from clod_law_press; gets compliance and friction
  * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
  */
-CLOD_LAW_PART void clod_law_carry(const clod_law *law, const clod_law_motion *motion, double dt,
+CLOD_LAW_PASS void clod_law_carry(const clod_law *law, const clod_law_motion *motion, double dt,
                                   clod_law_memory *memory, clod_law_trial *trial)
 {
     const vreal step = vreal_set(dt);
-    clod_law_tangents tangent = {.stiffness = trial->stiffness, .inverse = trial->stiffness};
+    clod_law_tangents tangent = {.inverse = trial->stiffness};
     vreal per_spring = clod_law_spring_square(memory->spring);
     if (clod_law_rolling_springs(law)) {
         vreal per_roll = clod_law_spring_square(memory->roll);
@@ -163,34 +166,37 @@ CLOD_LAW_PART void clod_law_carry(const clod_law *law, const clod_law_motion *mo
 
 /** Rolling resistance before its cap. */
 typedef struct clod_law_resistance {
-    vreal3 rolling;  ///< rad/s, for cdt and epsd
+    vreal3 rolling;  ///< rad/s; epsd2 has no need of it and no value
     vreal3 pull;     ///< from clod_law_rolling_pull
     vreal stiffness; ///< k_r [N m/rad]
     vreal cap;       ///< mu_r N R* [N m]
 } clod_law_resistance;
 
+/** Rolling resistance before its cap, from the rolling spring with the way of this step. */
 static inline clod_law_resistance clod_law_resist(const clod_law *law,
                                                   const clod_law_motion *motion,
                                                   const clod_law_trial *trial, vreal3 roll)
 {
-    clod_law_resistance r = {.rolling = roll};
-    if (law->rolling != CLOD_ROLLING_EPSD2) { // its spring knows the way already
+    clod_law_resistance r = {.cap = law->rolling_friction * trial->measure * motion->r_star};
+    if (law->rolling != CLOD_ROLLING_EPSD2) {
         r.rolling = clod_law_rolling_of(motion);
     }
     r.stiffness = clod_law_rolling_stiffness(law, trial->stiffness, motion->r_star);
     r.pull = clod_law_rolling_pull(law, r.rolling, r.stiffness, roll);
-    r.cap = law->rolling_friction * trial->measure * motion->r_star;
     return r;
 }
 
 /**
- * Last part: friction and rolling resistance cut to their limits.
+ * Last pass: friction and rolling resistance cut to their limits.
  *
+ * @param law     the pair's law
+ * @param motion  as for clod_law_press
+ * @param trial   from clod_law_carry
  * @param memory  [in,out] becomes the history after; meaningful in closed lanes only
  * @return        force and torques, zero where the contact is open
  * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
  */
-CLOD_LAW_PART clod_law_result clod_law_limit(const clod_law *law, const clod_law_motion *motion,
+CLOD_LAW_PASS clod_law_result clod_law_limit(const clod_law *law, const clod_law_motion *motion,
                                              const clod_law_trial *trial,
                                              clod_law_memory *memory)
 {
@@ -223,8 +229,8 @@ CLOD_LAW_PART clod_law_result clod_law_limit(const clod_law *law, const clod_law
                              vreal3_select(closed, roll, none), closed};
 }
 
-/** Force and torque of one contact, and its new history: all three parts. */
-CLOD_LAW_PART clod_law_result clod_law_contact(const clod_law *law,
+/** Force and torque of one contact, and its new history: all three passes. */
+CLOD_LAW_PASS clod_law_result clod_law_contact(const clod_law *law,
                                                const clod_law_motion *motion, double dt,
                                                clod_law_memory *memory)
 {

@@ -16,9 +16,8 @@ typedef struct clod_law_frame {
 
 /** What the springs of a contact share in this step. */
 typedef struct clod_law_tangents {
-    vreal stiffness; ///< dk [N/m]
-    vreal inverse;   ///< 1/dk [m/N]
-    vreal soften;    ///< min(1, dk before / dk now): no energy from a growing stiffness
+    vreal inverse; ///< 1/dk [m/N]
+    vreal soften;  ///< min(1, dk before / dk now): no energy from a growing stiffness
 } clod_law_tangents;
 
 /** Springs shorter than the root of this [m or rad] are nothing: no length to restore. */

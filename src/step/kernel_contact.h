@@ -76,13 +76,13 @@ static inline clod_law_motion kernel_contact_motion(const clod_kernel_view *view
     return motion;
 }
 
-/** Blocks whose contacts go through each part of the work together. */
+/** Blocks whose contacts go through each pass together. */
 #define KERNEL_BATCH 4
 
 /** Blocks by which histories are asked for ahead. */
 #define KERNEL_AHEAD 16
 
-/** A few blocks of one law on their way through the parts of the work. */
+/** A few blocks of one law on their way through the passes. */
 typedef struct kernel_batch {
     clod_contact_block *blocks;
     const clod_contact_block *asked; ///< memory is asked for up to here
@@ -91,7 +91,7 @@ typedef struct kernel_batch {
     clod_law_trial trial[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
 } kernel_batch;
 
-/** Springs between two parts of the work lie in the history. */
+/** Springs between two passes lie in the history. */
 static inline void kernel_springs_store(const clod_law *law, clod_history *history, int lane,
                                         const clod_law_memory *memory)
 {
@@ -101,7 +101,7 @@ static inline void kernel_springs_store(const clod_law *law, clod_history *histo
     }
 }
 
-/** First part: kinematics. */
+/** First pass: kinematics. */
 static inline void kernel_batch_move(const clod_kernel_view *view, const clod_law *law,
                                      kernel_batch *batch)
 {
@@ -119,13 +119,13 @@ static inline void kernel_prefetch_block(const clod_contact_block *block)
     }
 }
 
-/** Second part: normal forces, and springs turned. Open contacts forget their P. */
+/** Second pass: normal forces, and springs turned. Open contacts forget their P. */
 static inline void kernel_batch_press(const clod_law *law, double dt, kernel_batch *batch)
 {
     for (int first = 0, k = 0; first < batch->contacts; first += CLOD_WIDTH, k++) {
         clod_contact_block *block = &batch->blocks[first / CLOD_LANES];
         const int lane = first % CLOD_LANES;
-        if (block + KERNEL_AHEAD < batch->asked) {
+        if (lane == 0 && batch->asked - block > KERNEL_AHEAD) {
             kernel_prefetch_block(block + KERNEL_AHEAD);
         }
         clod_law_memory memory = clod_law_memory_load(&block->history, lane);
@@ -137,7 +137,7 @@ static inline void kernel_batch_press(const clod_law *law, double dt, kernel_bat
     }
 }
 
-/** Third part: springs carried on. Open contacts forget their tangent. */
+/** Third pass: springs carried on. Open contacts forget their tangent. */
 static inline void kernel_batch_carry(const clod_law *law, double dt, kernel_batch *batch)
 {
     for (int first = 0, k = 0; first < batch->contacts; first += CLOD_WIDTH, k++) {
@@ -177,7 +177,7 @@ static inline void kernel_contact_store(const clod_kernel_view *view,
     vreal_add_rows(view->load, i, on_i, lanes);
 }
 
-/** Last part: limits and shares; the largest excess of an overlap so far. */
+/** Last pass: limits and shares; the largest excess of an overlap so far. */
 static inline vreal kernel_batch_limit(const clod_kernel_view *view, const clod_law *law,
                                        kernel_batch *batch, double (*apart)[8], vreal excess)
 {
@@ -224,8 +224,8 @@ static inline size_t kernel_prefetch_rows(const clod_kernel_view *view, size_t f
 }
 
 /**
- * The work is done in parts over a batch of blocks: one contact is a long chain of operations
- * that wait for each other, and a short part has room in the processor's window for the chains
+ * The work is done in passes over a batch of blocks: one contact is a long chain of operations
+ * that wait for each other, and a short pass has room in the processor's window for the chains
  * of several (docs/adr/0010, 0019).
  */
 static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
@@ -237,7 +237,7 @@ static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
     const size_t full = (size_t)KERNEL_BATCH * CLOD_LANES;
     vreal excess = vreal_set(-1.0);
     kernel_batch batch;
-    batch.asked = end > 0 ? blocks + contacts / CLOD_LANES : blocks;
+    batch.asked = end > 0 ? blocks + (contacts + CLOD_LANES - 1) / CLOD_LANES : blocks;
     size_t ahead = contacts > 0 ? (size_t)blocks->i[0] : 0;
     for (size_t first = 0; first < contacts; first += full) {
         batch.blocks = &blocks[first / CLOD_LANES];

@@ -5,7 +5,7 @@
 
 /**
  * What a near list costs, over what the pairs within a skin of one smallest radius cost in a
- * step (docs/adr/0019).
+ * step (docs/adr/0020).
  */
 #define NEAR_COST 3.0
 /** The thinnest skin, as a fraction of the smallest radius: next to no pairs. */

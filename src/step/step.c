@@ -93,12 +93,27 @@ static void advance_all(clod_step *self, int64_t steps)
     }
 }
 
+/** Speed of the fastest grain, or of the fastest point of a wall [m/s]. */
+static double fastest(const clod_state *state)
+{
+    double speed2 = 0.0, walls = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        const double *v = state->grains.motion[g];
+        speed2 = fmax(speed2, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        walls = fmax(walls, clod_wall_speed_bound(&state->walls.wall[w]));
+    }
+    return fmax(sqrt(speed2), walls);
+}
+
 bool clod_step_take_back(clod_step *self)
 {
     if (self->exported && !self->failed) {
         clod_wall_rows_update(&self->walls, &self->state->walls); // someone may have moved them
+        const double skin = clod_step_thin_skin(self, fastest(self->state));
         self->failed = !clod_near_make(&self->near, &self->neighbour, self->state, self->laws,
-                                       &self->walls, self->near.skin, &self->status);
+                                       &self->walls, skin, &self->status);
         self->exported = self->failed;
         self->view.wall_slots = self->near.wall_slots;
         self->thread[0].near_motion = 0.0;
@@ -176,20 +191,6 @@ static bool periods_are_long_enough(const clod_step *self, clod_status *status)
         }
     }
     return true;
-}
-
-/** Speed of the fastest grain, or of the fastest point of a wall [m/s]. */
-static double fastest(const clod_state *state)
-{
-    double speed2 = 0.0, walls = 0.0;
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const double *v = state->grains.motion[g];
-        speed2 = fmax(speed2, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    }
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        walls = fmax(walls, clod_wall_speed_bound(&state->walls.wall[w]));
-    }
-    return fmax(sqrt(speed2), walls);
 }
 
 /** Lists of a state: as they were at its last rebuild, or for the first time. */

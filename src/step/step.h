@@ -91,6 +91,16 @@ bool clod_step_export(clod_step *self, clod_status *status);
 /** After an export: the histories into blocks again, of a list made now; false: see status. */
 bool clod_step_take_back(clod_step *self);
 
+/**
+ * Thin skin of a near list that is made now. The thicker it is, the longer the list lasts and
+ * the more of its pairs do not touch: this one costs least.
+ *
+ * @param speed  of the fastest grain or point of a wall [m/s]
+ * @return       m
+ * Errors  none.   Threads  pure.   Source  docs/adr/0020.   Test  tests/step/test_thin_skin.c
+ */
+double clod_step_thin_skin(const clod_step *self, double speed);
+
 void clod_step_fini(clod_step *self);
 
 // ---- stages, in the order in which step.c lists them; `part` is the thread's number
@@ -103,12 +113,6 @@ void clod_step_wall(clod_step *self, int part);
 void clod_step_kick(clod_step *self, int part);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);
-
-/**
- * Thin skin of a near list made at this speed of the fastest grain [m]. A list lasts the longer
- * the thicker its skin, and has the more pairs that do not touch: this one costs least.
- */
-double clod_step_thin_skin(const clod_step *self, double speed);
 
 /** After the last step: the half kick that is owed. */
 void clod_step_settle(clod_step *self, int part);

@@ -77,6 +77,17 @@ class Packing(unittest.TestCase):
                     for one, other in zip(near, expected):
                         self.assertAlmostEqual(one, other, places=14)
 
+    def test_a_column_leaves_out_what_would_overlap_across_its_border(self):
+        def grain(x, y):
+            return (x, y, 0.5, 0.05, 0.0, 0.0, 0.0)
+        pair = [grain(0.2, 0.5), grain(0.29, 0.5)]  # these overlap by a fifth of a radius
+        border = [grain(0.02, 0.2), grain(0.48, 0.2)]  # cut at 0.5: 0.04 apart, far too near
+        fits = [grain(0.01, 0.8), grain(0.415, 0.8)]  # 0.095 apart: less than the pair
+        beyond = [grain(0.7, 0.1)]
+        kept, lengths = packing.cut(pair + border + fits + beyond, (1.0, 1.0, 1.0), (0.5, 1, 1))
+        self.assertEqual(kept, pair + border[:1] + fits)
+        self.assertEqual(lengths, [0.5, 1.0, 1.0])
+
     def test_peers_get_the_same_grains(self):
         rows, lengths = self.make((2, 2, 1))
         with open(self.stem + ".data") as file:
