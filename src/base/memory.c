@@ -12,13 +12,14 @@
 static atomic_uint_fast64_t allocations;
 
 /**
- * Zero whole huge pages: the system gives zeroed ones as they are first used, so what is never
- * used takes no memory. Fewer misses of the address translation, too (docs/adr/0012).
+ * Zeroed memory, in huge pages but for what does not fill the last one: the system gives zeroed
+ * pages as they are first used, so what is never used takes no memory. Fewer misses of the
+ * address translation, too (docs/adr/0012).
  */
 static void take_huge_pages(void *memory, size_t bytes)
 {
 #if defined(__linux__)
-    madvise(memory, bytes, MADV_HUGEPAGE);            // a wish: without it all works as well
+    madvise(memory, bytes / CLOD_MEMORY_HUGE_PAGE * CLOD_MEMORY_HUGE_PAGE, MADV_HUGEPAGE);
     if (madvise(memory, bytes, MADV_DONTNEED) == 0) { // on Linux: zeros from now on
         return;
     }
@@ -37,7 +38,7 @@ void *clod_memory_alloc(size_t count, size_t size)
     const size_t whole = (count * size + alignment) / alignment * alignment;
     void *memory = aligned_alloc(alignment, whole);
     if (memory != NULL && alignment == CLOD_MEMORY_HUGE_PAGE) {
-        take_huge_pages(memory, whole);
+        take_huge_pages(memory, count * size);
     } else if (memory != NULL) {
         memset(memory, 0, whole);
     }

@@ -24,7 +24,8 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
         return true;
     }
     const size_t old = self->capacity;
-    const size_t rows = capacity + capacity / 4;
+    // what is asked for first is most often the number of grains
+    const size_t rows = old == 0 ? capacity : capacity + capacity / 4;
     void *place = clod_memory_grow(self->place, old, rows, sizeof *self->place);
     void *motion = clod_memory_grow(self->motion, old, rows, sizeof *self->motion);
     void *turning = clod_memory_grow(self->turning, old, rows, sizeof *self->turning);
