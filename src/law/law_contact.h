@@ -75,10 +75,42 @@ static inline vreal3 clod_law_slip_of(const clod_law_motion *motion)
     return vreal3_sub(across, vreal3_cross(arms, n));
 }
 
+/** A contact as the passes of its law see it. */
+typedef struct clod_law_touch {
+    vreal overlap;         ///< d [m]; the contact is open when <= 0
+    vreal3 normal;         ///< n_hat from j to i
+    vreal normal_velocity; ///< v_n of i against j [m/s]; below 0 they come closer
+    vreal twist;           ///< both spins about the normal, added [rad/s]
+    vreal3 slip;           ///< from clod_law_slip_of [m/s]
+    vreal3 rolling;        ///< from clod_law_rolling_of [rad/s]; no value where nothing resists
+    vreal m_star, r_star;  ///< kg, m
+    vreal roll_inertia;    ///< for epsd; no value else
+} clod_law_touch;
+
+/** What the passes need of a motion. */
+static inline void clod_law_touch_of(const clod_law *law, const clod_law_motion *motion,
+                                     clod_law_touch *touch)
+{
+    touch->overlap = motion->overlap;
+    touch->normal = motion->normal;
+    touch->m_star = motion->m_star;
+    touch->r_star = motion->r_star;
+    if (law->rolling == CLOD_ROLLING_EPSD) {
+        touch->roll_inertia = motion->roll_inertia;
+    }
+    touch->normal_velocity = vreal3_dot(motion->velocity, motion->normal);
+    touch->twist = vreal3_dot(vreal3_add(motion->spin_i, motion->spin_j), motion->normal);
+    touch->slip = clod_law_slip_of(motion);
+    if (law->rolling != CLOD_ROLLING_NONE) {
+        touch->rolling = clod_law_rolling_of(motion);
+    }
+}
+
 /**
- * What is found out about a contact on its way through three passes, each a function: pressed,
- * carried, limited. The contact loop takes several contacts through one pass before the next
- * (docs/adr/0019).
+ * What is found out about a contact on its way through three passes: pressed, carried, limited.
+ * Each begins with what takes long, roots and a division. The contact loop takes several
+ * contacts through one pass before the next (docs/adr/0019), and begins a pass for one contact
+ * before it ends it for the one before (docs/adr/0021).
  */
 typedef struct clod_law_trial {
     vreal push;                       ///< normal force with its dash-pot [N]
@@ -90,32 +122,44 @@ typedef struct clod_law_trial {
     vreal3 friction;                  ///< force of tangential spring and dash-pot [N]
 } clod_law_trial;
 
+/** Beginning of the first pass. */
+typedef struct clod_law_roots {
+    clod_law_stiffness stiffness;
+    vreal damping; ///< gamma_n [N s/m]
+} clod_law_roots;
+
+CLOD_LAW_PASS clod_law_roots clod_law_press_begin(const clod_law *law,
+                                                  const clod_law_touch *touch)
+{
+    const vreal overlap = vreal_max(touch->overlap, vreal_set(0.0));
+    const clod_law_stiffness s = clod_law_stiffness_at(law, overlap, touch->r_star);
+    return (clod_law_roots){s, clod_law_damping(law, s, touch->m_star)};
+}
+
 /**
  * First pass: the normal force, and the springs turned into today's tangent plane.
  *
  * @param law     the pair's law
- * @param motion  kinematics, one contact per lane
+ * @param touch   kinematics, one contact per lane
  * @param dt      time step [s]
+ * @param roots   from clod_law_press_begin
  * @param memory  [in,out] history before; its P is that after, its springs are turned and not
  *                of their old length
  * @param trial   [out] push to roll_square
  * Errors  none.   Threads  pure.   Source  PHYSICS 1-4.   Test  tests/law/
  */
-CLOD_LAW_PASS void clod_law_press(const clod_law *law, const clod_law_motion *motion, double dt,
-                                  clod_law_memory *memory, clod_law_trial *trial)
+CLOD_LAW_PASS void clod_law_press(const clod_law *law, const clod_law_touch *touch, double dt,
+                                  const clod_law_roots *roots, clod_law_memory *memory,
+                                  clod_law_trial *trial)
 {
-    const vreal3 n = motion->normal;
-    const vreal overlap = vreal_max(motion->overlap, vreal_set(0.0));
-    const clod_law_stiffness s = clod_law_stiffness_at(law, overlap, motion->r_star);
+    const clod_law_stiffness s = roots->stiffness;
     const clod_law_normal normal = clod_law_normal_force(law, s, &memory->plastic);
-    const vreal damping = clod_law_damping(law, s, motion->m_star);
-    trial->push = normal.force - damping * vreal3_dot(motion->velocity, n);
+    trial->push = normal.force - roots->damping * touch->normal_velocity;
     trial->measure = clod_law_normal_measure(law, normal);
-    trial->dash_pot = clod_law_tangential_damping(law, damping, motion->m_star);
+    trial->dash_pot = clod_law_tangential_damping(law, roots->damping, touch->m_star);
     trial->stiffness = s.tangent;
 
-    const vreal3 both = vreal3_add(motion->spin_i, motion->spin_j);
-    const clod_law_frame frame = {n, 0.5 * dt * vreal3_dot(both, n)};
+    const clod_law_frame frame = {touch->normal, 0.5 * dt * touch->twist};
     trial->spring_square = vreal3_dot(memory->spring, memory->spring);
     memory->spring = clod_law_spring_turn(&frame, memory->spring);
     if (clod_law_rolling_springs(law)) {
@@ -124,106 +168,131 @@ CLOD_LAW_PASS void clod_law_press(const clod_law *law, const clod_law_motion *mo
     }
 }
 
+/** Beginning of the second pass. */
+typedef struct clod_law_lengths {
+    clod_law_tangents tangent;
+    vreal per_spring, per_roll; ///< 1 over the squared lengths of the turned springs
+} clod_law_lengths;
+
 /**
- * Second pass: the springs get the length that they had, shortened where the stiffness has
- * grown (docs/adr/0004), and the way of this step; and the force of the tangential one. The
- * product of the three numbers inverted together lies far from the ends of the range: both
+ * The product of the three numbers inverted together lies far from the ends of the range: both
  * squares are at least CLOD_LAW_NOTHING.
- *
- * @param law     the pair's law
- * @param motion  as for clod_law_press
- * @param dt      time step [s]
- * @param memory  [in,out] turned springs, and the tangent of the step before
- * @param trial   [in,out] from clod_law_press; gets compliance and friction
- * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
  */
-CLOD_LAW_PASS void clod_law_carry(const clod_law *law, const clod_law_motion *motion, double dt,
-                                  clod_law_memory *memory, clod_law_trial *trial)
+CLOD_LAW_PASS clod_law_lengths clod_law_carry_begin(const clod_law *law,
+                                                    const clod_law_trial *trial,
+                                                    const clod_law_memory *memory)
 {
-    const vreal step = vreal_set(dt);
-    clod_law_tangents tangent = {.inverse = trial->stiffness};
-    vreal per_spring = clod_law_spring_square(memory->spring);
+    clod_law_lengths l = {.tangent.inverse = trial->stiffness,
+                          .per_spring = clod_law_spring_square(memory->spring)};
     if (clod_law_rolling_springs(law)) {
-        vreal per_roll = clod_law_spring_square(memory->roll);
-        vreal_invert3(&tangent.inverse, &per_spring, &per_roll);
-        tangent.soften = vreal_min(memory->tangent * tangent.inverse, vreal_set(1.0));
-        memory->roll = clod_law_spring_restore(memory->roll, trial->roll_square, per_roll,
-                                               clod_law_rolling_soften(law, &tangent));
-        memory->roll = vreal3_axpy(memory->roll, step, clod_law_rolling_of(motion));
+        l.per_roll = clod_law_spring_square(memory->roll);
+        vreal_invert3(&l.tangent.inverse, &l.per_spring, &l.per_roll);
     } else {
-        vreal_invert2(&tangent.inverse, &per_spring);
-        tangent.soften = vreal_min(memory->tangent * tangent.inverse, vreal_set(1.0));
+        vreal_invert2(&l.tangent.inverse, &l.per_spring);
     }
-    memory->spring = clod_law_spring_restore(memory->spring, trial->spring_square, per_spring,
-                                             clod_law_tangential_soften(law, &tangent));
-    const vreal3 slip = clod_law_slip_of(motion);
-    memory->spring = vreal3_axpy(memory->spring, step, slip);
-    memory->tangent = trial->stiffness;
-    trial->compliance = clod_law_tangential_compliance(law, &tangent);
-    trial->friction =
-        clod_law_friction(law, trial->stiffness, slip, trial->dash_pot, memory->spring);
+    l.tangent.soften = vreal_min(memory->tangent * l.tangent.inverse, vreal_set(1.0));
+    return l;
 }
 
-/** Rolling resistance before its cap. */
-typedef struct clod_law_resistance {
-    vreal3 rolling;  ///< rad/s; epsd2 has no need of it and no value
-    vreal3 pull;     ///< from clod_law_rolling_pull
-    vreal stiffness; ///< k_r [N m/rad]
-    vreal cap;       ///< mu_r N R* [N m]
-} clod_law_resistance;
-
-/** Rolling resistance before its cap, from the rolling spring with the way of this step. */
-static inline clod_law_resistance clod_law_resist(const clod_law *law,
-                                                  const clod_law_motion *motion,
-                                                  const clod_law_trial *trial, vreal3 roll)
+/**
+ * Second pass: the springs get the length that they had, shortened where the stiffness has
+ * grown (docs/adr/0004), and the way of this step; and the force of the tangential one.
+ *
+ * @param law      the pair's law
+ * @param touch    as for clod_law_press
+ * @param dt       time step [s]
+ * @param lengths  from clod_law_carry_begin
+ * @param memory   [in,out] turned springs, and the tangent of the step before
+ * @param trial    [in,out] from clod_law_press; gets compliance and friction
+ * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
+ */
+CLOD_LAW_PASS void clod_law_carry(const clod_law *law, const clod_law_touch *touch, double dt,
+                                  const clod_law_lengths *lengths, clod_law_memory *memory,
+                                  clod_law_trial *trial)
 {
-    clod_law_resistance r = {.cap = law->rolling_friction * trial->measure * motion->r_star};
-    if (law->rolling != CLOD_ROLLING_EPSD2) {
-        r.rolling = clod_law_rolling_of(motion);
+    const vreal step = vreal_set(dt);
+    const clod_law_tangents *tangent = &lengths->tangent;
+    if (clod_law_rolling_springs(law)) {
+        memory->roll =
+            clod_law_spring_restore(memory->roll, trial->roll_square, lengths->per_roll,
+                                    clod_law_rolling_soften(law, tangent));
+        memory->roll = vreal3_axpy(memory->roll, step, touch->rolling);
     }
-    r.stiffness = clod_law_rolling_stiffness(law, trial->stiffness, motion->r_star);
-    r.pull = clod_law_rolling_pull(law, r.rolling, r.stiffness, roll);
-    return r;
+    memory->spring =
+        clod_law_spring_restore(memory->spring, trial->spring_square, lengths->per_spring,
+                                clod_law_tangential_soften(law, tangent));
+    memory->spring = vreal3_axpy(memory->spring, step, touch->slip);
+    memory->tangent = trial->stiffness;
+    trial->compliance = clod_law_tangential_compliance(law, tangent);
+    trial->friction =
+        clod_law_friction(law, trial->stiffness, touch->slip, trial->dash_pot, memory->spring);
+}
+
+/** Beginning of the last pass: limits, and where forces are beyond them. */
+typedef struct clod_law_cuts {
+    vreal limit; ///< mu N [N]
+    vreal cap;   ///< mu_r N R* [N m]
+    clod_law_cut slides, rolls;
+    vreal per_slip, per_roll; ///< 1 over their squares
+} clod_law_cuts;
+
+/** What turns against rolling before its cap. */
+static inline vreal3 clod_law_pull_of(const clod_law *law, const clod_law_touch *touch,
+                                      const clod_law_trial *trial, vreal3 roll)
+{
+    const vreal k_r = clod_law_rolling_stiffness(law, trial->stiffness, touch->r_star);
+    return clod_law_rolling_pull(law, touch->rolling, k_r, roll);
+}
+
+CLOD_LAW_PASS clod_law_cuts clod_law_limit_begin(const clod_law *law,
+                                                 const clod_law_touch *touch,
+                                                 const clod_law_trial *trial,
+                                                 const clod_law_memory *memory)
+{
+    clod_law_cuts c = {.limit = law->friction * trial->measure};
+    c.slides = clod_law_cut_of(trial->friction, c.limit);
+    c.per_slip = c.slides.square;
+    c.per_roll = vreal_set(1.0);
+    if (law->rolling != CLOD_ROLLING_NONE) {
+        c.cap = law->rolling_friction * trial->measure * touch->r_star;
+        c.rolls = clod_law_cut_of(clod_law_pull_of(law, touch, trial, memory->roll),
+                                  clod_law_rolling_limit(law, c.cap));
+        c.per_roll = c.rolls.square;
+    }
+    vreal_invert2(&c.per_slip, &c.per_roll); // each 1 or above CLOD_LAW_NOTHING
+    return c;
 }
 
 /**
  * Last pass: friction and rolling resistance cut to their limits.
  *
  * @param law     the pair's law
- * @param motion  as for clod_law_press
+ * @param touch   as for clod_law_press
  * @param trial   from clod_law_carry
+ * @param cuts    from clod_law_limit_begin
  * @param memory  [in,out] becomes the history after; meaningful in closed lanes only
  * @return        force and torques, zero where the contact is open
  * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
  */
-CLOD_LAW_PASS clod_law_result clod_law_limit(const clod_law *law, const clod_law_motion *motion,
+CLOD_LAW_PASS clod_law_result clod_law_limit(const clod_law *law, const clod_law_touch *touch,
                                              const clod_law_trial *trial,
-                                             clod_law_memory *memory)
+                                             const clod_law_cuts *cuts, clod_law_memory *memory)
 {
     const vreal zero = vreal_set(0.0);
     const vreal3 none = {zero, zero, zero};
-    const vreal3 n = motion->normal;
-    const vreal limit = law->friction * trial->measure;
-    const clod_law_cut slides = clod_law_cut_of(trial->friction, limit);
-    clod_law_resistance resistance = {none, none, zero, zero};
-    clod_law_cut rolls = slides;
-    vreal per_slip = slides.square, per_roll = vreal_set(1.0);
-    if (law->rolling != CLOD_ROLLING_NONE) {
-        resistance = clod_law_resist(law, motion, trial, memory->roll);
-        rolls = clod_law_cut_of(resistance.pull, clod_law_rolling_limit(law, resistance.cap));
-        per_roll = rolls.square;
-    }
-    vreal_invert2(&per_slip, &per_roll); // each 1 or above CLOD_LAW_NOTHING
-    const vreal factor = limit * (slides.length * per_slip);
-    const vreal3 f_t = clod_law_friction_cut(trial->friction, slides, factor, trial->compliance,
-                                             &memory->spring);
+    const vreal3 n = touch->normal;
+    const vreal factor = cuts->limit * (cuts->slides.length * cuts->per_slip);
+    const vreal3 f_t = clod_law_friction_cut(trial->friction, cuts->slides, factor,
+                                             trial->compliance, &memory->spring);
     vreal3 roll = none;
     if (law->rolling != CLOD_ROLLING_NONE) {
-        const vreal share = resistance.cap * (rolls.length * per_roll);
-        roll = clod_law_rolling_cut(law, resistance.pull, rolls, share, resistance.stiffness,
-                                    resistance.rolling, motion->roll_inertia, &memory->roll);
+        const vreal k_r = clod_law_rolling_stiffness(law, trial->stiffness, touch->r_star);
+        const vreal3 pull = clod_law_rolling_pull(law, touch->rolling, k_r, memory->roll);
+        const vreal share = cuts->cap * (cuts->rolls.length * cuts->per_roll);
+        roll = clod_law_rolling_cut(law, pull, cuts->rolls, share, k_r, touch->rolling,
+                                    touch->roll_inertia, &memory->roll);
     }
-    const vmask closed = vmask_less(zero, motion->overlap);
+    const vmask closed = vmask_less(zero, touch->overlap);
     return (clod_law_result){vreal3_select(closed, vreal3_axpy(f_t, trial->push, n), none),
                              vreal3_select(closed, vreal3_cross(n, f_t), none),
                              vreal3_select(closed, roll, none), closed};
@@ -234,8 +303,13 @@ CLOD_LAW_PASS clod_law_result clod_law_contact(const clod_law *law,
                                                const clod_law_motion *motion, double dt,
                                                clod_law_memory *memory)
 {
+    clod_law_touch touch = {.rolling = motion->spin_i}; // stays where nothing resists
     clod_law_trial trial;
-    clod_law_press(law, motion, dt, memory, &trial);
-    clod_law_carry(law, motion, dt, memory, &trial);
-    return clod_law_limit(law, motion, &trial, memory);
+    clod_law_touch_of(law, motion, &touch);
+    const clod_law_roots roots = clod_law_press_begin(law, &touch);
+    clod_law_press(law, &touch, dt, &roots, memory, &trial);
+    const clod_law_lengths lengths = clod_law_carry_begin(law, &trial, memory);
+    clod_law_carry(law, &touch, dt, &lengths, memory, &trial);
+    const clod_law_cuts cuts = clod_law_limit_begin(law, &touch, &trial, memory);
+    return clod_law_limit(law, &touch, &trial, &cuts, memory);
 }

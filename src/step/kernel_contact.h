@@ -36,26 +36,26 @@ static inline vreal kernel_contact_inertia(vreal mass, vreal radius, vreal inver
 }
 
 /** Kinematics of CLOD_WIDTH contacts from the rows of their grains. */
-static inline clod_law_motion kernel_contact_motion(const clod_kernel_view *view,
+CLOD_LAW_PASS clod_law_motion kernel_contact_motion(const clod_kernel_view *view,
                                                     const clod_law *law, const int32_t *i,
                                                     const int32_t *j)
 {
     vreal pi[4], pj[4], vi[4], vj[4], wi[4], wj[4];
     vreal_load_rows(pi, view->place, i);
-    vreal_load_rows(vi, view->motion, i);
-    vreal_load_rows(wi, view->turning, i);
     vreal_load_rows(pj, view->place, j);
-    vreal_load_rows(vj, view->motion, j);
-    vreal_load_rows(wj, view->turning, j);
     const vreal3 apart = kernel_separation(view, pi, pj);
     const vreal square = vreal3_dot(apart, apart);
     const vreal distance = vreal_sqrt(square);
     const vreal radii = pi[3] + pj[3];
-    const vreal masses = vi[3] + vj[3];
     const vreal overlap = radii - distance;
+    vreal_load_rows(vi, view->motion, i); // only now: more rows than registers
+    vreal_load_rows(vj, view->motion, j);
+    const vreal masses = vi[3] + vj[3];
     vreal per_square = vreal_max(square, vreal_set(CLOD_LAW_NOTHING)); // one place for both
     vreal per_radii = radii, per_masses = masses;
     vreal_invert3(&per_square, &per_radii, &per_masses); // grains: far from over- or underflow
+    vreal_load_rows(wi, view->turning, i);
+    vreal_load_rows(wj, view->turning, j);
     clod_law_motion motion = {
         .overlap = overlap,
         .normal = vreal3_scale(apart, distance * per_square),
@@ -82,14 +82,39 @@ static inline clod_law_motion kernel_contact_motion(const clod_kernel_view *view
 /** Blocks by which histories are asked for ahead. */
 #define KERNEL_AHEAD 16
 
-/** A few blocks of one law on their way through the passes. */
+/** How two grains meet: what the law needs, and what only the torques need. */
+typedef struct kernel_meeting {
+    clod_law_touch touch;
+    vreal arm_i, arm_j; ///< as in clod_law_motion
+} kernel_meeting;
+
+/** A few blocks of one law on their way through the passes, vector by vector. */
 typedef struct kernel_batch {
     clod_contact_block *blocks;
-    const clod_contact_block *asked; ///< memory is asked for up to here
-    int contacts;                    ///< the last block may have lanes without one
-    clod_law_motion motion[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
+    const clod_contact_block
+        *end;     ///< behind the last block of all: memory is asked for up to it
+    int contacts; ///< the last block may have lanes without one
+    int vectors;
+    kernel_meeting meeting[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
     clod_law_trial trial[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
 } kernel_batch;
+
+/** The block of a vector. */
+static inline clod_contact_block *kernel_block(const kernel_batch *batch, int k)
+{
+    return &batch->blocks[k * CLOD_WIDTH / CLOD_LANES];
+}
+
+/** Its first lane there. */
+static inline int kernel_lane(int k)
+{
+    return k * CLOD_WIDTH % CLOD_LANES;
+}
+
+static inline clod_law_memory kernel_memory(const kernel_batch *batch, int k)
+{
+    return clod_law_memory_load(&kernel_block(batch, k)->history, kernel_lane(k));
+}
 
 /** Springs between two passes lie in the history. */
 static inline void kernel_springs_store(const clod_law *law, clod_history *history, int lane,
@@ -102,13 +127,16 @@ static inline void kernel_springs_store(const clod_law *law, clod_history *histo
 }
 
 /** First pass: kinematics. */
-static inline void kernel_batch_move(const clod_kernel_view *view, const clod_law *law,
+CLOD_LAW_PASS void kernel_batch_move(const clod_kernel_view *view, const clod_law *law,
                                      kernel_batch *batch)
 {
-    for (int first = 0, k = 0; first < batch->contacts; first += CLOD_WIDTH, k++) {
-        const clod_contact_block *block = &batch->blocks[first / CLOD_LANES];
-        const int lane = first % CLOD_LANES;
-        batch->motion[k] = kernel_contact_motion(view, law, &block->i[lane], &block->j[lane]);
+    for (int k = 0; k < batch->vectors; k++) {
+        const clod_contact_block *block = kernel_block(batch, k);
+        const clod_law_motion motion = kernel_contact_motion(
+            view, law, &block->i[kernel_lane(k)], &block->j[kernel_lane(k)]);
+        batch->meeting[k].arm_i = motion.arm_i;
+        batch->meeting[k].arm_j = motion.arm_j;
+        clod_law_touch_of(law, &motion, &batch->meeting[k].touch);
     }
 }
 
@@ -120,17 +148,22 @@ static inline void kernel_prefetch_block(const clod_contact_block *block)
 }
 
 /** Second pass: normal forces, and springs turned. Open contacts forget their P. */
-static inline void kernel_batch_press(const clod_law *law, double dt, kernel_batch *batch)
+CLOD_LAW_PASS void kernel_batch_press(const clod_law *law, double dt, kernel_batch *batch)
 {
-    for (int first = 0, k = 0; first < batch->contacts; first += CLOD_WIDTH, k++) {
-        clod_contact_block *block = &batch->blocks[first / CLOD_LANES];
-        const int lane = first % CLOD_LANES;
-        if (lane == 0 && batch->asked - block > KERNEL_AHEAD) {
+    clod_law_roots roots = clod_law_press_begin(law, &batch->meeting[0].touch);
+    for (int k = 0; k < batch->vectors; k++) {
+        const clod_law_roots now = roots;
+        if (k + 1 < batch->vectors) {
+            roots = clod_law_press_begin(law, &batch->meeting[k + 1].touch);
+        }
+        clod_contact_block *block = kernel_block(batch, k);
+        const int lane = kernel_lane(k);
+        if (lane == 0 && batch->end - block > KERNEL_AHEAD) {
             kernel_prefetch_block(block + KERNEL_AHEAD);
         }
-        clod_law_memory memory = clod_law_memory_load(&block->history, lane);
-        clod_law_press(law, &batch->motion[k], dt, &memory, &batch->trial[k]);
-        const vmask closed = vmask_less(vreal_set(0.0), batch->motion[k].overlap);
+        clod_law_memory memory = kernel_memory(batch, k);
+        clod_law_press(law, &batch->meeting[k].touch, dt, &now, &memory, &batch->trial[k]);
+        const vmask closed = vmask_less(vreal_set(0.0), batch->meeting[k].touch.overlap);
         vreal_store(&block->history.plastic[lane],
                     vreal_select(closed, memory.plastic, vreal_set(0.0)));
         kernel_springs_store(law, &block->history, lane, &memory);
@@ -138,14 +171,21 @@ static inline void kernel_batch_press(const clod_law *law, double dt, kernel_bat
 }
 
 /** Third pass: springs carried on. Open contacts forget their tangent. */
-static inline void kernel_batch_carry(const clod_law *law, double dt, kernel_batch *batch)
+CLOD_LAW_PASS void kernel_batch_carry(const clod_law *law, double dt, kernel_batch *batch)
 {
-    for (int first = 0, k = 0; first < batch->contacts; first += CLOD_WIDTH, k++) {
-        clod_history *history = &batch->blocks[first / CLOD_LANES].history;
-        const int lane = first % CLOD_LANES;
-        clod_law_memory memory = clod_law_memory_load(history, lane);
-        clod_law_carry(law, &batch->motion[k], dt, &memory, &batch->trial[k]);
-        const vmask closed = vmask_less(vreal_set(0.0), batch->motion[k].overlap);
+    clod_law_memory memory = kernel_memory(batch, 0);
+    clod_law_lengths lengths = clod_law_carry_begin(law, &batch->trial[0], &memory);
+    for (int k = 0; k < batch->vectors; k++) {
+        const clod_law_lengths now = lengths;
+        if (k + 1 < batch->vectors) {
+            memory = kernel_memory(batch, k + 1);
+            lengths = clod_law_carry_begin(law, &batch->trial[k + 1], &memory);
+        }
+        clod_history *history = &kernel_block(batch, k)->history;
+        const int lane = kernel_lane(k);
+        memory = kernel_memory(batch, k);
+        clod_law_carry(law, &batch->meeting[k].touch, dt, &now, &memory, &batch->trial[k]);
+        const vmask closed = vmask_less(vreal_set(0.0), batch->meeting[k].touch.overlap);
         vreal_store(&history->tangent[lane],
                     vreal_select(closed, memory.tangent, vreal_set(0.0)));
         kernel_springs_store(law, history, lane, &memory);
@@ -153,15 +193,15 @@ static inline void kernel_batch_carry(const clod_law *law, double dt, kernel_bat
 }
 
 /** Each grain's share: added to its load in the order of contacts, or kept apart. */
-static inline void kernel_contact_store(const clod_kernel_view *view,
-                                        const clod_law_motion *motion, clod_law_result r,
+CLOD_LAW_PASS void kernel_contact_store(const clod_kernel_view *view,
+                                        const kernel_meeting *meeting, clod_law_result r,
                                         const int32_t *i, const int32_t *j, int lanes,
                                         double (*apart)[8])
 {
     const vreal zero = vreal_set(0.0);
-    const vreal3 turn_i = vreal3_axpy(r.roll, -motion->arm_i, r.lever);
+    const vreal3 turn_i = vreal3_axpy(r.roll, -meeting->arm_i, r.lever);
     const vreal3 turn_j =
-        vreal3_scale(vreal3_axpy(r.roll, motion->arm_j, r.lever), vreal_set(-1.0));
+        vreal3_scale(vreal3_axpy(r.roll, meeting->arm_j, r.lever), vreal_set(-1.0));
     const vreal on_i[8] = {r.force.x, r.force.y, r.force.z, zero,
                            turn_i.x,  turn_i.y,  turn_i.z,  zero};
     const vreal on_j[8] = {-r.force.x, -r.force.y, -r.force.z, zero,
@@ -178,26 +218,36 @@ static inline void kernel_contact_store(const clod_kernel_view *view,
 }
 
 /** Last pass: limits and shares; the largest excess of an overlap so far. */
-static inline vreal kernel_batch_limit(const clod_kernel_view *view, const clod_law *law,
+CLOD_LAW_PASS vreal kernel_batch_limit(const clod_kernel_view *view, const clod_law *law,
                                        kernel_batch *batch, double (*apart)[8], vreal excess)
 {
     const vreal zero = vreal_set(0.0);
     const vreal3 none = {zero, zero, zero};
-    for (int first = 0, k = 0; first < batch->contacts; first += CLOD_WIDTH, k++) {
-        clod_contact_block *block = &batch->blocks[first / CLOD_LANES];
-        const int lane = first % CLOD_LANES;
-        const int left = batch->contacts - first;
-        const clod_law_motion *motion = &batch->motion[k];
-        clod_law_memory memory = clod_law_memory_load(&block->history, lane);
-        const clod_law_result result = clod_law_limit(law, motion, &batch->trial[k], &memory);
+    clod_law_memory memory = kernel_memory(batch, 0);
+    clod_law_cuts cuts =
+        clod_law_limit_begin(law, &batch->meeting[0].touch, &batch->trial[0], &memory);
+    for (int k = 0; k < batch->vectors; k++) {
+        const clod_law_cuts now = cuts;
+        if (k + 1 < batch->vectors) {
+            memory = kernel_memory(batch, k + 1);
+            cuts = clod_law_limit_begin(law, &batch->meeting[k + 1].touch, &batch->trial[k + 1],
+                                        &memory);
+        }
+        clod_contact_block *block = kernel_block(batch, k);
+        const int lane = kernel_lane(k);
+        const int left = batch->contacts - k * CLOD_WIDTH;
+        const clod_law_touch *touch = &batch->meeting[k].touch;
+        memory = kernel_memory(batch, k);
+        const clod_law_result result =
+            clod_law_limit(law, touch, &batch->trial[k], &now, &memory);
         memory.spring = vreal3_select(result.closed, memory.spring, none);
         memory.roll = vreal3_select(result.closed, memory.roll, none);
         kernel_springs_store(law, &block->history, lane, &memory);
-        kernel_contact_store(view, motion, result, &block->i[lane], &block->j[lane],
+        kernel_contact_store(view, &batch->meeting[k], result, &block->i[lane], &block->j[lane],
                              left < CLOD_WIDTH ? left : CLOD_WIDTH,
-                             apart != NULL ? apart + 2 * first : NULL);
+                             apart != NULL ? apart + 2 * k * CLOD_WIDTH : NULL);
         // R* is at most the smaller radius and at least half of it
-        const vreal beyond = motion->overlap - CLOD_KERNEL_OVERLAP_LIMIT * 2.0 * motion->r_star;
+        const vreal beyond = touch->overlap - CLOD_KERNEL_OVERLAP_LIMIT * 2.0 * touch->r_star;
         excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
     }
     return excess;
@@ -228,26 +278,65 @@ static inline size_t kernel_prefetch_rows(const clod_kernel_view *view, size_t f
  * that wait for each other, and a short pass has room in the processor's window for the chains
  * of several (docs/adr/0010, 0019).
  */
-static bool kernel_contact(const clod_kernel_view *view, const clod_law *law,
-                           clod_contact_block *blocks, size_t contacts, size_t end,
-                           double (*apart)[8])
+CLOD_LAW_PASS bool kernel_contact_loop(const clod_kernel_view *view, const clod_law law,
+                                       clod_contact_block *blocks, size_t contacts, size_t end,
+                                       double (*apart)[8])
 {
     const clod_kernel_view v = *view;
-    const clod_law l = *law;
     const size_t full = (size_t)KERNEL_BATCH * CLOD_LANES;
     vreal excess = vreal_set(-1.0);
     kernel_batch batch;
-    batch.asked = end > 0 ? blocks + (contacts + CLOD_LANES - 1) / CLOD_LANES : blocks;
+    batch.end = blocks + (contacts + CLOD_LANES - 1) / CLOD_LANES;
     size_t ahead = contacts > 0 ? (size_t)blocks->i[0] : 0;
     for (size_t first = 0; first < contacts; first += full) {
         batch.blocks = &blocks[first / CLOD_LANES];
         batch.contacts = (int)(contacts - first < full ? contacts - first : full);
+        batch.vectors = (batch.contacts + CLOD_WIDTH - 1) / CLOD_WIDTH;
         ahead = kernel_prefetch_rows(&v, ahead, batch.blocks->i[0], end);
-        kernel_batch_move(&v, &l, &batch);
-        kernel_batch_press(&l, v.dt, &batch);
-        kernel_batch_carry(&l, v.dt, &batch);
-        excess = kernel_batch_limit(&v, &l, &batch, apart != NULL ? apart + 2 * first : NULL,
+        kernel_batch_move(&v, &law, &batch);
+        kernel_batch_press(&law, v.dt, &batch);
+        kernel_batch_carry(&law, v.dt, &batch);
+        excess = kernel_batch_limit(&v, &law, &batch, apart != NULL ? apart + 2 * first : NULL,
                                     excess);
     }
     return vmask_any(vmask_less(vreal_set(0.0), excess));
+}
+
+/** A law with its choices as constants. */
+static inline clod_law kernel_law_known(clod_law law, clod_law_kind kind, clod_rolling rolling)
+{
+    law.kind = kind;
+    law.exponent_kind = CLOD_EXPONENT_THREE_HALVES;
+    law.coulomb = CLOD_COULOMB_ADHESIVE;
+    law.tangential = CLOD_TANGENTIAL_TANGENT;
+    law.rolling = rolling;
+    return law;
+}
+
+/** The loop once more for laws that most beds have: nothing is asked in it (docs/adr/0021). */
+__attribute__((flatten)) static bool kernel_contact(const clod_kernel_view *view,
+                                                    const clod_law *law,
+                                                    clod_contact_block *blocks, size_t contacts,
+                                                    size_t end, double (*apart)[8])
+{
+    const clod_law l = *law;
+    if (CLOD_WIDTH > 1 && l.exponent_kind == CLOD_EXPONENT_THREE_HALVES &&
+        l.coulomb == CLOD_COULOMB_ADHESIVE && l.tangential == CLOD_TANGENTIAL_TANGENT) {
+        if (l.kind == CLOD_LAW_MEPA && l.rolling == CLOD_ROLLING_EPSD2) {
+            return kernel_contact_loop(view,
+                                       kernel_law_known(l, CLOD_LAW_MEPA, CLOD_ROLLING_EPSD2),
+                                       blocks, contacts, end, apart);
+        }
+        if (l.kind == CLOD_LAW_HERTZ && l.rolling == CLOD_ROLLING_EPSD2) {
+            return kernel_contact_loop(view,
+                                       kernel_law_known(l, CLOD_LAW_HERTZ, CLOD_ROLLING_EPSD2),
+                                       blocks, contacts, end, apart);
+        }
+        if (l.kind == CLOD_LAW_HERTZ && l.rolling == CLOD_ROLLING_NONE) {
+            return kernel_contact_loop(view,
+                                       kernel_law_known(l, CLOD_LAW_HERTZ, CLOD_ROLLING_NONE),
+                                       blocks, contacts, end, apart);
+        }
+    }
+    return kernel_contact_loop(view, l, blocks, contacts, end, apart);
 }

@@ -237,12 +237,95 @@ static void the_order_of_the_input_does_not_matter(void **state)
     scene_end(&b);
 }
 
+/** Laws known to the vector loops (docs/adr/0021), and laws that differ from them in one
+ * choice. */
+#define NEIGHBOURS 9
+
+static clod_case_contact neighbour_law(int k)
+{
+    clod_case_contact c = contact_ore(); // mepa, n = 3/2, adhesive, tangent, epsd2: known
+    c.restitution = 0.5;
+    switch (k) {
+    case 0: // known
+        c.law = CLOD_LAW_HERTZ;
+        break;
+    case 1: // known
+        c.law = CLOD_LAW_HERTZ;
+        c.rolling = CLOD_ROLLING_NONE;
+        break;
+    case 2:
+        c.rolling = CLOD_ROLLING_NONE;
+        break;
+    case 3:
+        c.rolling = CLOD_ROLLING_EPSD;
+        c.rolling_damping = 0.3;
+        break;
+    case 4:
+        c.coulomb = CLOD_COULOMB_FORCE;
+        break;
+    case 5:
+        c.law = CLOD_LAW_HERTZ;
+        c.rolling = CLOD_ROLLING_CDT;
+        break;
+    case 6: // its k_t is k1
+        c.k1 = 2e5;
+        c.k2 = 6e5;
+        c.k_adh = 1e5;
+        c.tangential = CLOD_TANGENTIAL_LITERAL;
+        break;
+    case 7:
+        c.law = CLOD_LAW_EEPA;
+        c.pull_off_force = 0.2;
+        break;
+    default:
+        c.exponent = 1.4;
+    }
+    return c;
+}
+
+/** Contacts at ten moments, added up. */
+static size_t run_neighbour(scene *s, int k, const char *simd)
+{
+    const clod_case_contact law = neighbour_law(k);
+    bed_init(s, BED_CLUSTER, 1);
+    for (size_t g = 0; g < s->state.grains.count; g++) {
+        s->state.grains.place[g][3] = 3.2005e-3; // they touch, as far apart as they lie
+    }
+    for (int a = 0; a < 3; a++) {
+        for (int b = a; b < 3; b++) {
+            scene_law(s, a, b, &law);
+        }
+    }
+    scene_start_with(s, (clod_step_options){.threads = 1, .simd = simd});
+    size_t met = 0;
+    for (int moment = 0; moment < 10; moment++) {
+        scene_run(s, 20);
+        assert_true(clod_step_export(&s->step, &s->step.status));
+        met += s->state.contact_count;
+    }
+    return met;
+}
+
+static void known_laws_and_their_neighbours_give_the_bits_of_scalar(void **state)
+{
+    (void)state;
+    for (int k = 0; k < NEIGHBOURS; k++) {
+        scene one, best;
+        const size_t met = run_neighbour(&one, k, "scalar");
+        assert_true(run_neighbour(&best, k, NULL) == met && met > 500);
+        check_same_bits(&one.state, &best.state);
+        scene_end(&one);
+        scene_end(&best);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(avx2_gives_the_bits_of_scalar),
         cmocka_unit_test(avx512_gives_the_bits_of_scalar),
         cmocka_unit_test(neon_gives_the_bits_of_scalar),
+        cmocka_unit_test(known_laws_and_their_neighbours_give_the_bits_of_scalar),
         cmocka_unit_test(two_threads_give_the_bits_of_one),
         cmocka_unit_test(three_threads_give_the_bits_of_one),
         cmocka_unit_test(seven_threads_give_the_bits_of_one),
