@@ -12,13 +12,15 @@ SOURCE = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))
 
 
 def name():
-    """Processor, cores, memory and system, in words."""
-    model = platform.machine()
+    """Processor with its family and model, which tell generations apart; cores and memory."""
+    found = {}
     with open("/proc/cpuinfo") as file:
         for line in file:
-            if line.startswith("model name"):
-                model = line.split(":")[1].strip()
-                break
+            key, _, value = line.partition(":")
+            found.setdefault(key.strip(), value.strip())
+    model = found.get("model name", platform.machine())
+    if "cpu family" in found:
+        model += f" (family {found['cpu family']}, model {found['model']})"
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
     return f"{model}, {os.cpu_count()} cores, {memory:.0f} GiB"
 

@@ -19,6 +19,7 @@ static atomic_uint_fast64_t allocations;
 static void take_huge_pages(void *memory, size_t bytes)
 {
 #if defined(__linux__)
+    // a wish: without it all works as well
     madvise(memory, bytes / CLOD_MEMORY_HUGE_PAGE * CLOD_MEMORY_HUGE_PAGE, MADV_HUGEPAGE);
     if (madvise(memory, bytes, MADV_DONTNEED) == 0) { // on Linux: zeros from now on
         return;

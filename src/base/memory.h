@@ -12,7 +12,8 @@
 
 /**
  * Zeroed memory aligned to a cache line; from 8 MiB on to a huge page, in such pages where the
- * system gives them, and taken from it as it is first used (docs/adr/0012).
+ * system gives them on request (but for what does not fill the last one), and taken from it as
+ * it is first used (docs/adr/0012).
  *
  * @param count  number of items
  * @param size   bytes of one item

@@ -9,7 +9,7 @@
 #include "law/law_tangential.h"
 #include "state/contacts.h"
 
-/** A pass of the law, in line wherever it is used: its vectors stay in registers. */
+/** In line wherever it is used, however long: its vectors stay in registers. */
 #define CLOD_LAW_PASS __attribute__((always_inline)) static inline
 
 /** Kinematics of a contact; j is the later grain or the wall. */
@@ -80,11 +80,11 @@ typedef struct clod_law_touch {
     vreal overlap;         ///< d [m]; the contact is open when <= 0
     vreal3 normal;         ///< n_hat from j to i
     vreal normal_velocity; ///< v_n of i against j [m/s]; below 0 they come closer
-    vreal twist;           ///< both spins about the normal, added [rad/s]
+    vreal pair_spin;       ///< (w_i + w_j).n [rad/s]; half of it turns the tangent plane
     vreal3 slip;           ///< from clod_law_slip_of [m/s]
     vreal3 rolling;        ///< from clod_law_rolling_of [rad/s]; no value where nothing resists
     vreal m_star, r_star;  ///< kg, m
-    vreal roll_inertia;    ///< for epsd; no value else
+    vreal roll_inertia;    ///< kg m2, for epsd; no value else
 } clod_law_touch;
 
 /** What the passes need of a motion. */
@@ -99,7 +99,7 @@ static inline void clod_law_touch_of(const clod_law *law, const clod_law_motion 
         touch->roll_inertia = motion->roll_inertia;
     }
     touch->normal_velocity = vreal3_dot(motion->velocity, motion->normal);
-    touch->twist = vreal3_dot(vreal3_add(motion->spin_i, motion->spin_j), motion->normal);
+    touch->pair_spin = vreal3_dot(vreal3_add(motion->spin_i, motion->spin_j), motion->normal);
     touch->slip = clod_law_slip_of(motion);
     if (law->rolling != CLOD_ROLLING_NONE) {
         touch->rolling = clod_law_rolling_of(motion);
@@ -122,12 +122,13 @@ typedef struct clod_law_trial {
     vreal3 friction;                  ///< force of tangential spring and dash-pot [N]
 } clod_law_trial;
 
-/** Beginning of the first pass. */
+/** Beginning of the first pass: what takes roots. */
 typedef struct clod_law_roots {
     clod_law_stiffness stiffness;
     vreal damping; ///< gamma_n [N s/m]
 } clod_law_roots;
 
+/** Stiffness and dash-pot at the overlap of now (PHYSICS 1, 2). */
 CLOD_LAW_PASS clod_law_roots clod_law_press_begin(const clod_law *law,
                                                   const clod_law_touch *touch)
 {
@@ -159,7 +160,7 @@ CLOD_LAW_PASS void clod_law_press(const clod_law *law, const clod_law_touch *tou
     trial->dash_pot = clod_law_tangential_damping(law, roots->damping, touch->m_star);
     trial->stiffness = s.tangent;
 
-    const clod_law_frame frame = {touch->normal, 0.5 * dt * touch->twist};
+    const clod_law_frame frame = {touch->normal, 0.5 * dt * touch->pair_spin};
     trial->spring_square = vreal3_dot(memory->spring, memory->spring);
     memory->spring = clod_law_spring_turn(&frame, memory->spring);
     if (clod_law_rolling_springs(law)) {
@@ -168,22 +169,24 @@ CLOD_LAW_PASS void clod_law_press(const clod_law *law, const clod_law_touch *tou
     }
 }
 
-/** Beginning of the second pass. */
-typedef struct clod_law_lengths {
+/** Beginning of the second pass: what takes its division. */
+typedef struct clod_law_inverses {
     clod_law_tangents tangent;
-    vreal per_spring, per_roll; ///< 1 over the squared lengths of the turned springs
-} clod_law_lengths;
+    vreal per_spring, per_roll; ///< 1/length^2 of the turned springs [1/m2, 1/rad2]
+} clod_law_inverses;
 
 /**
+ * @param memory  turned springs, and the tangent of the step before
+ *
  * The product of the three numbers inverted together lies far from the ends of the range: both
  * squares are at least CLOD_LAW_NOTHING.
  */
-CLOD_LAW_PASS clod_law_lengths clod_law_carry_begin(const clod_law *law,
-                                                    const clod_law_trial *trial,
-                                                    const clod_law_memory *memory)
+CLOD_LAW_PASS clod_law_inverses clod_law_carry_begin(const clod_law *law,
+                                                     const clod_law_trial *trial,
+                                                     const clod_law_memory *memory)
 {
-    clod_law_lengths l = {.tangent.inverse = trial->stiffness,
-                          .per_spring = clod_law_spring_square(memory->spring)};
+    clod_law_inverses l = {.tangent.inverse = trial->stiffness,
+                           .per_spring = clod_law_spring_square(memory->spring)};
     if (clod_law_rolling_springs(law)) {
         l.per_roll = clod_law_spring_square(memory->roll);
         vreal_invert3(&l.tangent.inverse, &l.per_spring, &l.per_roll);
@@ -201,25 +204,25 @@ CLOD_LAW_PASS clod_law_lengths clod_law_carry_begin(const clod_law *law,
  * @param law      the pair's law
  * @param touch    as for clod_law_press
  * @param dt       time step [s]
- * @param lengths  from clod_law_carry_begin
+ * @param inverses from clod_law_carry_begin
  * @param memory   [in,out] turned springs, and the tangent of the step before
  * @param trial    [in,out] from clod_law_press; gets compliance and friction
  * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
  */
 CLOD_LAW_PASS void clod_law_carry(const clod_law *law, const clod_law_touch *touch, double dt,
-                                  const clod_law_lengths *lengths, clod_law_memory *memory,
+                                  const clod_law_inverses *inverses, clod_law_memory *memory,
                                   clod_law_trial *trial)
 {
     const vreal step = vreal_set(dt);
-    const clod_law_tangents *tangent = &lengths->tangent;
+    const clod_law_tangents *tangent = &inverses->tangent;
     if (clod_law_rolling_springs(law)) {
         memory->roll =
-            clod_law_spring_restore(memory->roll, trial->roll_square, lengths->per_roll,
+            clod_law_spring_restore(memory->roll, trial->roll_square, inverses->per_roll,
                                     clod_law_rolling_soften(law, tangent));
         memory->roll = vreal3_axpy(memory->roll, step, touch->rolling);
     }
     memory->spring =
-        clod_law_spring_restore(memory->spring, trial->spring_square, lengths->per_spring,
+        clod_law_spring_restore(memory->spring, trial->spring_square, inverses->per_spring,
                                 clod_law_tangential_soften(law, tangent));
     memory->spring = vreal3_axpy(memory->spring, step, touch->slip);
     memory->tangent = trial->stiffness;
@@ -228,15 +231,16 @@ CLOD_LAW_PASS void clod_law_carry(const clod_law *law, const clod_law_touch *tou
         clod_law_friction(law, trial->stiffness, touch->slip, trial->dash_pot, memory->spring);
 }
 
-/** Beginning of the last pass: limits, and where forces are beyond them. */
+/** Beginning of the last pass: limits, what is beyond them, and what takes roots and a
+ * division. */
 typedef struct clod_law_cuts {
-    vreal limit; ///< mu N [N]
-    vreal cap;   ///< mu_r N R* [N m]
-    clod_law_cut slides, rolls;
-    vreal per_slip, per_roll; ///< 1 over their squares
+    vreal limit;                 ///< mu N [N]
+    vreal cap;                   ///< mu_r N R* [N m]
+    clod_law_cut slides, rolls;  ///< of friction [N] and rolling resistance [N m]
+    vreal per_slides, per_rolls; ///< 1 over their squares
 } clod_law_cuts;
 
-/** What turns against rolling before its cap. */
+/** What turns against rolling before its cap: clod_law_rolling_pull of a contact. */
 static inline vreal3 clod_law_pull_of(const clod_law *law, const clod_law_touch *touch,
                                       const clod_law_trial *trial, vreal3 roll)
 {
@@ -244,6 +248,7 @@ static inline vreal3 clod_law_pull_of(const clod_law *law, const clod_law_touch 
     return clod_law_rolling_pull(law, touch->rolling, k_r, roll);
 }
 
+/** Limits of friction and rolling resistance (PHYSICS 3, 4); memory has the springs of now. */
 CLOD_LAW_PASS clod_law_cuts clod_law_limit_begin(const clod_law *law,
                                                  const clod_law_touch *touch,
                                                  const clod_law_trial *trial,
@@ -251,15 +256,15 @@ CLOD_LAW_PASS clod_law_cuts clod_law_limit_begin(const clod_law *law,
 {
     clod_law_cuts c = {.limit = law->friction * trial->measure};
     c.slides = clod_law_cut_of(trial->friction, c.limit);
-    c.per_slip = c.slides.square;
-    c.per_roll = vreal_set(1.0);
+    c.per_slides = c.slides.square;
+    c.per_rolls = vreal_set(1.0);
     if (law->rolling != CLOD_ROLLING_NONE) {
         c.cap = law->rolling_friction * trial->measure * touch->r_star;
         c.rolls = clod_law_cut_of(clod_law_pull_of(law, touch, trial, memory->roll),
                                   clod_law_rolling_limit(law, c.cap));
-        c.per_roll = c.rolls.square;
+        c.per_rolls = c.rolls.square;
     }
-    vreal_invert2(&c.per_slip, &c.per_roll); // each 1 or above CLOD_LAW_NOTHING
+    vreal_invert2(&c.per_slides, &c.per_rolls); // each 1 or above CLOD_LAW_NOTHING
     return c;
 }
 
@@ -281,14 +286,14 @@ CLOD_LAW_PASS clod_law_result clod_law_limit(const clod_law *law, const clod_law
     const vreal zero = vreal_set(0.0);
     const vreal3 none = {zero, zero, zero};
     const vreal3 n = touch->normal;
-    const vreal factor = cuts->limit * (cuts->slides.length * cuts->per_slip);
+    const vreal factor = cuts->limit * (cuts->slides.length * cuts->per_slides);
     const vreal3 f_t = clod_law_friction_cut(trial->friction, cuts->slides, factor,
                                              trial->compliance, &memory->spring);
     vreal3 roll = none;
     if (law->rolling != CLOD_ROLLING_NONE) {
         const vreal k_r = clod_law_rolling_stiffness(law, trial->stiffness, touch->r_star);
-        const vreal3 pull = clod_law_rolling_pull(law, touch->rolling, k_r, memory->roll);
-        const vreal share = cuts->cap * (cuts->rolls.length * cuts->per_roll);
+        const vreal3 pull = clod_law_pull_of(law, touch, trial, memory->roll);
+        const vreal share = cuts->cap * (cuts->rolls.length * cuts->per_rolls);
         roll = clod_law_rolling_cut(law, pull, cuts->rolls, share, k_r, touch->rolling,
                                     touch->roll_inertia, &memory->roll);
     }
@@ -303,13 +308,13 @@ CLOD_LAW_PASS clod_law_result clod_law_contact(const clod_law *law,
                                                const clod_law_motion *motion, double dt,
                                                clod_law_memory *memory)
 {
-    clod_law_touch touch = {.rolling = motion->spin_i}; // stays where nothing resists
+    clod_law_touch touch = {.rolling = motion->spin_i}; // zeros: no field is without a value
     clod_law_trial trial;
     clod_law_touch_of(law, motion, &touch);
     const clod_law_roots roots = clod_law_press_begin(law, &touch);
     clod_law_press(law, &touch, dt, &roots, memory, &trial);
-    const clod_law_lengths lengths = clod_law_carry_begin(law, &trial, memory);
-    clod_law_carry(law, &touch, dt, &lengths, memory, &trial);
+    const clod_law_inverses inverses = clod_law_carry_begin(law, &trial, memory);
+    clod_law_carry(law, &touch, dt, &inverses, memory, &trial);
     const clod_law_cuts cuts = clod_law_limit_begin(law, &touch, &trial, memory);
     return clod_law_limit(law, &touch, &trial, &cuts, memory);
 }

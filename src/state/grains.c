@@ -24,7 +24,7 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
         return true;
     }
     const size_t old = self->capacity;
-    // what is asked for first is most often the number of grains
+    // a file, a checkpoint or a copy asks for all of its grains at first
     const size_t rows = old == 0 ? capacity : capacity + capacity / 4;
     void *place = clod_memory_grow(self->place, old, rows, sizeof *self->place);
     void *motion = clod_memory_grow(self->motion, old, rows, sizeof *self->motion);

@@ -4,11 +4,11 @@
 #include "step/near_between.h"
 #include "step/step.h"
 
-/** Memory of a group from which it pays to ask for it ahead [bytes]: less lies in the caches.
- */
+/** Memory of a group from which it pays to ask for its rows ahead [bytes]: less lies in the
+ * caches. */
 #define LARGE_GROUP ((size_t)4 << 20)
 
-/** The row behind the last of a part, up to which memory is asked for; 0: none is. */
+/** The row behind the last of a part, up to which rows are asked for; 0: none are. */
 static size_t ask_until(const clod_step *self, int part, size_t blocks)
 {
     const clod_grains *grains = &self->state->grains;

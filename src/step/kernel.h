@@ -54,7 +54,7 @@ typedef struct clod_kernel {
      * overlap is beyond the limit.
      *
      * @param end    row behind the last one to ask for ahead: that of the part; 0 asks for no
-     *               memory ahead
+     *               rows; histories are always asked for
      * @param apart  NULL, or rows [2 contacts, whole blocks] that take the shares instead of
      *               the loads: i's, then j's, contact by contact
      */

@@ -79,21 +79,20 @@ CLOD_LAW_PASS clod_law_motion kernel_contact_motion(const clod_kernel_view *view
 /** Blocks whose contacts go through each pass together. */
 #define KERNEL_BATCH 4
 
-/** Blocks by which histories are asked for ahead. */
-#define KERNEL_AHEAD 16
+/** Blocks by which histories are asked for ahead, into the second cache (docs/adr/0021). */
+#define KERNEL_AHEAD 32
 
-/** How two grains meet: what the law needs, and what only the torques need. */
+/** How two grains meet. */
 typedef struct kernel_meeting {
     clod_law_touch touch;
-    vreal arm_i, arm_j; ///< as in clod_law_motion
+    vreal arm_i, arm_j; ///< as in clod_law_motion; for the torques
 } kernel_meeting;
 
 /** A few blocks of one law on their way through the passes, vector by vector. */
 typedef struct kernel_batch {
     clod_contact_block *blocks;
-    const clod_contact_block
-        *end;     ///< behind the last block of all: memory is asked for up to it
-    int contacts; ///< the last block may have lanes without one
+    const clod_contact_block *end; ///< behind the last block of all batches
+    int contacts;                  ///< the last block may have lanes without one
     int vectors;
     kernel_meeting meeting[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
     clod_law_trial trial[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
@@ -143,7 +142,7 @@ CLOD_LAW_PASS void kernel_batch_move(const clod_kernel_view *view, const clod_la
 static inline void kernel_prefetch_block(const clod_contact_block *block)
 {
     for (size_t at = 0; at < sizeof *block; at += 64) {
-        __builtin_prefetch((const char *)block + at, 1);
+        __builtin_prefetch((const char *)block + at, 1, 2);
     }
 }
 
@@ -173,17 +172,17 @@ CLOD_LAW_PASS void kernel_batch_press(const clod_law *law, double dt, kernel_bat
 /** Third pass: springs carried on. Open contacts forget their tangent. */
 CLOD_LAW_PASS void kernel_batch_carry(const clod_law *law, double dt, kernel_batch *batch)
 {
-    clod_law_memory memory = kernel_memory(batch, 0);
-    clod_law_lengths lengths = clod_law_carry_begin(law, &batch->trial[0], &memory);
+    clod_law_memory next = kernel_memory(batch, 0);
+    clod_law_inverses inverses = clod_law_carry_begin(law, &batch->trial[0], &next);
     for (int k = 0; k < batch->vectors; k++) {
-        const clod_law_lengths now = lengths;
+        const clod_law_inverses now = inverses;
         if (k + 1 < batch->vectors) {
-            memory = kernel_memory(batch, k + 1);
-            lengths = clod_law_carry_begin(law, &batch->trial[k + 1], &memory);
+            next = kernel_memory(batch, k + 1);
+            inverses = clod_law_carry_begin(law, &batch->trial[k + 1], &next);
         }
         clod_history *history = &kernel_block(batch, k)->history;
         const int lane = kernel_lane(k);
-        memory = kernel_memory(batch, k);
+        clod_law_memory memory = kernel_memory(batch, k);
         clod_law_carry(law, &batch->meeting[k].touch, dt, &now, &memory, &batch->trial[k]);
         const vmask closed = vmask_less(vreal_set(0.0), batch->meeting[k].touch.overlap);
         vreal_store(&history->tangent[lane],
@@ -223,21 +222,21 @@ CLOD_LAW_PASS vreal kernel_batch_limit(const clod_kernel_view *view, const clod_
 {
     const vreal zero = vreal_set(0.0);
     const vreal3 none = {zero, zero, zero};
-    clod_law_memory memory = kernel_memory(batch, 0);
+    clod_law_memory next = kernel_memory(batch, 0);
     clod_law_cuts cuts =
-        clod_law_limit_begin(law, &batch->meeting[0].touch, &batch->trial[0], &memory);
+        clod_law_limit_begin(law, &batch->meeting[0].touch, &batch->trial[0], &next);
     for (int k = 0; k < batch->vectors; k++) {
         const clod_law_cuts now = cuts;
         if (k + 1 < batch->vectors) {
-            memory = kernel_memory(batch, k + 1);
+            next = kernel_memory(batch, k + 1);
             cuts = clod_law_limit_begin(law, &batch->meeting[k + 1].touch, &batch->trial[k + 1],
-                                        &memory);
+                                        &next);
         }
         clod_contact_block *block = kernel_block(batch, k);
         const int lane = kernel_lane(k);
         const int left = batch->contacts - k * CLOD_WIDTH;
         const clod_law_touch *touch = &batch->meeting[k].touch;
-        memory = kernel_memory(batch, k);
+        clod_law_memory memory = kernel_memory(batch, k);
         const clod_law_result result =
             clod_law_limit(law, touch, &batch->trial[k], &now, &memory);
         memory.spring = vreal3_select(result.closed, memory.spring, none);
@@ -276,7 +275,7 @@ static inline size_t kernel_prefetch_rows(const clod_kernel_view *view, size_t f
 /**
  * The work is done in passes over a batch of blocks: one contact is a long chain of operations
  * that wait for each other, and a short pass has room in the processor's window for the chains
- * of several (docs/adr/0010, 0019).
+ * of several (docs/adr/0010, 0019, 0021).
  */
 CLOD_LAW_PASS bool kernel_contact_loop(const clod_kernel_view *view, const clod_law law,
                                        clod_contact_block *blocks, size_t contacts, size_t end,
@@ -313,7 +312,8 @@ static inline clod_law kernel_law_known(clod_law law, clod_law_kind kind, clod_r
     return law;
 }
 
-/** The loop once more for laws that most beds have: nothing is asked in it (docs/adr/0021). */
+/** The loop once more for laws that most beds have: it asks for no choice of the law, and all
+ * that it calls is in line (docs/adr/0021). */
 __attribute__((flatten)) static bool kernel_contact(const clod_kernel_view *view,
                                                     const clod_law *law,
                                                     clod_contact_block *blocks, size_t contacts,

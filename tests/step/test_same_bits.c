@@ -237,7 +237,7 @@ static void the_order_of_the_input_does_not_matter(void **state)
     scene_end(&b);
 }
 
-/** Laws known to the vector loops (docs/adr/0021), and laws that differ from them in one
+/** Laws known to the vector loops (docs/adr/0021), and laws that differ from one of them in one
  * choice. */
 #define NEIGHBOURS 9
 
@@ -289,7 +289,7 @@ static size_t run_neighbour(scene *s, int k, const char *simd)
     const clod_case_contact law = neighbour_law(k);
     bed_init(s, BED_CLUSTER, 1);
     for (size_t g = 0; g < s->state.grains.count; g++) {
-        s->state.grains.place[g][3] = 3.2005e-3; // they touch, as far apart as they lie
+        s->state.grains.place[g][3] = 3.2005e-3; // the lattice has 6.4 mm: they touch
     }
     for (int a = 0; a < 3; a++) {
         for (int b = a; b < 3; b++) {
@@ -309,13 +309,20 @@ static size_t run_neighbour(scene *s, int k, const char *simd)
 static void known_laws_and_their_neighbours_give_the_bits_of_scalar(void **state)
 {
     (void)state;
+    static const char *const SETS[] = {"avx2", "avx512", "neon"};
     for (int k = 0; k < NEIGHBOURS; k++) {
-        scene one, best;
+        scene one;
         const size_t met = run_neighbour(&one, k, "scalar");
-        assert_true(run_neighbour(&best, k, NULL) == met && met > 500);
-        check_same_bits(&one.state, &best.state);
+        assert_true(met > 500);
+        for (size_t set = 0; set < sizeof SETS / sizeof *SETS; set++) {
+            scene other;
+            if (clod_kernel_choose(SETS[set]) != NULL) {
+                assert_true(run_neighbour(&other, k, SETS[set]) == met);
+                check_same_bits(&one.state, &other.state);
+                scene_end(&other);
+            }
+        }
         scene_end(&one);
-        scene_end(&best);
     }
 }
 
