@@ -176,6 +176,8 @@ typedef struct clod_law_inverses {
 } clod_law_inverses;
 
 /**
+ * Inverses of the stiffness and of both squared lengths.
+ *
  * @param memory  turned springs, and the tangent of the step before
  *
  * The product of the three numbers inverted together lies far from the ends of the range: both
