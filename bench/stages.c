@@ -3,10 +3,9 @@
 #include <time.h>
 
 const bench_stage BENCH_STAGE[BENCH_STAGES] = {
-    {"drift", clod_step_drift},     {"near", clod_step_near},
-    {"between", clod_step_between}, {"contact", clod_step_contact},
-    {"wall", clod_step_wall},       {"kick", clod_step_kick},
-    {"servo", clod_step_servo},     {"ledger", clod_step_ledger},
+    {"drift", clod_step_drift},   {"near", clod_step_near}, {"contact", clod_step_contact},
+    {"wall", clod_step_wall},     {"kick", clod_step_kick}, {"servo", clod_step_servo},
+    {"ledger", clod_step_ledger},
 };
 
 double bench_now(void)

@@ -6,7 +6,7 @@
 
 #include "step/step.h"
 
-#define BENCH_STAGES 8
+#define BENCH_STAGES 7
 
 typedef struct bench_stage {
     const char *name;

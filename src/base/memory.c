@@ -34,8 +34,9 @@ void *clod_memory_alloc(size_t count, size_t size)
         return NULL;
     }
     atomic_fetch_add_explicit(&allocations, 1, memory_order_relaxed);
-    const size_t alignment = count * size >= CLOD_MEMORY_LARGE ? (size_t)CLOD_MEMORY_HUGE_PAGE
-                                                               : (size_t)CLOD_MEMORY_ALIGNMENT;
+    const size_t alignment = count * size >= CLOD_MEMORY_HUGE_PAGE
+                                 ? (size_t)CLOD_MEMORY_HUGE_PAGE
+                                 : (size_t)CLOD_MEMORY_ALIGNMENT;
     const size_t whole = (count * size + alignment) / alignment * alignment;
     void *memory = aligned_alloc(alignment, whole);
     if (memory != NULL && alignment == CLOD_MEMORY_HUGE_PAGE) {
@@ -59,8 +60,8 @@ void *clod_memory_grow(void *memory, size_t old_count, size_t new_count, size_t 
 void clod_memory_give_back(void *memory, size_t bytes, size_t array)
 {
 #if defined(__linux__)
-    const uintptr_t page =
-        array >= CLOD_MEMORY_LARGE ? CLOD_MEMORY_HUGE_PAGE : (uintptr_t)sysconf(_SC_PAGESIZE);
+    const uintptr_t page = array >= CLOD_MEMORY_HUGE_PAGE ? CLOD_MEMORY_HUGE_PAGE
+                                                          : (uintptr_t)sysconf(_SC_PAGESIZE);
     const uintptr_t from = ((uintptr_t)memory + page - 1) / page * page;
     const uintptr_t to = ((uintptr_t)memory + bytes) / page * page;
     if (array >= GIVE_FROM && from < to) {

@@ -9,9 +9,10 @@
 #include <stdint.h>
 
 #define CLOD_MEMORY_ALIGNMENT 64
+#define CLOD_MEMORY_HUGE_PAGE 2097152 ///< bytes
 
 /**
- * Zeroed memory aligned to a cache line; from 8 MiB on to a huge page, in such pages where the
+ * Zeroed memory aligned to a cache line; from 2 MiB on to a huge page, in such pages where the
  * system gives them on request (but for what does not fill the last one), and taken from it as
  * it is first used (docs/adr/0012).
  *
@@ -25,9 +26,8 @@ void *clod_memory_alloc(size_t count, size_t size);
 /** Grow to new_count items, zeroing the new ones; NULL (old memory kept) when there is none. */
 void *clod_memory_grow(void *memory, size_t old_count, size_t new_count, size_t size);
 
-/** Bytes from which on an array lies in huge pages. */
+/** Bytes of an array from which on it pays to give back what lies in it at every list. */
 #define CLOD_MEMORY_LARGE 8388608
-#define CLOD_MEMORY_HUGE_PAGE 2097152 ///< bytes
 
 /**
  * Give what lies in the first `bytes` of an array, and is not needed any more, back to the

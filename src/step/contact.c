@@ -1,5 +1,5 @@
-// Stages between, contact and wall: the force of every contact onto its grains, in the order of
-// contacts whatever the number of threads.
+// Stages contact and wall: the force of every contact onto its grains, in the order of contacts
+// whatever the number of threads.
 #include "parallel/threads.h"
 #include "step/near_between.h"
 #include "step/step.h"
@@ -20,72 +20,76 @@ static size_t ask_until(const clod_step *self, int part, size_t blocks)
     return memory < LARGE_GROUP ? 0 : end;
 }
 
-/** Contacts of one law within one part. */
-static bool run_within(clod_step *self, int part, int32_t law)
+/** Contacts of one group; `apart` as for the kernel. */
+static bool run_group(clod_step *self, size_t group, int32_t law, size_t end,
+                      double (*apart)[8])
 {
     const clod_near_blocks *pairs = &self->near.pairs;
-    const size_t group = clod_near_group(&self->near, part, law);
-    const size_t begin = pairs->group_start[group], end = pairs->group_start[group + 1];
+    const size_t contacts = pairs->group_count[group];
+    if (contacts == 0) {
+        return false;
+    }
     clod_contact_block *blocks = pairs->block;
-    for (size_t b = begin; self->near.ledger && b < end; b++) {
+    const size_t begin = pairs->group_start[group];
+    for (size_t b = begin; self->near.ledger && b < pairs->group_start[group + 1]; b++) {
         self->kernel->contact_spend(&self->view, &self->laws->law[law], &blocks[b],
                                     &pairs->spent[b]);
     }
-    const size_t contacts = pairs->group_count[group];
-    return contacts > 0 &&
-           self->kernel->contact(&self->view, &self->laws->law[law], &blocks[begin], contacts,
-                                 ask_until(self, part, end - begin), NULL);
+    return self->kernel->contact(&self->view, &self->laws->law[law], &blocks[begin], contacts,
+                                 end, apart);
 }
 
-/** This thread's share of the blocks of a law between two parts. */
-static bool run_between(clod_step *self, int32_t law, int part)
+/** Contacts of one law of the grains of a part with those of earlier ones. */
+static bool run_between(clod_step *self, int part, int32_t law)
 {
-    const clod_near *near = &self->near;
-    const size_t group = clod_near_group(near, near->parts, law);
-    const size_t begin = near->pairs.group_start[group];
-    const size_t first = near->pairs.group_start[clod_near_group(near, near->parts, 0)];
-    const size_t end = near->pairs.group_start[group + 1];
-    const clod_chunk mine = clod_threads_chunk(end - begin, part, self->threads);
-    clod_contact_block *blocks = near->pairs.block;
-    for (size_t b = begin + mine.begin; near->ledger && b < begin + mine.end; b++) {
-        self->kernel->contact_spend(&self->view, &self->laws->law[law], &blocks[b],
-                                    &near->pairs.spent[b]);
-    }
-    const size_t from = mine.begin * CLOD_LANES;
-    const size_t all = near->pairs.group_count[group];
-    const size_t to = mine.end * CLOD_LANES < all ? mine.end * CLOD_LANES : all;
-    const size_t number = (begin - first) * CLOD_LANES + from;
-    return to > from && self->kernel->contact(&self->view, &self->laws->law[law],
-                                              blocks + begin + mine.begin, to - from, 0,
-                                              near->between.share + 2 * number);
+    return run_group(self, clod_near_group_between(&self->near, part, law), law, 0,
+                     clod_near_between_shares(&self->near, part, law));
 }
 
-void clod_step_between(clod_step *self, int part)
+/** Contacts of one law within one part. */
+static bool run_within(clod_step *self, int part, int32_t law)
+{
+    const size_t *start = self->near.pairs.group_start;
+    const size_t group = clod_near_group(&self->near, part, law);
+    return run_group(self, group, law, ask_until(self, part, start[group + 1] - start[group]),
+                     NULL);
+}
+
+/** What the grains of a part get from contacts of one law that later parts have computed. */
+static void take_from_later(clod_step *self, int part, int32_t law)
+{
+    const clod_near_between *between = &self->near.between;
+    const uint64_t mine = clod_gate_opened(&self->gate[part]);
+    const size_t k = (size_t)law * (size_t)self->near.parts + (size_t)part;
+    for (size_t r = between->run_start[k]; r < between->run_start[k + 1]; r++) {
+        clod_gate_wait(&self->gate[between->run[r].later], mine);
+        clod_near_between_take(&self->near, &between->run[r], law, self->state->grains.load);
+    }
+}
+
+/** All contacts of a part, law by law: with earlier parts, within, with later ones. */
+static bool run_part(clod_step *self, int part)
 {
     bool excess = false;
-    for (int32_t l = 0; l < self->laws->count && self->near.parts > 1; l++) {
-        excess |= run_between(self, l, part);
+    for (int32_t l = 0; l < self->laws->count; l++) {
+        excess |= run_between(self, part, l);
+        clod_gate_open(&self->gate[part]); // its shares are there
+        excess |= run_within(self, part, l);
+        take_from_later(self, part, l);
     }
-    self->thread[part].excess = excess;
+    clod_near_between_bring_back(&self->near, part, &self->state->grains);
+    return excess;
 }
 
 void clod_step_contact(clod_step *self, int part)
 {
-    double(*load)[8] = self->state->grains.load;
     const clod_chunk mine = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
     bool excess = false;
-    for (int p = (int)mine.begin; p < (int)mine.end; p++) {
-        for (int32_t l = 0; l < self->laws->count; l++) {
-            if (self->near.parts > 1) {
-                clod_near_between_add(&self->near, p, l, false, load);
-            }
-            excess |= run_within(self, p, l);
-            if (self->near.parts > 1) {
-                clod_near_between_add(&self->near, p, l, true, load);
-            }
-        }
+    // the last first: a thread with several parts must not wait for itself
+    for (int p = (int)mine.end; p-- > (int)mine.begin;) {
+        excess |= run_part(self, p);
     }
-    self->thread[part].excess |= excess;
+    self->thread[part].excess = excess;
 }
 
 /** Wall contacts of one group. */

@@ -55,8 +55,8 @@ typedef struct clod_kernel {
      *
      * @param end    row behind the last one to ask for ahead: that of the part; 0 asks for no
      *               rows; histories are always asked for
-     * @param apart  NULL, or rows [2 contacts, whole blocks] that take the shares instead of
-     *               the loads: i's, then j's, contact by contact
+     * @param apart  NULL, or rows [contacts, whole blocks] that take i's shares instead of the
+     *               loads
      */
     bool (*contact)(const clod_kernel_view *view, const clod_law *law,
                     clod_contact_block *blocks, size_t contacts, size_t end,

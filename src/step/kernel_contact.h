@@ -191,7 +191,7 @@ CLOD_LAW_PASS void kernel_batch_carry(const clod_law *law, double dt, kernel_bat
     }
 }
 
-/** Each grain's share: added to its load in the order of contacts, or kept apart. */
+/** Each grain's share: added to its load in the order of contacts; or i's kept apart. */
 CLOD_LAW_PASS void kernel_contact_store(const clod_kernel_view *view,
                                         const kernel_meeting *meeting, clod_law_result r,
                                         const int32_t *i, const int32_t *j, int lanes,
@@ -206,9 +206,9 @@ CLOD_LAW_PASS void kernel_contact_store(const clod_kernel_view *view,
     const vreal on_j[8] = {-r.force.x, -r.force.y, -r.force.z, zero,
                            turn_j.x,   turn_j.y,   turn_j.z,   zero};
     if (apart != NULL) {
-        static const int32_t EVEN[8] = {0, 2, 4, 6, 8, 10, 12, 14};
-        vreal_store_rows(apart, EVEN, on_i);
-        vreal_store_rows(apart + 1, EVEN, on_j);
+        static const int32_t FOLLOWING[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+        vreal_add_rows(view->load, j, on_j, lanes);
+        vreal_store_rows(apart, FOLLOWING, on_i);
         return;
     }
     // contacts ascend by (i, j): whatever a grain gets as j comes before what it gets as i
@@ -244,7 +244,7 @@ CLOD_LAW_PASS vreal kernel_batch_limit(const clod_kernel_view *view, const clod_
         kernel_springs_store(law, &block->history, lane, &memory);
         kernel_contact_store(view, &batch->meeting[k], result, &block->i[lane], &block->j[lane],
                              left < CLOD_WIDTH ? left : CLOD_WIDTH,
-                             apart != NULL ? apart + 2 * k * CLOD_WIDTH : NULL);
+                             apart != NULL ? apart + k * CLOD_WIDTH : NULL);
         // R* is at most the smaller radius and at least half of it
         const vreal beyond = touch->overlap - CLOD_KERNEL_OVERLAP_LIMIT * 2.0 * touch->r_star;
         excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
@@ -295,8 +295,8 @@ CLOD_LAW_PASS bool kernel_contact_loop(const clod_kernel_view *view, const clod_
         kernel_batch_move(&v, &law, &batch);
         kernel_batch_press(&law, v.dt, &batch);
         kernel_batch_carry(&law, v.dt, &batch);
-        excess = kernel_batch_limit(&v, &law, &batch, apart != NULL ? apart + 2 * first : NULL,
-                                    excess);
+        excess =
+            kernel_batch_limit(&v, &law, &batch, apart != NULL ? apart + first : NULL, excess);
     }
     return vmask_any(vmask_less(vreal_set(0.0), excess));
 }

@@ -52,7 +52,7 @@ static void add_spent(clod_step *self, const clod_near_blocks *list, clod_ledger
     const clod_near *near = &self->near;
     grain_sums sums = empty_sums(self);
     for (int32_t l = 0; l < near->laws; l++) {
-        for (int p = 0; p <= near->parts; p++) { // a grain's own part comes before `between`
+        for (int p = 0; p < 2 * near->parts; p++) { // a grain's own part, then later ones
             const size_t q = clod_near_group(near, p, l);
             for (size_t b = list->group_start[q]; b < list->group_start[q + 1]; b++) {
                 const int32_t *i = list == &near->pairs
@@ -130,10 +130,10 @@ static void add_contacts(clod_step *self, clod_energies *e)
 {
     grain_sums sums = empty_sums(self);
     for (int32_t l = 0; l < self->laws->count; l++) {
-        for (int p = 0; p <= self->near.parts; p++) { // a grain's own part, then `between`
+        for (int p = 0; p < 2 * self->near.parts; p++) { // a grain's own part, then later ones
             store_pairs(self, clod_near_group(&self->near, p, l), &self->laws->law[l], sums);
         }
-        for (int p = 0; p <= self->near.parts; p++) {
+        for (int p = 0; p < self->near.parts; p++) {
             store_walls(self, clod_near_group(&self->near, p, l), &self->laws->law[l], sums);
         }
     }

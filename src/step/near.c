@@ -215,13 +215,11 @@ static bool allocate(clod_near *self, const clod_state *state)
     const size_t walls = (size_t)state->walls.count;
     const size_t groups = clod_near_groups(self);
     self->part_start = clod_memory_alloc((size_t)self->parts + 1, sizeof(size_t));
-    self->between.as_i = clod_memory_alloc(groups + 1, sizeof(size_t));
-    self->between.as_j = clod_memory_alloc(groups + 1, sizeof(size_t));
+    self->between.run_start = clod_memory_alloc(groups + 1, sizeof(size_t));
     self->wall_slot_start = clod_memory_alloc(walls + 1, sizeof(int32_t));
     self->wall_slot_fill = clod_memory_alloc(walls + 1, sizeof(int32_t));
-    bool good = self->part_start != NULL && self->between.as_i != NULL &&
-                self->between.as_j != NULL && self->wall_slot_start != NULL &&
-                self->wall_slot_fill != NULL;
+    bool good = self->part_start != NULL && self->between.run_start != NULL &&
+                self->wall_slot_start != NULL && self->wall_slot_fill != NULL;
     clod_near_blocks *lists[] = {&self->pairs, &self->walls};
     for (int k = 0; k < 2; k++) {
         lists[k]->group_start = clod_memory_alloc(groups + 1, sizeof(size_t));
@@ -296,16 +294,6 @@ bool clod_near_reserve_spent(clod_near *self)
                                      self->walls.count, sizeof *self->walls.spent));
 }
 
-/** Room for the contacts between two parts, of all laws, and to sort them. */
-static bool reserve_between(clod_near *self, clod_neighbour *neighbour)
-{
-    size_t count = 0;
-    for (int32_t l = 0; l < self->laws; l++) {
-        count += self->pairs.group_count[clod_near_group(self, self->parts, l)];
-    }
-    return clod_neighbour_reserve_sort(neighbour, count) && clod_near_between_reserve(self);
-}
-
 bool clod_near_make(clod_near *self, clod_neighbour *neighbour, clod_state *state,
                     const clod_laws *laws, const clod_wall_rows *walls, double skin,
                     clod_status *status)
@@ -321,9 +309,9 @@ bool clod_near_make(clod_near *self, clod_neighbour *neighbour, clod_state *stat
         if (reserve_blocks(&self->pairs, groups, sizeof(clod_contact_block)) &&
             reserve_blocks(&self->walls, groups, sizeof(clod_wall_block)) &&
             layout_wall_slots(self, neighbour, state->walls.count) &&
-            clod_near_reserve_spent(self) && reserve_between(self, neighbour)) {
+            clod_near_reserve_spent(self) && clod_near_between_reserve(self)) {
             place_all(&job, neighbour);
-            clod_near_between_make(self, neighbour->sort, neighbour->sort_scratch);
+            clod_near_between_make(self);
             clod_neighbour_give_back(neighbour);
             return true;
         }
@@ -343,9 +331,8 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->walls.group_start);
     clod_memory_free(self->walls.group_count);
     clod_memory_free(self->between.share);
-    clod_memory_free(self->between.by_later);
-    clod_memory_free(self->between.as_i);
-    clod_memory_free(self->between.as_j);
+    clod_memory_free(self->between.run);
+    clod_memory_free(self->between.run_start);
     clod_memory_free(self->part_start);
     clod_memory_free(self->weight);
     clod_memory_free(self->wall_slot_start);

@@ -5,9 +5,10 @@
  * Made anew when motion has used the skin up. Pairs that do not touch add exactly zero, so the
  * list itself never changes a bit.
  *
- * The grains are cut into parts, runs of rows with about as many contacts each, one part for
- * each thread. Blocks stand in groups: for each part and law the contacts within the part, then
- * for each law those between two parts; within a group contacts ascend by (i, j).
+ * The grains are cut into parts, runs of rows with about as much work each, one part for each
+ * thread. Blocks stand in groups: for each part and law the contacts within the part, then for
+ * each part and law those with grains of earlier parts; within a group contacts ascend by
+ * (i, j).
  */
 
 #include "step/kernel.h"
@@ -22,13 +23,18 @@ typedef struct clod_near_blocks {
     size_t spent_capacity;
 } clod_near_blocks;
 
-/** Contacts between two parts: their shares wait in rows until both parts take them. */
+/** Contacts [begin, end) of a later part's group whose i are in one earlier part. */
+typedef struct clod_near_run {
+    int later;
+    size_t begin, end;
+} clod_near_run;
+
+/** Contacts between two parts: i's shares wait in rows until the earlier part takes them. */
 typedef struct clod_near_between {
-    double (*share)[8]; ///< i's, then j's, of each contact, by its number
-    int32_t *by_later;  ///< numbers of the contacts by (law, j, i)
-    size_t share_capacity, by_later_capacity;
-    size_t *as_i; ///< [laws * parts + 1] first number whose i is in a part, by (law, part)
-    size_t *as_j; ///< [laws * parts + 1] first place in by_later whose j is in a part
+    double (*share)[8]; ///< of each lane of these groups
+    clod_near_run *run; ///< by law, earlier part, later part
+    size_t *run_start;  ///< [laws * parts + 1] first run of each law and earlier part
+    size_t share_capacity, run_capacity;
 } clod_near_between;
 
 typedef struct clod_near {
@@ -47,10 +53,22 @@ typedef struct clod_near {
     bool ledger; ///< keep room for what the contacts spend
 } clod_near;
 
-/** Group of a law's contacts within a part; part `parts`: of those between two parts. */
+/** Group of a law's contacts within a part. */
 static inline size_t clod_near_group(const clod_near *self, int part, int32_t law)
 {
     return (size_t)part * (size_t)self->laws + (size_t)law;
+}
+
+/** Group of a law's contacts of grains of a part, as j, with grains of earlier ones. */
+static inline size_t clod_near_group_between(const clod_near *self, int later, int32_t law)
+{
+    return clod_near_group(self, self->parts + later, law);
+}
+
+/** Groups of one list. */
+static inline size_t clod_near_groups(const clod_near *self)
+{
+    return clod_near_group(self, 2 * self->parts, 0);
 }
 
 /**

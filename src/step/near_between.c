@@ -1,12 +1,25 @@
 #include "step/near_between.h"
 
-#include "base/memory.h"
+#include <string.h>
 
-/** Lanes of the blocks between parts of all laws, padding included. */
-static size_t lanes_between(const clod_near *self)
+#include "base/memory.h"
+#include "step/near_parts.h"
+
+#define ROWS_IN_A_LINE 2 ///< of four doubles, in the caches
+
+/** The first block between parts; those of all parts and laws follow each other. */
+static size_t first_block(const clod_near *self)
 {
-    const size_t first = self->pairs.group_start[clod_near_group(self, self->parts, 0)];
-    return (self->pairs.count - first) * CLOD_LANES;
+    return self->pairs.group_start[clod_near_group(self, self->parts, 0)];
+}
+
+/** At most so many runs: one for each contact, or each two parts and law. */
+static size_t most_runs(const clod_near *self)
+{
+    const size_t parts = (size_t)self->parts;
+    const size_t contacts = (self->pairs.count - first_block(self)) * CLOD_LANES;
+    const size_t pairs = parts * (parts - 1) / 2 * (size_t)self->laws;
+    return contacts < pairs ? contacts : pairs;
 }
 
 bool clod_near_between_reserve(clod_near *near)
@@ -15,105 +28,128 @@ bool clod_near_between_reserve(clod_near *near)
         return true;
     }
     clod_near_between *self = &near->between;
-    const size_t lanes = lanes_between(near);
-    if (2 * lanes > self->share_capacity) {
+    const size_t lanes = (near->pairs.count - first_block(near)) * CLOD_LANES;
+    if (lanes > self->share_capacity) {
         clod_memory_free(self->share);
-        self->share_capacity = 2 * lanes + lanes / 2;
+        self->share_capacity = lanes + lanes / 4;
         self->share = clod_memory_alloc(self->share_capacity, sizeof *self->share);
     }
-    if (lanes > self->by_later_capacity) {
-        clod_memory_free(self->by_later);
-        self->by_later_capacity = lanes + lanes / 4;
-        self->by_later = clod_memory_alloc(self->by_later_capacity, sizeof *self->by_later);
+    const size_t runs = most_runs(near);
+    if (runs > self->run_capacity) {
+        clod_memory_free(self->run);
+        self->run_capacity = runs + runs / 4;
+        self->run = clod_memory_alloc(self->run_capacity, sizeof *self->run);
     }
-    return lanes == 0 || (self->share != NULL && self->by_later != NULL);
+    return lanes == 0 || (self->share != NULL && self->run != NULL);
 }
 
-/** First of the sorted items [from, to) whose grain is at or behind `grain`. */
-static size_t first_behind(const clod_sort_item *sort, size_t from, size_t to, size_t grain)
+/** Go on to the next run of a group, in which i's part stays the same; false: there is none. */
+static bool next_run(const clod_near *self, size_t group, clod_near_run *run, int *part)
 {
-    while (from < to) {
-        const size_t middle = from + (to - from) / 2;
-        if (sort[middle].key < grain) {
-            from = middle + 1;
-        } else {
-            to = middle;
+    const clod_contact_block *blocks = self->pairs.block;
+    blocks += self->pairs.group_start[group];
+    run->begin = run->end;
+    if (run->begin == self->pairs.group_count[group]) {
+        return false;
+    }
+    *part = clod_near_part_of(self, blocks[run->begin / CLOD_LANES].i[run->begin % CLOD_LANES]);
+    for (; run->end < self->pairs.group_count[group]; run->end++) {
+        const int32_t i = blocks[run->end / CLOD_LANES].i[run->end % CLOD_LANES];
+        if ((size_t)i >= self->part_start[*part + 1]) {
+            break;
         }
     }
-    return from;
+    return true;
 }
 
-/** The contacts of one law, whose first number is `base`, in both orders. */
-static void number_law(clod_near *self, int32_t law, size_t base, clod_sort_item *sort,
-                       clod_sort_item *scratch)
+/** Count the runs of each (law, earlier part), or put them down behind those that are there. */
+static void walk_runs(clod_near *self, bool put)
 {
-    clod_near_between *between = &self->between;
-    const size_t group = clod_near_group(self, self->parts, law);
-    const clod_contact_block *blocks = self->pairs.block;
-    const size_t begin = self->pairs.group_start[group] * CLOD_LANES;
-    const size_t count = self->pairs.group_count[group];
-    size_t *as_i = between->as_i + (size_t)law * (size_t)self->parts;
-    size_t *as_j = between->as_j + (size_t)law * (size_t)self->parts;
-    for (size_t k = 0; k < count; k++) { // ascending by i already
-        const size_t at = begin + k;
-        const int32_t i = blocks[at / CLOD_LANES].i[at % CLOD_LANES];
-        sort[k] = (clod_sort_item){(uint64_t)(uint32_t)i, base + k};
-    }
-    for (int p = 0; p < self->parts; p++) {
-        as_i[p] = base + first_behind(sort, 0, count, self->part_start[p]);
-    }
-    for (size_t k = 0; k < count; k++) {
-        const size_t at = begin + k;
-        sort[k].key = (uint64_t)(uint32_t)blocks[at / CLOD_LANES].j[at % CLOD_LANES];
-    }
-    clod_sort(sort, scratch, count); // stable: equal j stay in ascending i
-    for (size_t k = 0; k < count; k++) {
-        between->by_later[base + k] = (int32_t)sort[k].index;
-    }
-    for (int p = 0; p < self->parts; p++) {
-        as_j[p] = base + first_behind(sort, 0, count, self->part_start[p]);
+    size_t *start = self->between.run_start;
+    for (int32_t law = 0; law < self->laws; law++) {
+        for (int later = 1; later < self->parts; later++) { // so they ascend by it
+            clod_near_run run = {.later = later};
+            int part = 0;
+            while (next_run(self, clod_near_group_between(self, later, law), &run, &part)) {
+                const size_t k = (size_t)law * (size_t)self->parts + (size_t)part;
+                if (put) {
+                    self->between.run[start[k]] = run;
+                }
+                start[put ? k : k + 1]++;
+            }
+        }
     }
 }
 
-void clod_near_between_make(clod_near *self, clod_sort_item *sort, clod_sort_item *scratch)
+void clod_near_between_make(clod_near *self)
 {
+    const size_t lists = (size_t)self->laws * (size_t)self->parts;
+    size_t *start = self->between.run_start;
+    memset(start, 0, (lists + 1) * sizeof *start);
     if (self->parts == 1) {
         return;
     }
-    const size_t first = self->pairs.group_start[clod_near_group(self, self->parts, 0)];
-    for (int32_t l = 0; l < self->laws; l++) {
-        const size_t group = clod_near_group(self, self->parts, l);
-        number_law(self, l, (self->pairs.group_start[group] - first) * CLOD_LANES, sort,
-                   scratch);
+    walk_runs(self, false);
+    for (size_t k = 0; k < lists; k++) {
+        start[k + 1] += start[k];
     }
+    walk_runs(self, true); // now start[k] is where k ends
+    memmove(start + 1, start, lists * sizeof *start);
+    start[0] = 0;
 }
 
-static void add_row(double *load, const double *share)
+double (*clod_near_between_shares(const clod_near *self, int later, int32_t law))[8]
 {
-    for (int c = 0; c < 8; c++) {
-        load[c] += share[c];
-    }
+    const size_t block = self->pairs.group_start[clod_near_group_between(self, later, law)];
+    return self->between.share + (block - first_block(self)) * CLOD_LANES;
 }
 
-void clod_near_between_add(const clod_near *self, int part, int32_t law, bool as_i,
-                           double (*load)[8])
+static const clod_contact_block *blocks_of(const clod_near *self, const clod_near_run *run,
+                                           int32_t law)
 {
-    const clod_near_between *between = &self->between;
-    const size_t group = clod_near_group(self, self->parts, law);
-    const size_t first = self->pairs.group_start[clod_near_group(self, self->parts, 0)];
-    const size_t base = (self->pairs.group_start[group] - first) * CLOD_LANES;
     const clod_contact_block *blocks = self->pairs.block;
-    const size_t *start = (as_i ? between->as_i : between->as_j) + law * self->parts;
-    const size_t end =
-        part + 1 < self->parts ? start[part + 1] : base + self->pairs.group_count[group];
-    for (size_t k = start[part]; k < end; k++) {
-        const size_t number = as_i ? k : (size_t)between->by_later[k];
-        const clod_contact_block *block = &blocks[first + number / CLOD_LANES];
-        const int lane = (int)(number % CLOD_LANES);
-        if (as_i) {
-            add_row(load[block->i[lane]], between->share[2 * number]);
-        } else {
-            add_row(load[block->j[lane]], between->share[2 * number + 1]);
+    return blocks + self->pairs.group_start[clod_near_group_between(self, run->later, law)];
+}
+
+void clod_near_between_take(const clod_near *self, const clod_near_run *run, int32_t law,
+                            double (*load)[8])
+{
+    const double(*share)[8] =
+        (const double(*)[8])clod_near_between_shares(self, run->later, law);
+    const clod_contact_block *blocks = blocks_of(self, run, law);
+    for (size_t k = run->begin; k < run->end; k++) {
+        double *to = load[blocks[k / CLOD_LANES].i[k % CLOD_LANES]];
+        for (int c = 0; c < 8; c++) {
+            to[c] += share[k][c];
+        }
+    }
+}
+
+/** Store in every line of rows of a run what is there. */
+static void store_same(double (*rows)[4], const clod_contact_block *blocks,
+                       const clod_near_run *run)
+{
+    int32_t line = -1;
+    for (size_t k = run->begin; k < run->end; k++) {
+        const int32_t i = blocks[k / CLOD_LANES].i[k % CLOD_LANES];
+        if (i / ROWS_IN_A_LINE != line) {
+            line = i / ROWS_IN_A_LINE;
+            volatile double *at = &rows[i][3];
+            const double same = *at;
+            *at = same;
+        }
+    }
+}
+
+void clod_near_between_bring_back(const clod_near *self, int part, const clod_grains *grains)
+{
+    for (int32_t law = 0; law < self->laws; law++) {
+        const size_t k = (size_t)law * (size_t)self->parts + (size_t)part;
+        for (size_t r = self->between.run_start[k]; r < self->between.run_start[k + 1]; r++) {
+            const clod_near_run *run = &self->between.run[r];
+            store_same(grains->place, blocks_of(self, run, law), run);
+            store_same(grains->motion, blocks_of(self, run, law), run);
+            store_same(grains->turning, blocks_of(self, run, law), run);
         }
     }
 }

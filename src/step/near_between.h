@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file near_between.h
- * Which shares of contacts between two parts each part takes, and in which order.
+ * The contacts between parts: the later part computes them, the earlier one takes its shares.
  */
 
 #include "step/near.h"
@@ -9,14 +9,19 @@
 /** Room for the contacts between parts, once all groups have their blocks; false without. */
 bool clod_near_between_reserve(clod_near *self);
 
-/**
- * Number the contacts between parts after the blocks have been filled.
- *
- * @param sort, scratch  room for as many items as there are such contacts
- */
-void clod_near_between_make(clod_near *self, clod_sort_item *sort, clod_sort_item *scratch);
+/** Find the runs of these contacts after the blocks have been filled. */
+void clod_near_between_make(clod_near *self);
 
-/** Add to the loads what the grains of a part get as i (later), or as j (not later), of a law's
- *  contacts with other parts. */
-void clod_near_between_add(const clod_near *self, int part, int32_t law, bool as_i,
-                           double (*load)[8]);
+/** Where the shares of the contacts of a law with earlier parts begin. */
+double (*clod_near_between_shares(const clod_near *self, int later, int32_t law))[8];
+
+/** Add to the loads what the grains of an earlier part get from one run. */
+void clod_near_between_take(const clod_near *self, const clod_near_run *run, int32_t law,
+                            double (*load)[8]);
+
+/**
+ * Bring the rows of a part back that later parts' processors have read, once nobody reads them
+ * any more: a store to what two caches share waits for the other one. Drift would wait for each
+ * line between its other stores; here, bunched, they overlap (docs/adr/0022).
+ */
+void clod_near_between_bring_back(const clod_near *self, int part, const clod_grains *grains);

@@ -45,12 +45,10 @@ static size_t give_back_blocks(const clod_near *self, const clod_near_walk *walk
     clod_contact_block *blocks = self->pairs.block;
     const size_t bytes = self->pairs.capacity * sizeof *blocks;
     const size_t first = clod_near_group(self, walk->part, 0);
-    for (int32_t l = 0; others && bytes >= CLOD_MEMORY_LARGE && l < self->laws; l++) {
-        const size_t groups[] = {first + (size_t)l, clod_near_group(self, self->parts, l)};
-        for (int k = l == 0 ? 1 : 0; k < 2; k++) {
-            clod_memory_give_back(&blocks[self->pairs.group_start[groups[k]]],
-                                  walk->fill[groups[k]] / CLOD_LANES * sizeof *blocks, bytes);
-        }
+    const size_t groups = bytes >= CLOD_MEMORY_LARGE && others ? clod_near_groups(self) : 0;
+    for (size_t q = first + 1; q < groups; q++) {
+        clod_memory_give_back(&blocks[self->pairs.group_start[q]],
+                              walk->fill[q] / CLOD_LANES * sizeof *blocks, bytes);
     }
     const size_t read = self->pairs.group_start[first] + walk->fill[first] / CLOD_LANES;
     return clod_near_give_back(blocks, bytes, given, read * sizeof *blocks);

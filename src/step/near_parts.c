@@ -4,14 +4,11 @@
 /** Work of a contact with a wall, where one between two grains has 2: its gap comes on top. */
 #define WALL_WORK 3
 
-/** Half a contact's work for each of its grains. */
-static void weigh_pairs(int32_t *weight, const clod_pairs *pairs, size_t grains)
+/** A contact is the work of its later grain: that one's part computes it. */
+static void weigh_pairs(int32_t *weight, const clod_pairs *pairs)
 {
-    for (size_t i = 0; i < grains; i++) {
-        for (size_t k = pairs->start[i]; k < pairs->start[i + 1]; k++) {
-            weight[i] += pairs->item[k].near;
-            weight[pairs->item[k].j] += pairs->item[k].near;
-        }
+    for (size_t k = 0; k < pairs->count; k++) {
+        weight[pairs->item[k].j] += 2 * pairs->item[k].near;
     }
 }
 
@@ -33,7 +30,7 @@ void clod_near_cut(clod_near *self, const clod_neighbour *neighbour, size_t grai
     for (size_t g = 0; g < grains; g++) {
         self->weight[g] = 2; // moving it costs about as much as a contact
     }
-    weigh_pairs(self->weight, &neighbour->pairs, grains);
+    weigh_pairs(self->weight, &neighbour->pairs);
     weigh_walls(self->weight, &neighbour->walls);
     int64_t all = 0;
     for (size_t g = 0; g < grains; g++) {

@@ -12,8 +12,8 @@
 #define CLOD_NEAR_GIVE_BACK 4096
 
 /**
- * Give back histories that have been read, in a bed large enough for huge pages: those are back
- * soon, small ones would cost time at every list.
+ * Give back histories that have been read, in a large bed; in a small one that would cost time
+ * at every list.
  *
  * @param array  of so many `bytes`, begins at a huge page
  * @param given  how far it has been given back before
@@ -63,12 +63,16 @@ static inline bool clod_near_walk_on(clod_near_walk *self)
     while ((size_t)self->i >= part_start[self->part + 1]) {
         self->part++;
     }
-    const bool between = (size_t)self->j >= part_start[self->part + 1];
+    int later = self->part;
+    while ((size_t)self->j >= part_start[later + 1]) {
+        later++;
+    }
     const int32_t law =
         self->laws->count == 1
             ? 0
             : clod_laws_index(self->laws, self->material[self->i], self->material[self->j]);
-    self->group = clod_near_group(self->near, between ? self->near->parts : self->part, law);
+    self->group = later == self->part ? clod_near_group(self->near, later, law)
+                                      : clod_near_group_between(self->near, later, law);
     self->next++;
     return true;
 }
@@ -77,12 +81,6 @@ static inline bool clod_near_walk_on(clod_near_walk *self)
 static inline size_t clod_near_walk_lane(clod_near_walk *self)
 {
     return self->near->pairs.group_start[self->group] * CLOD_LANES + self->fill[self->group]++;
-}
-
-/** Groups of one list: each law within each part, and between two. */
-static inline size_t clod_near_groups(const clod_near *self)
-{
-    return clod_near_group(self, self->parts + 1, 0);
 }
 
 /** At the beginning; `fill` is scratch of the list of pairs. */

@@ -88,9 +88,6 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
  */
 bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_status *status);
 
-/** Room for at least `items` items in sort and sort_scratch. */
-bool clod_neighbour_reserve_sort(clod_neighbour *self, size_t items);
-
 /** Add a pair at the end of the candidates; false without memory, and beyond 2^32 - 1. */
 bool clod_neighbour_add(clod_pairs *self, size_t j);
 

@@ -9,7 +9,8 @@
 /** Places of contacts that one item of the scratch for sorting has room for. */
 #define PLACES_PER_ITEM (sizeof(clod_sort_item) / sizeof(int32_t))
 
-bool clod_neighbour_reserve_sort(clod_neighbour *self, size_t items)
+/** Room for at least `items` items in sort and sort_scratch. */
+static bool reserve_sort(clod_neighbour *self, size_t items)
 {
     if (items > self->sort_capacity) {
         clod_memory_free(self->sort);
@@ -40,7 +41,7 @@ static bool reserve(clod_neighbour *self, const clod_state *state)
         self->grain_capacity = grains;
     }
     return self->pairs.start != NULL && self->cell_of != NULL && self->cell_item != NULL &&
-           self->rank != NULL && clod_neighbour_reserve_sort(self, items);
+           self->rank != NULL && reserve_sort(self, items);
 }
 
 /** Wrap periodic directions; a grain beyond an open side is an error. */

@@ -13,7 +13,7 @@ enum {
     POSITION = 1,
     VELOCITY = 2,
     CONTACT_LIST = 4,
-    SHARE = 8, ///< of contacts between two threads' grains
+    SHARE = 8, ///< of contacts between two threads' grains; they wait at gates
     HISTORY = 16,
     FORCE = 32,
     WALL_FORCE = 64,
@@ -32,8 +32,7 @@ static const clod_stage STAGES[] = {
     // clang-format off
     {"drift",   clod_step_drift,   FORCE | VELOCITY,            POSITION | VELOCITY | FORCE | WALLS, true},
     {"near",    clod_step_near,    POSITION | VELOCITY,         CONTACT_LIST,                false},
-    {"between", clod_step_between, POSITION | VELOCITY,         SHARE | HISTORY,             true},
-    {"contact", clod_step_contact, POSITION | VELOCITY | SHARE, FORCE | HISTORY,             false},
+    {"contact", clod_step_contact, POSITION | VELOCITY,         FORCE | HISTORY | SHARE,     false},
     {"wall",    clod_step_wall,    POSITION | VELOCITY | WALLS, FORCE | WALL_FORCE | HISTORY, true},
     {"kick",    clod_step_kick,    0,                           0,                           false},
     {"servo",   clod_step_servo,   WALL_FORCE,                  WALLS,                       false},
@@ -145,11 +144,14 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
 static bool allocate(clod_step *self)
 {
     self->thread = clod_memory_alloc((size_t)self->threads, sizeof *self->thread);
-    if (self->thread == NULL || !clod_wall_rows_init(&self->walls, &self->state->walls)) {
+    self->gate = clod_memory_alloc((size_t)self->threads, sizeof *self->gate);
+    if (self->thread == NULL || self->gate == NULL ||
+        !clod_wall_rows_init(&self->walls, &self->state->walls)) {
         return false;
     }
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].finite = self->thread[t].all_finite = true;
+        clod_gate_init(&self->gate[t]);
     }
     return true;
 }
@@ -215,11 +217,10 @@ static bool first_forces(clod_step *self, clod_status *status)
 {
     clod_grains *grains = &self->state->grains;
     memset(grains->load, 0, grains->count * sizeof *grains->load);
-    for (int t = 0; t < self->threads; t++) {
-        clod_step_between(self, t);
+    for (int t = self->threads; t-- > 0;) { // the last first, as in clod_step_contact
+        clod_step_contact(self, t);
     }
     for (int t = 0; t < self->threads; t++) {
-        clod_step_contact(self, t);
         clod_step_wall(self, t);
     }
     for (size_t g = 0; g < grains->count; g++) {
@@ -278,6 +279,7 @@ void clod_step_fini(clod_step *self)
     clod_neighbour_fini(&self->neighbour);
     clod_near_fini(&self->near);
     clod_memory_free(self->thread);
+    clod_memory_free(self->gate);
     clod_wall_rows_fini(&self->walls);
     *self = (clod_step){0};
 }

@@ -39,6 +39,7 @@ typedef struct clod_step {
     int threads;
     clod_barrier barrier;
     clod_step_thread *thread; ///< [threads]
+    clod_gate *gate; ///< [near.parts] opened when a law's shares for earlier parts are there
     clod_neighbour neighbour; ///< candidates
     clod_near near;           ///< contact blocks
     clod_wall_rows walls;     ///< where they are in this step
@@ -107,7 +108,6 @@ void clod_step_fini(clod_step *self);
 
 void clod_step_drift(clod_step *self, int part);
 void clod_step_near(clod_step *self, int part);
-void clod_step_between(clod_step *self, int part);
 void clod_step_contact(clod_step *self, int part);
 void clod_step_wall(clod_step *self, int part);
 void clod_step_kick(clod_step *self, int part);

@@ -24,11 +24,11 @@ static void memory_is_zero_and_aligned(void **state)
     clod_memory_free(NULL);
 }
 
-/** From 8 MiB on an array begins at a huge page of 2 MiB, and is zero to its end. */
+/** From 2 MiB on an array begins at a huge page of 2 MiB, and is zero to its end. */
 static void large_memory_begins_at_a_huge_page(void **state)
 {
     (void)state;
-    for (size_t size = 8388608; size < 8388608 + 3; size++) {
+    for (size_t size = 2097152; size < 2097152 + 3; size++) {
         unsigned char *memory = clod_memory_alloc(size, 1);
         assert_non_null(memory);
         assert_int_equal((uintptr_t)memory % 2097152, 0);
@@ -84,7 +84,7 @@ static size_t pages_of(unsigned char *memory, size_t size)
 static void large_memory_is_given_back(void **state)
 {
     (void)state;
-    const size_t sizes[] = {67108864, 4194304}, page[] = {2097152, 4096};
+    const size_t sizes[] = {67108864, 1572864}, page[] = {2097152, 4096};
     for (int k = 0; k < 2; k++) {
         const size_t size = sizes[k], begin = size / 4 + 1, bytes = size / 2;
         unsigned char *memory = clod_memory_alloc(size, 1);

@@ -1,8 +1,9 @@
-// Chunks that cover everything once, jobs that all run, and the barrier. Jobs with threads of
+// Chunks that cover everything once, jobs that all run, barrier and gate. Jobs with threads of
 // their own: tests/step/test_side_by_side.c.
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <time.h>
 
 #include "parallel/barrier.h"
 #include "parallel/threads.h"
@@ -115,6 +116,58 @@ static void a_barrier_separates_rounds(void **state)
     }
 }
 
+typedef struct chain {
+    clod_gate gate[3];
+    int64_t written[ROUNDS + 1]; ///< not atomic: the gates order them
+} chain;
+
+typedef struct link {
+    chain *chain;
+    int number; ///< opens this gate, after the one before
+} link;
+
+static void *pass_on(void *argument)
+{
+    const link *self = argument;
+    chain *all = self->chain;
+    for (int round = 1; round <= ROUNDS; round++) {
+        if (self->number > 0) {
+            clod_gate_wait(&all->gate[self->number - 1], (uint64_t)round);
+        }
+        if (round % 100 == 0 && self->number == 0) {
+            nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL); // the others fall asleep
+        }
+        all->written[round] = 10 * all->written[round] + self->number + 1;
+        clod_gate_open(&all->gate[self->number]);
+    }
+    return NULL;
+}
+
+/** Who waits for a count sees what was written before it was reached, awake or asleep; who
+ * opens does not wait for those behind. */
+static void a_gate_lets_pass_what_it_has_opened_for(void **state)
+{
+    (void)state;
+    chain all = {0};
+    pthread_t thread[3];
+    link links[3];
+    for (int t = 0; t < 3; t++) {
+        clod_gate_init(&all.gate[t]);
+    }
+    for (int t = 2; t >= 0; t--) {
+        links[t] = (link){&all, t};
+        assert_int_equal(pthread_create(&thread[t], NULL, pass_on, &links[t]), 0);
+    }
+    for (int t = 0; t < 3; t++) {
+        assert_int_equal(pthread_join(thread[t], NULL), 0);
+        assert_int_equal(clod_gate_opened(&all.gate[t]), ROUNDS);
+    }
+    for (int round = 1; round <= ROUNDS; round++) {
+        assert_int_equal(all.written[round], 123);
+    }
+    clod_gate_wait(&all.gate[0], ROUNDS - 1); // has been opened more often: passes
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -122,6 +175,7 @@ int main(void)
         cmocka_unit_test(there_is_a_processor),
         cmocka_unit_test(every_job_runs_once),
         cmocka_unit_test(a_barrier_separates_rounds),
+        cmocka_unit_test(a_gate_lets_pass_what_it_has_opened_for),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,7 +21,8 @@ static void check_cover(const clod_near *near, size_t grains)
     }
 }
 
-/** Work of each grain: 2 for moving it, 1 for each pair that it is in, 3 for each wall. */
+/** Work of each grain: 2 for moving it, 2 for each pair in which it is the later one, 3 for
+ * each wall. */
 static int64_t work_of(const scene *s, int64_t *work)
 {
     const clod_near *near = &s->step.near;
@@ -34,8 +35,7 @@ static int64_t work_of(const scene *s, int64_t *work)
     for (size_t at = 0; at < near->pairs.count * CLOD_LANES; at++) {
         const int32_t i = pairs[at / CLOD_LANES].i[at % CLOD_LANES];
         if (i < grains) {
-            work[i]++;
-            work[pairs[at / CLOD_LANES].j[at % CLOD_LANES]]++;
+            work[pairs[at / CLOD_LANES].j[at % CLOD_LANES]] += 2;
             all += 2;
         }
     }
@@ -69,10 +69,11 @@ static void check_work(const scene *s)
 }
 
 /** One group: its law, its part, ascending by (i, j), padding behind. */
-static void check_group(const scene *s, int part, int32_t law)
+static void check_group(const scene *s, int part, int32_t law, bool between)
 {
     const clod_near *near = &s->step.near;
-    const size_t group = clod_near_group(near, part, law);
+    const size_t group =
+        between ? clod_near_group_between(near, part, law) : clod_near_group(near, part, law);
     const clod_contact_block *blocks = near->pairs.block;
     blocks += near->pairs.group_start[group];
     const size_t contacts = near->pairs.group_count[group];
@@ -89,10 +90,41 @@ static void check_group(const scene *s, int part, int32_t law)
         }
         const int part_i = clod_near_part_of(near, i), part_j = clod_near_part_of(near, j);
         assert_true(i < j && clod_laws_index(&s->laws, material[i], material[j]) == law);
-        assert_true(part < near->parts ? part_i == part && part_j == part : part_i < part_j);
+        assert_true(part_j == part && (between ? part_i < part : part_i == part));
         assert_true(((int64_t)i << 32 | j) > before);
         before = (int64_t)i << 32 | j;
     }
+}
+
+/** Runs of contacts between parts: each has its two parts, and all of them have all contacts.
+ */
+static void check_runs(const scene *s)
+{
+    const clod_near *near = &s->step.near;
+    size_t in_runs = 0, in_groups = 0;
+    for (int32_t law = 0; law < s->laws.count; law++) {
+        for (int part = 0; part < near->parts; part++) {
+            const size_t k = (size_t)law * (size_t)near->parts + (size_t)part;
+            int before = part; // runs ascend by the later part, which is behind this one
+            for (size_t r = near->between.run_start[k]; r < near->between.run_start[k + 1];
+                 r++) {
+                const clod_near_run *run = &near->between.run[r];
+                const size_t group = clod_near_group_between(near, run->later, law);
+                const clod_contact_block *blocks = near->pairs.block;
+                blocks += near->pairs.group_start[group];
+                assert_true(run->later > before && run->begin < run->end);
+                assert_true(run->end <= near->pairs.group_count[group]);
+                for (size_t c = run->begin; c < run->end; c++) {
+                    const int32_t i = blocks[c / CLOD_LANES].i[c % CLOD_LANES];
+                    assert_int_equal(clod_near_part_of(near, i), part);
+                }
+                in_runs += run->end - run->begin;
+                before = run->later;
+            }
+            in_groups += near->pairs.group_count[clod_near_group_between(near, part, law)];
+        }
+    }
+    assert_int_equal(in_runs, in_groups); // with the above: each contact once
 }
 
 /** Groups hold as many pairs as candidates are near, and the walk finds each in its lane. */
@@ -136,10 +168,12 @@ static void parts_cover_all_grains_and_contacts(void **state)
             check_cover(&s.step.near, s.state.grains.count);
             check_work(&s);
             for (int32_t law = 0; law < s.laws.count; law++) {
-                for (int part = 0; part <= PARTS[c]; part++) {
-                    check_group(&s, part, law);
+                for (int part = 0; part < PARTS[c]; part++) {
+                    check_group(&s, part, law, false);
+                    check_group(&s, part, law, true);
                 }
             }
+            check_runs(&s);
             check_candidates(&s);
         }
         scene_end(&s);

@@ -48,7 +48,9 @@ static size_t contacts_between(const clod_near *near)
 {
     size_t count = 0;
     for (int32_t l = 0; l < near->laws; l++) {
-        count += near->pairs.group_count[clod_near_group(near, near->parts, l)];
+        for (int part = 0; part < near->parts; part++) {
+            count += near->pairs.group_count[clod_near_group_between(near, part, l)];
+        }
     }
     return count;
 }
