@@ -18,8 +18,9 @@ bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls)
     self->wall = clod_memory_alloc(CLOD_WALL_ROWS * count + 1, sizeof *self->wall);
     self->first_shape = clod_memory_alloc(count + 1, sizeof *self->first_shape);
     self->at = clod_memory_alloc(count + 1, sizeof *self->at);
+    self->reach = clod_memory_alloc(count + 1, sizeof *self->reach);
     if (self->shape == NULL || self->wall == NULL || self->first_shape == NULL ||
-        self->at == NULL) {
+        self->at == NULL || self->reach == NULL) {
         clod_wall_rows_fini(self);
         return false;
     }
@@ -27,6 +28,7 @@ bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls)
     for (int32_t w = 0; w < walls->count; w++) {
         self->first_shape[w + 1] = self->first_shape[w] + walls->wall[w].shape_count;
         self->at[w][0] = NAN; // nowhere yet
+        self->reach[w] = clod_wall_reach(&walls->wall[w]);
         clod_wall_rows_place(self, w, &walls->wall[w]);
     }
     return true;
@@ -87,5 +89,6 @@ void clod_wall_rows_fini(clod_wall_rows *self)
     clod_memory_free(self->wall);
     clod_memory_free(self->first_shape);
     clod_memory_free(self->at);
+    clod_memory_free(self->reach);
     *self = (clod_wall_rows){0};
 }

@@ -21,6 +21,7 @@ typedef struct clod_wall_rows {
     double (*wall)[4];    ///< [walls * CLOD_WALL_ROWS]
     int32_t *first_shape; ///< [walls + 1] number of each wall's first shape
     double (*at)[4];      ///< [walls] shift and angle that its shapes' rows are for
+    double *reach;        ///< [walls] clod_wall_reach [m]
 } clod_wall_rows;
 
 /**

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/assert.h"
 #include "base/memory.h"
 
 /** Distance of a point of the frame from the spin axis [m]. */
@@ -31,7 +30,6 @@ static double box_reach(const clod_wall *self, const clod_shape *shape)
 /** Upper bound of the distance of any point of a bounded shape from the spin axis [m]. */
 static double shape_reach(const clod_wall *self, const clod_shape *shape)
 {
-    CLOD_ASSERT(shape->kind != CLOD_SHAPE_PLANE); // refused when the walls are set up
     if (shape->kind == CLOD_SHAPE_BOX || shape->kind == CLOD_SHAPE_BAR) {
         return box_reach(self, shape);
     }
@@ -45,18 +43,29 @@ static double shape_reach(const clod_wall *self, const clod_shape *shape)
     return foot;
 }
 
-double clod_wall_speed_bound(const clod_wall *self)
+double clod_wall_reach(const clod_wall *self)
+{
+    double reach = 0.0;
+    for (int32_t s = 0; s < self->shape_count; s++) {
+        const clod_shape *shape = &self->shapes[s];
+        if (!shape->symmetric && shape->kind != CLOD_SHAPE_PLANE) {
+            reach = fmax(reach, shape_reach(self, shape));
+        }
+    }
+    return reach;
+}
+
+double clod_wall_speed_within(const clod_wall *self, double reach)
 {
     const double rate = 2.0 * M_PI * self->oscillation.frequency;
     const double spin = fabs(self->spin) + rate * self->oscillation.angle;
-    double reach = 0.0;
-    for (int32_t s = 0; spin != 0.0 && s < self->shape_count; s++) {
-        if (!self->shapes[s].symmetric) {
-            reach = fmax(reach, shape_reach(self, &self->shapes[s]));
-        }
-    }
     return clod_vec3_length(self->velocity) + fabs(self->servo_velocity) +
            rate * self->oscillation.amplitude + spin * reach;
+}
+
+double clod_wall_speed_bound(const clod_wall *self)
+{
+    return clod_wall_speed_within(self, clod_wall_reach(self));
 }
 
 /** Cycles of an oscillation that are done after some steps, without the whole ones. */

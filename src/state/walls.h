@@ -113,7 +113,18 @@ void clod_wall_start(clod_wall *self);
  */
 void clod_wall_move(clod_wall *self, double dt, int64_t step);
 
-/** Upper bound of the speed with which any point of the wall's shapes moves [m/s]. */
+/**
+ * Upper bound of the distance from the spin axis of any point that a turn would move [m]: it
+ * follows from the shapes alone. Planes do not count: a wall that turns has none but symmetric
+ * ones.
+ */
+double clod_wall_reach(const clod_wall *self);
+
+/** Upper bound of the speed with which any point of the wall's shapes moves [m/s]; `reach` is
+ *  that of clod_wall_reach. */
+double clod_wall_speed_within(const clod_wall *self, double reach);
+
+/** The same where nobody has kept the reach. */
 double clod_wall_speed_bound(const clod_wall *self);
 
 /** Start new sums of force, torque and power on every wall. */

@@ -4,8 +4,9 @@
  * Grain-grain contacts: rows in, law, rows out. Included by kernel.c only.
  */
 
-#include "law/law_contact.h"
-#include "step/kernel.h"
+#include <stddef.h>
+
+#include "step/kernel_batch.h"
 
 /** Shortest image of a separation in a periodic direction. */
 static inline vreal kernel_image(vreal separation, double period, double inverse_period)
@@ -76,118 +77,20 @@ CLOD_LAW_PASS clod_law_motion kernel_contact_motion(const clod_kernel_view *view
     return motion;
 }
 
-/** Blocks whose contacts go through each pass together. */
-#define KERNEL_BATCH 4
-
-/** Blocks by which histories are asked for ahead, into the second cache (docs/adr/0021). */
-#define KERNEL_AHEAD 32
-
-/** How two grains meet. */
-typedef struct kernel_meeting {
-    clod_law_touch touch;
-    vreal arm_i, arm_j; ///< as in clod_law_motion; for the torques
-} kernel_meeting;
-
-/** A few blocks of one law on their way through the passes, vector by vector. */
-typedef struct kernel_batch {
-    clod_contact_block *blocks;
-    const clod_contact_block *end; ///< behind the last block of all batches
-    int contacts;                  ///< the last block may have lanes without one
-    int vectors;
-    kernel_meeting meeting[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
-    clod_law_trial trial[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
-} kernel_batch;
-
-/** The block of a vector. */
-static inline clod_contact_block *kernel_block(const kernel_batch *batch, int k)
-{
-    return &batch->blocks[k * CLOD_WIDTH / CLOD_LANES];
-}
-
-/** Its first lane there. */
-static inline int kernel_lane(int k)
-{
-    return k * CLOD_WIDTH % CLOD_LANES;
-}
-
-static inline clod_law_memory kernel_memory(const kernel_batch *batch, int k)
-{
-    return clod_law_memory_load(&kernel_block(batch, k)->history, kernel_lane(k));
-}
-
-/** Springs between two passes lie in the history. */
-static inline void kernel_springs_store(const clod_law *law, clod_history *history, int lane,
-                                        const clod_law_memory *memory)
-{
-    vreal3_store(history->spring, lane, memory->spring);
-    if (clod_law_rolling_springs(law)) {
-        vreal3_store(history->roll, lane, memory->roll);
-    }
-}
+#define KERNEL_PAIRS                                                                           \
+    ((kernel_layout){sizeof(clod_contact_block), offsetof(clod_contact_block, history)})
 
 /** First pass: kinematics. */
-CLOD_LAW_PASS void kernel_batch_move(const clod_kernel_view *view, const clod_law *law,
-                                     kernel_batch *batch)
+CLOD_LAW_PASS void kernel_contact_move(const clod_kernel_view *view, const clod_law *law,
+                                       kernel_batch *batch)
 {
     for (int k = 0; k < batch->vectors; k++) {
-        const clod_contact_block *block = kernel_block(batch, k);
+        const clod_contact_block *block = kernel_block(batch, KERNEL_PAIRS, k);
         const clod_law_motion motion = kernel_contact_motion(
             view, law, &block->i[kernel_lane(k)], &block->j[kernel_lane(k)]);
         batch->meeting[k].arm_i = motion.arm_i;
         batch->meeting[k].arm_j = motion.arm_j;
         clod_law_touch_of(law, &motion, &batch->meeting[k].touch);
-    }
-}
-
-static inline void kernel_prefetch_block(const clod_contact_block *block)
-{
-    for (size_t at = 0; at < sizeof *block; at += 64) {
-        __builtin_prefetch((const char *)block + at, 1, 2);
-    }
-}
-
-/** Second pass: normal forces, and springs turned. Open contacts forget their P. */
-CLOD_LAW_PASS void kernel_batch_press(const clod_law *law, double dt, kernel_batch *batch)
-{
-    clod_law_roots roots = clod_law_press_begin(law, &batch->meeting[0].touch);
-    for (int k = 0; k < batch->vectors; k++) {
-        const clod_law_roots now = roots;
-        if (k + 1 < batch->vectors) {
-            roots = clod_law_press_begin(law, &batch->meeting[k + 1].touch);
-        }
-        clod_contact_block *block = kernel_block(batch, k);
-        const int lane = kernel_lane(k);
-        if (lane == 0 && batch->end - block > KERNEL_AHEAD) {
-            kernel_prefetch_block(block + KERNEL_AHEAD);
-        }
-        clod_law_memory memory = kernel_memory(batch, k);
-        clod_law_press(law, &batch->meeting[k].touch, dt, &now, &memory, &batch->trial[k]);
-        const vmask closed = vmask_less(vreal_set(0.0), batch->meeting[k].touch.overlap);
-        vreal_store(&block->history.plastic[lane],
-                    vreal_select(closed, memory.plastic, vreal_set(0.0)));
-        kernel_springs_store(law, &block->history, lane, &memory);
-    }
-}
-
-/** Third pass: springs carried on. Open contacts forget their tangent. */
-CLOD_LAW_PASS void kernel_batch_carry(const clod_law *law, double dt, kernel_batch *batch)
-{
-    clod_law_memory next = kernel_memory(batch, 0);
-    clod_law_inverses inverses = clod_law_carry_begin(law, &batch->trial[0], &next);
-    for (int k = 0; k < batch->vectors; k++) {
-        const clod_law_inverses now = inverses;
-        if (k + 1 < batch->vectors) {
-            next = kernel_memory(batch, k + 1);
-            inverses = clod_law_carry_begin(law, &batch->trial[k + 1], &next);
-        }
-        clod_history *history = &kernel_block(batch, k)->history;
-        const int lane = kernel_lane(k);
-        clod_law_memory memory = kernel_memory(batch, k);
-        clod_law_carry(law, &batch->meeting[k].touch, dt, &now, &memory, &batch->trial[k]);
-        const vmask closed = vmask_less(vreal_set(0.0), batch->meeting[k].touch.overlap);
-        vreal_store(&history->tangent[lane],
-                    vreal_select(closed, memory.tangent, vreal_set(0.0)));
-        kernel_springs_store(law, history, lane, &memory);
     }
 }
 
@@ -217,35 +120,19 @@ CLOD_LAW_PASS void kernel_contact_store(const clod_kernel_view *view,
 }
 
 /** Last pass: limits and shares; the largest excess of an overlap so far. */
-CLOD_LAW_PASS vreal kernel_batch_limit(const clod_kernel_view *view, const clod_law *law,
-                                       kernel_batch *batch, double (*apart)[8], vreal excess)
+CLOD_LAW_PASS vreal kernel_contact_limit(const clod_kernel_view *view, const clod_law *law,
+                                         kernel_batch *batch, double (*apart)[8], vreal excess)
 {
-    const vreal zero = vreal_set(0.0);
-    const vreal3 none = {zero, zero, zero};
-    clod_law_memory next = kernel_memory(batch, 0);
-    clod_law_cuts cuts =
-        clod_law_limit_begin(law, &batch->meeting[0].touch, &batch->trial[0], &next);
+    clod_law_cuts cuts = kernel_batch_limit_begin(law, KERNEL_PAIRS, batch, 0);
     for (int k = 0; k < batch->vectors; k++) {
-        const clod_law_cuts now = cuts;
-        if (k + 1 < batch->vectors) {
-            next = kernel_memory(batch, k + 1);
-            cuts = clod_law_limit_begin(law, &batch->meeting[k + 1].touch, &batch->trial[k + 1],
-                                        &next);
-        }
-        clod_contact_block *block = kernel_block(batch, k);
+        const clod_law_result result = kernel_batch_limit(law, KERNEL_PAIRS, batch, k, &cuts);
+        const clod_contact_block *block = kernel_block(batch, KERNEL_PAIRS, k);
         const int lane = kernel_lane(k);
-        const int left = batch->contacts - k * CLOD_WIDTH;
-        const clod_law_touch *touch = &batch->meeting[k].touch;
-        clod_law_memory memory = kernel_memory(batch, k);
-        const clod_law_result result =
-            clod_law_limit(law, touch, &batch->trial[k], &now, &memory);
-        memory.spring = vreal3_select(result.closed, memory.spring, none);
-        memory.roll = vreal3_select(result.closed, memory.roll, none);
-        kernel_springs_store(law, &block->history, lane, &memory);
         kernel_contact_store(view, &batch->meeting[k], result, &block->i[lane], &block->j[lane],
-                             left < CLOD_WIDTH ? left : CLOD_WIDTH,
+                             kernel_lanes(batch, k),
                              apart != NULL ? apart + k * CLOD_WIDTH : NULL);
         // R* is at most the smaller radius and at least half of it
+        const clod_law_touch *touch = &batch->meeting[k].touch;
         const vreal beyond = touch->overlap - CLOD_KERNEL_OVERLAP_LIMIT * 2.0 * touch->r_star;
         excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
     }
@@ -272,44 +159,25 @@ static inline size_t kernel_prefetch_rows(const clod_kernel_view *view, size_t f
     return from;
 }
 
-/**
- * The work is done in passes over a batch of blocks: one contact is a long chain of operations
- * that wait for each other, and a short pass has room in the processor's window for the chains
- * of several (docs/adr/0010, 0019, 0021).
- */
+/** All contacts, batch by batch through the passes. */
 CLOD_LAW_PASS bool kernel_contact_loop(const clod_kernel_view *view, const clod_law law,
                                        clod_contact_block *blocks, size_t contacts, size_t end,
                                        double (*apart)[8])
 {
     const clod_kernel_view v = *view;
-    const size_t full = (size_t)KERNEL_BATCH * CLOD_LANES;
     vreal excess = vreal_set(-1.0);
     kernel_batch batch;
-    batch.end = blocks + (contacts + CLOD_LANES - 1) / CLOD_LANES;
     size_t ahead = contacts > 0 ? (size_t)blocks->i[0] : 0;
-    for (size_t first = 0; first < contacts; first += full) {
-        batch.blocks = &blocks[first / CLOD_LANES];
-        batch.contacts = (int)(contacts - first < full ? contacts - first : full);
-        batch.vectors = (batch.contacts + CLOD_WIDTH - 1) / CLOD_WIDTH;
-        ahead = kernel_prefetch_rows(&v, ahead, batch.blocks->i[0], end);
-        kernel_batch_move(&v, &law, &batch);
-        kernel_batch_press(&law, v.dt, &batch);
-        kernel_batch_carry(&law, v.dt, &batch);
-        excess =
-            kernel_batch_limit(&v, &law, &batch, apart != NULL ? apart + first : NULL, excess);
+    for (size_t first = 0; first < contacts; first += (size_t)KERNEL_BATCH * CLOD_LANES) {
+        kernel_batch_begin(&batch, KERNEL_PAIRS, blocks, first, contacts);
+        ahead = kernel_prefetch_rows(&v, ahead, blocks[first / CLOD_LANES].i[0], end);
+        kernel_contact_move(&v, &law, &batch);
+        kernel_batch_press(&law, v.dt, KERNEL_PAIRS, &batch);
+        kernel_batch_carry(&law, v.dt, KERNEL_PAIRS, &batch);
+        excess = kernel_contact_limit(&v, &law, &batch, apart != NULL ? apart + first : NULL,
+                                      excess);
     }
     return vmask_any(vmask_less(vreal_set(0.0), excess));
-}
-
-/** A law with its choices as constants. */
-static inline clod_law kernel_law_known(clod_law law, clod_law_kind kind, clod_rolling rolling)
-{
-    law.kind = kind;
-    law.exponent_kind = CLOD_EXPONENT_THREE_HALVES;
-    law.coulomb = CLOD_COULOMB_ADHESIVE;
-    law.tangential = CLOD_TANGENTIAL_TANGENT;
-    law.rolling = rolling;
-    return law;
 }
 
 /** The loop once more for laws that most beds have: it asks for no choice of the law, and all
@@ -320,23 +188,18 @@ __attribute__((flatten)) static bool kernel_contact(const clod_kernel_view *view
                                                     size_t end, double (*apart)[8])
 {
     const clod_law l = *law;
-    if (CLOD_WIDTH > 1 && l.exponent_kind == CLOD_EXPONENT_THREE_HALVES &&
-        l.coulomb == CLOD_COULOMB_ADHESIVE && l.tangential == CLOD_TANGENTIAL_TANGENT) {
-        if (l.kind == CLOD_LAW_MEPA && l.rolling == CLOD_ROLLING_EPSD2) {
-            return kernel_contact_loop(view,
-                                       kernel_law_known(l, CLOD_LAW_MEPA, CLOD_ROLLING_EPSD2),
-                                       blocks, contacts, end, apart);
-        }
-        if (l.kind == CLOD_LAW_HERTZ && l.rolling == CLOD_ROLLING_EPSD2) {
-            return kernel_contact_loop(view,
-                                       kernel_law_known(l, CLOD_LAW_HERTZ, CLOD_ROLLING_EPSD2),
-                                       blocks, contacts, end, apart);
-        }
-        if (l.kind == CLOD_LAW_HERTZ && l.rolling == CLOD_ROLLING_NONE) {
-            return kernel_contact_loop(view,
-                                       kernel_law_known(l, CLOD_LAW_HERTZ, CLOD_ROLLING_NONE),
-                                       blocks, contacts, end, apart);
-        }
+    if (kernel_law_is(law, CLOD_LAW_MEPA, CLOD_ROLLING_EPSD2)) {
+        return kernel_contact_loop(view, kernel_law_known(l, CLOD_LAW_MEPA, CLOD_ROLLING_EPSD2),
+                                   blocks, contacts, end, apart);
+    }
+    if (kernel_law_is(law, CLOD_LAW_HERTZ, CLOD_ROLLING_EPSD2)) {
+        return kernel_contact_loop(view,
+                                   kernel_law_known(l, CLOD_LAW_HERTZ, CLOD_ROLLING_EPSD2),
+                                   blocks, contacts, end, apart);
+    }
+    if (kernel_law_is(law, CLOD_LAW_HERTZ, CLOD_ROLLING_NONE)) {
+        return kernel_contact_loop(view, kernel_law_known(l, CLOD_LAW_HERTZ, CLOD_ROLLING_NONE),
+                                   blocks, contacts, end, apart);
     }
     return kernel_contact_loop(view, l, blocks, contacts, end, apart);
 }

@@ -7,62 +7,68 @@
  * last column of the other rows get +0 and stay.
  */
 
-#include <math.h>
-
 #include "step/kernel.h"
 
-static inline void kernel_kick_row(double motion[4], double turning[4], const double load[8],
-                                   double push, double twist)
-{
-    for (int c = 0; c < 4; c++) {
-        motion[c] += push * load[c];
-    }
-    for (int c = 0; c < 4; c++) {
-        turning[c] += twist * load[4 + c];
-    }
-}
+/** A row, and v2 and w2, as vectors of the compiler: the same in every set. */
+typedef double kernel_row __attribute__((vector_size(32), may_alias));
+typedef double kernel_pair __attribute__((vector_size(16)));
+typedef int64_t kernel_pair_mask __attribute__((vector_size(16)));
 
-static inline void kernel_weigh(double load[8], double mass, const double gravity[4])
-{
-    for (int c = 0; c < 4; c++) {
-        load[c] += mass * gravity[c];
-    }
-}
+/** Squares of a speed [m2/s2] or spin [1/s2] from here on count as not finite. */
+#define KERNEL_INFINITE 1e60
 
-static inline double kernel_square(const double v[4])
+/** v2 and w2 of a grain. */
+__attribute__((always_inline)) static inline kernel_pair
+kernel_squares(const kernel_row *motion, const kernel_row *turning)
 {
-    return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const kernel_row v2 = *motion * *motion, w2 = *turning * *turning;
+    const kernel_row xz = __builtin_shufflevector(v2, w2, 0, 4, 2, 6);
+    const kernel_row y = __builtin_shufflevector(v2, w2, 1, 5, 3, 7);
+    return __builtin_shufflevector(xz, xz, 0, 1) + __builtin_shufflevector(y, y, 0, 1) +
+           __builtin_shufflevector(xz, xz, 2, 3);
 }
 
 /** The loop of kernel_drift; whether `gravity` is NULL is known where it is called. */
 __attribute__((always_inline)) static inline clod_kernel_speed
 kernel_drift_rows(double (*restrict place)[4], double (*restrict motion)[4],
                   double (*restrict turning)[4], double (*restrict load)[8],
-                  const double gravity[4], double dt, size_t begin, size_t end)
+                  const double *gravity, double dt, size_t begin, size_t end)
 {
-    const double step[4] = {dt, dt, dt, 0.0};
+    const kernel_row zero = {0.0, 0.0, 0.0, 0.0};
+    const kernel_row step = {dt, dt, dt, 0.0};
+    const kernel_pair limit = {KERNEL_INFINITE, KERNEL_INFINITE};
     const double half = 0.5 * dt;
-    clod_kernel_speed seen = {0.0, true};
-    for (size_t g = begin; g < end; g++) {
-        const double push = half / motion[g][3];
-        const double twist = half * turning[g][3];
-        if (gravity != NULL) {
-            kernel_weigh(load[g], motion[g][3], gravity);
-            kernel_kick_row(motion[g], turning[g], load[g], push, twist);
-        }
-        kernel_kick_row(motion[g], turning[g], load[g], push, twist);
-        for (int c = 0; c < 8; c++) {
-            load[g][c] = 0.0;
-        }
-        for (int c = 0; c < 4; c++) {
-            place[g][c] += step[c] * motion[g][c];
-        }
-        const double v2 = kernel_square(motion[g]);
-        const double w2 = kernel_square(turning[g]);
-        seen.max_speed2 = v2 > seen.max_speed2 ? v2 : seen.max_speed2;
-        seen.finite &= v2 + w2 < 1e60;
+    kernel_row fall = zero;
+    if (gravity != NULL) {
+        fall = (kernel_row){gravity[0], gravity[1], gravity[2], 0.0};
     }
-    return seen;
+    kernel_pair most = {0.0, 0.0};
+    kernel_pair_mask finite = {-1, -1};
+    for (size_t g = begin; g < end; g++) {
+        kernel_row *const v = (kernel_row *)motion[g];
+        kernel_row *const w = (kernel_row *)turning[g];
+        kernel_row *const p = (kernel_row *)place[g];
+        kernel_row *const f = (kernel_row *)load[g];
+        if (gravity != NULL) {
+            f[0] += motion[g][3] * fall;
+        }
+        const kernel_row push = half / motion[g][3] * f[0];
+        const kernel_row twist = half * turning[g][3] * f[1];
+        if (gravity != NULL) { // the second half kick of the step before
+            *v += push;
+            *w += twist;
+        }
+        *v += push;
+        *w += twist;
+        *p += step * *v;
+        f[0] = f[1] = zero;
+        const kernel_pair squares = kernel_squares(v, w);
+        const kernel_pair_mask more = squares > most;
+        most = (kernel_pair)(((kernel_pair_mask)squares & more) |
+                             ((kernel_pair_mask)most & ~more));
+        finite &= squares < limit;
+    }
+    return (clod_kernel_speed){most[0], (finite[0] & finite[1]) != 0};
 }
 
 static clod_kernel_speed kernel_drift(double (*restrict place)[4], double (*restrict motion)[4],
@@ -73,18 +79,19 @@ static clod_kernel_speed kernel_drift(double (*restrict place)[4], double (*rest
     if (gravity == NULL) {
         return kernel_drift_rows(place, motion, turning, load, NULL, dt, begin, end);
     }
-    const double g4[4] = {gravity[0], gravity[1], gravity[2], 0.0};
-    return kernel_drift_rows(place, motion, turning, load, g4, dt, begin, end);
+    return kernel_drift_rows(place, motion, turning, load, gravity, dt, begin, end);
 }
 
 static void kernel_kick(double (*restrict motion)[4], double (*restrict turning)[4],
                         double (*restrict load)[8], const double gravity[3], double dt,
                         size_t begin, size_t end)
 {
-    const double g4[4] = {gravity[0], gravity[1], gravity[2], 0.0};
+    const kernel_row fall = {gravity[0], gravity[1], gravity[2], 0.0};
+    const double half = 0.5 * dt;
     for (size_t g = begin; g < end; g++) {
-        kernel_weigh(load[g], motion[g][3], g4);
-        kernel_kick_row(motion[g], turning[g], load[g], 0.5 * dt / motion[g][3],
-                        0.5 * dt * turning[g][3]);
+        kernel_row *const f = (kernel_row *)load[g];
+        f[0] += motion[g][3] * fall;
+        *(kernel_row *)motion[g] += half / motion[g][3] * f[0];
+        *(kernel_row *)turning[g] += half * turning[g][3] * f[1];
     }
 }

@@ -51,43 +51,83 @@ static inline kernel_wall_meeting kernel_wall_meet(const clod_kernel_view *view,
     };
 }
 
+#define KERNEL_WALLS                                                                           \
+    ((kernel_layout){sizeof(clod_wall_block), offsetof(clod_wall_block, history)})
+
+/** First pass: geometry and kinematics; the levers of the wall's moments. */
+CLOD_LAW_PASS void kernel_wall_move(const clod_kernel_view *view, const clod_law *law,
+                                    kernel_batch *batch, vreal3 *lever)
+{
+    for (int k = 0; k < batch->vectors; k++) {
+        const clod_wall_block *block = kernel_block(batch, KERNEL_WALLS, k);
+        const kernel_wall_meeting meeting = kernel_wall_meet(view, block, kernel_lane(k));
+        batch->meeting[k].arm_i = meeting.motion.arm_i;
+        clod_law_touch_of(law, &meeting.motion, &batch->meeting[k].touch);
+        lever[k] = meeting.lever;
+    }
+}
+
 /** The grain's share, and the wall's: -F and its moment about the point where the wall turns.
  */
-static inline void kernel_wall_store(const clod_kernel_view *view,
-                                     const kernel_wall_meeting *meeting, clod_law_result r,
-                                     clod_wall_block *block, int lane, int lanes)
+static inline void kernel_wall_store(const clod_kernel_view *view, vreal arm, vreal3 lever,
+                                     clod_law_result r, const clod_wall_block *block, int lane,
+                                     int lanes)
 {
     const vreal zero = vreal_set(0.0);
-    const vreal3 turn = vreal3_axpy(r.roll, -meeting->motion.arm_i, r.lever);
+    const vreal3 turn = vreal3_axpy(r.roll, -arm, r.lever);
     const vreal on_i[8] = {r.force.x, r.force.y, r.force.z, zero, turn.x, turn.y, turn.z, zero};
     vreal_add_rows(view->load, &block->i[lane], on_i, lanes);
 
-    const vreal3 moment = vreal3_add(vreal3_cross(meeting->lever, r.force), r.roll);
+    const vreal3 moment = vreal3_add(vreal3_cross(lever, r.force), r.roll);
     const vreal3 kept = vreal3_select(r.closed, moment, (vreal3){zero, zero, zero});
     const vreal on_wall[8] = {-r.force.x, -r.force.y, -r.force.z, zero,
                               -kept.x,    -kept.y,    -kept.z,    zero};
     vreal_store_rows(view->wall_slots, &block->slot_wall[lane], on_wall);
 }
 
-static bool kernel_wall(const clod_kernel_view *view, const clod_law *law,
-                        clod_wall_block *blocks, size_t contacts)
+/** Last pass: limits and shares; the largest excess of an overlap so far. */
+CLOD_LAW_PASS vreal kernel_wall_limit(const clod_kernel_view *view, const clod_law *law,
+                                      kernel_batch *batch, const vreal3 *lever, vreal excess)
 {
-    const clod_kernel_view v = *view;
-    const clod_law l = *law;
-    vreal excess = vreal_set(-1.0);
-    for (size_t first = 0; first < contacts; first += CLOD_WIDTH) {
-        clod_wall_block *block = &blocks[first / CLOD_LANES];
-        const int lane = (int)(first % CLOD_LANES);
-        const size_t left = contacts - first;
-        const kernel_wall_meeting meeting = kernel_wall_meet(&v, block, lane);
-        clod_law_memory memory = clod_law_memory_load(&block->history, lane);
-        const clod_law_result result = clod_law_contact(&l, &meeting.motion, v.dt, &memory);
-        clod_law_memory_store(&block->history, lane, result.closed, memory);
-        kernel_wall_store(&v, &meeting, result, block, lane,
-                          left < CLOD_WIDTH ? (int)left : CLOD_WIDTH);
-        const vreal beyond =
-            meeting.motion.overlap - CLOD_KERNEL_OVERLAP_LIMIT * meeting.motion.r_star;
+    clod_law_cuts cuts = kernel_batch_limit_begin(law, KERNEL_WALLS, batch, 0);
+    for (int k = 0; k < batch->vectors; k++) {
+        const clod_law_result result = kernel_batch_limit(law, KERNEL_WALLS, batch, k, &cuts);
+        const clod_law_touch *touch = &batch->meeting[k].touch;
+        kernel_wall_store(view, batch->meeting[k].arm_i, lever[k], result,
+                          kernel_block(batch, KERNEL_WALLS, k), kernel_lane(k),
+                          kernel_lanes(batch, k));
+        const vreal beyond = touch->overlap - CLOD_KERNEL_OVERLAP_LIMIT * touch->r_star;
         excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
     }
+    return excess;
+}
+
+/** All contacts, batch by batch through the passes. */
+CLOD_LAW_PASS bool kernel_wall_loop(const clod_kernel_view *view, const clod_law law,
+                                    clod_wall_block *blocks, size_t contacts)
+{
+    const clod_kernel_view v = *view;
+    vreal excess = vreal_set(-1.0);
+    kernel_batch batch;
+    vreal3 lever[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
+    for (size_t first = 0; first < contacts; first += (size_t)KERNEL_BATCH * CLOD_LANES) {
+        kernel_batch_begin(&batch, KERNEL_WALLS, blocks, first, contacts);
+        kernel_wall_move(&v, &law, &batch, lever);
+        kernel_batch_press(&law, v.dt, KERNEL_WALLS, &batch);
+        kernel_batch_carry(&law, v.dt, KERNEL_WALLS, &batch);
+        excess = kernel_wall_limit(&v, &law, &batch, lever, excess);
+    }
     return vmask_any(vmask_less(vreal_set(0.0), excess));
+}
+
+/** As for grains: once more for the law that most walls of testers have. */
+__attribute__((flatten)) static bool kernel_wall(const clod_kernel_view *view,
+                                                 const clod_law *law, clod_wall_block *blocks,
+                                                 size_t contacts)
+{
+    if (kernel_law_is(law, CLOD_LAW_MEPA, CLOD_ROLLING_EPSD2)) {
+        return kernel_wall_loop(view, kernel_law_known(*law, CLOD_LAW_MEPA, CLOD_ROLLING_EPSD2),
+                                blocks, contacts);
+    }
+    return kernel_wall_loop(view, *law, blocks, contacts);
 }

@@ -14,7 +14,7 @@ static double drift_walls(clod_step *self)
         clod_wall *wall = &self->state->walls.wall[w];
         clod_wall_move(wall, dt, self->state->step + 1);
         clod_wall_rows_place(&self->walls, w, wall);
-        fastest = fmax(fastest, clod_wall_speed_bound(wall));
+        fastest = fmax(fastest, clod_wall_speed_within(wall, self->walls.reach[w]));
     }
     return fastest;
 }
