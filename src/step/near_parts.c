@@ -1,14 +1,16 @@
 // How the grains are cut into parts for the threads.
 #include "step/near_parts.h"
 
-/** Work of a contact with a wall, where one between two grains has 2: its gap comes on top. */
-#define WALL_WORK 3
+// Work by the time that it takes (docs/adr/0023).
+#define GRAIN_WORK 1 ///< moving a grain
+#define PAIR_WORK 3  ///< a contact between two grains
+#define WALL_WORK 4  ///< one with a wall: its gap comes on top
 
 /** A contact is the work of its later grain: that one's part computes it. */
 static void weigh_pairs(int32_t *weight, const clod_pairs *pairs)
 {
     for (size_t k = 0; k < pairs->count; k++) {
-        weight[pairs->item[k].j] += 2 * pairs->item[k].near;
+        weight[pairs->item[k].j] += PAIR_WORK * pairs->item[k].near;
     }
 }
 
@@ -28,7 +30,7 @@ void clod_near_cut(clod_near *self, const clod_neighbour *neighbour, size_t grai
         return;
     }
     for (size_t g = 0; g < grains; g++) {
-        self->weight[g] = 2; // moving it costs about as much as a contact
+        self->weight[g] = GRAIN_WORK;
     }
     weigh_pairs(self->weight, &neighbour->pairs);
     weigh_walls(self->weight, &neighbour->walls);

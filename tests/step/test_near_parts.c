@@ -21,30 +21,30 @@ static void check_cover(const clod_near *near, size_t grains)
     }
 }
 
-/** Work of each grain: 2 for moving it, 2 for each pair in which it is the later one, 3 for
+/** Work of each grain: 1 for moving it, 3 for each pair in which it is the later one, 4 for
  * each wall. */
 static int64_t work_of(const scene *s, int64_t *work)
 {
     const clod_near *near = &s->step.near;
     const int64_t grains = (int64_t)s->state.grains.count;
-    int64_t all = 2 * grains;
+    int64_t all = grains;
     for (int64_t g = 0; g < grains; g++) {
-        work[g] = 2;
+        work[g] = 1;
     }
     const clod_contact_block *pairs = near->pairs.block;
     for (size_t at = 0; at < near->pairs.count * CLOD_LANES; at++) {
         const int32_t i = pairs[at / CLOD_LANES].i[at % CLOD_LANES];
         if (i < grains) {
-            work[pairs[at / CLOD_LANES].j[at % CLOD_LANES]] += 2;
-            all += 2;
+            work[pairs[at / CLOD_LANES].j[at % CLOD_LANES]] += 3;
+            all += 3;
         }
     }
     const clod_wall_block *walls = near->walls.block;
     for (size_t at = 0; at < near->walls.count * CLOD_LANES; at++) {
         const int32_t i = walls[at / CLOD_LANES].i[at % CLOD_LANES];
         if (i < grains) {
-            work[i] += 3;
-            all += 3;
+            work[i] += 4;
+            all += 4;
         }
     }
     return all;
