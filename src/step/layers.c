@@ -2,8 +2,10 @@
 
 #include <math.h>
 
-#define BITS 21 ///< of the key for each of its three parts
+#define BITS 19 ///< of the key for layer, line and place; the strip has what is left
 #define STEPS ((double)((1 << BITS) - 1))
+#define MOST_STRIPS 127.0
+#define FULL_LAYER 5000.0 ///< grains: their rows take 0.8 MB (docs/adr/0017)
 
 /** Axes from the longest side to the shortest; equal sides as x, y, z. */
 static void order_axes(clod_layers *self, const double extent[3])
@@ -19,7 +21,7 @@ static void order_axes(clod_layers *self, const double extent[3])
 
 clod_layers clod_layers_of(const double (*place)[4], size_t count)
 {
-    clod_layers self = {{0, 1, 2}, {0.0}, {0.0}};
+    clod_layers self = {.axis = {0, 1, 2}, .strips = 1.0};
     double min[3] = {INFINITY, INFINITY, INFINITY}, max[3] = {-INFINITY, -INFINITY, -INFINITY};
     double least = INFINITY, largest = 0.0; // radii: not their sum, which has an order
     for (size_t g = 0; g < count; g++) {
@@ -41,6 +43,12 @@ clod_layers clod_layers_of(const double (*place)[4], size_t count)
         self.min[k] = min[self.axis[k]];
         self.scale[k] = k < 2 ? fmin(1.0 / (least + largest), finest) : finest;
     }
+    const double layers = floor(extent[self.axis[0]] * self.scale[0]) + 1.0;
+    const double width = extent[self.axis[1]];
+    if (width > 0.0) {
+        self.strips = fmin(ceil((double)count / layers / FULL_LAYER), MOST_STRIPS);
+        self.strip_scale = self.strips / width;
+    }
     return self;
 }
 
@@ -49,9 +57,16 @@ static uint64_t part_of_key(const clod_layers *self, const double place[4], int 
     return (uint64_t)((place[self->axis[k]] - self->min[k]) * self->scale[k]);
 }
 
+/** Strip and layer. */
+static uint64_t layer_of(const clod_layers *self, const double place[4])
+{
+    const double strip = (place[self->axis[1]] - self->min[1]) * self->strip_scale;
+    return (uint64_t)fmin(strip, self->strips - 1.0) << BITS | part_of_key(self, place, 0);
+}
+
 uint64_t clod_layers_key(const clod_layers *self, const double place[4])
 {
-    return part_of_key(self, place, 0) << 2 * BITS | part_of_key(self, place, 1) << BITS |
+    return layer_of(self, place) << 2 * BITS | part_of_key(self, place, 1) << BITS |
            part_of_key(self, place, 2);
 }
 
@@ -59,7 +74,7 @@ size_t clod_layers_fullest(const clod_layers *self, const double (*place)[4], si
 {
     size_t fullest = 0, begin = 0;
     for (size_t g = 0; g < count; g++) {
-        if (part_of_key(self, place[g], 0) != part_of_key(self, place[begin], 0)) {
+        if (layer_of(self, place[g]) != layer_of(self, place[begin])) {
             begin = g;
         }
         fullest = g + 1 - begin > fullest ? g + 1 - begin : fullest;

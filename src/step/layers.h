@@ -6,15 +6,20 @@
  * together, and along the lines by place. So the partners of a grain are at most about one
  * layer behind it, two for the largest of very different grains, however large the bed is; but
  * for those across a periodic longest side.
+ *
+ * A bed whose layers would be larger than a second cache is cut into strips across its second
+ * longest side first, with layers of their own; the few partners across a strip's side are far.
  */
 
 #include <stddef.h>
 #include <stdint.h>
 
 typedef struct clod_layers {
-    int axis[3];     ///< along which layers, lines and places in a line ascend
-    double min[3];   ///< m, of the grains' centres along each of them
-    double scale[3]; ///< steps of the key per metre: layers, lines, places
+    int axis[3];        ///< along which layers, lines and places in a line ascend
+    double min[3];      ///< m, of the grains' centres along each of them
+    double scale[3];    ///< steps of the key per metre: layers, lines, places
+    double strips;      ///< how many
+    double strip_scale; ///< strips per metre along the axis of the lines
 } clod_layers;
 
 /**
@@ -25,8 +30,8 @@ typedef struct clod_layers {
  */
 clod_layers clod_layers_of(const double (*place)[4], size_t count);
 
-/** Where a grain of the bed belongs: keys ascend by layer, line and place. */
+/** Where a grain of the bed belongs: keys ascend by strip, layer, line and place. */
 uint64_t clod_layers_key(const clod_layers *self, const double place[4]);
 
-/** Rows of the fullest layer of a bed in this order. */
+/** Rows of the fullest layer of a strip of a bed in this order. */
 size_t clod_layers_fullest(const clod_layers *self, const double (*place)[4], size_t count);

@@ -117,6 +117,49 @@ static void test_unequal_partners_are_near(void **state)
     assert_true((double)within > 0.95 * (double)pairs);
 }
 
+#define MANY 40000
+
+/** Layers of ten thousand grains are cut into two strips, each with all its layers. */
+static void test_large_layers_are_cut_into_strips(void **state)
+{
+    (void)state;
+    static double place[MANY][4];
+    static clod_sort_item items[MANY], scratch[MANY];
+    const double side[3] = {3.8, 4.0, 3.9};
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high = 0.0;
+    dice roll = {11};
+    for (size_t g = 0; g < MANY; g++) {
+        for (int a = 0; a < 3; a++) {
+            place[g][a] = dice_real(&roll, 0.0, side[a]);
+            low[a] = fmin(low[a], place[g][a]);
+        }
+        place[g][3] = RADIUS;
+        high = fmax(high, place[g][2]);
+    }
+    const clod_layers layers = clod_layers_of((const double(*)[4])place, MANY);
+    assert_true(layers.strips == 2.0);
+    for (size_t g = 0; g < MANY; g++) {
+        items[g] = (clod_sort_item){clod_layers_key(&layers, place[g]), g};
+    }
+    clod_sort(items, scratch, MANY);
+    size_t seen[2][4] = {{0}};
+    int before = 0; // strip, layer and line in one number
+    for (size_t g = 0; g < MANY; g++) {
+        const double *here = place[items[g].index];
+        const int strip = here[2] - low[2] >= 0.5 * (high - low[2]) ? 1 : 0;
+        const int layer = (int)(here[1] - low[1]), line = (int)(here[2] - low[2]);
+        seen[strip][layer]++;
+        const int now = 100 * strip + 10 * layer + line;
+        assert_true(now >= before);
+        before = now;
+    }
+    for (int strip = 0; strip < 2; strip++) {
+        for (int layer = 0; layer < 4; layer++) {
+            assert_in_range(seen[strip][layer], 4700, 5300);
+        }
+    }
+}
+
 /** Beds without a side: no grain, one grain, all at one place, a row of them far apart. */
 static void test_flat_beds(void **state)
 {
@@ -144,6 +187,7 @@ int main(void)
         cmocka_unit_test(test_longest_side_first),
         cmocka_unit_test(test_partners_are_near),
         cmocka_unit_test(test_unequal_partners_are_near),
+        cmocka_unit_test(test_large_layers_are_cut_into_strips),
         cmocka_unit_test(test_flat_beds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
