@@ -60,10 +60,12 @@ void *clod_memory_grow(void *memory, size_t old_count, size_t new_count, size_t 
 void clod_memory_give_back(void *memory, size_t bytes, size_t array)
 {
 #if defined(__linux__)
-    const uintptr_t page = array >= CLOD_MEMORY_HUGE_PAGE ? CLOD_MEMORY_HUGE_PAGE
-                                                          : (uintptr_t)sysconf(_SC_PAGESIZE);
+    const uintptr_t small = (uintptr_t)sysconf(_SC_PAGESIZE);
+    const uintptr_t page = array >= CLOD_MEMORY_HUGE_PAGE ? CLOD_MEMORY_HUGE_PAGE : small;
     const uintptr_t from = ((uintptr_t)memory + page - 1) / page * page;
-    const uintptr_t to = ((uintptr_t)memory + bytes) / page * page;
+    const uintptr_t last =
+        bytes < array ? page : small; // behind whole huge pages are small ones
+    const uintptr_t to = ((uintptr_t)memory + bytes) / last * last;
     if (array >= GIVE_FROM && from < to) {
         madvise((char *)memory + (from - (uintptr_t)memory), to - from, MADV_DONTNEED);
     }

@@ -42,8 +42,9 @@ static bool run_group(clod_step *self, size_t group, int32_t law, size_t end,
 /** Contacts of one law of the grains of a part with those of earlier ones. */
 static bool run_between(clod_step *self, int part, int32_t law)
 {
-    return run_group(self, clod_near_group_between(&self->near, part, law), law, 0,
-                     clod_near_between_shares(&self->near, part, law));
+    const size_t group = clod_near_group_between(&self->near, part, law);
+    return self->near.pairs.group_count[group] > 0 &&
+           run_group(self, group, law, 0, clod_near_between_shares(&self->near, part, law));
 }
 
 /** Contacts of one law within one part. */

@@ -56,7 +56,7 @@ typedef struct clod_kernel {
      * @param end    row behind the last one to ask for ahead: that of the part; 0 asks for no
      *               rows; histories are always asked for
      * @param apart  NULL, or rows [contacts, whole blocks] that take i's shares instead of the
-     *               loads
+     *               loads; j's go into the loads
      */
     bool (*contact)(const clod_kernel_view *view, const clod_law *law,
                     clod_contact_block *blocks, size_t contacts, size_t end,
@@ -76,6 +76,7 @@ typedef struct clod_kernel {
                         clod_wall_block *block, clod_stored_block *stored);
     /**
      * Half a kick and a whole drift of grains [begin, end); their loads begin anew at zero.
+     * Rows begin at multiples of 32 bytes, here and in `kick`.
      *
      * @param gravity  NULL, or [3] m/s2: before that the weight and the half kick that the step
      *                 before has left to this one

@@ -2,8 +2,11 @@
 
 #include <math.h>
 
-#define BITS 19 ///< of the key for layer, line and place; the strip has what is left
-#define STEPS ((double)((1 << BITS) - 1))
+// Bits of the key for layer or line, and for the place in a line; the strip has the 7 that are
+// left.
+#define BITS 18
+#define PLACE_BITS 21
+#define STEPS(bits) ((double)((1 << (bits)) - 1))
 #define MOST_STRIPS 127.0
 #define FULL_LAYER 5000.0 ///< grains: their rows take 0.8 MB (docs/adr/0017)
 
@@ -39,7 +42,7 @@ clod_layers clod_layers_of(const double (*place)[4], size_t count)
     order_axes(&self, extent);
     for (int k = 0; k < 3; k++) {
         const double length = extent[self.axis[k]];
-        const double finest = length > 0.0 ? STEPS / length : 0.0;
+        const double finest = length > 0.0 ? STEPS(k < 2 ? BITS : PLACE_BITS) / length : 0.0;
         self.min[k] = min[self.axis[k]];
         self.scale[k] = k < 2 ? fmin(1.0 / (least + largest), finest) : finest;
     }
@@ -66,7 +69,7 @@ static uint64_t layer_of(const clod_layers *self, const double place[4])
 
 uint64_t clod_layers_key(const clod_layers *self, const double place[4])
 {
-    return layer_of(self, place) << 2 * BITS | part_of_key(self, place, 1) << BITS |
+    return (layer_of(self, place) << BITS | part_of_key(self, place, 1)) << PLACE_BITS |
            part_of_key(self, place, 2);
 }
 

@@ -46,12 +46,12 @@ bool clod_near_between_reserve(clod_near *near)
 /** Go on to the next run of a group, in which i's part stays the same; false: there is none. */
 static bool next_run(const clod_near *self, size_t group, clod_near_run *run, int *part)
 {
-    const clod_contact_block *blocks = self->pairs.block;
-    blocks += self->pairs.group_start[group];
     run->begin = run->end;
     if (run->begin == self->pairs.group_count[group]) {
         return false;
     }
+    const clod_contact_block *blocks = self->pairs.block;
+    blocks += self->pairs.group_start[group];
     *part = clod_near_part_of(self, blocks[run->begin / CLOD_LANES].i[run->begin % CLOD_LANES]);
     for (; run->end < self->pairs.group_count[group]; run->end++) {
         const int32_t i = blocks[run->end / CLOD_LANES].i[run->end % CLOD_LANES];

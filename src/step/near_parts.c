@@ -1,7 +1,7 @@
 // How the grains are cut into parts for the threads.
 #include "step/near_parts.h"
 
-// Work by the time that it takes (docs/adr/0023).
+// Work by the time that it takes (docs/adr/0022).
 #define GRAIN_WORK 1 ///< moving a grain
 #define PAIR_WORK 3  ///< a contact between two grains
 #define WALL_WORK 4  ///< one with a wall: its gap comes on top

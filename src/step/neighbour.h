@@ -46,7 +46,7 @@ typedef struct clod_neighbour {
     double skin; ///< m
     bool brute_force;
     double radius_min, radius_max;
-    size_t lead; ///< rows behind a grain among which are all but a few of its partners
+    size_t lead; ///< rows behind a grain among which are most of its partners
     clod_pairs pairs;
     clod_wall_candidates walls;
     clod_wall_rows build_rows; ///< of the walls at the last rebuild

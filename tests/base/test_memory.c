@@ -104,6 +104,23 @@ static void large_memory_is_given_back(void **state)
     }
 }
 
+/** The whole of an array is given back, its end in small pages too. */
+static void a_whole_array_is_given_back(void **state)
+{
+    (void)state;
+    const size_t size = 7340032; // three huge pages and a half
+    unsigned char *memory = clod_memory_alloc(size, 1);
+    assert_non_null(memory);
+    memset(memory, 7, size);
+    assert_int_equal(pages_of(memory, size), size / 4096);
+    clod_memory_give_back(memory, size, size);
+    assert_int_equal(pages_of(memory, size), 0);
+    for (size_t b = 0; b < size; b++) {
+        assert_true(memory[b] == 0);
+    }
+    clod_memory_free(memory);
+}
+
 /** Arrays below 1 MiB stay as they are. */
 static void small_memory_is_kept(void **state)
 {
@@ -184,6 +201,7 @@ int main(void)
 #if defined(__linux__)
         cmocka_unit_test(large_memory_is_taken_as_it_is_used),
         cmocka_unit_test(large_memory_is_given_back),
+        cmocka_unit_test(a_whole_array_is_given_back),
         cmocka_unit_test(small_memory_is_kept),
 #endif
         cmocka_unit_test(growing_keeps_the_old_and_zeroes_the_new),

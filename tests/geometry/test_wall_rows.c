@@ -205,10 +205,38 @@ static void rows_tell_how_a_wall_moves(void **state)
     clod_wall_rows_fini(&y.rows);
 }
 
+/** The rows know how far their walls reach, and with that how fast they can be. */
+static void reaches_are_those_of_the_walls(void **state)
+{
+    (void)state;
+    yard y;
+    yard_init(&y);
+    for (int w = 0; w < 2; w++) {
+        assert_true(y.rows.reach[w] == clod_wall_reach(&y.wall[w]));
+        const double bound = clod_wall_speed_within(&y.wall[w], y.rows.reach[w]);
+        assert_true(bound == clod_wall_speed_bound(&y.wall[w]));
+    }
+    double farthest = 0.0; // of a corner of the bar from the axis
+    const clod_shape *bar = &y.shapes[KINDS - 1];
+    for (int corner = 0; corner < 8; corner++) {
+        clod_vec3 p = bar->center;
+        for (int a = 0; a < 3; a++) {
+            const double half = corner >> a & 1 ? bar->half[a] : -bar->half[a];
+            p = clod_vec3_axpy(p, half, bar->axis[a]);
+        }
+        const clod_vec3 arm = clod_vec3_sub(p, y.wall[0].spin_point);
+        const double along = clod_vec3_dot(arm, y.wall[0].spin_axis);
+        farthest = fmax(farthest, sqrt(clod_vec3_dot(arm, arm) - along * along));
+    }
+    assert_true(y.rows.reach[0] >= farthest * (1.0 - 1e-12));
+    clod_wall_rows_fini(&y.rows);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gaps_are_those_of_the_turned_wall),
+        cmocka_unit_test(reaches_are_those_of_the_walls),
         cmocka_unit_test(wall_at_rest_has_the_shapes_that_were_given),
         cmocka_unit_test(symmetric_shape_is_the_same_at_any_angle),
         cmocka_unit_test(rows_follow_walls_that_move),

@@ -1,12 +1,15 @@
 // A bed whose arrays are large enough to be given back to the system in part (base/memory.h):
-// the lists made anew in every way, by one thread and by three, and nothing is lost.
+// the lists made anew in every way, by one thread and by three, and nothing is lost. Its layers
+// are so large that they are cut into strips.
 
+#include "step/layers.h"
 #include "support/bed.h"
 #include "support/bits.h"
 
 #define SIDE 48
 #define SPACING 0.00598 ///< m, of grains of 3 mm
 #define STEPS 4
+#define LARGEST 0.012 ///< m, radius of one grain above: layers are thick, and cut into strips
 
 /** A block of grains that touch, of three materials, on a floor, pushed at random. */
 static void large_init(scene *self)
@@ -18,7 +21,7 @@ static void large_init(scene *self)
     self->state.gravity[2] = -9.81;
     scene_wall(self, "floor", shape_floor(0.0));
     clod_status status = {0};
-    assert_true(clod_grains_reserve(&self->state.grains, SIDE * SIDE * SIDE, &status));
+    assert_true(clod_grains_reserve(&self->state.grains, SIDE * SIDE * SIDE + 1, &status));
     for (int n = 0; n < SIDE * SIDE * SIDE; n++) {
         const size_t g = scene_grain(self, SPACING * (n % SIDE), SPACING * (n / SIDE % SIDE),
                                      0.00299 + SPACING * (n / SIDE / SIDE), 0.003);
@@ -26,6 +29,10 @@ static void large_init(scene *self)
         scene_move(self, g, dice_real(&roll, -0.2, 0.2), dice_real(&roll, -0.2, 0.2),
                    dice_real(&roll, -0.2, 0.2));
     }
+    const double middle = 0.5 * SPACING * SIDE;
+    scene_grain(self, middle, middle, SPACING * SIDE + LARGEST, LARGEST);
+    const double(*place)[4] = (const double(*)[4])self->state.grains.place;
+    assert_true(clod_layers_of(place, self->state.grains.count).strips > 1.0);
 }
 
 /** Everything of one bed, without a list made anew but where the sums' order changes. */
