@@ -216,19 +216,15 @@ static void reaches_are_those_of_the_walls(void **state)
         const double bound = clod_wall_speed_within(&y.wall[w], y.rows.reach[w]);
         assert_true(bound == clod_wall_speed_bound(&y.wall[w]));
     }
-    double farthest = 0.0; // of a corner of the bar from the axis
     const clod_shape *bar = &y.shapes[KINDS - 1];
-    for (int corner = 0; corner < 8; corner++) {
-        clod_vec3 p = bar->center;
-        for (int a = 0; a < 3; a++) {
-            const double half = corner >> a & 1 ? bar->half[a] : -bar->half[a];
-            p = clod_vec3_axpy(p, half, bar->axis[a]);
-        }
-        const clod_vec3 arm = clod_vec3_sub(p, y.wall[0].spin_point);
-        const double along = clod_vec3_dot(arm, y.wall[0].spin_axis);
-        farthest = fmax(farthest, sqrt(clod_vec3_dot(arm, arm) - along * along));
-    }
-    assert_true(y.rows.reach[0] >= farthest * (1.0 - 1e-12));
+    clod_vec3 corner = bar->center;
+    corner = clod_vec3_axpy(corner, bar->half[0], bar->axis[0]);
+    corner = clod_vec3_axpy(corner, bar->half[1], bar->axis[1]);
+    corner = clod_vec3_axpy(corner, bar->half[2], bar->axis[2]);
+    const clod_vec3 arm = clod_vec3_sub(corner, y.wall[0].spin_point);
+    const double along = clod_vec3_dot(arm, y.wall[0].spin_axis);
+    const double away = sqrt(clod_vec3_dot(arm, arm) - along * along);
+    assert_true(y.rows.reach[0] >= away * (1.0 - 1e-12));
     clod_wall_rows_fini(&y.rows);
 }
 
