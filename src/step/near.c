@@ -36,8 +36,7 @@ static bool wall_is_near(const clod_state *state, const clod_wall_candidate *c,
     return clod_wall_rows_gap(walls, c->wall, c->shape, p).distance < p[3] + skin;
 }
 
-/** Room for `count` items, contents lost; `capacity` follows. */
-static bool reserve(void *array, size_t *capacity, size_t count, size_t size)
+bool clod_near_room(void *array, size_t *capacity, size_t count, size_t size)
 {
     if (count <= *capacity) {
         return true;
@@ -98,7 +97,7 @@ static void count_walls(const near_job *job, const clod_wall_candidates *candida
 static bool reserve_blocks(clod_near_blocks *self, size_t groups, size_t size)
 {
     self->count = self->group_start[groups];
-    return reserve(&self->block, &self->capacity, self->count, size);
+    return clod_near_room(&self->block, &self->capacity, self->count, size);
 }
 
 static void history_put(clod_history *to, int lane, const double from[8])
@@ -237,8 +236,8 @@ static bool prepare(clod_near *self, const clod_state *state, const clod_laws *l
             return false;
         }
     }
-    return self->parts == 1 || reserve(&self->weight, &self->weight_capacity,
-                                       state->grains.count, sizeof *self->weight);
+    return self->parts == 1 || clod_near_room(&self->weight, &self->weight_capacity,
+                                              state->grains.count, sizeof *self->weight);
 }
 
 static void mark_near(clod_neighbour *neighbour, const clod_state *state,
@@ -269,8 +268,9 @@ static bool layout_wall_slots(clod_near *self, const clod_neighbour *neighbour, 
     }
     memcpy(self->wall_slot_fill, self->wall_slot_start, (size_t)walls * sizeof(int32_t));
     const size_t padding = clod_near_groups(self) * CLOD_LANES;
-    return reserve(&self->wall_slots, &self->wall_slot_capacity,
-                   (size_t)self->wall_slot_start[walls] + padding, sizeof *self->wall_slots);
+    return clod_near_room(&self->wall_slots, &self->wall_slot_capacity,
+                          (size_t)self->wall_slot_start[walls] + padding,
+                          sizeof *self->wall_slots);
 }
 
 /** All contacts into blocks; the state's list is empty then. */
@@ -288,10 +288,10 @@ static void place_all(near_job *job, clod_neighbour *neighbour)
 
 bool clod_near_reserve_spent(clod_near *self)
 {
-    return !self->ledger || (reserve(&self->pairs.spent, &self->pairs.spent_capacity,
-                                     self->pairs.count, sizeof *self->pairs.spent) &&
-                             reserve(&self->walls.spent, &self->walls.spent_capacity,
-                                     self->walls.count, sizeof *self->walls.spent));
+    return !self->ledger || (clod_near_room(&self->pairs.spent, &self->pairs.spent_capacity,
+                                            self->pairs.count, sizeof *self->pairs.spent) &&
+                             clod_near_room(&self->walls.spent, &self->walls.spent_capacity,
+                                            self->walls.count, sizeof *self->walls.spent));
 }
 
 bool clod_near_make(clod_near *self, clod_neighbour *neighbour, clod_state *state,

@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "base/memory.h"
 #include "step/near_parts.h"
 
 #define ROWS_IN_A_LINE 2 ///< of four doubles, in the caches
@@ -29,18 +28,8 @@ bool clod_near_between_reserve(clod_near *near)
     }
     clod_near_between *self = &near->between;
     const size_t lanes = (near->pairs.count - first_block(near)) * CLOD_LANES;
-    if (lanes > self->share_capacity) {
-        clod_memory_free(self->share);
-        self->share_capacity = lanes + lanes / 4;
-        self->share = clod_memory_alloc(self->share_capacity, sizeof *self->share);
-    }
-    const size_t runs = most_runs(near);
-    if (runs > self->run_capacity) {
-        clod_memory_free(self->run);
-        self->run_capacity = runs + runs / 4;
-        self->run = clod_memory_alloc(self->run_capacity, sizeof *self->run);
-    }
-    return lanes == 0 || (self->share != NULL && self->run != NULL);
+    return clod_near_room(&self->share, &self->share_capacity, lanes, sizeof *self->share) &&
+           clod_near_room(&self->run, &self->run_capacity, most_runs(near), sizeof *self->run);
 }
 
 /** Go on to the next run of a group, in which i's part stays the same; false: there is none. */
