@@ -32,10 +32,12 @@ Command: `make bench-peers` (`bench/run-peers`; decks of the peers: `bench/peers
 {_versions(records)}
 Beds: copies of `bench/packings/pack_4k.csv` (3750 grains of copper ore, periodic); 1k is a column cut
 from it, loose at its seams (`packing.cut`), for the cost of a small bed. Step 1e-7 s, double precision, gravity. Warm-up and
-measured steps are the same ones in all programs, from the same grains. The programs take turns;
-medians (smallest - largest) over the runs. Threads are clod's threads and the peers' MPI ranks.
-Times are those of the steps alone, as each program measures them. Runs can be
-added to those that are there, so rows may have different numbers of them.
+measured steps are the same ones in all programs, from the same grains. They take turns: a round
+has every bed, case, program and number of threads once. Rates are medians (smallest - largest) over the
+rounds; a ratio is the median of the ratios of each round, of runs that are seconds apart (one between beds: minutes),
+since the machine's speed changes from minute to minute. Threads are clod's threads and the peers' MPI ranks.
+Times are those of the steps alone, as each program measures them. Rounds can be
+added to those that are there.
 
 """
 
@@ -52,7 +54,7 @@ def _rows(records, case, size):
             ratio = kinetic = "-"
             contacts = f"{some[0]['coordination']:.3f}"
             if ours and name != plan.CLOD:
-                ratio = f"{table.median(ours, 'rate') / table.median(some, 'rate'):.2f}"
+                ratio = f"{table.ratio(ours, some):.2f}"
                 kinetic = f"{some[0]['kinetic_J'] / ours[0]['kinetic_J']:.2f}"
                 if abs(some[0]["coordination"] / ours[0]["coordination"] - 1.0) > SAME_WORK:
                     contacts += " DIFFERS"
@@ -88,9 +90,9 @@ def _cost(records):
         if single:
             contacts = 0.5 * single[0]["coordination"]
             ns = 1e9 / table.median(single, "rate")
-            rates = {threads: table.median(table.chosen(runs, threads=threads), "rate")
-                     for threads in sorted({r["threads"] for r in runs})}
-            more = [f"{threads}: {rate * ns / 1e9:.2f}" for threads, rate in rates.items()
+            ratios = {threads: table.ratio(table.chosen(runs, threads=threads), single)
+                      for threads in sorted({r["threads"] for r in runs})}
+            more = [f"{threads}: {ratio:.2f}" for threads, ratio in ratios.items()
                     if threads > 1]
             rows.append([size, single[0]["grains"], f"{ns:.1f}", f"{ns / contacts:.1f}",
                          ", ".join(more) or "-"])

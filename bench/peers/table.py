@@ -13,9 +13,17 @@ def median(records, key):
     return statistics.median(r[key] for r in records) if records else None
 
 
-def rate(records, **keys):
-    """Median rate of the speed runs with these values [grain-steps/s], or None."""
-    return median(chosen(records, kind="speed", **keys), "rate")
+def ratio(ours, theirs):
+    """Median over the rounds of the ratio of two rates of a round, or None: a machine that is
+    slower for a while is so for both."""
+    other = {r["run"]: r["rate"] for r in theirs}
+    pairs = [r["rate"] / other[r["run"]] for r in ours if r["run"] in other]
+    return statistics.median(pairs) if pairs else None
+
+
+def speeds(records, **keys):
+    """The speed runs with these values."""
+    return chosen(records, kind="speed", **keys)
 
 
 def spread(records, key="rate", scale=1e-6):

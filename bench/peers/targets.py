@@ -32,28 +32,25 @@ def bytes_per_grain(records, size, name):
     return 1024.0 * grown / (runs[0]["grains"] - small[0]["grains"])
 
 
-def _over(one, other):
-    return None if one is None or other is None else one / other
-
-
 def _ratios(records):
     for case, peer, least in RATIOS:
         for size in plan.SIZES:
-            ours, theirs = (table.rate(records, case=case, size=size, program=name, threads=1)
+            ours, theirs = (table.speeds(records, case=case, size=size, program=name, threads=1)
                             for name in (plan.CLOD, peer))
-            yield f"case {plan.CASES[case][0][0]}: clod / {peer}", size, _over(ours, theirs), least
+            yield (f"case {plan.CASES[case][0][0]}: clod / {peer}", size,
+                   table.ratio(ours, theirs), least)
 
 
 def _own(records):
-    rates = {(size, threads): table.rate(records, case=plan.FULL, size=size, program=plan.CLOD,
-                                         threads=threads)
-             for size in plan.SIZES for threads in (1, 2)}
+    runs = {(size, threads): table.speeds(records, case=plan.FULL, size=size,
+                                          program=plan.CLOD, threads=threads)
+            for size in plan.SIZES for threads in (1, 2)}
     for size in (size for size in plan.SIZES if not plan.cut(size)):
-        yield ("case c: two threads / one", size, _over(rates[size, 2], rates[size, 1]),
+        yield ("case c: two threads / one", size, table.ratio(runs[size, 2], runs[size, 1]),
                TWO_THREADS)
     for size in LARGE["beds"]:
         yield (f"case c: rate / rate of {LARGE['size']}, one thread", size,
-               _over(rates[size, 1], rates[LARGE["size"], 1]), LARGE["share"])
+               table.ratio(runs[size, 1], runs[LARGE["size"], 1]), LARGE["share"])
 
 
 def _verdict(what, value, least):

@@ -9,6 +9,8 @@
  * and one of a wall at rest is exactly the one that was given.
  */
 
+#include <math.h>
+
 #include "geometry/wall_closest.h"
 #include "geometry/wall_gap.h"
 #include "state/walls.h"
@@ -58,6 +60,25 @@ static inline clod_gap clod_wall_rows_gap(const clod_wall_rows *self, int32_t w,
     return clod_wall_gap_rows((const double(*)[4])self->shape +
                                   clod_wall_rows_shape(self, w, shape),
                               (clod_vec3){p[0], p[1], p[2]});
+}
+
+/**
+ * Whether a point is farther than `reach` [m] from a shape for sure: outside the sphere about a
+ * box or bar, made larger by so much. False says nothing.
+ */
+static inline bool clod_wall_rows_is_far(const clod_wall_rows *self, int32_t w, int32_t shape,
+                                         const double p[3], double reach)
+{
+    const double(*row)[4] =
+        (const double(*)[4])self->shape + clod_wall_rows_shape(self, w, shape);
+    double apart2 = 0.0;
+    double half2 = 0.0;
+    for (int a = 0; a < 3; a++) {
+        apart2 += (p[a] - row[0][a]) * (p[a] - row[0][a]);
+        half2 += row[1 + a][3] * row[1 + a][3];
+    }
+    const double most = sqrt(half2) + reach;
+    return row[0][3] == CLOD_WALL_BOX && apart2 > most * most;
 }
 
 void clod_wall_rows_fini(clod_wall_rows *self);

@@ -41,6 +41,8 @@
 #define STORED_CONTACT 76.0
 #define CONTACTS 3.0 ///< contacts for each grain
 
+#define BATCHES_MAX 3
+
 /** What the parts of a run ask for; parts of one batch run side by side. */
 typedef struct batch {
     int count;
@@ -208,16 +210,21 @@ static batch preparations(const clod_case_programme *test, double before, bool m
     return (batch){(int)test->seeds, (double)test->seeds * time, time};
 }
 
+static batch reversals(const clod_case_programme *test, bool most)
+{
+    const double time = (most ? CLOD_LIMITS_REVERSE_MAX : REVERSE_LIKELY) /
+                        (CLOD_LIMITS_REVERSE_FRACTION * test->speed);
+    return (batch){(int)test->seeds, (double)test->seeds * time, time};
+}
+
 static batch points(const clod_case_programme *test, bool most)
 {
     batch all = {(int)(test->seeds * (int64_t)test->shear_stress_count), 0.0, 0.0};
-    const double reverse = (most ? CLOD_LIMITS_REVERSE_MAX : REVERSE_LIKELY) /
-                           (CLOD_LIMITS_REVERSE_FRACTION * test->speed);
     const double peak = fmin(PEAK_LIKELY + test->beyond_peak, test->shear_max);
     for (size_t s = 0; s < test->shear_stress_count; s++) {
         const double speed =
             test->speed * sqrt(test->shear_stresses[s] / test->preshear_stress);
-        const double time = reverse + (most ? CLOD_LIMITS_SETTLE_TIME : LOAD_LIKELY) +
+        const double time = (most ? CLOD_LIMITS_SETTLE_TIME : LOAD_LIKELY) +
                             (most ? test->shear_max : peak) / speed;
         all.time += (double)test->seeds * time;
         all.longest = fmax(all.longest, time);
@@ -260,34 +267,41 @@ static batch stages(const clod_case *from)
     return all;
 }
 
-/** The parts of a run: those that prepare, and those that begin from them. */
-static void plan_parts(const clod_case *from, bool most, batch *first, batch *second)
+/** The batches of a run, each after the one before; returns how many. */
+static int plan_parts(const clod_case *from, bool most, batch all[BATCHES_MAX])
 {
-    *second = (batch){0};
     const clod_case_programme *shear = clod_case_shear(from);
     if (shear != NULL) {
-        *first = preparations(shear, twisting(&from->jenike), most);
-        *second = points(shear, most);
-    } else if (from->uniaxial.present) {
-        *first = filling(most);
-        *second = crushings(&from->uniaxial, most);
-    } else {
-        *first = stages(from);
+        all[0] = preparations(shear, twisting(&from->jenike), most);
+        all[1] = reversals(shear, most);
+        all[2] = points(shear, most);
+        return 3;
     }
+    if (from->uniaxial.present) {
+        all[0] = filling(most);
+        all[1] = crushings(&from->uniaxial, most);
+        return 2;
+    }
+    all[0] = stages(from);
+    return 1;
 }
 
 static void plan_run(const clod_case *from, clod_check_report *report)
 {
     for (int most = 0; most < 2; most++) {
-        batch first, second;
-        plan_parts(from, most != 0, &first, &second);
-        const int count = first.count > second.count ? first.count : second.count;
-        const double clock = batch_clock(report, &first) +
-                             (second.count > 0 ? batch_clock(report, &second) : 0.0);
+        batch all[BATCHES_MAX];
+        const int batches = plan_parts(from, most != 0, all);
+        int count = 0;
+        double time = 0.0;
+        double clock = 0.0;
+        for (int b = 0; b < batches; b++) {
+            count = all[b].count > count ? all[b].count : count;
+            time += all[b].time;
+            clock += batch_clock(report, &all[b]);
+        }
         report->side_by_side = count < report->threads ? count : report->threads;
-        *(most != 0 ? &report->time_most : &report->time_likely) = first.time + second.time;
-        *(most != 0 ? &report->steps_most : &report->steps_likely) =
-            (first.time + second.time) / report->step;
+        *(most != 0 ? &report->time_most : &report->time_likely) = time;
+        *(most != 0 ? &report->steps_most : &report->steps_likely) = time / report->step;
         *(most != 0 ? &report->clock_most : &report->clock_likely) = clock;
     }
 }
@@ -300,9 +314,12 @@ static void plan_disk(const clod_check_subject *subject, clod_check_report *repo
     double columns = FREE_COLUMNS + WALL_COLUMNS * (double)subject->state.walls.count;
     double pictures = 1.0;
     if (clod_case_tester(from) != NULL) {
-        batch first, second;
-        plan_parts(from, true, &first, &second);
-        parts = first.count + second.count;
+        batch all[BATCHES_MAX];
+        const int batches = plan_parts(from, true, all);
+        parts = 0.0;
+        for (int b = 0; b < batches; b++) {
+            parts += all[b].count;
+        }
         rows = report->steps_most / CLOD_LIMITS_COARSE_STEPS;
         columns = ROW_COLUMNS;
         pictures = parts;

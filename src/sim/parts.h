@@ -14,7 +14,7 @@ typedef struct clod_part {
     char name[48];
     char from[48]; ///< name of the part whose end this one begins with; "" for a preparation
     int64_t seed;
-    int64_t point;                  ///< which of the points; -1 for a preparation
+    int64_t point;                  ///< which of the points; below 0 for a preparation
     void *test;                     ///< the procedure's data, borrowed
     int64_t steps;                  ///< of this part
     double dt;                      ///< s
@@ -32,7 +32,7 @@ typedef struct clod_parts_tester {
     clod_procedure procedure; ///< without data, which is each part's own
     /** Build the cell, full and at rest. */
     bool (*setup)(const clod_case *from, int64_t seed, clod_state *state, clod_status *status);
-    /** Begin: a preparation with the cell, a point with the end of the part before it. */
+    /** Begin with the cell, or with the end of the part before it. */
     void (*begin)(const clod_case *from, const clod_part *part, clod_state *state);
 } clod_parts_tester;
 

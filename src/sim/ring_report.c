@@ -90,6 +90,9 @@ static json_t *part_json(const clod_part *part)
     json_object_set_new(j, "flags", flag_words(t->flags));
     const bool point = part->point >= 0;
     clod_parts_set_number(j, "normal_stress_Pa", point ? t->shear_stress : t->preshear_stress);
+    if (part->point == CLOD_RING_REVERSE) {
+        return j; // no result of its own
+    }
     clod_parts_set_number(j, "measured_normal_stress_Pa",
                           point ? t->point_normal : t->preshear_normal);
     clod_parts_set_number(j, "shear_stress_Pa", point ? t->point_shear : t->preshear_shear);

@@ -37,17 +37,17 @@ static bool ring_trouble(const void *data, char *text, size_t size)
     return clod_ring_shear_trouble(data, text, size);
 }
 
-/** Names: `preshear`, `point-1`; with several seeds `seed-3-preshear`. */
+/** Names: `preshear`, `reverse`, `point-1`; with several seeds `seed-3-preshear`. */
 static void name_part(const clod_case *from, int64_t seed, int64_t point, char name[48])
 {
     char prefix[24] = "";
     if (clod_case_shear(from)->seeds > 1) {
         snprintf(prefix, sizeof prefix, "seed-%lld-", (long long)seed);
     }
-    if (point < 0) {
-        snprintf(name, 48, "%spreshear", prefix);
-    } else {
+    if (point >= 0) {
         snprintf(name, 48, "%spoint-%lld", prefix, (long long)point + 1);
+    } else {
+        snprintf(name, 48, "%s%s", prefix, point == CLOD_RING_REVERSE ? "reverse" : "preshear");
     }
 }
 
@@ -56,6 +56,8 @@ static void ring_begin(const clod_case *from, const clod_part *part, clod_state 
     if (part->point >= 0) {
         const double stress = clod_case_shear(from)->shear_stresses[part->point];
         clod_ring_shear_branch(part->test, stress, state);
+    } else if (part->point == CLOD_RING_REVERSE) {
+        clod_ring_shear_reverse(part->test, state);
     } else if (from->jenike.present) {
         clod_jenike_begin(part->test, from, state);
     } else {
@@ -74,19 +76,21 @@ static const clod_parts_tester TESTER = {.procedure = {.size = sizeof(clod_ring_
                                          .setup = clod_begin_state,
                                          .begin = ring_begin};
 
-/** Preparations first, then the points of each seed. */
+/** Preshears first, then their reversals, then the points of each seed. */
 static void name_parts(const clod_case *from, clod_part *part, clod_ring_shear *test)
 {
     const int seeds = (int)clod_case_shear(from)->seeds;
     const int per_seed = (int)clod_case_shear(from)->shear_stress_count;
-    for (int k = 0; k < seeds * (1 + per_seed); k++) {
-        const int point = k < seeds ? -1 : (k - seeds) % per_seed;
+    for (int k = 0; k < seeds * (2 + per_seed); k++) {
+        const int point = k - 2 * seeds;
+        const int preparation = k < seeds ? CLOD_RING_PRESHEAR : CLOD_RING_REVERSE;
         part[k].test = &test[k];
-        part[k].seed = from->seed + (k < seeds ? k : (k - seeds) / per_seed);
-        part[k].point = point;
-        name_part(from, part[k].seed, point, part[k].name);
-        if (point >= 0) {
-            name_part(from, part[k].seed, -1, part[k].from);
+        part[k].seed = from->seed + (point < 0 ? k % seeds : point / per_seed);
+        part[k].point = point < 0 ? preparation : point % per_seed;
+        name_part(from, part[k].seed, part[k].point, part[k].name);
+        if (preparation == CLOD_RING_REVERSE) {
+            name_part(from, part[k].seed, point < 0 ? CLOD_RING_PRESHEAR : CLOD_RING_REVERSE,
+                      part[k].from);
         }
     }
 }
@@ -94,9 +98,9 @@ static void name_parts(const clod_case *from, clod_part *part, clod_ring_shear *
 bool clod_ring_run(const clod_sim *sim, char **report, clod_status *status)
 {
     const clod_case_programme *programme = clod_case_shear(sim->from);
-    const int first = (int)programme->seeds;
-    const int points = first * (int)programme->shear_stress_count;
-    const size_t parts = (size_t)first + (size_t)points;
+    const int seeds = (int)programme->seeds;
+    const int points = seeds * (int)programme->shear_stress_count;
+    const size_t parts = 2 * (size_t)seeds + (size_t)points;
     clod_part *part = clod_memory_alloc(parts, sizeof *part);
     clod_ring_shear *test = clod_memory_alloc(parts, sizeof *test);
     bool ok = false;
@@ -104,9 +108,10 @@ bool clod_ring_run(const clod_sim *sim, char **report, clod_status *status)
         clod_status_fail(status, CLOD_FAILED, "no memory for the parts of the test");
     } else {
         name_parts(sim->from, part, test);
-        ok = clod_parts_run(&TESTER, sim, part, first, status) &&
-             clod_parts_run(&TESTER, sim, part + first, points, status) &&
-             clod_ring_report(sim, part, first, points, report, status);
+        ok = clod_parts_run(&TESTER, sim, part, seeds, status) &&
+             clod_parts_run(&TESTER, sim, part + seeds, seeds, status) &&
+             clod_parts_run(&TESTER, sim, part + 2 * seeds, points, status) &&
+             clod_ring_report(sim, part, 2 * seeds, points, report, status);
     }
     clod_memory_free(part);
     clod_memory_free(test);

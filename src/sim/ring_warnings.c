@@ -91,10 +91,13 @@ static double inertial_number(const clod_case *from, const clod_shear_cell *cell
 static void add_part(json_t *list, const clod_case *from, const clod_shear_cell *cell,
                      const clod_part *part)
 {
-    const double inertia = inertial_number(from, cell, part);
+    const bool sheared = part->point != CLOD_RING_REVERSE;
+    const double inertia = sheared ? inertial_number(from, cell, part) : 0.0;
     add_flags(list, cell, part);
-    add_servo(list, cell, part);
-    add_dilation(list, cell, part);
+    if (sheared) {
+        add_servo(list, cell, part);
+        add_dilation(list, cell, part);
+    }
     if (part->max_overlap > CLOD_LIMITS_OVERLAP_MOST) {
         clod_warning_box_add(
             list,

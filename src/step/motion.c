@@ -5,12 +5,27 @@
 #include "parallel/threads.h"
 #include "step/step.h"
 
-/** Walls move; the fastest speed that a point of them can have [m/s]. */
-static double drift_walls(clod_step *self)
+/** Walls from this one on, in steps of as many as there are threads, belong to a thread; with
+ * the ledger all to the first one, which adds up their work in order. */
+typedef struct my_walls {
+    int32_t first, step;
+} my_walls;
+
+static my_walls walls_of(const clod_step *self, int part)
+{
+    if (self->near.ledger) {
+        return (my_walls){part == 0 ? 0 : self->state->walls.count, 1};
+    }
+    return (my_walls){part, self->threads};
+}
+
+/** A thread's walls move; the fastest speed that a point of them can have [m/s]. */
+static double drift_walls(clod_step *self, int part)
 {
     double fastest = 0.0;
     const double dt = self->state->dt;
-    for (int32_t w = 0; w < self->state->walls.count; w++) {
+    const my_walls mine = walls_of(self, part);
+    for (int32_t w = mine.first; w < self->state->walls.count; w += mine.step) {
         clod_wall *wall = &self->state->walls.wall[w];
         clod_wall_move(wall, dt, self->state->step + 1);
         clod_wall_rows_place(&self->walls, w, wall);
@@ -40,12 +55,9 @@ void clod_step_drift(clod_step *self, int part)
         grains->place, grains->motion, grains->turning, grains->load,
         mine->owed ? self->state->gravity : NULL, self->state->dt, c.begin, c.end);
     mine->owed = false;
-    mine->max_speed2 = seen.max_speed2;
+    const double walls = drift_walls(self, part);
+    mine->max_speed2 = fmax(seen.max_speed2, walls * walls);
     mine->finite = seen.finite;
-    if (part == 0) {
-        const double walls = drift_walls(self);
-        mine->max_speed2 = fmax(mine->max_speed2, walls * walls);
-    }
 }
 
 /** The second half kick waits for the drift of the next step: one way through memory for both.
@@ -101,10 +113,8 @@ static void kick_servo(clod_wall *wall, double dt)
 
 void clod_step_servo(clod_step *self, int part)
 {
-    if (part != 0) {
-        return;
-    }
-    for (int32_t w = 0; w < self->state->walls.count; w++) {
+    const my_walls mine = walls_of(self, part);
+    for (int32_t w = mine.first; w < self->state->walls.count; w += mine.step) {
         clod_wall *wall = &self->state->walls.wall[w];
         const double before = power_of(wall); // the force before with the way of this step
         sum_wall(wall, (const double(*)[8])self->near.wall_slots, self->near.wall_slot_start[w],

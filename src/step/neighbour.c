@@ -65,11 +65,12 @@ static bool find_walls(clod_neighbour *self, const clod_state *state, const clod
     const clod_grains *grains = &state->grains;
     for (size_t g = 0; g < grains->count; g++) {
         const double *p = state->build_place[g];
+        const double reach = p[3] + self->skin;
         for (int32_t w = 0; w < state->walls.count; w++) {
             const clod_wall *wall = &state->walls.wall[w];
             for (int32_t s = 0; s < wall->shape_count; s++) {
-                if (clod_wall_rows_gap(&self->build_rows, w, s, p).distance >=
-                    p[3] + self->skin) {
+                if (clod_wall_rows_is_far(&self->build_rows, w, s, p, reach) ||
+                    clod_wall_rows_gap(&self->build_rows, w, s, p).distance >= reach) {
                     continue;
                 }
                 clod_wall_candidates *walls = &self->walls;

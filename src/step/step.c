@@ -228,7 +228,9 @@ static bool first_forces(clod_step *self, clod_status *status)
             grains->load[g][a] += grains->motion[g][3] * self->state->gravity[a];
         }
     }
-    clod_step_servo(self, 0);
+    for (int t = 0; t < self->threads; t++) {
+        clod_step_servo(self, t);
+    }
     clod_walls_reset_sums(&self->state->walls);
     return !has_trouble(self, 0) || clod_trouble_report(self, status);
 }

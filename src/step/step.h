@@ -23,7 +23,7 @@ typedef struct clod_step_options {
 
 /** What one thread keeps to itself, on its own cache lines; motions are the same in all. */
 typedef struct clod_step_thread {
-    _Alignas(64) double max_speed2; ///< m2/s2, of its grains (and of the walls: thread 0)
+    _Alignas(64) double max_speed2; ///< m2/s2, of its grains and walls
     double build_motion;            ///< m, bound of any motion since the last rebuild
     double near_motion;             ///< m, since the last near list
     bool finite;                    ///< its grains' numbers

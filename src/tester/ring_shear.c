@@ -94,15 +94,23 @@ void clod_ring_shear_start(clod_ring_shear *self, const clod_case_programme *pro
     enter(self, state, CLOD_RING_SHEAR_FILL);
 }
 
+void clod_ring_shear_reverse(clod_ring_shear *self, clod_state *state)
+{
+    self->target_speed = -CLOD_LIMITS_REVERSE_FRACTION * self->speed;
+    self->target_stress = self->preshear_stress;
+    self->flags = 0; // what was not right with the preparation stands in its own
+    enter(self, state, CLOD_RING_SHEAR_REVERSE);
+}
+
 void clod_ring_shear_branch(clod_ring_shear *self, double shear_stress, clod_state *state)
 {
     self->shear_stress = shear_stress;
     // shear rate with the square root of the stress: the same inertial number as in preshear
     self->shear_speed = self->speed * sqrt(fmin(shear_stress / self->preshear_stress, 1.0));
-    self->target_speed = -CLOD_LIMITS_REVERSE_FRACTION * self->speed;
-    self->target_stress = self->preshear_stress;
-    self->flags = 0; // what was not right with the preparation stands in its own
-    enter(self, state, CLOD_RING_SHEAR_REVERSE);
+    self->start_stress = self->preshear_stress;
+    self->target_stress = shear_stress;
+    self->flags = 0; // what was not right before stands in its own
+    enter(self, state, CLOD_RING_SHEAR_REDUCE);
 }
 
 /** Steps in which the solid is sheared by `displacement` [m] at `speed`. */
@@ -238,9 +246,7 @@ static void after_reverse(clod_ring_shear *self, clod_state *state, const double
     }
     self->flags |= late ? CLOD_RING_SHEAR_NO_REVERSAL : 0;
     self->target_speed = 0.0;
-    self->start_stress = self->preshear_stress;
-    self->target_stress = self->shear_stress;
-    enter(self, state, CLOD_RING_SHEAR_REDUCE);
+    enter(self, state, CLOD_RING_SHEAR_DONE);
 }
 
 static void after_shear(clod_ring_shear *self, clod_state *state, const double *row)

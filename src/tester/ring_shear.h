@@ -9,8 +9,8 @@
  * what depends on the cell is in ring_measure.c and jenike.c.
  *
  * One procedure prepares the specimen: fill, lower the lid, consolidate, preshear until steady.
- * For each shear point another one starts from that same state: reverse to zero shear stress,
- * reduce the load, shear to the peak and beyond.
+ * A second one goes on from there: reverse to zero shear stress. For each shear point another
+ * one starts from that same state: reduce the load, shear to the peak and beyond.
  */
 
 #include <stdbool.h>
@@ -117,7 +117,10 @@ void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_st
 void clod_ring_shear_start(clod_ring_shear *self, const clod_case_programme *programme,
                            clod_state *state);
 
-/** Begin a shear point from the presheared state: `self` is the copy of the preparing one. */
+/** Begin to shear back from the presheared state: `self` is the copy of the preparing one. */
+void clod_ring_shear_reverse(clod_ring_shear *self, clod_state *state);
+
+/** Begin a shear point from the reversed state: `self` is the copy of the reversing one. */
 void clod_ring_shear_branch(clod_ring_shear *self, double shear_stress, clod_state *state);
 
 /** Steps until the next look. */
@@ -127,7 +130,7 @@ int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *stat
  * Look at the walls after the planned steps: fill a row of the series, and move on.
  *
  * @param row  [out] [CLOD_RING_SHEAR_COLUMNS] means over the steps since the last look
- * @return     true when the preparation or the point is finished, or cannot go on
+ * @return     true when preparation, reversal or point is finished, or cannot go on
  * Errors  none: what is not right is noted in flags; after NO_BED nothing more can come.
  * Threads  one per state.
  * Source  PHYSICS 7.   Test  tests/tester/test_ring_shear.c

@@ -40,7 +40,7 @@ def row(text, *starts):
 class Report(unittest.TestCase):
 
     def test_medians_and_ratio(self):
-        # medians 26e6 and 2e6, so 13 times; 3 J / 2 J
+        # medians 26e6 and 2e6; round by round 20, 13 and 8 times, so 13; 3 J / 2 J
         text = report.text(speed("4k", 3750, "clod", [30e6, 26e6, 20e6])
                            + speed("4k", 3750, LIGGGHTS, [1.5e6, 2e6, 2.5e6]), "Linux")
         self.assertEqual(row(text, LIGGGHTS)[3:], ["1", "10", "0", "3", "2.00 (1.50 - 2.50)",
@@ -49,6 +49,18 @@ class Report(unittest.TestCase):
         self.assertEqual(row(text, "at least 12")[-2:], ["13.00", "reached"])
         for word in ("clod 1", "liggghts 3", "box", "2026-01-02T03:04:05", "Linux"):
             self.assertIn(word, text)
+
+    def test_ratios_are_those_of_a_round(self):
+        # the machine is half as fast in rounds 1 and 3: 10, 10, 14, 14 and 11 times, so 11, where
+        # medians would give 20e6 / 2e6; round 5 has no partner; two threads in rounds 0 and 2:
+        # 36 / 20 and 28 / 28, so 1.4
+        text = report.text(speed("4k", 3750, "clod", [20e6, 10e6, 28e6, 14e6, 22e6])
+                           + speed("4k", 3750, LIGGGHTS, [2e6, 1e6, 2e6, 1e6, 2e6, 9e6])
+                           + speed("4k", 3750, "clod", [36e6], threads=2)
+                           + speed("4k", 3750, "clod", [28e6], threads=2, run=2), "Linux")
+        self.assertEqual(row(text, "at least 12")[-2:], ["11.00", "MISSED"])
+        self.assertEqual(row(text, "at least 1.85")[-2:], ["1.40", "MISSED"])
+        self.assertEqual(row(text, "2: 1.40")[0], "4k")
 
     def test_missed_targets_are_said(self):
         # 22e6 / 2e6 = 11 < 12; 40e6 / 22e6 = 1.818 < 1.85; 18e6 / 22e6 = 0.818 < 0.85

@@ -47,17 +47,19 @@ class RingShear(clod.TesterCase):
     def test_phases_come_in_order(self):
         phases = {name: [row["phase"] for row in rows] for name, rows in self.series.items()}
         self.assertEqual(sorted(set(phases["preshear"])), [FILL, LOWER, CONSOLIDATE, SHEARED])
+        self.assertEqual(set(phases["reverse"]), {REVERSE})
         for point in ("point-1", "point-2", "point-3"):
-            self.assertEqual(sorted(set(phases[point])), [REVERSE, REDUCE, SHEAR])
+            self.assertEqual(sorted(set(phases[point])), [REDUCE, SHEAR])
         for name, rows in self.series.items():
             self.assertEqual(phases[name], sorted(phases[name]), name)
             times = [row["time"] for row in rows]
             self.assertEqual(times, sorted(set(times)), name)
 
-    def test_points_begin_at_the_presheared_state(self):
-        last = self.series["preshear"][-1]
-        for point in ("point-1", "point-2", "point-3"):
-            first = self.series[point][0]
+    def test_parts_begin_where_the_one_before_has_ended(self):
+        for name, before in (("reverse", "preshear"), ("point-1", "reverse"),
+                             ("point-2", "reverse"), ("point-3", "reverse")):
+            last = self.series[before][-1]
+            first = self.series[name][0]
             self.assertGreater(first["time"], last["time"])
             self.assertLess(first["time"] - last["time"], 2e-4)  # 50 steps of 2.5 us
             self.assertAlmostEqual(first["height"], last["height"], delta=2e-5)
@@ -68,7 +70,8 @@ class RingShear(clod.TesterCase):
             # the inertial number of preshear: speed ~ sqrt(stress)
             top = max(row["speed"] for row in self.series[name] if row["phase"] == SHEAR)
             self.assertAlmostEqual(top, SPEED * math.sqrt(stress / PRESHEAR), delta=1e-9)
-            self.assertLess(min(row["speed"] for row in self.series[name]), 0.0)
+
+        self.assertLess(min(row["speed"] for row in self.series["reverse"]), 0.0)
 
     def test_torques_balance(self):
         """No torque from outside but the two: they differ by the change of spin of the bed."""
@@ -117,11 +120,10 @@ class RingShear(clod.TesterCase):
         self.assertAlmostEqual(clod.mean(rows, "power") / work, 1.0, delta=1e-6)
 
     def test_reversal(self):
-        for point in ("point-1", "point-2", "point-3"):
-            rows = [row for row in self.series[point] if row["phase"] == REVERSE]
-            self.assertGreater(rows[0]["shear_stress"], 0.0)
-            self.assertGreater(min(row["shear_stress"] for row in rows[:-1]), 0.0)
-            self.assertLessEqual(rows[-1]["shear_stress"], 0.0)
+        rows = self.series["reverse"]
+        self.assertGreater(rows[0]["shear_stress"], 0.0)
+        self.assertGreater(min(row["shear_stress"] for row in rows[:-1]), 0.0)
+        self.assertLessEqual(rows[-1]["shear_stress"], 0.0)
 
     def test_results_are_those_of_the_series(self):
         self.assertEqual(self.part["preshear"]["flags"], [])
@@ -236,7 +238,7 @@ class Provoked(clod.Case):
         with open(self.path("out/summary.json")) as file:
             summary = json.load(file)
         names = [f"seed-{seed}-{part}" for seed in (7, 8)
-                 for part in ("preshear", "point-1", "point-2")]
+                 for part in ("preshear", "reverse", "point-1", "point-2")]
         self.assertEqual(sorted(part["part"] for part in summary["parts"]), sorted(names))
         points = clod.table(self.path("out/points.csv"))
         self.assertEqual([row["seed"] for row in points], [7, 7, 8, 8])
@@ -245,7 +247,7 @@ class Provoked(clod.Case):
         # the first seed is the test of one seed, byte for byte
         done = clod.run("run", TINY, "-o", self.path("one"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        for part in ("preshear", "point-1", "point-2"):
+        for part in ("preshear", "reverse", "point-1", "point-2"):
             self.assertEqual(clod.read(self.path(f"out/seed-7-{part}.csv")),
                              clod.read(self.path(f"one/{part}.csv")))
             self.assertNotEqual(clod.read(self.path(f"out/seed-8-{part}.csv")),

@@ -13,8 +13,8 @@ import clod
 RING = clod.source("tests/restart/ring.yaml")
 BOX = clod.source("tests/restart/box.yaml")
 JENIKE = clod.source("tests/restart/jenike.yaml")
-PARTS = {RING: ["preshear", "point-1", "point-2"], JENIKE: ["preshear", "point-1", "point-2"],
-         BOX: ["run"]}
+SHEAR_TEST = ["preshear", "reverse", "point-1", "point-2"]
+PARTS = {RING: SHEAR_TEST, JENIKE: SHEAR_TEST, BOX: ["run"]}
 SETS = ["scalar", "avx2", "avx512", "neon"]
 SEED = int(os.environ.get("CLOD_TEST_SEED", time.time_ns() % 1000000))
 
@@ -58,21 +58,25 @@ class Restart(clod.Case):
         return lambda: any(fields.items() <= event.items() for event in clod.log(folder))
 
     def test_signals(self):
-        for number, phase, threads in ((signal.SIGINT, "lower", "2"),
-                                       (signal.SIGTERM, "shear", "1"),
-                                       (signal.SIGINT, "reduce", "4")):
-            with self.subTest(number=number, phase=phase, threads=threads):
-                folder = self.path(phase)
-                self.interrupt(RING, folder, number, self.has(folder, event="phase", to=phase),
+        for number, event, what, threads in ((signal.SIGINT, "phase", {"to": "lower"}, "2"),
+                                             (signal.SIGTERM, "phase", {"to": "shear"}, "1"),
+                                             (signal.SIGINT, "finished", {"part": "reverse"},
+                                              "4")):
+            with self.subTest(number=number, event=event, what=what, threads=threads):
+                folder = self.path("-".join(what.values()))
+                self.interrupt(RING, folder, number, self.has(folder, event=event, **what),
                                "-t", threads)
                 self.go_on(RING, folder, "-t", "1" if threads == "2" else "2")
 
     @clod.quick_only
     def test_signals_again_and_again(self):
         folder = self.path("often")
-        for phase in ("lower", "consolidate", "preshear", "reduce"):
+        for phase in ("lower", "consolidate", "preshear"):
             self.interrupt(RING, folder, signal.SIGTERM,
                            self.has(folder, event="phase", to=phase), "-t", "1")
+        for part in ("preshear", "reverse"):
+            self.interrupt(RING, folder, signal.SIGTERM,
+                           self.has(folder, event="finished", part=part), "-t", "1")
         self.go_on(RING, folder, "-t", "1")
 
     def test_free_run(self):
@@ -180,7 +184,7 @@ class Restart(clod.Case):
         """The end of preshear is lost while points wait for it: preshear's end is run again."""
         folder = self.path("points")
         self.interrupt(RING, folder, signal.SIGTERM,
-                       self.has(folder, event="phase", to="reduce"), "-t", "1")
+                       self.has(folder, event="finished", part="reverse"), "-t", "1")
         newest = clod.checkpoints(folder, "preshear")[0]
         self.damage(newest, "bit")
         done = self.go_on(RING, folder, "-t", "1")

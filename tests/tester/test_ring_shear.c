@@ -1,14 +1,8 @@
 // The procedure of the ring shear test on fabricated states: what the walls feel is prescribed.
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "support/check.h"
 #include "tester/ring_shear.h"
 
 // A cell with round numbers: 50 to 100 mm, so that
@@ -125,6 +119,15 @@ static void go_to_the_end_of_preshear(void)
 {
     go_to_preshear();
     look_while(CLOD_RING_SHEAR_PRESHEAR, PRESHEAR, 6e3, 100000);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_DONE);
+}
+
+/** The shear stress is gone in the first look: hardly braked yet. */
+static void go_to_the_end_of_reversal(void)
+{
+    go_to_the_end_of_preshear();
+    clod_ring_shear_reverse(&now.test, &now.state);
+    look_while(CLOD_RING_SHEAR_REVERSE, PRESHEAR, -1.0, 10);
     assert_int_equal(now.test.phase, CLOD_RING_SHEAR_DONE);
 }
 
@@ -288,11 +291,12 @@ static void short_limit_still_gives_a_mean(void **context)
     assert_true(isfinite(now.test.preshear_density) && isfinite(now.test.preshear_dilation));
 }
 
-static void point_goes_back_reduces_and_shears_to_the_peak(void **context)
+static void reversal_ends_without_shear_stress(void **context)
 {
     (void)context;
     go_to_the_end_of_preshear();
-    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    now.test.flags = CLOD_RING_SHEAR_NOT_STEADY; // of the preparation, not of the reversal
+    clod_ring_shear_reverse(&now.test, &now.state);
     assert_int_equal(now.test.phase, CLOD_RING_SHEAR_REVERSE);
     for (int k = 0; k < 300; k++) { // from 30 mm/s to -1 mm/s at 3 m/s2 takes 10.3 ms
         look(PRESHEAR, 3e3);
@@ -300,10 +304,20 @@ static void point_goes_back_reduces_and_shears_to_the_peak(void **context)
     assert_true(fabs(now.wall[0].spin * MEAN_RADIUS + 0.033 * SPEED) < 1e-12);
     assert_int_equal(now.test.phase, CLOD_RING_SHEAR_REVERSE);
     look(PRESHEAR, -1.0);
-    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_REDUCE);
+    assert_int_equal(now.test.phase, CLOD_RING_SHEAR_DONE);
     assert_int_equal(now.test.flags, 0);
-    look(7e3, 0.0);
-    look(7e3, 0.0);
+    assert_int_equal(clod_ring_shear_plan(&now.test, &now.state), 0);
+}
+
+static void point_reduces_and_shears_to_the_peak(void **context)
+{
+    (void)context;
+    go_to_the_end_of_reversal();
+    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    while (now.wall[0].spin > 0.0) { // braked at 3 m/s2 while the load is on its ramp
+        assert_int_equal(now.test.phase, CLOD_RING_SHEAR_REDUCE);
+        look(7e3, 0.0);
+    }
     assert_true(now.wall[0].spin == 0.0 && now.wall[1].spin == 0.0); // at rest meanwhile
     look_while(CLOD_RING_SHEAR_REDUCE, 4e3, 0.0, 1000);
     assert_int_equal(now.test.phase, CLOD_RING_SHEAR_SHEAR);
@@ -327,10 +341,9 @@ static void point_goes_back_reduces_and_shears_to_the_peak(void **context)
 static void the_normal_stress_of_the_point_is_that_at_the_peak(void **context)
 {
     (void)context;
-    go_to_the_end_of_preshear();
+    go_to_the_end_of_reversal();
     now.place[3][2] = 0.01; // nothing above the plane
     clod_ring_shear_branch(&now.test, 4e3, &now.state);
-    look_while(CLOD_RING_SHEAR_REVERSE, PRESHEAR, -1.0, 10);
     look_while(CLOD_RING_SHEAR_REDUCE, 4e3, 0.0, 1000);
     // 4.4 kPa before the peak at 1 mm, 4 kPa in its window, 3.6 kPa after
     for (int k = 0; k < 100000 && now.test.phase == CLOD_RING_SHEAR_SHEAR; k++) {
@@ -347,7 +360,7 @@ static void braking_is_no_shear_back(void **context)
 {
     (void)context;
     go_to_the_end_of_preshear();
-    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    clod_ring_shear_reverse(&now.test, &now.state);
     while (now.wall[0].spin > 0.0) { // 0.15 mm forward
         look(PRESHEAR, 3e3);
     }
@@ -377,18 +390,18 @@ static void reversal_that_never_ends_is_told(void **context)
 {
     (void)context;
     go_to_the_end_of_preshear();
-    now.test.flags = CLOD_RING_SHEAR_NOT_STEADY; // of the preparation, not of the point
-    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    clod_ring_shear_reverse(&now.test, &now.state);
     look_while(CLOD_RING_SHEAR_REVERSE, PRESHEAR, 3e3, 100000);
     assert_int_equal(now.test.flags, CLOD_RING_SHEAR_NO_REVERSAL);
+    clod_ring_shear_branch(&now.test, 4e3, &now.state);
+    assert_int_equal(now.test.flags, 0); // of the reversal, not of the point
 }
 
 static void shear_without_a_peak_is_told(void **context)
 {
     (void)context;
-    go_to_the_end_of_preshear();
+    go_to_the_end_of_reversal();
     clod_ring_shear_branch(&now.test, 4e3, &now.state);
-    look_while(CLOD_RING_SHEAR_REVERSE, PRESHEAR, -1.0, 10);
     look_while(CLOD_RING_SHEAR_REDUCE, 4e3, 0.0, 1000);
     for (int k = 0; k < 100000 && now.test.phase == CLOD_RING_SHEAR_SHEAR; k++) {
         look(4e3, 1e6 * now.test.displacement);
@@ -397,16 +410,15 @@ static void shear_without_a_peak_is_told(void **context)
     assert_true(now.row[CLOD_RING_SHEAR_DISPLACEMENT] > 5e-3);
     // the last 0.2 mm before 5 mm: 4.9 kPa
     assert_true(fabs(now.test.point_shear / 4.9e3 - 1.0) < 0.01);
-    assert_true(fabs(now.test.point_normal - 4e3) <
-                0.06 * 4e3); // 0.5 kg above the plane at most
+    // 0.5 kg above the plane at most
+    assert_true(fabs(now.test.point_normal - 4e3) < 0.06 * 4e3);
 }
 
 static void reduced_load_that_is_never_reached_is_told(void **context)
 {
     (void)context;
-    go_to_the_end_of_preshear();
+    go_to_the_end_of_reversal();
     clod_ring_shear_branch(&now.test, 4e3, &now.state);
-    look_while(CLOD_RING_SHEAR_REVERSE, PRESHEAR, -1.0, 10);
     look_while(CLOD_RING_SHEAR_REDUCE, 6e3, 0.0, 100000);
     assert_int_equal(now.test.flags, CLOD_RING_SHEAR_NOT_SETTLED);
 }
@@ -425,7 +437,8 @@ int main(void)
         T(steady_shear_ends_preshear),
         T(rising_shear_ends_at_the_limit_and_is_told),
         T(short_limit_still_gives_a_mean),
-        T(point_goes_back_reduces_and_shears_to_the_peak),
+        T(reversal_ends_without_shear_stress),
+        T(point_reduces_and_shears_to_the_peak),
         T(the_normal_stress_of_the_point_is_that_at_the_peak),
         T(braking_is_no_shear_back),
         T(a_lid_that_meets_no_bed_stops_the_test),
