@@ -20,7 +20,7 @@
 
 /** Parts of the testers, as sim/ring_run.c (ring_shear and jenike) and sim/uniaxial_run.c name
  * them. */
-#define PART "((seed-[0-9]+-)?(preshear|point-[0-9]+)|fill|stress-[0-9]+)"
+#define PART "((seed-[0-9]+-)?(preshear|reverse|point-[0-9]+)|fill|stress-[0-9]+)"
 
 /** Names of what a run leaves in its folder, but for the copies of the case. */
 #define RESULT                                                                                 \
