@@ -27,7 +27,7 @@ static double drift_walls(clod_step *self, int part)
     const my_walls mine = walls_of(self, part);
     for (int32_t w = mine.first; w < self->state->walls.count; w += mine.step) {
         clod_wall *wall = &self->state->walls.wall[w];
-        clod_wall_move(wall, dt, self->state->step + 1);
+        clod_wall_move(wall, dt, self->thread[part].step);
         clod_wall_rows_place(&self->walls, w, wall);
         fastest = fmax(fastest, clod_wall_speed_within(wall, self->walls.reach[w]));
     }
@@ -55,6 +55,7 @@ void clod_step_drift(clod_step *self, int part)
         grains->place, grains->motion, grains->turning, grains->load,
         mine->owed ? self->state->gravity : NULL, self->state->dt, c.begin, c.end);
     mine->owed = false;
+    mine->step++;
     const double walls = drift_walls(self, part);
     mine->max_speed2 = fmax(seen.max_speed2, walls * walls);
     mine->finite = seen.finite;

@@ -129,6 +129,7 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].build_motion = self->state->build_motion;
         self->thread[t].near_motion = self->thread[0].near_motion;
+        self->thread[t].step = self->state->step;
     }
     self->view.dt = self->state->dt;
     advance_all(self, steps);

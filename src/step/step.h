@@ -26,6 +26,7 @@ typedef struct clod_step_thread {
     _Alignas(64) double max_speed2; ///< m2/s2, of its grains and walls
     double build_motion;            ///< m, bound of any motion since the last rebuild
     double near_motion;             ///< m, since the last near list
+    int64_t step;                   ///< in which it is; the state's is counted by thread 0
     bool finite;                    ///< its grains' numbers
     bool all_finite;                ///< those of all threads in this step
     bool excess;                    ///< an overlap beyond the laws' range
