@@ -66,11 +66,11 @@ static double root(int64_t rounds)
     return sum(x);
 }
 
-static void triad(double *a, const double *b, const double *c, size_t count)
+static void update(double *a, const double *b, size_t count)
 {
     const vreal s = vreal_set(0.4);
     for (size_t k = 0; k < count; k += CLOD_WIDTH) {
-        vreal_store(&a[k], vreal_load(&b[k]) + s * vreal_load(&c[k]));
+        vreal_store(&a[k], vreal_load(&a[k]) + s * vreal_load(&b[k]));
     }
 }
 
@@ -86,5 +86,5 @@ const bench_machine_set SET_NAME(CLOD_SIMD_SUFFIX) = {
     .divide = divide,
     .root = root,
     .operations = CHAINS * CLOD_WIDTH,
-    .triad = triad,
+    .update = update,
 };

@@ -15,6 +15,6 @@ typedef struct bench_machine_set {
     double (*divide)(int64_t rounds); ///< x = a / x
     double (*root)(int64_t rounds);   ///< x = sqrt(x + a); the root alone is counted
     int64_t operations;               ///< of one round, of multiply_add: half of it
-    /** a = b + s c; count is a multiple of 8. */
-    void (*triad)(double *a, const double *b, const double *c, size_t count);
+    /** a = a + s b, in place as the step's own arrays; count is a multiple of 8. */
+    void (*update)(double *a, const double *b, size_t count);
 } bench_machine_set;

@@ -4,7 +4,9 @@ import datetime
 import json
 import os
 
-KEY = ("kind", "size", "case", "program", "version", "machine", "threads", "run", "warm", "steps")
+# `beside` is the version of clod in whose rounds a program ran
+KEY = ("kind", "size", "case", "program", "version", "beside", "machine", "threads", "run", "warm",
+       "steps")
 
 
 class Book:
@@ -41,4 +43,4 @@ def _subject(record):
 
 
 def _edition(record):
-    return tuple(record.get(key) for key in ("version", "machine", "warm", "steps"))
+    return tuple(record.get(key) for key in ("version", "beside", "machine", "warm", "steps"))

@@ -34,8 +34,8 @@ Beds: copies of `bench/packings/pack_4k.csv` (3750 grains of copper ore, periodi
 from it, loose at its seams (`packing.cut`), for the cost of a small bed. Step 1e-7 s, double precision, gravity. Warm-up and
 measured steps are the same ones in all programs, from the same grains. They take turns: a round
 has every bed, case, program and number of threads once. Rates are medians (smallest - largest) over the
-rounds; a ratio is the median of the ratios of each round, of runs that are seconds apart (one between beds: minutes),
-since the machine's speed changes from minute to minute. Threads are clod's threads and the peers' MPI ranks.
+rounds; a ratio is the median of the ratios of each round, of runs that are seconds apart (a minute in large beds, minutes
+between two beds), since the machine's speed changes from minute to minute; every second round goes the other way round. Threads are clod's threads and the peers' MPI ranks.
 Times are those of the steps alone, as each program measures them. Rounds can be
 added to those that are there.
 

@@ -1,10 +1,11 @@
 """How near the step comes to what the machine can do."""
 
+import machine as limits_of
 import plan
 import table
 
 # Bytes that one step moves between the kernel and its arrays, and that lie there, by the layout
-# of the arrays; what a cache reads before it writes is not counted, as in the triad. Of one
+# of the arrays; all that is written has been read, as in the update of bench_machine. Of one
 # thread: no contacts between parts. Rows of partners are counted once, as if they stayed in a
 # cache until the last contact that needs them. THE ONE PLACE: change these with the arrays
 # (src/state/contacts.h, src/state/grains.h, src/step/near.h).
@@ -46,7 +47,7 @@ def _machine_table(machine):
                f"{b['bytes_per_s'] / 1e9:.1f}"] for b in machine["bandwidth"]]
     return (table.text(["set, one core", "10^9 multiplications and additions /s",
                         "the same fused", "10^9 divides /s", "10^9 roots /s"], rows)
-            + table.text(["triad in", "MiB", "threads", "GB/s"], levels))
+            + table.text(["a = a + s b in", "MiB", "threads", "GB/s"], levels))
 
 
 def _count_table(operations):
@@ -79,21 +80,38 @@ def _share_rows(records, machine, operations):
                nearest, f"{100.0 * found[nearest] / measured:.0f} %"]
 
 
+def _per_contact(records, operations):
+    """What a contact alone asks for, in words: on the bed whose operations were counted."""
+    runs = table.chosen(records, kind="speed", size="4k", case=plan.FULL, program=plan.CLOD)
+    if not runs:
+        return ""
+    contacts = runs[0]["clod"]["contacts_per_grain"]
+    near = runs[0]["clod"]["near_per_contact"]
+    kinds = operations["kernel_contact"]
+    pair = sum(row[1] for row in BYTES)
+    return (f"A contact of the 4k bed ({contacts:.2f} a grain) asks for "
+            f"{kinds['flops'] / contacts:.0f} additions, multiplications, minima and maxima, "
+            f"{kinds['divides'] / contacts:.1f} divides and {kinds['roots'] / contacts:.1f} "
+            f"roots,\nand moves {near * pair:.0f} bytes, and its part of its grains' "
+            f"{sum(row[2] for row in BYTES)}.\n\n")
+
+
 def text(records):
     """The section of the report, or nothing without measurements of the machine."""
-    machine = table.chosen(records, kind="machine")
+    machine = [r["found"] for r in table.chosen(records, kind="machine")]
     operations = table.chosen(records, kind="count")
     if not machine or not operations:
         return ""
-    machine, operations = machine[-1]["found"], operations[-1]["found"]
+    machine, operations = limits_of.best(machine), operations[-1]["found"]
     rows = list(_share_rows(records, machine, operations))
     return (f"""## Roofline
 
-Measured by `bench_machine`, best of several trials; operations counted by valgrind instruction by
+Measured by `bench_machine`, the best of several trials in each round; operations counted by valgrind instruction by
 instruction (`bench/peers/count.py`; 4k bed, AVX2; all sets do the same arithmetic; comparisons,
 selections and shuffles are not counted), bytes by the layout (`bench/peers/roofline.py`).
 
 {_machine_table(machine)}{_count_table(operations)}"""
+            + _per_contact(records, operations)
             + "Times are ns per grain and step of case c on one thread. A limit is what the step "
               "would take if\nonly these units worked, at their measured peak; the share is the "
               "largest limit over the measured time.\n\n"

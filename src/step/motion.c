@@ -5,18 +5,11 @@
 #include "parallel/threads.h"
 #include "step/step.h"
 
-/** Walls from this one on, in steps of as many as there are threads, belong to a thread; with
- * the ledger all to the first one, which adds up their work in order. */
-typedef struct my_walls {
-    int32_t first, step;
-} my_walls;
-
-static my_walls walls_of(const clod_step *self, int part)
+/** Whether a wall is a thread's; with the ledger all are thread 0's: it adds up their work in
+ * order. */
+static bool is_mine(const clod_step *self, int32_t w, int part)
 {
-    if (self->near.ledger) {
-        return (my_walls){part == 0 ? 0 : self->state->walls.count, 1};
-    }
-    return (my_walls){part, self->threads};
+    return part == (self->near.ledger ? 0 : self->wall_thread[w]);
 }
 
 /** A thread's walls move; the fastest speed that a point of them can have [m/s]. */
@@ -24,8 +17,10 @@ static double drift_walls(clod_step *self, int part)
 {
     double fastest = 0.0;
     const double dt = self->state->dt;
-    const my_walls mine = walls_of(self, part);
-    for (int32_t w = mine.first; w < self->state->walls.count; w += mine.step) {
+    for (int32_t w = 0; w < self->state->walls.count; w++) {
+        if (!is_mine(self, w, part)) {
+            continue;
+        }
         clod_wall *wall = &self->state->walls.wall[w];
         clod_wall_move(wall, dt, self->thread[part].step);
         clod_wall_rows_place(&self->walls, w, wall);
@@ -114,8 +109,10 @@ static void kick_servo(clod_wall *wall, double dt)
 
 void clod_step_servo(clod_step *self, int part)
 {
-    const my_walls mine = walls_of(self, part);
-    for (int32_t w = mine.first; w < self->state->walls.count; w += mine.step) {
+    for (int32_t w = 0; w < self->state->walls.count; w++) {
+        if (!is_mine(self, w, part)) {
+            continue;
+        }
         clod_wall *wall = &self->state->walls.wall[w];
         const double before = power_of(wall); // the force before with the way of this step
         sum_wall(wall, (const double(*)[8])self->near.wall_slots, self->near.wall_slot_start[w],

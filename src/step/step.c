@@ -30,7 +30,7 @@ typedef struct clod_stage {
 
 static const clod_stage STAGES[] = {
     // clang-format off
-    {"drift",   clod_step_drift,   FORCE | VELOCITY,            POSITION | VELOCITY | FORCE | WALLS, true},
+    {"drift",   clod_step_drift,   FORCE | VELOCITY | WALLS,    POSITION | VELOCITY | FORCE | WALLS, true},
     {"near",    clod_step_near,    POSITION | VELOCITY,         CONTACT_LIST,                false},
     {"contact", clod_step_contact, POSITION | VELOCITY,         FORCE | HISTORY | SHARE,     false},
     {"wall",    clod_step_wall,    POSITION | VELOCITY | WALLS, FORCE | WALL_FORCE | HISTORY, true},
@@ -87,6 +87,7 @@ static void advance_all(clod_step *self, int64_t steps)
     }
     if (alone) {
         self->threads = 1;
+        memset(self->wall_thread, 0, (size_t)self->state->walls.count * sizeof(int32_t));
         clod_barrier_init(&self->barrier, 1);
         advance_part(self, steps, 0);
     }
@@ -142,11 +143,30 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     return !has_trouble(self, 0) || clod_trouble_report(self, status);
 }
 
+/** Each wall to the thread that has the fewest shapes so far. */
+static bool deal_walls(clod_step *self)
+{
+    const clod_walls *walls = &self->state->walls;
+    int64_t *shapes = clod_memory_alloc((size_t)self->threads, sizeof *shapes);
+    self->wall_thread = clod_memory_alloc((size_t)walls->count + 1, sizeof *self->wall_thread);
+    const bool good = shapes != NULL && self->wall_thread != NULL;
+    for (int32_t w = 0; good && w < walls->count; w++) {
+        int least = 0;
+        for (int t = 1; t < self->threads; t++) {
+            least = shapes[t] < shapes[least] ? t : least;
+        }
+        self->wall_thread[w] = least;
+        shapes[least] += walls->wall[w].shape_count;
+    }
+    clod_memory_free(shapes);
+    return good;
+}
+
 static bool allocate(clod_step *self)
 {
     self->thread = clod_memory_alloc((size_t)self->threads, sizeof *self->thread);
     self->gate = clod_memory_alloc((size_t)self->threads, sizeof *self->gate);
-    if (self->thread == NULL || self->gate == NULL ||
+    if (self->thread == NULL || self->gate == NULL || !deal_walls(self) ||
         !clod_wall_rows_init(&self->walls, &self->state->walls)) {
         return false;
     }
@@ -283,6 +303,7 @@ void clod_step_fini(clod_step *self)
     clod_near_fini(&self->near);
     clod_memory_free(self->thread);
     clod_memory_free(self->gate);
+    clod_memory_free(self->wall_thread);
     clod_wall_rows_fini(&self->walls);
     *self = (clod_step){0};
 }

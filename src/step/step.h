@@ -44,6 +44,7 @@ typedef struct clod_step {
     clod_neighbour neighbour; ///< candidates
     clod_near near;           ///< contact blocks
     clod_wall_rows walls;     ///< where they are in this step
+    int32_t *wall_thread;     ///< [walls] which thread adds up and moves a wall
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
     bool exported;         ///< histories are in the state, not in the blocks
     bool failed;           ///< a rebuild went wrong; status says why

@@ -99,14 +99,24 @@ class Report(unittest.TestCase):
                              "root": 3.5e9}], "l2_bytes": 1e6, "l3_bytes": 32e6, "bandwidth": [
             {"level": "L3", "bytes": 16e6, "threads": 1, "bytes_per_s": 48.9e9},
             {"level": "memory", "bytes": 7e8, "threads": 1, "bytes_per_s": 1e9}]}
+        # a round in which the machine was slower, but for its L3
+        slower = {**machine, "sets": [{"set": "avx2", "multiply_add": 5e10, "fused": 5e10,
+                                       "divide": 3e9, "root": 2e9}],
+                  "bandwidth": [{**machine["bandwidth"][0]},
+                                {**machine["bandwidth"][1], "bytes_per_s": 5e8}]}
+        machine["bandwidth"][0] = {**machine["bandwidth"][0], "bytes_per_s": 40e9}
         operations = {"kernel_contact": {"flops": 900.0, "divides": 35.0, "roots": 14.0},
                       "kernel_drift": {"flops": 100.0}}
         records = (speed("4k", 3750, "clod", [25e6])
-                   + [{"kind": "machine", "program": "clod", "found": machine, **CLOD},
+                   + [{"kind": "machine", "program": "clod", "found": machine, "run": 0, **CLOD},
+                      {"kind": "machine", "program": "clod", "found": slower, "run": 1, **CLOD},
                       {"kind": "count", "program": "clod", "found": operations, **CLOD}])
         text = report.text(records, "Linux")
         self.assertEqual(row(text, "40.0", "10.0"),
                          ["4k", "40.0", "10.0", "9.0", "20.0", "L3", "bytes", "50 %"])
+        # 900, 35 and 14 over 2.9 contacts; 136 bytes * 1.1
+        self.assertIn("asks for 310 additions, multiplications, minima and maxima, 12.1 divides "
+                      "and 4.8 roots,\nand moves 150 bytes", text)
 
     def test_nothing_measured(self):
         self.assertIn("make bench-peers", report.text([], "Linux"))
@@ -130,6 +140,20 @@ class Records(unittest.TestCase):
         book.add(second)
         with open(self.path) as file:
             self.assertEqual([json.loads(line) for line in file], [first, second])
+
+    def test_peers_run_again_beside_another_clod(self):
+        """Else a ratio would be one of runs that are hours apart."""
+        old = speed("4k", 3750, "clod", [2e7], beside="clod 1") + speed(
+            "4k", 3750, LIGGGHTS, [2e6], beside="clod 1")
+        new = speed("4k", 3750, "clod", [3e7], beside="clod 2", version="clod 2")
+        book = Book(self.path)
+        for record in old + new:
+            book.add(record)
+        self.assertFalse(book.has({**old[1], "beside": "clod 2"}))
+        self.assertTrue(book.has(old[1]))
+        book.add({**old[1], "beside": "clod 2", "rate": 5e6})
+        self.assertEqual(row(report.text(book.latest(), "Linux"), "at least 12")[-2:],
+                         ["6.00", "MISSED"])
 
     def test_later_versions_count(self):
         book = Book(self.path)

@@ -127,6 +127,9 @@ class RingShear(clod.TesterCase):
 
     def test_results_are_those_of_the_series(self):
         self.assertEqual(self.part["preshear"]["flags"], [])
+        self.assertEqual(self.part["reverse"]["flags"], [])
+        self.assertEqual(self.part["reverse"]["normal_stress_Pa"], PRESHEAR)
+        self.assertNotIn("shear_stress_Pa", self.part["reverse"])
         means = self.blocks("shear_stress")
         result = self.part["preshear"]["shear_stress_Pa"]
         self.assertLess(min(abs(value / result - 1.0) for value in means), 1e-9)
@@ -209,6 +212,8 @@ class RingShear(clod.TesterCase):
                      "preshear: overlap up to",
                      "grain diameters across the specimen"):
             self.assertEqual(self.report.count(text), 1, self.report)
+        for word in ("inertial", "normal stress", "mm per mm"):  # nothing is judged on the way back
+            self.assertNotRegex(self.report, f"reverse: .*{word}")
         for warning in self.summary["warnings"]:
             self.assertIn("  - " + warning, self.report)
         self.assertGreater(len(self.summary["warnings"]), 3)

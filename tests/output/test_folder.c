@@ -88,6 +88,7 @@ static const char *const OWN[] = {
     "snap_000123.hdf",     "walls_000000.hdf",
     "contacts_000001.hdf", "seed-1-preshear_snap_000001.hdf",
     "run.hdf.series",      "point-1_walls.hdf.series.part",
+    "reverse.csv",         "restart-seed-2-reverse_a.h5",
 };
 static const char *const FOREIGN[] = {
     "notes.txt",        "my.hdf",          "my.hdf.series",       "my_snap_000001.hdf",

@@ -14,16 +14,19 @@ CASE = clod.source("tests/restart/ring.yaml")
 
 class SideBySide(clod.Case):
 
-    def series(self, threads):
-        out = self.path(f"out-{threads}")
+    def series(self, threads, energy):
+        out = self.path(f"out-{threads}-{energy}")
         done = clod.run("run", CASE, "-o", out, "--threads", str(threads),
-                        "--set", "ring_shear.preshear_max=3 mm")
+                        "--set", "ring_shear.preshear_max=3 mm",
+                        "--set", f"output.energy={energy}")
         self.assertEqual(done.returncode, 0, done.stderr)
         return {name: clod.read(os.path.join(out, name)) for name in
-                ("preshear.csv", "point-1.csv", "point-2.csv", "points.csv")}
+                ("preshear.csv", "reverse.csv", "point-1.csv", "point-2.csv", "points.csv")}
 
     def test_two_threads_give_the_bits_of_one(self):
-        self.assertEqual(self.series(2), self.series(1))
+        one = self.series(1, "true")
+        self.assertEqual(self.series(2, "true"), one)
+        self.assertEqual(self.series(2, "false"), one)  # walls are dealt to both threads
 
 
 if __name__ == "__main__":

@@ -181,14 +181,30 @@ class Restart(clod.Case):
                 self.assertIn(f"Going on from {older}", done.stderr)
 
     def test_damaged_presheared_state(self):
-        """The end of preshear is lost while points wait for it: preshear's end is run again."""
+        """The end of preshear is lost before it is sheared back: preshear's end is run again."""
         folder = self.path("points")
         self.interrupt(RING, folder, signal.SIGTERM,
-                       self.has(folder, event="finished", part="reverse"), "-t", "1")
+                       self.has(folder, event="finished", part="preshear"), "-t", "1")
+        for path in clod.checkpoints(folder, "reverse"):
+            os.remove(path)
         newest = clod.checkpoints(folder, "preshear")[0]
         self.damage(newest, "bit")
         done = self.go_on(RING, folder, "-t", "1")
         self.assertEqual(done.stderr.count("cannot be used"), 1, done.stderr)
+
+    def test_damaged_reversed_state(self):
+        """A part without a whole checkpoint begins anew when its files are taken away."""
+        folder = self.path("reversed")
+        self.interrupt(RING, folder, signal.SIGTERM,
+                       self.has(folder, event="finished", part="reverse"), "-t", "1")
+        for path in clod.checkpoints(folder, "reverse"):
+            self.damage(path, "bit")
+        done = clod.run("run", RING, "-o", folder, "-t", "1")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        for path in clod.checkpoints(folder, "reverse"):
+            self.assertIn(f"{path}", done.stderr)
+            os.remove(path)
+        self.go_on(RING, folder, "-t", "1")
 
     @clod.quick_only
     def test_both_checkpoints_damaged(self):
