@@ -21,7 +21,6 @@ bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[BENCH_S
     for (int k = 0; k < BENCH_STAGES; k++) {
         seconds[k] = 0.0;
     }
-    step->thread[0].step = step->state->step;
     double before = bench_now();
     for (int64_t s = 0; s < steps; s++) {
         for (int k = 0; k < BENCH_STAGES; k++) {

@@ -5,24 +5,14 @@
 #include "parallel/threads.h"
 #include "step/step.h"
 
-/** Whether a wall is a thread's; with the ledger all are thread 0's: it adds up their work in
- * order. */
-static bool is_mine(const clod_step *self, int32_t w, int part)
-{
-    return part == (self->near.ledger ? 0 : self->wall_thread[w]);
-}
-
-/** A thread's walls move; the fastest speed that a point of them can have [m/s]. */
-static double drift_walls(clod_step *self, int part)
+/** Walls move; the fastest speed that a point of them can have [m/s]. */
+static double drift_walls(clod_step *self)
 {
     double fastest = 0.0;
     const double dt = self->state->dt;
     for (int32_t w = 0; w < self->state->walls.count; w++) {
-        if (!is_mine(self, w, part)) {
-            continue;
-        }
         clod_wall *wall = &self->state->walls.wall[w];
-        clod_wall_move(wall, dt, self->thread[part].step);
+        clod_wall_move(wall, dt, self->state->step + 1);
         clod_wall_rows_place(&self->walls, w, wall);
         fastest = fmax(fastest, clod_wall_speed_within(wall, self->walls.reach[w]));
     }
@@ -50,10 +40,12 @@ void clod_step_drift(clod_step *self, int part)
         grains->place, grains->motion, grains->turning, grains->load,
         mine->owed ? self->state->gravity : NULL, self->state->dt, c.begin, c.end);
     mine->owed = false;
-    mine->step++;
-    const double walls = drift_walls(self, part);
-    mine->max_speed2 = fmax(seen.max_speed2, walls * walls);
+    mine->max_speed2 = seen.max_speed2;
     mine->finite = seen.finite;
+    if (part == 0) {
+        const double walls = drift_walls(self);
+        mine->max_speed2 = fmax(mine->max_speed2, walls * walls);
+    }
 }
 
 /** The second half kick waits for the drift of the next step: one way through memory for both.
@@ -109,10 +101,10 @@ static void kick_servo(clod_wall *wall, double dt)
 
 void clod_step_servo(clod_step *self, int part)
 {
+    if (part != 0) {
+        return;
+    }
     for (int32_t w = 0; w < self->state->walls.count; w++) {
-        if (!is_mine(self, w, part)) {
-            continue;
-        }
         clod_wall *wall = &self->state->walls.wall[w];
         const double before = power_of(wall); // the force before with the way of this step
         sum_wall(wall, (const double(*)[8])self->near.wall_slots, self->near.wall_slot_start[w],

@@ -87,7 +87,6 @@ static void advance_all(clod_step *self, int64_t steps)
     }
     if (alone) {
         self->threads = 1;
-        memset(self->wall_thread, 0, (size_t)self->state->walls.count * sizeof(int32_t));
         clod_barrier_init(&self->barrier, 1);
         advance_part(self, steps, 0);
     }
@@ -130,7 +129,6 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].build_motion = self->state->build_motion;
         self->thread[t].near_motion = self->thread[0].near_motion;
-        self->thread[t].step = self->state->step;
     }
     self->view.dt = self->state->dt;
     advance_all(self, steps);
@@ -143,30 +141,11 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     return !has_trouble(self, 0) || clod_trouble_report(self, status);
 }
 
-/** Each wall to the thread that has the fewest shapes so far. */
-static bool deal_walls(clod_step *self)
-{
-    const clod_walls *walls = &self->state->walls;
-    int64_t *shapes = clod_memory_alloc((size_t)self->threads, sizeof *shapes);
-    self->wall_thread = clod_memory_alloc((size_t)walls->count + 1, sizeof *self->wall_thread);
-    const bool good = shapes != NULL && self->wall_thread != NULL;
-    for (int32_t w = 0; good && w < walls->count; w++) {
-        int least = 0;
-        for (int t = 1; t < self->threads; t++) {
-            least = shapes[t] < shapes[least] ? t : least;
-        }
-        self->wall_thread[w] = least;
-        shapes[least] += walls->wall[w].shape_count;
-    }
-    clod_memory_free(shapes);
-    return good;
-}
-
 static bool allocate(clod_step *self)
 {
     self->thread = clod_memory_alloc((size_t)self->threads, sizeof *self->thread);
     self->gate = clod_memory_alloc((size_t)self->threads, sizeof *self->gate);
-    if (self->thread == NULL || self->gate == NULL || !deal_walls(self) ||
+    if (self->thread == NULL || self->gate == NULL ||
         !clod_wall_rows_init(&self->walls, &self->state->walls)) {
         return false;
     }
@@ -249,9 +228,7 @@ static bool first_forces(clod_step *self, clod_status *status)
             grains->load[g][a] += grains->motion[g][3] * self->state->gravity[a];
         }
     }
-    for (int t = 0; t < self->threads; t++) {
-        clod_step_servo(self, t);
-    }
+    clod_step_servo(self, 0);
     clod_walls_reset_sums(&self->state->walls);
     return !has_trouble(self, 0) || clod_trouble_report(self, status);
 }
@@ -303,7 +280,6 @@ void clod_step_fini(clod_step *self)
     clod_near_fini(&self->near);
     clod_memory_free(self->thread);
     clod_memory_free(self->gate);
-    clod_memory_free(self->wall_thread);
     clod_wall_rows_fini(&self->walls);
     *self = (clod_step){0};
 }

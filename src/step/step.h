@@ -23,10 +23,9 @@ typedef struct clod_step_options {
 
 /** What one thread keeps to itself, on its own cache lines; motions are the same in all. */
 typedef struct clod_step_thread {
-    _Alignas(64) double max_speed2; ///< m2/s2, of its grains and walls
+    _Alignas(64) double max_speed2; ///< m2/s2, of its grains (and of the walls: thread 0)
     double build_motion;            ///< m, bound of any motion since the last rebuild
     double near_motion;             ///< m, since the last near list
-    int64_t step;                   ///< in which it is; the state's is counted by thread 0
     bool finite;                    ///< its grains' numbers
     bool all_finite;                ///< those of all threads in this step
     bool excess;                    ///< an overlap beyond the laws' range
@@ -44,7 +43,6 @@ typedef struct clod_step {
     clod_neighbour neighbour; ///< candidates
     clod_near near;           ///< contact blocks
     clod_wall_rows walls;     ///< where they are in this step
-    int32_t *wall_thread;     ///< [walls] which thread adds up and moves a wall
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
     bool exported;         ///< histories are in the state, not in the blocks
     bool failed;           ///< a rebuild went wrong; status says why

@@ -26,7 +26,7 @@ class SideBySide(clod.Case):
     def test_two_threads_give_the_bits_of_one(self):
         one = self.series(1, "true")
         self.assertEqual(self.series(2, "true"), one)
-        self.assertEqual(self.series(2, "false"), one)  # walls are dealt to both threads
+        self.assertEqual(self.series(2, "false"), one)  # as most runs are
 
 
 if __name__ == "__main__":
