@@ -1,8 +1,8 @@
 """How near the step comes to what the machine can do."""
 
-import machine as limits_of
 import plan
 import table
+from machine import best
 
 # Bytes that one step moves between the kernel and its arrays, and that lie there, by the layout
 # of the arrays; all that is written has been read, as in the update of bench_machine. Of one
@@ -102,7 +102,7 @@ def text(records):
     operations = table.chosen(records, kind="count")
     if not machine or not operations:
         return ""
-    machine, operations = limits_of.best(machine), operations[-1]["found"]
+    machine, operations = best(machine), operations[-1]["found"]
     rows = list(_share_rows(records, machine, operations))
     return (f"""## Roofline
 

@@ -21,11 +21,6 @@ def ratio(ours, theirs):
     return statistics.median(pairs) if pairs else None
 
 
-def speeds(records, **keys):
-    """The speed runs with these values."""
-    return chosen(records, kind="speed", **keys)
-
-
 def spread(records, key="rate", scale=1e-6):
     """`median (min - max)` of one number."""
     values = [scale * r[key] for r in records]

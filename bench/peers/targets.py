@@ -35,14 +35,15 @@ def bytes_per_grain(records, size, name):
 def _ratios(records):
     for case, peer, least in RATIOS:
         for size in plan.SIZES:
-            ours, theirs = (table.speeds(records, case=case, size=size, program=name, threads=1)
+            ours, theirs = (table.chosen(records, kind="speed", case=case, size=size, program=name,
+                                          threads=1)
                             for name in (plan.CLOD, peer))
             yield (f"case {plan.CASES[case][0][0]}: clod / {peer}", size,
                    table.ratio(ours, theirs), least)
 
 
 def _own(records):
-    runs = {(size, threads): table.speeds(records, case=plan.FULL, size=size,
+    runs = {(size, threads): table.chosen(records, kind="speed", case=plan.FULL, size=size,
                                           program=plan.CLOD, threads=threads)
             for size in plan.SIZES for threads in (1, 2)}
     for size in (size for size in plan.SIZES if not plan.cut(size)):
