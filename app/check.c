@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "app.h"
+#include "arguments.h"
 #include "clod/check.h"
 #include "one_case.h"
 
@@ -90,9 +91,9 @@ int clod_app_check(int argc, char **argv)
         .parser = parse,
         .args_doc = "CASE",
         .doc =
-            "Check CASE and tell what it will be like and what it will cost; nothing is run or "
-            "written. Grains are inserted to count them, and the step is timed for a moment on "
-            "a small packing."
+            "Check CASE and tell what it will be like and what it will cost; nothing is "
+            "written. Grains are put and the first 100 steps are tried as a run does them; the "
+            "step is timed for a moment on a small packing of its own."
             "\vThe overlap is that of two mean grains under the target stress. The Bond number "
             "is the largest pull of a contact that was pressed by that stress, over the weight "
             "of a mean grain. The inertial number I = (shear rate) d sqrt(density/stress) "
@@ -100,14 +101,19 @@ int clod_app_check(int argc, char **argv)
             "fill_fraction "
             "says, and I is lower then. \"Likely\" times are those of copper ore, \"at "
             "most\" is what the limits of the case allow. Warnings do not change the exit "
-            "status: 0 for a good case, 2 for a wrong one.",
+            "status: 0 for a good case, 2 for a wrong one, 1 for one whose first steps go "
+            "wrong. Of a case with more than 300000 grains only a sample is made and nothing "
+            "is tried; a note says so.",
     };
     clod_status status = {CLOD_OK, ""};
     request self = {.of = {.example = "clod new"}};
     if (!clod_one_case_init(&self.of, argc, argv)) {
         return CLOD_FAILED;
     }
-    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
+        free(self.of.overrides);
+        return CLOD_FAILED;
+    }
     const bool good = work(&self, &status);
     return clod_one_case_fini(&self.of, argv, good, &status);
 }

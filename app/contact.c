@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "app.h"
+#include "arguments.h"
 #include "clod/contact_bench.h"
 #include "clod/text_file.h"
 #include "one_case.h"
@@ -82,8 +83,9 @@ static void print_summary(FILE *out, const clod_contact_bench_summary *s)
 static bool run(const clod_case *from, FILE *table, clod_contact_bench_summary *summary,
                 clod_status *status)
 {
-    if (table != NULL) {
-        fprintf(table, "%s\n", clod_contact_bench_header());
+    if (table != NULL && fprintf(table, "%s\n", clod_contact_bench_header()) < 0) {
+        return clod_status_fail(status, CLOD_FAILED, "the table cannot be written: %s",
+                                strerror(errno));
     }
     if (!clod_contact_bench_run(from, print_row, table, summary, status)) {
         return false;
@@ -95,7 +97,8 @@ static bool run(const clod_case *from, FILE *table, clod_contact_bench_summary *
     return true;
 }
 
-/** The table as a whole, then into its file: half a table is never there. */
+/** The table as a whole, then into its file: half a table is never there. Memory may end: each
+ *  print is looked at, and fclose leaves no text. */
 static bool run_into_file(const request *self, const clod_case *from,
                           clod_contact_bench_summary *summary, clod_status *status)
 {
@@ -103,7 +106,8 @@ static bool run_into_file(const request *self, const clod_case *from,
     size_t size = 0;
     FILE *table = open_memstream(&text, &size);
     bool good = table != NULL && run(from, table, summary, status);
-    if (table == NULL || fclose(table) != 0) {
+    const bool closed = table != NULL && fclose(table) == 0;
+    if (table == NULL || (good && (!closed || text == NULL))) {
         good = clod_status_fail(status, CLOD_FAILED, "no memory for the table");
     }
     good = good && clod_text_file_write(self->output, self->of.path, text, status);
@@ -155,7 +159,10 @@ int clod_app_contact(int argc, char **argv)
     if (!clod_one_case_init(&self.of, argc, argv)) {
         return CLOD_FAILED;
     }
-    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
+        free(self.of.overrides);
+        return CLOD_FAILED;
+    }
     const bool good = work(&self, &status);
     return clod_one_case_fini(&self.of, argv, good, &status);
 }

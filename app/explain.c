@@ -9,7 +9,9 @@
 #include <stdlib.h>
 
 #include "app.h"
+#include "arguments.h"
 #include "clod/schema.h"
+#include "output.h"
 
 typedef struct request {
     bool manual;
@@ -41,9 +43,17 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 /** Print an owned text and free it; false when there is none. */
 static bool print(char *text)
 {
-    const bool good = text != NULL && fputs(text, stdout) >= 0;
+    if (text != NULL) {
+        clod_output_put(text);
+    }
     clod_schema_free(text);
-    return good;
+    return text != NULL;
+}
+
+static int without_memory(void)
+{
+    fputs("clod explain: no memory\n", stderr);
+    return CLOD_FAILED;
 }
 
 int clod_app_explain(int argc, char **argv)
@@ -58,18 +68,20 @@ int clod_app_explain(int argc, char **argv)
             "keys are listed.",
     };
     request self = {.first = argc};
-    argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &self);
+    if (!clod_arguments_parse(&argp, argc, argv, ARGP_IN_ORDER, &self)) {
+        return CLOD_FAILED;
+    }
     clod_status status = {CLOD_OK, ""};
     if (self.manual) {
-        return print(clod_schema_manual()) ? EXIT_SUCCESS : CLOD_FAILED;
+        return print(clod_schema_manual()) ? EXIT_SUCCESS : without_memory();
     }
     if (self.first == argc) {
-        return print(clod_schema_explain(NULL, &status)) ? EXIT_SUCCESS : CLOD_FAILED;
+        return print(clod_schema_explain(NULL, &status)) ? EXIT_SUCCESS : without_memory();
     }
     for (int i = self.first; i < argc; i++) {
         if (!print(clod_schema_explain(argv[i], &status))) {
             fprintf(stderr, "clod explain: %s\n", status.text);
-            return status.code == CLOD_OK ? CLOD_FAILED : (int)status.code;
+            return (int)status.code;
         }
     }
     return EXIT_SUCCESS;

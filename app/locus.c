@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "app.h"
+#include "arguments.h"
 #include "clod/locus.h"
 #include "clod/text_file.h"
 
@@ -19,12 +20,14 @@ typedef struct request {
     const char *points, *output;
     clod_locus_defaults defaults;
     char *(*write)(const clod_locus_study *study);
+    bool json, csv;
 } request;
 
 static const struct argp_option OPTIONS[] = {
     {"json", KEY_JSON, NULL, 0, "print everything as JSON", 0},
-    {"csv", KEY_CSV, NULL, 0, "print one row per consolidation stress as CSV", 0},
-    {"output", 'o', "FILE", 0, "write to FILE", 0},
+    {"csv", KEY_CSV, NULL, 0,
+     "print one row per consolidation stress as CSV, warnings to standard error", 0},
+    {"output", 'o', "FILE", 0, "write to FILE; - is standard output", 0},
     {"sigma-pre", KEY_SIGMA, "STRESS", 0, "preshear normal stress of rows without, e.g. 10kPa",
      0},
     {"tau-pre", KEY_TAU, "STRESS", 0, "preshear shear stress of rows without", 0},
@@ -37,9 +40,11 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     switch (key) {
     case KEY_JSON:
         self->write = clod_locus_json;
+        self->json = true;
         return 0;
     case KEY_CSV:
         self->write = clod_locus_csv;
+        self->csv = true;
         return 0;
     case 'o':
         self->output = argument;
@@ -56,6 +61,11 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         }
         self->points = argument;
         return 0;
+    case ARGP_KEY_END:
+        if (self->json && self->csv) {
+            argp_error(state, "--json and --csv are two forms of the result; give one of them");
+        }
+        return 0;
     case ARGP_KEY_NO_ARGS:
         argp_error(state, "which file of points?");
         return 0;
@@ -66,12 +76,27 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 
 static bool put(const request *self, const char *text, clod_status *status)
 {
-    if (self->output != NULL) {
+    if (self->output != NULL && strcmp(self->output, "-") != 0) {
         return clod_text_file_write(self->output, self->points, text, status);
     }
     return (fputs(text, stdout) >= 0 && fflush(stdout) == 0) ||
            clod_status_fail(status, CLOD_FAILED, "Cannot write the result: %s.",
                             strerror(errno));
+}
+
+/** A CSV has no place for warnings: they go to standard error. */
+static void show_warnings(const clod_locus_study *study)
+{
+    for (size_t g = 0; g < study->count; g++) {
+        const clod_locus *locus = &study->groups[g].locus;
+        for (size_t i = 0; i < locus->warning_count; i++) {
+            fprintf(stderr, "clod locus: preshear at %.3f kPa: %s\n",
+                    locus->sigma_p.value / 1000.0, locus->warnings[i]);
+        }
+    }
+    if (study->warning[0] != '\0') {
+        fprintf(stderr, "clod locus: %s\n", study->warning);
+    }
 }
 
 static bool run(const request *self, clod_status *status)
@@ -85,6 +110,9 @@ static bool run(const request *self, clod_status *status)
     clod_locus_free(points);
     if (study == NULL) {
         return false;
+    }
+    if (self->csv) {
+        show_warnings(study);
     }
     char *text = self->write(study);
     const bool done = text != NULL
@@ -101,13 +129,17 @@ int clod_app_locus(int argc, char **argv)
         .options = OPTIONS,
         .parser = parse,
         .args_doc = "POINTS.csv",
-        .doc = "Evaluate shear points, simulated or measured: yield locus, Mohr circles, flow "
-               "function.\vColumns of the file, units in its header: sigma_pre [kPa], tau_pre "
-               "[kPa], sigma_sh [kPa], tau_sh [kPa]; optional seed, rho_b [kg/m3], "
-               "tau_pre_error [kPa], tau_sh_error [kPa], rho_b_error [kg/m3].",
+        .doc =
+            "Evaluate shear points, simulated or measured: yield locus, Mohr circles, flow "
+            "function. POINTS.csv may be - for standard input.\vColumns of the file, units in "
+            "its header: sigma_pre [kPa], tau_pre "
+            "[kPa], sigma_sh [kPa], tau_sh [kPa]; optional seed, rho_b [kg/m3], "
+            "tau_pre_error [kPa], tau_sh_error [kPa], rho_b_error [kg/m3].",
     };
     request self = {.write = clod_locus_table};
-    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
+        return CLOD_FAILED;
+    }
     clod_status status = {CLOD_OK, ""};
     if (!run(&self, &status)) {
         fprintf(stderr, "clod locus: %s\n", status.text);

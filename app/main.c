@@ -10,7 +10,9 @@
 #include <string.h>
 
 #include "app.h"
+#include "arguments.h"
 #include "clod/version.h"
+#include "output.h"
 
 #define USAGE 2
 
@@ -39,25 +41,32 @@ static void print_version(FILE *out, struct argp_state *state)
     fprintf(out, "%s\n", clod_version_text());
 }
 
-/** The list of verbs, in place of the options at the end of --help. */
+#define LIST_BEGIN "Verbs:\n"
+#define LIST_END "\nclod VERB --help tells more about one of them."
+#define LIST_ROOM 16 ///< name and blanks of a line
+
+/** The list of verbs, in place of the options at the end of --help; argp frees it. */
 static char *list_verbs(int key, const char *text, void *input)
 {
     (void)input;
     if (key != ARGP_KEY_HELP_POST_DOC) {
         return (char *)text;
     }
-    char *list = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&list, &size);
-    if (out == NULL) {
-        return (char *)text;
-    }
-    fputs("Verbs:\n", out);
+    size_t size = sizeof LIST_BEGIN + sizeof LIST_END;
     for (size_t i = 0; i < VERB_COUNT; i++) {
-        fprintf(out, "  %-8s  %s\n", VERBS[i].name, VERBS[i].help);
+        size += LIST_ROOM + strlen(VERBS[i].help);
     }
-    fputs("\nclod VERB --help tells more about one of them.", out);
-    fclose(out);
+    char *list = malloc(size);
+    if (list == NULL) {
+        fputs("clod: no memory for the list of verbs\n", stderr);
+        exit(EXIT_FAILURE);
+    }
+    int used = snprintf(list, size, LIST_BEGIN);
+    for (size_t i = 0; i < VERB_COUNT; i++) {
+        used += snprintf(list + used, size - (size_t)used, "  %-8s  %s\n", VERBS[i].name,
+                         VERBS[i].help);
+    }
+    snprintf(list + used, size - (size_t)used, LIST_END);
     return list;
 }
 
@@ -130,6 +139,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 
 int main(int argc, char **argv)
 {
+    if (!clod_output_watch()) {
+        return EXIT_FAILURE;
+    }
     argp_program_version_hook = print_version;
     argp_err_exit_status = USAGE;
     const struct argp argp = {
@@ -139,7 +151,9 @@ int main(int argc, char **argv)
         .help_filter = list_verbs,
     };
     int first = argc;
-    argp_parse(&argp, argc, argv, ARGP_IN_ORDER, NULL, &first);
+    if (!clod_arguments_parse(&argp, argc, argv, ARGP_IN_ORDER, &first)) {
+        return EXIT_FAILURE;
+    }
     const verb *chosen = find_verb(argv[first]);
     if (chosen == NULL) {
         return USAGE;

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "app.h"
+#include "arguments.h"
 #include "clod/status.h"
 #include "clod_templates.h" // written by the build: tools/templates.cmake
 
@@ -63,6 +64,16 @@ static void list(FILE *out)
     }
 }
 
+/** The case on standard output, for a pipe. */
+static int print_case(const template *chosen)
+{
+    if (fputs(chosen->text, stdout) < 0 || fflush(stdout) != 0) {
+        fprintf(stderr, "clod new: standard output: cannot be written: %s\n", strerror(errno));
+        return CLOD_FAILED;
+    }
+    return EXIT_SUCCESS;
+}
+
 static int write_case(const template *chosen, const char *path)
 {
     FILE *out = fopen(path, "wx"); // never over a file that is there
@@ -73,6 +84,7 @@ static int write_case(const template *chosen, const char *path)
     const bool written = fputs(chosen->text, out) >= 0;
     if (fclose(out) != 0 || !written) {
         fprintf(stderr, "clod new: %s: cannot be written: %s\n", path, strerror(errno));
+        remove(path); // half a case is none, and would be in the way of the next try
         return CLOD_FAILED;
     }
     printf("wrote %s\n", path);
@@ -85,17 +97,23 @@ int clod_app_new(int argc, char **argv)
         .parser = parse,
         .args_doc = "[TEMPLATE [FILE]]",
         .doc =
-            "Write an example case to start from; FILE is TEMPLATE.yaml unless given. Without "
-            "arguments the templates are listed. A file that exists is never overwritten.",
+            "Write an example case to start from; FILE is TEMPLATE.yaml unless given, - is "
+            "standard output. Without arguments the templates are listed. A file that exists "
+            "is never overwritten.",
     };
     request self = {NULL, NULL};
-    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
+        return CLOD_FAILED;
+    }
     if (self.name == NULL) {
         list(stdout);
         return EXIT_SUCCESS;
     }
     for (size_t i = 0; i < TEMPLATE_COUNT; i++) {
         if (strcmp(TEMPLATES[i].name, self.name) == 0) {
+            if (self.file != NULL && strcmp(self.file, "-") == 0) {
+                return print_case(&TEMPLATES[i]);
+            }
             char path[64];
             snprintf(path, sizeof path, "%s.yaml", self.name);
             return write_case(&TEMPLATES[i], self.file != NULL ? self.file : path);

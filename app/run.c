@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "app.h"
+#include "arguments.h"
 #include "clod/run.h"
 #include "one_case.h"
 
@@ -34,8 +35,9 @@ typedef struct screen {
 } screen;
 
 // Lock-free atomics, so safe in the handler; the threads of all parts read stop_signal.
-static atomic_int stop_signal;  ///< the first one that came
-static atomic_bool on_terminal; ///< a progress line is to be overwritten
+static atomic_int stop_signal;   ///< the first one that came
+static atomic_int save_requests; ///< SIGUSR1 that have come
+static atomic_bool on_terminal;  ///< a progress line is to be overwritten
 
 #define CLEAR_LINE "\r\033[K"
 
@@ -55,9 +57,16 @@ static void on_signal(int number)
     }
 }
 
-static void handle(int number, int flags)
+/** Ask the run to write its state and to go on. */
+static void on_save(int number)
 {
-    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART | flags};
+    (void)number;
+    atomic_fetch_add(&save_requests, 1);
+}
+
+static void handle(int number, void (*handler)(int), int flags)
+{
+    struct sigaction action = {.sa_handler = handler, .sa_flags = SA_RESTART | flags};
     sigemptyset(&action.sa_mask);
     sigaction(number, &action, NULL);
 }
@@ -66,11 +75,14 @@ static void handle(int number, int flags)
 static void handle_signals(void)
 {
     struct sigaction hang_up;
-    handle(SIGINT, (int)SA_RESETHAND); // the second one ends the program, as people expect
-    handle(SIGTERM, 0); // no end at the second: it is often sent to the process and its group
+    handle(SIGINT, on_signal,
+           (int)SA_RESETHAND); // the second one ends the program, as people expect
+    handle(SIGTERM, on_signal,
+           0); // no end at the second: it is often sent to the process and its group
     if (sigaction(SIGHUP, NULL, &hang_up) == 0 && hang_up.sa_handler != SIG_IGN) {
-        handle(SIGHUP, 0); // as SIGTERM; under nohup it stays ignored
+        handle(SIGHUP, on_signal, 0); // as SIGTERM; under nohup it stays ignored
     }
+    handle(SIGUSR1, on_save, 0);
     signal(SIGPIPE, SIG_IGN); // who reads the progress may end before the checkpoint is written
     signal(SIGXFSZ, SIG_IGN); // a file at its size limit is an error of its writer, with a text
 }
@@ -78,11 +90,16 @@ static void handle_signals(void)
 static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0, "results folder (run/NAME for NAME.yaml and for NAME/case.yaml)",
      0},
-    {"threads", 't', "N", 0, "threads (all processors); results do not depend on it", 0},
+    {"threads", 't', "N", 0,
+     "threads (all processors, and at most as many); results do not depend on it", 0},
     {"set", 'S', "KEY=VALUE", 0,
      "change a key of the case, for instance ring_shear.speed='10 mm/s'; may be given often",
      0},
     {"fresh", 'f', NULL, 0, "forget earlier results of the folder instead of going on", 0},
+    {"from", 'F', "DIR[@SECONDS]", 0,
+     "begin with the grains and histories of the run in another results folder, or of a moment "
+     "of it that SIGUSR1 kept: a free run with its own stages, a test with its own points",
+     0},
     {"simd", 'i', "SET", 0,
      "instruction set: scalar, avx2, avx512, neon (this machine's best); results do not depend "
      "on it",
@@ -115,6 +132,12 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         return 0;
     case 'f':
         self->options.fresh = true;
+        return 0;
+    case 'F':
+        if (argument[0] == '\0') {
+            argp_error(state, "--from: the results folder of another run is needed");
+        }
+        self->options.from = argument;
         return 0;
     case 'i':
         self->options.simd = argument;
@@ -187,6 +210,7 @@ static int run_case(request *self)
     }
     pthread_mutex_init(&shown.lock, NULL);
     self->options.stop = &stop_signal;
+    self->options.save = &save_requests;
     self->options.progress = show_progress;
     self->options.notice = show_notice;
     self->options.context = &shown;
@@ -213,18 +237,24 @@ int clod_app_run(int argc, char **argv)
         .options = OPTIONS,
         .parser = parse,
         .args_doc = "CASE",
-        .doc = "Run a case file: a free run, a ring shear or Jenike shear test up to the yield "
-               "locus, or a uniaxial test up to the flow function.\v"
-               "The same command goes on from the last checkpoint after an interruption; "
-               "Ctrl-C, SIGTERM and a hang-up write one first (exit status 130, 143 and 129); "
-               "a second Ctrl-C ends the run at once. Results and the log are in the results "
-               "folder; the result table goes to standard output.",
+        .doc =
+            "Run a case file: a free run, a ring shear or Jenike shear test up to the yield "
+            "locus, or a uniaxial test up to the flow function.\v"
+            "The same command goes on from the last checkpoint after an interruption; "
+            "Ctrl-C, SIGTERM and a hang-up write one first (exit status 130, 143 and 129); "
+            "a second Ctrl-C ends the run at once. SIGUSR1 writes a checkpoint, which is kept, "
+            "and a snapshot of each part that is running, and the run goes on. Results and the "
+            "log are in the results "
+            "folder; the result table goes to standard output.",
     };
     request self = {.of.example = "clod new ring-shear"};
     if (!clod_one_case_init(&self.of, argc, argv)) {
         return 1;
     }
-    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
+        free(self.of.overrides);
+        return CLOD_FAILED;
+    }
     handle_signals();
     const int result = run_case(&self);
     free(self.of.overrides);

@@ -8,7 +8,9 @@
 #include <stdlib.h>
 
 #include "app.h"
+#include "arguments.h"
 #include "clod/schema.h"
+#include "output.h"
 
 int clod_app_schema(int argc, char **argv)
 {
@@ -18,13 +20,16 @@ int clod_app_schema(int argc, char **argv)
             "server complete and check keys with it: save it as clod.schema.json and begin the "
             "case with the line\n\n  # yaml-language-server: $schema=clod.schema.json",
     };
-    argp_parse(&argp, argc, argv, 0, NULL, NULL);
-    char *text = clod_schema_json();
-    if (text == NULL) {
-        fputs("clod schema: out of memory\n", stderr);
+    if (!clod_arguments_parse(&argp, argc, argv, 0, NULL)) {
         return CLOD_FAILED;
     }
-    puts(text);
+    char *text = clod_schema_json();
+    if (text == NULL) {
+        fputs("clod schema: no memory\n", stderr);
+        return CLOD_FAILED;
+    }
+    clod_output_put(text);
+    clod_output_put("\n");
     clod_schema_free(text);
     return EXIT_SUCCESS;
 }

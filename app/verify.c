@@ -4,11 +4,13 @@
  */
 
 #include <argp.h>
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "app.h"
+#include "arguments.h"
 #include "clod/verify.h"
 
 typedef struct request {
@@ -86,21 +88,34 @@ static void print_report(const clod_verify_report *report, const char *directory
            clod_verify_report_name(report->slow));
 }
 
-/** Whether the report in the folder may be replaced: it is not there, or clod wrote it. */
-static bool may_replace(const char *directory, bool slow)
+/** Exit status that says whether the report may be written: none is there, or clod wrote it. */
+static int check_report(const char *directory, bool slow)
 {
     static const char MARK[] = "\n\nWritten by `clod verify";
     char path[4096];
     char text[128] = "";
     snprintf(path, sizeof path, "%s/%s", directory, clod_verify_report_name(slow));
     FILE *file = fopen(path, "r");
-    if (file == NULL) {
-        return true; // it is not there; what cannot be written is told at the end
+    if (file == NULL && (errno == ENOENT || errno == ENOTDIR)) {
+        return EXIT_SUCCESS; // it is not there; what cannot be written is told at the end
     }
-    const size_t length = fread(text, 1, sizeof text - 1, file);
-    fclose(file);
-    text[length] = '\0';
-    return strstr(text, MARK) != NULL;
+    bool readable = file != NULL;
+    if (readable) {
+        text[fread(text, 1, sizeof text - 1, file)] = '\0';
+        readable = ferror(file) == 0;
+    }
+    if (!readable) {
+        fprintf(stderr, "clod verify: %s: cannot be read: %s\n", path, strerror(errno));
+    } else if (strstr(text, MARK) == NULL) {
+        fprintf(stderr,
+                "clod verify: %s is in the way: clod did not write it. Choose another folder "
+                "with -o, or move the file away.\n",
+                path);
+    }
+    if (file != NULL) {
+        fclose(file);
+    }
+    return !readable ? CLOD_FAILED : strstr(text, MARK) == NULL ? CLOD_USAGE : EXIT_SUCCESS;
 }
 
 static int run(const request *self)
@@ -112,13 +127,9 @@ static int run(const request *self)
                                          .progress = show_progress};
     clod_verify_report report;
     clod_status status = {CLOD_OK, ""};
-    int result = EXIT_SUCCESS;
-    if (!may_replace(self->directory, self->slow)) {
-        fprintf(stderr,
-                "clod verify: %s/%s is in the way: clod did not write it. Choose another "
-                "folder with -o, or move the file away.\n",
-                self->directory, clod_verify_report_name(self->slow));
-        return CLOD_USAGE;
+    int result = check_report(self->directory, self->slow);
+    if (result != EXIT_SUCCESS) {
+        return result;
     }
     if (!clod_verify_run(&options, &report, &status)) {
         fprintf(stderr, "clod verify: %s\n", status.text);
@@ -149,10 +160,13 @@ int clod_app_verify(int argc, char **argv)
     };
     request self = {.directory = "run/verify", .names = calloc((size_t)argc, sizeof(char *))};
     if (self.names == NULL) {
-        fputs("clod: no memory\n", stderr);
+        fputs("clod verify: no memory\n", stderr);
         return 1;
     }
-    argp_parse(&argp, argc, argv, 0, NULL, &self);
+    if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
+        free(self.names);
+        return CLOD_FAILED;
+    }
     int result = EXIT_SUCCESS;
     if (self.list) {
         print_list();

@@ -26,6 +26,9 @@ clod_add_check(lint/layers-selftest 600 tools/check-layers-selftest)
 clod_add_check(lint/style 600 tools/check-style ${CLOD_ALL})
 clod_add_check(lint/headers-gcc 1200 tools/check-headers gcc ${CLOD_HEADERS})
 clod_add_check(lint/headers-clang 1200 tools/check-headers clang-14 ${CLOD_HEADERS})
+set(CLOD_PUBLIC ${CLOD_LAYERED})
+list(FILTER CLOD_PUBLIC INCLUDE REGEX "^include/")
+clod_add_check(lint/public 600 tools/check-public ${CLOD_PUBLIC})
 # uninitvar is left to gcc, clang and the sanitizers: cppcheck does not follow arrays filled in loops
 clod_add_check(lint/cppcheck 1800 cppcheck --enable=warning,performance,portability --inline-suppr
   --suppress=missingIncludeSystem --suppress=uninitvar --error-exitcode=1 --quiet -j2 -Iinclude -Isrc ${CLOD_COMPILED})

@@ -2,9 +2,11 @@
 #
 # tests/FOLDER/test_NAME.c  is a cmocka program of its own, labelled FOLDER; a name that ends in
 #                           _slow is labelled slow as well, which `make test` leaves out.
-# tests/FOLDER/test_NAME.py runs the program as a user does, labelled FOLDER.
+# tests/FOLDER/test_NAME.py runs the program as a user does, labelled FOLDER; _slow as above.
 # tests/FOLDER/fuzz_NAME.c  is a libFuzzer target, labelled fuzz; built in the asan tree, started
 #                           from the files in tests/FOLDER/seeds and from cases/.
+# tests/faults/NAME.c       is a library NAME.so that a test of tests/faults preloads to make calls
+#                           fail; it lies beside the program (folder of CLOD_BINARY).
 pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
 
 set(CLOD_TEST_SECONDS 1200) # only ends what hangs, on a busy machine too
@@ -13,16 +15,17 @@ set(CLOD_TEST_ENVIRONMENT CLOD_BINARY=${CMAKE_BINARY_DIR}/clod)
 if(CLOD_SANITIZE)
   set(CLOD_TEST_SECONDS 2400)
   list(APPEND CLOD_TEST_ENVIRONMENT CLOD_SANITIZED=1)
+  set(NO_MEMORY allocator_may_return_null=1) # a test asks for more than there is
   # LeakSanitizer 14 takes some blocks of thread-local storage for those of glibc 2.19, and then
   # crashes on its way out (google/sanitizers issue 1322); without this it does not look there.
   # It finds no fewer leaks: what only such a block points to would be one too many.
-  list(APPEND CLOD_TEST_ENVIRONMENT ASAN_OPTIONS=intercept_tls_get_addr=0
+  list(APPEND CLOD_TEST_ENVIRONMENT ASAN_OPTIONS=intercept_tls_get_addr=0:${NO_MEMORY}
     LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/tests/support/leaks.txt:print_suppressions=0)
   find_program(SYMBOLIZER NAMES llvm-symbolizer-14 llvm-symbolizer)
   find_library(ARCHER NAMES archer PATHS /usr/lib/llvm-14/lib)
   list(APPEND CLOD_TEST_ENVIRONMENT ASAN_SYMBOLIZER_PATH=${SYMBOLIZER}
     UBSAN_OPTIONS=print_stacktrace=1 OMP_TOOL_LIBRARIES=${ARCHER}
-    TSAN_OPTIONS=external_symbolizer_path=${SYMBOLIZER}:ignore_noninstrumented_modules=1)
+    TSAN_OPTIONS=external_symbolizer_path=${SYMBOLIZER}:ignore_noninstrumented_modules=1:${NO_MEMORY})
 endif()
 
 function(clod_add_program name source)
@@ -59,18 +62,35 @@ foreach(set IN LISTS CLOD_SETS)
   target_sources(test_simd PRIVATE $<TARGET_OBJECTS:clod_vocabulary_${set}>)
 endforeach()
 
+# Preloaded into the program, so without the sanitizers, which would have to come first.
+file(GLOB CLOD_FAULT_SOURCES CONFIGURE_DEPENDS tests/faults/*.c)
+list(FILTER CLOD_FAULT_SOURCES EXCLUDE REGEX "/test_[^/]*\\.c$")
+foreach(source IN LISTS CLOD_FAULT_SOURCES)
+  cmake_path(GET source STEM name)
+  add_library(${name} MODULE ${source})
+  set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+  target_compile_options(${name} PRIVATE -Wall -Wextra -Wshadow $<$<BOOL:${CLOD_WERROR}>:-Werror>)
+  target_link_libraries(${name} PRIVATE ${CMAKE_DL_LIBS})
+endforeach()
+
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 file(GLOB CLOD_TEST_SCRIPTS CONFIGURE_DEPENDS tests/*/test_*.py)
 if(CLOD_SANITIZE)
   # What these look at (numbers, progress lines) does not depend on the build, and takes long.
   list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "cli/test_(ring_shear|jenike|uniaxial|terminal)\\.py$")
+  # Faults are injected by a preloaded library, which the sanitizers do not go with.
+  list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "faults/test_")
 endif()
 foreach(script IN LISTS CLOD_TEST_SCRIPTS)
   cmake_path(GET script STEM name)
   cmake_path(GET script PARENT_PATH folder)
   cmake_path(GET folder FILENAME folder)
+  set(labels ${folder})
+  if(name MATCHES "_slow$")
+    list(APPEND labels slow)
+  endif()
   add_test(NAME ${folder}/${name} COMMAND ${Python3_EXECUTABLE} -B ${script})
-  set_tests_properties(${folder}/${name} PROPERTIES LABELS ${folder}
+  set_tests_properties(${folder}/${name} PROPERTIES LABELS "${labels}"
     TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 endforeach()
 

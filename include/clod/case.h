@@ -11,6 +11,10 @@
 
 #include "clod/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum clod_law_kind {
     CLOD_LAW_MEPA,
     CLOD_LAW_HERTZ,
@@ -201,6 +205,7 @@ typedef struct clod_case_time {
     double safety;         ///< auto: fraction of the critical step of the stiffest pair
     double design_stress;  ///< Pa, to estimate overlap for auto; 0 = from loads and gravity
     double rayleigh_limit; ///< auto, hertz: largest fraction of the Rayleigh time
+    double overlap_limit;  ///< fraction of the smaller radius at which a run stops
 } clod_case_time;
 
 /** What the operator of a shear tester does with the specimen (PHYSICS 7). */
@@ -212,6 +217,7 @@ typedef struct clod_case_programme {
     double block_displacement; ///< m of shear, one block average
     int64_t steady_blocks;     ///< blocks that must agree
     double steady_tolerance;   ///< relative
+    double preshear_min;       ///< m of shear at least
     double preshear_max;       ///< m of shear at most
     double shear_max;          ///< m of shear at most, after reversal
     double beyond_peak;        ///< m of shear recorded beyond the peak
@@ -232,6 +238,7 @@ typedef struct clod_case_ring_shear {
     int64_t grain_count;                                   ///< 0 = as many as fill the depth
     double fill_fraction;          ///< solid fraction assumed while filling
     double fill_adhesion;          ///< fraction of k_adh during filling
+    double fill_max, settle_max;   ///< s at most until grains, and lid, rest
     clod_case_programme programme; ///< displacements and speeds at r_m
 } clod_case_ring_shear;
 
@@ -249,8 +256,9 @@ typedef struct clod_case_jenike {
     double lid_damping;                                    ///< fraction of critical
     double radius_mean, radius_sd, radius_min, radius_max; ///< m
     int64_t grain_count;                                   ///< 0 = as many as fill the rings
-    double fill_fraction; ///< solid fraction assumed while filling
-    double fill_adhesion; ///< fraction of k_adh during filling
+    double fill_fraction;        ///< solid fraction assumed while filling
+    double fill_adhesion;        ///< fraction of k_adh during filling
+    double fill_max, settle_max; ///< s at most until grains, and lid, rest
     clod_case_programme programme;
 } clod_case_jenike;
 
@@ -265,6 +273,7 @@ typedef struct clod_case_uniaxial {
     int64_t grain_count;                                   ///< 0 = as many as fill the height
     double fill_fraction;           ///< solid fraction assumed while filling
     double fill_adhesion;           ///< fraction of k_adh during filling
+    double fill_max, settle_max;    ///< s at most until grains, and lid, rest
     double *consolidation_stresses; ///< Pa
     size_t consolidation_stress_count;
     double speed;       ///< m/s of the lid, unloading and crushing
@@ -338,7 +347,7 @@ clod_case *clod_case_parse(const char *path, const char *text, size_t length,
                            const char *const *overrides, size_t override_count,
                            clod_status *status);
 
-/** Free a case and null the pointer. */
+/** Free a case and null the pointer; NULL is fine. */
 void clod_case_destroy(clod_case **self);
 
 /** Index of a material by name, or -1. */
@@ -358,6 +367,10 @@ double clod_case_tester_stress(const clod_case *self);
 
 /**
  * The complete case with every default and unit written out, as YAML that loads again.
- * @return owned text (clod_memory_free), or NULL without memory
+ * @return owned text (clod_schema_free), or NULL without memory
  */
 char *clod_case_echo(const clod_case *self);
+
+#ifdef __cplusplus
+}
+#endif

@@ -11,8 +11,12 @@
 #include "clod/case.h"
 #include "clod/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define CLOD_CHECK_WARNINGS 24
-#define CLOD_CHECK_NOTES 4
+#define CLOD_CHECK_NOTES 6
 #define CLOD_CHECK_WARNING_TEXT 320 ///< of a note too
 #define CLOD_CHECK_TEXT 32768       ///< enough for either form of the report
 
@@ -36,6 +40,8 @@ typedef struct clod_check_report {
     const char *path, *title; ///< borrowed from the case; title may be NULL
     // grains
     size_t grains;
+    size_t
+        sampled; ///< so many of them were made for the estimates; 0: all, and they were tried
     double radius_min, radius_mean, radius_max; ///< m
     double mass, solid_volume;                  ///< kg, m3
     // time step
@@ -44,7 +50,13 @@ typedef struct clod_check_report {
     const char *reason;            ///< what sets the automatic step; static
     const char *pair_1, *pair_2;   ///< materials of the stiffest pair, borrowed
     bool pair_wall;                ///< the second one is a wall's
+    double pair_radius_1;          ///< m, smallest grain of the first material
+    double pair_radius_2;          ///< m, of the second; 0 for a wall
     double stiffness, spring_mass; ///< N/m, kg
+    double collision_steps;        ///< that a collision of the two takes at its load
+    double restitution;            ///< that their dash-pot is asked for
+    double restitution_least;      ///< that it returns in so many steps, by where between two
+    double restitution_most;       ///< steps they touch
     double rayleigh;               ///< s
     double rayleigh_fraction;      ///< step / rayleigh
     bool rayleigh_imposed;         ///< hertz: it sets the automatic step
@@ -69,15 +81,20 @@ typedef struct clod_check_report {
     // loaded walls: the lid, or the one with the shortest period
     double servo_period; ///< s, of the wall on the stiffness of the bed
     // run
-    double time_likely, time_most;      ///< s simulated, all parts one after the other
-    double steps_likely, steps_most;    ///< of all parts together
-    int processors, threads;            ///< available, used
-    int side_by_side;                   ///< parts that run at the same time, at most
-    const char *simd;                   ///< instruction set; static
-    size_t sample_grains;               ///< of the packing on which the rate was measured
-    double rate_one, rate;              ///< grain-steps/s with one and with all threads
+    double time_likely, time_most;   ///< s simulated, all parts one after the other
+    double steps_likely, steps_most; ///< of all parts together
+    int processors, threads;         ///< available, used
+    int side_by_side;                ///< parts that run at the same time, at most
+    const char *simd;                ///< instruction set; static
+    size_t timed_grains;             ///< of the packing on which the rate was measured
+    double rate_one, rate;  ///< grain-steps/s with one and with all threads, of a quiet machine
+    double rate_slowest;    ///< of the slowest measurement with all threads
+    double processor_share; ///< part of a processor that one thread got meanwhile; 1: all of it
+    bool busy;              ///< it was less than 0.9: what more threads gain is partly assumed
     double clock_likely, clock_most;    ///< s on the clock
     double memory;                      ///< bytes
+    double rows_most, snapshots_most;   ///< that will be written; a free run writes just these
+                                        ///< when no stage ends early
     double disk_series, disk_snapshots; ///< bytes
     double disk_checkpoints, disk;      ///< bytes; all together
     double disk_free;                   ///< bytes
@@ -88,12 +105,14 @@ typedef struct clod_check_report {
 } clod_check_report;
 
 /**
- * Look at a case before it runs: grains are inserted and the step is timed for a moment on a
- * small packing, nothing is simulated or written.
+ * Look at a case before it runs: its first 100 steps are tried as a run does them, unless it
+ * has very many grains, and the step is timed for a moment on a small packing. Nothing is
+ * written.
  *
  * @param from    checked case; the report borrows texts from it
  * @param report  [out]
- * Errors  CLOD_USAGE: a case that cannot be built, an unknown instruction set; CLOD_FAILED.
+ * Errors  CLOD_USAGE: a case that cannot be built, an unknown instruction set; CLOD_FAILED: one
+ *         whose first steps go wrong.
  * Threads one per report.   Source  PHYSICS 1, 5, 7.   Test  tests/sim/test_check.c
  */
 bool clod_check_report_make(const clod_case *from, const clod_check_options *options,
@@ -104,3 +123,7 @@ void clod_check_report_text(const clod_check_report *report, char text[CLOD_CHEC
 
 /** The report as one JSON object, keys with their units; false without memory. */
 bool clod_check_report_json(const clod_check_report *report, char text[CLOD_CHECK_TEXT]);
+
+#ifdef __cplusplus
+}
+#endif

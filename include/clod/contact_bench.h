@@ -20,6 +20,10 @@
 #include "clod/case.h"
 #include "clod/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** Branch of the normal force, as in eq. (4): f1, f2, f3, or no contact. */
 typedef enum clod_contact_branch {
     CLOD_BRANCH_OPEN,      ///< no overlap
@@ -89,3 +93,7 @@ const char *clod_contact_bench_header(void);
 /** A row as a line of the CSV table, without a line end; numbers read back exactly. */
 void clod_contact_bench_line(const clod_contact_bench_row *row,
                              char line[CLOD_CONTACT_BENCH_LINE]);
+
+#ifdef __cplusplus
+}
+#endif

@@ -12,6 +12,10 @@
 
 #include "clod/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /**
  * One shear point with its preshear. Stresses in Pa; errors: 0 = not stated. Points of one seed
  * and sigma_p that all tell the same tau_p, rho_b and errors of both stem from one preshear;
@@ -79,6 +83,7 @@ typedef struct clod_locus {
     clod_locus_circle unconfined;    ///< through sigma_c and the origin
     clod_locus_errors errors;
     size_t seed_count;
+    size_t preshear_count;  ///< specimens, over all seeds (docs/theory/yield-locus.md)
     size_t point_count;     ///< over all seeds
     clod_locus_mark *marks; ///< [point_count] owned
     size_t warning_count;
@@ -124,7 +129,14 @@ typedef struct clod_locus_group {
 typedef struct clod_locus_study {
     clod_locus_group *groups; ///< [count] owned, in ascending order of sigma_p
     size_t count;
+    char warning[CLOD_LOCUS_WARNING_TEXT]; ///< of the flow function; "" = none
 } clod_locus_study;
+
+/** Whether the errors are those of one specimen, which cannot tell how specimens differ. */
+bool clod_locus_one_specimen(const clod_locus *self);
+
+/** What to say beside such errors. */
+#define CLOD_LOCUS_ONE_SPECIMEN "one specimen: scatter between specimens not included"
 
 /**
  * Sort points into consolidation stresses (preshear stresses more than 2 % apart) and seeds,
@@ -140,7 +152,10 @@ clod_locus_study *clod_locus_study_create(const clod_locus_point *points, size_t
 /** Free and null; NULL is fine. */
 void clod_locus_study_destroy(clod_locus_study **self);
 
-/** Preshear for rows of a points file that have none; texts with unit, NULL = none. */
+/**
+ * Preshear for rows of a points file that have none; texts with unit, NULL = none. One that no
+ * row needs is refused: the column says otherwise.
+ */
 typedef struct clod_locus_defaults {
     const char *sigma_pre; ///< for instance "54.8 kPa"
     const char *tau_pre;
@@ -149,9 +164,10 @@ typedef struct clod_locus_defaults {
 /**
  * Read shear points from a CSV file with units in its header.
  *
- * @param path      the file: columns sigma_sh, tau_sh and, optional, seed, sigma_pre, tau_pre,
- *                  rho_b, tau_pre_error, tau_sh_error, rho_b_error, in any order
- * @param defaults  preshear of rows without
+ * @param path      the file, "-" for standard input: columns sigma_sh, tau_sh and, optional,
+ *                  seed, sigma_pre, tau_pre, rho_b, tau_pre_error, tau_sh_error, rho_b_error,
+ *                  in any order
+ * @param defaults  preshear of rows without; NULL = none
  * @param points    [out] owned (clod_locus_free)
  * @param count     [out]
  * Errors  CLOD_USAGE with file:line, column, value and what to do.   Threads  safe.
@@ -176,3 +192,7 @@ char *clod_locus_csv(const clod_locus_study *study);
 
 /** Free points or a text of this header; NULL is fine. */
 void clod_locus_free(void *memory);
+
+#ifdef __cplusplus
+}
+#endif

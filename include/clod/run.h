@@ -6,12 +6,27 @@
  * run left in its folder.
  */
 
+#ifdef __cplusplus
+#include <atomic>
+#else
 #include <stdatomic.h>
+#endif
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "clod/case.h"
 #include "clod/status.h"
+
+/** A number that a signal handler or another thread may set. */
+#ifdef __cplusplus
+typedef std::atomic<int> clod_run_signal; // laid out as the one of C (gcc, clang)
+#else
+typedef atomic_int clod_run_signal;
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /** How far a part of a run is; parts of a test run side by side. */
 typedef struct clod_progress {
@@ -27,10 +42,14 @@ typedef struct clod_progress {
 
 typedef struct clod_run_options {
     const char *directory; ///< results folder; NULL = run/NAME for NAME.yaml
-    int threads;           ///< 0 = all processors
+    int threads;           ///< 0 = all processors; never more than there are
     const char *simd;      ///< instruction set; NULL = the best
     bool fresh;            ///< forget earlier results of this folder
-    atomic_int *stop;      ///< not zero: write checkpoints and return; or NULL
+    const char *from; ///< begin with the grains of the run in this folder, or of its moment
+                      ///< that was kept, FOLDER@SECONDS; NULL: with grains of its own
+    clod_run_signal *stop; ///< not zero: write checkpoints and return; or NULL
+    clod_run_signal *save; ///< another number than before: each part that is running writes a
+                           ///< checkpoint, to be kept, and a snapshot, and goes on; or NULL
     void (*progress)(void *context, const clod_progress *now); ///< any thread; or NULL
     void (*notice)(void *context, const char *text);           ///< a sentence for the user
     void *context;
@@ -52,3 +71,7 @@ bool clod_run(const clod_case *self, const clod_run_options *options, char **rep
 
 /** Free the report; NULL is fine. */
 void clod_run_free(char *report);
+
+#ifdef __cplusplus
+}
+#endif

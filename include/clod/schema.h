@@ -6,6 +6,10 @@
 
 #include "clod/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /**
  * What a key means: kind, unit, allowed range, default, source.
  *
@@ -26,3 +30,7 @@ char *clod_schema_manual(void);
 
 /** Free a text of this header or of clod_case_echo; NULL is fine. */
 void clod_schema_free(char *text);
+
+#ifdef __cplusplus
+}
+#endif

@@ -7,6 +7,10 @@
 #include <stdarg.h>
 #include <stdbool.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define CLOD_STATUS_TEXT 16384
 
 /** Exit status of the program that goes with an outcome. */
@@ -38,3 +42,7 @@ bool clod_status_fail(clod_status *status, clod_code code, const char *format, .
 
 /** The same with a va_list. */
 bool clod_status_vfail(clod_status *status, clod_code code, const char *format, va_list args);
+
+#ifdef __cplusplus
+}
+#endif

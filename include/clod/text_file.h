@@ -6,6 +6,10 @@
 
 #include "clod/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /**
  * Replace a file by a text: a reader sees the old content or the new, never half.
  *
@@ -20,3 +24,7 @@
  */
 bool clod_text_file_write(const char *path, const char *input, const char *text,
                           clod_status *status);
+
+#ifdef __cplusplus
+}
+#endif

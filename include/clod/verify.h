@@ -13,6 +13,10 @@
 
 #include "clod/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** A quantity that was compared. */
 typedef struct clod_verify_row {
     char test[32];
@@ -73,3 +77,7 @@ bool clod_verify_run(const clod_verify_options *options, clod_verify_report *rep
 
 /** Free the content; an empty report is fine. */
 void clod_verify_fini(clod_verify_report *self);
+
+#ifdef __cplusplus
+}
+#endif

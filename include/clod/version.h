@@ -4,6 +4,10 @@
  * Which clod this is.
  */
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /**
  * Version, commit, compiler and flags of this build, in one line.
  *
@@ -12,3 +16,7 @@
  * Test    tests/base/test_version.c
  */
 const char *clod_version_text(void);
+
+#ifdef __cplusplus
+}
+#endif

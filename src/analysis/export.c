@@ -9,7 +9,9 @@
 #include <stdio.h>
 
 #include "analysis/fields.h"
+#include "base/json.h"
 #include "base/memory.h"
+#include "base/text.h"
 
 #define DEGREES (180.0 / 3.14159265358979323846)
 
@@ -75,6 +77,9 @@ static json_t *locus_of(const clod_locus *locus)
     }
     json_object_set_new(self, "flow", json_string(locus->flow));
     json_object_set_new(self, "errors_from", json_string(ERRORS[locus->errors]));
+    json_object_set_new(self, "errors_note",
+                        clod_locus_one_specimen(locus) ? json_string(CLOD_LOCUS_ONE_SPECIMEN)
+                                                       : json_null());
     json_object_set_new(self, "r_squared", number(locus->r_squared));
     json_object_set_new(self, "parallel", json_boolean(locus->parallel));
     json_object_set_new(self, "seed_count", json_integer((json_int_t)locus->seed_count));
@@ -98,11 +103,14 @@ char *clod_locus_json(const clod_locus_study *study)
         json_object_set_new(locus, "seeds", seeds);
         json_array_append_new(loci, locus);
     }
-    json_t *all = json_pack("{s:o}", "loci", loci);
-    char *dumped =
-        all == NULL ? NULL : json_dumps(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
+    json_t *remarks = json_array();
+    if (study->warning[0] != '\0') {
+        json_array_append_new(remarks, json_string(study->warning));
+    }
+    json_t *all = json_pack("{s:o, s:o}", "loci", loci, "warnings", remarks);
+    char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
-    return dumped;
+    return text;
 }
 
 static void put_cell(FILE *out, double value)
@@ -116,9 +124,8 @@ static void put_cell(FILE *out, double value)
 
 char *clod_locus_csv(const clod_locus_study *study)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
     if (out == NULL) {
         return NULL;
     }
@@ -140,9 +147,5 @@ char *clod_locus_csv(const clod_locus_study *study)
         }
         fputs("\n", out);
     }
-    if (fclose(out) != 0) {
-        clod_memory_free(text);
-        return NULL;
-    }
-    return text;
+    return clod_text_close(&text);
 }

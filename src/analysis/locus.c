@@ -8,6 +8,8 @@
 #include "analysis/warnings.h"
 #include "base/memory.h"
 
+#define HALF_PI 1.57079632679489661923
+
 void clod_locus_free(void *memory)
 {
     clod_memory_free(memory);
@@ -18,6 +20,11 @@ void clod_locus_fini(clod_locus *self)
     clod_memory_free(self->marks);
     self->marks = NULL;
     self->point_count = 0;
+}
+
+bool clod_locus_one_specimen(const clod_locus *self)
+{
+    return self->errors == CLOD_LOCUS_ERRORS_FIT && self->preshear_count == 1;
 }
 
 const char *clod_locus_flow(double ffc)
@@ -74,17 +81,24 @@ static bool check_points(const clod_locus_point *points, size_t count, clod_stat
             "%zu.",
             count == 1 ? "is" : "are", count);
     }
-    bool differ = false;
+    double low = INFINITY;
+    double high = 0.0;
+    double preshear = 0.0;
     for (size_t i = 0; i < count; i++) {
         if (!check_point(&points[i], i, status)) {
             return false;
         }
-        differ = differ || points[i].sigma_s != points[0].sigma_s;
+        low = fmin(low, points[i].sigma_s);
+        high = fmax(high, points[i].sigma_s);
+        preshear = fmax(preshear, points[i].sigma_p);
     }
-    return differ || clod_status_fail(status, CLOD_USAGE,
-                                      "All %zu points have the same normal stress, %.3f kPa: a "
-                                      "line needs points at different normal stresses.",
-                                      count, points[0].sigma_s / 1000.0);
+    return high - low > CLOD_WARNINGS_SAME_STRESS * preshear ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "All %zu points have the same normal stress, %.3f kPa to within 1 %% "
+               "of the preshear stress: a line needs points at different normal "
+               "stresses.",
+               count, points[0].sigma_s / 1000.0);
 }
 
 /** Mean and standard error of values; `stated` is the sum of their squared stated errors. */
@@ -125,6 +139,10 @@ static void fill_means(clod_locus *self, const clod_locus_point *points, const s
         }
     }
     self->rho_b = mean_of(scratch, known, stated);
+    self->preshear_count = 0;
+    for (size_t i = 0; i < count; i++) {
+        self->preshear_count += first[i] == i ? 1 : 0;
+    }
 }
 
 /** Whether errors can be told: three points scatter, or all of them state theirs. */
@@ -137,13 +155,19 @@ static bool errors_known(const clod_locus_point *points, size_t count)
     return stated || count > 2;
 }
 
+/** An error of more than 90 deg says nothing of an angle, which lies within 90 deg of 0. */
+static bool is_told(clod_field_index k, double error)
+{
+    return CLOD_FIELDS[k].kind != CLOD_FIELD_ANGLE || error <= HALF_PI;
+}
+
 static void fill_values(clod_locus *self, const clod_spread_result *best, const double *error)
 {
     const bool known = self->errors != CLOD_LOCUS_ERRORS_NONE;
     for (clod_field_index k = CLOD_FIELD_TAU_P; k < CLOD_FIELD_RHO_B; k++) {
         const double value = best->field[k];
-        *clod_field_of(self, k) =
-            (clod_locus_value){value, known && isfinite(value) ? error[k] : (double)NAN, NAN};
+        const bool told = known && isfinite(value) && is_told(k, error[k]);
+        *clod_field_of(self, k) = (clod_locus_value){value, told ? error[k] : (double)NAN, NAN};
     }
     const double half = 0.5 * self->sigma_c.value;
     self->r_squared = best->fit.r_squared;
@@ -252,6 +276,7 @@ static void combine_values(const clod_locus *loci, size_t count, clod_locus *sel
     for (size_t i = 0; i < count; i++) {
         self->r_squared = fmin(self->r_squared, loci[i].r_squared);
         self->parallel = self->parallel || loci[i].parallel;
+        self->preshear_count += loci[i].preshear_count;
     }
     const double half = 0.5 * self->sigma_c.value;
     self->flow = clod_locus_flow(self->ffc.value);

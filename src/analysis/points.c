@@ -3,16 +3,16 @@
  * Shear points from a CSV file, simulated or measured, with units in its header.
  */
 
-#include <inttypes.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/input.h"
 #include "base/memory.h"
 #include "clod/locus.h"
 #include "config/suggest.h"
 #include "config/unit.h"
-#include "output/file.h"
 
 #define MOST_COLUMNS 64
 
@@ -54,6 +54,7 @@ typedef struct reader {
     const column *kind[MOST_COLUMNS]; ///< of each
     const char *unit[MOST_COLUMNS];   ///< as written in the header
     double sigma_p, tau_p;            ///< defaults, 0 = none
+    bool gap[COLUMN_COUNT];           ///< whether a cell of this column is empty in some row
     clod_locus_point *points;         ///< owned
     size_t count, capacity;
     clod_status *status;
@@ -176,6 +177,12 @@ static bool has_column(const reader *self, size_t index)
     return false;
 }
 
+/** The option of `clod locus` that gives a column's value to all rows. */
+static const char *option_of(size_t index)
+{
+    return index == SIGMA_PRE ? "sigma-pre" : "tau-pre";
+}
+
 static bool check_header(const reader *self)
 {
     for (size_t i = 0; i < COLUMN_COUNT; i++) {
@@ -192,8 +199,7 @@ static bool check_header(const reader *self)
             return clod_status_fail(self->status, CLOD_USAGE,
                                     "%s:%zu: the header has no column %s and no value for all "
                                     "rows was given; add the column, or give --%s.",
-                                    self->path, self->line, COLUMNS[i].names[0],
-                                    i == SIGMA_PRE ? "sigma-pre" : "tau-pre");
+                                    self->path, self->line, COLUMNS[i].names[0], option_of(i));
         }
     }
     return true;
@@ -254,10 +260,11 @@ static bool read_seed(const reader *self, const char *cell, clod_locus_point *po
     return true;
 }
 
-static bool read_cell(const reader *self, size_t c, const char *cell, clod_locus_point *point)
+static bool read_cell(reader *self, size_t c, const char *cell, clod_locus_point *point)
 {
     const column *kind = self->kind[c];
     if (cell[0] == '\0') {
+        self->gap[kind - COLUMNS] = true;
         return !kind->required ||
                fail_cell(self, kind, cell, "is empty; every row needs it, or delete the row.");
     }
@@ -307,8 +314,9 @@ static bool read_row(reader *self, char *line)
     const size_t width = split(line, self->separator, cells);
     if (width != self->width) {
         return clod_status_fail(self->status, CLOD_USAGE,
-                                "%s:%zu: %zu cells, but the header has %zu columns.",
-                                self->path, self->line, width, self->width);
+                                "%s:%zu: %zu cell%s, but the header has %zu column%s.",
+                                self->path, self->line, width, width == 1 ? "" : "s",
+                                self->width, self->width == 1 ? "" : "s");
     }
     clod_locus_point point = {.sigma_p = self->sigma_p, .tau_p = self->tau_p};
     for (size_t c = 0; c < width; c++) {
@@ -351,6 +359,25 @@ static bool read_lines(reader *self, char *text)
     return true;
 }
 
+/** A default that no row needs is a mistake: the column would silently win. */
+static bool check_defaults(const reader *self, const clod_locus_defaults *defaults)
+{
+    static const clod_locus_defaults NONE = {NULL, NULL};
+    defaults = defaults != NULL ? defaults : &NONE;
+    const char *const given[] = {
+        [SIGMA_PRE] = defaults->sigma_pre, [TAU_PRE] = defaults->tau_pre};
+    for (size_t i = SIGMA_PRE; i <= TAU_PRE; i++) {
+        if (given[i] != NULL && has_column(self, i) && !self->gap[i]) {
+            return clod_status_fail(self->status, CLOD_USAGE,
+                                    "%s: column %s has a value in every row, so --%s=\"%.64s\" "
+                                    "would change nothing; leave the option out, or remove the "
+                                    "column.",
+                                    self->path, COLUMNS[i].names[0], option_of(i), given[i]);
+        }
+    }
+    return true;
+}
+
 /** A default such as "54.8 kPa"; NULL gives 0. */
 static bool read_default(const char *text, size_t index, double *value, clod_status *status)
 {
@@ -373,11 +400,13 @@ bool clod_locus_parse(const char *path, const char *text, size_t length,
                       const clod_locus_defaults *defaults, clod_locus_point **points,
                       size_t *count, clod_status *status)
 {
+    static const clod_locus_defaults NONE = {NULL, NULL};
+    const clod_locus_defaults *given = defaults != NULL ? defaults : &NONE;
     *points = NULL;
     *count = 0;
     reader self = {.path = path, .status = status};
-    if (!read_default(defaults->sigma_pre, SIGMA_PRE, &self.sigma_p, status) ||
-        !read_default(defaults->tau_pre, TAU_PRE, &self.tau_p, status)) {
+    if (!read_default(given->sigma_pre, SIGMA_PRE, &self.sigma_p, status) ||
+        !read_default(given->tau_pre, TAU_PRE, &self.tau_p, status)) {
         return false;
     }
     if (memchr(text, '\0', length) != NULL) {
@@ -389,9 +418,8 @@ bool clod_locus_parse(const char *path, const char *text, size_t length,
         return clod_status_fail(status, CLOD_FAILED, "No memory for %zu bytes.", length);
     }
     memcpy(copy, text, length);
-    const bool marked =
-        strncmp(copy, "\xEF\xBB\xBF", 3) == 0; // byte order mark of spreadsheets
-    const bool done = read_lines(&self, copy + (marked ? 3 : 0));
+    const bool done =
+        read_lines(&self, copy + clod_input_mark(copy)) && check_defaults(&self, defaults);
     clod_memory_free(copy);
     if (!done) {
         clod_memory_free(self.points);
@@ -407,13 +435,14 @@ bool clod_locus_read(const char *path, const clod_locus_defaults *defaults,
 {
     *points = NULL;
     *count = 0;
-    void *bytes;
+    char *text;
     size_t size;
-    if (!clod_file_read(path, &bytes, &size, status)) {
-        status->code = CLOD_USAGE; // the user named it
+    const bool standard = strcmp(path, "-") == 0;
+    if (!clod_input_read(standard ? NULL : path, SIZE_MAX, &text, &size, status)) {
         return false;
     }
-    const bool done = clod_locus_parse(path, bytes, size, defaults, points, count, status);
-    clod_memory_free(bytes);
+    const bool done = clod_locus_parse(standard ? CLOD_INPUT_STANDARD : path, text, size,
+                                       defaults, points, count, status);
+    clod_memory_free(text);
     return done;
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "analysis/warnings.h"
 #include "base/memory.h"
 #include "clod/locus.h"
 
@@ -121,6 +122,24 @@ static bool evaluate_all(clod_locus_study *self, const sorted *items, size_t cou
     return true;
 }
 
+/** Remark on the flow function: groups are in ascending order of consolidation. */
+static bool check_strengths(clod_locus_study *self, clod_status *status)
+{
+    clod_warnings_strength *points = clod_memory_alloc(self->count, sizeof *points);
+    if (points == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %zu consolidations.",
+                                self->count);
+    }
+    for (size_t g = 0; g < self->count; g++) {
+        const clod_locus *locus = &self->groups[g].locus;
+        points[g] = (clod_warnings_strength){locus->sigma_p.value, locus->sigma_c.value,
+                                             locus->sigma_c.error};
+    }
+    clod_warnings_strength_falls(points, self->count, self->warning);
+    clod_memory_free(points);
+    return true;
+}
+
 clod_locus_study *clod_locus_study_create(const clod_locus_point *points, size_t count,
                                           clod_status *status)
 {
@@ -140,7 +159,8 @@ clod_locus_study *clod_locus_study_create(const clod_locus_point *points, size_t
     if (!done) {
         clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
     }
-    done = done && evaluate_all(self, items, count, scratch, status);
+    done = done && evaluate_all(self, items, count, scratch, status) &&
+           check_strengths(self, status);
     clod_memory_free(items);
     clod_memory_free(scratch);
     if (!done) {
@@ -151,7 +171,7 @@ clod_locus_study *clod_locus_study_create(const clod_locus_point *points, size_t
 
 void clod_locus_study_destroy(clod_locus_study **self)
 {
-    if (*self == NULL) {
+    if (self == NULL || *self == NULL) {
         return;
     }
     for (size_t g = 0; (*self)->groups != NULL && g < (*self)->count; g++) {

@@ -9,6 +9,7 @@
 
 #include "analysis/fields.h"
 #include "base/memory.h"
+#include "base/text.h"
 
 #define DEGREES (180.0 / 3.14159265358979323846)
 
@@ -65,7 +66,9 @@ static void put_errors(FILE *out, const clod_locus *locus)
                 locus->seed_count);
         return;
     case CLOD_LOCUS_ERRORS_FIT:
-        fputs("  ± one standard error, from scatter about the line and errors of the points.\n",
+        fputs("  ± one standard error, from scatter about the line and errors of the points",
+              out);
+        fputs(clod_locus_one_specimen(locus) ? ";\n  " CLOD_LOCUS_ONE_SPECIMEN ".\n" : ".\n",
               out);
         return;
     default:
@@ -158,13 +161,16 @@ static void put_flow_function(FILE *out, const clod_locus_study *study)
         }
         fprintf(out, "  %s\n", locus->flow);
     }
+    if (study->warning[0] != '\0') {
+        fputs("\n  Warnings\n", out);
+        put_warning(out, study->warning);
+    }
 }
 
 char *clod_locus_table(const clod_locus_study *study)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
     if (out == NULL) {
         return NULL;
     }
@@ -175,9 +181,5 @@ char *clod_locus_table(const clod_locus_study *study)
     if (study->count > 1) {
         put_flow_function(out, study);
     }
-    if (fclose(out) != 0) {
-        clod_memory_free(text);
-        return NULL;
-    }
-    return text;
+    return clod_text_close(&text);
 }

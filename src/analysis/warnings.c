@@ -13,7 +13,7 @@
 #define PHI_HIGH 65.0
 #define RANGE_LOW 0.2 // of sigma_p, PHYSICS 7
 #define RANGE_HIGH 0.8
-#define RANGE_SLACK 0.01    // of sigma_p: a servo does not hold a stress exactly
+#define RANGE_SLACK CLOD_WARNINGS_SAME_STRESS
 #define TOUCH_SLACK 0.1     // of sigma_p: 80 % often lies a little beyond, and does no harm
 #define PRESHEAR_SLACK 0.02 // relative: more than this is another consolidation
 #define MORE " ..."
@@ -26,6 +26,8 @@
 #define PHI_ERROR_MOST 3.0
 /// Below it more than a fifth, sqrt(1 - r2), of what the shear stresses differ is not the line.
 #define R2_LEAST 0.95
+#define RHO_LOW 10.0     // kg/m3; aerogels and foam beads, the lightest solids, pour with more
+#define RHO_HIGH 15000.0 // kg/m3; powders of tungsten and platinum are lighter
 
 void clod_warnings_add(clod_locus *locus, const char *format, ...)
 {
@@ -86,7 +88,7 @@ static void check_line(clod_locus *locus, size_t count)
 static void check_error(clod_locus *locus)
 {
     const double error = locus->phi_lin.error * DEGREES;
-    const bool wide = error > PHI_ERROR_MOST; // NAN, not known, is not
+    const bool wide = locus->errors != CLOD_LOCUS_ERRORS_NONE && !(error <= PHI_ERROR_MOST);
     if (wide || locus->r_squared < R2_LEAST) {
         char bar[32] = "";
         if (isfinite(error)) {
@@ -110,6 +112,56 @@ void clod_warnings_check_seeds(clod_locus *locus)
             "phi_lin = %.1f +- %.1f deg over %zu seeds: their lines differ too much "
             "(at most +- %.0f deg is good) for c, sigma_c and ffc. Add seeds.",
             locus->phi_lin.value * DEGREES, error, locus->seed_count, PHI_ERROR_MOST);
+    }
+}
+
+/** Preshear and bulk density as they are in no solid: columns exchanged, or another unit. */
+static void check_units(clod_locus *locus, const clod_locus_point *points, size_t count)
+{
+    const double phi_sf = locus->phi_sf.value * DEGREES;
+    if (phi_sf < PHI_LOW || phi_sf > PHI_HIGH) {
+        clod_warnings_add(
+            locus,
+            "Preshear at %.3f kPa with a shear stress of %.3f kPa: phi_sf = %.2f "
+            "deg is outside %.0f to %.0f deg; check columns and units of preshear.",
+            locus->sigma_p.value / KILO, locus->tau_p.value / KILO, phi_sf, PHI_LOW, PHI_HIGH);
+    }
+    for (size_t i = 0; i < count; i++) {
+        const double density = points[i].rho_b;
+        if (density > 0.0 && (density < RHO_LOW || density > RHO_HIGH)) {
+            clod_warnings_add(locus,
+                              "A bulk density of %.4g kg/m3 is outside %.0f to %.0f kg/m3, "
+                              "between aerogel and heavy metal; check its unit (1 g/cm3 is "
+                              "1000 kg/m3).",
+                              density, RHO_LOW, RHO_HIGH);
+            return;
+        }
+    }
+}
+
+/** A stated error as large as its value: most likely the wrong column or unit. */
+static void check_stated(clod_locus *locus, const clod_locus_point *points, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const clod_locus_point *p = &points[i];
+        const struct {
+            const char *name, *unit;
+            double value, error, scale;
+        } STATED[] = {{"tau_pre", "kPa", p->tau_p, p->tau_p_error, KILO},
+                      {"tau_sh", "kPa", p->tau_s, p->tau_s_error, KILO},
+                      {"rho_b", "kg/m3", p->rho_b, p->rho_b_error, 1.0}};
+        for (size_t k = 0; k < sizeof STATED / sizeof STATED[0]; k++) {
+            if (STATED[k].error > 0.0 && STATED[k].error >= STATED[k].value) {
+                clod_warnings_add(locus,
+                                  "%s is %.3f %s with a stated standard error of %.3f %s: "
+                                  "nothing was measured then; check the column of errors and "
+                                  "its unit.",
+                                  STATED[k].name, STATED[k].value / STATED[k].scale,
+                                  STATED[k].unit, STATED[k].error / STATED[k].scale,
+                                  STATED[k].unit);
+                return;
+            }
+        }
     }
 }
 
@@ -302,6 +354,8 @@ void clod_warnings_check(clod_locus *locus, const clod_locus_point *points, size
 {
     check_line(locus, count);
     check_error(locus);
+    check_units(locus, points, count);
+    check_stated(locus, points, count);
     check_fall(locus, points, line);
     check_preshear(locus, points, count);
     check_range(locus, points, count);
@@ -309,4 +363,38 @@ void clod_warnings_check(clod_locus *locus, const clod_locus_point *points, size
     check_circles(locus);
     check_touch(locus, points, count);
     check_bend(locus, line);
+}
+
+void clod_warnings_strength_falls(const clod_warnings_strength *points, size_t count,
+                                  char text[CLOD_LOCUS_WARNING_TEXT])
+{
+    const clod_warnings_strength *from = NULL;
+    const clod_warnings_strength *to = NULL;
+    double worst = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t k = 0; k < count; k++) {
+            const double fall = points[i].strength - points[k].strength; // NAN is no fall
+            if (points[k].stress > points[i].stress && fall > worst &&
+                fall > FALL_SLACK * points[i].strength) {
+                worst = fall;
+                from = &points[i];
+                to = &points[k];
+            }
+        }
+    }
+    text[0] = '\0';
+    if (from != NULL) {
+        const double errors = hypot(from->error, to->error);
+        const char *chance = isnan(errors) ? ""
+                             : worst > FALL_ERRORS * errors
+                                 ? ", more than twice the standard errors explain"
+                                 : ", which is within twice the standard errors";
+        snprintf(
+            text, CLOD_LOCUS_WARNING_TEXT,
+            "sigma_c falls from %.3f to %.3f kPa while the consolidation stress rises from "
+            "%.3f to %.3f kPa%s: a solid gains strength with consolidation. See the "
+            "warnings of both, and repeat them with other specimens.",
+            from->strength / KILO, to->strength / KILO, from->stress / KILO, to->stress / KILO,
+            chance);
+    }
 }

@@ -7,6 +7,10 @@
 #include "analysis/fit.h"
 #include "clod/locus.h"
 
+/** Of the preshear stress: normal stresses no further apart are the same, no servo is better.
+ */
+#define CLOD_WARNINGS_SAME_STRESS 0.01
+
 /** The line and the prorated points it goes through. */
 typedef struct clod_warnings_line {
     clod_fit fit;
@@ -31,3 +35,21 @@ void clod_warnings_check_seeds(clod_locus *locus);
  */
 void clod_warnings_check(clod_locus *locus, const clod_locus_point *points, size_t count,
                          const clod_warnings_line *line);
+
+/** Strength after a consolidation. */
+typedef struct clod_warnings_strength {
+    double stress;   ///< of the consolidation [Pa]
+    double strength; ///< sigma_c [Pa]; NAN where there is none
+    double error;    ///< standard error of sigma_c; NAN = not known
+} clod_warnings_strength;
+
+/**
+ * Remark on a strength that falls while the consolidation rises: of all pairs the one that
+ * falls most, when that is more than 2 % of the strength.
+ *
+ * @param points  [count] in any order
+ * @param text    [out] the remark; "" when nothing falls
+ * Test  tests/analysis/test_study.c
+ */
+void clod_warnings_strength_falls(const clod_warnings_strength *points, size_t count,
+                                  char text[CLOD_LOCUS_WARNING_TEXT]);

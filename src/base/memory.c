@@ -94,6 +94,13 @@ void clod_memory_free(void *memory)
     free(memory);
 }
 
+double clod_memory_machine(void)
+{
+    const double pages = (double)sysconf(_SC_PHYS_PAGES);
+    const double page = (double)sysconf(_SC_PAGESIZE);
+    return pages > 0.0 && page > 0.0 ? pages * page : 0.0;
+}
+
 uint64_t clod_memory_count(void)
 {
     return atomic_load_explicit(&allocations, memory_order_relaxed);

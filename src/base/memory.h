@@ -46,5 +46,8 @@ char *clod_memory_text(const char *text);
 /** Free; NULL is fine. */
 void clod_memory_free(void *memory);
 
+/** Bytes of memory that this machine has; 0 where the system does not say. */
+double clod_memory_machine(void);
+
 /** Number of allocations so far, over all threads. */
 uint64_t clod_memory_count(void);

@@ -1,6 +1,5 @@
 #include "clod/case.h"
 
-#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/assert.h"
+#include "base/input.h"
 #include "base/memory.h"
 #include "config/check.h"
 #include "config/contacts.h"
@@ -99,38 +99,12 @@ clod_case *clod_case_parse(const char *path, const char *text, size_t length,
     return self;
 }
 
-/** Whole file into memory; NULL with a status. */
-static char *read_file(const char *path, size_t *length, clod_status *status)
-{
-    FILE *in = fopen(path, "rb");
-    if (in == NULL) {
-        clod_status_fail(status, CLOD_USAGE, "%s: cannot be opened: %s", path, strerror(errno));
-        return NULL;
-    }
-    const size_t room = CLOD_YAML_BYTES + 1;
-    char *text = clod_memory_alloc(room, 1);
-    if (text == NULL) {
-        clod_status_fail(status, CLOD_FAILED, "%s: out of memory", path);
-    } else {
-        errno = 0;
-        *length = fread(text, 1, room, in);
-        if (ferror(in)) {
-            clod_status_fail(status, CLOD_USAGE, "%s: cannot be read: %s", path,
-                             strerror(errno));
-            clod_memory_free(text);
-            text = NULL;
-        }
-    }
-    fclose(in);
-    return text;
-}
-
 clod_case *clod_case_load(const char *path, const char *const *overrides, size_t override_count,
                           clod_status *status)
 {
     size_t length = 0;
-    char *text = read_file(path, &length, status);
-    if (text == NULL) {
+    char *text;
+    if (!clod_input_read(path, CLOD_YAML_BYTES + 1, &text, &length, status)) {
         return NULL;
     }
     clod_case *self = clod_case_parse(path, text, length, overrides, override_count, status);
@@ -140,7 +114,7 @@ clod_case *clod_case_load(const char *path, const char *const *overrides, size_t
 
 void clod_case_destroy(clod_case **self)
 {
-    if (*self == NULL) {
+    if (self == NULL || *self == NULL) {
         return;
     }
     clod_load_free(&CLOD_TABLE_CASE, *self);

@@ -1,5 +1,6 @@
 #include "config/check.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -27,6 +28,34 @@ bool clod_check_has(const clod_loader *loader, const char *path)
 const char *clod_check_written(const clod_loader *loader, const char *first, const char *second)
 {
     return clod_check_has(loader, first) || !clod_check_has(loader, second) ? first : second;
+}
+
+/** Index of a value before `at` that is the same as that one; `at` when there is none. */
+static size_t find_same(const double *values, size_t at, double apart)
+{
+    for (size_t k = 0; k < at; k++) {
+        if (fabs(values[at] - values[k]) <= apart) {
+            return k;
+        }
+    }
+    return at;
+}
+
+void clod_check_apart(clod_loader *loader, const char *path, const double *values, size_t count,
+                      double apart, const char *same)
+{
+    for (size_t i = 0; i < count; i++) {
+        const size_t k = find_same(values, i, apart);
+        if (k < i) {
+            char place[128];
+            snprintf(place, sizeof place, "%s.%zu", path, i);
+            clod_check_fail(loader, place,
+                            "%.10g Pa and %.10g Pa (number %zu of the list) are less than "
+                            "%.3g Pa apart: %s; change one of them or take it out",
+                            values[i], values[k], k + 1, apart, same);
+            return;
+        }
+    }
 }
 
 void clod_check_material(clod_loader *loader, const clod_case *self, const char *path,

@@ -42,6 +42,19 @@ bool clod_check_has(const clod_loader *loader, const char *path);
 const char *clod_check_written(const clod_loader *loader, const char *first,
                                const char *second);
 
+/** Of a stress: two that differ by no more are one, for a lid holds its stress no better. */
+#define CLOD_CHECK_APART 0.01
+
+/**
+ * Complain about the first value of the list at `path` that is one that stands there already.
+ *
+ * @param values  [count]
+ * @param apart   values no further apart are the same [Pa]
+ * @param same    what comes of two that are the same
+ */
+void clod_check_apart(clod_loader *loader, const char *path, const double *values, size_t count,
+                      double apart, const char *same);
+
 /** Complain when `name`, written at `path`, is not a material. */
 void clod_check_material(clod_loader *loader, const clod_case *self, const char *path,
                          const char *name);

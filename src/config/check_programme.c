@@ -36,6 +36,26 @@ static void check_stresses(clod_loader *loader, const char *section,
     }
 }
 
+/** Points that make a line: two at least, at stresses that differ. */
+static void check_points(clod_loader *loader, const char *section,
+                         const clod_case_programme *programme)
+{
+    char path[PATH_TEXT];
+    path_of(section, "shear_stresses", path);
+    if (programme->shear_stress_count == 0 || !clod_report_clean(loader->report, path)) {
+        return; // missing or wrong, which has been said
+    }
+    if (programme->shear_stress_count == 1) {
+        clod_check_fail(loader, path,
+                        "one point gives no yield locus, two do, four are better: 20, 40, 60 "
+                        "and 80 %% of preshear_stress are usual");
+        return;
+    }
+    clod_check_apart(loader, path, programme->shear_stresses, programme->shear_stress_count,
+                     CLOD_CHECK_APART * programme->preshear_stress,
+                     "both give the same point of the yield locus");
+}
+
 /** Complain at the one of two keys of the tester that was written. */
 static const char *written(const clod_loader *loader, const char *section, const char *first,
                            const char *second, char path[PATH_TEXT])
@@ -64,6 +84,12 @@ static void check_ways(clod_loader *loader, const char *section,
                         (long long)programme->steady_blocks, programme->block_displacement,
                         programme->preshear_max);
     }
+    if (programme->preshear_min > programme->preshear_max) {
+        clod_check_fail(loader, written(loader, section, "preshear_max", "preshear_min", path),
+                        "preshear cannot end: it shears by preshear_min = %.10g m at least, "
+                        "which is above preshear_max = %.10g m",
+                        programme->preshear_min, programme->preshear_max);
+    }
     if (programme->beyond_peak + programme->peak_window >= programme->shear_max) {
         clod_check_fail(
             loader, written(loader, section, "shear_max", "beyond_peak", path),
@@ -77,5 +103,6 @@ void clod_check_programme(clod_loader *loader, const char *section,
                           const clod_case_programme *programme, const clod_check_above *above)
 {
     check_stresses(loader, section, programme, above);
+    check_points(loader, section, programme);
     check_ways(loader, section, programme);
 }

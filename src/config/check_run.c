@@ -107,6 +107,33 @@ static void check_region(clod_loader *loader, const char *path, const clod_case_
     }
 }
 
+/** Grains beyond an open border are lost at once, beyond a periodic one they come in elsewhere.
+ */
+static void check_region_inside(clod_loader *loader, const char *path, const clod_case *self,
+                                const clod_case_region *region)
+{
+    const bool box = region->kind == CLOD_REGION_BOX;
+    for (int a = 0; a < 3; a++) {
+        const double side = a < 2 ? region->outer_radius : 0.0;
+        const double low = box ? region->min[a] : region->center[a] - side;
+        const double high = box     ? region->max[a]
+                            : a < 2 ? region->center[a] + side
+                                    : region->center[a] + region->height;
+        const double least = self->domain_min[a];
+        const double most = self->domain_max[a];
+        const double rounding = 1e-9 * (most - least); // of decimal numbers
+        if (low < least - rounding || high > most + rounding) {
+            char key[PATH_SIZE + 16];
+            snprintf(key, sizeof key, "%s.region", path);
+            clod_check_fail(loader, key,
+                            "reaches from %c = %.10g m to %.10g m, beyond the domain, %.10g m "
+                            "to %.10g m; make the region smaller, or the domain larger",
+                            "xyz"[a], low, high, least, most);
+            return;
+        }
+    }
+}
+
 /** Grains from a file carry everything with them. */
 static void check_file(clod_loader *loader, const char *path)
 {
@@ -154,6 +181,9 @@ static void check_grains(clod_loader *loader, const clod_case *self, size_t inde
     }
     check_sizes(loader, path, grains);
     check_region(loader, path, grains);
+    if (self->has_domain && clean(loader, path) && clean(loader, "domain")) {
+        check_region_inside(loader, path, self, &grains->region);
+    }
 }
 
 static void check_shape(clod_loader *loader, const char *path, const clod_case_shape *shape)
@@ -290,17 +320,27 @@ static void check_change(clod_loader *loader, const clod_case *self, const char 
     }
 }
 
-static void check_stage(clod_loader *loader, const clod_case *self, size_t index)
+/** A name of a stage that an earlier one has; `names` are those of the earlier ones. */
+static void check_stage_name(clod_loader *loader, clod_index *names, const char *name,
+                             size_t index)
+{
+    char path[PATH_SIZE];
+    size_t first;
+    const size_t length = name != NULL ? strlen(name) : 0;
+    if (name != NULL && clod_index_find(names, name, length, &first)) {
+        snprintf(path, sizeof path, "stages.%zu.name", index);
+        clod_check_fail(loader, path, "stage %zu has the name %s already", first, name);
+    } else if (name != NULL && !clod_index_add(names, loader->arena, name, length, index)) {
+        loader->report->lost = true;
+    }
+}
+
+static void check_stage(clod_loader *loader, const clod_case *self, clod_index *names,
+                        size_t index)
 {
     const clod_case_stage *stage = &self->stages[index];
     char path[PATH_SIZE];
-    for (size_t i = 0; i < index && stage->name != NULL; i++) {
-        if (self->stages[i].name != NULL && strcmp(self->stages[i].name, stage->name) == 0) {
-            snprintf(path, sizeof path, "stages.%zu.name", index);
-            clod_check_fail(loader, path, "stage %zu has the name %s already", i, stage->name);
-            break;
-        }
-    }
+    check_stage_name(loader, names, stage->name, index);
     for (size_t i = 0; i < stage->wall_count; i++) {
         snprintf(path, sizeof path, "stages.%zu.walls.%s", index, stage->walls[i].name);
         if (clean(loader, path)) {
@@ -336,7 +376,8 @@ void clod_check_run(clod_loader *loader, clod_case *self)
     for (size_t i = 0; i < self->wall_count; i++) {
         check_wall(loader, self, i);
     }
+    clod_index stage_names = {0};
     for (size_t i = 0; i < self->stage_count; i++) {
-        check_stage(loader, self, i);
+        check_stage(loader, self, &stage_names, i);
     }
 }

@@ -1,6 +1,8 @@
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/plural.h"
 #include "config/check.h"
 
 #define PI 3.14159265358979323846
@@ -56,8 +58,9 @@ static void check_cell(clod_loader *loader, const clod_case_ring_shear *ring)
     }
     if ((double)ring->bar_count * ring->bar_width >= 2.0 * PI * ring->inner_radius) {
         clod_check_fail(loader, "ring_shear.bar_width",
-                        "%lld bars of %.10g m leave no gap at the inner radius",
-                        (long long)ring->bar_count, ring->bar_width);
+                        "%lld bar%s of %.10g m: there is no gap at the inner radius",
+                        (long long)ring->bar_count, clod_plural((double)ring->bar_count),
+                        ring->bar_width);
     }
 }
 
@@ -70,14 +73,15 @@ static double solid_weight(const clod_case *self, const char *material, double f
     return -fraction * density * self->gravity[2] * height;
 }
 
-/** The cell stands upright: weight presses the solid onto its base. */
+/** The cell stands upright and is filled from above: weight presses the solid onto its base.
+ */
 static void check_gravity(clod_loader *loader, const clod_case *self, const char *cell)
 {
     const double *g = self->gravity;
-    if (clean(loader, "gravity") && (g[0] != 0.0 || g[1] != 0.0 || g[2] > 0.0)) {
+    if (clean(loader, "gravity") && (g[0] != 0.0 || g[1] != 0.0 || !(g[2] < 0.0))) {
         clod_check_fail(loader, "gravity",
-                        "%s stands upright: gravity must be [0, 0, -g], not "
-                        "[%.10g, %.10g, %.10g] m/s2",
+                        "%s stands upright and its grains fall in: gravity must be [0, 0, -g] "
+                        "with g above 0, not [%.10g, %.10g, %.10g] m/s2",
                         cell, g[0], g[1], g[2]);
     }
 }
@@ -168,6 +172,23 @@ static void check_mould(clod_loader *loader, const clod_case_uniaxial *test)
     }
 }
 
+/** Two equal consolidations begin with the same filled mould and end the same. */
+static void check_consolidations(clod_loader *loader, const clod_case_uniaxial *test)
+{
+    static const char PATH[] = "uniaxial.consolidation_stresses";
+    const double *stress = test->consolidation_stresses;
+    const size_t count = test->consolidation_stress_count;
+    if (count == 0 || !clean(loader, PATH)) {
+        return;
+    }
+    double lowest = stress[0];
+    for (size_t k = 1; k < count; k++) {
+        lowest = fmin(lowest, stress[k]);
+    }
+    clod_check_apart(loader, PATH, stress, count, CLOD_CHECK_APART * lowest,
+                     "both give the same point of the flow function");
+}
+
 static void check_uniaxial(clod_loader *loader, const clod_case *self)
 {
     const clod_case_uniaxial *test = &self->uniaxial;
@@ -178,6 +199,7 @@ static void check_uniaxial(clod_loader *loader, const clod_case *self)
     check_gravity(loader, self, "the mould of a uniaxial test");
     check_radius(loader, "uniaxial", test->radius_mean, test->radius_min, test->radius_max);
     check_mould(loader, test);
+    check_consolidations(loader, test);
 }
 
 static void check_bench(clod_loader *loader, const clod_case *self)

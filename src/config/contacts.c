@@ -73,10 +73,12 @@ static clod_node *merge(clod_loader *loader, const clod_node *own, const clod_no
         law != NULL && (strcmp(law, "hooke") == 0 || strcmp(law, "luding") == 0);
     if (linear && clod_tree_find(whole, "exponent") == NULL) {
         clod_node *one = clod_tree_scalar(loader->arena, "1");
+        if (one != NULL) {
+            one->key = "exponent";
+        }
         if (!add(loader, whole, one)) {
             return NULL;
         }
-        one->key = "exponent";
     }
     return whole;
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "config/param.h"
 
 /** Where the text goes, and the case it is of. */
@@ -246,15 +247,12 @@ static void print_table(const echo *to, const clod_table *table, const void *tar
 
 char *clod_case_echo(const clod_case *self)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
     if (out == NULL) {
         return NULL;
     }
     fputs("# The complete case: every default filled in, in SI units. It loads again.\n", out);
     print_table(&(echo){out, self}, &CLOD_TABLE_CASE, self, 0, false);
-    char *copy = fclose(out) == 0 ? clod_memory_text(text) : NULL;
-    free(text);
-    return copy;
+    return clod_text_close(&text);
 }

@@ -4,10 +4,10 @@
  */
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "clod/schema.h"
 #include "config/suggest.h"
 #include "config/walk.h"
@@ -94,14 +94,6 @@ static void look(void *context, const char *path, const clod_param *param)
     }
 }
 
-/** Close a text stream and hand over its text; NULL without memory. */
-static char *take(FILE *out, char **text)
-{
-    char *copy = fclose(out) == 0 ? clod_memory_text(*text) : NULL;
-    free(*text);
-    return copy;
-}
-
 static void list_row(void *context, const char *path, const clod_param *param)
 {
     if (!clod_param_is_group(param)) {
@@ -113,9 +105,8 @@ static void list_row(void *context, const char *path, const clod_param *param)
 
 static char *explain_all(void)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
     if (out == NULL) {
         return NULL;
     }
@@ -124,7 +115,7 @@ static char *explain_all(void)
         "PAIR is default, or two materials a-b. clod explain KEY tells more.\n\n",
         out);
     clod_walk(&CLOD_TABLE_CASE, list_row, out);
-    return take(out, &text);
+    return clod_text_close(&text);
 }
 
 char *clod_schema_explain(const char *key, clod_status *status)
@@ -136,9 +127,8 @@ char *clod_schema_explain(const char *key, clod_status *status)
         }
         return all;
     }
-    char *text = NULL;
-    size_t size = 0;
-    search self = {.out = open_memstream(&text, &size), .key = key};
+    clod_text text;
+    search self = {.out = clod_text_open(&text), .key = key};
     if (self.out == NULL) {
         clod_status_fail(status, CLOD_FAILED, "out of memory");
         return NULL;
@@ -150,7 +140,7 @@ char *clod_schema_explain(const char *key, clod_status *status)
         self.whole_paths = false;
         clod_walk(&CLOD_TABLE_CASE, look, &self);
     }
-    char *answer = take(self.out, &text);
+    char *answer = clod_text_close(&text);
     if (self.found == 0) {
         char hint[CLOD_WALK_PATH + 32];
         clod_status_fail(status, CLOD_USAGE,
@@ -234,16 +224,15 @@ static const char MANUAL_HEAD[] =
 
 char *clod_schema_manual(void)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
     if (out == NULL) {
         return NULL;
     }
     fputs(MANUAL_HEAD, out);
     manual_table(out, "The case", &CLOD_TABLE_CASE);
     clod_walk(&CLOD_TABLE_CASE, manual_group, out);
-    return take(out, &text);
+    return clod_text_close(&text);
 }
 
 void clod_schema_free(char *text)

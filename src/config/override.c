@@ -36,11 +36,13 @@ static clod_node *descend(clod_loader *loader, clod_node *node, const char *key,
     node->kind = CLOD_NODE_MAP;
     next = clod_tree_node(loader->arena, CLOD_NODE_SCALAR, place);
     char *copy = clod_arena_text(loader->arena, key, length);
+    if (next != NULL) {
+        next->key = copy;
+    }
     if (next == NULL || copy == NULL || !clod_tree_append(loader->arena, node, next)) {
         loader->report->lost = true;
         return NULL;
     }
-    next->key = copy;
     return next;
 }
 

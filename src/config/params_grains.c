@@ -30,7 +30,7 @@ static const clod_param SIEVE[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_REQUIRED,
      .unit = "m",
-     CLOD_ABOVE(0, 10),
+     CLOD_FROM(2e-9, 10),
      .example = "6.3 mm",
      CLOD_AT(clod_case_sieve, size),
      .help = "Opening of the sieve; grains just passing have this diameter.",

@@ -37,7 +37,7 @@
         .example = "[10.96 kPa, 21.92 kPa, 32.88 kPa, 43.84 kPa]",                             \
         CLOD_AT(type, programme.shear_stresses),                                               \
         CLOD_COUNT(type, programme.shear_stress_count),                                        \
-        .help = "Normal stresses of the points of the yield locus, each below "                \
+        .help = "Normal stresses of the points of the yield locus, at least two, each below "  \
                 "preshear_stress; 20 to 80 % of it is usual.",                                 \
         .source = "PHYSICS 7; ASTM D6773, D6128"                                               \
     }
@@ -49,22 +49,27 @@
         CLOD_PROGRAMME_REAL(type, steady_tolerance, "1", "2 %",                                \
                             "How well the blocks must agree, relative to their mean.",         \
                             "PHYSICS 7", CLOD_ABOVE(0, 1))
-#define CLOD_PROGRAMME_WAYS(type, preshear, shear, beyond, window)                             \
+#define CLOD_PROGRAMME_PRESHEAR(type, least, most, why)                                        \
     CLOD_PROGRAMME_REAL(                                                                       \
-        type, preshear_max, "m", preshear,                                                     \
-        "Preshear stops here at the latest and the result says that it was not steady.",       \
-        "PHYSICS 7", CLOD_ABOVE(0, 100)),                                                      \
-        CLOD_PROGRAMME_REAL(type, shear_max, "m", shear,                                       \
-                            "Longest shear of a point in search of its peak.", "PHYSICS 7",    \
-                            CLOD_ABOVE(0, 100)),                                               \
+        type, preshear_min, "m", least,                                                        \
+        "Preshear goes on until here even when the shear stress is level already. " why,       \
+        "docs/theory/ring-shear.md", CLOD_FROM(0, 100)),                                       \
+        CLOD_PROGRAMME_REAL(                                                                   \
+            type, preshear_max, "m", most,                                                     \
+            "Preshear stops here at the latest; when the shear stress is not "                 \
+            "steady by then, the result tells how fast it still changes. " why,                \
+            "docs/theory/ring-shear.md", CLOD_ABOVE(0, 100))
+#define CLOD_PROGRAMME_WAYS(type, shear, beyond, window, why)                                  \
+    CLOD_PROGRAMME_REAL(type, shear_max, "m", shear,                                           \
+                        "Longest shear of a point in search of its peak.", "PHYSICS 7",        \
+                        CLOD_ABOVE(0, 100)),                                                   \
         CLOD_PROGRAMME_REAL(type, beyond_peak, "m", beyond,                                    \
                             "Shear that is recorded beyond the peak.", "PHYSICS 7",            \
                             CLOD_ABOVE(0, 100)),                                               \
         CLOD_PROGRAMME_REAL(                                                                   \
             type, peak_window, "m", window,                                                    \
-            "Shear over which the curve is smoothed to find its peak. A wide window lowers a " \
-            "sharp peak, a narrow one takes noise for it: compare with one five times as "     \
-            "wide.",                                                                           \
+            "Shear over which the curve is smoothed to find its peak, by a moving average. "   \
+            "A wide window lowers a sharp peak, a narrow one takes noise for it. " why,        \
             "PHYSICS 7; docs/theory/ring-shear.md", CLOD_ABOVE(0, 1))
 #define CLOD_PROGRAMME_SEEDS(type)                                                             \
     CLOD_PROGRAMME_WHOLE(type, seeds, "1",                                                     \

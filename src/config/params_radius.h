@@ -12,7 +12,7 @@
      .kind = CLOD_PARAM_REAL,                                                                  \
      .need = (mean_need),                                                                      \
      .unit = "m",                                                                              \
-     CLOD_ABOVE(0, 10),                                                                        \
+     CLOD_FROM(1e-9, 10),                                                                      \
      .example = "3.175 mm",                                                                    \
      CLOD_AT(type, radius_mean),                                                               \
      .help = "Mean of the normal distribution of radii before it is cut.",                     \
@@ -30,13 +30,13 @@
          .kind = CLOD_PARAM_REAL,                                                              \
          .need = CLOD_PARAM_REQUIRED,                                                          \
          .unit = "m",                                                                          \
-         CLOD_ABOVE(0, 10),                                                                    \
+         CLOD_FROM(1e-9, 10),                                                                  \
          .example = "2.85 mm",                                                                 \
          CLOD_AT(type, radius_min),                                                            \
          .help = "Smallest radius.",                                                           \
          .source = "PHYSICS 6"},                                                               \
     {                                                                                          \
         .key = "max", .kind = CLOD_PARAM_REAL, .need = CLOD_PARAM_REQUIRED, .unit = "m",       \
-        CLOD_ABOVE(0, 10), .example = "3.49 mm", CLOD_AT(type, radius_max),                    \
+        CLOD_FROM(1e-9, 10), .example = "3.49 mm", CLOD_AT(type, radius_max),                  \
         .help = "Largest radius.", .source = "PHYSICS 6"                                       \
     }

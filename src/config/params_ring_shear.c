@@ -74,7 +74,10 @@ static const clod_param ROWS[] = {
         "Shear displacement at r_m over which one block average of the shear stress goes.",
         "PHYSICS 7", CLOD_ABOVE(0, 1)),
     CLOD_PROGRAMME_STEADY(R),
-    CLOD_PROGRAMME_WAYS(R, "120 mm", "15 mm", "2 mm", "0.2 mm"),
+    CLOD_PROGRAMME_PRESHEAR(R, "12 mm", "25 mm",
+                            "In a ring of this size a laboratory shears some 12 to 25 mm."),
+    CLOD_PROGRAMME_WAYS(R, "15 mm", "2 mm", "1 mm",
+                        "A cell of some thousand grains slips and sticks over 0.5 to 2 mm."),
     CLOD_PROGRAMME_SEEDS(R),
 };
 

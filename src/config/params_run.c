@@ -85,7 +85,8 @@ static const clod_param TIME_ROWS[] = {
      .fallback = "auto",
      .example = "1e-7 s",
      CLOD_AT(T, step),
-     .help = "Time step, or auto: from the stiffest pair, the lightest grain and safety.",
+     .help = "Time step, or auto: from the stiffest pair that can meet, its smallest grains "
+             "and safety.",
      .source = "PHYSICS 5"},
     {.key = "safety",
      .kind = CLOD_PARAM_REAL,
@@ -125,8 +126,23 @@ static const clod_param TIME_ROWS[] = {
          "safety); remove this key",
      .help = "Largest fraction of the Rayleigh time that the automatic step takes; hertz only.",
      .source = "PHYSICS 5"},
+    {.key = "overlap_limit",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_ABOVE(0, 0.9),
+     .fallback = "20 %",
+     .example = "40 %",
+     CLOD_AT(T, overlap_limit),
+     .help = "Overlap at which a run stops, as a fraction of the smaller radius. The laws are "
+             "made for small overlaps, and a deeper one is mostly a mistake: too large a step, "
+             "too soft a contact. Raise it where deep contacts are meant, as when a grain is "
+             "trapped in an impact; at 100 % nothing would tell out of which side of a wall a "
+             "grain is to be pushed.",
+     .source = "docs/theory/time-step.md"},
 };
-const clod_table CLOD_TABLE_TIME = {.title = "The time step.", CLOD_ROWS(TIME_ROWS)};
+const clod_table CLOD_TABLE_TIME = {.title = "The time step, and the overlap that ends a run.",
+                                    CLOD_ROWS(TIME_ROWS)};
 
 static const clod_param OUTPUT_ROWS[] = {
     {.key = "series_interval",
@@ -139,7 +155,8 @@ static const clod_param OUTPUT_ROWS[] = {
      .used = has_free_run,
      .unused = "a tester writes a row of its series whenever it looks at the walls; "
                "remove this key",
-     .help = "Simulated time between two rows of the series of a free run.",
+     .help = "Simulated time between two rows of the series of a free run, to the nearest "
+             "step; it begins anew with each stage, whose end has a row in any case.",
      .source = "convention"},
     {.key = "snapshot_interval",
      .kind = CLOD_PARAM_REAL,
@@ -149,7 +166,8 @@ static const clod_param OUTPUT_ROWS[] = {
      .fallback = "0 s",
      .example = "10 ms",
      CLOD_AT(O, snapshot_interval),
-     .help = "Simulated time between two snapshots; 0 keeps only the end of each stage.",
+     .help = "Simulated time between two snapshots, to the nearest step, whatever the series "
+             "does; the end of each stage or phase has one in any case. 0 keeps only those.",
      .source = "convention"},
     {.key = "checkpoint_interval",
      .kind = CLOD_PARAM_REAL,
@@ -275,7 +293,10 @@ static const clod_param STAGE[] = {
      .fallback = "0 m/s",
      .example = "1 mm/s",
      CLOD_AT(S, rest),
-     .help = "The stage ends early when no grain is faster than this; 0 never ends it early.",
+     .help =
+         "The stage ends early when the grains are at rest: some of them carry load, and "
+         "none is faster than this at 5 looks in a row, 200 steps apart or more, so that all "
+         "of them last longer than a grain in free fall is slow. 0 never ends it early.",
      .source = "convention"},
     {.key = "walls",
      .kind = CLOD_PARAM_MAP,

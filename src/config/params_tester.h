@@ -57,4 +57,13 @@
          .source = "PHYSICS 7"},                                                               \
         CLOD_TESTER_REAL(type, fill_adhesion, "1", "10 %",                                     \
                          "k_adh while filling, as a fraction of its value in contacts.",       \
-                         "PHYSICS 6", CLOD_FROM(0, 1))
+                         "PHYSICS 6", CLOD_FROM(0, 1)),                                        \
+        CLOD_TESTER_REAL(type, fill_max, "s", "0.6 s",                                         \
+                         "Simulated time at most until the filled grains rest. Copper ore "    \
+                         "takes some 0.2 s; high beds and elastic grains take longer.",        \
+                         "docs/theory/ring-shear.md", CLOD_ABOVE(0, 1e3)),                     \
+        CLOD_TESTER_REAL(type, settle_max, "s", "0.3 s",                                       \
+                         "Simulated time at most until lid and specimen rest under a new "     \
+                         "load, its ramp of 20 ms included. Copper ore takes some 0.06 s; "    \
+                         "soft grains, a heavy lid or little lid_damping take longer.",        \
+                         "docs/theory/ring-shear.md", CLOD_ABOVE(0.02, 1e3))

@@ -5,21 +5,23 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 
 #define MESSAGE_SIZE 1024
 #define WINDOW 100 ///< bytes of a source line that are shown at most
 
-static bool known(const clod_report *self, const clod_report_item *item)
+/** Note the path of an error and all above it, "" too. */
+static bool add_paths(clod_report *self, const char *path)
 {
-    for (size_t i = 0; i < self->count; i++) {
-        const clod_report_item *old = &self->items[i];
-        if (old->place.source == item->place.source && old->place.line == item->place.line &&
-            old->place.column == item->place.column &&
-            strcmp(old->message, item->message) == 0) {
-            return true;
+    size_t length = strlen(path);
+    bool good = clod_index_add(&self->paths, &self->arena, path, length, 0);
+    while (good && length > 0) {
+        length--;
+        if (length == 0 || path[length] == '.') {
+            good = clod_index_add(&self->paths, &self->arena, path, length, 0);
         }
     }
-    return false;
+    return good;
 }
 
 static bool reserve(clod_report *self)
@@ -57,29 +59,30 @@ void clod_report_add(clod_report *self, clod_place place, const char *path, cons
     vsnprintf(message, sizeof message, format, args);
     va_end(args);
     make_printable(message);
+    char key[MESSAGE_SIZE + 64];
+    const int start =
+        snprintf(key, sizeof key, "%d:%d:%d:", place.source, place.line, place.column);
+    const size_t length =
+        (size_t)snprintf(key + start, sizeof key - (size_t)start, "%s", message) +
+        (size_t)start;
+    if (clod_index_find(&self->known, key, length, NULL)) {
+        return;
+    }
     clod_report_item item = {.place = place, .order = self->count};
-    item.message = clod_arena_text(&self->arena, message, strlen(message));
+    const char *copy = clod_arena_text(&self->arena, key, length);
     item.path = clod_arena_text(&self->arena, path, strlen(path));
-    if (item.message == NULL || item.path == NULL || !reserve(self)) {
+    if (copy == NULL || item.path == NULL || !reserve(self) || !add_paths(self, item.path) ||
+        !clod_index_add(&self->known, &self->arena, copy, length, 0)) {
         self->lost = true;
         return;
     }
-    if (!known(self, &item)) {
-        self->items[self->count++] = item;
-    }
+    item.message = copy + start;
+    self->items[self->count++] = item;
 }
 
 bool clod_report_clean(const clod_report *self, const char *path)
 {
-    const size_t length = strlen(path);
-    for (size_t i = 0; i < self->count; i++) {
-        const char *own = self->items[i].path;
-        if (strncmp(own, path, length) == 0 &&
-            (length == 0 || own[length] == '\0' || own[length] == '.')) {
-            return false;
-        }
-    }
-    return true;
+    return !clod_index_find(&self->paths, path, strlen(path), NULL);
 }
 
 static int compare(const void *left, const void *right)
@@ -179,28 +182,32 @@ static void print_item(FILE *out, const clod_report *self, const clod_report_ite
     }
 }
 
-/** As many whole errors as fit into the status, then how many there are besides. */
-static void print_all(const clod_report *self, clod_status *status)
+/** As many whole errors as fit into the status, then how many there are besides; false without
+ *  memory. */
+static bool print_all(const clod_report *self, clod_status *status)
 {
     const size_t reserve_end = 64;
     size_t used = 0;
     size_t shown = 0;
     status->text[0] = '\0';
     for (; shown < self->count; shown++) {
-        char *text = NULL;
-        size_t size = 0;
-        FILE *out = open_memstream(&text, &size);
+        clod_text item;
+        FILE *out = clod_text_open(&item);
         if (out == NULL) {
-            break;
+            return false;
         }
         print_item(out, self, &self->items[shown]);
-        const bool written = fclose(out) == 0;
-        const bool fits = written && used + size + reserve_end < sizeof status->text;
+        char *text = clod_text_close(&item);
+        if (text == NULL) {
+            return false;
+        }
+        const size_t size = strlen(text);
+        const bool fits = used + size + reserve_end < sizeof status->text;
         if (fits) {
             memcpy(status->text + used, text, size + 1);
             used += size;
         }
-        free(text);
+        clod_memory_free(text);
         if (!fits) {
             break;
         }
@@ -213,6 +220,7 @@ static void print_all(const clod_report *self, clod_status *status)
     if (length > 0 && status->text[length - 1] == '\n') {
         status->text[length - 1] = '\0';
     }
+    return true;
 }
 
 bool clod_report_finish(clod_report *self, clod_status *status)
@@ -225,7 +233,9 @@ bool clod_report_finish(clod_report *self, clod_status *status)
     }
     qsort(self->items, self->count, sizeof *self->items, compare);
     clod_status_fail(status, CLOD_USAGE, "%s", "");
-    print_all(self, status);
+    if (!print_all(self, status)) {
+        return clod_status_fail(status, CLOD_FAILED, "%s: out of memory", self->name);
+    }
     return false;
 }
 

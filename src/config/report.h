@@ -27,7 +27,9 @@ typedef struct clod_report {
     clod_arena arena;
     clod_report_item *items; ///< owned
     size_t count, capacity;
-    bool lost; ///< memory ran out while an error was recorded
+    clod_index known; ///< "source:line:column:message" of the errors
+    clod_index paths; ///< those at or below which there is an error
+    bool lost;        ///< memory ran out while an error was recorded
 } clod_report;
 
 /** Record an error at a place; the same error at the same place is kept once. */

@@ -7,9 +7,9 @@
 
 #include <jansson.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "base/memory.h"
 #include "config/param.h"
 
@@ -233,9 +233,7 @@ char *clod_schema_json(void)
     json_t *schema = table_schema(&CLOD_TABLE_CASE);
     set_text(schema, "$schema", "https://json-schema.org/draft/2020-12/schema");
     set_text(schema, "title", "Case file of clod");
-    char *text = json_dumps(schema, JSON_INDENT(1));
+    char *text = clod_json_text(schema, JSON_INDENT(1));
     json_decref(schema);
-    char *copy = clod_memory_text(text);
-    free(text);
-    return copy;
+    return text;
 }

@@ -41,6 +41,10 @@ bool clod_tree_append(clod_arena *arena, clod_node *self, clod_node *item)
         self->items = items;
         self->capacity = capacity;
     }
+    if (item->key != NULL &&
+        !clod_index_add(&self->keys, arena, item->key, strlen(item->key), self->count)) {
+        return false;
+    }
     self->items[self->count++] = item;
     return true;
 }
@@ -71,13 +75,8 @@ clod_node *clod_tree_step(const clod_node *self, const char *key, size_t length)
         const size_t index = index_of(key, length);
         return index < self->count ? self->items[index] : NULL;
     }
-    for (size_t i = 0; i < self->count; i++) {
-        const char *own = self->items[i]->key;
-        if (strncmp(own, key, length) == 0 && own[length] == '\0') {
-            return self->items[i];
-        }
-    }
-    return NULL;
+    size_t at;
+    return clod_index_find(&self->keys, key, length, &at) ? self->items[at] : NULL;
 }
 
 static clod_node *walk(clod_node *root, const char *path, bool nearest)

@@ -9,6 +9,7 @@
 #include <stddef.h>
 
 #include "config/arena.h"
+#include "config/index.h"
 
 /** Where something was written. Columns count characters; lines and columns start at 1. */
 typedef struct clod_place {
@@ -27,6 +28,7 @@ typedef struct clod_node {
     const char *text;     ///< of a scalar; never NULL there
     struct clod_node **items;
     size_t count, capacity;
+    clod_index keys; ///< of a map: which item has a key
 } clod_node;
 
 /** New node of a kind at a place, or NULL without memory. */
@@ -35,7 +37,7 @@ clod_node *clod_tree_node(clod_arena *arena, clod_node_kind kind, clod_place pla
 /** New scalar that was not written anywhere: a default. NULL without memory. */
 clod_node *clod_tree_scalar(clod_arena *arena, const char *text);
 
-/** Append an item to a map or list; false without memory. */
+/** Append an item to a map, with its key, or to a list; false without memory. */
 bool clod_tree_append(clod_arena *arena, clod_node *self, clod_node *item);
 
 /** Item of a map by key, or NULL; a NULL or other node has no items. */

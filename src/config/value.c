@@ -1,6 +1,5 @@
 #include "config/value.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -122,18 +121,16 @@ static void load_integer(clod_loader *self, const clod_param *param, const clod_
         *value = 0;
         return;
     }
-    const size_t sign = node->text[0] == '-' || node->text[0] == '+';
-    const size_t digits = strspn(node->text + sign, "0123456789");
-    errno = 0;
-    const long long number = strtoll(node->text, NULL, 10);
-    if (digits == 0 || node->text[sign + digits] != '\0' || errno == ERANGE) {
+    double number = 0.0;
+    const char *end = clod_unit_number(node->text, &number);
+    if (end == NULL || *end != '\0' || number != rint(number)) {
         clod_report_add(self->report, node->place, self->path,
                         "\"%s\" is not a whole number; write for instance %s", node->text,
                         example_of(param));
         return;
     }
-    if (check_range(self, param, node->place, node->text, (double)number)) {
-        *value = number;
+    if (check_range(self, param, node->place, node->text, number)) {
+        *value = (int64_t)number;
     }
 }
 
@@ -201,7 +198,11 @@ static clod_node *split_numbers(clod_loader *self, const clod_param *param,
     clod_node *list = clod_tree_node(self->arena, CLOD_NODE_LIST, node->place);
     const char *unit = node->text;
     double value;
-    for (const char *next = clod_unit_number(unit, &value); next != NULL && list != NULL;
+    if (list == NULL) {
+        self->report->lost = true;
+        return NULL;
+    }
+    for (const char *next = clod_unit_number(unit, &value); next != NULL;
          next = clod_unit_number(unit, &value)) {
         clod_node *item = clod_tree_node(self->arena, CLOD_NODE_SCALAR, node->place);
         if (item == NULL || !clod_tree_append(self->arena, list, item)) {
@@ -211,7 +212,7 @@ static clod_node *split_numbers(clod_loader *self, const clod_param *param,
         item->text = clod_arena_text(self->arena, unit, (size_t)(next - unit));
         unit = next + (*next == ',');
     }
-    if (list == NULL || list->count == 0) {
+    if (list->count == 0) {
         fail_kind(self, param, node);
         return NULL;
     }

@@ -79,10 +79,8 @@ clod_law clod_law_make(const clod_case_contact *contact, const clod_case_materia
     self.coulomb = (clod_coulomb)contact->coulomb;
     const bool elastic = contact->law == CLOD_LAW_HERTZ || contact->law == CLOD_LAW_HOOKE;
     self.tangential = elastic ? CLOD_TANGENTIAL_TANGENT : (clod_tangential)contact->tangential;
-    self.inverse_ratio = 1.0 / self.tangent_ratio;
     self.root_ratio = sqrt(self.tangent_ratio);
     self.literal_stiffness = contact->k1;
-    self.literal_compliance = 1.0 / contact->k1;
     self.rolling = (clod_rolling)contact->rolling;
     self.rolling_friction = contact->rolling_friction;
     self.rolling_damping = contact->rolling_damping;

@@ -40,11 +40,9 @@ typedef struct clod_law {
     double friction;    ///< mu
     clod_coulomb coulomb;
     clod_tangential tangential;
-    double tangent_ratio;      ///< k_t = tangent_ratio dk (tangent)
-    double inverse_ratio;      ///< 1/tangent_ratio
-    double root_ratio;         ///< sqrt(tangent_ratio)
-    double literal_stiffness;  ///< k_t [N/m] (literal)
-    double literal_compliance; ///< 1/k_t [m/N] (literal)
+    double tangent_ratio;     ///< k_t = tangent_ratio dk (tangent)
+    double root_ratio;        ///< sqrt(tangent_ratio)
+    double literal_stiffness; ///< k_t [N/m] (literal)
     clod_rolling rolling;
     double rolling_friction; ///< mu_r
     double rolling_damping;  ///< fraction of critical (epsd)

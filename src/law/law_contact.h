@@ -118,8 +118,10 @@ typedef struct clod_law_trial {
     vreal dash_pot;                   ///< gamma_t [N s/m]
     vreal stiffness;                  ///< dk [N/m]
     vreal spring_square, roll_square; ///< lengths of the springs before, squared [m2, rad2]
-    vreal compliance;                 ///< 1/k_t [m/N]
+    vreal limit;                      ///< mu N [N]
+    vreal cap;                        ///< mu_r N R* [N m]
     vreal3 friction;                  ///< force of tangential spring and dash-pot [N]
+    vreal3 roll;                      ///< torque of rolling spring and dash-pot [N m]
 } clod_law_trial;
 
 /** Beginning of the first pass: what takes roots. */
@@ -199,21 +201,11 @@ CLOD_LAW_PASS clod_law_inverses clod_law_carry_begin(const clod_law *law,
     return l;
 }
 
-/**
- * Second pass: the springs get the length that they had, shortened where the stiffness has
- * grown (docs/adr/0004), and the way of this step; and the force of the tangential one.
- *
- * @param law      the pair's law
- * @param touch    as for clod_law_press
- * @param dt       time step [s]
- * @param inverses from clod_law_carry_begin
- * @param memory   [in,out] turned springs, and the tangent of the step before
- * @param trial    [in,out] from clod_law_press; gets compliance and friction
- * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
- */
-CLOD_LAW_PASS void clod_law_carry(const clod_law *law, const clod_law_touch *touch, double dt,
-                                  const clod_law_inverses *inverses, clod_law_memory *memory,
-                                  clod_law_trial *trial)
+/** Springs with today's length: that of before, shortened where the stiffness has grown
+ * (docs/adr/0004), and the slip of this step. */
+CLOD_LAW_PASS void clod_law_carry_springs(const clod_law *law, const clod_law_touch *touch,
+                                          double dt, const clod_law_inverses *inverses,
+                                          const clod_law_trial *trial, clod_law_memory *memory)
 {
     const vreal step = vreal_set(dt);
     const clod_law_tangents *tangent = &inverses->tangent;
@@ -228,76 +220,112 @@ CLOD_LAW_PASS void clod_law_carry(const clod_law *law, const clod_law_touch *tou
                                 clod_law_tangential_soften(law, tangent));
     memory->spring = vreal3_axpy(memory->spring, step, touch->slip);
     memory->tangent = trial->stiffness;
-    trial->compliance = clod_law_tangential_compliance(law, tangent);
-    trial->friction =
-        clod_law_friction(law, trial->stiffness, touch->slip, trial->dash_pot, memory->spring);
+}
+
+/**
+ * Springs shortened to what their limits carry: |k_t spring| <= mu N, |k_r roll| <= mu_r N R*.
+ * The dash-pots have no part in it: with a spring that they could load, friction would make
+ * energy (docs/adr/0025).
+ */
+CLOD_LAW_PASS void clod_law_return_springs(const clod_law *law, vreal k_t, vreal k_r,
+                                           const clod_law_trial *trial, clod_law_memory *memory)
+{
+    const clod_law_cut slides =
+        clod_law_cut_of(vreal3_scale(memory->spring, k_t), trial->limit);
+    vreal per_slides = slides.square; // 1 or above CLOD_LAW_NOTHING
+    if (clod_law_rolling_springs(law)) {
+        const clod_law_cut rolls = clod_law_cut_of(vreal3_scale(memory->roll, k_r), trial->cap);
+        vreal per_rolls = rolls.square;
+        vreal_invert2(&per_slides, &per_rolls);
+        memory->roll = vreal3_scale(memory->roll, clod_law_cut_factor(rolls, per_rolls));
+    } else {
+        per_slides = 1.0 / per_slides;
+    }
+    memory->spring = vreal3_scale(memory->spring, clod_law_cut_factor(slides, per_slides));
+}
+
+/**
+ * Second pass: the springs as they stay, carried on by this step and within their limits; and
+ * what they pull with, dash-pots included.
+ *
+ * @param law      the pair's law
+ * @param touch    as for clod_law_press
+ * @param dt       time step [s]
+ * @param inverses from clod_law_carry_begin
+ * @param memory   [in,out] turned springs, and the tangent of the step before; becomes the
+ *                 history after, meaningful in closed lanes only
+ * @param trial    [in,out] from clod_law_press; gets limit, cap, friction and roll
+ * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
+ */
+CLOD_LAW_PASS void clod_law_carry(const clod_law *law, const clod_law_touch *touch, double dt,
+                                  const clod_law_inverses *inverses, clod_law_memory *memory,
+                                  clod_law_trial *trial)
+{
+    const vreal k_t = clod_law_tangential_stiffness(law, trial->stiffness);
+    const vreal k_r = clod_law_rolling_stiffness(law, trial->stiffness, touch->r_star);
+    trial->limit = law->friction * trial->measure;
+    if (law->rolling != CLOD_ROLLING_NONE) {
+        trial->cap = law->rolling_friction * trial->measure * touch->r_star;
+    }
+    clod_law_carry_springs(law, touch, dt, inverses, trial, memory);
+    clod_law_return_springs(law, k_t, k_r, trial, memory);
+    trial->friction = clod_law_friction(k_t, touch->slip, trial->dash_pot, memory->spring);
+    if (law->rolling != CLOD_ROLLING_NONE) {
+        trial->roll = clod_law_rolling_torque(law, touch->rolling, k_r, touch->roll_inertia,
+                                              memory->roll);
+    }
 }
 
 /** Beginning of the last pass: limits, what is beyond them, and what takes roots and a
  * division. */
 typedef struct clod_law_cuts {
-    vreal limit;                 ///< mu N [N]
-    vreal cap;                   ///< mu_r N R* [N m]
     clod_law_cut slides, rolls;  ///< of friction [N] and rolling resistance [N m]
     vreal per_slides, per_rolls; ///< 1 over their squares
 } clod_law_cuts;
 
-/** What turns against rolling before its cap: clod_law_rolling_pull of a contact. */
-static inline vreal3 clod_law_pull_of(const clod_law *law, const clod_law_touch *touch,
-                                      const clod_law_trial *trial, vreal3 roll)
-{
-    const vreal k_r = clod_law_rolling_stiffness(law, trial->stiffness, touch->r_star);
-    return clod_law_rolling_pull(law, touch->rolling, k_r, roll);
-}
-
-/** Limits of friction and rolling resistance (PHYSICS 3, 4); memory has the springs of now. */
+/** Where spring and dash-pot together are beyond the limits (PHYSICS 3, 4). */
 CLOD_LAW_PASS clod_law_cuts clod_law_limit_begin(const clod_law *law,
-                                                 const clod_law_touch *touch,
-                                                 const clod_law_trial *trial,
-                                                 const clod_law_memory *memory)
+                                                 const clod_law_trial *trial)
 {
-    clod_law_cuts c = {.limit = law->friction * trial->measure};
-    c.slides = clod_law_cut_of(trial->friction, c.limit);
-    c.per_slides = c.slides.square;
-    c.per_rolls = vreal_set(1.0);
-    if (law->rolling != CLOD_ROLLING_NONE) {
-        c.cap = law->rolling_friction * trial->measure * touch->r_star;
-        c.rolls = clod_law_cut_of(clod_law_pull_of(law, touch, trial, memory->roll),
-                                  clod_law_rolling_limit(law, c.cap));
+    clod_law_cuts c = {.slides = clod_law_cut_of(trial->friction, trial->limit)};
+    c.per_slides = c.slides.square; // 1 or above CLOD_LAW_NOTHING
+    if (clod_law_rolling_capped(law)) {
+        const bool spring = clod_law_rolling_springs(law); // cdt has its cap at any spin
+        c.rolls = clod_law_cut_of(trial->roll, spring ? trial->cap : vreal_set(0.0));
+        c.rolls.limit = trial->cap;
         c.per_rolls = c.rolls.square;
+        vreal_invert2(&c.per_slides, &c.per_rolls);
+    } else {
+        c.per_slides = 1.0 / c.per_slides;
     }
-    vreal_invert2(&c.per_slides, &c.per_rolls); // each 1 or above CLOD_LAW_NOTHING
     return c;
 }
 
 /**
- * Last pass: friction and rolling resistance cut to their limits.
+ * Last pass: friction and rolling resistance shortened to their limits. The springs stay as
+ * they are.
  *
  * @param law     the pair's law
  * @param touch   as for clod_law_press
  * @param trial   from clod_law_carry
  * @param cuts    from clod_law_limit_begin
- * @param memory  [in,out] becomes the history after; meaningful in closed lanes only
  * @return        force and torques, zero where the contact is open
  * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
  */
 CLOD_LAW_PASS clod_law_result clod_law_limit(const clod_law *law, const clod_law_touch *touch,
                                              const clod_law_trial *trial,
-                                             const clod_law_cuts *cuts, clod_law_memory *memory)
+                                             const clod_law_cuts *cuts)
 {
     const vreal zero = vreal_set(0.0);
     const vreal3 none = {zero, zero, zero};
     const vreal3 n = touch->normal;
-    const vreal factor = cuts->limit * (cuts->slides.length * cuts->per_slides);
-    const vreal3 f_t = clod_law_friction_cut(trial->friction, cuts->slides, factor,
-                                             trial->compliance, &memory->spring);
+    const vreal3 f_t =
+        vreal3_scale(trial->friction, clod_law_cut_factor(cuts->slides, cuts->per_slides));
     vreal3 roll = none;
-    if (law->rolling != CLOD_ROLLING_NONE) {
-        const vreal k_r = clod_law_rolling_stiffness(law, trial->stiffness, touch->r_star);
-        const vreal3 pull = clod_law_pull_of(law, touch, trial, memory->roll);
-        const vreal share = cuts->cap * (cuts->rolls.length * cuts->per_rolls);
-        roll = clod_law_rolling_cut(law, pull, cuts->rolls, share, k_r, touch->rolling,
-                                    touch->roll_inertia, &memory->roll);
+    if (clod_law_rolling_capped(law)) {
+        roll = vreal3_scale(trial->roll, clod_law_cut_factor(cuts->rolls, cuts->per_rolls));
+    } else if (law->rolling != CLOD_ROLLING_NONE) {
+        roll = trial->roll; // a spring within its cap
     }
     const vmask closed = vmask_less(zero, touch->overlap);
     return (clod_law_result){vreal3_select(closed, vreal3_axpy(f_t, trial->push, n), none),
@@ -311,12 +339,12 @@ CLOD_LAW_PASS clod_law_result clod_law_contact(const clod_law *law,
                                                clod_law_memory *memory)
 {
     clod_law_touch touch = {.rolling = motion->spin_i}; // zeros: no field is without a value
-    clod_law_trial trial;
+    clod_law_trial trial = {.push = motion->overlap};
     clod_law_touch_of(law, motion, &touch);
     const clod_law_roots roots = clod_law_press_begin(law, &touch);
     clod_law_press(law, &touch, dt, &roots, memory, &trial);
     const clod_law_inverses inverses = clod_law_carry_begin(law, &trial, memory);
     clod_law_carry(law, &touch, dt, &inverses, memory, &trial);
-    const clod_law_cuts cuts = clod_law_limit_begin(law, &touch, &trial, memory);
-    return clod_law_limit(law, &touch, &trial, &cuts, memory);
+    const clod_law_cuts cuts = clod_law_limit_begin(law, &trial);
+    return clod_law_limit(law, &touch, &trial, &cuts);
 }

@@ -63,20 +63,30 @@ static inline vreal3 clod_law_spring_restore(vreal3 turned, vreal before, vreal 
     return vreal3_scale(turned, root * soften);
 }
 
-/** Where a force (or torque) is beyond its limit, and its length there; elsewhere 1. */
+/** A force (or torque) and its limit: where it is beyond, and its length there; elsewhere 1. */
 typedef struct clod_law_cut {
     vmask beyond;
-    vreal square, length;
+    vreal limit, square, length;
 } clod_law_cut;
 
 /** @param limit  >= 0 */
-static inline clod_law_cut clod_law_cut_of(vreal3 trial, vreal limit)
+static inline clod_law_cut clod_law_cut_of(vreal3 force, vreal limit)
 {
-    const vreal square = vreal3_dot(trial, trial);
+    const vreal square = vreal3_dot(force, force);
     const vreal least = vreal_max(limit * limit, vreal_set(CLOD_LAW_NOTHING));
     const vmask beyond = vmask_less(least, square);
     const vreal safe = vreal_select(beyond, square, vreal_set(1.0));
-    return (clod_law_cut){beyond, safe, vreal_sqrt(safe)};
+    return (clod_law_cut){beyond, limit, safe, vreal_sqrt(safe)};
+}
+
+/**
+ * What shortens a force to its limit: limit/length where it is beyond, 1 elsewhere.
+ *
+ * @param per_square  1/cut.square
+ */
+static inline vreal clod_law_cut_factor(clod_law_cut cut, vreal per_square)
+{
+    return vreal_select(cut.beyond, cut.limit * (cut.length * per_square), vreal_set(1.0));
 }
 
 /** Tangential stiffness k_t [N/m] (PHYSICS 3). */
@@ -86,16 +96,6 @@ static inline vreal clod_law_tangential_stiffness(const clod_law *law, vreal tan
         return vreal_set(law->literal_stiffness);
     }
     return law->tangent_ratio * tangent;
-}
-
-/** 1/k_t [m/N]. */
-static inline vreal clod_law_tangential_compliance(const clod_law *law,
-                                                   const clod_law_tangents *tangent)
-{
-    if (law->tangential == CLOD_TANGENTIAL_LITERAL) {
-        return vreal_set(law->literal_compliance);
-    }
-    return law->inverse_ratio * tangent->inverse;
 }
 
 /** How much springs on k_t shrink in this step; a literal k_t never changes. */
@@ -121,33 +121,17 @@ static inline vreal clod_law_tangential_damping(const clod_law *law, vreal norma
 /**
  * Friction force on i before its limit: -k_t spring - gamma_t slip.
  *
- * @param tangent   dk [N/m]
- * @param slip      tangential velocity of i against j at the contact [m/s]
- * @param dash_pot  gamma_t [N s/m]
- * @param spring    tangential spring in today's plane, with the way of the step [m]
+ * @param stiffness  k_t [N/m]
+ * @param slip       tangential velocity of i against j at the contact [m/s]
+ * @param dash_pot   gamma_t [N s/m]
+ * @param spring     tangential spring in today's plane, with the slip of the step, within its
+ *                   limit [m]
  * Source  PHYSICS 3, eq. (6).   Test  tests/law/test_law_tangential.c
  */
-static inline vreal3 clod_law_friction(const clod_law *law, vreal tangent, vreal3 slip,
-                                       vreal dash_pot, vreal3 spring)
+static inline vreal3 clod_law_friction(vreal stiffness, vreal3 slip, vreal dash_pot,
+                                       vreal3 spring)
 {
-    const vreal stiffness = clod_law_tangential_stiffness(law, tangent);
     return vreal3_axpy(vreal3_scale(spring, -stiffness), -dash_pot, slip);
-}
-
-/**
- * Cut the friction force to its limit; the spring is reset to what carries the cut force.
- *
- * @param factor      limit / length of the force where it is beyond
- * @param compliance  1/k_t [m/N]
- * @param spring      [in,out]
- * Source  PHYSICS 3, eq. (6).   Test  tests/law/test_law_tangential.c
- */
-static inline vreal3 clod_law_friction_cut(vreal3 trial, clod_law_cut cut, vreal factor,
-                                           vreal compliance, vreal3 *spring)
-{
-    const vreal3 force = vreal3_scale(trial, factor);
-    *spring = vreal3_select(cut.beyond, vreal3_scale(force, -compliance), *spring);
-    return vreal3_select(cut.beyond, force, trial);
 }
 
 /** Whether the rolling model has a spring. */
@@ -176,49 +160,32 @@ static inline vreal clod_law_rolling_soften(const clod_law *law,
     return clod_law_tangential_soften(law, tangent);
 }
 
-/** What turns against rolling before its cap: -k_r roll [N m]; cdt: the direction, rolling. */
-static inline vreal3 clod_law_rolling_pull(const clod_law *law, vreal3 rolling, vreal stiffness,
-                                           vreal3 roll)
-{
-    if (law->rolling == CLOD_ROLLING_CDT) {
-        return rolling;
-    }
-    return vreal3_scale(roll, -stiffness);
-}
-
-/** Beyond what it is cut [N m]; cdt has its cap at any spin. */
-static inline vreal clod_law_rolling_limit(const clod_law *law, vreal cap)
-{
-    return law->rolling == CLOD_ROLLING_CDT ? vreal_set(0.0) : cap;
-}
-
 /**
- * Rolling resistance: the torque of the spring cut to its cap, and the spring with it; the
- * dash-pot of epsd acts below the cap only. cdt: the cap, against the rolling.
+ * Torque on i before its cap: -k_r roll, with epsd's dash-pot [N m]; cdt: minus the rolling,
+ * whose direction alone counts.
  *
- * @param pull       from clod_law_rolling_pull
- * @param factor     cap / length of pull where it is beyond
- * @param stiffness  k_r [N m/rad]
  * @param rolling    relative spin of i against j without its part along the normal [rad/s]
+ * @param stiffness  k_r [N m/rad]
  * @param inertia    reduced moment of inertia about the contact [kg m2], for epsd
- * @param roll       [in,out] rolling spring [rad]
- * @return           M [N m], the torque on i; j takes the opposite
+ * @param roll       rolling spring, shortened to its cap [rad]
  * Source  Ai, Chen, Rotter, Ooi 2011; PHYSICS 4.   Test  tests/law/test_law_rolling.c
  */
-static inline vreal3 clod_law_rolling_cut(const clod_law *law, vreal3 pull, clod_law_cut cut,
-                                          vreal factor, vreal stiffness, vreal3 rolling,
-                                          vreal inertia, vreal3 *roll)
+static inline vreal3 clod_law_rolling_torque(const clod_law *law, vreal3 rolling,
+                                             vreal stiffness, vreal inertia, vreal3 roll)
 {
     if (law->rolling == CLOD_ROLLING_CDT) {
-        return vreal3_scale(pull, -factor);
+        return vreal3_scale(rolling, vreal_set(-1.0));
     }
-    const vreal kept = vreal_select(cut.beyond, factor, vreal_set(1.0));
-    *roll = vreal3_scale(*roll, kept);
-    const vreal3 torque = vreal3_scale(pull, kept);
+    const vreal3 torque = vreal3_scale(roll, -stiffness);
     if (law->rolling != CLOD_ROLLING_EPSD) {
         return torque;
     }
     const vreal dash_pot = 2.0 * law->rolling_damping * vreal_sqrt(inertia * stiffness);
-    const vreal acting = vreal_select(cut.beyond, vreal_set(0.0), dash_pot);
-    return vreal3_axpy(torque, -acting, rolling);
+    return vreal3_axpy(torque, -dash_pot, rolling);
+}
+
+/** Whether a torque beyond its cap is to be shortened: a spring without dash-pot is there. */
+static inline bool clod_law_rolling_capped(const clod_law *law)
+{
+    return law->rolling == CLOD_ROLLING_EPSD || law->rolling == CLOD_ROLLING_CDT;
 }

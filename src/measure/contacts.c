@@ -30,6 +30,21 @@ clod_measure_contacts clod_measure_contacts_of(const clod_state *state)
     return m;
 }
 
+size_t clod_measure_loaded_grains(const clod_state *state)
+{
+    size_t loaded = 0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        const double *load = state->grains.load[g];
+        const double mass = state->grains.motion[g][3];
+        bool free = true;
+        for (int a = 0; a < 3; a++) { // a sum to which nothing was added is the weight itself
+            free = free && load[a] == mass * state->gravity[a];
+        }
+        loaded += free ? 0 : 1;
+    }
+    return loaded;
+}
+
 double clod_measure_kinetic_energy(const clod_state *state)
 {
     double sum = 0.0;

@@ -16,6 +16,10 @@ typedef struct clod_measure_contacts {
 /** Threads: pure. */
 clod_measure_contacts clod_measure_contacts_of(const clod_state *state);
 
+/** Grains on which anything but their weight acts: those that are in contact and carry load.
+ *  Threads: pure. */
+size_t clod_measure_loaded_grains(const clod_state *state);
+
 /** Kinetic energy of all grains, translation and rotation [J]; fastest grain [m/s]. */
 double clod_measure_kinetic_energy(const clod_state *state);
 double clod_measure_max_speed(const clod_state *state);

@@ -13,6 +13,10 @@ void clod_peak_init(clod_peak *self, double window, double beyond)
     memset(self, 0, sizeof *self);
     self->window = window;
     self->beyond = beyond;
+    self->at = NAN;
+    for (int what = PLACE; what <= SIGMA; what++) {
+        self->mean[what] = NAN;
+    }
 }
 
 /** Mean of the bins that are kept. */
@@ -66,10 +70,9 @@ static void finish_bin(clod_peak *self)
 {
     const int64_t at = self->bin_count % CLOD_PEAK_BINS;
     for (int what = PLACE; what <= SIGMA; what++) {
-        self->bin[what][at] = self->sum[what] / (double)self->samples;
-        self->sum[what] = 0.0;
+        self->bin[what][at] = self->mean[what];
     }
-    self->samples = 0;
+    self->way = 0.0;
     self->bin_count++;
     if (self->bin_count < CLOD_PEAK_BINS) {
         return;
@@ -89,21 +92,36 @@ static bool is_passed(const clod_peak *self)
     return self->bin_count >= CLOD_PEAK_BINS && self->place - self->peak_place >= self->beyond;
 }
 
+/** A part of the way of a sample, all of it in the bin that is being filled. */
+static void fill(clod_peak *self, double part, const double value[3])
+{
+    self->way += part;
+    for (int what = PLACE; what <= SIGMA; what++) {
+        self->mean[what] += (value[what] - self->mean[what]) * (part / self->way);
+    }
+}
+
 bool clod_peak_add(clod_peak *self, double displacement, double tau, double sigma)
 {
     const double width = self->window / CLOD_PEAK_BINS;
-    if (self->samples > 0 && displacement - self->start >= width) {
-        // bins follow each other on a fixed grid unless samples are further apart than a bin
-        const double next = self->start + width;
-        finish_bin(self);
-        self->start = displacement - next < width ? next : displacement;
-    } else if (self->samples == 0) {
-        self->start = displacement;
+    if (isnan(self->at)) {
+        self->at = displacement;
+        self->mean[PLACE] = displacement;
+        self->mean[TAU] = tau;
+        self->mean[SIGMA] = sigma;
     }
-    self->sum[PLACE] += displacement;
-    self->sum[TAU] += tau;
-    self->sum[SIGMA] += sigma;
-    self->samples++;
+    while (displacement > self->at) {
+        const double room = width - self->way;
+        const double left = displacement - self->at;
+        const double part = fmin(left, room);
+        fill(self, part, (double[3]){self->at + 0.5 * part, tau, sigma});
+        if (left < room) {
+            self->at = displacement;
+        } else {
+            self->at += part;
+            finish_bin(self);
+        }
+    }
     return is_passed(self);
 }
 
@@ -117,7 +135,6 @@ clod_peak_result clod_peak_summary(const clod_peak *self)
         return (clod_peak_result){mean_of(self, TAU), NAN, mean_of(self, PLACE),
                                   mean_of(self, SIGMA), false};
     }
-    const double n = (double)self->samples;
-    return (clod_peak_result){self->sum[TAU] / n, NAN, self->sum[PLACE] / n,
-                              self->sum[SIGMA] / n, false};
+    return (clod_peak_result){self->mean[TAU], NAN, self->mean[PLACE], self->mean[SIGMA],
+                              false};
 }

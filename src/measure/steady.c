@@ -26,9 +26,8 @@ static double block_at(const clod_steady *self, int signal, int64_t window, int6
     return self->block[signal][(self->block_count - window + k) % CLOD_STEADY_MAX];
 }
 
-/** Mean, its error and the trend over the last blocks; `trend_error` may be NULL. */
-static clod_steady_mean average(const clod_steady *self, int signal, int64_t window,
-                                double *trend_error)
+/** Mean and fitted line over the last blocks, three at least. */
+static clod_steady_mean average(const clod_steady *self, int signal, int64_t window)
 {
     const double n = (double)window;
     const double middle = 0.5 * (n - 1.0);
@@ -46,22 +45,25 @@ static clod_steady_mean average(const clod_steady *self, int signal, int64_t win
     const double lever = n * (n * n - 1.0) / 12.0; // sum of (k - middle)^2
     const double slope = moment / lever;
     const double residual = fmax(squares - slope * moment, 0.0) / (n - 2.0);
-    if (trend_error != NULL) {
-        *trend_error = sqrt(residual / lever) * (n - 1.0);
-    }
+    const double to_end = 0.5 * n; // in blocks, from the middle of the window
     return (clod_steady_mean){
-        .value = mean, .error = sqrt(squares / (n - 1.0) / n), .trend = slope * (n - 1.0)};
+        .value = mean,
+        .error = sqrt(squares / (n - 1.0) / n),
+        .trend = slope * (n - 1.0),
+        .trend_error = sqrt(residual / lever) * (n - 1.0),
+        .end = mean + slope * to_end,
+        .end_error = sqrt(residual * (1.0 / n + to_end * to_end / lever)),
+    };
 }
 
 /** The three conditions of the header for one signal and one window. */
 static bool is_level(const clod_steady *self, int signal, int64_t window, double tolerance)
 {
-    double trend_error;
-    const clod_steady_mean mean = average(self, signal, window, &trend_error);
+    const clod_steady_mean mean = average(self, signal, window);
     const double limit = tolerance * fabs(mean.value);
     const double trend = fabs(mean.trend);
-    const bool certain = trend > 2.0 * trend_error;
-    return trend <= (certain ? 0.5 * limit : limit) && trend_error <= BLIND * limit;
+    const bool certain = trend > 2.0 * mean.trend_error;
+    return trend <= (certain ? 0.5 * limit : limit) && mean.trend_error <= BLIND * limit;
 }
 
 /** Largest window that is steady, 0 when none is. */
@@ -104,9 +106,9 @@ static clod_steady_mean summary_of(const clod_steady *self, int signal, int64_t 
         for (int64_t k = 0; k < window; k++) {
             sum += block_at(self, signal, window, k);
         }
-        return (clod_steady_mean){sum / (double)window, NAN, NAN}; // 0/0 is NAN
+        return (clod_steady_mean){sum / (double)window, NAN, NAN, NAN, NAN, NAN}; // 0/0 is NAN
     }
-    return average(self, signal, window, NULL);
+    return average(self, signal, window);
 }
 
 clod_steady_result clod_steady_summary(const clod_steady *self)

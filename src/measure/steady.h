@@ -49,7 +49,10 @@ typedef struct clod_steady {
 typedef struct clod_steady_mean {
     double value;
     double error; ///< standard error of the mean
-    double trend; ///< change across the window by the fitted line
+    double trend; ///< change across the window by the fitted line, from first to last block
+    double trend_error; ///< its standard error
+    double end;         ///< of the fitted line, where the last block ends
+    double end_error;   ///< its standard error
 } clod_steady_mean;
 
 /** What the detector found. */

@@ -9,8 +9,9 @@
 #include "clod/version.h"
 #include "output/checkpoint_columns.h"
 #include "output/checkpoint_file.h"
-#include "output/file.h"
+#include "output/folder_files.h"
 #include "output/hdf.h"
+#include "state/limits.h"
 
 /** The identity of a wall: stored to be compared, never read back. */
 static void wall_identity(const clod_state *state, clod_hdf_column identity[2])
@@ -84,12 +85,12 @@ static bool build_image(const clod_state *state, const clod_checkpoint_part *par
     return clod_hdf_finish(&hdf, image, size, status);
 }
 
-bool clod_checkpoint_write(const char *directory, const char *stem, const clod_state *state,
+bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const clod_state *state,
                            const clod_checkpoint_part *parts, size_t part_count,
                            const char *case_text, clod_status *status)
 {
     clod_checkpoint_file files[2];
-    const bool found = clod_checkpoint_file_find(files, directory, stem, status);
+    const bool found = clod_checkpoint_file_find(files, folder, stem, status);
     clod_checkpoint_file_release(files);
     if (!found) {
         return false;
@@ -112,7 +113,7 @@ bool clod_checkpoint_write(const char *directory, const char *stem, const clod_s
     char text[CLOD_CHECKPOINT_HEAD_BYTES];
     clod_checkpoint_file_print_head(text, &head, image);
     const bool done =
-        clod_file_replace(files[target].path, text, sizeof text, image, size, status);
+        clod_folder_replace(folder, files[target].name, text, sizeof text, image, size, status);
     clod_memory_free(image);
     return done;
 }
@@ -152,7 +153,8 @@ static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
 {
     const size_t grains = clod_hdf_rows(hdf, "grains/id");
     const size_t contacts = clod_hdf_rows(hdf, "contacts/i");
-    if (!clod_grains_reserve(&state->grains, grains, status)) {
+    if (!clod_limits_contacts(contacts, status) ||
+        !clod_grains_reserve(&state->grains, grains, status)) {
         return false;
     }
     clod_memory_free(state->build_place);
@@ -183,6 +185,20 @@ static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
                                     "No memory for a checkpoint of %zu grains.", grains);
 }
 
+/** Whether every contact is one of grains and walls that are there. */
+static bool contacts_fit(const clod_state *state)
+{
+    bool fit = state->wall_contact_count <= state->contact_count;
+    for (size_t c = 0; fit && c < state->contact_count; c++) {
+        const clod_contact *contact = &state->contacts[c];
+        const bool pair = c < state->contact_count - state->wall_contact_count;
+        const size_t partners = pair ? state->grains.count : (size_t)state->walls.count;
+        fit = contact->i >= 0 && (size_t)contact->i < state->grains.count && contact->j >= 0 &&
+              (size_t)contact->j < partners;
+    }
+    return fit;
+}
+
 /** Fill state and parts from a whole file. */
 static bool restore(const clod_checkpoint_file *file, clod_state *state,
                     clod_checkpoint_part *parts, size_t part_count, clod_status *status)
@@ -207,14 +223,22 @@ static bool restore(const clod_checkpoint_file *file, clod_state *state,
         const clod_hdf_column part = part_column(&parts[p], name);
         clod_hdf_get(hdf, &part);
     }
+    const bool no_memory = clod_hdf_lacks_memory(hdf);
     if (!clod_hdf_end_reading(&hdf, &reading)) {
+        if (no_memory) {
+            return clod_status_fail(status, CLOD_FAILED, "%s: %s", file->path, reading.text);
+        }
         return clod_status_fail(status, CLOD_FAILED,
                                 "%s is whole but does not hold what this clod needs: %s Start "
                                 "over with --fresh.",
                                 file->path, reading.text);
     }
     clod_grains_pad(&state->grains);
-    return true;
+    return contacts_fit(state) ||
+           clod_status_fail(status, CLOD_FAILED,
+                            "%s holds contacts of grains or walls that it does not have. Start "
+                            "over with --fresh.",
+                            file->path);
 }
 
 /** Say why neither file can be used. */
@@ -226,7 +250,7 @@ static bool fail_without(const clod_checkpoint_file files[2], clod_status *statu
                                 "there. Start over with --fresh.",
                                 files[0].path, files[1].path);
     }
-    char texts[2][PATH_MAX + 600] = {"", ""};
+    char texts[2][sizeof files[0].path + sizeof files[0].reason + 32] = {"", ""};
     for (int f = 0; f < 2; f++) {
         if (files[f].there) {
             snprintf(texts[f], sizeof texts[f], "%s cannot be used: %s.\n", files[f].path,
@@ -263,7 +287,7 @@ static bool check_origin(const clod_checkpoint_file *file, const char *case_text
 
 // two more parameters than usual, all of them its own:
 // NOLINTNEXTLINE(readability-function-size)
-bool clod_checkpoint_read(const char *directory, const char *stem, clod_state *state,
+bool clod_checkpoint_read(const clod_folder *folder, const char *stem, clod_state *state,
                           clod_checkpoint_part *parts, size_t part_count, const char *case_text,
                           char *notice, size_t notice_size, clod_status *status)
 {
@@ -271,7 +295,7 @@ bool clod_checkpoint_read(const char *directory, const char *stem, clod_state *s
         notice[0] = '\0';
     }
     clod_checkpoint_file files[2];
-    if (!clod_checkpoint_file_find(files, directory, stem, status)) {
+    if (!clod_checkpoint_file_find(files, folder, stem, status)) {
         clod_checkpoint_file_release(files);
         return false;
     }

@@ -6,7 +6,7 @@
  * The format is described in docs/results-folder.md.
  */
 
-#include "clod/status.h"
+#include "output/folder.h"
 #include "state/state.h"
 
 /**
@@ -26,7 +26,6 @@ typedef struct clod_checkpoint_part {
 /**
  * Write the older of `<stem>_a.h5` and `<stem>_b.h5` anew.
  *
- * @param directory   folder, must exist
  * @param stem        start of the files' names
  * @param state       what to store; its walls' shapes are not stored
  * @param parts       [part_count] further data of the run
@@ -35,7 +34,7 @@ typedef struct clod_checkpoint_part {
  * Errors  CLOD_FAILED: no folder, disk full, no memory.   Threads  one per stem.
  * Test    tests/output/test_checkpoint.c
  */
-bool clod_checkpoint_write(const char *directory, const char *stem, const clod_state *state,
+bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const clod_state *state,
                            const clod_checkpoint_part *parts, size_t part_count,
                            const char *case_text, clod_status *status);
 
@@ -52,9 +51,10 @@ bool clod_checkpoint_write(const char *directory, const char *stem, const clod_s
  *         other walls or parts, no memory.   Threads  one per stem.
  * Test    tests/output/test_checkpoint.c
  */
-bool clod_checkpoint_read(const char *directory, const char *stem, clod_state *state,
+bool clod_checkpoint_read(const clod_folder *folder, const char *stem, clod_state *state,
                           clod_checkpoint_part *parts, size_t part_count, const char *case_text,
                           char *notice, size_t notice_size, clod_status *status);
 
 /** Whether one of the two files is there, whole or not. */
-bool clod_checkpoint_exists(const char *directory, const char *stem);
+bool clod_checkpoint_exists(const clod_folder *folder, const char *stem, bool *exists,
+                            clod_status *status);

@@ -42,6 +42,7 @@ static void add_state(clod_checkpoint_columns *self, const clod_state *state)
     ADD(ledger.dash_pot, "ledger_dash_pot", "J", F64, 1);
     ADD(ledger.friction, "ledger_friction", "J", F64, 1);
     ADD(ledger.rolling, "ledger_rolling", "J", F64, 1);
+    ADD(ledger.lag, "ledger_lag", "J", F64, 1);
     ADD(ledger.wall_work, "ledger_wall_work", "J", F64, 1);
     ADD(build_motion, "build_motion", "m", F64, 1);
     ADD(wall_contact_count, "wall_contact_count", "1", U64, 1);

@@ -4,11 +4,11 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/memory.h"
 #include "output/checkpoint.h"
 #include "output/file.h"
+#include "output/folder_files.h"
 
 uint64_t clod_checkpoint_file_case_hash(const char *case_text)
 {
@@ -72,37 +72,42 @@ static bool check_whole(const char *bytes, size_t size, clod_checkpoint_head *he
     return true;
 }
 
-static bool file_path(clod_checkpoint_file *file, const char *directory, const char *stem,
-                      char letter, clod_status *status)
+static bool set_name(clod_checkpoint_file *file, const clod_folder *folder, const char *stem,
+                     char letter, clod_status *status)
 {
-    char name[NAME_MAX + 1];
-    if ((size_t)snprintf(name, sizeof name, "%s_%c.h5", stem, letter) >= sizeof name) {
-        return clod_file_fail(status, "name a checkpoint", stem, ENAMETOOLONG);
-    }
-    return clod_file_path(file->path, sizeof file->path, directory, name, status);
+    const int length = snprintf(file->name, sizeof file->name, "%s_%c.h5", stem, letter);
+    snprintf(file->path, sizeof file->path, "%s/%s", folder->path, file->name);
+    return (size_t)length < sizeof file->name ||
+           clod_file_fail(status, "name a checkpoint", stem, ENAMETOOLONG);
 }
 
-bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const char *directory,
+/** Whether an error is the disk's: the content is lost, and no second try brings it. */
+static bool is_of_disk(int error)
+{
+    return error == EIO || error == EUCLEAN || error == EBADMSG;
+}
+
+bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const clod_folder *folder,
                                const char *stem, clod_status *status)
 {
     memset(files, 0, 2 * sizeof *files);
     for (int f = 0; f < 2; f++) {
         clod_checkpoint_file *file = &files[f];
-        if (!file_path(file, directory, stem, "ab"[f], status)) {
+        if (!set_name(file, folder, stem, "ab"[f], status)) {
             return false;
         }
-        file->there = access(file->path, F_OK) == 0;
-        size_t size;
-        clod_status reading;
-        if (!file->there) {
-            continue;
+        size_t size = 0;
+        const int error = clod_file_load(folder->descriptor, file->name, &file->bytes, &size);
+        file->there = error != ENOENT;
+        if (error == 0) {
+            file->whole =
+                check_whole(file->bytes, size, &file->head, file->reason, sizeof file->reason);
+        } else if (is_of_disk(error)) {
+            snprintf(file->reason, sizeof file->reason, "it cannot be read: %s",
+                     strerror(error));
+        } else if (file->there) {
+            return clod_folder_fail(folder, "read", file->name, error, status);
         }
-        if (!clod_file_read(file->path, &file->bytes, &size, &reading)) {
-            snprintf(file->reason, sizeof file->reason, "it cannot be read");
-            continue;
-        }
-        file->whole =
-            check_whole(file->bytes, size, &file->head, file->reason, sizeof file->reason);
     }
     return true;
 }
@@ -123,15 +128,16 @@ int clod_checkpoint_file_newest(const clod_checkpoint_file files[2])
     return files[0].whole ? 0 : files[1].whole ? 1 : -1;
 }
 
-bool clod_checkpoint_exists(const char *directory, const char *stem)
+bool clod_checkpoint_exists(const clod_folder *folder, const char *stem, bool *exists,
+                            clod_status *status)
 {
-    clod_status ignored;
     clod_checkpoint_file file;
-    for (int f = 0; f < 2; f++) {
-        if (file_path(&file, directory, stem, "ab"[f], &ignored) &&
-            access(file.path, F_OK) == 0) {
-            return true;
+    *exists = false;
+    for (int f = 0; f < 2 && !*exists; f++) {
+        if (!set_name(&file, folder, stem, "ab"[f], status) ||
+            !clod_folder_has(folder, file.name, exists, status)) {
+            return false;
         }
     }
-    return false;
+    return true;
 }

@@ -7,14 +7,14 @@
 #include <limits.h>
 #include <stdint.h>
 
-#include "clod/status.h"
+#include "output/folder.h"
 
 /**
  * Raise it with every change of what a checkpoint holds or means: columns, and the plain data
  * of the parts (clod_checkpoint_part), of which a checkpoint knows only name and size. Test
  * tests/output/test_checkpoint_parts.py fails when their structs change and this does not.
  */
-#define CLOD_CHECKPOINT_FORMAT 7
+#define CLOD_CHECKPOINT_FORMAT 8
 #define CLOD_CHECKPOINT_HEAD_BYTES 512 ///< HDF5 looks for its own start at this byte too
 
 /** The text in front of the HDF5 data; every other byte of the file is in its hash. */
@@ -26,7 +26,8 @@ typedef struct clod_checkpoint_head {
 
 /** One of the two files, as found. */
 typedef struct clod_checkpoint_file {
-    char path[PATH_MAX];
+    char name[NAME_MAX + 1];            ///< in the folder
+    char path[PATH_MAX + NAME_MAX + 2]; ///< for messages
     bool there, whole;
     char reason[512]; ///< why it is not whole
     clod_checkpoint_head head;
@@ -40,8 +41,13 @@ uint64_t clod_checkpoint_file_case_hash(const char *case_text);
 void clod_checkpoint_file_print_head(char text[CLOD_CHECKPOINT_HEAD_BYTES],
                                      const clod_checkpoint_head *head, const void *data);
 
-/** Read and check both files; call clod_checkpoint_file_release in any case. */
-bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const char *directory,
+/**
+ * Read and check both files; call clod_checkpoint_file_release in any case.
+ *
+ * A file that the disk cannot read (EIO) is there and not whole; the other one may do. Every
+ * other error but ENOENT (no right, no memory) fails: the file may be good.
+ */
+bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const clod_folder *folder,
                                const char *stem, clod_status *status);
 
 void clod_checkpoint_file_release(clod_checkpoint_file files[2]);

@@ -4,51 +4,63 @@
 #include <fcntl.h>
 #include <pthread.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "base/json.h"
 #include "base/memory.h"
 #include "output/file.h"
+#include "output/folder_files.h"
 
 struct clod_eventlog {
+    const clod_folder *folder; ///< borrowed
     int descriptor;
     int error;  ///< errno of the first write that failed, or 0
-    char *path; ///< owned
+    char *name; ///< owned
     pthread_mutex_t lock;
 };
 
-/** Whether the last run was cut off within a line. */
-static bool ends_within_line(int descriptor)
+/** Begin a new line when the last run was cut off within one; 0 or an errno value. */
+static int end_line(int descriptor)
 {
     struct stat info;
-    char last;
-    return fstat(descriptor, &info) == 0 && info.st_size > 0 &&
-           pread(descriptor, &last, 1, info.st_size - 1) == 1 && last != '\n';
+    char last = '\n';
+    if (fstat(descriptor, &info) != 0) {
+        return errno;
+    }
+    ssize_t got = 1;
+    do {
+        got = info.st_size > 0 ? pread(descriptor, &last, 1, info.st_size - 1) : 1;
+    } while (got < 0 && errno == EINTR);
+    if (got < 0) {
+        return errno;
+    }
+    return last == '\n' || clod_file_write_all(descriptor, "\n", 1) ? 0 : errno;
 }
 
-clod_eventlog *clod_eventlog_open(const char *path, clod_status *status)
+clod_eventlog *clod_eventlog_open(const clod_folder *folder, const char *name,
+                                  clod_status *status)
 {
-    clod_eventlog *self = clod_memory_alloc(1, sizeof *self);
-    char *copy = clod_memory_text(path);
-    const int descriptor = open(path, O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    bool good = descriptor >= 0;
-    if (good && ends_within_line(descriptor)) {
-        good = clod_file_write_all(descriptor, "\n", 1);
+    const int descriptor =
+        clod_folder_open_file(folder, name, O_RDWR | O_CREAT | O_APPEND, status);
+    if (descriptor < 0) {
+        return NULL;
     }
-    if (!good || self == NULL || copy == NULL) {
-        clod_file_fail(status, "write", path, good ? ENOMEM : errno);
-        if (descriptor >= 0) {
-            close(descriptor);
-        }
+    clod_eventlog *self = clod_memory_alloc(1, sizeof *self);
+    char *copy = clod_memory_text(name);
+    const int error = self == NULL || copy == NULL ? ENOMEM : end_line(descriptor);
+    if (error != 0) {
+        clod_folder_fail(folder, "write", name, error, status);
+        clod_file_close(descriptor);
         clod_memory_free(self);
         clod_memory_free(copy);
         return NULL;
     }
+    self->folder = folder;
     self->descriptor = descriptor;
-    self->path = copy;
+    self->name = copy;
     pthread_mutex_init(&self->lock, NULL);
     return self;
 }
@@ -77,7 +89,7 @@ void clod_eventlog_write_json(clod_eventlog *self, const char *event, json_t *fi
     json_object_set_new(line, "event", json_string(event));
     json_object_update_missing(line, fields);
     json_decref(fields);
-    char *text = json_dumps(line, JSON_COMPACT | JSON_REAL_PRECISION(17));
+    char *text = clod_json_text(line, JSON_COMPACT | JSON_REAL_PRECISION(17));
     json_decref(line);
     pthread_mutex_lock(&self->lock);
     const size_t length = text == NULL ? 0 : strlen(text);
@@ -90,7 +102,7 @@ void clod_eventlog_write_json(clod_eventlog *self, const char *event, json_t *fi
         }
     }
     pthread_mutex_unlock(&self->lock);
-    free(text);
+    clod_memory_free(text);
 }
 
 void clod_eventlog_write(clod_eventlog *self, const char *event, const char *format, ...)
@@ -116,12 +128,12 @@ bool clod_eventlog_close(clod_eventlog **self, clod_status *status)
     if (log == NULL) {
         return true;
     }
-    if (close(log->descriptor) != 0 && log->error == 0) {
-        log->error = errno;
-    }
-    const bool good = log->error == 0 || clod_file_fail(status, "write", log->path, log->error);
+    const int closing = clod_file_close(log->descriptor);
+    const int error = log->error != 0 ? log->error : closing;
+    const bool good =
+        error == 0 || clod_folder_fail(log->folder, "write", log->name, error, status);
     pthread_mutex_destroy(&log->lock);
-    clod_memory_free(log->path);
+    clod_memory_free(log->name);
     clod_memory_free(log);
     return good;
 }

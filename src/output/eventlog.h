@@ -9,18 +9,19 @@
 
 #include <jansson.h>
 
-#include "clod/status.h"
+#include "output/folder.h"
 
 typedef struct clod_eventlog clod_eventlog;
 
 /**
  * Open a log; lines are added behind what is there, after a newline if the last run was cut
- * off.
+ * off. The folder is borrowed until the log is closed.
  * @return  owned log (clod_eventlog_close), or NULL
  * Errors  CLOD_FAILED: cannot be opened.   Threads  the log may be shared by threads.
  * Test    tests/output/test_eventlog.c
  */
-clod_eventlog *clod_eventlog_open(const char *path, clod_status *status);
+clod_eventlog *clod_eventlog_open(const clod_folder *folder, const char *name,
+                                  clod_status *status);
 
 /**
  * Write one line.

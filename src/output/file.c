@@ -7,20 +7,9 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include "base/memory.h"
-
-bool clod_file_path(char *path, size_t size, const char *directory, const char *name,
-                    clod_status *status)
-{
-    const int length = snprintf(path, size, "%s/%s", directory, name);
-    if (length < 0 || (size_t)length >= size) {
-        return clod_status_fail(status, CLOD_FAILED,
-                                "The path %s/%s is too long: choose a shorter folder with -o.",
-                                directory, name);
-    }
-    return true;
-}
 
 bool clod_file_fail(clod_status *status, const char *action, const char *path, int error)
 {
@@ -34,6 +23,8 @@ bool clod_file_fail(clod_status *status, const char *action, const char *path, i
         advice = " No folder can be made there; choose another one with -o.";
     } else if (error == EACCES || error == EROFS || error == EPERM) {
         advice = " Choose a folder that you may write to with -o.";
+    } else if (error == ELOOP) {
+        advice = " clod does not write through symbolic links in a results folder: remove it.";
     }
     return clod_status_fail(status, CLOD_FAILED, "Cannot %s %s: %s.%s", action, path,
                             strerror(error), advice);
@@ -57,21 +48,73 @@ bool clod_file_write_all(int descriptor, const void *bytes, size_t size)
     return true;
 }
 
-/** Bring the entry of a renamed file to the disk; file systems that cannot are accepted. */
-static void sync_folder_of(const char *path)
+int clod_file_open(int folder, const char *name, int flags)
+{
+    int descriptor;
+    do {
+        descriptor = openat(folder, name, flags | O_CLOEXEC, 0666);
+    } while (descriptor < 0 && errno == EINTR);
+    return descriptor;
+}
+
+int clod_file_sync(int descriptor)
+{
+    int result;
+    do {
+        result = fsync(descriptor);
+    } while (result != 0 && errno == EINTR);
+    return result == 0 ? 0 : errno;
+}
+
+int clod_file_close(int descriptor)
+{
+    // Linux frees the descriptor before it can be interrupted: another close could hit a new
+    // file
+    return close(descriptor) == 0 || errno == EINTR ? 0 : errno;
+}
+
+int clod_file_write_new(int folder, const char *name, const void *head, size_t head_size,
+                        const void *body, size_t body_size)
+{
+    const int descriptor =
+        clod_file_open(folder, name, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
+    if (descriptor < 0) {
+        return errno;
+    }
+    const bool written = clod_file_write_all(descriptor, head, head_size) &&
+                         clod_file_write_all(descriptor, body, body_size);
+    int error = written ? clod_file_sync(descriptor) : errno;
+    const int closing = clod_file_close(descriptor);
+    error = error != 0 ? error : closing;
+    if (error != 0) {
+        unlinkat(folder, name, 0);
+    }
+    return error;
+}
+
+int clod_file_sync_entry(const char *path)
 {
     char folder[PATH_MAX];
-    const char *slash = strrchr(path, '/');
-    const size_t length = slash == NULL ? 0 : (size_t)(slash - path);
-    snprintf(folder, sizeof folder, "%.*s", (int)length, path);
-    const int descriptor = open(slash == NULL ? "."
-                                : length == 0 ? "/"
-                                              : folder,
-                                O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor >= 0) {
-        fsync(descriptor);
-        close(descriptor);
+    if ((size_t)snprintf(folder, sizeof folder, "%s", path) >= sizeof folder) {
+        return ENAMETOOLONG;
     }
+    size_t length = strlen(folder);
+    while (length > 1 && folder[length - 1] == '/') {
+        folder[--length] = '\0';
+    }
+    char *slash = strrchr(folder, '/');
+    if (slash == NULL) {
+        snprintf(folder, sizeof folder, ".");
+    } else {
+        slash[slash == folder ? 1 : 0] = '\0';
+    }
+    const int descriptor = clod_file_open(AT_FDCWD, folder, O_RDONLY | O_DIRECTORY);
+    if (descriptor < 0) {
+        return errno == EACCES ? 0 : errno; // a folder that may be written to but not read
+    }
+    const int error = clod_file_sync(descriptor);
+    clod_file_close(descriptor);
+    return error == EINVAL ? 0 : error; // the file system cannot
 }
 
 bool clod_file_replace(const char *path, const void *head, size_t head_size, const void *body,
@@ -81,27 +124,15 @@ bool clod_file_replace(const char *path, const void *head, size_t head_size, con
     if ((size_t)snprintf(part, sizeof part, "%s.part", path) >= sizeof part) {
         return clod_file_fail(status, "write", path, ENAMETOOLONG);
     }
-    const int descriptor = open(part, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor < 0) {
-        return clod_file_fail(status, "write", path, errno);
-    }
-    bool done = clod_file_write_all(descriptor, head, head_size) &&
-                clod_file_write_all(descriptor, body, body_size) && fsync(descriptor) == 0;
-    int error = done ? 0 : errno;
-    if (close(descriptor) != 0 && done) {
-        done = false;
+    int error = clod_file_write_new(AT_FDCWD, part, head, head_size, body, body_size);
+    if (error == 0 && rename(part, path) != 0) {
         error = errno;
-    }
-    if (done && rename(part, path) != 0) {
-        done = false;
-        error = errno;
-    }
-    if (!done) {
         unlink(part);
-        return clod_file_fail(status, "write", path, error);
     }
-    sync_folder_of(path);
-    return true;
+    if (error == 0) {
+        error = clod_file_sync_entry(path);
+    }
+    return error == 0 || clod_file_fail(status, "write", path, error);
 }
 
 /** Fill `bytes` from the file; *size becomes what was there. */
@@ -122,30 +153,39 @@ static bool read_all(int descriptor, char *bytes, size_t *size)
     return true;
 }
 
-bool clod_file_read(const char *path, void **bytes, size_t *size, clod_status *status)
+int clod_file_load(int folder, const char *name, void **bytes, size_t *size)
 {
     *bytes = NULL;
-    const int descriptor = open(path, O_RDONLY | O_CLOEXEC);
-    struct stat info;
-    if (descriptor < 0 || fstat(descriptor, &info) != 0) {
-        const int error = errno;
-        if (descriptor >= 0) {
-            close(descriptor);
-        }
-        return clod_file_fail(status, "read", path, error);
+    const int descriptor = clod_file_open(folder, name, O_RDONLY);
+    if (descriptor < 0) {
+        return errno;
     }
-    *size = (size_t)info.st_size;
-    *bytes = clod_memory_alloc(*size + 1, 1);
-    const bool done = *bytes != NULL && read_all(descriptor, *bytes, size);
-    const int error = *bytes == NULL ? ENOMEM : errno;
-    close(descriptor);
-    if (!done) {
+    struct stat info;
+    int error = fstat(descriptor, &info) == 0 ? 0 : errno;
+    if (error == 0) {
+        *size = (size_t)info.st_size;
+        *bytes = clod_memory_alloc(*size + 1, 1);
+        error = *bytes == NULL ? ENOMEM : read_all(descriptor, *bytes, size) ? 0 : errno;
+    }
+    clod_file_close(descriptor); // nothing was written
+    if (error != 0) {
         clod_memory_free(*bytes);
         *bytes = NULL;
-        return clod_file_fail(status, "read", path, error);
+        return error;
     }
     ((char *)*bytes)[*size] = '\0';
-    return true;
+    return 0;
+}
+
+bool clod_file_read(const char *path, void **bytes, size_t *size, clod_status *status)
+{
+    const int error = clod_file_load(AT_FDCWD, path, bytes, size);
+    return error == 0 || clod_file_fail(status, "read", path, error);
+}
+
+uint64_t clod_file_crc32(uint64_t sum, const void *bytes, size_t size)
+{
+    return crc32_z((uLong)sum, bytes, size);
 }
 
 /** One step of the hash: for a given word a one-to-one map of the hash, and the reverse. */

@@ -2,7 +2,7 @@
 /**
  * @file file.h
  * Whole files read and replaced in one go: a reader sees the old content or the new, never
- * half.
+ * half. Calls that a signal cuts short are made again.
  */
 
 #include <stddef.h>
@@ -10,12 +10,30 @@
 
 #include "clod/status.h"
 
-/** Join directory and name as "directory/name"; false when it does not fit. */
-bool clod_file_path(char *path, size_t size, const char *directory, const char *name,
-                    clod_status *status);
-
 /** Write all bytes to an open file, going on after signals; false with errno set. */
 bool clod_file_write_all(int descriptor, const void *bytes, size_t size);
+
+/** openat with mode 0666 and O_CLOEXEC, again after signals; -1 with errno set. */
+int clod_file_open(int folder, const char *name, int flags);
+
+/** Bring an open file or folder to the disk, again after signals; 0 or an errno value. */
+int clod_file_sync(int descriptor);
+
+/** Bring the entry of a new file or folder in the folder above it to the disk; 0 or errno. */
+int clod_file_sync_entry(const char *path);
+
+/** Close; 0 or an errno value. The descriptor is free in any case, after a signal too. */
+int clod_file_close(int descriptor);
+
+/**
+ * Write a new file and bring it to the disk; links are not followed, and what was written is
+ * removed when it does not succeed.
+ *
+ * @param folder  descriptor that `name` is relative to, or AT_FDCWD
+ * @return        0 or an errno value
+ */
+int clod_file_write_new(int folder, const char *name, const void *head, size_t head_size,
+                        const void *body, size_t body_size);
 
 /**
  * Replace a file: write `path`.part, bring it to the disk, rename it to `path`.
@@ -30,11 +48,22 @@ bool clod_file_write_all(int descriptor, const void *bytes, size_t size);
 bool clod_file_replace(const char *path, const void *head, size_t head_size, const void *body,
                        size_t body_size, clod_status *status);
 
-/** Read a whole file into owned memory (clod_memory_free), a zero byte behind its end. */
+/**
+ * Read a whole file into owned memory (clod_memory_free), a zero byte behind its end.
+ *
+ * @param folder  descriptor that `name` is relative to, or AT_FDCWD
+ * @return        0 or an errno value; *bytes is NULL then
+ */
+int clod_file_load(int folder, const char *name, void **bytes, size_t *size);
+
+/** The same, with a text when it does not succeed. */
 bool clod_file_read(const char *path, void **bytes, size_t *size, clod_status *status);
 
 /** Record that `action` ("write", "open") on `path` failed with errno value `error`. */
 bool clod_file_fail(clod_status *status, const char *action, const char *path, int error);
+
+/** Continue a CRC-32 (of zlib, gzip and Python's zlib.crc32) over some bytes; 0 begins one. */
+uint64_t clod_file_crc32(uint64_t sum, const void *bytes, size_t size);
 
 /** Start of a chain of clod_file_hash. */
 #define CLOD_FILE_HASH_START 0x9e3779b97f4a7c15u

@@ -1,21 +1,29 @@
 #pragma once
 /**
  * @file folder.h
- * The results folder: made, locked against a second run, cleared of what clod wrote.
+ * The results folder: made, locked against a second run, kept open. All files in it are named
+ * relative to the open folder, so a run never writes into another folder that takes its path.
  */
 
-#include <jansson.h>
 #include <stddef.h>
 
 #include "clod/status.h"
 
-typedef struct clod_folder clod_folder;
+/** A folder that is open. */
+typedef struct clod_folder {
+    char *path;     ///< owned; as it was given, for messages
+    int descriptor; ///< of the folder; names are relative to it
+    int lock;       ///< descriptor of the lock file; -1 when the folder is only read
+} clod_folder;
 
 /**
- * Owned text "run/NAME" for a case file ".../NAME.yaml", and for ".../NAME/case.yaml", since
- * many cases are called that; NULL without memory.
+ * Name of the folder for a case when none is given: "run/NAME" for ".../NAME.yaml", and for
+ * ".../NAME/case.yaml", since many cases are called that.
+ *
+ * @return  owned text (clod_memory_free), or NULL
+ * Errors  CLOD_FAILED: no memory; the folder of the case cannot be looked at.
  */
-char *clod_folder_default(const char *case_path);
+char *clod_folder_default(const char *case_path, clod_status *status);
 
 /** Make a folder and its parents; one that exists is fine. */
 bool clod_folder_make(const char *path, clod_status *status);
@@ -32,31 +40,17 @@ bool clod_folder_make(const char *path, clod_status *status);
  */
 clod_folder *clod_folder_open(const char *path, clod_status *status);
 
-/** The path it was opened with, borrowed. */
-const char *clod_folder_path(const clod_folder *self);
+/** Open a folder that is there, to read from it only; it is not locked. */
+clod_folder *clod_folder_look(const char *path, clod_status *status);
+
+/**
+ * Whether the path still leads to this folder, and the lock file in it is still the locked one.
+ * Errors  CLOD_FAILED: moved away, removed or replaced.   Test  tests/output/test_folder.c
+ */
+bool clod_folder_check(const clod_folder *self, clod_status *status);
 
 /** Unlock, free and null the pointer; NULL is fine. */
 void clod_folder_close(clod_folder **self);
-
-/**
- * Remove the files with the names that a run gives (--fresh), and nothing else; no sub-folders.
- * The copies of the case stay (the run that follows replaces them): one of them may be the very
- * file that the run was started with.
- *
- * Errors  CLOD_FAILED: the folder cannot be read, a file cannot be removed.
- * Threads one per folder.   Test  tests/output/test_folder.c, tests/cli/test_folder.py
- */
-bool clod_folder_clear(const clod_folder *self, clod_status *status);
-
-/** Write the copies of the case: case.yaml as given, case-complete.yaml with all defaults. */
-bool clod_folder_write_case(const char *directory, const char *case_text,
-                            const char *complete_text, clod_status *status);
-
-/** Replace a file by a text, at one stroke. */
-bool clod_folder_write(const char *path, const char *text, clod_status *status);
-
-/** Replace a file by indented JSON, at one stroke; `json` is borrowed. */
-bool clod_folder_write_json(const char *path, const json_t *json, clod_status *status);
 
 /** Free disk space for this user where the folder is or would be made [bytes]. */
 bool clod_folder_space(const char *path, double *bytes, clod_status *status);

@@ -13,18 +13,43 @@ struct clod_hdf {
     hid_t file;
     clod_hdf_storage storage;
     char error[256]; ///< empty: none so far
+    bool no_memory;  ///< that is why
     H5E_auto2_t printer;
     void *printer_data;
 };
 
 /** HDF5 has state of its own for the whole process; not every build of it is thread-safe. */
 static pthread_mutex_t library = PTHREAD_MUTEX_INITIALIZER;
+static bool begun; ///< a file was made or opened; of whoever has the lock
 
 static void keep_error(clod_hdf *self, const char *action, const char *name)
 {
     if (self->error[0] == '\0') {
         snprintf(self->error, sizeof self->error, "HDF5 cannot %s %s", action, name);
     }
+}
+
+/** Memory for a column; without it that is what the first error says. */
+static void *take_memory(clod_hdf *self, size_t count, size_t size)
+{
+    void *memory = clod_memory_alloc(count, size);
+    self->no_memory = self->no_memory || memory == NULL;
+    return memory;
+}
+
+static herr_t look_for_memory(unsigned number, const H5E_error2_t *error, void *self)
+{
+    (void)number;
+    if (error->maj_num == H5E_RESOURCE) {
+        ((clod_hdf *)self)->no_memory = true;
+    }
+    return 0;
+}
+
+/** Called by HDF5 for each of its errors, in place of printing it. */
+static herr_t on_error(hid_t stack, void *self)
+{
+    return H5Ewalk2(stack, H5E_WALK_UPWARD, look_for_memory, self);
 }
 
 static clod_hdf *acquire(clod_status *status)
@@ -35,8 +60,12 @@ static clod_hdf *acquire(clod_status *status)
         return NULL;
     }
     pthread_mutex_lock(&library);
+    if (!begun) {
+        H5dont_atexit(); // its exit handler would run after a failure within the library, too
+        begun = true;
+    }
     H5Eget_auto2(H5E_DEFAULT, &self->printer, &self->printer_data);
-    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    H5Eset_auto2(H5E_DEFAULT, on_error, self);
     return self;
 }
 
@@ -52,7 +81,8 @@ static bool release(clod_hdf **self, clod_status *status)
     pthread_mutex_unlock(&library);
     const bool good = hdf->error[0] == '\0';
     if (!good) {
-        clod_status_fail(status, CLOD_FAILED, "%s.", hdf->error);
+        clod_status_fail(status, CLOD_FAILED, "%s%s.", hdf->error,
+                         hdf->no_memory ? ": there is no memory for it" : "");
     }
     clod_memory_free(hdf);
     return good;
@@ -154,10 +184,10 @@ static int column_dimensions(const clod_hdf_column *column, hsize_t dimensions[2
 }
 
 /** Owned copy (clod_memory_free) of the rows without the gaps between them. */
-static void *pack_rows(const clod_hdf_column *column)
+static void *pack_rows(clod_hdf *self, const clod_hdf_column *column)
 {
     const size_t row = column->components * type_size(column->type);
-    char *packed = clod_memory_alloc(column->rows, row);
+    char *packed = take_memory(self, column->rows, row);
     for (size_t r = 0; packed != NULL && r < column->rows; r++) {
         memcpy(packed + r * row, (const char *)column->data + r * column->stride, row);
     }
@@ -219,7 +249,7 @@ void clod_hdf_put(clod_hdf *self, const clod_hdf_column *column)
     const hid_t links = link_properties();
     const hid_t dataset =
         H5Dcreate2(self->file, column->name, in_file, space, links, properties, H5P_DEFAULT);
-    void *packed = pack_rows(column);
+    void *packed = pack_rows(self, column);
     bool good = dataset >= 0 && packed != NULL;
     if (good && column->rows > 0) {
         good = H5Dwrite(dataset, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed) >= 0;
@@ -297,7 +327,7 @@ bool clod_hdf_finish(clod_hdf **self, void **image, size_t *size, clod_status *s
         const ssize_t needed = H5Fflush(hdf->file, H5F_SCOPE_GLOBAL) < 0
                                    ? -1
                                    : H5Fget_file_image(hdf->file, NULL, 0);
-        *image = needed > 0 ? clod_memory_alloc((size_t)needed, 1) : NULL;
+        *image = needed > 0 ? take_memory(hdf, (size_t)needed, 1) : NULL;
         *size = needed > 0 ? (size_t)needed : 0;
         if (*image == NULL || H5Fget_file_image(hdf->file, *image, *size) != needed) {
             keep_error(hdf, "copy", "the file in memory");
@@ -318,6 +348,9 @@ size_t clod_hdf_rows(clod_hdf *self, const char *name)
     }
     const hid_t dataset = H5Dopen2(self->file, name, H5P_DEFAULT);
     if (dataset < 0) {
+        if (self->no_memory) { // else there is none
+            keep_error(self, "open", name);
+        }
         return 0;
     }
     hsize_t dimensions[2] = {0, 0};
@@ -356,7 +389,7 @@ void clod_hdf_get(clod_hdf *self, const clod_hdf_column *column)
     }
     const size_t row = column->components * type_size(column->type);
     const hid_t dataset = H5Dopen2(self->file, column->name, H5P_DEFAULT);
-    char *packed = clod_memory_alloc(column->rows, row);
+    char *packed = take_memory(self, column->rows, row);
     bool good = dataset >= 0 && packed != NULL && dataset_matches(dataset, column);
     if (good && column->rows > 0) {
         const hid_t type = memory_type(column);
@@ -376,6 +409,11 @@ void clod_hdf_get(clod_hdf *self, const clod_hdf_column *column)
     if (dataset >= 0) {
         H5Dclose(dataset);
     }
+}
+
+bool clod_hdf_lacks_memory(const clod_hdf *self)
+{
+    return self->no_memory;
 }
 
 bool clod_hdf_end_reading(clod_hdf **self, clod_status *status)

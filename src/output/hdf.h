@@ -70,5 +70,8 @@ size_t clod_hdf_rows(clod_hdf *self, const char *name);
 /** Fill a column's data; type, rows and components must be those of the file. */
 void clod_hdf_get(clod_hdf *self, const clod_hdf_column *column);
 
+/** Whether there was no memory for something since clod_hdf_open. */
+bool clod_hdf_lacks_memory(const clod_hdf *self);
+
 /** Close: false with the first error since clod_hdf_open. */
 bool clod_hdf_end_reading(clod_hdf **self, clod_status *status);

@@ -4,14 +4,28 @@
  * The `.hdf.series` index with which ParaView opens many files as one film.
  */
 
-#include "clod/status.h"
+#include <stdint.h>
+
+#include "output/folder.h"
 
 /**
  * Note that `name` shows the moment `time`; entries of the same or later times are dropped.
- * @param path  the index, next to the files; made when it is not there
- * Errors  CLOD_FAILED: not an index of clod, disk full.   Test  tests/output/test_snapshot.c
+ *
+ * @param index  name of the index in the folder; made when it is not there
+ * @param sum    [in,out] checksum of the index, clod_file_crc32; 0: there was none
+ * Errors  CLOD_FAILED: not the index that was left, disk full.
+ * Test    tests/output/test_snapshot.c
  */
-bool clod_hdf_series_add(const char *path, const char *name, double time, clod_status *status);
+bool clod_hdf_series_add(const clod_folder *folder, const char *index, const char *name,
+                         double time, uint64_t *sum, clod_status *status);
 
 /** Drop the entries later than `time`, and the files they name; no index is fine. */
-bool clod_hdf_series_cut(const char *path, double time, clod_status *status);
+bool clod_hdf_series_cut(const clod_folder *folder, const char *index, double time,
+                         clod_status *status);
+
+/**
+ * Whether an index without its entries later than `time` is the one with this checksum; no
+ * index is fine: it was taken away. Nothing is changed.
+ */
+bool clod_hdf_series_check(const clod_folder *folder, const char *index, double time,
+                           uint64_t sum, clod_status *status);

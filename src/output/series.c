@@ -9,28 +9,37 @@
 
 #include "base/memory.h"
 #include "output/file.h"
+#include "output/folder_files.h"
 
 #define NUMBER_BYTES 32 // "%.17g" of a double and a comma need at most 25
 
 struct clod_series {
+    const clod_folder *folder; ///< borrowed
     int descriptor;
     size_t columns;
-    int64_t bytes;
-    char *path; ///< owned
-    char *row;  ///< owned, [columns * NUMBER_BYTES]
+    clod_series_mark mark; ///< end of the file
+    char *name;            ///< owned
+    char *row;             ///< owned, [columns * NUMBER_BYTES]
 };
 
-void clod_series_close(clod_series **self)
+static bool fail(const clod_series *self, const char *action, int error, clod_status *status)
 {
-    if (*self != NULL) {
-        if ((*self)->descriptor >= 0) {
-            close((*self)->descriptor);
-        }
-        clod_memory_free((*self)->path);
-        clod_memory_free((*self)->row);
-        clod_memory_free(*self);
-        *self = NULL;
+    return clod_folder_fail(self->folder, action, self->name, error, status);
+}
+
+bool clod_series_close(clod_series **self, clod_status *status)
+{
+    clod_series *series = *self;
+    *self = NULL;
+    if (series == NULL) {
+        return true;
     }
+    const int error = series->descriptor >= 0 ? clod_file_close(series->descriptor) : 0;
+    const bool good = error == 0 || fail(series, "write", error, status);
+    clod_memory_free(series->name);
+    clod_memory_free(series->row);
+    clod_memory_free(series);
+    return good;
 }
 
 /** Owned header line; NULL without memory. */
@@ -51,80 +60,107 @@ static char *header_line(const char *const *columns, size_t count)
 static bool append(clod_series *self, const char *text, size_t length, clod_status *status)
 {
     if (!clod_file_write_all(self->descriptor, text, length)) {
-        return clod_file_fail(status, "write", self->path, errno);
+        return fail(self, "write", errno, status);
     }
-    self->bytes += (int64_t)length;
+    self->mark.bytes += (int64_t)length;
+    self->mark.crc32 = clod_file_crc32(self->mark.crc32, text, length);
     return true;
+}
+
+/** What is wrong with the bytes of a table; NULL: nothing. `header` may be NULL. */
+static const char *find_fault(const char *bytes, size_t size, const char *header,
+                              const clod_series_mark *mark)
+{
+    const size_t kept = (size_t)mark->bytes;
+    const size_t length = header != NULL ? strlen(header) : 0;
+    if (bytes == NULL) {
+        return "is not there any more";
+    }
+    if (size < kept) {
+        return "is shorter than at the checkpoint";
+    }
+    if (kept < length || (header != NULL && strncmp(bytes, header, length) != 0)) {
+        return "has other columns than this run writes";
+    }
+    return clod_file_crc32(0, bytes, kept) == mark->crc32
+               ? NULL
+               : "was changed since the checkpoint, or is damaged: its checksum is another one";
 }
 
 /** Whether the file on disk is the table that was left at the checkpoint. */
-static bool check_old(const char *path, const char *header, int64_t resume_bytes,
-                      clod_status *status)
+static bool check_old(const clod_folder *folder, const char *name, const char *header,
+                      const clod_series_mark *mark, clod_status *status)
 {
     void *bytes;
-    size_t size;
-    if (!clod_file_read(path, &bytes, &size, status)) {
+    size_t size = 0;
+    if (!clod_folder_read(folder, name, &bytes, &size, status)) {
         return false;
     }
-    const size_t length = strlen(header);
-    const size_t kept = (size_t)resume_bytes;
-    const char *fault = NULL;
-    if (size < kept) {
-        fault = "is shorter than at the checkpoint";
-    } else if (kept < length || strncmp(bytes, header, length) != 0) {
-        fault = "has other columns than this run writes";
-    } else if (((const char *)bytes)[kept - 1] != '\n') {
-        fault = "was changed since the checkpoint";
-    }
+    const char *fault = find_fault(bytes, size, header, mark);
     clod_memory_free(bytes);
-    return fault == NULL || clod_status_fail(status, CLOD_FAILED,
-                                             "Cannot go on with %s: it %s. Start over with "
-                                             "--fresh.",
-                                             path, fault);
+    return fault == NULL ||
+           clod_status_fail(status, CLOD_FAILED,
+                            "Cannot go on with %s/%s: it %s. Put back the file "
+                            "as the run left it, or start over with --fresh.",
+                            folder->path, name, fault);
 }
 
-/** Open the file and write the header, or cut it to resume_bytes. */
-static bool open_file(clod_series *self, const char *header, int64_t resume_bytes,
+bool clod_series_check(const clod_folder *folder, const char *name,
+                       const clod_series_mark *mark, clod_status *status)
+{
+    return check_old(folder, name, NULL, mark, status);
+}
+
+/** Shorten an open file, again after signals. */
+static bool shorten(clod_series *self, int64_t bytes, clod_status *status)
+{
+    int result;
+    do {
+        result = ftruncate(self->descriptor, bytes);
+    } while (result != 0 && errno == EINTR);
+    return result == 0 || fail(self, "shorten", errno, status);
+}
+
+/** Open the file and write the header, or cut it to the mark. */
+static bool open_file(clod_series *self, const char *header, const clod_series_mark *resume,
                       clod_status *status)
 {
-    const bool fresh = resume_bytes < 0;
-    if (!fresh && !check_old(self->path, header, resume_bytes, status)) {
+    if (resume != NULL && !check_old(self->folder, self->name, header, resume, status)) {
         return false;
     }
-    const int flags = O_WRONLY | O_APPEND | O_CLOEXEC | (fresh ? O_CREAT | O_TRUNC : 0);
-    self->descriptor = open(self->path, flags, 0666);
+    const int flags = O_WRONLY | O_APPEND | (resume == NULL ? O_CREAT | O_TRUNC : 0);
+    self->descriptor = clod_folder_open_file(self->folder, self->name, flags, status);
     if (self->descriptor < 0) {
-        return clod_file_fail(status, "write", self->path, errno);
+        return false;
     }
-    if (fresh) {
+    if (resume == NULL) {
         return append(self, header, strlen(header), status);
     }
-    if (ftruncate(self->descriptor, resume_bytes) != 0) {
-        return clod_file_fail(status, "shorten", self->path, errno);
-    }
-    self->bytes = resume_bytes;
-    return true;
+    self->mark = *resume;
+    return shorten(self, resume->bytes, status);
 }
 
-clod_series *clod_series_open(const char *path, const char *const *columns, size_t column_count,
-                              int64_t resume_bytes, clod_status *status)
+clod_series *clod_series_open(const clod_folder *folder, const char *name,
+                              const char *const *columns, size_t column_count,
+                              const clod_series_mark *resume, clod_status *status)
 {
     clod_series *self = clod_memory_alloc(1, sizeof *self);
     char *header = header_line(columns, column_count);
     if (self != NULL) {
+        self->folder = folder;
         self->descriptor = -1;
         self->columns = column_count;
-        self->path = clod_memory_text(path);
+        self->name = clod_memory_text(name);
         self->row = clod_memory_alloc(column_count, NUMBER_BYTES);
     }
-    bool good = header != NULL && self != NULL && self->path != NULL && self->row != NULL;
+    bool good = header != NULL && self != NULL && self->name != NULL && self->row != NULL;
     if (!good) {
-        clod_file_fail(status, "write", path, ENOMEM);
+        clod_folder_fail(folder, "write", name, ENOMEM, status);
     }
-    good = good && open_file(self, header, resume_bytes, status);
+    good = good && open_file(self, header, resume, status);
     clod_memory_free(header);
     if (!good) {
-        clod_series_close(&self);
+        clod_series_close(&self, &(clod_status){0}); // the first error is the one to tell
     }
     return self;
 }
@@ -155,13 +191,13 @@ bool clod_series_row(clod_series *self, const double *values, clod_status *statu
     return append(self, self->row, length, status);
 }
 
-int64_t clod_series_bytes(const clod_series *self)
+clod_series_mark clod_series_position(const clod_series *self)
 {
-    return self->bytes;
+    return self->mark;
 }
 
 bool clod_series_sync(clod_series *self, clod_status *status)
 {
-    return fdatasync(self->descriptor) == 0 ||
-           clod_file_fail(status, "write", self->path, errno);
+    const int error = clod_file_sync(self->descriptor);
+    return error == 0 || fail(self, "write", error, status);
 }

@@ -7,32 +7,43 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "clod/status.h"
+#include "output/folder.h"
 
 typedef struct clod_series clod_series;
+
+/** How far a table was at a moment, and the checksum of all of it: what a checkpoint stores. */
+typedef struct clod_series_mark {
+    int64_t bytes;
+    uint64_t crc32; ///< clod_file_crc32
+} clod_series_mark;
 
 /**
  * Start a table, or go on with one.
  *
- * @param path          the CSV file
+ * @param name          of the file in the folder
  * @param columns       [column_count] header texts with units, e.g. "time [s]"
- * @param resume_bytes  < 0: a fresh file; else what clod_series_bytes said at the checkpoint:
- *                      rows written after it are cut off
+ * @param resume        NULL: a fresh file; else the mark of the checkpoint: what is before it
+ * is checked, rows written after it are cut off
  * @return              owned table (clod_series_close), or NULL
- * Errors  CLOD_FAILED: cannot be opened; shorter or with other columns than at the checkpoint.
+ * Errors  CLOD_FAILED: cannot be opened; not what it was at the checkpoint.
  * Threads one per table.   Test  tests/output/test_series.c
  */
-clod_series *clod_series_open(const char *path, const char *const *columns, size_t column_count,
-                              int64_t resume_bytes, clod_status *status);
+clod_series *clod_series_open(const clod_folder *folder, const char *name,
+                              const char *const *columns, size_t column_count,
+                              const clod_series_mark *resume, clod_status *status);
+
+/** Whether the first mark->bytes of a table are what they were at the checkpoint. */
+bool clod_series_check(const clod_folder *folder, const char *name,
+                       const clod_series_mark *mark, clod_status *status);
 
 /** Append a row of [column_count] values, printed so that they read back exactly. */
 bool clod_series_row(clod_series *self, const double *values, clod_status *status);
 
-/** Length of the file so far [bytes]: what a checkpoint stores and resume_bytes takes. */
-int64_t clod_series_bytes(const clod_series *self);
+/** How far the table is: what a checkpoint stores and clod_series_open takes. */
+clod_series_mark clod_series_position(const clod_series *self);
 
-/** Bring the rows to the disk; call it before the checkpoint that stores clod_series_bytes. */
+/** Bring the rows to the disk; call it before the checkpoint that stores the position. */
 bool clod_series_sync(clod_series *self, clod_status *status);
 
-/** Close and null the pointer; NULL is fine. */
-void clod_series_close(clod_series **self);
+/** Close and null the pointer; NULL is fine. False when what was written may be lost. */
+bool clod_series_close(clod_series **self, clod_status *status);

@@ -9,6 +9,7 @@
 
 #include "base/memory.h"
 #include "output/file.h"
+#include "output/folder_files.h"
 #include "output/hdf.h"
 #include "output/hdf_series.h"
 #include "output/wall_mesh.h"
@@ -216,30 +217,27 @@ static bool build_picture(const clod_state *state, int kind, void **image, size_
     return finished && good;
 }
 
-static bool series_path(char path[PATH_MAX], const char *directory, const char *stem, int kind,
+static bool name_series(char name[NAME_MAX + 1], const char *stem, int kind,
                         clod_status *status)
 {
-    char name[NAME_MAX + 1];
-    if ((size_t)snprintf(name, sizeof name, "%s%s%s.hdf.series", stem,
-                         kind == GRAINS ? "" : "_",
-                         kind == GRAINS ? "" : KINDS[kind]) >= sizeof name) {
-        return clod_file_fail(status, "name a series", stem, ENAMETOOLONG);
-    }
-    return clod_file_path(path, PATH_MAX, directory, name, status);
+    return (size_t)snprintf(name, NAME_MAX + 1, "%s%s%s.hdf.series", stem,
+                            kind == GRAINS ? "" : "_",
+                            kind == GRAINS ? "" : KINDS[kind]) <= NAME_MAX ||
+           clod_file_fail(status, "name a series", stem, ENAMETOOLONG);
 }
 
 /** Write one picture and put it into its series. */
-static bool write_picture(const char *directory, const char *stem, int64_t number,
-                          const clod_state *state, int kind, clod_status *status)
+static bool write_picture(const clod_folder *folder, const char *stem, int64_t number,
+                          const clod_state *state, int kind, clod_snapshot_film *film,
+                          clod_status *status)
 {
-    char name[NAME_MAX + 1], path[PATH_MAX], series[PATH_MAX];
+    char name[NAME_MAX + 1], series[NAME_MAX + 1];
     const bool plain = strcmp(stem, "run") == 0;
     if ((size_t)snprintf(name, sizeof name, "%s%s%s_%06" PRId64 ".hdf", plain ? "" : stem,
                          plain ? "" : "_", KINDS[kind], number) >= sizeof name) {
         return clod_file_fail(status, "name a snapshot", stem, ENAMETOOLONG);
     }
-    if (!clod_file_path(path, sizeof path, directory, name, status) ||
-        !series_path(series, directory, stem, kind, status)) {
+    if (!name_series(series, stem, kind, status)) {
         return false;
     }
     void *image;
@@ -247,26 +245,41 @@ static bool write_picture(const char *directory, const char *stem, int64_t numbe
     if (!build_picture(state, kind, &image, &size, status)) {
         return false;
     }
-    const bool done = clod_file_replace(path, image, size, NULL, 0, status);
+    const bool done = clod_folder_replace(folder, name, image, size, NULL, 0, status);
     clod_memory_free(image);
-    return done && clod_hdf_series_add(series, name, state->time, status);
+    return done &&
+           clod_hdf_series_add(folder, series, name, state->time, &film->crc32[kind], status);
 }
 
-bool clod_snapshot_write(const char *directory, const char *stem, int64_t number,
-                         const clod_state *state, bool contacts, clod_status *status)
+bool clod_snapshot_write(const clod_folder *folder, const char *stem, int64_t number,
+                         const clod_state *state, bool contacts, clod_snapshot_film *film,
+                         clod_status *status)
 {
-    return write_picture(directory, stem, number, state, GRAINS, status) &&
-           write_picture(directory, stem, number, state, WALLS, status) &&
-           (!contacts || write_picture(directory, stem, number, state, CONTACTS, status));
+    return write_picture(folder, stem, number, state, GRAINS, film, status) &&
+           write_picture(folder, stem, number, state, WALLS, film, status) &&
+           (!contacts || write_picture(folder, stem, number, state, CONTACTS, film, status));
 }
 
-bool clod_snapshot_resume(const char *directory, const char *stem, double time,
+bool clod_snapshot_resume(const clod_folder *folder, const char *stem, double time,
                           clod_status *status)
 {
     for (int kind = GRAINS; kind <= CONTACTS; kind++) {
-        char path[PATH_MAX];
-        if (!series_path(path, directory, stem, kind, status) ||
-            !clod_hdf_series_cut(path, time, status)) {
+        char series[NAME_MAX + 1];
+        if (!name_series(series, stem, kind, status) ||
+            !clod_hdf_series_cut(folder, series, time, status)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool clod_snapshot_check(const clod_folder *folder, const char *stem, double time,
+                         const clod_snapshot_film *film, clod_status *status)
+{
+    for (int kind = GRAINS; kind <= CONTACTS; kind++) {
+        char series[NAME_MAX + 1];
+        if (!name_series(series, stem, kind, status) ||
+            !clod_hdf_series_check(folder, series, time, film->crc32[kind], status)) {
             return false;
         }
     }

@@ -8,8 +8,15 @@
  * docs/howto/paraview.md.
  */
 
-#include "clod/status.h"
+#include <stdint.h>
+
+#include "output/folder.h"
 #include "state/state.h"
+
+/** Checksums of the series of grains, walls and contacts, as last written; 0: none was. */
+typedef struct clod_snapshot_film {
+    uint64_t crc32[3];
+} clod_snapshot_film;
 
 /**
  * Write grains and walls, and contacts when asked, and put them into their series.
@@ -17,16 +24,21 @@
  * The series keeps only entries of earlier times, so a resumed run leaves the index of an
  * uninterrupted one.
  *
- * @param directory  folder, must exist
  * @param stem       name of the series; "run" is left out of the names of the single files
  * @param number     number in the names of the files
  * @param contacts   also write the grain-grain contacts of state->contacts
+ * @param film       [in,out] checksums of the series
  * Errors  CLOD_FAILED: no folder, disk full, no memory, an index that is not ours.
  * Threads one per stem.   Test  tests/output/test_snapshot.c
  */
-bool clod_snapshot_write(const char *directory, const char *stem, int64_t number,
-                         const clod_state *state, bool contacts, clod_status *status);
+bool clod_snapshot_write(const clod_folder *folder, const char *stem, int64_t number,
+                         const clod_state *state, bool contacts, clod_snapshot_film *film,
+                         clod_status *status);
 
 /** Drop from the series, and remove, the snapshots later than `time` [s]; none is fine. */
-bool clod_snapshot_resume(const char *directory, const char *stem, double time,
+bool clod_snapshot_resume(const clod_folder *folder, const char *stem, double time,
                           clod_status *status);
+
+/** Whether the series up to `time` are those of the film, or not there; nothing is changed. */
+bool clod_snapshot_check(const clod_folder *folder, const char *stem, double time,
+                         const clod_snapshot_film *film, clod_status *status);

@@ -3,7 +3,7 @@
 void clod_barrier_init(clod_barrier *self, int threads)
 {
     atomic_init(&self->arrived, 0);
-    clod_gate_init(&self->round);
+    clod_gate_init(&self->round, threads);
     self->threads = threads;
 }
 

@@ -15,9 +15,14 @@ typedef struct clod_gate {
     atomic_int sleepers;
     pthread_mutex_t lock; ///< of the sleepers only
     pthread_cond_t woken;
+    _Alignas(64) atomic_int spins; ///< looks before a waiting thread falls asleep, now
+    atomic_uint waits;             ///< with fewer looks than at most
+    int most;                      ///< looks at most; 0: more threads than processors
 } clod_gate;
 
-void clod_gate_init(clod_gate *self);
+/** @param threads  of the team; more than there are processors fall asleep at once: whoever
+ * spins keeps the one that is waited for from its processor */
+void clod_gate_init(clod_gate *self, int threads);
 
 /** How many times it has been opened. */
 uint64_t clod_gate_opened(const clod_gate *self);

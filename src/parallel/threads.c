@@ -21,6 +21,12 @@ int clod_threads_available(void)
     return omp_get_num_procs();
 }
 
+int clod_threads_take(int wanted)
+{
+    const int most = clod_threads_available();
+    return wanted > 0 && wanted < most ? wanted : most;
+}
+
 static void *work(void *argument)
 {
     job_queue *queue = argument;

@@ -22,6 +22,10 @@ static inline clod_chunk clod_threads_chunk(size_t count, int part, int parts)
 /** Number of processors this process may use. */
 int clod_threads_available(void);
 
+/** Threads of a run that was asked for `wanted`, 0 = all: no more than there are processors,
+ * since more only wait for each other. */
+int clod_threads_take(int wanted);
+
 /**
  * Run `count` independent jobs on at most `workers` threads; job k starts before job k + 1.
  *

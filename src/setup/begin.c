@@ -1,5 +1,10 @@
 #include "setup/begin.h"
 
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "setup/grains.h"
 #include "setup/jenike_cell.h"
 #include "setup/ring_cell.h"
 #include "setup/state.h"
@@ -18,4 +23,78 @@ bool clod_begin_state(const clod_case *from, int64_t seed, clod_state *state,
         return clod_setup_uniaxial_cell(from, seed, state, status);
     }
     return clod_setup_state(from, seed, state, status);
+}
+
+static bool cell_amount(const clod_case *from, clod_sizes *sizes, clod_amount *amount,
+                        clod_status *status)
+{
+    if (from->ring_shear.present) {
+        return clod_ring_cell_amount(from, sizes, amount, status);
+    }
+    return from->jenike.present ? clod_jenike_cell_amount(from, sizes, amount, status)
+                                : clod_uniaxial_cell_amount(from, sizes, amount, status);
+}
+
+bool clod_begin_expect(const clod_case *from, double *grains, clod_status *status)
+{
+    if (clod_case_tester(from) == NULL) {
+        return clod_setup_grains_expect(from, grains, status);
+    }
+    clod_sizes sizes;
+    clod_amount amount;
+    if (!cell_amount(from, &sizes, &amount, status)) {
+        return false;
+    }
+    *grains = clod_amount_expect(&amount);
+    return clod_amount_fits(amount.key, *grains, status);
+}
+
+bool clod_begin_fill(const clod_case *from, double *grains, clod_status *status)
+{
+    clod_sizes sizes;
+    clod_amount amount;
+    if (!cell_amount(from, &sizes, &amount, status)) {
+        return false;
+    }
+    amount.count = 0;
+    *grains = round(clod_amount_expect(&amount));
+    return true;
+}
+
+/** The share of a group; a number takes the place of a mass or a height. */
+static bool thin_groups(clod_case *thin, double share, clod_status *status)
+{
+    for (size_t k = 0; k < thin->grains_count; k++) {
+        clod_case one = *thin;
+        double grains;
+        one.grains = &thin->grains[k];
+        one.grains_count = 1;
+        if (!clod_setup_grains_expect(&one, &grains, status)) {
+            return false;
+        }
+        thin->grains[k].count = (int64_t)ceil(grains * share);
+        thin->grains[k].mass = thin->grains[k].fill_height = 0.0;
+    }
+    return true;
+}
+
+bool clod_begin_sample(const clod_case *from, double expected, double most, clod_state *state,
+                       clod_status *status)
+{
+    clod_case thin = *from;
+    *state = (clod_state){0};
+    if (clod_case_tester(from) != NULL) {
+        thin.ring_shear.grain_count = thin.jenike.grain_count = thin.uniaxial.grain_count =
+            (int64_t)fmin(most, expected);
+        return clod_begin_state(&thin, from->seed, state, status);
+    }
+    thin.grains = clod_memory_alloc(from->grains_count, sizeof *thin.grains);
+    if (thin.grains == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for a sample of the grains");
+    }
+    memcpy(thin.grains, from->grains, from->grains_count * sizeof *thin.grains);
+    const bool good = thin_groups(&thin, fmin(1.0, most / expected), status) &&
+                      clod_begin_state(&thin, from->seed, state, status);
+    clod_memory_free(thin.grains);
+    return good;
 }

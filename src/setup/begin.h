@@ -8,6 +8,25 @@
 #include "state/state.h"
 
 /**
+ * Grains that a case will have for one seed, without making one; those of files do not count.
+ * Errors  CLOD_USAGE: more than this machine can hold.   Threads  pure.
+ * Test    tests/setup/test_setup_amount.c
+ */
+bool clod_begin_expect(const clod_case *from, double *grains, clod_status *status);
+
+/** Grains that fill the cell of the case's tester, whatever number it asks for. */
+bool clod_begin_fill(const clod_case *from, double *grains, clod_status *status);
+
+/**
+ * A state as of clod_begin_state with about `most` of its grains, for estimates of a case that
+ * has too many: every group has its share. Grains of files are all there.
+ *
+ * @param expected  number of grains of the whole case
+ */
+bool clod_begin_sample(const clod_case *from, double expected, double most, clod_state *state,
+                       clod_status *status);
+
+/**
  * Build the cell of the case's tester, or the state of its free run.
  *
  * @param seed   of sizes and places

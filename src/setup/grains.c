@@ -5,11 +5,16 @@
 
 #include "base/assert.h"
 #include "base/memory.h"
+#include "base/plural.h"
 #include "base/sort.h"
+#include "setup/amount.h"
 #include "setup/domain.h"
 #include "setup/grains_file.h"
 #include "setup/insertion.h"
 #include "setup/insertion_grid.h"
+
+#define MASS_OFF 0.05 ///< of the mass asked for, that the grains may weigh more or less
+#define KEY_TEXT 64
 
 /** Base area of a region [m2]. */
 static double base_area(const clod_case_region *region)
@@ -21,42 +26,135 @@ static double base_area(const clod_case_region *region)
                    region->inner_radius * region->inner_radius);
 }
 
-/** Number of grains of a group that is not given one by one. */
-static size_t group_count(const clod_case_grains *group, const clod_insertion *what)
+/** Number or solid volume that a group asks for; `key` is its text, made here. */
+static clod_amount group_amount(const clod_case *from, size_t k, const clod_sizes *sizes,
+                                char key[KEY_TEXT])
 {
-    if (group->count > 0) {
-        return (size_t)group->count;
-    }
-    const double volume = group->mass > 0.0 ? group->mass / what->density
-                                            : group->fill_height * group->fill_fraction *
-                                                  base_area(&group->region);
-    return clod_sizes_count(what->sizes, what->seed, what->first_id, volume);
-}
-
-static bool insert_group(const clod_case *from, const clod_case_grains *group, const char *name,
-                         int64_t seed, uint64_t *next_id, clod_state *state,
-                         clod_status *status)
-{
+    const clod_case_grains *group = &from->grains[k];
     const int material = clod_case_material_index(from, group->material);
     CLOD_ASSERT(material >= 0); // checked at load
-    clod_sizes sizes;
-    clod_insertion what = {
-        .name = name,
-        .region = &group->region,
-        .sizes = &sizes,
-        .seed = (uint64_t)seed,
-        .first_id = *next_id,
-        .material = (uint16_t)material,
-        .density = from->materials[material].density,
-        .velocity = {group->velocity[0], group->velocity[1], group->velocity[2]}};
-    bool good = clod_sizes_init(&sizes, group, status);
-    if (good) {
-        what.count = group_count(group, &what);
-        good = clod_insert_region(state, &what, status);
-        *next_id += what.count;
+    const double density = from->materials[material].density;
+    const char *word = group->count > 0 ? "count" : group->mass > 0.0 ? "mass" : "fill_height";
+    snprintf(key, KEY_TEXT, "grains[%zu].%s", k, word);
+    return (clod_amount){.key = key,
+                         .sizes = sizes,
+                         .count = group->count,
+                         .volume = group->mass > 0.0
+                                       ? group->mass / density
+                                       : group->fill_height * group->fill_fraction *
+                                             base_area(&group->region),
+                         .density = density};
+}
+
+bool clod_setup_grains_expect(const clod_case *from, double *grains, clod_status *status)
+{
+    *grains = 0.0;
+    bool good = true;
+    for (size_t k = 0; good && k < from->grains_count; k++) {
+        char key[KEY_TEXT];
+        clod_sizes sizes;
+        if (from->grains[k].file != NULL) {
+            continue;
+        }
+        good = clod_sizes_init(&sizes, &from->grains[k], status);
+        if (good) {
+            const clod_amount amount = group_amount(from, k, &sizes, key);
+            *grains += clod_amount_expect(&amount);
+            good = clod_amount_fits(key, *grains, status);
+        }
         clod_sizes_fini(&sizes);
     }
     return good;
+}
+
+double clod_setup_grains_mass(const clod_case *from)
+{
+    double mass = 0.0;
+    for (size_t k = 0; k < from->grains_count; k++) {
+        char key[KEY_TEXT];
+        if (from->grains[k].file != NULL || from->grains[k].count > 0) {
+            return 0.0;
+        }
+        const clod_amount amount = group_amount(from, k, NULL, key);
+        mass += amount.volume * amount.density;
+    }
+    return mass;
+}
+
+bool clod_setup_grains_say_off(const clod_case *from, const clod_grains *grains, char *text,
+                               size_t size)
+{
+    const double asked = clod_setup_grains_mass(from);
+    double mass = 0.0;
+    for (size_t g = 0; g < grains->count; g++) {
+        mass += grains->motion[g][3];
+    }
+    if (!(asked > 0.0) || !(fabs(mass - asked) > MASS_OFF * asked)) {
+        return false;
+    }
+    snprintf(
+        text, size,
+        "%zu grain%s of %.3g kg in all stand for the %.3g kg that mass or fill_height asks "
+        "for: the nearest that whole grains of these sizes give. Ask for more, or for "
+        "smaller grains",
+        grains->count, clod_plural((double)grains->count), mass, asked);
+    return true;
+}
+
+static bool insert_group(const clod_case *from, size_t k, int64_t seed, uint64_t *next_id,
+                         clod_state *state, clod_status *status)
+{
+    const clod_case_grains *group = &from->grains[k];
+    char name[KEY_TEXT];
+    char key[KEY_TEXT];
+    clod_sizes sizes;
+    bool good = clod_sizes_init(&sizes, group, status);
+    if (good) {
+        const clod_amount amount = group_amount(from, k, &sizes, key);
+        snprintf(name, sizeof name, "grains[%zu]", k);
+        const clod_insertion what = {
+            .name = name,
+            .region = &group->region,
+            .sizes = &sizes,
+            .seed = (uint64_t)seed,
+            .first_id = *next_id,
+            .count = clod_amount_count(&amount, (uint64_t)seed, *next_id, status),
+            .material = (uint16_t)clod_case_material_index(from, group->material),
+            .density = amount.density,
+            .velocity = {group->velocity[0], group->velocity[1], group->velocity[2]}};
+        good = what.count > 0 && clod_insert_region(state, &what, status);
+        *next_id += what.count;
+    }
+    clod_sizes_fini(&sizes);
+    return good;
+}
+
+/**
+ * Grains lie in the domain. In a periodic direction one may be beyond it by a diameter of the
+ * largest, as in the files of a code that wraps grains only now and then.
+ */
+static bool check_places(const clod_case *from, const clod_state *state, clod_status *status)
+{
+    const clod_grains *grains = &state->grains;
+    double diameter = 0.0;
+    for (size_t g = 0; g < grains->count; g++) {
+        diameter = fmax(diameter, 2.0 * grains->place[g][3]);
+    }
+    for (size_t g = 0; from->has_domain && g < grains->count; g++) {
+        for (int a = 0; a < 3; a++) {
+            const double beyond = from->periodic[a] ? diameter : 0.0;
+            const double x = grains->place[g][a];
+            if (!(x >= from->domain_min[a] - beyond && x <= from->domain_max[a] + beyond)) {
+                return clod_status_fail(
+                    status, CLOD_USAGE,
+                    "grains: grain %llu is outside the domain: %c = %g m, allowed %g to %g m; "
+                    "move it, or enlarge the domain",
+                    (unsigned long long)grains->id[g], "xyz"[a], x, from -> domain_min[a],
+                    from -> domain_max[a]);
+            }
+        }
+    }
+    return true;
 }
 
 /** Every id belongs to one grain only. */
@@ -91,17 +189,15 @@ bool clod_setup_grains(const clod_case *from, int64_t seed, clod_state *state,
     uint64_t next_id = 1;
     for (size_t k = 0; k < from->grains_count; k++) {
         const clod_case_grains *group = &from->grains[k];
-        char name[32];
-        snprintf(name, sizeof name, "grains[%zu]", k);
         const bool good =
             group->file != NULL
                 ? clod_grains_file_read(from, group, &next_id, &state->grains, status)
-                : insert_group(from, group, name, seed, &next_id, state, status);
+                : insert_group(from, k, seed, &next_id, state, status);
         if (!good) {
             return false;
         }
     }
-    return check_ids(&state->grains, status);
+    return check_ids(&state->grains, status) && check_places(from, state, status);
 }
 
 bool clod_setup_worst_overlap(const clod_state *state, clod_setup_overlap *worst,

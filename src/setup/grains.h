@@ -8,12 +8,35 @@
 #include "state/state.h"
 
 /**
+ * Number of grains to expect of all groups, without making one; those of files do not count.
+ * Errors  CLOD_USAGE: more than this machine can hold; CLOD_FAILED.   Threads  pure.
+ */
+bool clod_setup_grains_expect(const clod_case *from, double *grains, clod_status *status);
+
+/**
+ * Mass of all grains that the case asks for [kg]; 0 when a group does not say one, neither by
+ * mass nor by fill_height.
+ */
+double clod_setup_grains_mass(const clod_case *from);
+
+/**
+ * Say so when the grains weigh 5 % more or less than the case asks for: whole grains do not
+ * make up every mass.
+ *
+ * @return  false: nothing to say
+ * Threads  pure.   Test  tests/sim/test_check_amount.c, tests/cli/test_messages.py
+ */
+bool clod_setup_grains_say_off(const clod_case *from, const clod_grains *grains, char *text,
+                               size_t size);
+
+/**
  * Append the grains of a case to a state whose walls and domain are there.
  *
  * Ids go from 1 upwards, group after group; a file may bring its own.
  *
  * @param seed   of sizes and places
- * Errors  CLOD_USAGE: grains that do not fit, a wrong file, an id twice; CLOD_FAILED.
+ * Errors  CLOD_USAGE: grains that do not fit, an amount below one grain or beyond memory, a
+ *         wrong file, a grain outside the domain, an id twice; CLOD_FAILED.
  * Threads pure.   Test  tests/setup/test_setup_state.c
  */
 bool clod_setup_grains(const clod_case *from, int64_t seed, clod_state *state,

@@ -1,10 +1,12 @@
 #include "setup/grains_file.h"
 
-#include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/input.h"
 #include "base/memory.h"
+#include "base/plural.h"
 #include "config/unit.h"
 
 typedef enum column {
@@ -210,6 +212,11 @@ static bool read_material(const reader *r, size_t f, int *material)
     return read_fail(r, r->fields[f], "no material of the case has this name");
 }
 
+// As the keys of a case allow for radii and places.
+#define RADIUS_LEAST 1e-9 ///< m
+#define RADIUS_MOST 10.0
+#define PLACE_MOST 1e4
+
 /** Largest id that a double holds together with all smaller ones. */
 #define ID_MOST 9007199254740992.0
 
@@ -223,9 +230,10 @@ static bool read_row(reader *r, uint64_t *next_id, clod_grains *grains)
     int material =
         r->group->material != NULL ? clod_case_material_index(r->from, r->group->material) : -1;
     if (r->field_count != r->column_count) {
-        return clod_status_fail(
-            r->status, CLOD_USAGE, "%s:%zu:1: %zu values, but the header has %zu columns",
-            r->group->file, r->line_number, r->field_count, r->column_count);
+        return clod_status_fail(r->status, CLOD_USAGE,
+                                "%s:%zu:1: %zu value%s, but the header has %zu columns",
+                                r->group->file, r->line_number, r->field_count,
+                                clod_plural((double)r->field_count), r->column_count);
     }
     for (size_t f = 0; f < r->field_count; f++) {
         const column c = r->columns[f];
@@ -233,8 +241,11 @@ static bool read_row(reader *r, uint64_t *next_id, clod_grains *grains)
                                    : read_number(r, f, &value[c]))) {
             return false;
         }
-        if (c == COLUMN_RADIUS && !(value[c] > 0.0)) {
-            return read_fail(r, r->fields[f], "a radius must be positive");
+        if (c == COLUMN_RADIUS && !(value[c] >= RADIUS_LEAST && value[c] <= RADIUS_MOST)) {
+            return read_fail(r, r->fields[f], "a radius must be from 1 nm to 10 m");
+        }
+        if (c < COLUMN_RADIUS && !(fabs(value[c]) <= PLACE_MOST)) {
+            return read_fail(r, r->fields[f], "a place must be within 10 km of the origin");
         }
         if (c == COLUMN_ID && !(value[c] >= 0.0 && value[c] < ID_MOST &&
                                 value[c] == (double)(uint64_t)value[c])) {
@@ -278,39 +289,17 @@ static bool read_lines(reader *r, const char *text, uint64_t *next_id, clod_grai
 /** The whole file with a closing 0; owned, NULL with a status. */
 static char *load(const char *path, clod_status *status)
 {
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        clod_status_fail(status, CLOD_USAGE, "%s: cannot be opened: %s", path, strerror(errno));
+    char *text;
+    size_t size;
+    if (!clod_input_read(path, SIZE_MAX, &text, &size, status)) {
         return NULL;
     }
-    char *text = NULL;
-    size_t size = 0;
-    size_t capacity = 0;
-    bool memory = true;
-    while (memory && size + 1 >= capacity && ferror(file) == 0) {
-        const size_t wanted = capacity == 0 ? 65536 : 2 * capacity;
-        char *grown = clod_memory_grow(text, capacity, wanted, 1);
-        memory = grown != NULL;
-        if (memory) {
-            text = grown;
-            capacity = wanted;
-            size += fread(text + size, 1, capacity - size - 1, file);
-        }
-    }
-    const int problem = ferror(file) != 0 ? errno : 0;
-    fclose(file);
-    if (!memory) {
-        clod_status_fail(status, CLOD_FAILED, "%s: no memory to read it", path);
-    } else if (problem != 0) {
-        clod_status_fail(status, CLOD_FAILED, "%s: cannot be read: %s", path,
-                         strerror(problem));
-    } else if (strlen(text) != size) {
+    if (strlen(text) != size) {
         clod_status_fail(status, CLOD_USAGE, "%s: it is no text file", path);
-    } else {
-        return text;
+        clod_memory_free(text);
+        return NULL;
     }
-    clod_memory_free(text);
-    return NULL;
+    return text;
 }
 
 bool clod_grains_file_read(const clod_case *from, const clod_case_grains *group,
@@ -321,7 +310,7 @@ bool clod_grains_file_read(const clod_case *from, const clod_case_grains *group,
         return false;
     }
     reader r = {.from = from, .group = group, .status = status, .line_number = 1};
-    const bool good = read_lines(&r, text, next_id, grains);
+    const bool good = read_lines(&r, text + clod_input_mark(text), next_id, grains);
     clod_memory_free(text);
     return good;
 }

@@ -4,9 +4,11 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/plural.h"
 #include "base/random.h"
 #include "base/sort.h"
 #include "setup/insertion_space.h"
+#include "state/limits.h"
 
 /** Grains keep this fraction of their radius away from everything, against rounding. */
 #define CLEARANCE 1e-6
@@ -30,10 +32,13 @@ typedef struct clod_insertion_batch {
     size_t reached;     ///< grains that found a place
 } clod_insertion_batch;
 
-static bool batch_init(clod_insertion_batch *self, const clod_insertion *what,
+static bool batch_init(clod_insertion_batch *self, const clod_insertion *what, size_t grains,
                        clod_status *status)
 {
     *self = (clod_insertion_batch){.what = what};
+    if (!clod_limits_grains(grains + what->count, status)) {
+        return false;
+    }
     self->place = clod_memory_alloc(what->count + 1, sizeof *self->place);
     if (self->place == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", what->count);
@@ -222,15 +227,16 @@ static bool no_room(const clod_insertion_batch *batch, const clod_insertion_spac
     const clod_insertion *what = batch->what;
     return clod_status_fail(
         status, CLOD_USAGE,
-        "%s: only %zu of %zu grains fit into the region (%s, x %g to %g m, y %g to %g m, z %g "
+        "%s: only %zu of %zu grain%s fit%s into the region (%s, x %g to %g m, y %g to %g m, z "
+        "%g "
         "to %g m) clear of walls and of each other; their solid volume is %.3g times that of "
         "the region, 0.3 fits at random and about 0.45 in layers. Make the region larger (it "
         "may be "
         "higher than the settled bed), or ask for fewer or smaller grains",
-        what->name, batch->reached, what->count,
-        space->region->kind == CLOD_REGION_BOX ? "box" : "annulus", space->low[0],
-        space->high[0], space->low[1], space->high[1], space->low[2], space->high[2],
-        batch->volume / clod_insertion_space_volume(space));
+        what->name, batch->reached, what->count, clod_plural((double)what->count),
+        what->count == 1 ? "s" : "", space->region->kind == CLOD_REGION_BOX ? "box" : "annulus",
+        space->low[0], space->high[0], space->low[1], space->high[1], space->low[2],
+        space->high[2], batch->volume / clod_insertion_space_volume(space));
 }
 
 /** Fill a region by one method, from an empty region on. */
@@ -258,7 +264,8 @@ static bool fill(clod_insertion_batch *batch, const clod_state *state, bool rand
 bool clod_insert_region(clod_state *state, const clod_insertion *what, clod_status *status)
 {
     clod_insertion_batch batch;
-    bool good = batch_init(&batch, what, status) && fill(&batch, state, true, status);
+    bool good = batch_init(&batch, what, state->grains.count, status) &&
+                fill(&batch, state, true, status);
     if (good && batch.reached < what->count) {
         good = fill(&batch, state, false, status);
     }
@@ -299,7 +306,7 @@ bool clod_insert_annulus_column(clod_state *state, const clod_insertion *what, d
     const clod_case_region *region = what->region;
     const double outer = region->outer_radius;
     const double inner = region->inner_radius;
-    bool good = batch_init(&batch, what, status);
+    bool good = batch_init(&batch, what, state->grains.count, status);
     const double area = M_PI * (outer * outer - inner * inner);
     const double top =
         region->center[2] + batch.volume / (COLUMN_LEAST * area) + 40.0 * batch.largest;

@@ -71,7 +71,7 @@ static size_t cell_index(const clod_insertion_grid *self, int32_t x, int32_t y, 
 
 static bool cell_clear(const clod_insertion_grid *self, size_t cell, const double place[4])
 {
-    for (int32_t n = self->head[cell]; n >= 0; n = self->note[n].next) {
+    for (int64_t n = self->head[cell]; n >= 0; n = self->note[n].next) {
         if (!apart(place, self->note[n].place)) {
             return false;
         }
@@ -98,7 +98,7 @@ bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double pla
 static void cell_overlap(const clod_insertion_grid *self, size_t cell, const double place[4],
                          double *worst, size_t *sphere)
 {
-    for (int32_t n = self->head[cell]; n >= 0; n = self->note[n].next) {
+    for (int64_t n = self->head[cell]; n >= 0; n = self->note[n].next) {
         const double *other = self->note[n].place;
         if (!apart(place, other)) {
             const double x = place[0] - other[0];
@@ -107,7 +107,7 @@ static void cell_overlap(const clod_insertion_grid *self, size_t cell, const dou
             const double overlap = place[3] + other[3] - sqrt(x * x + y * y + z * z);
             if (overlap > *worst) {
                 *worst = overlap;
-                *sphere = (size_t)self->note[n].sphere;
+                *sphere = self->note[n].sphere;
             }
         }
     }
@@ -134,8 +134,7 @@ static bool note_in(clod_insertion_grid *self, size_t cell, const double place[4
     if (self->count == self->capacity) {
         const size_t capacity = self->capacity + self->capacity / 2 + 1024;
         void *note = clod_memory_grow(self->note, self->capacity, capacity, sizeof *self->note);
-        if (note == NULL || capacity > INT32_MAX) {
-            self->note = note != NULL ? note : self->note;
+        if (note == NULL) {
             return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
         }
         self->note = note;
@@ -145,7 +144,7 @@ static bool note_in(clod_insertion_grid *self, size_t cell, const double place[4
     memcpy(note->place, place, sizeof note->place);
     note->next = self->head[cell];
     note->sphere = self->spheres;
-    self->head[cell] = (int32_t)self->count++;
+    self->head[cell] = (int64_t)self->count++;
     return true;
 }
 

@@ -14,8 +14,8 @@
 /** A sphere as noted in one cell. */
 typedef struct clod_insertion_note {
     double place[4]; ///< centre and radius [m]
-    int32_t next;    ///< next note of the cell, -1 at the end
-    int32_t sphere;  ///< how many spheres were added before it
+    int64_t next;    ///< next note of the cell, -1 at the end
+    size_t sphere;   ///< how many spheres were added before it
 } clod_insertion_note;
 
 typedef struct clod_insertion_grid {
@@ -24,10 +24,10 @@ typedef struct clod_insertion_grid {
     double largest;         ///< m, radius of the largest sphere that is asked about
     double inverse[3];      ///< cells per metre
     int32_t cells[3];
-    int32_t *head;             ///< [cells] first note, -1 when there is none; owned
+    int64_t *head;             ///< [cells] first note, -1 when there is none; owned
     clod_insertion_note *note; ///< owned
     size_t count, capacity;    ///< notes
-    int32_t spheres;
+    size_t spheres;
 } clod_insertion_grid;
 
 /**

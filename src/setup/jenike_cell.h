@@ -5,6 +5,7 @@
  */
 
 #include "clod/case.h"
+#include "setup/amount.h"
 #include "state/state.h"
 
 /** The cell's walls, in this order. The axis of the lower two is the z axis. */
@@ -19,6 +20,13 @@ typedef enum clod_jenike_cell_wall {
 
 /** Area of the shear plane [m2]. */
 double clod_jenike_cell_area(const clod_case_jenike *cell);
+
+/**
+ * What the case asks for: a number of grains, or the solid volume that fills the cell.
+ * @param sizes  [out] of the grains, borrowed by the amount; owns no memory
+ */
+bool clod_jenike_cell_amount(const clod_case *from, clod_sizes *sizes, clod_amount *amount,
+                             clod_status *status);
 
 /** Number of grains, from the case or from the rings' heights and fill_fraction. */
 size_t clod_jenike_cell_count(const clod_case *from, int64_t seed, clod_status *status);

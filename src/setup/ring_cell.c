@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "setup/cell_part.h"
 #include "setup/walls.h"
 
@@ -35,17 +36,28 @@ static double solid_volume(const clod_case_ring_shear *cell)
     return cell->fill_fraction * (clod_ring_cell_area(cell) * cell->depth - bars);
 }
 
-size_t clod_ring_cell_count(const clod_case *from, int64_t seed, clod_status *status)
+bool clod_ring_cell_amount(const clod_case *from, clod_sizes *sizes, clod_amount *amount,
+                           clod_status *status)
 {
     const clod_case_ring_shear *cell = &from->ring_shear;
+    const int material = clod_case_material_index(from, cell->grain_material);
+    CLOD_ASSERT(material >= 0); // checked at load
+    const double volume = solid_volume(cell);
+    *amount = (clod_amount){.key = "ring_shear",
+                            .sizes = sizes,
+                            .count = cell->grain_count,
+                            .volume = volume,
+                            .density = from->materials[material].density};
+    return cell_sizes(cell, sizes, status);
+}
+
+size_t clod_ring_cell_count(const clod_case *from, int64_t seed, clod_status *status)
+{
     clod_sizes sizes;
-    if (cell->grain_count > 0) {
-        return (size_t)cell->grain_count;
-    }
-    if (!cell_sizes(cell, &sizes, status)) {
-        return 0;
-    }
-    return clod_sizes_count(&sizes, (uint64_t)seed, 1, solid_volume(cell));
+    clod_amount amount;
+    return clod_ring_cell_amount(from, &sizes, &amount, status)
+               ? clod_amount_count(&amount, (uint64_t)seed, 1, status)
+               : 0;
 }
 
 /** A radial bar; `bottom` is the height of its lower face. */
@@ -137,7 +149,7 @@ static bool fill_cell(const clod_case *from, int64_t seed, clod_state *state, do
                                          .count = clod_ring_cell_count(from, seed, status),
                                          .inner = cell->inner_radius,
                                          .outer = cell->outer_radius};
-    return clod_cell_part_fill(from, &what, state, height, status);
+    return what.count > 0 && clod_cell_part_fill(from, &what, state, height, status);
 }
 
 bool clod_setup_ring_cell(const clod_case *from, int64_t seed, clod_state *state,

@@ -5,6 +5,9 @@
 #include "base/memory.h"
 #include "base/random.h"
 
+/** Pieces of equal probability over which the volume of a normal distribution is averaged. */
+#define MEAN_PIECES 2000
+
 /** Probability of the standard normal distribution below x. */
 static double normal_below(double x)
 {
@@ -135,20 +138,59 @@ double clod_sizes_radius(const clod_sizes *self, uint64_t seed, uint64_t id)
     return clod_sizes_quantile(self, clod_random_uniform(seed, CLOD_RANDOM_RADIUS, id, 0));
 }
 
-size_t clod_sizes_count(const clod_sizes *self, uint64_t seed, uint64_t first_id, double volume)
+static double sphere(double radius)
 {
-    double filled = 0.0;
+    return 4.0 / 3.0 * M_PI * radius * radius * radius;
+}
+
+/** Mean of D^3 over the classes, 1/D^3 being uniform in each. */
+static double sieve_mean_cube(const clod_sizes *self)
+{
+    double mean = 0.0;
+    for (size_t c = 0; c < self->class_count; c++) {
+        const clod_sizes_class *k = &self->classes[c];
+        mean += k->share * log(k->small / k->large) / (k->small - k->large);
+    }
+    return mean;
+}
+
+double clod_sizes_mean_volume(const clod_sizes *self)
+{
+    const double a = self->min;
+    const double b = self->max;
+    if (self->kind == CLOD_SIZE_SIEVE) {
+        return M_PI / 6.0 * sieve_mean_cube(self);
+    }
+    if (self->kind == CLOD_SIZE_UNIFORM) { // (b^4 - a^4) / (4 (b - a))
+        return M_PI / 3.0 * (a + b) * (a * a + b * b);
+    }
+    double mean = 0.0;
+    for (int k = 0; k < MEAN_PIECES; k++) {
+        mean += sphere(clod_sizes_quantile(self, (k + 0.5) / MEAN_PIECES)) / MEAN_PIECES;
+    }
+    return mean;
+}
+
+double clod_sizes_largest_volume(const clod_sizes *self)
+{
+    return sphere(self->max);
+}
+
+size_t clod_sizes_count(const clod_sizes *self, uint64_t seed, uint64_t first_id, double volume,
+                        double *put)
+{
     size_t count = 0;
     double grain = 0.0;
-    while (filled < volume) {
-        const double radius = clod_sizes_radius(self, seed, first_id + count++);
-        grain = 4.0 / 3.0 * M_PI * radius * radius * radius;
-        filled += grain;
+    *put = 0.0;
+    while (*put < volume || count == 0) {
+        grain = sphere(clod_sizes_radius(self, seed, first_id + count++));
+        *put += grain;
     }
-    if (count > 1 && filled - volume > 0.5 * grain) {
+    if (count > 1 && *put - volume > 0.5 * grain) {
         count--; // without the last grain it is nearer
+        *put -= grain;
     }
-    return count > 0 ? count : 1;
+    return count;
 }
 
 void clod_sizes_fini(clod_sizes *self)

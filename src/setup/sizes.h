@@ -51,12 +51,22 @@ double clod_sizes_quantile(const clod_sizes *self, double u);
 double clod_sizes_radius(const clod_sizes *self, uint64_t seed, uint64_t id);
 
 /**
+ * Mean volume of a grain [m3], the mean taken by number: exact for a sieve table and a uniform
+ * distribution, to 1e-4 for a normal one.
+ */
+double clod_sizes_mean_volume(const clod_sizes *self);
+
+/** Volume of the largest grain that there may be [m3]. */
+double clod_sizes_largest_volume(const clod_sizes *self);
+
+/**
  * Number of grains whose solid volume comes nearest to the one wanted, at least 1.
  *
  * @param first_id  the grains' ids are first_id, first_id + 1, ...
  * @param volume    m3
+ * @param put       [out] volume of these grains [m3]
  */
-size_t clod_sizes_count(const clod_sizes *self, uint64_t seed, uint64_t first_id,
-                        double volume);
+size_t clod_sizes_count(const clod_sizes *self, uint64_t seed, uint64_t first_id, double volume,
+                        double *put);
 
 void clod_sizes_fini(clod_sizes *self);

@@ -14,11 +14,11 @@
 
 /** Totals of the grains of a state. */
 typedef struct clod_setup_bed {
-    double radius_min, radius_mean; ///< m
-    double mass, volume;            ///< kg, m3 of solid
-    double speed;                   ///< m/s, fastest grain
-    double area;                    ///< m2, of the grains' bounding box seen along gravity
-    double gravity;                 ///< m/s2
+    double radius_mean;  ///< m
+    double mass, volume; ///< kg, m3 of solid
+    double speed;        ///< m/s, fastest grain
+    double area;         ///< m2, of the grains' bounding box seen along gravity
+    double gravity;      ///< m/s2
 } clod_setup_bed;
 
 static double length3(const double v[3])
@@ -39,7 +39,7 @@ static double shadow(const double low[3], const double high[3], const double gra
 
 static clod_setup_bed measure_bed(const clod_state *state)
 {
-    clod_setup_bed bed = {.radius_min = HUGE_VAL, .gravity = length3(state->gravity)};
+    clod_setup_bed bed = {.gravity = length3(state->gravity)};
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (size_t g = 0; g < state->grains.count; g++) {
@@ -49,7 +49,6 @@ static clod_setup_bed measure_bed(const clod_state *state)
             low[a] = fmin(low[a], place[a] - r);
             high[a] = fmax(high[a], place[a] + r);
         }
-        bed.radius_min = fmin(bed.radius_min, r);
         bed.radius_mean += r / (double)state->grains.count;
         bed.mass += state->grains.motion[g][3];
         bed.volume += 4.0 / 3.0 * M_PI * r * r * r;
@@ -133,35 +132,44 @@ static void free_load(const clod_case *from, const clod_state *state, const clod
     grains->speed = bed->speed + fall + wall_speed;
 }
 
+/** The grains and walls that there are; stress and speed of the case or as they are now. */
+static void meet_bed(const clod_case *from, const clod_state *state, clod_timestep_sizes *sizes,
+                     bool *is_wall, clod_timestep_grains *grains)
+{
+    for (size_t g = 0; g < state->grains.count; g++) {
+        clod_timestep_add(&sizes[state->grains.material[g]], 1.0, state->grains.place[g][3]);
+    }
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        is_wall[state->walls.wall[w].material] = true;
+    }
+    *grains = (clod_timestep_grains){
+        .sizes = sizes, .is_wall = is_wall, .stress = from->time.design_stress};
+    if (grains->stress == 0.0) {
+        grains->stress = clod_case_tester_stress(from);
+    }
+    if (grains->stress == 0.0) {
+        const clod_setup_bed bed = measure_bed(state);
+        free_load(from, state, &bed, grains);
+    }
+}
+
 bool clod_setup_timestep(const clod_case *from, const clod_state *state, clod_timestep *result,
                          clod_status *status)
 {
     *result = (clod_timestep){0};
-    bool *present = clod_memory_alloc(2 * from->material_count + 1, sizeof *present);
-    if (present == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for the time step");
+    const size_t materials = from->material_count + 1; // never an array of none
+    clod_timestep_sizes *sizes = clod_memory_alloc(materials, sizeof *sizes);
+    bool *is_wall = clod_memory_alloc(materials, sizeof *is_wall);
+    const bool good = sizes != NULL && is_wall != NULL;
+    if (good) {
+        clod_timestep_grains grains;
+        meet_bed(from, state, sizes, is_wall, &grains);
+        *result = clod_timestep_choose(from, &grains);
     }
-    for (size_t g = 0; g < state->grains.count; g++) {
-        present[state->grains.material[g]] = true;
-    }
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        present[from->material_count + state->walls.wall[w].material] = true;
-    }
-    const clod_setup_bed bed = measure_bed(state);
-    clod_timestep_grains grains = {.radius_min = bed.radius_min,
-                                   .radius_mean = bed.radius_mean,
-                                   .stress = from->time.design_stress,
-                                   .is_grain = present,
-                                   .is_wall = present + from->material_count};
-    if (grains.stress == 0.0) {
-        grains.stress = clod_case_tester_stress(from);
-    }
-    if (grains.stress == 0.0) {
-        free_load(from, state, &bed, &grains);
-    }
-    *result = clod_timestep_choose(from, &grains);
-    clod_memory_free(present);
-    return clod_timestep_accept(result, status);
+    clod_memory_free(sizes);
+    clod_memory_free(is_wall);
+    return good ? clod_timestep_accept(result, status)
+                : clod_status_fail(status, CLOD_FAILED, "no memory for the time step");
 }
 
 /** Fraction of critical that the case asks for a wall's damping. */

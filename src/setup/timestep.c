@@ -1,8 +1,10 @@
 #include "setup/timestep.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "law/law_cycle.h"
+#include "setup/collision.h"
 
 /** Overlap assumed at least, as a fraction of the radius: a bed without load is not soft. */
 #define LEAST_OVERLAP 1e-4
@@ -13,11 +15,20 @@ typedef struct clod_timestep_spring {
     double stiffness, mass;
 } clod_timestep_spring;
 
+/** One of the two that meet, as a sphere; a wall has no end. */
+typedef struct clod_timestep_body {
+    double least, mean; ///< m, radii of the smallest and of the mean grain
+    double density;     ///< kg/m3
+} clod_timestep_body;
+
 /** A pair of materials at the estimated load. */
 typedef struct clod_timestep_pair {
     clod_law law;
+    clod_timestep_body a, b;
     bool wall;
-    double m_star;  ///< kg, of the lightest grains
+    double m_star;  ///< kg, of the smallest grains
+    double r_star;  ///< m, of the mean grains
+    double radius;  ///< m, of the smaller mean grain
     double overlap; ///< m
     double force;   ///< N
 } clod_timestep_pair;
@@ -52,30 +63,53 @@ double clod_timestep_force(double stress, double radius)
     return stress * 4.0 * radius * radius;
 }
 
-/** Reduced mass of two grains of one radius; with a wall the grain's own. */
-static double reduced_mass(const clod_case *from, int a, int b, bool wall, double radius)
+void clod_timestep_add(clod_timestep_sizes *self, double count, double radius)
 {
-    const double volume = 4.0 / 3.0 * M_PI * radius * radius * radius;
-    const double mass_a = volume * from->materials[a].density;
-    const double mass_b = volume * from->materials[b].density;
-    return wall ? mass_a : mass_a * mass_b / (mass_a + mass_b);
+    self->least = self->count > 0.0 ? fmin(self->least, radius) : radius;
+    self->sum += count * radius;
+    self->count += count;
+}
+
+static double sphere_mass(double radius, double density)
+{
+    return 4.0 / 3.0 * M_PI * radius * radius * radius * density;
+}
+
+/** Reduced mass of two grains; with a wall the grain's own. */
+static double reduced_mass(const clod_timestep_pair *pair, double radius_a, double radius_b)
+{
+    const double mass_a = sphere_mass(radius_a, pair->a.density);
+    const double mass_b = sphere_mass(radius_b, pair->b.density);
+    return pair->wall ? mass_a : mass_a * mass_b / (mass_a + mass_b);
+}
+
+static clod_timestep_body make_body(const clod_case *from, const clod_timestep_grains *grains,
+                                    int material)
+{
+    const clod_timestep_sizes *sizes = &grains->sizes[material];
+    return (clod_timestep_body){.least = sizes->least,
+                                .mean = sizes->sum / sizes->count,
+                                .density = from->materials[material].density};
 }
 
 static clod_timestep_pair make_pair(const clod_case *from, const clod_timestep_grains *grains,
                                     int a, int b, bool wall)
 {
-    const double radius = grains->radius_mean;
-    const double r_star = wall ? radius : 0.5 * radius;
     clod_timestep_pair pair = {.wall = wall};
     pair.law =
         clod_law_make(clod_case_pair(from, a, b), &from->materials[a], &from->materials[b]);
-    pair.m_star = reduced_mass(from, a, b, wall, grains->radius_min);
-    const double force = clod_timestep_force(grains->stress, radius);
-    const double rest = clod_law_cycle_overlap(&pair.law, r_star, force);
-    const double mass = reduced_mass(from, a, b, wall, radius);
-    const double impact = clod_timestep_impact(&pair.law, r_star, mass, grains->speed);
-    pair.overlap = fmax(fmax(rest, impact), LEAST_OVERLAP * radius);
-    pair.force = clod_law_cycle_force(&pair.law, r_star, pair.overlap);
+    pair.a = make_body(from, grains, a);
+    pair.b =
+        wall ? (clod_timestep_body){HUGE_VAL, HUGE_VAL, HUGE_VAL} : make_body(from, grains, b);
+    pair.m_star = reduced_mass(&pair, pair.a.least, pair.b.least);
+    pair.r_star = pair.a.mean / (1.0 + pair.a.mean / pair.b.mean);
+    pair.radius = fmin(pair.a.mean, pair.b.mean);
+    const double force = clod_timestep_force(grains->stress, pair.radius);
+    const double rest = clod_law_cycle_overlap(&pair.law, pair.r_star, force);
+    const double mass = reduced_mass(&pair, pair.a.mean, pair.b.mean);
+    const double impact = clod_timestep_impact(&pair.law, pair.r_star, mass, grains->speed);
+    pair.overlap = fmax(fmax(rest, impact), LEAST_OVERLAP * pair.radius);
+    pair.force = clod_law_cycle_force(&pair.law, pair.r_star, pair.overlap);
     return pair;
 }
 
@@ -90,26 +124,41 @@ static clod_timestep_spring stiffer(clod_timestep_spring a, clod_timestep_spring
 }
 
 /**
- * The spring of a pair with the shortest period. Masses: a slip moves and turns both grains,
- * 1/m* + R^2/I each gives 2/7 m*; rolling turns them alone, with a stiffness per R*^2, which
- * gives (I/2)/(R/2)^2 = 1.6 m* for two equal grains and 0.4 m* at a wall.
+ * Mass on a rolling spring as a multiple of m*: rolling turns the grains alone, with a
+ * stiffness per R*^2, so it is I_a I_b/(I_a + I_b)/R*^2, I = 0.4 m R^2: 1.6 m* for two equal
+ * grains and 0.4 m* at a wall.
  */
-static clod_timestep_spring stiffest_spring(const clod_timestep_pair *pair, double radius)
+static double turning_ratio(const clod_timestep_pair *pair)
+{
+    if (pair->wall) {
+        return 0.4;
+    }
+    const double a = pair->a.least;
+    const double b = pair->b.least;
+    const double mass_a = sphere_mass(a, pair->a.density);
+    const double mass_b = sphere_mass(b, pair->b.density);
+    return 0.4 * ((mass_a + mass_b) * (a + b) * (a + b) / (mass_a * a * a + mass_b * b * b));
+}
+
+/**
+ * The spring of a pair with the shortest period. Masses: a slip moves and turns both grains,
+ * 1/m* + R^2/I each gives 2/7 m* whatever their sizes.
+ */
+static clod_timestep_spring stiffest_spring(const clod_timestep_pair *pair)
 {
     const clod_law *law = &pair->law;
-    const double r_star = pair->wall ? radius : 0.5 * radius;
-    const double loading = clod_law_tangent(law, pair->overlap, r_star);
+    const double loading = clod_law_tangent(law, pair->overlap, pair->r_star);
     const double tangential = law->tangential == CLOD_TANGENTIAL_LITERAL
                                   ? law->literal_stiffness
                                   : law->tangent_ratio * loading;
-    const double unloading = clod_timestep_unloading(law, r_star, pair->overlap);
+    const double unloading = clod_timestep_unloading(law, pair->r_star, pair->overlap);
     double rolling = 0.0; // cdt has no spring
     if (law->rolling == CLOD_ROLLING_EPSD) {
         rolling = law->epsd_ratio * loading;
     } else if (law->rolling == CLOD_ROLLING_EPSD2) {
         rolling = tangential;
     }
-    const double turning = (pair->wall ? 0.4 : 1.6) * pair->m_star;
+    const double turning = turning_ratio(pair) * pair->m_star;
     clod_timestep_spring s = {CLOD_TIMESTEP_UNLOADING, unloading, pair->m_star};
     if (law->friction > 0.0) {
         s = stiffer(s, (clod_timestep_spring){CLOD_TIMESTEP_TANGENTIAL, tangential,
@@ -118,12 +167,21 @@ static clod_timestep_spring stiffest_spring(const clod_timestep_pair *pair, doub
     return stiffer(s, (clod_timestep_spring){CLOD_TIMESTEP_ROLLING, rolling, turning});
 }
 
+/** Smaller Rayleigh time of the grains of a pair; 0 when neither material has a modulus. */
+static double pair_rayleigh(const clod_case *from, const clod_timestep_pair *pair, int a, int b)
+{
+    const double first = clod_timestep_rayleigh(&from->materials[a], pair->a.least);
+    const double second =
+        pair->wall ? 0.0 : clod_timestep_rayleigh(&from->materials[b], pair->b.least);
+    return first > 0.0 && second > 0.0 ? fmin(first, second) : fmax(first, second);
+}
+
 /** Take a pair's numbers into the result when it asks for a smaller step than all before. */
 static void meet(const clod_case *from, const clod_timestep_grains *grains, int a, int b,
                  bool wall, clod_timestep *self)
 {
     const clod_timestep_pair pair = make_pair(from, grains, a, b, wall);
-    const clod_timestep_spring spring = stiffest_spring(&pair, grains->radius_mean);
+    const clod_timestep_spring spring = stiffest_spring(&pair);
     const double period = spring_period(spring);
     if (!(self->limit > 0.0) || period / M_PI < self->limit) {
         self->limit = period / M_PI;
@@ -131,12 +189,13 @@ static void meet(const clod_case *from, const clod_timestep_grains *grains, int 
         self->limit_a = from->materials[a].name;
         self->limit_b = from->materials[b].name;
         self->limit_wall = wall;
+        self->limit_radius_a = pair.a.least;
+        self->limit_radius_b = wall ? 0.0 : pair.b.least;
     }
     double step = from->time.safety * period / M_PI;
     clod_timestep_reason reason = spring.reason;
     if (pair.law.kind == CLOD_LAW_HERTZ) {
-        const double rayleigh = clod_timestep_rayleigh(&from->materials[a], grains->radius_min);
-        step = from->time.rayleigh_limit * rayleigh;
+        step = from->time.rayleigh_limit * pair_rayleigh(from, &pair, a, b);
         reason = CLOD_TIMESTEP_RAYLEIGH;
     }
     if (self->automatic > 0.0 && step >= self->automatic) {
@@ -147,15 +206,18 @@ static void meet(const clod_case *from, const clod_timestep_grains *grains, int 
     self->material_a = a;
     self->material_b = b;
     self->wall = wall;
+    self->radius_a = pair.a.least;
+    self->radius_b = wall ? 0.0 : pair.b.least;
     self->stiffness = spring.stiffness;
     self->mass = spring.mass;
     self->period = period;
     self->critical = period / M_PI;
-    const double r_star = wall ? grains->radius_mean : 0.5 * grains->radius_mean;
-    self->unloading = clod_timestep_unloading(&pair.law, r_star, pair.overlap);
+    self->collision = clod_collision_time(&pair.law, pair.r_star, pair.m_star, pair.overlap);
+    self->unloading = clod_timestep_unloading(&pair.law, pair.r_star, pair.overlap);
+    self->radius = pair.radius;
     self->force = pair.force;
     self->overlap = pair.overlap;
-    self->overlap_ratio = pair.overlap / grains->radius_mean;
+    self->overlap_ratio = pair.overlap / pair.radius;
 }
 
 static const char *reason_text(clod_timestep_reason reason)
@@ -177,27 +239,39 @@ static double smallest_rayleigh(const clod_case *from, const clod_timestep_grain
 {
     double smallest = 0.0;
     for (size_t m = 0; m < from->material_count; m++) {
-        const double t = clod_timestep_rayleigh(&from->materials[m], grains->radius_min);
-        if (grains->is_grain[m] && t > 0.0 && (smallest == 0.0 || t < smallest)) {
+        const double t = clod_timestep_rayleigh(&from->materials[m], grains->sizes[m].least);
+        if (grains->sizes[m].count > 0.0 && t > 0.0 && (smallest == 0.0 || t < smallest)) {
             smallest = t;
         }
     }
     return smallest;
 }
 
+/** All pairs that can meet; with `alone`, single grains also with their like. */
+static void meet_all(const clod_case *from, const clod_timestep_grains *grains, bool alone,
+                     clod_timestep *self)
+{
+    const int materials = (int)from->material_count;
+    for (int a = 0; a < materials; a++) {
+        const double count = grains->sizes[a].count;
+        for (int b = 0; count > 0.0 && b < materials; b++) {
+            const bool pair = b > a ? grains->sizes[b].count > 0.0 : count > 1.0 || alone;
+            if (pair && b >= a) {
+                meet(from, grains, a, b, false, self);
+            }
+            if (grains->is_wall[b]) {
+                meet(from, grains, a, b, true, self);
+            }
+        }
+    }
+}
+
 clod_timestep clod_timestep_choose(const clod_case *from, const clod_timestep_grains *grains)
 {
     clod_timestep self = {0};
-    const int materials = (int)from->material_count;
-    for (int a = 0; a < materials; a++) {
-        for (int b = 0; grains->is_grain[a] && b < materials; b++) {
-            if (grains->is_grain[b] && b >= a) {
-                meet(from, grains, a, b, false, &self);
-            }
-            if (grains->is_wall[b]) {
-                meet(from, grains, a, b, true, &self);
-            }
-        }
+    meet_all(from, grains, false, &self);
+    if (!(self.limit > 0.0)) { // nothing can meet: as if there were a second grain
+        meet_all(from, grains, true, &self);
     }
     self.given = from->time.step > 0.0;
     self.step = self.given ? from->time.step : self.automatic;
@@ -207,17 +281,29 @@ clod_timestep clod_timestep_choose(const clod_case *from, const clod_timestep_gr
     return self;
 }
 
+/** A material with the radius of its smallest grain, or as a wall. */
+static void describe(const char *name, double radius, char text[96])
+{
+    if (radius > 0.0) {
+        snprintf(text, 96, "%.48s (radius %.4g mm)", name, 1e3 * radius);
+    } else {
+        snprintf(text, 96, "%.48s (wall)", name);
+    }
+}
+
 bool clod_timestep_accept(const clod_timestep *self, clod_status *status)
 {
     if (!self->given || !(self->limit > 0.0) || self->step <= self->limit) {
         return true;
     }
+    char a[96], b[96];
+    describe(self->limit_a, self->limit_radius_a, a);
+    describe(self->limit_b, self->limit_radius_b, b);
     return clod_status_fail(
         status, CLOD_USAGE,
         "time.step: %.4g s is beyond the critical step of the stiffest contact, under %.4g N "
-        "between %s and %s%s (time.design_stress changes this load): the run would blow up. It "
+        "between %s and %s (time.design_stress changes this load): the run would blow up. It "
         "must be at most %.4g s, which is the largest stable step of a single contact; write "
         "auto, which takes %.4g s",
-        self->step, self->limit_force, self->limit_a, self->limit_b,
-        self->limit_wall ? " (wall)" : "", self->limit, self->automatic);
+        self->step, self->limit_force, a, b, self->limit, self->automatic);
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "setup/cell_part.h"
 #include "setup/walls.h"
 
@@ -20,18 +21,28 @@ static bool cell_sizes(const clod_case_uniaxial *cell, clod_sizes *sizes, clod_s
                                   cell->radius_max, status);
 }
 
-size_t clod_uniaxial_cell_count(const clod_case *from, int64_t seed, clod_status *status)
+bool clod_uniaxial_cell_amount(const clod_case *from, clod_sizes *sizes, clod_amount *amount,
+                               clod_status *status)
 {
     const clod_case_uniaxial *cell = &from->uniaxial;
-    clod_sizes sizes;
-    if (cell->grain_count > 0) {
-        return (size_t)cell->grain_count;
-    }
-    if (!cell_sizes(cell, &sizes, status)) {
-        return 0;
-    }
+    const int material = clod_case_material_index(from, cell->grain_material);
+    CLOD_ASSERT(material >= 0); // checked at load
     const double volume = cell->fill_fraction * clod_uniaxial_cell_area(cell) * cell->height;
-    return clod_sizes_count(&sizes, (uint64_t)seed, 1, volume);
+    *amount = (clod_amount){.key = "uniaxial",
+                            .sizes = sizes,
+                            .count = cell->grain_count,
+                            .volume = volume,
+                            .density = from->materials[material].density};
+    return cell_sizes(cell, sizes, status);
+}
+
+size_t clod_uniaxial_cell_count(const clod_case *from, int64_t seed, clod_status *status)
+{
+    clod_sizes sizes;
+    clod_amount amount;
+    return clod_uniaxial_cell_amount(from, &sizes, &amount, status)
+               ? clod_amount_count(&amount, (uint64_t)seed, 1, status)
+               : 0;
 }
 
 /** The pan, which the grains need; mould and lid follow from the grains. */
@@ -96,7 +107,7 @@ bool clod_setup_uniaxial_cell(const clod_case *from, int64_t seed, clod_state *s
                                          .count = clod_uniaxial_cell_count(from, seed, status),
                                          .outer = 0.5 * cell->diameter};
     double height = 0.0;
-    if (!clod_cell_part_fill(from, &what, state, &height, status)) {
+    if (what.count == 0 || !clod_cell_part_fill(from, &what, state, &height, status)) {
         return false;
     }
     close_cell(cell, height, state);

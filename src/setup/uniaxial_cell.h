@@ -5,6 +5,7 @@
  */
 
 #include "clod/case.h"
+#include "setup/amount.h"
 #include "state/state.h"
 
 /** The cell's walls, in this order. */
@@ -17,6 +18,13 @@ typedef enum clod_uniaxial_cell_wall {
 
 /** Area of the mould [m2]. */
 double clod_uniaxial_cell_area(const clod_case_uniaxial *cell);
+
+/**
+ * What the case asks for: a number of grains, or the solid volume that fills the cell.
+ * @param sizes  [out] of the grains, borrowed by the amount; owns no memory
+ */
+bool clod_uniaxial_cell_amount(const clod_case *from, clod_sizes *sizes, clod_amount *amount,
+                               clod_status *status);
 
 /** Number of grains, from the case or from height and fill_fraction. */
 size_t clod_uniaxial_cell_count(const clod_case *from, int64_t seed, clod_status *status);

@@ -4,12 +4,19 @@
 
 #include "law/law_cycle.h"
 #include "setup/begin.h"
-#include "setup/jenike_cell.h"
-#include "setup/ring_cell.h"
+#include "setup/collision.h"
 #include "setup/state.h"
 #include "setup/uniaxial_cell.h"
 #include "setup/walls.h"
 #include "sim/shear_cell.h"
+#include "sim/trial.h"
+
+/** Solid fraction of a cell that is filled at random: copper ore's has 0.287. */
+#define LOOSE_FRACTION 0.29
+
+#define TRIED_STEPS 100       ///< of a run, before anything is said of it
+#define TRIED_GRAINS 300000.0 ///< grains above which a case is neither made nor tried
+#define SAMPLE_GRAINS 20000.0 ///< that are made of such a case, for sizes and time step
 
 /** Solid fraction assumed of a settled bed of a free run. */
 #define BED_FRACTION 0.6
@@ -19,9 +26,9 @@ static double length3(const double v[3])
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
-static void look_at_grains(const clod_grains *grains, clod_check_report *report)
+static void look_at_grains(const clod_check_subject *subject, clod_check_report *report)
 {
-    report->grains = grains->count;
+    const clod_grains *grains = &subject->state.grains;
     report->radius_min = HUGE_VAL;
     for (size_t g = 0; g < grains->count; g++) {
         const double r = grains->place[g][3];
@@ -31,6 +38,30 @@ static void look_at_grains(const clod_grains *grains, clod_check_report *report)
         report->mass += grains->motion[g][3];
         report->solid_volume += 4.0 / 3.0 * M_PI * r * r * r;
     }
+    report->grains = grains->count;
+    if (subject->expected > 0.0) {
+        const double more = subject->expected / (double)grains->count;
+        report->sampled = grains->count;
+        report->grains = (size_t)subject->expected;
+        report->mass *= more;
+        report->solid_volume *= more;
+    }
+}
+
+/** How finely a collision of the pair that sets the step is cut, and what that does to e. */
+static void look_at_collision(const clod_check_subject *subject, clod_check_report *report)
+{
+    const clod_timestep *t = &subject->timestep;
+    const clod_case *from = subject->from;
+    const clod_case_contact *pair = clod_case_pair(from, t->material_a, t->material_b);
+    const clod_law law =
+        clod_law_make(pair, &from->materials[t->material_a], &from->materials[t->material_b]);
+    report->collision_steps = t->collision / t->step;
+    report->restitution = pair->restitution;
+    const clod_collision_range range =
+        clod_collision_restitution(&law, report->collision_steps);
+    report->restitution_least = range.least;
+    report->restitution_most = range.most;
 }
 
 static void look_at_step(const clod_check_subject *subject, clod_check_report *report)
@@ -45,6 +76,8 @@ static void look_at_step(const clod_check_subject *subject, clod_check_report *r
     report->pair_1 = materials[t->material_a].name;
     report->pair_2 = materials[t->material_b].name;
     report->pair_wall = t->wall;
+    report->pair_radius_1 = t->radius_a;
+    report->pair_radius_2 = t->radius_b;
     report->stiffness = t->stiffness;
     report->spring_mass = t->mass;
     report->rayleigh = t->rayleigh;
@@ -63,7 +96,8 @@ static void look_at_contact(const clod_check_subject *subject, clod_check_report
     } else if (clod_case_tester(from) != NULL) {
         report->stress = clod_case_tester_stress(from);
     } else { // the largest of loads, weight and impacts that the time step was made for
-        report->stress = subject->timestep.force / (4.0 * r * r);
+        const double smaller = subject->timestep.radius;
+        report->stress = subject->timestep.force / (4.0 * smaller * smaller);
     }
     report->contact_force = clod_timestep_force(report->stress, r);
     report->overlap = clod_law_cycle_overlap(law, 0.5 * r, report->contact_force);
@@ -86,24 +120,24 @@ static double inertial_number(const clod_check_subject *subject, double diameter
 static bool find_heights(const clod_check_subject *subject, clod_check_report *report,
                          clod_status *status)
 {
-    clod_case full = *subject->from;
-    full.ring_shear.grain_count = full.jenike.grain_count = full.uniaxial.grain_count = 0;
-    double depth = full.uniaxial.height;
-    if (report->kind == CLOD_CHECK_UNIAXIAL) {
-        report->full_grains = clod_uniaxial_cell_count(&full, full.seed, status);
-    } else {
-        depth = clod_shear_cell_of(&full).height;
-        report->full_grains = full.jenike.present
-                                  ? clod_jenike_cell_count(&full, full.seed, status)
-                                  : clod_ring_cell_count(&full, full.seed, status);
-    }
-    if (report->full_grains == 0) {
+    const clod_case *from = subject->from;
+    const clod_grains *grains = &subject->state.grains;
+    double full;
+    if (!clod_begin_fill(from, &full, status)) {
         return false;
     }
-    report->height_aimed = depth * (double)report->grains / (double)report->full_grains;
-    for (size_t g = 0; g < report->grains; g++) {
-        const double *place = subject->state.grains.place[g];
+    const bool shear = report->kind != CLOD_CHECK_UNIAXIAL;
+    const double depth = shear ? clod_shear_cell_of(from).height : from->uniaxial.height;
+    report->full_grains = (size_t)full;
+    report->height_aimed = depth * (double)report->grains / full;
+    for (size_t g = 0; g < grains->count; g++) {
+        const double *place = grains->place[g];
         report->height_loose = fmax(report->height_loose, place[2] + place[3]);
+    }
+    if (report->sampled > 0) {
+        const double area =
+            shear ? clod_shear_cell_of(from).area : clod_uniaxial_cell_area(&from->uniaxial);
+        report->height_loose = report->solid_volume / (LOOSE_FRACTION * area);
     }
     report->across_depth = report->height_aimed / (2.0 * report->radius_mean);
     return true;
@@ -176,11 +210,32 @@ static void look_at_servo(const clod_check_subject *subject, clod_check_report *
     }
 }
 
+/**
+ * The state with which the case begins, when it can: tried as a run does it. Of a case with
+ * very many grains only a sample is made: making all would take longer than an estimate may.
+ */
+static bool make_state(const clod_case *from, clod_check_subject *subject, clod_status *status)
+{
+    const clod_case_programme *shear = clod_case_shear(from);
+    const double seeds = shear != NULL ? (double)shear->seeds : 1.0;
+    const clod_run_options how = {.threads = 1, .simd = subject->options->simd};
+    double expected;
+    if (!clod_begin_expect(from, &expected, status)) {
+        return false;
+    }
+    if (expected * seeds > TRIED_GRAINS) {
+        subject->expected = expected;
+        return clod_begin_sample(from, expected, SAMPLE_GRAINS, &subject->state, status);
+    }
+    return clod_begin_state(from, from->seed, &subject->state, status) &&
+           clod_trial_run(from, &how, TRIED_STEPS, status);
+}
+
 static bool make_subject(const clod_case *from, const clod_check_options *options,
                          clod_check_subject *subject, clod_status *status)
 {
     *subject = (clod_check_subject){.from = from, .options = options};
-    if (!clod_begin_state(from, from->seed, &subject->state, status) ||
+    if (!make_state(from, subject, status) ||
         !clod_setup_timestep(from, &subject->state, &subject->timestep, status)) {
         return false;
     }
@@ -230,8 +285,9 @@ bool clod_check_report_make(const clod_case *from, const clod_check_options *opt
     clod_check_subject subject;
     bool good = make_subject(from, options, &subject, status);
     if (good) {
-        look_at_grains(&subject.state.grains, report);
+        look_at_grains(&subject, report);
         look_at_step(&subject, report);
+        look_at_collision(&subject, report);
         look_at_contact(&subject, report);
         look_at_servo(&subject, report);
         good = look_at_tester(&subject, report, status) &&

@@ -4,6 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/json.h"
+#include "base/memory.h"
+#include "base/plural.h"
 #include "sim/check.h"
 
 /** Text that grows in the caller's buffer. */
@@ -25,6 +28,8 @@ __attribute__((format(printf, 3, 4))) static void line(page *to, const char *nam
     to->used += length > 0 && (size_t)length < room ? (size_t)length : 0;
 }
 
+#define YEAR 31557600.0 ///< s
+
 /** A time on the clock in words, such as "2 h 05 min". */
 static const char *clock_words(double seconds, char words[32])
 {
@@ -35,8 +40,10 @@ static const char *clock_words(double seconds, char words[32])
     } else if (seconds < 2.0 * 86400.0) {
         const int minutes = (int)(seconds / 60.0);
         snprintf(words, 32, "%d h %02d min", minutes / 60, minutes % 60);
-    } else {
+    } else if (seconds < 2.0 * YEAR) {
         snprintf(words, 32, "%.1f days", seconds / 86400.0);
+    } else {
+        snprintf(words, 32, "%.3g years", seconds / YEAR);
     }
     return words;
 }
@@ -55,8 +62,9 @@ static const char *byte_words(double bytes, char words[32])
 
 static void write_grains(page *to, const clod_check_report *r)
 {
-    line(to, "grains", "%zu, radius %.4g .. %.4g mm, mean %.4g mm", r->grains,
-         1e3 * r->radius_min, 1e3 * r->radius_max, 1e3 * r->radius_mean);
+    line(to, "grains", "%s%zu, radius %.4g .. %.4g mm, mean %.4g mm",
+         r->sampled > 0 ? "about " : "", r->grains, 1e3 * r->radius_min, 1e3 * r->radius_max,
+         1e3 * r->radius_mean);
     line(to, "", "mass %.4g kg, solid volume %.4g cm3", r->mass, 1e6 * r->solid_volume);
 }
 
@@ -66,10 +74,18 @@ static void write_step(page *to, const clod_check_report *r)
     if (r->step_given) {
         line(to, "", "auto would take %.4g s", r->automatic);
     }
-    line(to, "", "set by the %s between %s and %s%s", r->reason, r->pair_1, r->pair_2,
-         r->pair_wall ? " (wall)" : "");
+    if (r->pair_wall) {
+        line(to, "", "set by the %s between %s (radius %.4g mm) and %s (wall)", r->reason,
+             r->pair_1, 1e3 * r->pair_radius_1, r->pair_2);
+    } else {
+        line(to, "", "set by the %s between %s (radius %.4g mm) and %s (radius %.4g mm)",
+             r->reason, r->pair_1, 1e3 * r->pair_radius_1, r->pair_2, 1e3 * r->pair_radius_2);
+    }
     line(to, "stiffest contact", "%.4g N/m on %.4g kg: critical step %.4g s", r->stiffness,
          r->spring_mass, r->critical);
+    line(to, "collision",
+         "of these two: %.3g steps; restitution %.3g comes back as %.4g to %.4g",
+         r->collision_steps, r->restitution, r->restitution_least, r->restitution_most);
     if (r->rayleigh > 0.0) {
         line(to, "Rayleigh time", "%.4g s; the step is %.3g %% of it%s", r->rayleigh,
              100.0 * r->rayleigh_fraction,
@@ -77,7 +93,7 @@ static void write_step(page *to, const clod_check_report *r)
                                  : " (for comparison: stiffness is given, E does not enter)");
     }
     if (r->servo_period > 0.0) {
-        line(to, "loaded wall", "swings on the bed in about %.3g s, %.0f steps",
+        line(to, "loaded wall", "swings on the bed in about %.3g s, %.3g time steps",
              r->servo_period, r->servo_period / r->step);
     }
 }
@@ -138,6 +154,38 @@ static void write_uniaxial(page *to, const clod_check_report *r)
     line(to, "mould", "%.1f grain diameters wide, %.1f high", r->across_width, r->across_depth);
 }
 
+/** What was timed; nothing when that went wrong, which a note says. */
+static void write_rate(page *to, const clod_check_report *r)
+{
+    char a[32], b[32];
+    if (!(r->rate > 0.0)) {
+        return;
+    }
+    line(to, "rate", "%.3g grain-steps/s with %d thread%s (%s, measured on %zu grains;",
+         r->rate, r->threads, clod_plural(r->threads), r->simd, r->timed_grains);
+    line(to, "", "the slowest of five measurements gave %.3g)", r->rate_slowest);
+    if (r->threads > 1) {
+        line(to, "", "%.3g with one", r->rate_one);
+    }
+    if (r->busy) {
+        line(to, "",
+             "other programs are at work: a thread had %.0f %% of a processor. The rates are "
+             "those "
+             "of a quiet machine%s; a run beside these programs takes %.1f times as long",
+             100.0 * r->processor_share,
+             r->threads > 1 ? ", what more threads gain is partly assumed" : "",
+             1.0 / r->processor_share);
+    }
+    if (is_test(r)) {
+        line(to, "wall-clock", "likely %s, at most %s; up to %d part%s side by side",
+             clock_words(r->clock_likely, a), clock_words(r->clock_most, b), r->side_by_side,
+             clod_plural(r->side_by_side));
+    } else {
+        line(to, "wall-clock", "%s at most", clock_words(r->clock_most, a));
+    }
+    line(to, "memory", "%s", byte_words(r->memory, a));
+}
+
 static void write_cost(page *to, const clod_check_report *r)
 {
     char a[32], b[32], c[32], d[32];
@@ -148,23 +196,13 @@ static void write_cost(page *to, const clod_check_report *r)
     } else {
         line(to, "simulated time", "%.3g s at most, %.3g steps", r->time_most, r->steps_most);
     }
-    line(to, "rate", "%.3g grain-steps/s with %d thread%s (%s, measured on %zu grains)",
-         r->rate, r->threads, r->threads > 1 ? "s" : "", r->simd, r->sample_grains);
-    if (r->threads > 1) {
-        line(to, "", "%.3g with one", r->rate_one);
-    }
-    if (is_test(r)) {
-        line(to, "wall-clock", "likely %s, at most %s; up to %d part%s side by side",
-             clock_words(r->clock_likely, a), clock_words(r->clock_most, b), r->side_by_side,
-             r->side_by_side > 1 ? "s" : "");
-    } else {
-        line(to, "wall-clock", "%s at most", clock_words(r->clock_most, a));
-    }
-    line(to, "memory", "%s", byte_words(r->memory, a));
+    write_rate(to, r);
     line(to, "disk", "%s: series %s, snapshots %s, checkpoints %s", byte_words(r->disk, a),
          byte_words(r->disk_series, b), byte_words(r->disk_snapshots, c),
          byte_words(r->disk_checkpoints, d));
     line(to, "", "%s free", byte_words(r->disk_free, a));
+    line(to, "outputs", "%.0f rows and %.0f snapshots%s", r->rows_most, r->snapshots_most,
+         is_test(r) ? " at most" : ", fewer when a stage ends early");
 }
 
 void clod_check_report_text(const clod_check_report *r, char text[CLOD_CHECK_TEXT])
@@ -220,8 +258,14 @@ static const entry REALS[] = {
     REAL("step_s", step),
     REAL("step_auto_s", automatic),
     REAL("step_critical_s", critical),
+    REAL("stiffest_radius_1_m", pair_radius_1),
+    REAL("stiffest_radius_2_m", pair_radius_2),
     REAL("stiffness_N_per_m", stiffness),
     REAL("spring_mass_kg", spring_mass),
+    REAL("collision_steps", collision_steps),
+    REAL("restitution", restitution),
+    REAL("restitution_least", restitution_least),
+    REAL("restitution_most", restitution_most),
     REAL("rayleigh_time_s", rayleigh),
     REAL("rayleigh_fraction", rayleigh_fraction),
     REAL("stress_Pa", stress),
@@ -238,9 +282,13 @@ static const entry REALS[] = {
     REAL("steps_most", steps_most),
     REAL("rate_one_thread_per_s", rate_one),
     REAL("rate_per_s", rate),
+    REAL("rate_slowest_per_s", rate_slowest),
+    REAL("processor_share", processor_share),
     REAL("wall_clock_likely_s", clock_likely),
     REAL("wall_clock_most_s", clock_most),
     REAL("memory_bytes", memory),
+    REAL("rows_most", rows_most),
+    REAL("snapshots_most", snapshots_most),
     REAL("disk_series_bytes", disk_series),
     REAL("disk_snapshots_bytes", disk_snapshots),
     REAL("disk_checkpoints_bytes", disk_checkpoints),
@@ -277,7 +325,8 @@ static void put_reals(json_t *to, const clod_check_report *r, const entry *entri
     for (size_t e = 0; e < count; e++) {
         double value;
         memcpy(&value, (const char *)r + entries[e].offset, sizeof value);
-        json_object_set_new(to, entries[e].key, json_real(value));
+        json_object_set_new(to, entries[e].key,
+                            isfinite(value) ? json_real(value) : json_null());
     }
 }
 
@@ -308,12 +357,14 @@ static json_t *make_json(const clod_check_report *r)
         return to;
     }
     json_object_set_new(to, "grains", json_integer((json_int_t)r->grains));
+    json_object_set_new(to, "grains_sampled", json_integer((json_int_t)r->sampled));
     json_object_set_new(to, "step_given", json_boolean(r->step_given));
     put_text(to, "step_reason", r->reason);
     put_text(to, "stiffest_material_1", r->pair_1);
     put_text(to, "stiffest_material_2", r->pair_2);
     json_object_set_new(to, "stiffest_is_wall", json_boolean(r->pair_wall));
     json_object_set_new(to, "rayleigh_imposed", json_boolean(r->rayleigh_imposed));
+    json_object_set_new(to, "machine_busy", json_boolean(r->busy));
     json_object_set_new(to, "processors", json_integer(r->processors));
     json_object_set_new(to, "threads", json_integer(r->threads));
     json_object_set_new(to, "parts_side_by_side", json_integer(r->side_by_side));
@@ -336,9 +387,11 @@ static json_t *make_json(const clod_check_report *r)
 bool clod_check_report_json(const clod_check_report *r, char text[CLOD_CHECK_TEXT])
 {
     json_t *json = make_json(r);
-    const size_t length = json_dumpb(json, text, CLOD_CHECK_TEXT - 1, JSON_INDENT(2));
+    char *whole = clod_json_text(json, JSON_INDENT(2));
     json_decref(json);
-    const bool good = length > 0 && length < CLOD_CHECK_TEXT;
-    text[good ? length : 0] = '\0';
+    const size_t length = whole != NULL ? strlen(whole) : CLOD_CHECK_TEXT;
+    const bool good = length < CLOD_CHECK_TEXT;
+    memcpy(text, good ? whole : "", good ? length + 1 : 1);
+    clod_memory_free(whole);
     return good;
 }

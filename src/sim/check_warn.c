@@ -2,7 +2,10 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "base/plural.h"
+#include "setup/grains.h"
 #include "sim/check.h"
+#include "sim/outputs.h"
 #include "sim/shear_cell.h"
 #include "tester/limits.h"
 
@@ -26,8 +29,7 @@ __attribute__((format(printf, 2, 3))) static void warn(clod_check_report *report
     }
 }
 
-__attribute__((format(printf, 2, 3))) static void note(clod_check_report *report,
-                                                       const char *format, ...)
+void clod_check_note(clod_check_report *report, const char *format, ...)
 {
     if (report->note_count < CLOD_CHECK_NOTES) {
         va_list args;
@@ -59,13 +61,21 @@ static void warn_step(clod_check_report *r)
     }
 }
 
-static void warn_contact(clod_check_report *r)
+static void warn_contact(const clod_case *from, clod_check_report *r)
 {
-    if (r->overlap_ratio > CLOD_LIMITS_OVERLAP_MEAN) {
+    const bool known = clod_case_tester(from) != NULL || from->time.design_stress > 0.0;
+    if (r->overlap_ratio > CLOD_LIMITS_OVERLAP_MEAN && known) {
         warn(r,
              "grains overlap by %.2f %% of their radius at %.4g kPa: density and contacts are "
              "no longer those of spheres (below %.0f %% is good). Raise the stiffness",
              100.0 * r->overlap_ratio, 1e-3 * r->stress, 100.0 * CLOD_LIMITS_OVERLAP_MEAN);
+    } else if (r->overlap_ratio > CLOD_LIMITS_OVERLAP_MEAN) {
+        warn(r,
+             "grains may overlap by %.2f %% of their radius: under weight and wall loads, or "
+             "where two meet with all the speed there can be, whatever its direction. Below "
+             "%.0f %% density and contacts are those of spheres. If they do, raise the "
+             "stiffness",
+             100.0 * r->overlap_ratio, 100.0 * CLOD_LIMITS_OVERLAP_MEAN);
     }
 }
 
@@ -84,7 +94,7 @@ static void warn_inertia(const clod_shear_cell *cell, clod_check_report *r)
     } else if (r->inertial_preshear > CLOD_LIMITS_INERTIA) {
         const double height = // the number goes with 1/height
             r->height_aimed * r->inertial_preshear / CLOD_LIMITS_INERTIA;
-        note(
+        clod_check_note(
             r,
             "%.3g mm/s may be too fast if the bed settles below %.3g mm (inertial number above "
             "%.2g): the results tell the height and warn of it. %.2g mm/s is slow enough at "
@@ -99,10 +109,10 @@ static void warn_count(const clod_shear_cell *cell, clod_check_report *r)
     const double part = (double)r->grains / (double)r->full_grains;
     if (part < FEW_GRAINS || part > MANY_GRAINS) {
         warn(r,
-             "%zu grains are %.0f %% of those that fill the depth (%zu): the specimen will be "
+             "%zu grain%s %.0f %% of those that fill the depth (%zu): the specimen will be "
              "some %.3g mm high, not %.3g mm. Change %s.grain_count, or write auto",
-             r->grains, 100.0 * part, r->full_grains, 1e3 * r->height_aimed, 1e3 * cell->height,
-             cell->key);
+             r->grains, r->grains == 1 ? " is" : "s are", 100.0 * part, r->full_grains,
+             1e3 * r->height_aimed, 1e3 * cell->height, cell->key);
     }
 }
 
@@ -131,21 +141,25 @@ static void warn_points(const clod_shear_cell *cell, clod_check_report *r)
     }
     if (shear->shear_stress_count < 3) {
         warn(r,
-             "%zu shear points: a line needs three or more to show its error; add some to "
+             "%zu shear point%s: a line needs three or more to show its error; add some to "
              "%s.shear_stresses",
-             shear->shear_stress_count, cell->key);
+             shear->shear_stress_count, clod_plural((double)shear->shear_stress_count),
+             cell->key);
     }
 }
 
-static void warn_lid(const clod_check_subject *subject, const clod_shear_cell *cell,
+/** The load of the run is the force between lid and solid: no weight acts beside it. */
+static void note_lid(const clod_check_subject *subject, const clod_shear_cell *cell,
                      clod_check_report *r)
 {
     const double weight = -cell->lid_mass * subject->from->gravity[2] / cell->area;
     if (weight > r->lowest_stress) {
-        warn(r,
-             "the lid alone weighs %.3g kPa, more than the lowest shear point, %.3g kPa: its "
-             "servo cannot lift it. Lower %s.lid_mass",
-             1e-3 * weight, 1e-3 * r->lowest_stress, cell->key);
+        clod_check_note(r,
+                        "a lid of this mass would press with %.3g kPa by its weight, more than "
+                        "the lowest shear point, %.3g kPa: the run holds that stress all the "
+                        "same, but in a laboratory the lid needs a counterweight. A lower "
+                        "%s.lid_mass does without",
+                        1e-3 * weight, 1e-3 * r->lowest_stress, cell->key);
     }
 }
 
@@ -166,7 +180,7 @@ static void warn_shear(const clod_check_subject *subject, clod_check_report *r)
         warn_bars(&subject->from->ring_shear, r);
     }
     warn_points(&cell, r);
-    warn_lid(subject, &cell, r);
+    note_lid(subject, &cell, r);
 }
 
 static void warn_uniaxial(const clod_case_uniaxial *test, clod_check_report *r)
@@ -186,7 +200,7 @@ static void warn_uniaxial(const clod_case_uniaxial *test, clod_check_report *r)
     }
 }
 
-static void warn_machine(clod_check_report *r)
+static void warn_machine(const clod_check_subject *subject, clod_check_report *r)
 {
     if (r->disk > r->disk_free) {
         warn(r,
@@ -194,35 +208,68 @@ static void warn_machine(clod_check_report *r)
              "output.snapshot_interval or output.series_interval, or use another folder (-o)",
              1e-9 * r->disk, 1e-9 * r->disk_free);
     }
-    if (r->threads > r->processors) {
-        warn(r, "%d threads on %d processors slow each other down. Use --threads %d",
-             r->threads, r->processors, r->processors);
+    if (subject->options->threads > r->processors) {
+        warn(r, "%d threads on %d processor%s slow each other down: a run takes %d",
+             subject->options->threads, r->processors, clod_plural(r->processors), r->threads);
     }
     if (r->rate < r->rate_one) {
-        warn(
-            r,
-            "%d threads were slower than one when measured: the machine is busy, or the grains "
-            "are too few. Run when it is quiet, or use --threads 1",
-            r->threads);
+        warn(r,
+             "%d threads were slower than one when measured: the grains are too few. Use "
+             "--threads 1",
+             r->threads);
     }
     const double each = (double)r->grains * r->side_by_side / r->threads;
     if (r->threads > 1 && each < THREAD_GRAINS) {
         warn(r,
-             "%.0f grains for each thread: threads wait for each other. --threads %.0f is "
+             "%.0f grain%s for each thread: threads wait for each other. --threads %.0f is "
              "likely as fast",
-             each, fmax(1.0, floor((double)r->grains * r->side_by_side / THREAD_GRAINS)));
+             each, clod_plural(round(each)),
+             fmax(1.0, floor((double)r->grains * r->side_by_side / THREAD_GRAINS)));
+    }
+}
+
+/** Whole grains do not make up every mass. */
+static void warn_mass(const clod_check_subject *subject, clod_check_report *r)
+{
+    char text[CLOD_CHECK_WARNING_TEXT];
+    if (r->sampled == 0 &&
+        clod_setup_grains_say_off(subject->from, &subject->state.grains, text, sizeof text)) {
+        warn(r, "%s", text);
+    }
+}
+
+/** What is not known of a case with too many grains to make them all. */
+static void note_sample(clod_check_report *r)
+{
+    if (r->sampled > 0) {
+        clod_check_note(r,
+                        "%zu grains are too many to put them for an estimate: sizes and time "
+                        "step are those of %zu of them, and the start was not tried. Only the "
+                        "run will tell whether all find room",
+                        r->grains, r->sampled);
+    }
+}
+
+static void warn_outputs(const clod_case *from, clod_check_report *r)
+{
+    char text[CLOD_CHECK_WARNING_TEXT];
+    if (clod_outputs_say_short(from, r->step, text, sizeof text)) {
+        warn(r, "%s", text);
     }
 }
 
 void clod_check_warn(const clod_check_subject *subject, clod_check_report *report)
 {
+    warn_outputs(subject->from, report);
     warn_step(report);
-    warn_contact(report);
+    warn_contact(subject->from, report);
     if (report->kind == CLOD_CHECK_RING_SHEAR || report->kind == CLOD_CHECK_JENIKE) {
         warn_shear(subject, report);
     }
     if (report->kind == CLOD_CHECK_UNIAXIAL) {
         warn_uniaxial(&subject->from->uniaxial, report);
     }
-    warn_machine(report);
+    warn_mass(subject, report);
+    warn_machine(subject, report);
+    note_sample(report);
 }

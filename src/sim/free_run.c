@@ -4,10 +4,17 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/plural.h"
+#include "base/text.h"
 #include "measure/contacts.h"
-#include "output/folder.h"
+#include "output/checkpoint.h"
+#include "output/folder_files.h"
+#include "setup/grains.h"
 #include "setup/state.h"
+#include "setup/walls.h"
 #include "sim/free_stages.h"
+#include "sim/job_store.h"
+#include "sim/origin.h"
 
 /** Columns before those of the walls, and of each wall. */
 static const char *const FIRST[] = {"time [s]", "stage [1]", "kinetic_energy [J]",
@@ -20,9 +27,22 @@ static const char *const PER_WALL[] = {"force_x [N]",    "force_y [N]",    "forc
 #define PER_WALL_COUNT (sizeof PER_WALL / sizeof *PER_WALL)
 #define COLUMN_TEXT 80
 
+/** Data of the procedure: where it is, and how each stage that is over ended. */
+typedef struct free_data {
+    clod_free_stages at;
+    clod_free_stage_end ended[]; ///< [stage_count]; step 0: not yet
+} free_data;
+
 static int64_t free_plan(const void *data, const void *context, const clod_state *state)
 {
-    return clod_free_stages_plan(data, context, state);
+    const free_data *self = data;
+    return clod_free_stages_plan(&self->at, context, state);
+}
+
+static bool free_look(void *data, const void *context, const clod_state *state)
+{
+    free_data *self = data;
+    return clod_free_stages_look(&self->at, context, state);
 }
 
 static void wall_columns(const clod_wall *wall, double *row)
@@ -46,25 +66,40 @@ static void wall_columns(const clod_wall *wall, double *row)
 
 static bool free_sample(void *data, const void *context, clod_state *state, double *row)
 {
-    const clod_free_stages *stages = data;
-    const double first[FIRST_COUNT] = {state->time, (double)stages->stage,
+    free_data *self = data;
+    const double first[FIRST_COUNT] = {state->time, (double)self->at.stage,
                                        clod_measure_kinetic_energy(state),
                                        clod_measure_max_speed(state)};
     memcpy(row, first, sizeof first);
     for (int32_t w = 0; w < state->walls.count; w++) {
         wall_columns(&state->walls.wall[w], row + FIRST_COUNT + (size_t)w * PER_WALL_COUNT);
     }
-    return clod_free_stages_next(data, context, state);
+    if (self->at.end != CLOD_FREE_GOES_ON) {
+        self->ended[self->at.stage] =
+            (clod_free_stage_end){.step = state->step, .reason = self->at.end};
+    }
+    return clod_free_stages_next(&self->at, context, state);
 }
 
 static const char *free_phase(const void *data, const void *context)
 {
-    return clod_free_stages_name(data, context);
+    const free_data *self = data;
+    return clod_free_stages_name(&self->at, context);
 }
 
 static double free_fraction(const void *data, const void *context)
 {
-    return clod_free_stages_fraction(data, context);
+    const free_data *self = data;
+    return clod_free_stages_fraction(&self->at, context);
+}
+
+/** Why the stage that ended last did. */
+static const char *free_reason(const void *data)
+{
+    const free_data *self = data;
+    const int64_t last =
+        self->at.end != CLOD_FREE_GOES_ON ? self->at.stage : self->at.stage - 1;
+    return clod_free_stages_reason((clod_free_end)self->ended[last].reason);
 }
 
 /** Header texts: fixed ones, then NAME.force_x [N] and so on; one block of owned text. */
@@ -83,26 +118,42 @@ static char (*make_columns(const clod_state *state, const char **columns))[COLUM
     return text;
 }
 
-static char *make_report(const clod_state *state)
+/** A line for each stage: when and why it ended. */
+static void report_stages(FILE *out, const clod_job *job)
 {
-    const size_t size = 512 + 160 * (size_t)state->walls.count;
-    char *text = clod_memory_alloc(size, 1);
-    if (text == NULL) {
+    const clod_case *from = job->sim->from;
+    const free_data *data = job->procedure.data;
+    for (size_t s = 0; s < from->stage_count; s++) {
+        const clod_free_stage_end *end = &data->ended[s];
+        fprintf(out, "  stage %-15s ended at %.6g s: %s\n", from->stages[s].name,
+                (double)end->step * job->state.dt,
+                clod_free_stages_reason((clod_free_end)end->reason));
+    }
+}
+
+/** Owned text; NULL without memory. */
+static char *make_report(const clod_job *job)
+{
+    const clod_state *state = &job->state;
+    const clod_measure_contacts bed = clod_measure_contacts_of(state);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    if (out == NULL) {
         return NULL;
     }
-    const clod_measure_contacts bed = clod_measure_contacts_of(state);
-    int used = snprintf(text, size,
-                        "time %.6g s, %lld steps, %zu grains, %zu contacts, coordination %.2f, "
-                        "largest overlap %.3g %% of a radius\n",
-                        state->time, (long long)state->step, state->grains.count, bed.pairs,
-                        bed.coordination, 100.0 * bed.max_overlap);
+    fprintf(out,
+            "time %.6g s, %lld step%s, %zu grain%s, %zu contact%s, coordination %.2f, largest "
+            "overlap %.3g %% of a radius\n",
+            state->time, (long long)state->step, clod_plural((double)state->step),
+            state->grains.count, clod_plural((double)state->grains.count), bed.pairs,
+            clod_plural((double)bed.pairs), bed.coordination, 100.0 * bed.max_overlap);
+    report_stages(out, job);
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
-        used += snprintf(text + used, size - (size_t)used,
-                         "  wall %-16s force (%.4g, %.4g, %.4g) N\n", wall->name, wall->force.x,
-                         wall->force.y, wall->force.z);
+        fprintf(out, "  wall %-16s force (%.4g, %.4g, %.4g) N\n", wall->name, wall->force.x,
+                wall->force.y, wall->force.z);
     }
-    return text;
+    return clod_text_close(&text);
 }
 
 static json_t *wall_json(const clod_wall *wall)
@@ -113,9 +164,22 @@ static json_t *wall_json(const clod_wall *wall)
                      wall->shift.z, "angle_rad", wall->angle);
 }
 
+static json_t *stages_json(const clod_job *job)
+{
+    const free_data *data = job->procedure.data;
+    json_t *stages = json_array();
+    for (size_t s = 0; s < job->sim->from->stage_count; s++) {
+        const clod_free_stage_end *end = &data->ended[s];
+        json_array_append_new(
+            stages, json_pack("{s:s, s:f, s:s}", "name", job->sim->from->stages[s].name,
+                              "end_s", (double)end->step * job->state.dt, "reason",
+                              clod_free_stages_reason((clod_free_end)end->reason)));
+    }
+    return stages;
+}
+
 static bool write_summary(const clod_job *job, clod_status *status)
 {
-    char path[4096];
     const clod_state *state = &job->state;
     const clod_measure_contacts bed = clod_measure_contacts_of(state);
     json_t *walls = json_array();
@@ -124,49 +188,100 @@ static bool write_summary(const clod_job *job, clod_status *status)
     }
     const char *title = job->sim->from->title;
     json_t *root =
-        json_pack("{s:s, s:s, s:f, s:f, s:I, s:I, s:I, s:f, s:f, s:f, s:f, s:o}", "title",
+        json_pack("{s:s, s:s, s:f, s:f, s:I, s:I, s:I, s:f, s:f, s:f, s:f, s:o, s:o}", "title",
                   title != NULL ? title : "", "version", job->memory.version, "time_s",
                   state->time, "dt_s", state->dt, "steps", (json_int_t)state->step, "grains",
                   (json_int_t)state->grains.count, "contacts", (json_int_t)bed.pairs,
                   "coordination", bed.coordination, "max_overlap", bed.max_overlap,
                   "kinetic_energy_J", clod_measure_kinetic_energy(state), "wall_clock_s",
-                  job->memory.wall_clock, "walls", walls);
-    snprintf(path, sizeof path, "%s/summary.json", job->sim->directory);
+                  job->memory.wall_clock, "stages", stages_json(job), "walls", walls);
+    const clod_sim *sim = job->sim;
+    if (job->memory.origin[0] != '\0') {
+        json_object_set_new(root, "from", json_string(job->memory.origin));
+    }
     const bool ok = root != NULL
-                        ? clod_folder_write_json(path, root, status)
-                        : clod_status_fail(status, CLOD_FAILED, "no memory for %s", path);
+                        ? clod_folder_write_json(sim->folder, "summary.json", root, status)
+                        : clod_status_fail(status, CLOD_FAILED, "no memory for %s/summary.json",
+                                           sim->directory);
     json_decref(root);
     return ok;
 }
 
-static bool run_stages(clod_job *job, clod_free_stages *stages, clod_status *status)
+/** The state to begin with; only its walls when everything else is in a checkpoint. */
+static bool make_state(clod_job *job, clod_status *status)
+{
+    const clod_sim *sim = job->sim;
+    char *told;
+    bool exists;
+    if (!clod_checkpoint_exists(sim->folder, "restart", &exists, status)) {
+        return false;
+    }
+    if (exists) {
+        job->state = (clod_state){.build_motion = -1.0};
+        return clod_setup_walls(sim->from, &job->state.walls, status);
+    }
+    if (sim->origin == NULL) {
+        if (!clod_setup_state(sim->from, sim->from->seed, &job->state, status)) {
+            return false;
+        }
+        char text[512];
+        if (clod_setup_grains_say_off(sim->from, &job->state.grains, text, sizeof text)) {
+            clod_job_tell(job, text);
+        }
+        return true;
+    }
+    if (!clod_origin_open(sim->origin, sim, status)) {
+        return false;
+    }
+    const bool ok = clod_origin_state(sim->origin, sim->from, &job->state, &told, status);
+    if (ok && told != NULL) {
+        clod_job_tell(job, told);
+    }
+    clod_memory_free(told);
+    return ok;
+}
+
+static bool run_stages(clod_job *job, clod_status *status)
 {
     if (!job->resumed) {
-        clod_free_stages_begin(stages, job->sim->from, &job->state);
+        free_data *data = job->procedure.data;
+        clod_free_stages_begin(&data->at, job->sim->from, &job->state);
     }
     return clod_job_run(job, status);
 }
 
 bool clod_free_run(const clod_sim *sim, char **report, clod_status *status)
 {
-    clod_free_stages stages = {0};
+    const size_t stages = sim->from->stage_count;
+    const size_t data_size = sizeof(free_data) + stages * sizeof(clod_free_stage_end);
+    free_data *data = clod_memory_alloc(1, data_size);
     clod_job job = {.sim = sim, .name = "run", .threads = sim->options->threads};
-    bool ok = clod_setup_state(sim->from, sim->from->seed, &job.state, status);
+    bool ok = make_state(&job, status);
     const size_t count = FIRST_COUNT + PER_WALL_COUNT * (size_t)job.state.walls.count;
     const char **columns = clod_memory_alloc(count, sizeof *columns);
     char(*text)[COLUMN_TEXT] = ok && columns != NULL ? make_columns(&job.state, columns) : NULL;
-    if (ok && text == NULL) {
+    if (ok && (text == NULL || data == NULL)) {
         ok = clod_status_fail(status, CLOD_FAILED, "no memory for %zu columns", count);
     }
-    job.procedure = (clod_procedure){&stages,   sizeof stages, sim->from,  columns,       count,
-                                     free_plan, free_sample,   free_phase, free_fraction, NULL};
-    ok = ok && clod_job_resume(&job, status) && run_stages(&job, &stages, status) &&
+    job.procedure = (clod_procedure){.data = data,
+                                     .size = data_size,
+                                     .context = sim->from,
+                                     .columns = columns,
+                                     .column_count = count,
+                                     .plan = free_plan,
+                                     .look = free_look,
+                                     .sample = free_sample,
+                                     .phase = free_phase,
+                                     .fraction = free_fraction,
+                                     .reason = free_reason};
+    ok = ok && clod_job_resume(&job, status) && run_stages(&job, status) &&
          write_summary(&job, status);
     if (ok) {
-        *report = make_report(&job.state);
+        *report = make_report(&job);
     }
     clod_memory_free(text);
     clod_memory_free(columns);
+    clod_memory_free(data);
     clod_job_fini(&job);
     return ok;
 }

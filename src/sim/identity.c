@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "output/file.h"
 
 #define GRAINS "# grains[" ///< the comments stand behind everything else
@@ -27,10 +28,9 @@ static bool print_grains(FILE *out, const clod_case *from, size_t g, clod_status
 
 char *clod_identity_complete(const clod_case *from, clod_status *status)
 {
-    char *text = NULL;
-    size_t size = 0;
+    clod_text text;
     char *echo = clod_case_echo(from);
-    FILE *out = echo == NULL ? NULL : open_memstream(&text, &size);
+    FILE *out = echo == NULL ? NULL : clod_text_open(&text);
     bool good = out != NULL;
     if (!good) {
         clod_status_fail(status, CLOD_FAILED, "no memory for %s", from->path);
@@ -42,13 +42,15 @@ char *clod_identity_complete(const clod_case *from, clod_status *status)
     for (size_t g = 0; good && g < from->grains_count; g++) {
         good = from->grains[g].file == NULL || print_grains(out, from, g, status);
     }
-    const bool whole = fclose(out) == 0;
-    char *copy = good && whole ? clod_memory_text(text) : NULL;
-    free(text);
-    if (good && copy == NULL) {
+    char *whole = clod_text_close(&text);
+    if (!good) {
+        clod_memory_free(whole);
+        return NULL;
+    }
+    if (whole == NULL) {
         clod_status_fail(status, CLOD_FAILED, "no memory for %s", from->path);
     }
-    return copy;
+    return whole;
 }
 
 static bool begins(const char *line, const char *with)

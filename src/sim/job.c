@@ -1,7 +1,5 @@
 #include "sim/job.h"
 
-#include <math.h>
-#include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,20 +8,17 @@
 #include "base/memory.h"
 #include "clod/version.h"
 #include "measure/contacts.h"
-#include "output/checkpoint.h"
 #include "output/series.h"
-#include "output/snapshot.h"
 #include "sim/energy_series.h"
+#include "sim/job_store.h"
+#include "sim/origin.h"
+#include "sim/outputs.h"
 #include "step/step.h"
 
-#define PATH_MAX_TEXT 4096
 #define FIRST_SLICE 64
 #define SLICE_SHORTEST 0.05   ///< s of wall-clock time
 #define SLICE_LONGEST 0.3     ///< s
 #define PROGRESS_INTERVAL 0.5 ///< s of wall-clock time
-
-/** Jobs run side by side in threads, and HDF5 is not thread-safe: one at a time. */
-static pthread_mutex_t hdf5_lock = PTHREAD_MUTEX_INITIALIZER;
 
 /** What exists only while the loop runs. */
 typedef struct job_loop {
@@ -35,7 +30,9 @@ typedef struct job_loop {
     double *row;
     double last_clock, last_progress, last_checkpoint; ///< s
     int64_t progress_step;
-    int64_t slice; ///< steps between two looks at clock and signals
+    int64_t slice;        ///< steps between two looks at clock and signals
+    int64_t last_picture; ///< step of the last snapshot since the loop began; 0: none
+    int saved;            ///< number of the last request to save that was heard
 } job_loop;
 
 static double clock_now(void)
@@ -45,141 +42,44 @@ static double clock_now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static size_t parts_of(clod_job *job, clod_job_memory *memory, clod_checkpoint_part parts[2])
-{
-    parts[0] = (clod_checkpoint_part){"procedure", job->procedure.data, job->procedure.size};
-    parts[1] = (clod_checkpoint_part){"job", memory, sizeof *memory};
-    return 2;
-}
-
-/** The only job of a free run is `run`: its files have plain names, those of others their own.
- */
-static bool is_plain(const char *name)
-{
-    return strcmp(name, "run") == 0;
-}
-
-static void stem_of(const char *name, const char *suffix, char stem[80])
-{
-    if (is_plain(name)) {
-        snprintf(stem, 80, "restart%s", suffix);
-    } else {
-        snprintf(stem, 80, "restart-%s%s", name, suffix);
-    }
-}
-
-/** Read the checkpoint of the job called `name` into this one. */
-static bool read_checkpoint(clod_job *job, const char *name, clod_job_memory *memory,
-                            char *notice, size_t notice_size, clod_status *status)
-{
-    char stem[80];
-    clod_checkpoint_part parts[2];
-    const size_t count = parts_of(job, memory, parts);
-    stem_of(name, "", stem);
-    pthread_mutex_lock(&hdf5_lock);
-    const bool ok = clod_checkpoint_read(job->sim->directory, stem, &job->state, parts, count,
-                                         job->sim->identity, notice, notice_size, status);
-    pthread_mutex_unlock(&hdf5_lock);
-    return ok;
-}
-
-bool clod_job_begin_from(clod_job *job, const char *name, clod_status *status)
-{
-    char told[1]; // what is wrong with a checkpoint was told when that job went on from it
-    clod_job_memory of_that_job;
-    return read_checkpoint(job, name, &of_that_job, told, 0, status);
-}
-
-bool clod_job_resume(clod_job *job, clod_status *status)
-{
-    char stem[80];
-    char notice[1024] = "";
-    stem_of(job->name, "", stem);
-    job->resumed = false;
-    if (!clod_checkpoint_exists(job->sim->directory, stem)) {
-        return true;
-    }
-    if (!read_checkpoint(job, job->name, &job->memory, notice, sizeof notice, status)) {
-        return false;
-    }
-    job->resumed = true;
-    if (strncmp(job->memory.version, clod_version_text(), CLOD_JOB_VERSION - 1) != 0) {
-        const size_t used = strlen(notice);
-        snprintf(
-            notice + used, sizeof notice - used,
-            "%s%s was begun by %s; this is another build, so its end may differ from that of "
-            "one build throughout (--fresh starts over)",
-            used > 0 ? "; " : "", job->name, job->memory.version);
-    }
-    if (notice[0] != '\0' && job->sim->options->notice != NULL) {
-        job->sim->options->notice(job->sim->options->context, notice);
-    }
-    clod_eventlog_write(job->sim->log, "resume", "{s:s, s:I, s:f, s:s}", "part", job->name,
-                        "step", (json_int_t)job->state.step, "time_s", job->state.time,
-                        "notice", notice);
-    return true;
-}
-
-/** The interval may be another one than before: do not wait for the end of the longer one. */
-static void reschedule_snapshots(clod_job *job)
-{
-    const double interval = job->sim->from->output.snapshot_interval;
-    if (job->memory.next_snapshot > job->state.time + 1.01 * interval) {
-        job->memory.next_snapshot = job->state.time;
-    }
-}
-
 /** Bring the history into the state and write everything; the series first. */
 static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *status)
 {
     clod_job *job = loop->job;
-    char stem[80];
-    clod_checkpoint_part parts[2];
-    const size_t count = parts_of(job, &job->memory, parts);
-    stem_of(job->name, suffix, stem);
     const double now = clock_now();
     job->memory.wall_clock += now - loop->last_clock;
     loop->last_clock = loop->last_checkpoint = now;
-    job->memory.series_bytes = clod_series_bytes(loop->series);
+    job->memory.series = clod_series_position(loop->series);
     if (loop->energy != NULL) {
-        job->memory.energy_bytes = clod_series_bytes(loop->energy);
+        job->memory.energy = clod_series_position(loop->energy);
         if (!clod_series_sync(loop->energy, status)) {
             return false;
         }
     }
-    if (!clod_series_sync(loop->series, status) || !clod_step_export(&loop->step, status)) {
-        return false;
-    }
-    pthread_mutex_lock(&hdf5_lock);
-    const bool ok = clod_checkpoint_write(job->sim->directory, stem, &job->state, parts, count,
-                                          job->sim->identity, status);
-    pthread_mutex_unlock(&hdf5_lock);
-    return ok;
+    return clod_series_sync(loop->series, status) && clod_step_export(&loop->step, status) &&
+           clod_job_store(job, suffix, status);
 }
 
 static bool write_snapshot(job_loop *loop, clod_status *status)
 {
-    clod_job *job = loop->job;
-    if (!clod_step_export(&loop->step, status)) {
-        return false;
-    }
-    pthread_mutex_lock(&hdf5_lock);
-    const bool ok = clod_snapshot_write(job->sim->directory, job->name, job->memory.snapshots++,
-                                        &job->state, job->sim->from->output.contacts, status);
-    pthread_mutex_unlock(&hdf5_lock);
-    return ok;
+    loop->last_picture = loop->job->state.step;
+    return clod_step_export(&loop->step, status) && clod_job_picture(loop->job, status);
 }
 
+/** Steps until a snapshot is due; very many when none ever is. */
+static int64_t steps_to_snapshot(const clod_job *job)
+{
+    const double interval = job->sim->from->output.snapshot_interval;
+    const int64_t now = job->state.step;
+    return interval > 0.0 ? clod_outputs_next(interval, job->state.dt, now) - now : INT64_MAX;
+}
+
+/** A snapshot at its interval, whatever else is looked at when, and where something `ended`. */
 static bool snapshot_if_due(job_loop *loop, bool ended, clod_status *status)
 {
-    clod_job *job = loop->job;
+    const clod_job *job = loop->job;
     const double interval = job->sim->from->output.snapshot_interval;
-    const bool due = interval > 0.0 && job->state.time >= job->memory.next_snapshot;
-    if (due) {
-        job->memory.next_snapshot +=
-            interval *
-            ceil((job->state.time + 1e-3 * interval - job->memory.next_snapshot) / interval);
-    }
+    const bool due = clod_outputs_are_due(interval, job->state.dt, job->state.step);
     return !(due || ended) || write_snapshot(loop, status);
 }
 
@@ -212,13 +112,16 @@ static void tell_progress(job_loop *loop, bool finished)
 }
 
 /**
- * Steps towards the procedure's next look, as many as take some tenths of a second: a signal is
- * heard and a checkpoint is in time however far the look is. How steps are cut changes no bit.
+ * Steps towards the procedure's next look or the next snapshot, as many as take some tenths of
+ * a second: a signal is heard and a checkpoint is in time however far that is. How steps are
+ * cut changes no bit.
  */
 static bool advance(job_loop *loop, clod_status *status)
 {
     clod_job_memory *memory = &loop->job->memory;
-    const int64_t steps = memory->planned < loop->slice ? memory->planned : loop->slice;
+    const int64_t picture = steps_to_snapshot(loop->job);
+    const int64_t next = memory->planned < picture ? memory->planned : picture;
+    const int64_t steps = next < loop->slice ? next : loop->slice;
     const double begin = clock_now();
     if (!clod_step_advance(&loop->step, steps, status)) {
         clod_status ignored;
@@ -271,6 +174,35 @@ static bool sample(job_loop *loop, bool *finished, clod_status *status)
     return clod_series_row(loop->series, loop->row, status) && can_go_on(loop, status);
 }
 
+/** Into the log: a phase is over, and why. */
+static void log_phase(const clod_job *job, const char *before, const char *after)
+{
+    const clod_procedure *p = &job->procedure;
+    const char *reason = p->reason != NULL ? p->reason(p->data) : NULL;
+    clod_eventlog_write(job->sim->log, "phase", "{s:s, s:s, s:s, s:s*, s:I, s:f}", "part",
+                        job->name, "from", before, "to", after, "reason", reason, "step",
+                        (json_int_t)job->state.step, "time_s", job->state.time);
+}
+
+/** The procedure's look: a sample, and perhaps another phase. */
+static bool look(job_loop *loop, clod_status *status)
+{
+    clod_job *job = loop->job;
+    const clod_procedure *p = &job->procedure;
+    const char *before = p->phase(p->data, p->context);
+    bool finished = false;
+    if (!sample(loop, &finished, status)) {
+        return false;
+    }
+    const char *after = p->phase(p->data, p->context);
+    job->memory.finished = finished;
+    if (before != after || (finished && p->reason != NULL)) {
+        log_phase(job, before, before != after ? after : "end");
+    }
+    tell_progress(loop, finished);
+    return snapshot_if_due(loop, finished || before != after, status);
+}
+
 /** One turn of the loop: steps, and when it is time for a look: measurement, output. */
 static bool turn(job_loop *loop, clod_status *status)
 {
@@ -282,24 +214,12 @@ static bool turn(job_loop *loop, clod_status *status)
     if (!advance(loop, status)) {
         return false;
     }
-    if (job->memory.planned > 0) {
-        tell_progress(loop, false);
-        return true;
+    if (job->memory.planned == 0 &&
+        (p->look == NULL || p->look(p->data, p->context, &job->state))) {
+        return look(loop, status);
     }
-    const char *before = p->phase(p->data, p->context);
-    bool finished = false;
-    if (!sample(loop, &finished, status)) {
-        return false;
-    }
-    const char *after = p->phase(p->data, p->context);
-    if (before != after) {
-        clod_eventlog_write(job->sim->log, "phase", "{s:s, s:s, s:s, s:I, s:f}", "part",
-                            job->name, "from", before, "to", after, "step",
-                            (json_int_t)job->state.step, "time_s", job->state.time);
-    }
-    job->memory.finished = finished;
-    tell_progress(loop, finished);
-    return snapshot_if_due(loop, finished || before != after, status);
+    tell_progress(loop, false);
+    return snapshot_if_due(loop, false, status);
 }
 
 static bool is_stopped(const clod_job *job)
@@ -307,12 +227,40 @@ static bool is_stopped(const clod_job *job)
     return job->sim->options->stop != NULL && atomic_load(job->sim->options->stop) != 0;
 }
 
+static int save_request(const clod_job *job)
+{
+    return job->sim->options->save != NULL ? atomic_load(job->sim->options->save) : 0;
+}
+
+/** Somebody wants to see the state of now: a picture, and a checkpoint that is kept beside the
+ *  usual two, which is written too so that the picture stays when the run is interrupted. */
+static bool save_if_asked(job_loop *loop, clod_status *status)
+{
+    clod_job *job = loop->job;
+    char suffix[32], stem[CLOD_JOB_STEM], text[256];
+    const int request = save_request(job);
+    if (request == loop->saved) {
+        return true;
+    }
+    loop->saved = request;
+    snprintf(suffix, sizeof suffix, "-at-%lld", (long long)job->state.step);
+    if ((loop->last_picture != job->state.step && !write_snapshot(loop, status)) ||
+        !write_checkpoint(loop, "", status) || !write_checkpoint(loop, suffix, status)) {
+        return false;
+    }
+    clod_job_stem(job->name, suffix, stem);
+    snprintf(text, sizeof text, "%s: %s_a.h5 and a snapshot are written, time %.9g s",
+             job->name, stem, job->state.time);
+    clod_job_tell(job, text);
+    return true;
+}
+
 static bool loop_to_end(job_loop *loop, clod_status *status)
 {
     clod_job *job = loop->job;
     const double interval = job->sim->from->output.checkpoint_interval;
     while (job->memory.finished == 0) {
-        if (!turn(loop, status)) {
+        if (!turn(loop, status) || !save_if_asked(loop, status)) {
             return false;
         }
         const bool stop = is_stopped(job);
@@ -333,12 +281,11 @@ static bool loop_to_end(job_loop *loop, clod_status *status)
 static bool open_energy(job_loop *loop, clod_status *status)
 {
     const clod_job *job = loop->job;
-    char path[PATH_MAX_TEXT];
-    snprintf(path, sizeof path, "%s/%s%senergy.csv", job->sim->directory,
-             is_plain(job->name) ? "" : job->name, is_plain(job->name) ? "" : "-");
-    loop->energy =
-        clod_series_open(path, clod_energy_series_columns, CLOD_ENERGY_SERIES_COLUMNS,
-                         job->resumed ? job->memory.energy_bytes : -1, status);
+    char series[CLOD_JOB_STEM], energy[CLOD_JOB_STEM];
+    clod_job_tables(job->name, series, energy);
+    loop->energy = clod_series_open(job->sim->folder, energy, clod_energy_series_columns,
+                                    CLOD_ENERGY_SERIES_COLUMNS,
+                                    job->resumed ? &job->memory.energy : NULL, status);
     return loop->energy != NULL &&
            (job->state.ledger.open != 0 || clod_step_open_ledger(&loop->step, status));
 }
@@ -346,27 +293,21 @@ static bool open_energy(job_loop *loop, clod_status *status)
 static bool open_loop(job_loop *loop, clod_status *status)
 {
     clod_job *job = loop->job;
-    char path[PATH_MAX_TEXT];
-    snprintf(path, sizeof path, "%s/%s.csv", job->sim->directory,
-             is_plain(job->name) ? "series" : job->name);
+    char series[CLOD_JOB_STEM], energy[CLOD_JOB_STEM];
+    clod_job_tables(job->name, series, energy);
     loop->row = clod_memory_alloc(job->procedure.column_count, sizeof *loop->row);
     if (loop->row == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for a row of %s", path);
+        return clod_status_fail(status, CLOD_FAILED, "no memory for a row of %s", series);
     }
-    if (job->resumed) {
-        pthread_mutex_lock(&hdf5_lock);
-        const bool ok =
-            clod_snapshot_resume(job->sim->directory, job->name, job->state.time, status);
-        pthread_mutex_unlock(&hdf5_lock);
-        if (!ok) {
-            return false;
-        }
-        reschedule_snapshots(job);
+    if (job->resumed && !clod_job_cut_pictures(job, status)) {
+        return false;
     }
-    loop->series = clod_series_open(path, job->procedure.columns, job->procedure.column_count,
-                                    job->resumed ? job->memory.series_bytes : -1, status);
+    loop->series = clod_series_open(job->sim->folder, series, job->procedure.columns,
+                                    job->procedure.column_count,
+                                    job->resumed ? &job->memory.series : NULL, status);
     const clod_step_options options = {.threads = job->threads,
-                                       .simd = job->sim->options->simd};
+                                       .simd = job->sim->options->simd,
+                                       .overlap_limit = job->sim->from->time.overlap_limit};
     if (loop->series == NULL || !clod_laws_init(&loop->laws, job->sim->from, status)) {
         return false;
     }
@@ -376,6 +317,7 @@ static bool open_loop(job_loop *loop, clod_status *status)
     }
     loop->last_clock = loop->last_progress = loop->last_checkpoint = clock_now();
     loop->progress_step = job->state.step;
+    loop->saved = save_request(job);
     return !job->sim->from->output.energy || open_energy(loop, status);
 }
 
@@ -396,22 +338,32 @@ static void log_end(job_loop *loop, const clod_job *job, bool ok, const clod_sta
 
 bool clod_job_run(clod_job *job, clod_status *status)
 {
+    char text[256];
     if (job->memory.finished != 0) {
         return true;
     }
     if (!job->resumed) {
+        if (job->state.step == 0 &&
+            clod_outputs_say_short(job->sim->from, job->state.dt, text, sizeof text)) {
+            clod_job_tell(job, text);
+        }
         snprintf(job->memory.version, sizeof job->memory.version, "%s", clod_version_text());
+        if (job->sim->origin != NULL) {
+            memcpy(job->memory.origin, job->sim->origin->text, sizeof job->memory.origin);
+        }
     }
     job_loop loop = {.job = job, .slice = FIRST_SLICE};
-    bool ok = open_loop(&loop, status);
+    // a first checkpoint before the first row: a table with rows always has one beside it
+    bool ok = open_loop(&loop, status) && (job->resumed || write_checkpoint(&loop, "", status));
     if (ok) {
         ok = loop_to_end(&loop, status);
         log_end(&loop, job, ok, status);
     }
+    clod_status closing; // an error before it is the one to tell
+    ok = clod_series_close(&loop.series, ok ? status : &closing) && ok;
+    ok = clod_series_close(&loop.energy, ok ? status : &closing) && ok;
     clod_step_fini(&loop.step);
     clod_laws_fini(&loop.laws);
-    clod_series_close(&loop.series);
-    clod_series_close(&loop.energy);
     clod_memory_free(loop.row);
     return ok;
 }

@@ -8,6 +8,9 @@
 #include "clod/run.h"
 #include "law/law.h"
 #include "output/eventlog.h"
+#include "output/folder.h"
+#include "output/series.h"
+#include "output/snapshot.h"
 #include "state/state.h"
 
 /** What decides what happens between steps; `data` is plain and goes into the checkpoint. */
@@ -18,10 +21,14 @@ typedef struct clod_procedure {
     const char *const *columns; ///< [column_count] of the series
     size_t column_count;
     int64_t (*plan)(const void *data, const void *context, const clod_state *state);
+    /** After the planned steps: whether it is time for a sample. NULL: it always is. */
+    bool (*look)(void *data, const void *context, const clod_state *state);
     /** Fill the row [column_count], change walls and adhesion; true when finished. */
     bool (*sample)(void *data, const void *context, clod_state *state, double *row);
     const char *(*phase)(const void *data, const void *context);
     double (*fraction)(const void *data, const void *context);
+    /** Why the phase that a sample has just ended is over. NULL: nobody asks. */
+    const char *(*reason)(const void *data);
     /** Why it cannot go on, into `text`; false when it can. NULL when it always can. */
     bool (*trouble)(const void *data, char *text, size_t size);
 } clod_procedure;
@@ -30,24 +37,28 @@ typedef struct clod_procedure {
 typedef struct clod_sim {
     const clod_case *from;
     const clod_run_options *options;
-    const char *directory;
-    const char *identity; ///< of the case (sim/identity.h): checkpoints belong to it
+    const char *directory;     ///< path of the folder, for messages
+    const clod_folder *folder; ///< open and locked
+    const char *identity;      ///< of the case (sim/identity.h): checkpoints belong to it
     clod_eventlog *log;
+    struct clod_origin *origin; ///< run from whose grains this one begins; NULL: none
 } clod_sim;
 
 #define CLOD_JOB_VERSION 128 ///< bytes of a version text
+#define CLOD_JOB_ORIGIN 512  ///< bytes of an origin
 
 /** What a job remembers beside state and procedure; plain data. */
 typedef struct clod_job_memory {
     int64_t finished;
-    int64_t series_bytes, energy_bytes;
-    int64_t snapshots;              ///< written so far
-    double next_snapshot;           ///< s
-    char version[CLOD_JOB_VERSION]; ///< of the clod that began the job
-    int64_t planned;                ///< steps until the procedure looks again
-    double wall_clock;              ///< s spent so far, over all interruptions; the last
-                                    ///< member: beside its checksum in the file, so that tests
-                                    ///< tell it from everything that must be the same
+    clod_series_mark series, energy; ///< at the checkpoint
+    int64_t snapshots;               ///< written so far
+    clod_snapshot_film film;         ///< at the checkpoint
+    char version[CLOD_JOB_VERSION];  ///< of the clod that began the job
+    char origin[CLOD_JOB_ORIGIN]; ///< run from whose grains it began (sim/origin.h); "": none
+    int64_t planned;              ///< steps until the procedure looks again
+    double wall_clock;            ///< s spent so far, over all interruptions; the last
+                                  ///< member: beside its checksum in the file, so that tests
+                                  ///< tell it from everything that must be the same
 } clod_job_memory;
 
 typedef struct clod_job {
@@ -75,6 +86,25 @@ bool clod_job_resume(clod_job *job, clod_status *status);
  * @param name  of the finished job
  */
 bool clod_job_begin_from(clod_job *job, const char *name, clod_status *status);
+
+/**
+ * Take the finished job of this name from the run that this one begins from, with its tables.
+ *
+ * The checkpoint that a kill on the way leaves has the state of before: then it is taken over
+ * again, or run without --from. The caller stores the one of after.
+ *
+ * @param job  as it would begin by itself
+ */
+bool clod_job_take_over(clod_job *job, clod_status *status);
+
+/**
+ * Whether it can be taken over; nothing is written.
+ *
+ * @param job  as it would begin by itself; its state is the other one's afterwards
+ * Errors  CLOD_USAGE: no checkpoint that can be read, not finished, too long a time step, a
+ *         table that is not what it was.
+ */
+bool clod_job_try_origin(clod_job *job, clod_status *status);
 
 /**
  * Advance until the procedure is finished; does nothing when it already is.

@@ -1,16 +1,17 @@
 #include "sim/parts.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/plural.h"
 #include "clod/version.h"
 #include "measure/contacts.h"
-#include "output/folder.h"
+#include "output/folder_files.h"
 #include "parallel/threads.h"
-
-#define PATH_TEXT 4096
+#include "sim/job_store.h"
 
 /** Parts that may run side by side. */
 typedef struct part_batch {
@@ -29,8 +30,22 @@ static void init_job(const part_batch *batch, clod_part *part, clod_job *job)
     job->procedure.data = part->test;
 }
 
+/** Take a preparation over from another run, as a finished part of this one. */
+static bool take_over(const part_batch *batch, clod_part *part, clod_job *job,
+                      clod_status *status)
+{
+    if (!clod_job_take_over(job, status)) {
+        return false;
+    }
+    batch->tester->adopt(batch->sim->from, part);
+    return clod_job_store(job, "", status);
+}
+
 static bool begin(const part_batch *batch, clod_part *part, clod_job *job, clod_status *status)
 {
+    if (part->point < 0 && batch->sim->origin != NULL) {
+        return take_over(batch, part, job, status);
+    }
     if (part->from[0] != '\0' && !clod_job_begin_from(job, part->from, status)) {
         return false;
     }
@@ -45,6 +60,7 @@ static void note_result(const clod_job *job, clod_part *part)
     part->dt = job->state.dt;
     part->wall_clock = job->memory.wall_clock;
     memcpy(part->version, job->memory.version, sizeof part->version);
+    memcpy(part->origin, job->memory.origin, sizeof part->origin);
     part->grains = job->state.grains.count;
     part->coordination = bed.coordination;
     part->max_overlap = bed.max_overlap;
@@ -106,14 +122,39 @@ bool clod_parts_run(const clod_parts_tester *tester, const clod_sim *sim, clod_p
     return ok;
 }
 
+bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_sim *sim,
+                           clod_part *part, int count, clod_status *status)
+{
+    const part_batch batch = {.tester = tester, .sim = sim};
+    bool ok = true;
+    for (int p = 0; ok && p < count; p++) {
+        clod_job job;
+        init_job(&batch, &part[p], &job);
+        ok = tester->setup(sim->from, part[p].seed, &job.state, status) &&
+             clod_job_try_origin(&job, status);
+        clod_job_fini(&job);
+    }
+    return ok;
+}
+
 json_t *clod_parts_json(const clod_part *part)
 {
-    return json_pack("{s:s, s:s, s:I, s:I, s:f, s:f, s:i, s:f, s:f, s:f}", "part", part->name,
-                     "version", part->version, "seed", (json_int_t)part->seed, "steps",
-                     (json_int_t)part->steps, "dt_s", part->dt, "wall_clock_s",
-                     part->wall_clock, "grains", (int)part->grains, "coordination",
-                     part->coordination, "max_overlap", part->max_overlap, "mean_overlap",
-                     part->mean_overlap);
+    const struct {
+        const char *key;
+        double value;
+    } NUMBERS[] = {{"dt_s", part->dt},
+                   {"wall_clock_s", part->wall_clock},
+                   {"coordination", part->coordination},
+                   {"max_overlap", part->max_overlap},
+                   {"mean_overlap", part->mean_overlap}};
+    json_t *from = part->origin[0] != '\0' ? json_string(part->origin) : NULL;
+    json_t *j = json_pack("{s:s, s:s, s:o*, s:I, s:I, s:I}", "part", part->name, "version",
+                          part->version, "from", from, "seed", (json_int_t)part->seed, "steps",
+                          (json_int_t)part->steps, "grains", (json_int_t)part->grains);
+    for (size_t k = 0; k < sizeof NUMBERS / sizeof *NUMBERS; k++) {
+        clod_parts_set_number(j, NUMBERS[k].key, NUMBERS[k].value);
+    }
+    return j;
 }
 
 void clod_parts_set_number(json_t *object, const char *key, double value)
@@ -122,20 +163,43 @@ void clod_parts_set_number(json_t *object, const char *key, double value)
 }
 
 bool clod_parts_write_summary(const clod_sim *sim, json_t *parts, const char *name,
-                              json_t *results, json_t *warnings, clod_status *status)
+                              json_t *results, json_t *warnings, const char *incomplete,
+                              clod_status *status)
 {
-    char path[PATH_TEXT];
-    json_t *root = json_pack(
-        "{s:s, s:s, s:o, s:o?, s:O}", "title", sim->from->title != NULL ? sim->from->title : "",
-        "version", clod_version_text(), "parts", parts, name, results, "warnings", warnings);
-    snprintf(path, sizeof path, "%s/summary.json", sim->directory);
-    const bool ok = root != NULL ? clod_folder_write_json(path, root, status)
-                                 : clod_status_fail(status, CLOD_FAILED,
-                                                    "%s: no memory, or a number in it is not "
-                                                    "finite",
-                                                    path);
+    json_t *root = json_pack("{s:s, s:s, s:s*, s:o, s:o?, s:O}", "title",
+                             sim->from->title != NULL ? sim->from->title : "", "version",
+                             clod_version_text(), "incomplete", incomplete, "parts", parts,
+                             name, results, "warnings", warnings);
+    const bool ok = root != NULL
+                        ? clod_folder_write_json(sim->folder, "summary.json", root, status)
+                        : clod_status_fail(status, CLOD_FAILED,
+                                           "%s/summary.json: no memory, or a number in it is "
+                                           "not finite",
+                                           sim->directory);
     json_decref(root);
     return ok;
+}
+
+int clod_parts_finished(const clod_part *part, int count, clod_part *finished)
+{
+    int found = 0;
+    for (int p = 0; p < count; p++) {
+        if (part[p].ok) {
+            finished[found++] = part[p];
+        }
+    }
+    return found;
+}
+
+void clod_parts_tell_finished(const clod_sim *sim, int count, const char *table)
+{
+    char text[PATH_MAX + 256];
+    if (sim->options->notice != NULL) {
+        snprintf(text, sizeof text,
+                 "what is known of the %d finished part%s is in %s/%s and summary.json", count,
+                 count == 1 ? "" : "s", sim->directory, table);
+        sim->options->notice(sim->options->context, text);
+    }
 }
 
 static double total_wall_clock(const clod_part *part, int parts)
@@ -151,8 +215,9 @@ int clod_parts_headline(const clod_part *part, int parts, const char *title, con
                         char *text, size_t size)
 {
     return snprintf(text, size,
-                    "%s\n%zu grains, dt %.4g s, coordination %.2f, largest overlap at the "
+                    "%s\n%zu grain%s, dt %.4g s, coordination %.2f, largest overlap at the "
                     "end of %s %.3g %% of a radius, %.0f s of work\n\n",
-                    title, part[0].grains, part[0].dt, part[0].coordination, what,
-                    100.0 * part[0].max_overlap, total_wall_clock(part, parts));
+                    title, part[0].grains, clod_plural((double)part[0].grains), part[0].dt,
+                    part[0].coordination, what, 100.0 * part[0].max_overlap,
+                    total_wall_clock(part, parts));
 }

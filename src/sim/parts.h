@@ -20,6 +20,7 @@ typedef struct clod_part {
     double dt;                      ///< s
     double wall_clock;              ///< s
     char version[CLOD_JOB_VERSION]; ///< of the clod that began this part
+    char origin[CLOD_JOB_ORIGIN];   ///< of its specimen, if that is another run's
     size_t grains;
     double coordination;              ///< grain-grain contacts of a grain at the end
     double max_overlap, mean_overlap; ///< fraction of a radius, at the end
@@ -34,6 +35,8 @@ typedef struct clod_parts_tester {
     bool (*setup)(const clod_case *from, int64_t seed, clod_state *state, clod_status *status);
     /** Begin with the cell, or with the end of the part before it. */
     void (*begin)(const clod_case *from, const clod_part *part, clod_state *state);
+    /** The preparation is another run's: give it what this case says of all that follows. */
+    void (*adopt)(const clod_case *from, const clod_part *part);
 } clod_parts_tester;
 
 /**
@@ -44,6 +47,10 @@ typedef struct clod_parts_tester {
 bool clod_parts_run(const clod_parts_tester *tester, const clod_sim *sim, clod_part *part,
                     int count, clod_status *status);
 
+/** Whether every preparation of a batch can be taken over from another run; writes nothing. */
+bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_sim *sim,
+                           clod_part *part, int count, clod_status *status);
+
 /** What every tester's summary says of a part; a new object. */
 json_t *clod_parts_json(const clod_part *part);
 
@@ -53,11 +60,25 @@ void clod_parts_set_number(json_t *object, const char *key, double value);
 /**
  * Write summary.json: title, version, the parts, the tester's results, the warnings.
  *
- * @param results   under the key `name`; the reference is taken, as that of the parts
- * @param warnings  list of texts, borrowed
+ * @param results     under the key `name`; the reference is taken, as that of the parts
+ * @param warnings    list of texts, borrowed
+ * @param incomplete  why parts or results are missing; NULL when none are
  */
 bool clod_parts_write_summary(const clod_sim *sim, json_t *parts, const char *name,
-                              json_t *results, json_t *warnings, clod_status *status);
+                              json_t *results, json_t *warnings, const char *incomplete,
+                              clod_status *status);
+
+/**
+ * Copy the parts that are finished, in their order.
+ *
+ * @param finished  [count] [out] what they point to is borrowed
+ * @param count     of all parts
+ * @return          how many are finished
+ */
+int clod_parts_finished(const clod_part *part, int count, clod_part *finished);
+
+/** Tell the user that the results of `count` finished parts are in the folder. */
+void clod_parts_tell_finished(const clod_sim *sim, int count, const char *table);
 
 /** "1234 grains, dt ..., coordination ..., largest overlap at the end of WHAT ..." of part 0.
  */

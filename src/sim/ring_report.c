@@ -6,11 +6,11 @@
 
 #include "base/memory.h"
 #include "clod/locus.h"
-#include "output/folder.h"
+#include "output/folder_files.h"
 #include "sim/ring_warnings.h"
 #include "sim/warning_box.h"
 
-#define PATH_TEXT 4096
+#define PART_TEXT 256
 
 static clod_locus_point point_of(const clod_part *part)
 {
@@ -37,10 +37,9 @@ static const char *error_cell(double error, char cell[32])
     return cell;
 }
 
-static bool write_points(const char *directory, const clod_locus_point *points, int count,
+static bool write_points(const clod_folder *folder, const clod_locus_point *points, int count,
                          clod_status *status)
 {
-    char path[PATH_TEXT];
     const size_t size = 256 + 256 * (size_t)count;
     char *text = clod_memory_alloc(size, 1);
     if (text == NULL) {
@@ -58,8 +57,7 @@ static bool write_points(const char *directory, const clod_locus_point *points, 
                          points[p].rho_b, error_cell(points[p].tau_p_error, of_p),
                          error_cell(points[p].tau_s_error, of_s));
     }
-    snprintf(path, sizeof path, "%s/points.csv", directory);
-    const bool ok = clod_folder_write(path, text, status);
+    const bool ok = clod_folder_write(folder, "points.csv", text, status);
     clod_memory_free(text);
     return ok;
 }
@@ -83,6 +81,15 @@ static json_t *flag_words(int64_t flags)
     return words;
 }
 
+/** Whether preshear was steady, and how fast its shear stress changed where it ended. */
+static void set_preshear(json_t *j, const clod_ring_shear *t)
+{
+    const bool steady = (t->flags & CLOD_RING_SHEAR_NOT_STEADY) == 0;
+    json_object_set_new(j, "steady", json_boolean(steady));
+    clod_parts_set_number(j, "shear_stress_rate_Pa_per_m", t->preshear_rate);
+    clod_parts_set_number(j, "shear_stress_rate_error_Pa_per_m", t->preshear_rate_error);
+}
+
 static json_t *part_json(const clod_part *part)
 {
     const clod_ring_shear *t = part->test;
@@ -96,6 +103,9 @@ static json_t *part_json(const clod_part *part)
     clod_parts_set_number(j, "measured_normal_stress_Pa",
                           point ? t->point_normal : t->preshear_normal);
     clod_parts_set_number(j, "shear_stress_Pa", point ? t->point_shear : t->preshear_shear);
+    if (!point) {
+        set_preshear(j, t);
+    }
     clod_parts_set_number(j, "displacement_m",
                           point ? t->point_displacement : t->preshear_displacement);
     clod_parts_set_number(j, "bulk_density_kg_m3",
@@ -105,55 +115,100 @@ static json_t *part_json(const clod_part *part)
     return j;
 }
 
+/** Summary; without a study, and with what is missing, when `why` is not NULL. */
 static bool write_summary(const clod_sim *sim, const clod_part *part, int parts,
-                          const clod_locus_study *study, json_t *warnings, clod_status *status)
+                          const clod_locus_study *study, json_t *warnings, const char *why,
+                          clod_status *status)
 {
-    char *locus = clod_locus_json(study);
+    char *locus = study != NULL ? clod_locus_json(study) : NULL;
+    json_t *results = locus != NULL ? json_loads(locus, 0, NULL) : NULL;
+    clod_locus_free(locus);
+    if (study != NULL && results == NULL) { // a summary without it would look like no result
+        return clod_status_fail(status, CLOD_FAILED, "%s/summary.json: no memory for the locus",
+                                sim->directory);
+    }
     json_t *list = json_array();
     for (int p = 0; p < parts; p++) {
         json_array_append_new(list, part_json(&part[p]));
     }
-    json_t *results = locus != NULL ? json_loads(locus, 0, NULL) : NULL;
-    clod_locus_free(locus);
-    return clod_parts_write_summary(sim, list, "locus", results, warnings, status);
+    return clod_parts_write_summary(sim, list, "locus", results, warnings, why, status);
 }
 
-/** Title, yield locus, warnings, cost: what the engineer asked for. */
+/** A line for every preshear; the length of the text. */
+static int append_preshears(const clod_part *part, int parts, char *text, size_t size)
+{
+    int used = 0;
+    for (int p = 0; p < parts; p++) {
+        if (part[p].point == CLOD_RING_PRESHEAR) {
+            char words[CLOD_RING_WORDS_SIZE];
+            used += snprintf(text + used, size - (size_t)used, "%s: shear stress %s\n",
+                             part[p].name, clod_ring_preshear_words(part[p].test, words));
+        }
+    }
+    return used + snprintf(text + used, size - (size_t)used, "\n");
+}
+
+/** Title, how preshear ended, yield locus, warnings, cost: what the engineer asked for; owned,
+ *  NULL without memory. */
 static char *make_text(const clod_sim *sim, const clod_part *part, int parts,
                        const clod_locus_study *study, const json_t *warnings)
 {
     char *table = clod_locus_table(study);
     const char *title = sim->from->title != NULL ? sim->from->title : "shear test";
-    const size_t size = 1024 + strlen(title) + (table != NULL ? strlen(table) : 0) +
+    if (table == NULL) {
+        return NULL;
+    }
+    const size_t size = 1024 + strlen(title) + strlen(table) + (size_t)parts * PART_TEXT +
                         clod_warning_box_size(warnings);
     char *text = clod_memory_alloc(size, 1);
     if (text != NULL) {
-        const int used = clod_parts_headline(part, parts, title, "preshear", text, size);
-        snprintf(text + used, size - (size_t)used, "%s", table != NULL ? table : "");
+        int used = clod_parts_headline(part, parts, title, "preshear", text, size);
+        used += append_preshears(part, parts, text + used, size - (size_t)used);
+        snprintf(text + used, size - (size_t)used, "%s", table);
         clod_warning_box_append(text, size, warnings);
     }
     clod_locus_free(table);
     return text;
 }
 
+/** The shear points of finished parts; owned, NULL without memory. */
+static clod_locus_point *points_of(const clod_part *part, int points)
+{
+    clod_locus_point *point = clod_memory_alloc((size_t)points + 1, sizeof *point);
+    for (int p = 0; point != NULL && p < points; p++) {
+        point[p] = point_of(&part[p]);
+    }
+    return point;
+}
+
+/** The evaluated points; NULL with a status that says what they lack. */
+static clod_locus_study *evaluate(const clod_locus_point *point, int points,
+                                  clod_status *status)
+{
+    clod_status why = {CLOD_OK, ""};
+    clod_locus_study *study = clod_locus_study_create(point, (size_t)points, &why);
+    if (study == NULL) {
+        clod_status_fail(status, CLOD_FAILED,
+                         "the test ran to its end, but its points give no yield locus: %s",
+                         why.text);
+    }
+    return study;
+}
+
 bool clod_ring_report(const clod_sim *sim, const clod_part *part, int preparations, int points,
                       char **report, clod_status *status)
 {
-    clod_locus_point *point = clod_memory_alloc((size_t)points, sizeof *point);
+    clod_locus_point *point = points_of(part + preparations, points);
     json_t *warnings = clod_ring_warnings(sim->from, part, preparations + points);
     if (point == NULL || warnings == NULL) {
         clod_memory_free(point);
         json_decref(warnings);
         return clod_status_fail(status, CLOD_FAILED, "no memory for the report");
     }
-    for (int p = 0; p < points; p++) {
-        point[p] = point_of(&part[preparations + p]);
-    }
-    bool ok = write_points(sim->directory, point, points, status);
-    clod_locus_study *study =
-        ok ? clod_locus_study_create(point, (size_t)points, status) : NULL;
+    bool ok = write_points(sim->folder, point, points, status);
+    clod_locus_study *study = ok ? evaluate(point, points, status) : NULL;
     ok = study != NULL &&
-         write_summary(sim, part, preparations + points, study, warnings, status);
+         write_summary(sim, part, preparations + points, study, warnings, NULL, status);
     if (ok) {
         *report = make_text(sim, part, preparations + points, study, warnings);
     }
@@ -161,4 +216,24 @@ bool clod_ring_report(const clod_sim *sim, const clod_part *part, int preparatio
     clod_memory_free(point);
     json_decref(warnings);
     return ok;
+}
+
+void clod_ring_report_finished(const clod_sim *sim, const clod_part *part, int preparations,
+                               int points, const char *why)
+{
+    clod_part *done = clod_memory_alloc((size_t)preparations + (size_t)points, sizeof *done);
+    const int before = done != NULL ? clod_parts_finished(part, preparations, done) : 0;
+    if (before > 0) { // else nothing is known
+        const int found = clod_parts_finished(part + preparations, points, done + before);
+        clod_locus_point *point = points_of(done + before, found);
+        json_t *warnings = clod_ring_warnings(sim->from, done, before + found);
+        clod_status second; // of a test that failed already: the first failure is told
+        if (point != NULL && write_points(sim->folder, point, found, &second) &&
+            write_summary(sim, done, before + found, NULL, warnings, why, &second)) {
+            clod_parts_tell_finished(sim, before + found, "points.csv");
+        }
+        json_decref(warnings);
+        clod_memory_free(point);
+    }
+    clod_memory_free(done);
 }

@@ -65,6 +65,15 @@ static void ring_begin(const clod_case *from, const clod_part *part, clod_state 
     }
 }
 
+/** What a preparation of another run does not know: how this case shears to the points. */
+static void ring_adopt(const clod_case *from, const clod_part *part)
+{
+    const clod_case_programme *programme = clod_case_shear(from);
+    clod_ring_shear *test = part->test;
+    test->shear_max = programme->shear_max;
+    clod_peak_init(&test->peak, programme->peak_window, programme->beyond_peak);
+}
+
 static const clod_parts_tester TESTER = {.procedure = {.size = sizeof(clod_ring_shear),
                                                        .columns = clod_ring_shear_columns,
                                                        .column_count = CLOD_RING_SHEAR_COLUMNS,
@@ -74,7 +83,8 @@ static const clod_parts_tester TESTER = {.procedure = {.size = sizeof(clod_ring_
                                                        .fraction = ring_fraction,
                                                        .trouble = ring_trouble},
                                          .setup = clod_begin_state,
-                                         .begin = ring_begin};
+                                         .begin = ring_begin,
+                                         .adopt = ring_adopt};
 
 /** Preshears first, then their reversals, then the points of each seed. */
 static void name_parts(const clod_case *from, clod_part *part, clod_ring_shear *test)
@@ -95,25 +105,63 @@ static void name_parts(const clod_case *from, clod_part *part, clod_ring_shear *
     }
 }
 
+/** The parts of a test. */
+typedef struct ring_parts {
+    int preparations, points; ///< number of parts
+    clod_part *part;          ///< owned
+    clod_ring_shear *test;    ///< owned
+} ring_parts;
+
+static bool make_parts(ring_parts *self, const clod_case *from, clod_status *status)
+{
+    const clod_case_programme *programme = clod_case_shear(from);
+    self->preparations = 2 * (int)programme->seeds;
+    self->points = (int)programme->seeds * (int)programme->shear_stress_count;
+    const size_t parts = (size_t)self->preparations + (size_t)self->points;
+    self->part = clod_memory_alloc(parts, sizeof *self->part);
+    self->test = clod_memory_alloc(parts, sizeof *self->test);
+    if (self->part == NULL || self->test == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the parts of the test");
+    }
+    name_parts(from, self->part, self->test);
+    return true;
+}
+
+static void free_parts(ring_parts *self)
+{
+    clod_memory_free(self->part);
+    clod_memory_free(self->test);
+}
+
+bool clod_ring_try_origin(const clod_sim *sim, clod_status *status)
+{
+    ring_parts parts;
+    const bool ok = make_parts(&parts, sim->from, status) &&
+                    clod_parts_try_origin(&TESTER, sim, parts.part, parts.preparations, status);
+    free_parts(&parts);
+    return ok;
+}
+
+static bool run_parts(const clod_sim *sim, const ring_parts *parts, char **report,
+                      clod_status *status)
+{
+    clod_part *part = parts->part;
+    const int before = parts->preparations;
+    const bool ok = clod_parts_run(&TESTER, sim, part, before / 2, status) &&
+                    clod_parts_run(&TESTER, sim, part + before / 2, before / 2, status) &&
+                    clod_parts_run(&TESTER, sim, part + before, parts->points, status) &&
+                    clod_ring_report(sim, part, before, parts->points, report, status);
+    if (!ok && status->code != CLOD_INTERRUPTED) { // that one goes on
+        clod_ring_report_finished(sim, part, before, parts->points, status->text);
+    }
+    return ok;
+}
+
 bool clod_ring_run(const clod_sim *sim, char **report, clod_status *status)
 {
-    const clod_case_programme *programme = clod_case_shear(sim->from);
-    const int seeds = (int)programme->seeds;
-    const int points = seeds * (int)programme->shear_stress_count;
-    const size_t parts = 2 * (size_t)seeds + (size_t)points;
-    clod_part *part = clod_memory_alloc(parts, sizeof *part);
-    clod_ring_shear *test = clod_memory_alloc(parts, sizeof *test);
-    bool ok = false;
-    if (part == NULL || test == NULL) {
-        clod_status_fail(status, CLOD_FAILED, "no memory for the parts of the test");
-    } else {
-        name_parts(sim->from, part, test);
-        ok = clod_parts_run(&TESTER, sim, part, seeds, status) &&
-             clod_parts_run(&TESTER, sim, part + seeds, seeds, status) &&
-             clod_parts_run(&TESTER, sim, part + 2 * seeds, points, status) &&
-             clod_ring_report(sim, part, 2 * seeds, points, report, status);
-    }
-    clod_memory_free(part);
-    clod_memory_free(test);
+    ring_parts parts;
+    const bool ok =
+        make_parts(&parts, sim->from, status) && run_parts(sim, &parts, report, status);
+    free_parts(&parts);
     return ok;
 }

@@ -1,6 +1,7 @@
 #include "sim/ring_warnings.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "sim/shear_cell.h"
 #include "sim/warning_box.h"
@@ -9,25 +10,52 @@
 #define SERVO_LIMIT 0.01    ///< relative error of the mean normal stress
 #define DILATION_LIMIT 0.01 ///< change of height per shear displacement
 
+const char *clod_ring_preshear_words(const clod_ring_shear *test,
+                                     char text[CLOD_RING_WORDS_SIZE])
+{
+    const double rate = 1e-6 * test->preshear_rate; // kPa/mm
+    const double error = 1e-6 * test->preshear_rate_error;
+    const double way = 1e3 * test->preshear_displacement;
+    if ((test->flags & CLOD_RING_SHEAR_NOT_STEADY) == 0) {
+        snprintf(text, CLOD_RING_WORDS_SIZE, "steady after %.3g mm of shear", way);
+    } else if (fabs(rate) > 2.0 * error) {
+        snprintf(text, CLOD_RING_WORDS_SIZE,
+                 "still %s by %.2g ± %.1g kPa/mm after %.3g mm of shear",
+                 rate > 0.0 ? "rising" : "falling", fabs(rate), error, way);
+    } else {
+        snprintf(text, CLOD_RING_WORDS_SIZE,
+                 "uneven after %.3g mm of shear, without a trend that could be told (%+.2g ± "
+                 "%.1g kPa/mm)",
+                 way, rate, error);
+    }
+    return text;
+}
+
 static void add_flags(json_t *list, const clod_shear_cell *cell, const clod_part *part)
 {
     const clod_ring_shear *t = part->test;
     const int64_t flags = t->flags;
     if ((flags & CLOD_RING_SHEAR_NOT_STEADY) != 0) {
+        char words[CLOD_RING_WORDS_SIZE];
         clod_warning_box_add(
             list,
-            "%s: not steady after %.3g mm of shear; the preshear values are means of the last "
-            "blocks. %s",
-            part->name, 1e3 * t->preshear_displacement,
+            "%s: shear stress %s; tau_p is where a line through the last "
+            "blocks ends. %s",
+            part->name, clod_ring_preshear_words(t, words),
             t->straight != 0
                 ? "By ASTM D6128 it then gives no valid point of a yield locus. Set "
                   "jenike.twists (or raise them), or raise preshear_max with offset and rim"
-                : "Raise ring_shear.preshear_max or steady_tolerance");
+                : "Raise ring_shear.preshear_max to see how far it goes");
     }
     if ((flags & CLOD_RING_SHEAR_NOT_SETTLED) != 0) {
         clod_warning_box_add(
-            list, "%s: %s did not come to rest within its time limit", part->name,
-            part->point < 0 ? "filling or consolidation" : "the lid under the reduced load");
+            list,
+            "%s: %s did not come to rest in time. Raise %s.settle_max (%.3g s)%s, or "
+            "lid_damping "
+            "if the lid swings",
+            part->name,
+            part->point < 0 ? "filling or consolidation" : "the lid under the reduced load",
+            cell->key, cell->settle_max, part->point < 0 ? " or fill_max" : "");
     }
     if ((flags & CLOD_RING_SHEAR_NO_REVERSAL) != 0) {
         clod_warning_box_add(list, "%s: shear stress did not fall to zero when sheared back",
@@ -71,7 +99,7 @@ static void add_servo(json_t *list, const clod_shear_cell *cell, const clod_part
             list,
             "%s: the mean normal stress %s was %.4g kPa instead of %.4g kPa; lower "
             "%s.lid_damping or speed",
-            part->name, part->point >= 0 ? "at the peak" : "of the steady blocks", 1e-3 * mean,
+            part->name, part->point >= 0 ? "at the peak" : "of the last blocks", 1e-3 * mean,
             1e-3 * aim, cell->key);
     }
 }

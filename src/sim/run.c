@@ -1,106 +1,32 @@
 #include "clod/run.h"
 
-#include <dirent.h>
-#include <fnmatch.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "clod/version.h"
-#include "output/file.h"
-#include "output/folder.h"
+#include "output/folder_files.h"
+#include "output/folder_names.h"
+#include "parallel/threads.h"
+#include "sim/earlier.h"
 #include "sim/free_run.h"
 #include "sim/identity.h"
+#include "sim/origin.h"
 #include "sim/ring_run.h"
 #include "sim/trial.h"
 #include "sim/uniaxial_run.h"
 #include "step/kernel.h"
 
-#define PATH_TEXT 4096
-
-/** Whether there are checkpoints in the folder. */
-static bool has_checkpoints(const char *directory)
-{
-    DIR *folder = opendir(directory);
-    bool any = false;
-    for (struct dirent *entry; folder != NULL && !any && (entry = readdir(folder)) != NULL;) {
-        any = fnmatch("restart*_[ab].h5", entry->d_name, 0) == 0;
-    }
-    if (folder != NULL) {
-        closedir(folder);
-    }
-    return any;
-}
-
-/** Title of a complete case with the words around it, for a message; empty without one. */
-static void title_of(const char *complete, char *text, size_t size)
-{
-    static const char KEY[] = "\ntitle: ";
-    const char *line = strstr(complete, KEY);
-    text[0] = '\0';
-    if (line != NULL) {
-        const char *title = line + sizeof KEY - 1;
-        snprintf(text, size, " (%.*s)", (int)strcspn(title, "\n"), title);
-    }
-}
-
-/** Say in what the case differs from that of the run in the folder. */
-static void fail_changed(const clod_sim *sim, const char *before, const char *complete,
-                         clod_status *status)
-{
-    char title[256];
-    const char *grains = clod_identity_changed_grains(sim->from, before, complete);
-    title_of(before, title, sizeof title);
-    clod_status_fail(
-        status, CLOD_USAGE,
-        "%s%s has changed since the run%s in %s was begun; a run cannot go on with "
-        "%s. Write to another folder with -o, or remove that run and start over "
-        "with --fresh.",
-        grains != NULL ? "The grain file " : "The case", grains != NULL ? grains : "", title,
-        sim->directory, grains != NULL ? "other grains" : "another case");
-}
-
-/**
- * Refuse to go on with another case before its copies in the folder are replaced. Checkpoints
- * know their case too; this is for the copies.
- */
-static bool check_same_case(const clod_sim *sim, const char *complete, clod_status *status)
-{
-    char path[PATH_TEXT];
-    void *before;
-    size_t size;
-    clod_status unread;
-    snprintf(path, sizeof path, "%s/case-complete.yaml", sim->directory);
-    if (sim->options->fresh || !has_checkpoints(sim->directory) ||
-        !clod_file_read(path, &before, &size, &unread)) {
-        return true;
-    }
-    char *identity = clod_identity_text(before);
-    const bool same = identity != NULL && strcmp(identity, sim->identity) == 0;
-    if (!same) {
-        fail_changed(sim, before, complete, status);
-    }
-    clod_memory_free(identity);
-    clod_memory_free(before);
-    return same;
-}
-
 /** Make the folder ready: clear it when asked, write the copies of the case, open the log. */
-static bool fill_folder(clod_sim *sim, const clod_folder *folder, const char *complete,
-                        clod_status *status)
+static bool fill_folder(clod_sim *sim, const char *complete, clod_status *status)
 {
-    char path[PATH_TEXT];
-    if (!check_same_case(sim, complete, status)) {
+    if (sim->options->fresh && !clod_folder_clear(sim->folder, status)) {
         return false;
     }
-    if (sim->options->fresh && !clod_folder_clear(folder, status)) {
+    if (!clod_folder_write_case(sim->folder, sim->from->text, complete, status)) {
         return false;
     }
-    if (!clod_folder_write_case(sim->directory, sim->from->text, complete, status)) {
-        return false;
-    }
-    snprintf(path, sizeof path, "%s/log.jsonl", sim->directory);
-    sim->log = clod_eventlog_open(path, status);
+    sim->log = clod_eventlog_open(sim->folder, "log.jsonl", status);
     return sim->log != NULL;
 }
 
@@ -135,46 +61,122 @@ static bool check_request(const clod_case *from, const clod_run_options *options
                             options->simd);
 }
 
-/** Run in a folder that is locked for it. */
-static bool run_in_folder(clod_sim *sim, const char *complete, char **report,
-                          clod_status *status)
+/** Keep the text of the report, which a run whose checkpoints are lost can only read. */
+static bool write_report(const clod_sim *sim, const char *report, clod_status *status)
 {
-    clod_folder *folder = clod_folder_open(sim->directory, status);
-    bool ok = folder != NULL && fill_folder(sim, folder, complete, status) &&
-              run_case(sim, report, status);
-    if (ok && *report == NULL) {
-        ok = clod_status_fail(status, CLOD_FAILED, "no memory for the report");
-    }
+    return report != NULL ? clod_folder_write(sim->folder, "report.txt", report, status)
+                          : clod_status_fail(status, CLOD_FAILED, "no memory for the report");
+}
+
+static bool close_log(clod_sim *sim, bool ok, clod_status *status)
+{
     clod_status log_status;
     if (!clod_eventlog_close(&sim->log, &log_status) && ok) {
         *status = log_status;
         ok = false;
     }
+    return ok;
+}
+
+/** Run in a folder that is locked for it. */
+static bool run_in_folder(clod_sim *sim, const char *complete, char **report,
+                          clod_status *status)
+{
+    clod_folder *folder = clod_folder_open(sim->directory, status);
+    sim->folder = folder;
+    const clod_earlier earlier = folder != NULL
+                                     ? clod_earlier_look(sim, complete, report, status)
+                                     : CLOD_EARLIER_REFUSED;
+    bool ok = earlier == CLOD_EARLIER_DONE;
+    if (ok && sim->options->notice != NULL) {
+        sim->options->notice(sim->options->context,
+                             "the checkpoints are gone, but this run is complete: here is its "
+                             "table (--fresh runs it again)");
+    }
+    if (earlier == CLOD_EARLIER_GO_ON) {
+        ok = fill_folder(sim, complete, status) && run_case(sim, report, status) &&
+             write_report(sim, *report, status);
+        ok = close_log(sim, ok, status);
+    }
     clod_folder_close(&folder);
     return ok;
 }
 
-bool clod_run(const clod_case *self, const clod_run_options *options, char **report,
+/** No more threads than processors; says so when more were asked for. */
+static clod_run_options fit_threads(const clod_run_options *wanted)
+{
+    clod_run_options options = *wanted;
+    options.threads = clod_threads_take(wanted->threads);
+    if (wanted->threads > options.threads && wanted->notice != NULL) {
+        char text[120];
+        snprintf(text, sizeof text,
+                 "warning: %d threads on %d processors slow each other down: %d are used",
+                 wanted->threads, options.threads, options.threads);
+        wanted->notice(wanted->context, text);
+    }
+    return options;
+}
+
+/** Whether this run can begin with what the other one has. */
+static bool try_origin(const clod_sim *sim, clod_status *status)
+{
+    if (sim->from->uniaxial.present) {
+        return clod_uniaxial_try_origin(sim, status);
+    }
+    return clod_case_shear(sim->from) != NULL
+               ? clod_ring_try_origin(sim, status)
+               : clod_origin_try(sim->origin, sim->from, sim->options, status);
+}
+
+/**
+ * The run that this one begins from, which is tried before anything is written, unless this
+ * one has begun already and only goes on.
+ */
+static bool open_origin(clod_sim *sim, clod_origin *origin, clod_status *status)
+{
+    const clod_run_options *options = sim->options;
+    bool begun = false;
+    if (options->from == NULL) {
+        return true;
+    }
+    sim->origin = origin;
+    if (!clod_origin_name(origin, sim, status) ||
+        (!options->fresh && !clod_earlier_has_checkpoints(sim->directory, &begun, status))) {
+        return false;
+    }
+    return begun || (clod_origin_open(origin, sim, status) && try_origin(sim, status));
+}
+
+bool clod_run(const clod_case *self, const clod_run_options *wanted, char **report,
               clod_status *status)
 {
+    const clod_run_options fitted = fit_threads(wanted);
+    const clod_run_options *options = &fitted;
     *report = NULL;
-    if (!check_request(self, options, status) ||
-        (options->fresh && !clod_trial_run(self, options, status))) {
+    if (!check_request(self, options, status) || (options->fresh && options->from == NULL &&
+                                                  !clod_trial_run(self, options, 0, status))) {
         return false;
     }
     char *complete = clod_identity_complete(self, status);
     if (complete == NULL) {
         return false;
     }
-    char *standard = options->directory == NULL ? clod_folder_default(self->path) : NULL;
     char *identity = clod_identity_text(complete);
+    char *standard = NULL;
+    if (identity == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "no memory for %s", self->path);
+    } else if (options->directory == NULL) {
+        standard = clod_folder_default(self->path, status);
+    }
     clod_sim sim = {.from = self,
                     .options = options,
                     .directory = standard != NULL ? standard : options->directory,
                     .identity = identity};
-    const bool ok = sim.directory != NULL && identity != NULL
-                        ? run_in_folder(&sim, complete, report, status)
-                        : clod_status_fail(status, CLOD_FAILED, "no memory for %s", self->path);
+    clod_origin origin = {0};
+    const bool ok = identity != NULL && sim.directory != NULL &&
+                    open_origin(&sim, &origin, status) &&
+                    run_in_folder(&sim, complete, report, status);
+    clod_origin_fini(&origin);
     clod_memory_free(standard);
     clod_memory_free(identity);
     clod_memory_free(complete);

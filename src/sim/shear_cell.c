@@ -12,7 +12,9 @@ static clod_shear_cell jenike_cell(const clod_case_jenike *cell)
                              .area = clod_jenike_cell_area(cell),
                              .width = cell->diameter,
                              .height = cell->base_height + cell->ring_height,
-                             .lid_mass = cell->lid_mass};
+                             .lid_mass = cell->lid_mass,
+                             .fill_max = cell->fill_max,
+                             .settle_max = cell->settle_max};
 }
 
 clod_shear_cell clod_shear_cell_of(const clod_case *from)
@@ -28,5 +30,7 @@ clod_shear_cell clod_shear_cell_of(const clod_case *from)
                              .area = clod_ring_cell_area(ring),
                              .width = ring->outer_radius - ring->inner_radius,
                              .height = ring->depth,
-                             .lid_mass = ring->lid_mass};
+                             .lid_mass = ring->lid_mass,
+                             .fill_max = ring->fill_max,
+                             .settle_max = ring->settle_max};
 }

@@ -11,10 +11,11 @@ typedef struct clod_shear_cell {
     const char *key; ///< of the tester in the case file
     const clod_case_programme *programme;
     const char *grain_material;
-    double radius_mean;   ///< m, of the grains
-    double area;          ///< m2
-    double width, height; ///< m, of the specimen; height as filling aims at
-    double lid_mass;      ///< kg
+    double radius_mean;          ///< m, of the grains
+    double area;                 ///< m2
+    double width, height;        ///< m, of the specimen; height as filling aims at
+    double lid_mass;             ///< kg
+    double fill_max, settle_max; ///< s at most until the grains, and the lid, rest
 } clod_shear_cell;
 
 /** The cell of a case that has a shear test; borrowed from the case. */

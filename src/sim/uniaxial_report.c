@@ -5,12 +5,12 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "output/folder.h"
+#include "clod/locus.h"
+#include "output/folder_files.h"
 #include "sim/uniaxial_warnings.h"
 #include "sim/warning_box.h"
 #include "tester/uniaxial.h"
 
-#define PATH_TEXT 4096
 #define ROW_TEXT 256
 
 /** sigma_1/sigma_c; infinite for a solid that does not stand by itself. */
@@ -25,10 +25,9 @@ static double void_ratio(const clod_uniaxial *t)
 }
 
 /** flow_function.csv; ffc is `inf` for a strength of 0. */
-static bool write_table(const char *directory, const clod_part *part, int points,
+static bool write_table(const clod_folder *folder, const clod_part *part, int points,
                         clod_status *status)
 {
-    char path[PATH_TEXT];
     const size_t size = ROW_TEXT * (2 + (size_t)points);
     char *text = clod_memory_alloc(size, 1);
     if (text == NULL) {
@@ -46,8 +45,7 @@ static bool write_table(const char *directory, const clod_part *part, int points
                          void_ratio(t), t->strength, t->strength_error, t->strength_base,
                          t->peak_strain, flowability(t));
     }
-    snprintf(path, sizeof path, "%s/flow_function.csv", directory);
-    const bool ok = clod_folder_write(path, text, status);
+    const bool ok = clod_folder_write(folder, "flow_function.csv", text, status);
     clod_memory_free(text);
     return ok;
 }
@@ -90,7 +88,8 @@ static json_t *point_json(const clod_part *part)
                    {"sigma_c_base_Pa", t->strength_base},
                    {"strain_at_peak", t->peak_strain},
                    {"ffc", flowability(t)}};
-    json_t *j = json_pack("{s:s}", "part", part->name);
+    json_t *j =
+        json_pack("{s:s, s:s}", "part", part->name, "errors_note", CLOD_LOCUS_ONE_SPECIMEN);
     for (size_t k = 0; k < sizeof NUMBERS / sizeof *NUMBERS; k++) {
         clod_parts_set_number(j, NUMBERS[k].key, NUMBERS[k].value);
     }
@@ -98,7 +97,7 @@ static json_t *point_json(const clod_part *part)
 }
 
 static bool write_summary(const clod_sim *sim, const clod_part *part, int points,
-                          json_t *warnings, clod_status *status)
+                          json_t *warnings, const char *why, clod_status *status)
 {
     json_t *list = json_array();
     json_t *results = json_array();
@@ -111,7 +110,7 @@ static bool write_summary(const clod_sim *sim, const clod_part *part, int points
             json_array_append_new(results, point_json(&part[p]));
         }
     }
-    return clod_parts_write_summary(sim, list, "flow_function", results, warnings, status);
+    return clod_parts_write_summary(sim, list, "flow_function", results, warnings, why, status);
 }
 
 static int table_row(const clod_uniaxial *t, char *text, size_t size)
@@ -148,6 +147,9 @@ static char *make_text(const clod_sim *sim, const clod_part *part, int points,
     for (int p = 1; p <= points; p++) {
         used += table_row(part[p].test, text + used, size - (size_t)used);
     }
+    snprintf(text + used, size - (size_t)used,
+             "\n  ± one standard error of the smoothed peak;\n  " CLOD_LOCUS_ONE_SPECIMEN
+             ".\n");
     clod_warning_box_append(text, size, warnings);
     return text;
 }
@@ -159,11 +161,28 @@ bool clod_uniaxial_report(const clod_sim *sim, const clod_part *part, int points
     if (warnings == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the report");
     }
-    const bool ok = write_table(sim->directory, part + 1, points, status) &&
-                    write_summary(sim, part, points, warnings, status);
+    const bool ok = write_table(sim->folder, part + 1, points, status) &&
+                    write_summary(sim, part, points, warnings, NULL, status);
     if (ok) {
         *report = make_text(sim, part, points, warnings);
     }
     json_decref(warnings);
     return ok;
+}
+
+void clod_uniaxial_report_finished(const clod_sim *sim, const clod_part *part, int points,
+                                   const char *why)
+{
+    clod_part *done = clod_memory_alloc((size_t)points + 1, sizeof *done);
+    const int found = done != NULL ? clod_parts_finished(part, points + 1, done) : 0;
+    if (found > 0) { // the filling, from which all others begin, is the first
+        json_t *warnings = clod_uniaxial_warnings(sim->from, done, found);
+        clod_status second; // of a test that failed already: the first failure is told
+        if (write_table(sim->folder, done + 1, found - 1, &second) &&
+            write_summary(sim, done, found - 1, warnings, why, &second)) {
+            clod_parts_tell_finished(sim, found, "flow_function.csv");
+        }
+        json_decref(warnings);
+    }
+    clod_memory_free(done);
 }

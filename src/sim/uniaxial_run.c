@@ -46,6 +46,14 @@ static void uniaxial_begin(const clod_case *from, const clod_part *part, clod_st
     }
 }
 
+/** What a filling of another run does not know: how this case crushes. */
+static void uniaxial_adopt(const clod_case *from, const clod_part *part)
+{
+    clod_uniaxial *test = part->test;
+    test->crush_max = from->uniaxial.crush_max;
+    test->beyond_peak = from->uniaxial.beyond_peak;
+}
+
 static const clod_parts_tester TESTER = {.procedure = {.size = sizeof(clod_uniaxial),
                                                        .columns = clod_uniaxial_columns,
                                                        .column_count = CLOD_UNIAXIAL_COLUMNS,
@@ -55,7 +63,8 @@ static const clod_parts_tester TESTER = {.procedure = {.size = sizeof(clod_uniax
                                                        .fraction = uniaxial_fraction,
                                                        .trouble = uniaxial_trouble},
                                          .setup = clod_setup_uniaxial_cell,
-                                         .begin = uniaxial_begin};
+                                         .begin = uniaxial_begin,
+                                         .adopt = uniaxial_adopt};
 
 /** Names: `fill`, then `stress-1` and so on in the order of the case. */
 static void name_parts(const clod_case *from, int parts, clod_part *part, clod_uniaxial *test)
@@ -67,6 +76,14 @@ static void name_parts(const clod_case *from, int parts, clod_part *part, clod_u
         snprintf(part[k].name, sizeof part[k].name, k > 0 ? "stress-%d" : "fill", k);
         snprintf(part[k].from, sizeof part[k].from, "%s", k > 0 ? "fill" : "");
     }
+}
+
+bool clod_uniaxial_try_origin(const clod_sim *sim, clod_status *status)
+{
+    clod_part part = {0};
+    clod_uniaxial test = {0};
+    name_parts(sim->from, 1, &part, &test);
+    return clod_parts_try_origin(&TESTER, sim, &part, 1, status);
 }
 
 bool clod_uniaxial_run(const clod_sim *sim, char **report, clod_status *status)
@@ -82,6 +99,9 @@ bool clod_uniaxial_run(const clod_sim *sim, char **report, clod_status *status)
         ok = clod_parts_run(&TESTER, sim, part, 1, status) &&
              clod_parts_run(&TESTER, sim, part + 1, points, status) &&
              clod_uniaxial_report(sim, part, points, report, status);
+        if (!ok && status->code != CLOD_INTERRUPTED) { // that one goes on
+            clod_uniaxial_report_finished(sim, part, points, status->text);
+        }
     }
     clod_memory_free(part);
     clod_memory_free(test);

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "analysis/warnings.h"
+#include "base/memory.h"
 #include "sim/warning_box.h"
 #include "tester/limits.h"
 #include "tester/uniaxial.h"
@@ -15,14 +17,20 @@ static void add_flags(json_t *list, const clod_case *from, const clod_part *part
 {
     const clod_uniaxial *t = part->test;
     if ((t->flags & CLOD_UNIAXIAL_NOT_SETTLED) != 0) {
-        clod_warning_box_add(list, "%s: %s did not come to rest within its time limit",
-                             part->name, part->point < 0 ? "filling" : "consolidation");
+        const bool filling = part->point < 0;
+        clod_warning_box_add(
+            list, "%s: %s did not come to rest within uniaxial.%s (%.3g s): raise it%s",
+            part->name, filling ? "filling" : "consolidation",
+            filling ? "fill_max" : "settle_max",
+            filling ? from->uniaxial.fill_max : from->uniaxial.settle_max,
+            filling ? "" : ", or uniaxial.lid_damping if the lid swings");
     }
     if ((t->flags & CLOD_UNIAXIAL_NOT_FREE) != 0) {
         clod_warning_box_add(list,
                              "%s: grains still moved when the specimen without its mould was "
-                             "crushed",
-                             part->name);
+                             "crushed, %.3g s after it was taken away: raise "
+                             "uniaxial.settle_max, unless the specimen falls apart",
+                             part->name, from->uniaxial.settle_max);
     }
     if ((t->flags & CLOD_UNIAXIAL_NO_PEAK) != 0) {
         clod_warning_box_add(list,
@@ -53,9 +61,14 @@ static void add_stresses(json_t *list, const clod_case *from, const clod_part *p
     const double weight = -t->grain_mass * from->gravity[2] / t->area;
     const double mould = (t->sigma_1 + weight - t->sigma_base) / t->sigma_1;
     if (fabs(t->sigma_1 / t->stress - 1.0) > SERVO_LIMIT) {
+        // at rest is within this limit: the lid still moved, as another warning says
         clod_warning_box_add(list,
-                             "%s: the consolidation stress was %.4g kPa instead of %.4g kPa",
-                             part->name, 1e-3 * t->sigma_1, 1e-3 * t->stress);
+                             "%s: the consolidation stress was %.4g kPa instead of %.4g kPa, "
+                             "since the specimen still gave way or the lid swung: raise "
+                             "uniaxial.settle_max or lid_damping. The strength is that of "
+                             "%.4g kPa",
+                             part->name, 1e-3 * t->sigma_1, 1e-3 * t->stress,
+                             1e-3 * t->sigma_1);
     }
     if (mould > MOULD_LIMIT) {
         clod_warning_box_add(
@@ -91,6 +104,26 @@ static void add_inertia(json_t *list, const clod_case *from, const clod_part *pa
     }
 }
 
+/** Remark on a strength that falls while the consolidation rises. */
+static void add_fall(json_t *list, const clod_part *part, int parts)
+{
+    char text[CLOD_LOCUS_WARNING_TEXT] = "";
+    clod_warnings_strength *points = clod_memory_alloc((size_t)parts, sizeof *points);
+    size_t count = 0;
+    for (int p = 0; points != NULL && p < parts; p++) {
+        const clod_uniaxial *t = part[p].test;
+        if (part[p].point >= 0) {
+            points[count++] =
+                (clod_warnings_strength){t->sigma_1, t->strength, t->strength_error};
+        }
+    }
+    clod_warnings_strength_falls(points, count, text);
+    if (text[0] != '\0') {
+        clod_warning_box_add(list, "%s", text);
+    }
+    clod_memory_free(points);
+}
+
 json_t *clod_uniaxial_warnings(const clod_case *from, const clod_part *part, int parts)
 {
     json_t *list = json_array();
@@ -107,6 +140,7 @@ json_t *clod_uniaxial_warnings(const clod_case *from, const clod_part *part, int
                                  part[p].name, 100.0 * part[p].max_overlap);
         }
     }
+    add_fall(list, part, parts);
     const double across = from->uniaxial.diameter / (2.0 * from->uniaxial.radius_mean);
     if (across < CLOD_LIMITS_FREE_GRAINS) {
         clod_warning_box_add(list,

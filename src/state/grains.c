@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "state/limits.h"
 
 #define PADDING 2
 
@@ -22,6 +23,9 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
     const size_t capacity = count + PADDING;
     if (capacity <= self->capacity) {
         return true;
+    }
+    if (!clod_limits_grains(count, status)) {
+        return false;
     }
     const size_t old = self->capacity;
     // a file, a checkpoint or a copy asks for all of its grains at first

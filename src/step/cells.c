@@ -53,11 +53,16 @@ static void extent(const clod_state *state, int axis, double *min, double *max)
     }
 }
 
+double clod_cells_most(size_t grains)
+{
+    return fmin(8.0 * (double)grains + 64.0, (double)(INT32_MAX - 1));
+}
+
 static cell_grid make_grid(const clod_neighbour *self, const clod_state *state)
 {
     cell_grid grid;
     double width = 2.0 * self->radius_max + self->skin;
-    const double most = 8.0 * (double)state->grains.count + 64.0; // scattered grains: coarser
+    const double most = clod_cells_most(state->grains.count);
     double cells = INFINITY;
     while (cells > most) {
         cells = 1.0;

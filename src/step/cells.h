@@ -7,6 +7,10 @@
 
 #include "step/neighbour.h"
 
+/** Most cells that a grid for so many grains has: coarser for scattered ones, and int32 counts.
+ */
+double clod_cells_most(size_t grains);
+
 /** Fill self->pairs in ascending (i, j); false without memory. */
 bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state);
 

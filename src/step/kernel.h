@@ -11,9 +11,6 @@
 #include "law/law.h"
 #include "state/contacts.h"
 
-/** Largest overlap the laws are meant for, as a fraction of the smaller radius. */
-#define CLOD_KERNEL_OVERLAP_LIMIT 0.2
-
 /** Arrays and numbers the contact loops read; rows as in state/grains.h. */
 typedef struct clod_kernel_view {
     const double (*place)[4];
@@ -26,6 +23,7 @@ typedef struct clod_kernel_view {
     const double (*wall)[4];   ///< (geometry/wall_rows.h)
     size_t lead;               ///< rows by which memory is asked for before it is needed
     double dt;                 ///< s
+    double overlap_limit;      ///< fraction of the smaller radius
     double period[3];          ///< m; 0 where the domain is open
     double inverse_period[3];  ///< 1/m
 } clod_kernel_view;
@@ -33,6 +31,7 @@ typedef struct clod_kernel_view {
 /** What the contacts of a block turned into heat in one step [J]. */
 typedef struct clod_spent_block {
     double plastic[CLOD_LANES], dash_pot[CLOD_LANES], friction[CLOD_LANES], rolling[CLOD_LANES];
+    double lag[CLOD_LANES]; ///< work beyond that, either sign (docs/theory/energy.md)
 } clod_spent_block;
 
 /** What the contacts of a block store [J]. */

@@ -123,10 +123,11 @@ CLOD_LAW_PASS void kernel_batch_press(const clod_law *law, double dt, kernel_lay
     }
 }
 
-/** Third pass: springs carried on. Open contacts forget their tangent. */
+/** Third pass: springs as they stay. Open contacts forget them and their tangent. */
 CLOD_LAW_PASS void kernel_batch_carry(const clod_law *law, double dt, kernel_layout layout,
                                       kernel_batch *batch)
 {
+    const vreal3 none = {vreal_set(0.0), vreal_set(0.0), vreal_set(0.0)};
     clod_law_memory next = kernel_memory(batch, layout, 0);
     clod_law_inverses inverses = clod_law_carry_begin(law, &batch->trial[0], &next);
     for (int k = 0; k < batch->vectors; k++) {
@@ -142,40 +143,25 @@ CLOD_LAW_PASS void kernel_batch_carry(const clod_law *law, double dt, kernel_lay
         const vmask closed = vmask_less(vreal_set(0.0), batch->meeting[k].touch.overlap);
         vreal_store(&history->tangent[lane],
                     vreal_select(closed, memory.tangent, vreal_set(0.0)));
+        memory.spring = vreal3_select(closed, memory.spring, none);
+        memory.roll = vreal3_select(closed, memory.roll, none);
         kernel_springs_store(law, history, lane, &memory);
     }
 }
 
-/** Begin the last pass for a vector. */
-CLOD_LAW_PASS clod_law_cuts kernel_batch_limit_begin(const clod_law *law, kernel_layout layout,
-                                                     const kernel_batch *batch, int k)
-{
-    const clod_law_memory memory = kernel_memory(batch, layout, k);
-    return clod_law_limit_begin(law, &batch->meeting[k].touch, &batch->trial[k], &memory);
-}
-
 /**
- * Last pass for one vector: limits, and springs as they stay. Open contacts forget theirs.
+ * Last pass for one vector: limits of spring and dash-pot together.
  *
  * @param cuts  [in,out] of this vector; becomes those of the next one
  */
-CLOD_LAW_PASS clod_law_result kernel_batch_limit(const clod_law *law, kernel_layout layout,
-                                                 const kernel_batch *batch, int k,
-                                                 clod_law_cuts *cuts)
+CLOD_LAW_PASS clod_law_result kernel_batch_limit(const clod_law *law, const kernel_batch *batch,
+                                                 int k, clod_law_cuts *cuts)
 {
-    const vreal zero = vreal_set(0.0);
-    const vreal3 none = {zero, zero, zero};
     const clod_law_cuts now = *cuts;
     if (k + 1 < batch->vectors) {
-        *cuts = kernel_batch_limit_begin(law, layout, batch, k + 1);
+        *cuts = clod_law_limit_begin(law, &batch->trial[k + 1]);
     }
-    clod_law_memory memory = kernel_memory(batch, layout, k);
-    const clod_law_result result =
-        clod_law_limit(law, &batch->meeting[k].touch, &batch->trial[k], &now, &memory);
-    memory.spring = vreal3_select(result.closed, memory.spring, none);
-    memory.roll = vreal3_select(result.closed, memory.roll, none);
-    kernel_springs_store(law, kernel_history(batch, layout, k), kernel_lane(k), &memory);
-    return result;
+    return clod_law_limit(law, &batch->meeting[k].touch, &batch->trial[k], &now);
 }
 
 /** A law with its choices as constants. */
@@ -183,7 +169,6 @@ static inline clod_law kernel_law_known(clod_law law, clod_law_kind kind, clod_r
 {
     law.kind = kind;
     law.exponent_kind = CLOD_EXPONENT_THREE_HALVES;
-    law.coulomb = CLOD_COULOMB_ADHESIVE;
     law.tangential = CLOD_TANGENTIAL_TANGENT;
     law.rolling = rolling;
     return law;
@@ -194,7 +179,6 @@ static inline clod_law kernel_law_known(clod_law law, clod_law_kind kind, clod_r
 static inline bool kernel_law_is(const clod_law *law, clod_law_kind kind, clod_rolling rolling)
 {
     return CLOD_WIDTH > 1 && law->exponent_kind == CLOD_EXPONENT_THREE_HALVES &&
-           law->coulomb == CLOD_COULOMB_ADHESIVE &&
            law->tangential == CLOD_TANGENTIAL_TANGENT && law->kind == kind &&
            law->rolling == rolling;
 }

@@ -123,17 +123,18 @@ CLOD_LAW_PASS void kernel_contact_store(const clod_kernel_view *view,
 CLOD_LAW_PASS vreal kernel_contact_limit(const clod_kernel_view *view, const clod_law *law,
                                          kernel_batch *batch, double (*apart)[8], vreal excess)
 {
-    clod_law_cuts cuts = kernel_batch_limit_begin(law, KERNEL_PAIRS, batch, 0);
+    clod_law_cuts cuts = clod_law_limit_begin(law, &batch->trial[0]);
     for (int k = 0; k < batch->vectors; k++) {
-        const clod_law_result result = kernel_batch_limit(law, KERNEL_PAIRS, batch, k, &cuts);
+        const clod_law_result result = kernel_batch_limit(law, batch, k, &cuts);
         const clod_contact_block *block = kernel_block(batch, KERNEL_PAIRS, k);
         const int lane = kernel_lane(k);
         kernel_contact_store(view, &batch->meeting[k], result, &block->i[lane], &block->j[lane],
                              kernel_lanes(batch, k),
                              apart != NULL ? apart + k * CLOD_WIDTH : NULL);
-        // R* is at most the smaller radius and at least half of it
-        const clod_law_touch *touch = &batch->meeting[k].touch;
-        const vreal beyond = touch->overlap - CLOD_KERNEL_OVERLAP_LIMIT * 2.0 * touch->r_star;
+        const kernel_meeting *meeting = &batch->meeting[k];
+        const vreal overlap = meeting->touch.overlap; // an arm is the radius less half of it
+        const vreal radius = vreal_min(meeting->arm_i, meeting->arm_j) + 0.5 * overlap;
+        const vreal beyond = overlap - view->overlap_limit * radius;
         excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
     }
     return excess;

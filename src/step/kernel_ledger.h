@@ -56,6 +56,7 @@ static inline void kernel_store_spent(clod_spent_block *spent, int lane, clod_la
     vreal_store(&spent->dash_pot[lane], s.dash_pot);
     vreal_store(&spent->friction[lane], s.friction);
     vreal_store(&spent->rolling[lane], s.rolling);
+    vreal_store(&spent->lag[lane], s.lag);
 }
 
 /** What a block of grain-grain contacts spends in this step, before its history moves on. */

@@ -89,14 +89,14 @@ static inline void kernel_wall_store(const clod_kernel_view *view, vreal arm, vr
 CLOD_LAW_PASS vreal kernel_wall_limit(const clod_kernel_view *view, const clod_law *law,
                                       kernel_batch *batch, const vreal3 *lever, vreal excess)
 {
-    clod_law_cuts cuts = kernel_batch_limit_begin(law, KERNEL_WALLS, batch, 0);
+    clod_law_cuts cuts = clod_law_limit_begin(law, &batch->trial[0]);
     for (int k = 0; k < batch->vectors; k++) {
-        const clod_law_result result = kernel_batch_limit(law, KERNEL_WALLS, batch, k, &cuts);
+        const clod_law_result result = kernel_batch_limit(law, batch, k, &cuts);
         const clod_law_touch *touch = &batch->meeting[k].touch;
         kernel_wall_store(view, batch->meeting[k].arm_i, lever[k], result,
                           kernel_block(batch, KERNEL_WALLS, k), kernel_lane(k),
                           kernel_lanes(batch, k));
-        const vreal beyond = touch->overlap - CLOD_KERNEL_OVERLAP_LIMIT * touch->r_star;
+        const vreal beyond = touch->overlap - view->overlap_limit * touch->r_star;
         excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
     }
     return excess;

@@ -46,8 +46,21 @@ static int contacts_of(const clod_near_blocks *list, size_t group, size_t block)
     return left < CLOD_LANES ? (int)left : CLOD_LANES;
 }
 
-/** Add what each contact of a list spent in this step: by law, by grain, by partner. */
-static void add_spent(clod_step *self, const clod_near_blocks *list, clod_ledger *ledger)
+/** The same for the lag, which finds no room beside the four losses. */
+static void lag_block(const clod_spent_block *spent, const int32_t *i, int contacts,
+                      grain_sums sums)
+{
+    for (int l = 0; l < contacts; l++) {
+        sums[i[l]][0] += spent->lag[l];
+    }
+}
+
+typedef void add_block(const clod_spent_block *spent, const int32_t *i, int contacts,
+                       grain_sums sums);
+
+/** Add a number of each contact of a list in this step: by law, by grain, by partner. */
+static void add_list(clod_step *self, const clod_near_blocks *list, add_block *add,
+                     double all[4])
 {
     const clod_near *near = &self->near;
     grain_sums sums = empty_sums(self);
@@ -58,16 +71,25 @@ static void add_spent(clod_step *self, const clod_near_blocks *list, clod_ledger
                 const int32_t *i = list == &near->pairs
                                        ? ((const clod_contact_block *)list->block)[b].i
                                        : ((const clod_wall_block *)list->block)[b].i;
-                spend_block(&list->spent[b], i, contacts_of(list, q, b), sums);
+                add(&list->spent[b], i, contacts_of(list, q, b), sums);
             }
         }
     }
-    double all[4] = {0.0};
     add_up(self, all);
-    ledger->plastic += all[0];
-    ledger->dash_pot += all[1];
-    ledger->friction += all[2];
-    ledger->rolling += all[3];
+}
+
+/** Add what the contacts of a list spent in this step to the ledger. */
+static void add_spent(clod_step *self, const clod_near_blocks *list, clod_ledger *ledger)
+{
+    double lost[4] = {0.0};
+    double lag[4] = {0.0};
+    add_list(self, list, spend_block, lost);
+    add_list(self, list, lag_block, lag);
+    ledger->plastic += lost[0];
+    ledger->dash_pot += lost[1];
+    ledger->friction += lost[2];
+    ledger->rolling += lost[3];
+    ledger->lag += lag[0];
 }
 
 void clod_step_ledger(clod_step *self, int part)

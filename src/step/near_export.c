@@ -1,5 +1,6 @@
 // The way back: from the blocks into the state's list of contacts.
 #include "base/memory.h"
+#include "state/limits.h"
 #include "step/near_walk.h"
 
 /** Pairs after which what has been read in all groups is given back. */
@@ -17,14 +18,19 @@ static void history_get(const clod_history *from, int lane, double to[8])
 
 /** Room for as many contacts as the lists have lanes, and none in it; unchanged without memory.
  */
-static bool reserve_contacts(const clod_near *self, clod_state *state)
+static bool reserve_contacts(const clod_near *self, clod_state *state, clod_status *status)
 {
     const size_t most = (self->pairs.count + self->walls.count) * CLOD_LANES;
+    if (!clod_limits_contacts(most, status)) {
+        return false;
+    }
     if (most > state->contact_capacity) {
         const size_t capacity = most + most / 8;
         void *fresh = clod_memory_alloc(capacity, sizeof *state->contacts);
         if (fresh == NULL) {
-            return false;
+            return clod_status_fail(status, CLOD_FAILED,
+                                    "no memory for the contacts of %zu grains",
+                                    state->grains.count);
         }
         clod_memory_free(state->contacts);
         state->contacts = fresh;
@@ -104,9 +110,8 @@ static void export_walls(const clod_near *self, clod_neighbour *neighbour, clod_
 bool clod_near_export(clod_near *self, clod_neighbour *neighbour, clod_state *state,
                       const clod_laws *laws, clod_status *status)
 {
-    if (!reserve_contacts(self, state)) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for the contacts of %zu grains",
-                                state->grains.count);
+    if (!reserve_contacts(self, state, status)) {
+        return false;
     }
     export_pairs(self, neighbour, state, laws);
     export_walls(self, neighbour, state);

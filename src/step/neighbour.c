@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "state/limits.h"
 #include "step/cells.h"
 #include "step/layers.h"
 
@@ -50,7 +51,7 @@ static bool reserve_one(void *array, size_t count, size_t *capacity, size_t size
 
 bool clod_neighbour_add(clod_pairs *self, size_t j)
 {
-    if (self->count == UINT32_MAX || // start could not tell where they are
+    if (self->count == CLOD_LIMITS_PAIRS || // start could not tell where they are
         !reserve_one(&self->item, self->count, &self->capacity, sizeof *self->item)) {
         return false;
     }
@@ -74,7 +75,8 @@ static bool find_walls(clod_neighbour *self, const clod_state *state, const clod
                     continue;
                 }
                 clod_wall_candidates *walls = &self->walls;
-                if (!reserve_one(&walls->item, walls->count, &walls->capacity,
+                if (walls->count == CLOD_LIMITS_WALL_PAIRS ||
+                    !reserve_one(&walls->item, walls->count, &walls->capacity,
                                  sizeof *walls->item)) {
                     return false;
                 }
@@ -142,6 +144,14 @@ static size_t attach_walls(clod_wall_candidates *self, const clod_contact *conta
     return k;
 }
 
+bool clod_neighbour_fail_to_add(const clod_neighbour *self, size_t grains, clod_status *status)
+{
+    return clod_limits_pairs(self->pairs.count + 1, status) &&
+           clod_limits_wall_pairs(self->walls.count + 1, status) &&
+           clod_status_fail(status, CLOD_FAILED,
+                            "no memory for the contact candidates of %zu grains", grains);
+}
+
 bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
                           clod_status *status)
 {
@@ -153,9 +163,7 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
     if (!walls_at_rebuild(self, state) || !find_walls(self, state, laws) ||
         !(self->brute_force ? clod_cells_all_pairs(self, state)
                             : clod_cells_find_pairs(self, state))) {
-        return clod_status_fail(status, CLOD_FAILED,
-                                "no memory for the contact candidates of %zu grains",
-                                state->grains.count);
+        return clod_neighbour_fail_to_add(self, state->grains.count, status);
     }
     const size_t pairs = state->contact_count - state->wall_contact_count;
     size_t left = find_pairs(&self->pairs, state->grains.count, state->contacts, pairs);

@@ -88,8 +88,11 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
  */
 bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_status *status);
 
-/** Add a pair at the end of the candidates; false without memory, and beyond 2^32 - 1. */
+/** Add a pair at the end of the candidates; false without memory, and beyond the limit. */
 bool clod_neighbour_add(clod_pairs *self, size_t j);
+
+/** Say why no more candidates could be added: beyond a limit, or without memory; false. */
+bool clod_neighbour_fail_to_add(const clod_neighbour *self, size_t grains, clod_status *status);
 
 /** Give the scratch of a large bed back to the system until it is next used. */
 void clod_neighbour_give_back(clod_neighbour *self);

@@ -151,13 +151,13 @@ static bool allocate(clod_step *self)
     }
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].finite = self->thread[t].all_finite = true;
-        clod_gate_init(&self->gate[t]);
+        clod_gate_init(&self->gate[t], self->threads);
     }
     return true;
 }
 
 /** Rows and periods for the kernels. */
-static void look(clod_step *self)
+static void look(clod_step *self, double overlap_limit)
 {
     const clod_grains *grains = &self->state->grains;
     self->view = (clod_kernel_view){.place = (const double(*)[4])grains->place,
@@ -168,7 +168,8 @@ static void look(clod_step *self)
                                     .wall_slots = self->near.wall_slots,
                                     .shape = (const double(*)[4])self->walls.shape,
                                     .wall = (const double(*)[4])self->walls.wall,
-                                    .lead = self->neighbour.lead};
+                                    .lead = self->neighbour.lead,
+                                    .overlap_limit = overlap_limit};
     for (int a = 0; a < 3; a++) {
         const clod_domain *domain = &self->state->domain;
         if (domain->periodic[a]) {
@@ -236,7 +237,7 @@ static bool first_forces(clod_step *self, clod_status *status)
 bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
                     const clod_step_options *options, clod_status *status)
 {
-    *self = (clod_step){.state = state, .laws = laws};
+    *self = (clod_step){.state = state, .laws = laws, .begin = state->step};
     self->near.ledger = state->ledger.open != 0;
     self->kernel = clod_kernel_choose(options->simd);
     if (self->kernel == NULL) {
@@ -259,7 +260,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
     if (!periods_are_long_enough(self, status) || !build_lists(self, status)) {
         return false;
     }
-    look(self);
+    look(self, options->overlap_limit > 0.0 ? options->overlap_limit : CLOD_STEP_OVERLAP);
     clod_barrier_init(&self->barrier, self->threads);
     return !fresh || first_forces(self, status);
 }

@@ -15,10 +15,14 @@
 #include "step/kernel.h"
 #include "step/near.h"
 
+/** Largest overlap the laws are meant for, as a fraction of the smaller radius. */
+#define CLOD_STEP_OVERLAP 0.2
+
 typedef struct clod_step_options {
-    int threads;      ///< 0 = all processors
-    const char *simd; ///< instruction set, NULL = best
-    bool brute_force; ///< neighbour search over all pairs (tests)
+    int threads;          ///< 0 = all processors
+    const char *simd;     ///< instruction set, NULL = best
+    bool brute_force;     ///< neighbour search over all pairs (tests)
+    double overlap_limit; ///< of the smaller radius, at which to stop; 0 = CLOD_STEP_OVERLAP
 } clod_step_options;
 
 /** What one thread keeps to itself, on its own cache lines; motions are the same in all. */
@@ -45,6 +49,7 @@ typedef struct clod_step {
     clod_wall_rows walls;     ///< where they are in this step
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
     bool exported;         ///< histories are in the state, not in the blocks
+    int64_t begin;         ///< step of the state when it was taken
     bool failed;           ///< a rebuild went wrong; status says why
     clod_status status;
     // for reports

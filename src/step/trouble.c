@@ -3,6 +3,11 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "law/law_cycle.h"
+
+#define LARGE_STEP 0.25 ///< of the critical step: six steps for half a swing
+#define GOOD_STEP 0.1   ///< as time.safety
+
 static bool row_is_finite(const double *row, int count)
 {
     for (int c = 0; c < count; c++) {
@@ -81,6 +86,74 @@ static worst_overlap find_worst(const clod_step *self)
     return worst;
 }
 
+/** The deepest contact with its law. */
+typedef struct deep_contact {
+    const clod_law *law;
+    double overlap, r_star; ///< m
+    double m_star;          ///< kg
+} deep_contact;
+
+static deep_contact describe(const clod_step *self, const worst_overlap *worst)
+{
+    const clod_grains *grains = &self->state->grains;
+    const double a = grains->place[worst->i][3];
+    const double mass = grains->motion[worst->i][3];
+    const bool wall = worst->j < 0;
+    const int32_t material =
+        wall ? self->state->walls.wall[worst->wall].material : grains->material[worst->j];
+    const int32_t law = clod_laws_index(self->laws, grains->material[worst->i], material);
+    deep_contact deep = {.law = &self->laws->law[law], .r_star = a, .m_star = mass};
+    deep.overlap = worst->fraction * a;
+    if (!wall) {
+        const double b = grains->place[worst->j][3];
+        const double other = grains->motion[worst->j][3];
+        deep.overlap = worst->fraction * fmin(a, b);
+        deep.r_star = a * b / (a + b);
+        deep.m_star = mass * other / (mass + other);
+    }
+    return deep;
+}
+
+/** Largest stable step of a contact as deep as it is [s]: of k2, or of the tangential spring.
+ */
+static double critical_step(const deep_contact *deep)
+{
+    const clod_law *law = deep->law;
+    const double loading = clod_law_tangent(law, deep->overlap, deep->r_star);
+    const double tangential = law->tangential == CLOD_TANGENTIAL_LITERAL
+                                  ? law->literal_stiffness
+                                  : law->tangent_ratio * loading;
+    const double slip = law->friction > 0.0 ? 3.5 * tangential : 0.0; // on 2/7 of the mass
+    return 2.0 * sqrt(deep->m_star / fmax(loading * law->k2 / law->k1, slip));
+}
+
+/** What to do about the deepest contact: where it is new, where the step is too large for it,
+ *  and where it is too soft. */
+static void advise(const clod_step *self, const worst_overlap *worst, char *text, size_t size)
+{
+    const deep_contact deep = describe(self, worst);
+    const double dt = self->state->dt;
+    const double critical = critical_step(&deep);
+    if (self->state->step == self->begin) { // before any step was made
+        snprintf(text, size,
+                 "They are put so: move them apart. If so deep a contact is meant, raise "
+                 "time.overlap_limit");
+    } else if (dt > LARGE_STEP * critical) {
+        snprintf(text, size,
+                 "The time step, %.3g s, is too large: %.2g of the critical step of this "
+                 "contact as deep as it is, %.3g s. Take time.step: auto, or at most %.2g s; "
+                 "when it is auto, time.design_stress for the load that comes",
+                 dt, dt / critical, critical, GOOD_STEP * critical);
+    } else {
+        snprintf(text, size,
+                 "The time step is not the reason (%.2g of the critical step of this contact): "
+                 "it is too soft for its load, some %.3g N. Raise %s, lower the load or the "
+                 "speed, or, if so deep a contact is meant, raise time.overlap_limit",
+                 dt / critical, clod_law_cycle_force(deep.law, deep.r_star, deep.overlap),
+                 deep.law->kind == CLOD_LAW_HERTZ ? "youngs_modulus" : "its k1 (and k2)");
+    }
+}
+
 static bool report_overlap(const clod_step *self, clod_status *status)
 {
     const clod_state *state = self->state;
@@ -91,19 +164,20 @@ static bool report_overlap(const clod_step *self, clod_status *status)
     }
     const unsigned long long i = (unsigned long long)state->grains.id[worst.i];
     char partner[64];
+    char advice[400];
     if (worst.j >= 0) {
         snprintf(partner, sizeof partner, "grain %llu",
                  (unsigned long long)state->grains.id[worst.j]);
     } else {
         snprintf(partner, sizeof partner, "wall '%s'", state->walls.wall[worst.wall].name);
     }
-    return clod_status_fail(
-        status, CLOD_FAILED,
-        "step %lld: grain %llu overlaps %s by %.1f %% of its radius; the contact laws hold up "
-        "to "
-        "%.0f %%. Stiffen the contact, lower the load, or take a smaller time step (now %g s)",
-        (long long)state->step, i, partner, 100.0 * worst.fraction,
-        100.0 * CLOD_KERNEL_OVERLAP_LIMIT, state->dt);
+    advise(self, &worst, advice, sizeof advice);
+    return clod_status_fail(status, CLOD_FAILED,
+                            "step %lld: grain %llu overlaps %s by %.1f %% of the radius%s; "
+                            "time.overlap_limit is %.3g %%. %s",
+                            (long long)state->step, i, partner, 100.0 * worst.fraction,
+                            worst.j >= 0 ? " of the smaller one" : "",
+                            100.0 * self->view.overlap_limit, advice);
 }
 
 bool clod_trouble_report(const clod_step *self, clod_status *status)

@@ -59,10 +59,17 @@ double clod_bed_top(const clod_state *state)
     return top;
 }
 
-bool clod_bed_is_filled(const clod_state *state, double in_phase, bool *late)
+double clod_bed_fall_time(const clod_state *state, double speed)
 {
-    *late = in_phase > CLOD_LIMITS_FILL_TIME;
-    return *late || (in_phase > FILL_LEAST && clod_bed_rms_speed(state) < SETTLED_SPEED);
+    const double *g = state->gravity;
+    return speed / sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+}
+
+bool clod_bed_is_filled(const clod_state *state, double in_phase, double most, bool *late)
+{
+    const double least = fmax(FILL_LEAST, 2.0 * clod_bed_fall_time(state, SETTLED_SPEED));
+    *late = in_phase > most;
+    return *late || (in_phase > least && clod_bed_rms_speed(state) < SETTLED_SPEED);
 }
 
 void clod_bed_put_lid(clod_state *state, double height, double bars)

@@ -22,13 +22,17 @@ double clod_bed_rms_speed(const clod_state *state);
 /** Highest point of the grains [m]. */
 double clod_bed_top(const clod_state *state);
 
+/** Time in which a grain that nothing holds gets this fast [s]; endless without gravity. */
+double clod_bed_fall_time(const clod_state *state, double speed);
+
 /**
  * Whether filling is over: the grains rest, or its time is.
  *
  * @param in_phase  since filling began [s]
+ * @param most      time that filling may take [s]
  * @param late      [out] its time is over
  */
-bool clod_bed_is_filled(const clod_state *state, double in_phase, bool *late);
+bool clod_bed_is_filled(const clod_state *state, double in_phase, double most, bool *late);
 
 /**
  * Put the wall "lid" down to just above the settled grains and let it come down; the neighbour

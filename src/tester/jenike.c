@@ -12,6 +12,8 @@ void clod_jenike_begin(clod_ring_shear *self, const clod_case *from, clod_state 
         .area = 0.25 * M_PI * cell->diameter * cell->diameter,
         .lid_mass = cell->lid_mass,
         .lowest_lid = cell->base_height + 2.0 * clod_bed_largest(state),
+        .fill_max = cell->fill_max,
+        .settle_max = cell->settle_max,
         .straight = 1,
         .base_height = cell->base_height,
         .twist_angle = cell->twist_angle,

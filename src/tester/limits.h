@@ -7,9 +7,7 @@
  */
 
 // The programme: the operator's hand. In a ring displacements are at the mean radius r_m.
-#define CLOD_LIMITS_FILL_TIME 0.6          ///< s at most, until the grains rest
 #define CLOD_LIMITS_LOWER_SPEED 0.1        ///< m/s of the lid on its way down
-#define CLOD_LIMITS_SETTLE_TIME 0.3        ///< s at most, consolidation and reduction
 #define CLOD_LIMITS_REVERSE_FRACTION 0.033 ///< speed of shearing back / speed of preshear
 #define CLOD_LIMITS_REVERSE_MAX 2e-3       ///< m at most of shear back
 enum { CLOD_LIMITS_COARSE_STEPS = 200 };   ///< per row of the series, at constant speed

@@ -71,6 +71,8 @@ void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_st
         .bar_height = cell->bar_height,
         .lid_mass = cell->lid_mass,
         .lowest_lid = 2.0 * cell->bar_height + 2.0 * clod_bed_largest(state),
+        .fill_max = cell->fill_max,
+        .settle_max = cell->settle_max,
     };
     clod_ring_shear_start(self, &cell->programme, state);
 }
@@ -83,6 +85,7 @@ void clod_ring_shear_start(clod_ring_shear *self, const clod_case_programme *pro
     self->preshear_stress = programme->preshear_stress;
     self->speed = programme->speed;
     self->block_displacement = programme->block_displacement;
+    self->preshear_min = programme->preshear_min;
     self->preshear_max = programme->preshear_max;
     self->shear_max = programme->shear_max;
     // as the operator of a shear tester: steady is when the shear stress is (ASTM D6773); a
@@ -141,7 +144,7 @@ int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *stat
 static void after_fill(clod_ring_shear *self, clod_state *state, double in_phase)
 {
     bool late;
-    if (clod_bed_is_filled(state, in_phase, &late)) {
+    if (clod_bed_is_filled(state, in_phase, self->fill_max, &late)) {
         self->flags |= late ? CLOD_RING_SHEAR_NOT_SETTLED : 0;
         clod_bed_put_lid(state, clod_ring_lid_height(self, state), self->bar_height);
         enter(self, state, CLOD_RING_SHEAR_LOWER);
@@ -173,14 +176,14 @@ static void after_load(clod_ring_shear *self, clod_state *state, const double *r
                        double in_phase, double interval)
 {
     const bool ramped = ramp_load(self, state, in_phase);
-    const bool late = in_phase > CLOD_LIMITS_SETTLE_TIME;
+    const bool late = in_phase > self->settle_max;
     const double speed = (row[CLOD_RING_SHEAR_HEIGHT] - self->last_height) / interval;
     const double stress = row[CLOD_RING_SHEAR_NORMAL_STRESS] / self->target_stress;
     const bool calm = clod_bed_is_calm(&self->calm, speed, stress);
     if (!ramped || !(calm || late)) {
         return;
     }
-    self->flags |= late ? CLOD_RING_SHEAR_NOT_SETTLED : 0;
+    self->flags |= calm ? 0 : CLOD_RING_SHEAR_NOT_SETTLED;
     if (self->phase == CLOD_RING_SHEAR_CONSOLIDATE && self->twists > 0) {
         enter(self, state, CLOD_RING_SHEAR_TWIST);
         return;
@@ -206,32 +209,41 @@ static void note_hanger(clod_ring_shear *self, const clod_state *state)
         clod_bed_wall(state, "lid")->load_force + self->lid_mass * state->gravity[2];
 }
 
+/** What preshear gave: means of the steady blocks, or where the last blocks lead to. */
+static void note_preshear(clod_ring_shear *self, bool steady)
+{
+    const clod_steady_result blocks = clod_steady_summary(&self->steady);
+    const double way = ((double)blocks.blocks - 1.0) * self->block_displacement;
+    self->preshear_normal = blocks.sigma.value;
+    self->preshear_shear = steady ? blocks.tau.value : blocks.tau.end;
+    self->preshear_error = steady ? blocks.tau.error : blocks.tau.end_error;
+    self->preshear_rate = blocks.tau.trend / way;
+    self->preshear_rate_error = blocks.tau.trend_error / way;
+    self->preshear_height = steady ? blocks.height.value : blocks.height.end;
+    self->preshear_density =
+        self->grain_mass / (self->area * self->preshear_height - self->bars_volume);
+    self->preshear_dilation = blocks.height.trend / way;
+    self->preshear_displacement = self->displacement;
+}
+
 static void after_preshear(clod_ring_shear *self, clod_state *state, const double *row)
 {
     set_stress(self, state, self->target_stress);
     if (!is_at_speed(self, state)) {
         return;
     }
-    const bool steady =
+    const bool level =
         clod_steady_add(&self->steady, row[CLOD_RING_SHEAR_SHEAR_STRESS],
                         row[CLOD_RING_SHEAR_HEIGHT], row[CLOD_RING_SHEAR_NORMAL_STRESS]);
+    const bool steady = level && self->displacement >= self->preshear_min;
     // never without the blocks that a mean with an error needs, however short the limit
-    const bool late =
-        self->displacement > self->preshear_max && self->steady.block_count >= CLOD_STEADY_MIN;
-    if (!steady && !late) {
-        return;
+    const bool late = self->displacement + self->block_displacement > self->preshear_max &&
+                      self->steady.block_count >= CLOD_STEADY_MIN;
+    if (self->steady.samples > 0 || (!steady && !late)) {
+        return; // at the end of a block only: what is told is told of where preshear ended
     }
-    const clod_steady_result mean = clod_steady_summary(&self->steady);
     self->flags |= steady ? 0 : CLOD_RING_SHEAR_NOT_STEADY;
-    self->preshear_normal = mean.sigma.value;
-    self->preshear_shear = mean.tau.value;
-    self->preshear_error = mean.tau.error;
-    self->preshear_height = mean.height.value;
-    self->preshear_density =
-        self->grain_mass / (self->area * mean.height.value - self->bars_volume);
-    self->preshear_dilation =
-        mean.height.trend / (((double)mean.blocks - 1.0) * self->block_displacement);
-    self->preshear_displacement = self->displacement;
+    note_preshear(self, steady);
     note_hanger(self, state);
     enter(self, state, CLOD_RING_SHEAR_DONE);
 }

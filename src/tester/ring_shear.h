@@ -8,7 +8,10 @@
  * a Jenike cell (ASTM D6128; tester/jenike.h), which is sheared along x instead of about z;
  * what depends on the cell is in ring_measure.c and jenike.c.
  *
- * One procedure prepares the specimen: fill, lower the lid, consolidate, preshear until steady.
+ * One procedure prepares the specimen: fill, lower the lid, consolidate, preshear until steady,
+ * for preshear_min at least and preshear_max at most. The shear stress of preshear is the mean
+ * of the steady blocks; of a preshear that was not steady it is where a line through the last
+ * blocks ends: the points start from there, and a mean would lag behind by half the blocks.
  * A second one goes on from there: reverse to zero shear stress. For each shear point another
  * one starts from that same state: reduce the load, shear to the peak and beyond.
  */
@@ -37,7 +40,7 @@ typedef enum clod_ring_shear_phase {
 /** Things that went not as they should; bits, for the warning box. */
 typedef enum clod_ring_shear_flag {
     CLOD_RING_SHEAR_NOT_SETTLED = 1, ///< fill, consolidate or reduce ran into its time limit
-    CLOD_RING_SHEAR_NOT_STEADY = 2,  ///< preshear ended at preshear_max
+    CLOD_RING_SHEAR_NOT_STEADY = 2,  ///< preshear ended at preshear_max, tau still changing
     CLOD_RING_SHEAR_NO_REVERSAL = 4, ///< shear stress did not come down to zero
     CLOD_RING_SHEAR_NO_PEAK = 8,     ///< shear_max reached before the peak was passed
     CLOD_RING_SHEAR_NO_BED = 16,     ///< the lid came within a grain of the lower bars or ring
@@ -74,9 +77,10 @@ typedef struct clod_ring_shear {
     double twist_angle; ///< rad, straight: of the lid to each side
     int64_t twists;     ///< straight: how often to and fro
     // the programme
-    double preshear_stress, shear_stress;               ///< Pa
-    double speed, shear_speed;                          ///< m/s at r_m
-    double block_displacement, preshear_max, shear_max; ///< m
+    double preshear_stress, shear_stress;                             ///< Pa
+    double speed, shear_speed;                                        ///< m/s at r_m
+    double block_displacement, preshear_min, preshear_max, shear_max; ///< m
+    double fill_max, settle_max; ///< s at most until the grains, and the lid, rest
     // where it is
     int64_t phase;        ///< clod_ring_shear_phase
     double phase_start;   ///< s
@@ -92,7 +96,8 @@ typedef struct clod_ring_shear {
     clod_peak peak;
     // results
     double hanger_force; ///< N on the lid in the main phase, beside its weight and the solid's
-    double preshear_normal, preshear_shear, preshear_error; ///< Pa; error of the mean
+    double preshear_normal, preshear_shear, preshear_error; ///< Pa; see below
+    double preshear_rate, preshear_rate_error; ///< Pa/m: of the shear stress at the end
     double preshear_height, preshear_density;
     double preshear_displacement; ///< m
     double preshear_dilation;     ///< change of height per shear displacement, steady blocks

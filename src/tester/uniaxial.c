@@ -60,6 +60,8 @@ void clod_uniaxial_begin(clod_uniaxial *self, const clod_case *from, clod_state 
         .speed = cell->speed,
         .crush_max = cell->crush_max,
         .beyond_peak = cell->beyond_peak,
+        .fill_max = cell->fill_max,
+        .settle_max = cell->settle_max,
     };
     for (size_t g = 0; g < state->grains.count; g++) {
         const double r = state->grains.place[g][3];
@@ -126,7 +128,7 @@ static void measure(const clod_uniaxial *self, const clod_state *state, double *
 static void after_fill(clod_uniaxial *self, clod_state *state, double in_phase)
 {
     bool late;
-    if (clod_bed_is_filled(state, in_phase, &late)) {
+    if (clod_bed_is_filled(state, in_phase, self->fill_max, &late)) {
         self->flags |= late ? CLOD_UNIAXIAL_NOT_SETTLED : 0;
         enter(self, state, CLOD_UNIAXIAL_DONE);
     }
@@ -156,7 +158,7 @@ static void after_consolidate(clod_uniaxial *self, clod_state *state, const doub
     const double speed = (row[CLOD_UNIAXIAL_HEIGHT] - self->last_height) / interval;
     const double stress = row[CLOD_UNIAXIAL_STRESS] / self->stress;
     const bool calm = clod_bed_is_calm(&self->calm, speed, stress);
-    const bool late = in_phase > CLOD_LIMITS_SETTLE_TIME;
+    const bool late = in_phase > self->settle_max;
     set_stress(self, state, self->start_stress + part * (self->stress - self->start_stress));
     if (part < 1.0 || !(calm || late)) {
         return;
@@ -208,8 +210,9 @@ static void remove_mould(clod_uniaxial *self, clod_state *state)
 
 static void after_free(clod_uniaxial *self, clod_state *state, double in_phase)
 {
-    const bool late = in_phase > CLOD_LIMITS_SETTLE_TIME;
-    if (late || (in_phase > FREE_LEAST && clod_bed_rms_speed(state) < FREE_SPEED)) {
+    const bool late = in_phase > self->settle_max;
+    const double least = fmax(FREE_LEAST, 2.0 * clod_bed_fall_time(state, FREE_SPEED));
+    if (late || (in_phase > least && clod_bed_rms_speed(state) < FREE_SPEED)) {
         self->flags |= late ? CLOD_UNIAXIAL_NOT_FREE : 0;
         clod_peak_init(&self->peak, PEAK_STRAIN * self->unloaded_height,
                        self->beyond_peak * self->unloaded_height);

@@ -62,6 +62,7 @@ typedef struct clod_uniaxial {
     double stress;                 ///< Pa, consolidation
     double speed;                  ///< m/s
     double crush_max, beyond_peak; ///< strain
+    double fill_max, settle_max;   ///< s at most until the grains, and the lid, rest
     // where it is
     int64_t phase;       ///< clod_uniaxial_phase
     double phase_start;  ///< s

@@ -13,7 +13,11 @@ static bool run_stages(clod_verify_bed *self, clod_verify_bed_look look, void *c
     bool ok = look(context, self, status);
     for (bool finished = false; ok && !finished;) {
         const int64_t steps = clod_free_stages_plan(&self->stages, self->from, &self->state);
-        ok = clod_step_advance(&self->step, steps, status) && look(context, self, status);
+        ok = clod_step_advance(&self->step, steps, status);
+        if (!ok || !clod_free_stages_look(&self->stages, self->from, &self->state)) {
+            continue;
+        }
+        ok = look(context, self, status);
         finished = ok && clod_free_stages_next(&self->stages, self->from, &self->state);
         clod_laws_set_adhesion(&self->laws, self->state.adhesion);
     }
@@ -23,7 +27,7 @@ static bool run_stages(clod_verify_bed *self, clod_verify_bed_look look, void *c
 static bool run_loaded(clod_verify_bed *self, clod_verify_bed_look look, void *context,
                        clod_status *status)
 {
-    const clod_step_options options = {0};
+    const clod_step_options options = {.overlap_limit = self->from->time.overlap_limit};
     bool ok = clod_laws_init(&self->laws, self->from, status) &&
               clod_setup_state(self->from, self->from->seed, &self->state, status);
     if (ok) {

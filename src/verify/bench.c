@@ -34,10 +34,15 @@ void clod_verify_bench_record_miss(const clod_verify_bench *self, const char *re
     clod_verify_report_record_miss(self->report, reason);
 }
 
+double clod_verify_larger(double most, double value)
+{
+    return value <= most || isnan(most) ? most : value;
+}
+
 void clod_verify_worst_offer(clod_verify_worst *self, double at, double expected, double got)
 {
     const double off = fabs(got - expected) / fabs(expected);
-    if (!(off <= self->off)) { // no number is the worst of all
+    if (!(off <= self->off) && !isnan(self->off)) {
         *self = (clod_verify_worst){at, expected, got, off};
     }
 }

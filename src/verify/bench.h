@@ -44,7 +44,13 @@ typedef struct clod_verify_worst {
         0.0, 0.0, 0.0, -1.0                                                                    \
     }
 
-/** Offer a point of a curve. */
+/**
+ * The larger of the largest so far and a value; what is no number is the worst of all, and
+ * stays. Threads  pure.   Test  tests/verify/test_bench.c
+ */
+double clod_verify_larger(double most, double value);
+
+/** Offer a point of a curve: no number is off by most of all, and stays. */
 void clod_verify_worst_offer(clod_verify_worst *self, double at, double expected, double got);
 
 /** A curve in DIR/NAME.csv: the first column is x, the others are drawn over it. */

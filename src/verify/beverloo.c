@@ -301,7 +301,7 @@ static bool run_silos(const clod_verify_bench *bench, silos *self, clod_status *
         self->rate[o].orifice = SILOS[o].orifice;
         self->rate[o].value = evaluate(&self->of[o], &self->rate[o].error);
         self->density += self->of[o].density / ORIFICE_COUNT;
-        self->overlap = fmax(self->overlap, self->of[o].overlap);
+        self->overlap = clod_verify_larger(self->overlap, self->of[o].overlap);
     }
     clod_fit line;
     return check_exponent(bench, self, status) && check_line(bench, self, &line, status) &&

@@ -141,7 +141,8 @@ static bool damped(const clod_verify_bench *bench, const clod_verify_chung_mater
                                          "e_out = e_in; " CLOD_VERIFY_CHUNG};
         clod_verify_curve_add(curve, row, 3);
         ok = clod_verify_bench_check(bench, &same, impacts[k].apart ? got : 0.0, status,
-                                     "%s: restitution [1]", sphere->name);
+                                     "%s: restitution in %lld steps [1]", sphere->name,
+                                     (long long)impacts[k].steps);
     }
     return clod_verify_curve_close(&curve, status) && ok;
 }

@@ -214,7 +214,8 @@ static bool check_gears(const clod_verify_bench *bench, const sweep *self,
     clod_verify_worst spin = CLOD_VERIFY_WORST;
     for (int k = 0; k < self->count; k++) {
         const clod_verify_chung_point *p = &self->points[k];
-        drift = fmax(drift, fmax(fabs(impacts[k].v[0].x), fabs(impacts[k].v[1].x)));
+        drift = clod_verify_larger(drift, fabs(impacts[k].v[0].x));
+        drift = clod_verify_larger(drift, fabs(impacts[k].v[1].x));
         clod_verify_worst_offer(&spin, p->spin_a, p->spin_a, impacts[k].w[0].y);
         clod_verify_worst_offer(&spin, p->spin_b, p->spin_b, impacts[k].w[1].y);
     }

@@ -23,8 +23,9 @@ static bool look(void *context, const clod_verify_play *now, clod_status *status
     const double overlap = c->radius - (c->radius - (at.z - top->shift.z)); // as the engine
     const double force = top->force.z;
     const double expected = c->law(c->law_data, overlap, &self->memory);
-    self->most_off = fmax(self->most_off, fabs(force - expected) / c->largest_force);
-    self->drift = fmax(self->drift, clod_vec3_length(at));
+    self->most_off =
+        clod_verify_larger(self->most_off, fabs(force - expected) / c->largest_force);
+    self->drift = clod_verify_larger(self->drift, clod_vec3_length(at));
     if (now->state.step > 0) { // the first look is before the first leg
         self->found->end[now->stage] = force;
     }

@@ -160,7 +160,10 @@ static void put_stages(const clod_verify_deck *self, const clod_verify_frame *fr
         }
         fprintf(out, "%s}\n", self->wall_count > 0 ? "}" : "");
     }
-    fprintf(out, "output: {series_interval: %.17g s}\n", fmax(time / 1000.0, self->step));
+    // the automatic step is unknown here; a hundredth of a run is longer
+    const double interval = self->step > 0.0 ? fmax(time / 1000.0, self->step) : time / 100.0;
+    fprintf(out, "output: {series_interval: %.17g s%s}\n", interval,
+            self->ledger ? ", energy: true" : "");
 }
 
 static void put_case(const clod_verify_deck *self, const clod_verify_frame *frame, FILE *out)
@@ -171,7 +174,12 @@ static void put_case(const clod_verify_deck *self, const clod_verify_frame *fram
         "# Written by clod verify. n, the normal of the contacts, is (%g, %g, %g) in space;\n"
         "# t, the direction of slip, is (%g, %g, %g).\n",
         frame->n.x, frame->n.y, frame->n.z, frame->t.x, frame->t.y, frame->t.z);
-    fprintf(out, "title: \"%s\"\ntime: {step: %.17g s}\ngravity: ", self->title, self->step);
+    fprintf(out, "title: \"%s\"\ntime: {step: ", self->title);
+    if (self->step > 0.0) {
+        fprintf(out, "%.17g s}\ngravity: ", self->step);
+    } else {
+        fprintf(out, "auto}\ngravity: ");
+    }
     put_vector(out, clod_verify_frame_out(frame, self->gravity), " m/s2");
     fprintf(out, "\n");
     put_materials(self, out);

@@ -65,7 +65,8 @@ typedef struct clod_verify_stage {
 typedef struct clod_verify_deck {
     const char *name;  ///< folder below DIR/cases
     const char *title; ///< one line
-    double step;       ///< s
+    double step;       ///< s; 0: the automatic one
+    bool ledger;       ///< keep the energy ledger
     clod_vec3 gravity; ///< m/s2, along t, b, n
     clod_verify_material materials[CLOD_VERIFY_MATERIALS];
     int material_count;

@@ -99,7 +99,7 @@ static bool read_summary(const char *directory, int seed, flow *self, clod_statu
     for (size_t p = 0; p < json_array_size(parts); p++) {
         const json_t *part = json_array_get(parts, p);
         self->flags += (int)json_array_size(json_object_get(part, "flags"));
-        self->overlap = fmax(self->overlap, number(part, "max_overlap"));
+        self->overlap = clod_verify_larger(self->overlap, number(part, "max_overlap"));
     }
     const json_t *points = json_object_get(summary, "flow_function");
     for (size_t s = 0; s < STRESSES; s++) {

@@ -89,7 +89,8 @@ static bool check(const clod_verify_bench *bench, int k, const clod_verify_impac
     const clod_verify_expect duration = {o.duration, TOLERANCE, true, OSCILLATION};
     const clod_verify_expect overlap = {o.overlap, TOLERANCE, true, OSCILLATION};
     return clod_verify_bench_check(bench, &restitution, got, status,
-                                   "restitution at %g m/s, asked for %g [1]", speed, asked) &&
+                                   "restitution at %g m/s, asked for %g, in %lld steps [1]",
+                                   speed, asked, (long long)impact->steps) &&
            clod_verify_bench_check(bench, &duration, impact->end - impact->begin, status,
                                    "duration at %g m/s, restitution %g [s]", speed, asked) &&
            clod_verify_bench_check(bench, &overlap, impact->peak_overlap, status,

@@ -130,7 +130,7 @@ static double difference(const clod_verify_deck *deck, const clod_verify_impact 
         const double radius = deck->grains[k == 0 ? one->a : one->b].radius;
         const double v = clod_vec3_length(clod_vec3_sub(one->v[k], other->v[k]));
         const double w = clod_vec3_length(clod_vec3_sub(one->w[k], other->w[k]));
-        most = fmax(most, fmax(v, radius * w));
+        most = clod_verify_larger(most, clod_verify_larger(v, radius * w));
     }
     return most / fastest(deck, one);
 }
@@ -165,7 +165,7 @@ static bool compare(const clod_verify_bench *bench, const clod_verify_deck *deck
     for (int k = 0; k < count; k++) {
         const double off = difference(deck, &plain[k], &other[k]);
         const double limit = rounding(deck, &plain[k]);
-        if (k == 0 || !(off / limit <= most / allowed)) {
+        if (k == 0 || (!(off / limit <= most / allowed) && !isnan(most))) {
             most = off;
             allowed = limit;
             worst = k;

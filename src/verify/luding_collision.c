@@ -52,11 +52,11 @@ static bool look(void *context, const clod_verify_play *now, clod_status *status
         const double overlap = 2.0 * RADIUS - (right - left);
         const double force = -clod_verify_play_force(now, 2 * k).z;
         const double expected = clod_verify_luding_force(&LAW, overlap, &pair->memory);
-        pair->most_off = fmax(pair->most_off, fabs(force - expected));
+        pair->most_off = clod_verify_larger(pair->most_off, fabs(force - expected));
         pair->place = left;
         pair->speed = clod_verify_play_velocity(now, 2 * k).z;
-        pair->drift =
-            fmax(pair->drift, fabs(pair->speed + clod_verify_play_velocity(now, 2 * k + 1).z));
+        pair->drift = clod_verify_larger(
+            pair->drift, fabs(pair->speed + clod_verify_play_velocity(now, 2 * k + 1).z));
         const double row[] = {overlap, force, expected};
         clod_verify_curve_add(pair->curve, row, 3);
     }

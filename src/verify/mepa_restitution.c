@@ -97,10 +97,10 @@ static bool check_share(const clod_verify_bench *bench, const family *f, int k,
     return clod_verify_bench_check(bench, &apart, impact->apart ? 1.0 : 0.0, status,
                                    "%s: they part at k_adh = %g of the threshold (1: yes)",
                                    f->name, SHARES[k]) &&
-           (sticks ||
-            clod_verify_bench_check(bench, &back, got, status,
-                                    "%s: restitution at k_adh = %g of the threshold [1]",
-                                    f->name, SHARES[k]));
+           (sticks || clod_verify_bench_check(
+                          bench, &back, got, status,
+                          "%s: restitution at k_adh = %g of the threshold, in %lld steps [1]",
+                          f->name, SHARES[k], (long long)impact->steps));
 }
 
 static bool run_family(const clod_verify_bench *bench, const family *f, clod_status *status)

@@ -54,7 +54,8 @@ static bool run_stages(clod_verify_play *self, clod_verify_look look, void *cont
 static bool run_loaded(clod_verify_play *self, clod_verify_look look, void *context,
                        clod_status *status)
 {
-    const clod_step_options options = {.threads = 1};
+    const clod_step_options options = {.threads = 1,
+                                       .overlap_limit = self->from->time.overlap_limit};
     if (!clod_laws_init(&self->laws, self->from, status)) {
         return false;
     }
@@ -62,6 +63,7 @@ static bool run_loaded(clod_verify_play *self, clod_verify_look look, void *cont
     bool ok = clod_setup_state(self->from, self->from->seed, &self->state, status);
     if (ok) {
         ok = clod_step_init(&self->step, &self->state, &self->laws, &options, status) &&
+             (!self->deck->ledger || clod_step_open_ledger(&self->step, status)) &&
              run_stages(self, look, context, status);
         clod_step_fini(&self->step);
     }

@@ -2,10 +2,10 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "clod/version.h"
 
 static bool judge(const clod_verify_row *row)
@@ -137,9 +137,8 @@ static void write_sections(FILE *out, const clod_verify_report *self)
 
 char *clod_verify_report_text(const clod_verify_report *self)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
     if (out == NULL) {
         return NULL;
     }
@@ -149,12 +148,5 @@ char *clod_verify_report_text(const clod_verify_report *self)
     } else {
         write_rows(out, self, 0, self->count);
     }
-    const bool written = ferror(out) == 0;
-    if (fclose(out) != 0 || !written) {
-        free(text);
-        return NULL;
-    }
-    char *owned = clod_memory_text(text);
-    free(text);
-    return owned;
+    return clod_text_close(&text);
 }

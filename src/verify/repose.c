@@ -12,9 +12,10 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "base/memory.h"
+#include "base/text.h"
 #include "measure/contacts.h"
 #include "verify/bed.h"
 #include "verify/profile.h"
@@ -156,20 +157,18 @@ static bool run_heap(const clod_verify_bench *bench, double friction, double rol
                      heap *self, clod_status *status)
 {
     char name[64];
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
+    clod_text whole;
+    FILE *out = clod_text_open(&whole);
     if (out == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for a case");
     }
     put_case(friction, rolling, seed, out);
     snprintf(name, sizeof name, "repose-%g-%g-%d", friction, rolling, seed);
-    const bool written = ferror(out) == 0;
-    const bool closed = fclose(out) == 0;
-    const bool ok = written && closed
+    char *text = clod_text_close(&whole);
+    const bool ok = text != NULL
                         ? clod_verify_bed_run(bench, name, text, look, self, status)
                         : clod_status_fail(status, CLOD_FAILED, "no memory for a case");
-    free(text);
+    clod_memory_free(text);
     return ok;
 }
 
@@ -243,8 +242,8 @@ static bool check_rest(const clod_verify_bench *bench, const heaps *self, clod_s
     for (int f = 0; f < FRICTIONS; f++) {
         for (int k = 0; k < ROLLINGS * SEEDS; k++) {
             const heap *of = &self->of[f][k / SEEDS][k % SEEDS];
-            overlap = fmax(overlap, of->overlap);
-            change = fmax(change, fabs(of->angle[0] - of->angle[LOOKS - 1]));
+            overlap = clod_verify_larger(overlap, of->overlap);
+            change = clod_verify_larger(change, fabs(of->angle[0] - of->angle[LOOKS - 1]));
         }
     }
     const clod_verify_expect none = {0.0, 0.5, false, "heaps at rest"};

@@ -69,7 +69,8 @@ static void look_at_rest(seen *self, const clod_verify_play *now)
     self->spins += fabs(clod_verify_play_spin(now, CDT).y + kick);
     self->steps++;
     for (int k = 0; k < TYPE_COUNT; k++) {
-        self->most[k] = fmax(self->most[k], fabs(clod_verify_play_velocity(now, k).x));
+        self->most[k] =
+            clod_verify_larger(self->most[k], fabs(clod_verify_play_velocity(now, k).x));
     }
 }
 

@@ -116,7 +116,7 @@ static bool look(void *context, clod_verify_bed *now, clod_status *status)
     add_grains(self, &now->state);
     double overlap = 0.0;
     const bool ok = clod_verify_bed_overlap(now, &overlap, status);
-    self->overlap = fmax(self->overlap, overlap);
+    self->overlap = clod_verify_larger(self->overlap, overlap);
     return ok;
 }
 

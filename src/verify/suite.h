@@ -25,6 +25,8 @@ clod_verify_test clod_verify_rolling;
 clod_verify_test clod_verify_luding_cycle;
 clod_verify_test clod_verify_luding_collision;
 clod_verify_test clod_verify_eepa_cycle;
+clod_verify_test clod_verify_passivity;
+clod_verify_test clod_verify_passivity_sweep;
 clod_verify_test clod_verify_flow_function;
 clod_verify_test clod_verify_janssen;
 clod_verify_test clod_verify_beverloo;

@@ -320,8 +320,8 @@ static void points_that_give_no_line(void **state)
     points[1].sigma_s = points[0].sigma_s;
     expect_refusal(
         points, 2,
-        "All 2 points have the same normal stress, 2.000 kPa: a line needs points at "
-        "different normal stresses.");
+        "All 2 points have the same normal stress, 2.000 kPa to within 1 % of the preshear "
+        "stress: a line needs points at different normal stresses.");
     points[2].tau_p = 0.0;
     expect_refusal(points, COUNT,
                    "Point 3: the preshear shear stress is 0; it must be above 0.");

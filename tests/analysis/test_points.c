@@ -202,6 +202,31 @@ static void wrong_defaults(void **state)
     expect_error(HEAD, &zero, "tau_pre for all rows, \"0 kPa\": must be above 0.");
 }
 
+// A column that is full wins over the option: told, for the user expects the reverse.
+static void defaults_that_no_row_needs(void **state)
+{
+    (void)state;
+    const clod_locus_defaults sigma = {"10 kPa", NULL};
+    const clod_locus_defaults tau = {NULL, "8 kPa"};
+    expect_error(HEAD "9,8.5,2,3.4\n9,8.5,4,4.4\n", &sigma,
+                 "p.csv: column sigma_pre has a value in every row, so --sigma-pre=\"10 kPa\" "
+                 "would change nothing; leave the option out, or remove the column.");
+    expect_error(HEAD "9,8.5,2,3.4\n9,8.5,4,4.4\n", &tau,
+                 "p.csv: column tau_pre has a value in every row, so --tau-pre=\"8 kPa\" would "
+                 "change nothing; leave the option out, or remove the column.");
+    clod_locus_point *points;
+    assert_int_equal(parse_good(HEAD "9,8.5,2,3.4\n,8.5,4,4.4\n", &sigma, &points), 2);
+    assert_near(points[0].sigma_p, 9e3, 1e-15);
+    assert_near(points[1].sigma_p, 10e3, 1e-15);
+    clod_locus_free(points);
+}
+
+static void one_is_no_plural(void **state)
+{
+    (void)state;
+    expect_error(HEAD "10\n", &NONE, "p.csv:2: 1 cell, but the header has 4 columns.");
+}
+
 static void wrong_files(void **state)
 {
     (void)state;
@@ -213,7 +238,8 @@ static void wrong_files(void **state)
     assert_string_equal(status.text, "p.csv: this is no text file; save the table as CSV.");
     assert_false(clod_locus_read("no/such/file.csv", &NONE, &points, &count, &status));
     assert_int_equal(status.code, CLOD_USAGE);
-    assert_non_null(strstr(status.text, "no/such/file.csv: No such file or directory."));
+    assert_string_equal(status.text,
+                        "no/such/file.csv: cannot be opened: No such file or directory");
 }
 
 int main(void)
@@ -226,6 +252,8 @@ int main(void)
         cmocka_unit_test(wrong_headers),
         cmocka_unit_test(wrong_rows),
         cmocka_unit_test(wrong_defaults),
+        cmocka_unit_test(defaults_that_no_row_needs),
+        cmocka_unit_test(one_is_no_plural),
         cmocka_unit_test(wrong_files),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

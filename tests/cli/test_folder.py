@@ -1,5 +1,6 @@
 """Files of the user in the results folder: never written over, never deleted."""
 
+import fnmatch
 import json
 import os
 import shutil
@@ -11,6 +12,10 @@ import clod
 
 BOX = clod.source("tests/restart/box.yaml")
 RING = clod.source("tests/restart/ring.yaml")
+FREE = clod.source("tests/faults/free.yaml")
+SHEAR_TEST = ["preshear", "reverse", "point-1", "point-2"]
+JENIKE = clod.source("tests/restart/jenike.yaml")
+UNIAXIAL = clod.source("tests/cli/uniaxial.yaml")
 LOCK = ".clod-lock"
 MINE = b"mine, \x00 not a result\n"
 
@@ -52,6 +57,61 @@ class Folder(clod.Case):
         os.mkdir(self.path("own"))
         shutil.copy(BOX, self.path("own/case.yaml"))
         self.refused("own", "case.yaml")
+
+    def begin(self, folder):
+        """A ring shear test on its way, with a checkpoint."""
+        process = clod.start("run", RING, "-o", folder, "-t", "1")
+        self.addCleanup(process.kill)
+        self.assertTrue(clod.wait_until(lambda: clod.checkpoints(folder, "preshear"), process))
+        return process
+
+    @clod.quick_only
+    def test_replaced_while_it_runs(self):
+        """A run whose folder is moved away stops, and what takes its place belongs to another."""
+        out, moved = self.path("out"), self.path("moved")
+        process = self.begin(out)
+        os.rename(out, moved)
+        done = clod.run("run", FREE, "-o", out, "-t", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        _, err = process.communicate(timeout=1000)
+        self.assertEqual(process.returncode, 1, err)
+        self.assertIn(f"The folder {out} was moved away, removed or replaced", err)
+        self.run_into(self.path("alone"), FREE)
+        self.assert_same_end(self.path("alone"), out, ["run"])
+        os.rename(out, self.path("other"))
+        os.rename(moved, out)  # as the message says
+        self.run_into(out, RING)
+        self.run_into(self.path("whole"), RING)
+        self.assert_same_end(self.path("whole"), out, SHEAR_TEST)
+
+    @clod.quick_only
+    def test_lock_removed_while_it_runs(self):
+        """Without its lock another run could begin in the folder: the first one stops."""
+        out = self.path("out")
+        process = self.begin(out)
+        os.remove(os.path.join(out, LOCK))
+        _, err = process.communicate(timeout=1000)
+        self.assertEqual(process.returncode, 1, err)
+        self.assertIn(f"(or the {LOCK} in it was)", err)
+
+    def test_links_are_not_written_through(self):
+        """Lock, log and tables that are links to a file of the user."""
+        mine = self.path("mine")
+        for name in (LOCK, "log.jsonl", "series.csv", "energy.csv", "summary.json.part"):
+            out = self.path(f"out-{name}")
+            os.mkdir(out)
+            self.put(f"out-{name}", LOCK)
+            with open(mine, "wb") as file:
+                file.write(MINE)
+            path = os.path.join(out, name)
+            if name == LOCK:
+                os.remove(path)
+            os.symlink(mine, path)
+            done = clod.run("run", FREE, "-o", out, "-t", "1")
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn(f"Cannot write {path}", done.stderr)
+            self.assertIn("clod does not write through symbolic links", done.stderr)
+            self.assertEqual(clod.read(mine), MINE)
 
     @clod.quick_only
     def test_whatever_a_run_writes(self):
@@ -162,6 +222,95 @@ class Folder(clod.Case):
                 self.assertEqual(after[name][0], before[name][0], name)
         self.write_grains(6)
         self.run_into("out", "pack.yaml", "--fresh")
+
+    # Checkpoints that are gone.
+
+    def lose(self, folder, pattern):
+        """Remove the checkpoints of some parts."""
+        lost = fnmatch.filter(os.listdir(self.path(folder)), pattern)
+        self.assertGreater(len(lost), 0)
+        for name in lost:
+            os.remove(self.path(f"{folder}/{name}"))
+
+    def refused_without(self, folder, case, table):
+        before = self.content(folder, LOCK)
+        done = clod.run("run", case, "-o", folder, "-t", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stdout, "")
+        for text in (f"{folder}/{table} holds results", "checkpoints", "gone", "-o", "--fresh"):
+            self.assertIn(text, done.stderr)
+        self.assertEqual(self.content(folder, LOCK), before)
+
+    def stop(self, folder, case, part, number=signal.SIGTERM):
+        """A run that is interrupted in a part."""
+        process = clod.start("run", case, "-o", self.path(folder), "-t", "1")
+        table = self.path(f"{folder}/{part}.csv")
+        self.assertTrue(clod.wait_until(
+            lambda: os.path.exists(table) and clod.read(table).count(b"\n") > 3, process))
+        process.send_signal(number)
+        process.communicate()
+        self.assertNotEqual(process.returncode, 0)
+
+    def test_interrupted_run_without_its_checkpoints(self):
+        for number in (signal.SIGTERM, signal.SIGKILL):
+            folder = f"out{number}"
+            self.stop(folder, BOX, "series", number)
+            self.lose(folder, "restart*")
+            self.refused_without(folder, BOX, "series.csv")
+            self.run_into(folder, BOX, "--fresh", "--set", "stages=[{name: a, duration: 1 ms}]")
+
+    @clod.quick_only
+    def test_interrupted_tests_without_their_checkpoints(self):
+        for case, part in ((RING, "point-1"), (JENIKE, "preshear"), (UNIAXIAL, "stress-1")):
+            name = os.path.splitext(os.path.basename(case))[0]
+            self.stop(name, case, part)
+            shutil.copytree(self.path(name), self.path(name + "-all"))
+            self.lose(name, f"restart-{part}_*")  # of one part only
+            self.refused_without(name, case, f"{part}.csv")
+            self.lose(name + "-all", "restart*")
+            first = sorted(table for table in os.listdir(self.path(name + "-all"))
+                           if table.endswith(".csv"))
+            done = clod.run("run", case, "-o", name + "-all", "-t", "1", cwd=self.folder)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertTrue(any(f"/{table} holds" in done.stderr for table in first))
+
+    def test_complete_run_without_its_checkpoints(self):
+        """Its table is told again, and nothing is run."""
+        cases = [BOX] if clod.SANITIZED else [BOX, RING]
+        for case in cases:
+            name = os.path.splitext(os.path.basename(case))[0]
+            table = clod.run("run", case, "-o", name, "-t", "1", cwd=self.folder).stdout
+            self.lose(name, "restart*")
+            before = self.content(name, LOCK)
+            done = clod.run("run", case, "-o", name, "-t", "1", cwd=self.folder)
+            self.assertEqual((done.returncode, done.stdout), (0, table), done.stderr)
+            self.assertIn("the checkpoints are gone, but this run is complete", done.stderr)
+            self.assertEqual(self.content(name, LOCK), before)
+            done = clod.run("run", case, "-o", name, "--set", "seed=99", cwd=self.folder)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("The case has changed", done.stderr)
+            os.remove(self.path(f"{name}/report.txt"))
+            done = clod.run("run", case, "-o", name, "-t", "1", cwd=self.folder)
+            self.assertEqual(done.returncode, 2, done.stderr)
+
+    def test_only_a_summary_is_left(self):
+        self.run_into("out", BOX)
+        self.lose("out", "restart*")
+        self.lose("out", "report.txt")
+        self.lose("out", "series.csv")
+        self.lose("out", "snap_*")
+        self.refused_without("out", BOX, "summary.json")
+
+    def test_killed_before_the_first_row(self):
+        """A table without rows has nothing to lose."""
+        self.run_into("out", BOX)
+        header = clod.read(self.path("out/series.csv")).split(b"\n")[0] + b"\n"
+        for name in os.listdir(self.path("out")):
+            if name not in (LOCK, "case.yaml", "case-complete.yaml", "log.jsonl"):
+                os.remove(self.path(f"out/{name}"))
+        with open(self.path("out/series.csv"), "wb") as file:
+            file.write(header)
+        self.run_into("out", BOX)
 
     def times(self, folder):
         with open(self.path(f"{folder}/run.hdf.series")) as file:

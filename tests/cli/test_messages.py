@@ -69,6 +69,72 @@ class Messages(clod.Case):
         self.refused(["run", BOX, "--output="], "--output: the name of a folder is needed")
         self.assertEqual(os.listdir(self.folder), [], "wrong options leave no folder")
 
+    def test_more_threads_than_processors(self):
+        # as many are used as there are; the results do not depend on it
+        case = self.path("ball.yaml")
+        with open(case, "w") as file:
+            file.write("materials: {ore: {density: 2500 kg/m3}}\n"
+                       "contacts: {default: {law: hooke, k1: 1e4 N/m}}\n"
+                       "grains:\n"
+                       "  - {material: ore, count: 60, radius: {distribution: uniform, min: 1 mm,"
+                       " max: 1 mm},\n     region: {box: {min: [0, 0, 0], max: [9 mm, 9 mm, 9 mm]}}}\n"
+                       "time: {step: 1e-5 s}\n"
+                       "stages: [{name: one, duration: 2 ms}]\n")
+        processors = len(os.sched_getaffinity(0))
+        series = []
+        for threads in (1, processors, processors + 1, 1024):
+            done = clod.run("run", case, "-o", f"out-{threads}", "--threads", str(threads),
+                            cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            warning = (f"clod: warning: {threads} threads on {processors} processors slow each "
+                       f"other down: {processors} are used")
+            self.assertEqual(done.stderr.count(warning), int(threads > processors), done.stderr)
+            with open(self.path(f"out-{threads}/log.jsonl")) as log:
+                start = json.loads(log.readline())
+            self.assertEqual(start["threads"], min(threads, processors))
+            with open(self.path(f"out-{threads}/series.csv")) as file:
+                series.append(file.read())
+        self.assertEqual(series, series[:1] * 4)
+
+    def test_overlap_limit(self):
+        # two grains of 1 mm whose centres are 1.7 mm apart overlap by 0.3 mm, 30 % of a radius
+        case = self.path("deep.yaml")
+        with open(self.path("deep.csv"), "w") as file:
+            file.write("x [m],y [m],z [m],r [m]\n0,0,0,1e-3\n1.7e-3,0,0,1e-3\n")
+        with open(case, "w") as file:
+            file.write("materials: {ore: {density: 2500 kg/m3}}\n"
+                       "contacts: {default: {law: hooke, k1: 1e4 N/m}}\n"
+                       "grains: [{material: ore, file: deep.csv}]\n"
+                       "time: {step: 1e-6 s}\n"
+                       "stages: [{name: one, duration: 10 us}]\n")
+        self.refused(["run", case, "-o", "a"], "by 30.0 % of the radius of the smaller one",
+                     "time.overlap_limit is 20 %", "raise time.overlap_limit", code=1)
+        done = clod.run("run", case, "-o", "b", "--set", "time.overlap_limit=31 %",
+                        cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.refused(["run", case, "-o", "c", "--set", "time.overlap_limit=91 %"],
+                     "time.overlap_limit: 91 % is out of range; allowed is above 0 and at most 0.9")
+
+    def test_a_mass_that_whole_grains_miss(self):
+        # by hand: a grain of 1 mm and 2500 kg/m3 has 10.47 mg, so three weigh 8 % more than 29 mg
+        case = self.path("mass.yaml")
+        with open(case, "w") as file:
+            file.write("materials: {ore: {density: 2500 kg/m3}}\n"
+                       "contacts: {default: {law: hooke, k1: 1e4 N/m}}\n"
+                       "domain: {min: [0 m, 0 m, 0 m], max: [20 mm, 20 mm, 20 mm]}\n"
+                       "grains: [{material: ore, mass: 29 mg,\n"
+                       "  radius: {distribution: uniform, min: 0.9999 mm, max: 1.0001 mm},\n"
+                       "  region: {box: {min: [0 m, 0 m, 0 m], max: [20 mm, 20 mm, 20 mm]}}}]\n"
+                       "time: {step: 1e-6 s}\n"
+                       "stages: [{name: one, duration: 10 us}]\n")
+        text = "3 grains of 3.14e-05 kg in all stand for the 2.9e-05 kg"
+        self.assertIn(text, clod.run("check", case, "--json", cwd=self.folder).stdout)
+        for folder, mass, count in (("a", "29 mg", 1), ("b", "31 mg", 0)):
+            done = clod.run("run", case, "-o", folder, "--set", f"grains.0.mass={mass}",
+                            cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.stderr.count("stand for the"), count, done.stderr)
+
     def test_cases(self):
         self.refused(["run", "missing.yaml"], "clod run: missing.yaml: cannot be opened: No such file")
         self.refused(["run", "."], "cannot be")
@@ -145,7 +211,7 @@ class Messages(clod.Case):
             self.assertEqual(clod.read(self.path(f"{verb}.csv")).decode(), told.stdout)
             self.refused([verb, own, "-o", "none/out.csv"], "Does the folder exist?", code=1)
         self.assertEqual([name for name in os.listdir(self.folder) if "part" in name], [])
-        said = self.refused(["locus", "none.csv"], "clod locus: Cannot read none.csv: No such")
+        said = self.refused(["locus", "none.csv"], "clod locus: none.csv: cannot be opened: No such")
         self.assertNotIn("folder", said)
 
     def test_where_output_goes(self):
@@ -156,7 +222,9 @@ class Messages(clod.Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         ended = re.match(r"time (\S+) s, ", done.stdout)
         self.assertAlmostEqual(float(ended[1]), 0.4, delta=2e-5, msg=done.stdout)  # two steps
-        self.assertEqual(len(done.stdout.splitlines()), 3)  # the bed, two walls
+        # the bed, three stages and why each ended, two walls
+        self.assertEqual([line.split()[0] for line in done.stdout.splitlines()],
+                         ["time", *3 * ["stage"], *2 * ["wall"]])
         self.assertNotIn("\r", done.stderr)
         self.assertNotIn("\033", done.stderr)
         # one line on the way at once and every 10 s, the last one at the end
@@ -192,9 +260,11 @@ class Messages(clod.Case):
         self.assertEqual(done.returncode, 0, done.stderr)
         events = clod.log(self.path("out"))
         self.assertEqual([event["event"] for event in events],
-                         ["start", "phase", "phase", "finished"])
-        self.assertEqual([(event["from"], event["to"]) for event in events[1:3]],
-                         [("settle", "compress"), ("compress", "drag")])
+                         ["start", *3 * ["phase"], "finished"])
+        self.assertEqual([(event["from"], event["to"], event["reason"]) for event in events[1:4]],
+                         [("settle", "compress", "its duration is over"),
+                          ("compress", "drag", "its duration is over"),
+                          ("drag", "end", "its duration is over")])
         with open(self.path("out/run.hdf.series")) as file:
             times = [entry["time"] for entry in json.load(file)["files"]]
         self.assertEqual(times, sorted(set(times)))

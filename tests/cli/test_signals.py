@@ -1,6 +1,8 @@
 """Hang-ups, signals that come twice, and a second Ctrl-C while a checkpoint is being written."""
 
+import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -10,6 +12,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import clod
 
 BOX = clod.source("tests/restart/box.yaml")
+RING = clod.source("tests/restart/ring.yaml")
 # Goes on for minutes, and writes no checkpoint before it is asked to.
 LONG = ["-t", "1", "--set", "stages.1.duration=100 s", "--set", "output.series_interval=10 ms",
         "--set", "output.snapshot_interval=0 s", "--set", "output.checkpoint_interval=1 h"]
@@ -30,7 +33,7 @@ class Signals(clod.Case):
     def expect_stopped(self, process, number, folder):
         _, err = process.communicate(timeout=1000)
         self.assertEqual(process.returncode, 128 + number, err)
-        self.assertEqual(len(clod.checkpoints(folder, "run")), 1)
+        self.assertEqual(len(clod.checkpoints(folder, "run")), 2)  # of the beginning and the end
         return err
 
     def test_hang_up(self):
@@ -72,7 +75,7 @@ class Signals(clod.Case):
         """While the checkpoint hangs: its file is a pipe that nobody reads."""
         folder = self.path("out")
         process = self.begin(folder)
-        os.mkfifo(os.path.join(folder, "restart_a.h5.part"))
+        os.mkfifo(os.path.join(folder, "restart_b.h5.part"))  # a is that of the beginning
         process.send_signal(signal.SIGINT)
         shown = ""
         while "again to stop at once\n" not in shown:
@@ -85,7 +88,55 @@ class Signals(clod.Case):
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=1000)
         self.assertEqual(process.returncode, -signal.SIGINT)
-        self.assertEqual(clod.checkpoints(folder, "run"), [])
+        self.assertEqual(len(clod.checkpoints(folder, "run")), 1)
+
+    def saved(self, folder):
+        return sorted(name for name in os.listdir(folder) if "-at-" in name)
+
+    def test_save(self):
+        """SIGUSR1, twice: kept checkpoints and pictures of those moments, and the run goes on."""
+        folder = self.path("out")
+        process = self.begin(folder)
+        notices = lambda: [e for e in clod.log(folder) if e["event"] == "notice"]
+        for count in (1, 2):
+            process.send_signal(signal.SIGUSR1)
+            self.assertTrue(clod.wait_until(lambda: len(notices()) == count, process))
+        time.sleep(0.5)
+        self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGTERM)
+        err = self.expect_stopped(process, signal.SIGTERM, folder)
+        names = self.saved(folder)
+        self.assertEqual(len(names), 2)
+        with open(os.path.join(folder, "run.hdf.series")) as file:
+            pictures = [entry["time"] for entry in json.load(file)["files"]]
+        for name in names:
+            head = clod.read(os.path.join(folder, name))[:clod.HEAD].decode()
+            moment = re.search(r"time (\S+) s", head)[1]
+            self.assertEqual(re.search(r"step (\d+)", head)[1], re.search(r"\d+", name)[0])
+            self.assertIn(float(moment), pictures)
+            self.assertIn(f"{name} and a snapshot are written, time {float(moment):.9g} s", err)
+
+    @clod.quick_only
+    def test_save_changes_no_bit(self):
+        """Parts side by side each save, and end as in a run that nobody disturbed."""
+        options = ("-t", "2", "--set", "ring_shear.seeds=2")
+        for name in ("whole", "out"):
+            process = subprocess.Popen([clod.BINARY, "run", RING, "-o", self.path(name), *options],
+                                       stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+            if name == "out":
+                for phase in ("preshear", "shear"):
+                    sent = lambda: sum(e.get("to") == phase for e in clod.log(self.path(name)))
+                    self.assertTrue(clod.wait_until(lambda: sent() >= 2, process))
+                    process.send_signal(signal.SIGUSR1)
+            self.assertEqual(process.wait(1000), 0)
+        saved = self.saved(self.path("out"))
+        self.assertGreaterEqual(len(saved), 3, saved)
+        self.assertTrue(any("seed-7-preshear-at" in name for name in saved))
+        self.assertTrue(any("seed-8-preshear-at" in name for name in saved))
+        for name in os.listdir(self.path("whole")):
+            if name.endswith(".csv"):
+                self.assertEqual(clod.read(self.path(f"whole/{name}")),
+                                 clod.read(self.path(f"out/{name}")), name)
 
 
 if __name__ == "__main__":

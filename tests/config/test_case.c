@@ -61,8 +61,8 @@ static void materials_and_domain_are_read(void **state)
     assert_int_equal(clod_case_material_index(made, "sand"), -1);
     same3(made->gravity, 0.0, 0.0, -1.62);
     assert_true(made->has_domain);
-    same3(made->domain_min, 0.0, 0.0, -0.01);
-    same3(made->domain_max, 0.05, 0.06, 1.0);
+    same3(made->domain_min, -0.1, -0.11, -0.01);
+    same3(made->domain_max, 0.12, 0.13, 1.0);
     assert_true(made->periodic[0] && !made->periodic[1] && made->periodic[2]);
     assert_false(made->ring_shear.present);
     clod_case_destroy(&made);
@@ -264,10 +264,11 @@ static void copper_ore_is_that_of_the_paper(void **state)
         assert_int_equal(ring->programme.steady_blocks, 5);
         same(ring->programme.steady_tolerance, 0.02);
         same(ring->programme.block_displacement, 0.002);
-        same(ring->programme.preshear_max, 0.12);
+        same(ring->programme.preshear_min, 0.012);
+        same(ring->programme.preshear_max, 0.015);
         same(ring->programme.shear_max, 0.01);
         same(ring->programme.beyond_peak, 0.002);
-        same(ring->programme.peak_window, 0.0002);
+        same(ring->programme.peak_window, 0.001);
         assert_int_equal(ring->grain_count, 0);
         assert_int_equal(ring->programme.seeds, 1);
         clod_case_destroy(&made);

@@ -118,3 +118,13 @@ def couple(overlap, speed):
     place = [[10.0 * RADIUS] * 3, [10.0 * RADIUS + far, 10.0 * RADIUS, 10.0 * RADIUS]]
     return Arrangement([20.0 * RADIUS] * 3, place, [RADIUS, RADIUS],
                        [[0.5 * speed, 0.0, 0.0], [-0.5 * speed, 0.0, 0.0]])
+
+
+def dumbbell(overlap, speed, drift=0.0):
+    """
+    Two grains that overlap and turn about each other in the plane z = const, with `speed` each,
+    while both move along x with `drift` [m/s].
+    """
+    pair = couple(overlap, 0.0)
+    pair.velocity = numpy.array([[drift, -speed, 0.0], [drift, speed, 0.0]])
+    return pair

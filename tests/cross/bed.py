@@ -147,7 +147,8 @@ def peer(name, folder, grains):
     names = " ".join("c_" + key for key in sums)
     lines += [f"fix gravity all gravity {GRAVITY} vector 0.0 0.0 -1.0",
               f"fix mean all ave/time 5 10 50 {names} file walls.txt"]
-    peers.run(name, folder, grains, law, round(END / STEP), STEP, round(FRAME / STEP), lines)
+    peers.run(name, folder, grains, law, [([], round(END / STEP))], STEP, round(FRAME / STEP),
+              lines)
     rows = numpy.loadtxt(os.path.join(folder, "walls.txt"))
     forces = -rows[rows[:, 0] * STEP > START, 1:].mean(axis=0)  # on the walls
     frames = [(s.place, grains.radius, s.velocity, s.spin) for time, s in
@@ -167,10 +168,10 @@ def run(folder, names):
     return {name: numpy.array(rows) for name, rows in found.items()}
 
 
-def compare(found, name):
-    """Rows of (quantity, unit, clod, peer, difference, limit)."""
+def compare(found, name, quantities=None):
+    """Rows of (quantity, unit, clod, peer, difference, limit); quantities: unit by name."""
     ours, theirs = found["clod"], found[name]
     scatter = numpy.sqrt((ours.var(0, ddof=1) + theirs.var(0, ddof=1)) / len(ours))
     return [(quantity, unit, ours[:, k].mean(), theirs[:, k].mean(),
              abs(ours[:, k].mean() - theirs[:, k].mean()), T_LIMIT * scatter[k])
-            for k, (quantity, unit) in enumerate(QUANTITIES.items())]
+            for k, (quantity, unit) in enumerate((quantities or QUANTITIES).items())]

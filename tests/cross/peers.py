@@ -70,17 +70,19 @@ def _lammps(law):
             "law": law["pair"], "digits": "float %.17g"}
 
 
-def run(name, folder, grains, law, steps, dt, frame, more=()):
+def run(name, folder, grains, law, stages, dt, frame, more=()):
     """
     Run a peer; data, deck and state.dump are in the folder.
 
-    frame: steps between two frames of the dump. more: lines of gravity, walls and so on.
+    stages: lines and steps of each run. frame: steps between two frames of the dump. more: lines
+    of gravity, walls and so on.
     """
     own = {"liggghts": _liggghts, "lammps": _lammps}[name](law)
+    sort = law.get("sort", "sort 0 0.0")  # docs/cross-code.md, faults
     boundary = " ".join("p" if p else "f" for p in grains.periodic)
     deck = f"""units si
 {own["grains"]}
-atom_modify map array
+atom_modify map array {sort}
 boundary {boundary}
 newton off
 read_data data
@@ -92,16 +94,18 @@ fix integrate all nve/sphere
 {chr(10).join(more)}
 dump state all custom {frame} state.dump {COLUMNS}
 dump_modify state sort id format {own["digits"]}
-run {steps}
+{chr(10).join(line for lines, count in stages for line in (*lines, f"run {count}"))}
 """
     os.makedirs(folder, exist_ok=True)
     write_data(os.path.join(folder, "data"), grains)
     with open(os.path.join(folder, "in." + name), "w") as file:
         file.write(deck)
-    call([PROGRAMS[name], "-in", "in." + name, "-log", "log." + name, "-screen", "none"], folder)
+    # not `-screen none`: LIGGGHTS prints to it when it reads a mesh, and crashes
+    call([PROGRAMS[name], "-in", "in." + name, "-log", "log." + name, "-screen", "screen." + name],
+         folder)
 
 
 def peer(name, folder, grains, law, steps, dt):
     """State of the grains after some steps of a peer."""
-    run(name, folder, grains, law, steps, dt, frame=steps)
+    run(name, folder, grains, law, [([], steps)], dt, frame=steps)
     return list(read_frames(os.path.join(folder, "state.dump")))[-1][1]

@@ -59,8 +59,11 @@ def write_grains(path, grains):
             file.write(",".join([str(k + 1), *map(number, row)]) + "\n")
 
 
-def clod_case(grains, law, steps, dt, gravity=(0.0, 0.0, 0.0), walls="", output=""):
-    """Text of a case; law["clod"] stands under contacts.default. output: more keys of it."""
+def clod_case(grains, law, steps, dt, gravity=(0.0, 0.0, 0.0), walls="", output="", stages=None):
+    """
+    Text of a case; law["clod"] stands under contacts.default. output: more keys of it. stages:
+    their list, in place of one of `steps`.
+    """
     young, poisson = law["material"]
     periodic = ", ".join("true" if p else "false" for p in grains.periodic)
     return f"""title: Comparison with other programs
@@ -73,7 +76,7 @@ gravity: {vector(gravity, "m/s2")}
 domain: {{min: [0, 0, 0], max: {vector(grains.box, "m")}, periodic: [{periodic}]}}
 grains: [{{material: grain, file: grains.csv}}]
 {walls}
-stages: [{{name: all, duration: {number(steps * dt)} s}}]
+stages: {stages or f"[{{name: all, duration: {number(steps * dt)} s}}]"}
 time: {{step: {number(dt)} s}}
 output: {{checkpoint_interval: 1000 s{output}}}
 """

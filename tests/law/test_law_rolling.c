@@ -90,8 +90,8 @@ static void epsd2_follows_a_literal_stiffness(void **state)
     check_relative(roll_on(&probe, 1.0).roll.y, -4.75e8 * R_STAR * R_STAR * 1e-6, 1e-12);
 }
 
-/** k_r = 2.25 k_n mu_r^2 R*^2; dash-pot 2 eta sqrt(I_r k_r) below the cap only. */
-static void epsd_is_a_spring_with_a_dash_pot_below_the_cap(void **state)
+/** k_r = 2.25 k_n mu_r^2 R*^2 with a dash-pot 2 eta sqrt(I_r k_r); their sum has the cap. */
+static void epsd_is_a_spring_with_a_dash_pot_within_the_cap(void **state)
 {
     (void)state;
     law_probe probe = rolling_probe(CLOD_ROLLING_EPSD);
@@ -101,8 +101,21 @@ static void epsd_is_a_spring_with_a_dash_pot_below_the_cap(void **state)
     const double cap = 0.3 * ADHESIVE * R_STAR;
     check_relative(roll_on(&probe, 10.0).roll.y, -k_r * 1e-5 - c_r * 10.0, 1e-12);
     check_relative(roll_on(&probe, 20.0).roll.y, -k_r * 3e-5 - c_r * 20.0, 1e-12);
-    check_relative(roll_on(&probe, 20000.0).roll.y, -cap, 1e-12); // at the cap: spring only
+    check_relative(roll_on(&probe, 20000.0).roll.y, -cap, 1e-12);
     check_relative(probe.history.roll[1][0], cap / k_r, 1e-12);
+    check_relative(roll_on(&probe, -10.0).roll.y, -cap + k_r * 1e-5 + c_r * 10.0, 1e-12);
+}
+
+/** epsd's dash-pot alone beyond the cap: the spring has the angle of the step and no more. */
+static void a_dash_pot_beyond_the_cap_does_not_load_the_spring(void **state)
+{
+    (void)state;
+    law_probe probe = rolling_probe(CLOD_ROLLING_EPSD);
+    clod_law_motion m = probe_motion(OVERLAP);
+    m.spin_i.y = 500.0; // c_r w = 0.04 N m, the cap is 0.003
+    m.spin_j.y = -500.0;
+    check_relative(probe_step(&probe, &m, 1e-9).roll.y, -0.3 * ADHESIVE * R_STAR, 1e-12);
+    check_relative(probe.history.roll[1][0], 1e-6, 1e-12);
 }
 
 /** Twist about the normal is not rolling. */
@@ -148,7 +161,8 @@ int main(void)
         cmocka_unit_test(the_cap_takes_the_chosen_normal_measure),
         cmocka_unit_test(epsd2_is_a_spring_with_a_cap),
         cmocka_unit_test(epsd2_follows_a_literal_stiffness),
-        cmocka_unit_test(epsd_is_a_spring_with_a_dash_pot_below_the_cap),
+        cmocka_unit_test(epsd_is_a_spring_with_a_dash_pot_within_the_cap),
+        cmocka_unit_test(a_dash_pot_beyond_the_cap_does_not_load_the_spring),
         cmocka_unit_test(twist_meets_no_resistance),
         cmocka_unit_test(torque_never_rises_with_the_stiffness),
     };

@@ -1,5 +1,6 @@
-// Tangential spring: stiffness, the three Coulomb limits on every branch, the cut, closed loops
-// that must not make energy, and objectivity under rigid rotation.
+// Tangential spring: stiffness, the three Coulomb limits on every branch, spring and dash-pot
+// at the limit, steps and closed loops that must not make energy, and objectivity under rigid
+// rotation.
 
 #include "support/dice.h"
 #include "support/law_probe.h"
@@ -11,6 +12,14 @@
 static double length3(vreal3 a)
 {
     return sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
+}
+
+/** Energy of the tangential spring, k_t xi^2/2, with zeta = 1 [J]. */
+static double probe_spring_energy(const law_probe *probe)
+{
+    const double y = probe->history.spring[1][0];
+    const double z = probe->history.spring[2][0];
+    return 0.5 * probe->history.tangent[0] * (y * y + z * z);
 }
 
 /** Slide at an overlap: velocity v along y for one step of 1 us. */
@@ -127,33 +136,93 @@ static void effective_friction_on_the_virgin_branch(void **state)
     }
 }
 
-/** Random sliding: never beyond the limit; after a cut the spring carries the cut force. */
-static void the_cut_keeps_the_limit_and_resets_the_spring(void **state)
+/** 3 um of an elastic contact without adhesion: N = f_hys; the limit [N] is by hand. */
+static law_probe elastic_probe(double friction, double restitution)
+{
+    clod_case_contact contact = contact_ore();
+    contact.k_adh = 0.0;
+    contact.k2 = contact.k1;
+    contact.friction = friction;
+    contact.restitution = restitution;
+    contact.rolling = CLOD_ROLLING_NONE;
+    return probe_make(&contact);
+}
+
+/** 0.35 times 4.75e8 (3e-6)^1.5 = 2.468172 N (PHYSICS 1). */
+#define LIMIT (0.35 * 2.468172400785650)
+
+/** 1.5 4.75e8 sqrt(3e-6) N/m. */
+#define STIFFNESS 1234086.2003928248
+
+/** A sliding contact: force and spring both lie on the limit. */
+static void a_sliding_spring_carries_the_limit(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        law_probe probe = elastic_probe(0.35, k == 0 ? 1.0 : 0.3);
+        check_relative(slide(&probe, 3.0 * MICRON, 100.0).force.y, -LIMIT, 1e-12);
+        check_relative(probe.history.spring[1][0], LIMIT / STIFFNESS, 1e-12);
+        check_close(probe.history.spring[0][0], 0.0, 1e-25);
+    }
+}
+
+/**
+ * A dash-pot alone beyond the limit: the force is the limit, and the spring has the slip of the
+ * step and no more. The rule that loaded it with the whole force made energy: k_t xi^2/2 of
+ * limit/k_t is 3e-7 J, and the slip of 1 nm under the limit brings in 9e-10 J.
+ */
+static void a_dash_pot_beyond_the_limit_does_not_load_the_spring(void **state)
+{
+    (void)state;
+    law_probe probe = elastic_probe(0.35, 0.01);
+    clod_law_motion m = probe_motion(3.0 * MICRON);
+    m.velocity.y = 1.0; // gamma_t v = 37 N
+    check_relative(probe_step(&probe, &m, 1e-9).force.y, -LIMIT, 1e-12);
+    check_relative(probe.history.spring[1][0], 1e-9, 1e-12);
+}
+
+/** Slip turned back against a spring at its limit: spring and dash-pot pull apart. */
+static void a_dash_pot_acts_beside_a_spring_at_its_limit(void **state)
+{
+    (void)state;
+    law_probe probe = elastic_probe(0.35, 0.3);
+    slide(&probe, 3.0 * MICRON, 100.0);
+    const double z = 1.2039728043259361 / sqrt(1.4495505135 + 9.8696044011); // ln 0.3 by table
+    const double gamma = 2.0 * z * sqrt(5.0 / 6.0) * sqrt(0.5e-3 * STIFFNESS);
+    const double back = -1e-3; // m/s
+    const double expected = -(LIMIT + STIFFNESS * back * 1e-6) - gamma * back;
+    check_relative(slide(&probe, 3.0 * MICRON, back).force.y, expected, 1e-9);
+}
+
+/**
+ * Random sliding under a changing overlap: neither force nor spring beyond the limit, and what
+ * the slip of a step brings in is never less than what the spring gains by it (PHYSICS 3).
+ */
+static void a_step_never_gives_more_than_it_takes(void **state)
 {
     (void)state;
     dice roll = {3};
-    for (int c = 0; c < 90; c++) {
-        clod_case_contact contact = contact_ore();
-        contact.coulomb = c % 3;
-        contact.restitution = c % 2 == 0 ? 1.0 : 0.3;
-        contact.k_adh = 0.0; // the limit is then mu f_hys for all three, or 0 below zero
-        contact.k2 = contact.k1;
-        law_probe probe = probe_make(&contact);
+    for (int c = 0; c < 300; c++) {
+        const double restitution[] = {1.0, 0.98, 0.3, 0.01};
+        law_probe probe = elastic_probe(0.35, restitution[c % 4]);
         double overlap = 3.0 * MICRON;
         for (int s = 0; s < 100; s++) {
+            const double dt = pow(10.0, dice_real(&roll, -9.0, -6.0));
+            const double speed = pow(10.0, dice_real(&roll, -4.0, 1.0));
             clod_law_motion m = probe_motion(overlap);
-            m.velocity.y = dice_real(&roll, -1.0, 1.0);
-            m.velocity.z = dice_real(&roll, -1.0, 1.0);
-            const clod_law_result r = probe_step(&probe, &m, 1e-6);
-            const vreal3 f_t = {0.0, r.force.y, r.force.z};
+            m.velocity.y = speed * dice_real(&roll, -1.0, 1.0);
+            m.velocity.z = speed * dice_real(&roll, -1.0, 1.0);
+            const double before = probe_spring_energy(&probe);
+            const clod_law_result r = probe_step(&probe, &m, dt);
+            const double k_t = 1.5 * 4.75e8 * sqrt(overlap);
             const double limit = 0.35 * 4.75e8 * overlap * sqrt(overlap);
+            const vreal3 f_t = {0.0, r.force.y, r.force.z};
+            const vreal3 spring = {0.0, probe.history.spring[1][0], probe.history.spring[2][0]};
             check_at_most(length3(f_t), limit * (1.0 + 1e-12));
-            if (length3(f_t) > limit * (1.0 - 1e-12)) {
-                const double k_t = 1.5 * 4.75e8 * sqrt(overlap);
-                check_relative(probe.history.spring[1][0], -r.force.y / k_t, 1e-12);
-                check_relative(probe.history.spring[2][0], -r.force.z / k_t, 1e-12);
-                check_close(probe.history.spring[0][0], 0.0, 1e-25);
-            }
+            check_at_most(k_t * length3(spring), limit * (1.0 + 1e-12));
+            const double taken = -(r.force.y * m.velocity.y + r.force.z * m.velocity.z) * dt;
+            const double gained = probe_spring_energy(&probe) - before;
+            check_at_least(taken - gained, -1e-12 * limit * limit / k_t);
             overlap = fmax(overlap + dice_real(&roll, -1.0, 1.0) * MICRON, 0.1 * MICRON);
         }
     }
@@ -306,7 +375,10 @@ int main(void)
         cmocka_unit_test(spins_slip_the_contact),
         cmocka_unit_test(each_coulomb_limit_on_each_branch),
         cmocka_unit_test(effective_friction_on_the_virgin_branch),
-        cmocka_unit_test(the_cut_keeps_the_limit_and_resets_the_spring),
+        cmocka_unit_test(a_sliding_spring_carries_the_limit),
+        cmocka_unit_test(a_dash_pot_beyond_the_limit_does_not_load_the_spring),
+        cmocka_unit_test(a_dash_pot_acts_beside_a_spring_at_its_limit),
+        cmocka_unit_test(a_step_never_gives_more_than_it_takes),
         cmocka_unit_test(closed_loops_never_make_energy),
         cmocka_unit_test(a_loaded_pair_keeps_its_forces_under_rigid_rotation),
     };

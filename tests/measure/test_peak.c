@@ -27,13 +27,15 @@ static double normal(uint64_t seed, uint64_t item)
 
 typedef double curve(double x);
 
-/** Shear along a curve with noise until passed or LIMIT; returns where it ended. */
+/** Shear along a curve with noise until passed or LIMIT; returns where it ended. A sample
+ * stands for the way since the one before: the curve in the middle of it. */
 static double shear(curve *tau, double noise, uint64_t seed, double step, clod_peak *self)
 {
     clod_peak_init(self, WINDOW, BEYOND);
     for (int k = 0; k * step <= LIMIT; k++) {
         const double x = k * step;
-        if (clod_peak_add(self, x, tau(x) + noise * normal(seed, (uint64_t)k), 2.0 * x)) {
+        const double mid = x - 0.5 * step;
+        if (clod_peak_add(self, x, tau(mid) + noise * normal(seed, (uint64_t)k), 2.0 * mid)) {
             return x;
         }
     }
@@ -175,7 +177,7 @@ static void a_trend_is_no_noise(void **state)
     assert_true(found.tau > 1400.0 && found.tau_error < 0.25);
 }
 
-/** Samples further apart than a bin: bins grow with them. */
+/** Samples further apart than a bin: the window stays what it is. */
 static void coarse_samples_work(void **state)
 {
     (void)state;
@@ -184,9 +186,99 @@ static void coarse_samples_work(void **state)
     shear(parabola, 0.0, 0, step, &self);
     const clod_peak_result found = clod_peak_summary(&self);
     assert_true(found.passed);
-    // 16 samples at 1.5 bins: a window of 1.5 mm, 2e7 * 2.25e-6/12 = 3.75 Pa lower
-    assert_true(fabs(found.tau - (1000.0 - 3.75)) < 0.3);
+    // a parabola in its middle is higher than its mean over 93.75 um by 2e7 * (93.75 um)^2/12 =
+    // 0.015 Pa, and a sample that ends in a window counts with its mean: less than 0.1 Pa
+    assert_true(fabs(found.tau - (1000.0 - 2e7 * 1e-6 / 12.0)) < 0.1);
     assert_true(fabs(found.displacement - 5e-3) < step);
+}
+
+/** The mean of a curve of straight lines, from its integral, between two displacements. */
+typedef double integral(double x);
+
+static clod_peak_result peak_of_means(integral *area, double step, double jitter, double window)
+{
+    clod_peak self;
+    clod_peak_init(&self, window, BEYOND);
+    double before = 0.0;
+    clod_peak_add(&self, before, 0.0, 0.0);
+    for (int k = 1; before < LIMIT; k++) {
+        // spacing from (1 - jitter) to (1 + jitter) steps
+        const double random = clod_random_uniform(3, CLOD_RANDOM_TEST, (uint64_t)k, 0);
+        const double x = before + step * (1.0 + jitter * (2.0 * random - 1.0));
+        const double tau = (area(x) - area(before)) / (x - before);
+        if (clod_peak_add(&self, x, tau, 1.0)) {
+            break;
+        }
+        before = x;
+    }
+    return clod_peak_summary(&self);
+}
+
+/** Triangle: up by 200 kPa/m to 1000 Pa at 5 mm, down by a third of that behind it. */
+static double triangle_area(double x)
+{
+    const double top = 5e-3;
+    return x < top ? 0.5 * 2e5 * x * x
+                   : 0.5 * 2e5 * top * top + 1000.0 * (x - top) -
+                         0.5 * (2e5 / 3.0) * (x - top) * (x - top);
+}
+
+// Slopes a = 2e5 and b = a/3: the window with the largest mean has equal ends, a u = b (w - u),
+// so u = w/4, and the mean is lower than the top by w a b/(2 (a + b)) = w a/8 = 25 Pa per mm.
+// It is looked for in steps of w/16, so at most (w/32)^2 (a + b)/(2 w) = w a/1536 is missed.
+static void a_triangle_is_lowered_by_the_window(void **state)
+{
+    (void)state;
+    static const struct {
+        double step, jitter, window;
+    } WAYS[] = {{1e-5, 0.0, 1e-3}, {1e-5, 0.9, 1e-3},   {4e-5, 0.9, 1e-3}, {1e-6, 0.0, 1e-3},
+                {1e-5, 0.9, 2e-3}, {1e-5, 0.0, 0.5e-3}, {9e-5, 0.9, 1e-3}, {1.5e-4, 0.0, 1e-3}};
+    for (size_t k = 0; k < sizeof WAYS / sizeof *WAYS; k++) {
+        const double w = WAYS[k].window;
+        const double fine = 1.01 * w * 2e5 / 1536.0;
+        // a sample that is longer than a bin has the mean of its way in all of it
+        const double coarse = WAYS[k].step > w / CLOD_PEAK_BINS ? WAYS[k].step * 2e5 / 16.0 : 0;
+        const clod_peak_result found =
+            peak_of_means(triangle_area, WAYS[k].step, WAYS[k].jitter, w);
+        assert_true(found.passed);
+        assert_true(fabs(found.tau - (1000.0 - w * 2e5 / 8.0)) < fine + coarse);
+        // its middle: the top, less w/4, plus w/2
+        assert_true(fabs(found.displacement - (5e-3 + 0.25 * w)) <
+                    w / CLOD_PEAK_BINS + WAYS[k].step);
+    }
+}
+
+/** 500 Pa, but 900 Pa for 0.25 mm: what slip and stick may do. */
+static double spike_area(double x)
+{
+    return 500.0 * x + 400.0 * fmin(fmax(x - 1.5e-3, 0.0), 0.25e-3);
+}
+
+// A quarter of the window of 1 mm: 600 Pa; all of one of 0.25 mm: 900 Pa less a bin's part.
+static void a_spike_counts_by_its_way(void **state)
+{
+    (void)state;
+    assert_true(fabs(peak_of_means(spike_area, 1e-5, 0.9, 1e-3).tau - 600.0) < 1e-9);
+    const double narrow = peak_of_means(spike_area, 1e-5, 0.9, 0.25e-3).tau;
+    assert_true(narrow > 900.0 - 400.0 / CLOD_PEAK_BINS && narrow <= 900.0 + 1e-9);
+}
+
+// Half of the samples far more densely spaced: the mean goes by the way, not by their number.
+static void dense_samples_count_no_more(void **state)
+{
+    (void)state;
+    clod_peak self;
+    clod_peak_init(&self, WINDOW, BEYOND);
+    clod_peak_add(&self, 0.0, 0.0, 0.0);
+    for (int k = 1; k <= 1000; k++) { // 0 to 0.5 mm at 100 Pa, sigma 1
+        clod_peak_add(&self, k * 0.5e-6, 100.0, 1.0);
+    }
+    for (int k = 1; k <= 11; k++) { // 0.5 to 1.05 mm at 200 Pa, sigma 3
+        clod_peak_add(&self, 0.5e-3 + k * 5e-5, 200.0, 3.0);
+    }
+    const clod_peak_result found = clod_peak_summary(&self);
+    assert_true(fabs(found.tau - 150.0) < 1e-9 && fabs(found.sigma - 2.0) < 1e-12);
+    assert_true(fabs(found.displacement - 0.5e-3) < 1e-12);
 }
 
 static void before_a_window_is_full(void **state)
@@ -233,6 +325,9 @@ int main(void)
         cmocka_unit_test(blocking_sees_correlation),
         cmocka_unit_test(a_trend_is_no_noise),
         cmocka_unit_test(coarse_samples_work),
+        cmocka_unit_test(a_triangle_is_lowered_by_the_window),
+        cmocka_unit_test(a_spike_counts_by_its_way),
+        cmocka_unit_test(dense_samples_count_no_more),
         cmocka_unit_test(before_a_window_is_full),
         cmocka_unit_test(bytes_are_enough),
     };

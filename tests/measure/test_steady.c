@@ -262,6 +262,27 @@ static void standard_error_is_that_between_repeats(void **state)
     assert_true(fabs(reported / found - 1.0) < 0.15); // blocks take care of the correlation
 }
 
+// Blocks of one sample, 10, 12, 17. By hand: mean 13, slope 7/2 per block, residuals 0.5, -1,
+// 0.5, so s^2 = 1.5/(3 - 2). The line ends one and a half blocks behind the middle: 13 + 1.5
+// * 3.5 = 18.25. Errors: of the slope sqrt(1.5/2), of the change over two blocks twice that, of
+// the end sqrt(1.5 (1/3 + 1.5^2/2)).
+static void the_line_is_known_to_its_end(void **state)
+{
+    (void)state;
+    static const double VALUE[] = {10.0, 12.0, 17.0};
+    clod_steady self;
+    clod_steady_init(&self, 3, 1, 1e-9, 1e-9);
+    for (int k = 0; k < 3; k++) {
+        clod_steady_add(&self, VALUE[k], 1.0, (double)k);
+    }
+    const clod_steady_mean found = clod_steady_summary(&self).tau;
+    assert_true(fabs(found.value - 13.0) < 1e-12);
+    assert_true(fabs(found.trend - 7.0) < 1e-12);
+    assert_true(fabs(found.trend_error - 2.0 * sqrt(0.75)) < 1e-12);
+    assert_true(fabs(found.end - 18.25) < 1e-12);
+    assert_true(fabs(found.end_error - sqrt(1.5 * (1.0 / 3.0 + 1.125))) < 1e-12);
+}
+
 static void nothing_yet(void **state)
 {
     (void)state;
@@ -310,6 +331,7 @@ int main(void)
         cmocka_unit_test(oscillations),
         cmocka_unit_test(too_noisy_is_never_steady),
         cmocka_unit_test(standard_error_is_that_between_repeats),
+        cmocka_unit_test(the_line_is_known_to_its_end),
         cmocka_unit_test(nothing_yet),
         cmocka_unit_test(old_blocks_are_forgotten_and_bytes_are_enough),
     };

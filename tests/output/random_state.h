@@ -7,6 +7,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <stdlib.h>
 
 #include <cmocka.h>
 
@@ -127,8 +128,10 @@ static inline clod_state random_state(uint64_t seed)
     state.contacts = clod_memory_alloc(RANDOM_STATE_CONTACTS, sizeof(clod_contact));
     for (size_t c = 0; c < state.contact_count; c++) {
         clod_contact *contact = &state.contacts[c];
-        contact->i = random_int(&source);
-        contact->j = random_int(&source);
+        const bool pair = c + state.wall_contact_count < state.contact_count;
+        contact->i = abs(random_int(&source)) % RANDOM_STATE_GRAINS;
+        contact->j =
+            abs(random_int(&source)) % (pair ? RANDOM_STATE_GRAINS : RANDOM_STATE_WALLS);
         contact->shape = random_int(&source);
         random_reals(&source, contact->history, 8);
     }

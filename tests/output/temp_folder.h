@@ -15,6 +15,10 @@
 
 #include "base/memory.h"
 #include "output/file.h"
+#include "output/folder.h"
+
+/** The folder of the test that runs, open; not locked. */
+static clod_folder *temp_opened;
 
 /** cmocka setup: *state becomes the path of a fresh folder. */
 static inline int temp_folder_make(void **state)
@@ -23,7 +27,15 @@ static inline int temp_folder_make(void **state)
     char *path = clod_memory_alloc(PATH_MAX, 1);
     snprintf(path, PATH_MAX, "%s/clod-test-XXXXXX", root != NULL ? root : P_tmpdir);
     *state = path;
-    return mkdtemp(path) == NULL;
+    clod_status status;
+    temp_opened = mkdtemp(path) == NULL ? NULL : clod_folder_look(path, &status);
+    return temp_opened == NULL;
+}
+
+/** The folder of the test as clod names it. */
+static inline const clod_folder *temp_folder(void **state)
+{
+    return *state == NULL ? NULL : temp_opened;
 }
 
 /** Remove everything in an open folder, and close it. */
@@ -50,6 +62,7 @@ static inline void temp_empty(int descriptor)
 /** cmocka teardown. */
 static inline int temp_folder_remove(void **state)
 {
+    clod_folder_close(&temp_opened);
     temp_empty(open(*state, O_RDONLY | O_DIRECTORY));
     const int left = rmdir(*state);
     clod_memory_free(*state);

@@ -20,7 +20,10 @@ PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_phase", "clod_ring_shear_
                                     "clod_uniaxial"]),
          ("src/measure/steady.h", ["CLOD_STEADY_MAX", "clod_steady"]),
          ("src/measure/peak.h", ["CLOD_PEAK_BINS", "clod_peak"]),
-         ("src/sim/free_stages.h", ["clod_free_stages"]),
+         ("src/sim/free_stages.h", ["clod_free_end", "clod_free_stages",
+                                     "clod_free_stage_end"]),
+         ("src/output/series.h", ["clod_series_mark"]),
+         ("src/output/snapshot.h", ["clod_snapshot_film"]),
          ("src/sim/job.h", ["clod_job_memory"])]
 COMMENT = r"/\*.*?\*/|//[^\n]*"
 

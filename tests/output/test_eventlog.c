@@ -3,8 +3,10 @@
 #include <math.h>
 #include <pthread.h>
 #include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <sys/resource.h>
 
 #include <cmocka.h>
 
@@ -18,8 +20,7 @@
 static clod_eventlog *open_log(void **folder)
 {
     clod_status status;
-    char path[PATH_MAX];
-    clod_eventlog *log = clod_eventlog_open(temp_path(path, folder, "log.jsonl"), &status);
+    clod_eventlog *log = clod_eventlog_open(temp_folder(folder), "log.jsonl", &status);
     assert_non_null(log);
     return log;
 }
@@ -138,14 +139,21 @@ static void threads_do_not_mix_their_lines(void **folder)
 
 static void a_full_disk_is_told_at_the_end(void **folder)
 {
-    (void)folder;
     clod_status status;
-    clod_eventlog *log = clod_eventlog_open("/dev/full", &status);
-    assert_non_null(log);
+    char text[2 * PATH_MAX];
+    struct rlimit before;
+    clod_eventlog *log = open_log(folder);
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const struct rlimit full = {0, before.rlim_max}; // stands for a full disk
+    signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &full);
     clod_eventlog_write(log, "lost", NULL);
+    setrlimit(RLIMIT_FSIZE, &before);
+    signal(SIGXFSZ, SIG_DFL);
     assert_false(clod_eventlog_close(&log, &status));
     assert_null(log);
-    assert_non_null(strstr(status.text, "Cannot write /dev/full: No space left on device."));
+    snprintf(text, sizeof text, "Cannot write %s/log.jsonl: File too large.", (char *)*folder);
+    assert_non_null(strstr(status.text, text));
 }
 
 static void no_log_is_fine(void **folder)
@@ -155,8 +163,18 @@ static void no_log_is_fine(void **folder)
     clod_eventlog *log = NULL;
     clod_eventlog_write(log, "nobody listens", "{s:i}", "number", 1);
     assert_true(clod_eventlog_close(&log, &status));
-    assert_null(clod_eventlog_open("/dev/null/log.jsonl", &status));
-    assert_non_null(strstr(status.text, "Not a directory"));
+}
+
+static void a_log_is_not_written_through_a_link(void **folder)
+{
+    clod_status status;
+    char link[PATH_MAX], other[PATH_MAX];
+    temp_write(folder, "other", "mine", 4);
+    temp_path(link, folder, "log.jsonl");
+    assert_int_equal(symlink(temp_path(other, folder, "other"), link), 0);
+    assert_null(clod_eventlog_open(temp_folder(folder), "log.jsonl", &status));
+    assert_non_null(strstr(status.text, link));
+    assert_non_null(strstr(status.text, "clod does not write through symbolic links"));
 }
 
 #define FOLDER_TEST(name)                                                                      \
@@ -171,6 +189,7 @@ int main(void)
         FOLDER_TEST(threads_do_not_mix_their_lines),
         FOLDER_TEST(a_full_disk_is_told_at_the_end),
         FOLDER_TEST(no_log_is_fine),
+        FOLDER_TEST(a_log_is_not_written_through_a_link),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

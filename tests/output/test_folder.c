@@ -7,7 +7,8 @@
 
 #include <cmocka.h>
 
-#include "output/folder.h"
+#include "output/folder_files.h"
+#include "output/folder_names.h"
 
 #include "temp_folder.h"
 
@@ -25,7 +26,8 @@ static void the_default_name_is_that_of_the_case(void **folder)
                                     {"/case.yaml", "run/case"},
                                     {"missing/case.yaml", "run/case"}};
     for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
-        char *path = clod_folder_default(names[n][0]);
+        clod_status status;
+        char *path = clod_folder_default(names[n][0], &status);
         assert_string_equal(path, names[n][1]);
         clod_memory_free(path);
     }
@@ -59,7 +61,7 @@ static void two_runs_do_not_share_a_folder(void **folder)
     temp_path(path, folder, "run/name");
     clod_folder *first = clod_folder_open(path, &status);
     assert_non_null(first);
-    assert_string_equal(clod_folder_path(first), path);
+    assert_string_equal(first->path, path);
     assert_null(clod_folder_open(path, &status));
     snprintf(
         text, sizeof text,
@@ -116,7 +118,7 @@ static void clearing_removes_only_what_clod_wrote(void **folder)
     put(folder, FOREIGN, COUNT(FOREIGN));
     put(folder, COPIES, COUNT(COPIES));
     // not even a true checkpoint, when it has another name
-    const char *begin = "clod checkpoint: HDF5 behind 512 bytes\nformat 7\n";
+    const char *begin = "clod checkpoint: HDF5 behind 512 bytes\nformat 8\n";
     temp_write(folder, "kept_a.h5", begin, strlen(begin));
     assert_int_equal(mkdir(temp_path(path, folder, "preshear_snap_000001.hdf"), 0777), 0);
     assert_true(clod_folder_clear(self, &status));
@@ -188,7 +190,8 @@ static void texts_json_and_case_are_written(void **folder)
     clod_status status;
     char path[PATH_MAX];
     size_t size;
-    assert_true(clod_folder_write_case(*folder, "given: 1\n", "given: 1\nrest: 2\n", &status));
+    assert_true(clod_folder_write_case(temp_folder(folder), "given: 1\n", "given: 1\nrest: 2\n",
+                                       &status));
     char *text = temp_read(folder, "case.yaml", &size);
     assert_string_equal(text, "given: 1\n");
     clod_memory_free(text);
@@ -196,16 +199,82 @@ static void texts_json_and_case_are_written(void **folder)
     assert_string_equal(text, "given: 1\nrest: 2\n");
     clod_memory_free(text);
     json_t *json = json_pack("{s:f, s:[i,i]}", "phi_lin_deg", 44.6, "seeds", 1, 2);
-    temp_path(path, folder, "summary.json");
-    assert_true(clod_folder_write_json(path, json, &status));
-    json_t *back = json_load_file(path, 0, NULL);
+    assert_true(clod_folder_write_json(temp_folder(folder), "summary.json", json, &status));
+    json_t *back = json_load_file(temp_path(path, folder, "summary.json"), 0, NULL);
     assert_true(json_equal(json, back));
     json_decref(json);
     json_decref(back);
     text = temp_read(folder, "summary.json", &size);
     assert_int_equal(text[size - 1], '\n');
     clod_memory_free(text);
-    assert_false(clod_folder_write(temp_path(path, folder, "missing/file"), "x", &status));
+    assert_false(clod_folder_write(temp_folder(folder), "missing/file", "x", &status));
+}
+
+/** The text of a run whose folder is not in its place any more. */
+static void expect_moved(const clod_folder *self)
+{
+    clod_status status;
+    assert_false(clod_folder_check(self, &status));
+    assert_int_equal(status.code, CLOD_FAILED);
+    assert_non_null(strstr(status.text, self->path));
+    assert_non_null(strstr(status.text, "was moved away, removed or replaced"));
+}
+
+static void a_folder_that_took_the_place_is_not_written_into(void **folder)
+{
+    clod_status status;
+    char path[PATH_MAX], moved[PATH_MAX];
+    temp_path(path, folder, "run");
+    temp_path(moved, folder, "moved");
+    clod_folder *self = clod_folder_open(path, &status);
+    assert_true(clod_folder_check(self, &status));
+    assert_true(clod_folder_write(self, "case.yaml", "old", &status));
+    assert_int_equal(rename(path, moved), 0);
+    expect_moved(self);
+    assert_int_equal(mkdir(path, 0777), 0);
+    expect_moved(self);
+    assert_false(clod_folder_write(self, "case.yaml", "new", &status));
+    assert_non_null(strstr(status.text, "was moved away, removed or replaced"));
+    size_t size;
+    char *text = temp_read(folder, "moved/case.yaml", &size);
+    assert_string_equal(text, "old");
+    clod_memory_free(text);
+    assert_false(temp_exists(folder, "moved/case.yaml.part"));
+    assert_false(temp_exists(folder, "run/case.yaml"));
+    clod_folder *other = clod_folder_open(path, &status); // not the locked one
+    assert_non_null(other);
+    clod_folder_close(&other);
+    clod_folder_close(&self);
+}
+
+static void a_lock_that_was_taken_away_is_noticed(void **folder)
+{
+    clod_status status;
+    char path[PATH_MAX];
+    clod_folder *self = clod_folder_open(*folder, &status);
+    assert_int_equal(unlink(temp_path(path, folder, ".clod-lock")), 0);
+    expect_moved(self);
+    clod_folder *other = clod_folder_open(*folder, &status); // now there are two
+    assert_non_null(other);
+    expect_moved(self);
+    assert_true(clod_folder_check(other, &status));
+    clod_folder_close(&other);
+    clod_folder_close(&self);
+}
+
+static void a_lock_is_not_written_through_a_link(void **folder)
+{
+    clod_status status;
+    char link[PATH_MAX], other[PATH_MAX];
+    size_t size;
+    temp_write(folder, "other", "mine", 4);
+    temp_path(link, folder, ".clod-lock");
+    assert_int_equal(symlink(temp_path(other, folder, "other"), link), 0);
+    assert_null(clod_folder_open(*folder, &status));
+    assert_non_null(strstr(status.text, "clod does not write through symbolic links"));
+    char *text = temp_read(folder, "other", &size);
+    assert_string_equal(text, "mine");
+    clod_memory_free(text);
 }
 
 static void free_space_is_that_of_the_nearest_folder(void **folder)
@@ -234,6 +303,9 @@ int main(void)
         FOLDER_TEST(a_folder_with_files_in_the_way_is_refused),
         FOLDER_TEST(a_folder_with_other_files_or_a_lock_is_taken),
         FOLDER_TEST(texts_json_and_case_are_written),
+        FOLDER_TEST(a_folder_that_took_the_place_is_not_written_into),
+        FOLDER_TEST(a_lock_that_was_taken_away_is_noticed),
+        FOLDER_TEST(a_lock_is_not_written_through_a_link),
         FOLDER_TEST(free_space_is_that_of_the_nearest_folder),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

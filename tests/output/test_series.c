@@ -2,9 +2,11 @@
 
 #include <math.h>
 #include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <sys/resource.h>
 
 #include <cmocka.h>
 
@@ -15,11 +17,17 @@
 
 static const char *const COLUMNS[] = {"time [s]", "shear_stress [Pa]", "height [m]"};
 
-static clod_series *open_series(void **folder, int64_t resume_bytes, clod_status *status)
+static clod_series *open_series(void **folder, const clod_series_mark *resume,
+                                clod_status *status)
 {
-    char path[PATH_MAX];
-    return clod_series_open(temp_path(path, folder, "series.csv"), COLUMNS, 3, resume_bytes,
-                            status);
+    return clod_series_open(temp_folder(folder), "series.csv", COLUMNS, 3, resume, status);
+}
+
+static void close_series(clod_series **series)
+{
+    clod_status status;
+    assert_true(clod_series_close(series, &status));
+    assert_null(*series);
 }
 
 static void write_rows(clod_series *series, int first, int last)
@@ -34,7 +42,7 @@ static void rows_are_in_the_file_at_once(void **folder)
 {
     clod_status status;
     size_t size;
-    clod_series *series = open_series(folder, -1, &status);
+    clod_series *series = open_series(folder, NULL, &status);
     assert_non_null(series);
     assert_true(clod_series_row(series, (double[3]){0.5, -0.0, 1e-7}, &status));
     assert_true(clod_series_row(series, (double[3]){(double)NAN, -HUGE_VAL, 54800.0}, &status));
@@ -42,17 +50,19 @@ static void rows_are_in_the_file_at_once(void **folder)
     char *text = temp_read(folder, "series.csv", &size); // before it is closed
     assert_string_equal(text, "time [s],shear_stress [Pa],height [m]\n0.5,-0,1e-07\n"
                               "nan,-inf,54800\n"); // by hand
-    assert_int_equal(clod_series_bytes(series), size);
+    const clod_series_mark mark = clod_series_position(series);
+    assert_int_equal(mark.bytes, size);
+    // python3 -c 'import sys, zlib; print(hex(zlib.crc32(sys.stdin.buffer.read())))'
+    assert_int_equal(mark.crc32, 0x2ca63c1u);
     clod_memory_free(text);
-    clod_series_close(&series);
-    assert_null(series);
+    close_series(&series);
 }
 
 static void numbers_read_back_exactly(void **folder)
 {
     clod_status status;
     size_t size;
-    clod_series *series = open_series(folder, -1, &status);
+    clod_series *series = open_series(folder, NULL, &status);
     double values[300];
     for (uint64_t v = 0; v < 300; v++) {
         const double mantissa = clod_random_uniform(1, CLOD_RANDOM_TEST, 0, v);
@@ -62,7 +72,7 @@ static void numbers_read_back_exactly(void **folder)
     for (int r = 0; r < 100; r++) {
         assert_true(clod_series_row(series, &values[3 * r], &status));
     }
-    clod_series_close(&series);
+    close_series(&series);
     char *text = temp_read(folder, "series.csv", &size);
     char *next = text + strcspn(text, "\n") + 1;
     for (int v = 0; v < 300; v++, next++) {
@@ -77,18 +87,19 @@ static void resumed_and_uninterrupted_are_the_same_bytes(void **folder)
 {
     clod_status status;
     size_t size, size_resumed;
-    clod_series *series = open_series(folder, -1, &status);
+    clod_series *series = open_series(folder, NULL, &status);
     write_rows(series, 1, 10);
-    const int64_t bytes = clod_series_bytes(series); // the checkpoint
+    const clod_series_mark mark = clod_series_position(series); // the checkpoint
     write_rows(series, 11, 30);
-    clod_series_close(&series);
+    close_series(&series);
     char *whole = temp_read(folder, "series.csv", &size);
     temp_write(folder, "series.csv", whole, size - 5); // killed within a line
-    series = open_series(folder, bytes, &status);
+    assert_true(clod_series_check(temp_folder(folder), "series.csv", &mark, &status));
+    series = open_series(folder, &mark, &status);
     assert_non_null(series);
-    assert_int_equal(clod_series_bytes(series), bytes);
+    assert_int_equal(clod_series_position(series).bytes, mark.bytes);
     write_rows(series, 11, 30);
-    clod_series_close(&series);
+    close_series(&series);
     char *resumed = temp_read(folder, "series.csv", &size_resumed);
     assert_int_equal(size, size_resumed);
     assert_memory_equal(whole, resumed, size);
@@ -101,11 +112,27 @@ static void a_fresh_series_forgets_the_old_one(void **folder)
     clod_status status;
     size_t size;
     temp_write(folder, "series.csv", "something long that was there before, and more", 46);
-    clod_series *series = open_series(folder, -1, &status);
-    clod_series_close(&series);
+    clod_series *series = open_series(folder, NULL, &status);
+    close_series(&series);
     char *text = temp_read(folder, "series.csv", &size);
     assert_string_equal(text, "time [s],shear_stress [Pa],height [m]\n");
     clod_memory_free(text);
+}
+
+/** Opening and checking are refused with this text, and the file is as it was. */
+static void expect_refused(void **folder, const clod_series_mark *mark, const char *text)
+{
+    clod_status status;
+    size_t before, after;
+    char *content = temp_read(folder, "series.csv", &before);
+    assert_null(open_series(folder, mark, &status));
+    assert_string_equal(status.text, text);
+    assert_int_equal(status.code, CLOD_FAILED);
+    char *kept = temp_read(folder, "series.csv", &after);
+    assert_int_equal(before, after);
+    assert_memory_equal(content, kept, before);
+    clod_memory_free(content);
+    clod_memory_free(kept);
 }
 
 static void a_file_that_is_not_the_one_left_is_refused(void **folder)
@@ -120,38 +147,84 @@ static void a_file_that_is_not_the_one_left_is_refused(void **folder)
         {"time [s],shear_stress [kPa],height [m]\n1,2,3\n", 45,
          "has other columns than this run writes"},
         {"time [s]\n1\n", 11, "has other columns than this run writes"},
-        {"time [s],shear_stress [Pa],height [m]\n1,2,3\n", 40,
-         "was changed since the checkpoint"},
+        {"time [s],shear_stress [Pa],height [m]\n1,2,3\n", 44,
+         "was changed since the checkpoint, or is damaged: its checksum is another one"},
     };
+    char text[2 * PATH_MAX];
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        clod_status status;
-        char text[PATH_MAX];
+        const clod_series_mark mark = {.bytes = cases[c].bytes, .crc32 = 1};
         temp_write(folder, "series.csv", cases[c].content, strlen(cases[c].content));
-        assert_null(open_series(folder, cases[c].bytes, &status));
-        snprintf(text, sizeof text,
-                 "Cannot go on with %s/series.csv: it %s. Start over with --fresh.",
-                 (char *)*folder, cases[c].fault);
-        assert_string_equal(status.text, text);
-        size_t size;
-        char *kept = temp_read(folder, "series.csv", &size);
-        assert_string_equal(kept, cases[c].content);
-        clod_memory_free(kept);
+        snprintf(
+            text, sizeof text,
+            "Cannot go on with %s/series.csv: it %s. Put back the file as the run left it, "
+            "or start over with --fresh.",
+            (char *)*folder, cases[c].fault);
+        expect_refused(folder, &mark, text);
     }
     clod_status status;
+    const clod_series_mark mark = {.bytes = 40};
     assert_int_equal(unlink(temp_path((char[PATH_MAX]){""}, folder, "series.csv")), 0);
-    assert_null(open_series(folder, 40, &status));
+    assert_null(open_series(folder, &mark, &status));
+    assert_non_null(strstr(status.text, "it is not there any more"));
+    assert_false(temp_exists(folder, "series.csv"));
+}
+
+static void any_flipped_bit_before_the_checkpoint_is_found(void **folder)
+{
+    clod_status status;
+    size_t size;
+    clod_series *series = open_series(folder, NULL, &status);
+    write_rows(series, 1, 5);
+    const clod_series_mark mark = clod_series_position(series);
+    write_rows(series, 6, 7); // after the checkpoint: cut off, whatever it is
+    close_series(&series);
+    char *text = temp_read(folder, "series.csv", &size);
+    for (size_t bit = 0; bit < 8 * size; bit += 5) {
+        text[bit / 8] = (char)(text[bit / 8] ^ (1 << bit % 8));
+        temp_write(folder, "series.csv", text, size);
+        assert_int_equal(clod_series_check(temp_folder(folder), "series.csv", &mark, &status),
+                         bit / 8 >= (size_t)mark.bytes);
+        text[bit / 8] = (char)(text[bit / 8] ^ (1 << bit % 8));
+    }
+    clod_memory_free(text);
+}
+
+static void a_table_is_not_written_through_a_link(void **folder)
+{
+    clod_status status;
+    char link[PATH_MAX], other[PATH_MAX];
+    size_t size;
+    temp_write(folder, "other", "mine", 4);
+    temp_path(link, folder, "series.csv");
+    assert_int_equal(symlink(temp_path(other, folder, "other"), link), 0);
+    assert_null(open_series(folder, NULL, &status));
+    assert_non_null(strstr(status.text, "clod does not write through symbolic links"));
+    char *text = temp_read(folder, "other", &size);
+    assert_string_equal(text, "mine");
+    clod_memory_free(text);
 }
 
 static void a_full_disk_is_told(void **folder)
 {
-    (void)folder;
     clod_status status;
-    // the header is the first thing written, so opening fails
-    assert_null(clod_series_open("/dev/full", COLUMNS, 3, -1, &status));
-    assert_string_equal(
-        status.text, "Cannot write /dev/full: No space left on device. Free some space, then "
-                     "give the same command again: the run goes on from its last checkpoint. "
-                     "What was complete before is untouched.");
+    char text[2 * PATH_MAX];
+    struct rlimit before;
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const struct rlimit full = {0, before.rlim_max}; // stands for a full disk
+    signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &full);
+    clod_series *series =
+        open_series(folder, NULL, &status); // the header is the first thing written
+    setrlimit(RLIMIT_FSIZE, &before);
+    signal(SIGXFSZ, SIG_DFL);
+    assert_null(series);
+    snprintf(
+        text, sizeof text,
+        "Cannot write %s/series.csv: File too large. Free some space, then give the same "
+        "command again: the run goes on from its last checkpoint. What was complete before "
+        "is untouched.",
+        (char *)*folder);
+    assert_string_equal(status.text, text);
 }
 
 #define FOLDER_TEST(name)                                                                      \
@@ -165,6 +238,8 @@ int main(void)
         FOLDER_TEST(resumed_and_uninterrupted_are_the_same_bytes),
         FOLDER_TEST(a_fresh_series_forgets_the_old_one),
         FOLDER_TEST(a_file_that_is_not_the_one_left_is_refused),
+        FOLDER_TEST(any_flipped_bit_before_the_checkpoint_is_found),
+        FOLDER_TEST(a_table_is_not_written_through_a_link),
         FOLDER_TEST(a_full_disk_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -164,7 +164,8 @@ static void grains_are_vertices_with_the_arrays_people_look_for(void **folder)
 {
     clod_status status;
     clod_state state = sample_state();
-    assert_true(clod_snapshot_write(*folder, "run", 123, &state, false, &status));
+    assert_true(clod_snapshot_write(temp_folder(folder), "run", 123, &state, false,
+                                    &(clod_snapshot_film){{0}}, &status));
     assert_false(temp_exists(folder, "contacts_000123.hdf"));
     const hid_t file = open_file(folder, "snap_000123.hdf");
     check_head(file);
@@ -209,7 +210,8 @@ static void contacts_are_lines_that_stay_together_over_a_periodic_border(void **
 {
     clod_status status;
     clod_state state = sample_state();
-    assert_true(clod_snapshot_write(*folder, "seed1", 0, &state, true, &status));
+    assert_true(clod_snapshot_write(temp_folder(folder), "seed1", 0, &state, true,
+                                    &(clod_snapshot_film){{0}}, &status));
     const hid_t file = open_file(folder, "seed1_contacts_000000.hdf");
     check_head(file);
     check_cells(file, 2, 2, 3); // VTK_LINE
@@ -247,7 +249,8 @@ static void walls_are_triangles(void **folder)
 {
     clod_status status;
     clod_state state = sample_state();
-    assert_true(clod_snapshot_write(*folder, "run", 1, &state, false, &status));
+    assert_true(clod_snapshot_write(temp_folder(folder), "run", 1, &state, false,
+                                    &(clod_snapshot_film){{0}}, &status));
     const hid_t file = open_file(folder, "walls_000001.hdf");
     check_head(file);
     check_cells(file, 2, 3, 5); // VTK_TRIANGLE
@@ -276,7 +279,8 @@ static void an_empty_state_makes_empty_pictures(void **folder)
 {
     clod_status status;
     const clod_state state = {0};
-    assert_true(clod_snapshot_write(*folder, "run", 0, &state, true, &status));
+    assert_true(clod_snapshot_write(temp_folder(folder), "run", 0, &state, true,
+                                    &(clod_snapshot_film){{0}}, &status));
     const char *const names[] = {"snap_000000.hdf", "walls_000000.hdf", "contacts_000000.hdf"};
     for (int n = 0; n < 3; n++) {
         const hid_t file = open_file(folder, names[n]);
@@ -306,12 +310,14 @@ static void check_series(void **folder, const char *series, const char *prefix,
     json_decref(index);
 }
 
-static void write_numbers(void **folder, clod_state *state, int first, int last)
+static void write_numbers(void **folder, clod_state *state, clod_snapshot_film *film, int first,
+                          int last)
 {
     clod_status status;
     for (int n = first; n <= last; n++) {
         state->time = 0.1 * n;
-        assert_true(clod_snapshot_write(*folder, "run", n, state, true, &status));
+        assert_true(
+            clod_snapshot_write(temp_folder(folder), "run", n, state, true, film, &status));
     }
 }
 
@@ -319,20 +325,53 @@ static void a_series_resumes_without_the_later_snapshots(void **folder)
 {
     clod_status status;
     clod_state state = sample_state();
-    assert_true(clod_snapshot_resume(*folder, "run", 0.0, &status)); // nothing there yet
+    assert_true(
+        clod_snapshot_resume(temp_folder(folder), "run", 0.0, &status)); // nothing there yet
     assert_false(temp_exists(folder, "run.hdf.series"));
-    write_numbers(folder, &state, 0, 4);
+    clod_snapshot_film film = {{0}};
+    write_numbers(folder, &state, &film, 0, 2);
+    const clod_snapshot_film at_2 = film;
+    write_numbers(folder, &state, &film, 3, 4);
     check_series(folder, "run.hdf.series", "snap", (int[]){0, 1, 2, 3, 4}, 5);
     check_series(folder, "run_walls.hdf.series", "walls", (int[]){0, 1, 2, 3, 4}, 5);
     check_series(folder, "run_contacts.hdf.series", "contacts", (int[]){0, 1, 2, 3, 4}, 5);
-    assert_true(clod_snapshot_resume(*folder, "run", 0.2, &status));
+    assert_true(clod_snapshot_check(temp_folder(folder), "run", 0.2, &at_2, &status));
+    assert_false(clod_snapshot_check(temp_folder(folder), "run", 0.1, &at_2, &status));
+    assert_true(clod_snapshot_resume(temp_folder(folder), "run", 0.2, &status));
     check_series(folder, "run.hdf.series", "snap", (int[]){0, 1, 2}, 3);
     check_series(folder, "run_walls.hdf.series", "walls", (int[]){0, 1, 2}, 3);
     check_series(folder, "run_contacts.hdf.series", "contacts", (int[]){0, 1, 2}, 3);
     assert_false(temp_exists(folder, "snap_000003.hdf"));
     assert_false(temp_exists(folder, "walls_000004.hdf"));
-    write_numbers(folder, &state, 2, 3); // the moment of the checkpoint is written again
+    film = at_2;
+    write_numbers(folder, &state, &film, 2, 3); // the moment of the checkpoint is written again
     check_series(folder, "run.hdf.series", "snap", (int[]){0, 1, 2, 3}, 4);
+    clod_state_fini(&state);
+}
+
+static void an_index_that_was_changed_is_refused(void **folder)
+{
+    static const char INDEX[] = "run_walls.hdf.series";
+    clod_status status;
+    char path[PATH_MAX], changed[4096];
+    size_t size;
+    clod_state state = sample_state();
+    clod_snapshot_film film = {{0}};
+    write_numbers(folder, &state, &film, 0, 2);
+    char *index = temp_read(folder, INDEX, &size);
+    assert_true(size < sizeof changed);
+    memcpy(changed, index, size + 1);
+    *strstr(changed, "walls_000001") = 'v'; // one bit
+    temp_write(folder, INDEX, changed, size);
+    assert_false(clod_snapshot_check(temp_folder(folder), "run", 0.2, &film, &status));
+    assert_non_null(strstr(status.text, "run_walls.hdf.series was changed, or is damaged"));
+    assert_false(
+        clod_snapshot_write(temp_folder(folder), "run", 3, &state, true, &film, &status));
+    assert_int_equal(unlink(temp_path(path, folder, INDEX)), 0); // as the text says
+    assert_true(clod_snapshot_check(temp_folder(folder), "run", 0.2, &film, &status));
+    write_numbers(folder, &state, &film, 3, 3);
+    check_series(folder, INDEX, "walls", (int[]){3}, 1);
+    clod_memory_free(index);
     clod_state_fini(&state);
 }
 
@@ -341,10 +380,12 @@ static void the_same_state_gives_the_same_bytes(void **folder)
     clod_status status;
     size_t size_1, size_2;
     clod_state state = sample_state();
-    assert_true(clod_snapshot_write(*folder, "run", 0, &state, false, &status));
+    assert_true(clod_snapshot_write(temp_folder(folder), "run", 0, &state, false,
+                                    &(clod_snapshot_film){{0}}, &status));
     char *first = temp_read(folder, "snap_000000.hdf", &size_1);
     sleep(1); // no time stamps
-    assert_true(clod_snapshot_write(*folder, "run", 0, &state, false, &status));
+    assert_true(clod_snapshot_write(temp_folder(folder), "run", 0, &state, false,
+                                    &(clod_snapshot_film){{0}}, &status));
     char *second = temp_read(folder, "snap_000000.hdf", &size_2);
     assert_int_equal(size_1, size_2);
     assert_memory_equal(first, second, size_1);
@@ -358,27 +399,33 @@ static void failures_are_told(void **folder)
     clod_status status;
     char path[PATH_MAX], text[2 * PATH_MAX];
     const clod_state state = {0};
-    temp_path(path, folder, "missing");
-    assert_false(clod_snapshot_write(path, "run", 0, &state, false, &status));
-    snprintf(
-        text, sizeof text,
-        "Cannot write %s/snap_000000.hdf: No such file or directory. Does the folder exist?",
-        path);
-    assert_string_equal(status.text, text);
+    temp_path(path, folder, "run.hdf.series");
+    assert_int_equal(symlink(path, path), 0); // an error, and not a list that is not there
+    assert_false(clod_snapshot_check(temp_folder(folder), "run", 9.0,
+                                     &(clod_snapshot_film){{0}}, &status));
+    assert_false(clod_snapshot_resume(temp_folder(folder), "run", 0.0, &status));
+    assert_non_null(strstr(status.text, "Too many levels of symbolic links"));
+    assert_int_equal(unlink(path), 0);
+    assert_true(clod_snapshot_check(temp_folder(folder), "run", 9.0, &(clod_snapshot_film){{0}},
+                                    &status));
     const char *const bad[] = {"", "[]", "{\"files\": [{\"name\": 1}]}", "{\"files\": "};
     for (size_t b = 0; b < sizeof bad / sizeof *bad; b++) {
         temp_write(folder, "run.hdf.series", bad[b], strlen(bad[b]));
-        assert_false(clod_snapshot_write(*folder, "run", 0, &state, false, &status));
+        assert_false(clod_snapshot_write(temp_folder(folder), "run", 0, &state, false,
+                                         &(clod_snapshot_film){{0}}, &status));
         snprintf(text, sizeof text,
-                 "%s/run.hdf.series is not a list of snapshots. Remove it; the next snapshot "
-                 "starts a new one.",
+                 "%s/run.hdf.series is not a list of snapshots. Put back the file as the run "
+                 "left it, or remove it: the next snapshot then starts a new one.",
                  (char *)*folder);
+        assert_string_equal(status.text, text);
+        assert_false(clod_snapshot_check(temp_folder(folder), "run", 9.0,
+                                         &(clod_snapshot_film){{0}}, &status));
         assert_string_equal(status.text, text);
     }
     // an index that names a file elsewhere must not make clod remove it
     const char *elsewhere = "{\"files\": [{\"name\": \"../other.hdf\", \"time\": 9.0}]}";
     temp_write(folder, "run.hdf.series", elsewhere, strlen(elsewhere));
-    assert_false(clod_snapshot_resume(*folder, "run", 0.0, &status));
+    assert_false(clod_snapshot_resume(temp_folder(folder), "run", 0.0, &status));
 }
 
 #define FOLDER_TEST(name)                                                                      \
@@ -392,6 +439,7 @@ int main(void)
         FOLDER_TEST(walls_are_triangles),
         FOLDER_TEST(an_empty_state_makes_empty_pictures),
         FOLDER_TEST(a_series_resumes_without_the_later_snapshots),
+        FOLDER_TEST(an_index_that_was_changed_is_refused),
         FOLDER_TEST(the_same_state_gives_the_same_bytes),
         FOLDER_TEST(failures_are_told),
     };

@@ -17,6 +17,7 @@ class SideBySide(clod.Case):
     def series(self, threads, energy):
         out = self.path(f"out-{threads}-{energy}")
         done = clod.run("run", CASE, "-o", out, "--threads", str(threads),
+                        "--set", "ring_shear.preshear_min=3 mm",
                         "--set", "ring_shear.preshear_max=3 mm",
                         "--set", f"output.energy={energy}")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -34,6 +34,17 @@ static void there_is_a_processor(void **state)
     assert_true(clod_threads_available() >= 1);
 }
 
+static void no_more_threads_than_processors(void **state)
+{
+    (void)state;
+    const int all = clod_threads_available();
+    assert_int_equal(clod_threads_take(0), all);
+    assert_int_equal(clod_threads_take(1), 1);
+    assert_int_equal(clod_threads_take(all), all);
+    assert_int_equal(clod_threads_take(all + 1), all);
+    assert_int_equal(clod_threads_take(1024), all > 1024 ? 1024 : all);
+}
+
 typedef struct jobs {
     atomic_int runs[50];
     atomic_int running, most;
@@ -143,6 +154,47 @@ static void *pass_on(void *argument)
     return NULL;
 }
 
+/** Waits in vain make a gate fall asleep sooner and waits that pay make it spin again; a gate
+ * of more threads than processors never spins. */
+static void a_gate_spins_as_long_as_it_pays(void **state)
+{
+    (void)state;
+    chain all = {0};
+    link last = {&all, 2};
+    pthread_t thread;
+    clod_gate_init(&all.gate[1], 1);
+    clod_gate_init(&all.gate[2], 1);
+    const int most = atomic_load(&all.gate[1].spins);
+    assert_true(most > 0);
+    assert_int_equal(pthread_create(&thread, NULL, pass_on, &last), 0);
+    for (int round = 1; round <= ROUNDS; round++) { // one that is always late
+        while (atomic_load(&all.gate[1].sleepers) == 0) {
+            nanosleep(&(struct timespec){.tv_nsec = 1000}, NULL);
+        }
+        clod_gate_open(&all.gate[1]);
+        while (clod_gate_opened(&all.gate[2]) < (uint64_t)round) {
+            nanosleep(&(struct timespec){.tv_nsec = 1000}, NULL);
+        }
+    }
+    assert_int_equal(pthread_join(thread, NULL), 0);
+    assert_int_equal(atomic_load(&all.gate[1].spins), 0);
+    for (int wait = 0; wait < 2 * most; wait++) { // open already: every look pays
+        clod_gate_wait(&all.gate[1], 1);
+    }
+    assert_int_equal(atomic_load(&all.gate[1].spins), most);
+    atomic_store(&all.gate[1].spins, most / 2 + 1); // doubled it would be more than at most
+    for (int wait = 0; wait < 40; wait++) {
+        clod_gate_wait(&all.gate[1], 1);
+        assert_in_range(atomic_load(&all.gate[1].spins), 0, most);
+    }
+    clod_gate_init(&all.gate[0], clod_threads_available() + 1);
+    clod_gate_open(&all.gate[0]);
+    for (int wait = 0; wait < 2 * most; wait++) {
+        clod_gate_wait(&all.gate[0], 1);
+    }
+    assert_int_equal(atomic_load(&all.gate[0].spins), 0);
+}
+
 /** Who waits for a count sees what was written before it was reached, awake or asleep; who
  * opens does not wait for those behind. */
 static void a_gate_lets_pass_what_it_has_opened_for(void **state)
@@ -152,7 +204,7 @@ static void a_gate_lets_pass_what_it_has_opened_for(void **state)
     pthread_t thread[3];
     link links[3];
     for (int t = 0; t < 3; t++) {
-        clod_gate_init(&all.gate[t]);
+        clod_gate_init(&all.gate[t], 3);
     }
     for (int t = 2; t >= 0; t--) {
         links[t] = (link){&all, t};
@@ -173,9 +225,11 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(chunks_cover_all_items_once_and_evenly),
         cmocka_unit_test(there_is_a_processor),
+        cmocka_unit_test(no_more_threads_than_processors),
         cmocka_unit_test(every_job_runs_once),
         cmocka_unit_test(a_barrier_separates_rounds),
         cmocka_unit_test(a_gate_lets_pass_what_it_has_opened_for),
+        cmocka_unit_test(a_gate_spins_as_long_as_it_pays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

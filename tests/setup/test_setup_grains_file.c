@@ -108,7 +108,11 @@ static void errors_say_line_and_column(void **state)
     check_refused("x [m],y [m],z [m],radius [m]\n1,2,,4\n", "ore",
                   "2:5: \"\": a number is expected");
     check_refused("x [m],y [m],z [m],radius [m]\n1,2,3,-4\n", "ore",
-                  "2:7: \"-4\": a radius must be positive");
+                  "2:7: \"-4\": a radius must be from 1 nm to 10 m");
+    check_refused("x [m],y [m],z [m],radius [m]\n1,2,3,1e-300\n", "ore",
+                  "2:7: \"1e-300\": a radius must be from 1 nm to 10 m");
+    check_refused("x [m],y [m],z [m],radius [m]\n1,1e300,3,1\n", "ore",
+                  "2:3: \"1e300\": a place must be within 10 km of the origin");
     check_refused("x [m],y [m],z [m],radius [m],id\n1,2,3,4,1.5\n", "ore",
                   "2:9: \"1.5\": an id must be a whole number, 0 or more");
     check_refused("x [m],y [m],z [m],radius [m],material\n1,2,3,4,iron\n", "ore",
@@ -187,12 +191,13 @@ static void long_file_is_read_whole(void **state)
     char *text = malloc(64 * ROWS);
     size_t length = (size_t)sprintf(text, "x [m],y [m],z [m],r [m]\n");
     for (int k = 0; k < ROWS; k++) {
-        length += (size_t)sprintf(text + length, "%d,0,0,1%s", k, k + 1 < ROWS ? "\n" : "");
+        length +=
+            (size_t)sprintf(text + length, "%d,0,0,1%s", k % 10000, k + 1 < ROWS ? "\n" : "");
     }
     reading r = read_bytes(text, length, "ore");
     assert_true(r.good);
     assert_int_equal(r.grains.count, ROWS);
-    assert_true(r.grains.place[ROWS - 1][0] == ROWS - 1);
+    assert_true(r.grains.place[ROWS - 1][0] == 9999.0);
     clod_grains_fini(&r.grains);
     free(text);
 }
@@ -208,6 +213,21 @@ static void zero_byte_is_refused(void **state)
     clod_grains_fini(&r.grains);
 }
 
+// Spreadsheets put a byte order mark before the header; columns are counted without it.
+static void byte_order_mark_is_skipped(void **state)
+{
+    (void)state;
+    reading r = read_text("\xEF\xBB\xBFx [m],y [m],z [m],r [m]\n1,2,3,4\n", "ore");
+    assert_true(r.good);
+    assert_int_equal(r.grains.count, 1);
+    assert_true(r.grains.place[0][0] == 1.0);
+    clod_grains_fini(&r.grains);
+    check_refused("\xEF\xBB\xBFx [kg],y [m],z [m],r [m]\n", "ore",
+                  "1:1: \"x [kg]\": 1 kg is not a length; use a unit such as mm");
+    check_refused("x [m],y [m],z [m],r [m]\n1\n", "ore",
+                  "2:1: 1 value, but the header has 4 columns");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -220,6 +240,7 @@ int main(void)
         cmocka_unit_test(missing_file_is_named),
         cmocka_unit_test(long_file_is_read_whole),
         cmocka_unit_test(zero_byte_is_refused),
+        cmocka_unit_test(byte_order_mark_is_skipped),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

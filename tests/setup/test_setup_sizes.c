@@ -188,10 +188,36 @@ static void drawn_radii_pass_kolmogorov_smirnov(void **state)
 static void count_comes_nearest_to_the_volume(void **state)
 {
     (void)state;
+    double put;
     const clod_sizes s = normal(1.0, 1.0, 1.0, 1.0);
-    assert_int_equal(clod_sizes_count(&s, 1, 1, 10.4), 2);
-    assert_int_equal(clod_sizes_count(&s, 1, 1, 10.6), 3);
-    assert_int_equal(clod_sizes_count(&s, 1, 1, 1e-9), 1);
+    assert_int_equal(clod_sizes_count(&s, 1, 1, 10.4, &put), 2);
+    check_close(put, 8.37758040957278, 1e-12);
+    assert_int_equal(clod_sizes_count(&s, 1, 1, 10.6, &put), 3);
+    check_close(put, 12.56637061435917, 1e-12);
+    assert_int_equal(clod_sizes_count(&s, 1, 1, 1e-9, &put), 1);
+    check_close(put, 4.18879020478639, 1e-12);
+}
+
+// Mean volumes by number. Uniform from 1 to 3 by hand: 4/3 pi (81 - 1)/8 = 41.8879. Sieves from
+// 1 to 2 by hand: 1/D^3 uniform between 1/8 and 1, so pi/6 ln(8)/(7/8) = 1.24433; a second,
+// empty class changes nothing. Normal: E[r^3] = m^3 + 3 m s^2 when nothing is cut off (10 sd).
+static void mean_volumes_by_hand(void **state)
+{
+    (void)state;
+    clod_status status = {0};
+    clod_case_sieve rows[] = {{1.0, 0.0}, {2.0, 1.0}, {4.0, 1.0}};
+    const clod_case_grains sieve = {.sizes = CLOD_SIZE_SIEVE, .sieve = rows, .sieve_count = 3};
+    const clod_case_grains uniform = {
+        .sizes = CLOD_SIZE_UNIFORM, .radius_min = 1.0, .radius_max = 3.0};
+    clod_sizes s;
+    assert_true(clod_sizes_init(&s, &uniform, &status));
+    check_close(clod_sizes_mean_volume(&s), 41.8879020478639, 1e-12);
+    check_close(clod_sizes_largest_volume(&s), 113.0973355292326, 1e-12);
+    assert_true(clod_sizes_init(&s, &sieve, &status));
+    check_close(clod_sizes_mean_volume(&s), M_PI / 6.0 * log(8.0) / 0.875, 1e-12);
+    clod_sizes_fini(&s);
+    s = normal(10.0, 1.0, 1e-9, 20.0);
+    check_relative(clod_sizes_mean_volume(&s), 4.0 / 3.0 * M_PI * 1030.0, 1e-4);
 }
 
 int main(void)
@@ -206,6 +232,7 @@ int main(void)
         cmocka_unit_test(sieve_median_by_number_by_hand),
         cmocka_unit_test(drawn_radii_pass_kolmogorov_smirnov),
         cmocka_unit_test(count_comes_nearest_to_the_volume),
+        cmocka_unit_test(mean_volumes_by_hand),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,12 +39,17 @@ static outcome collide(const clod_case_contact *contact, double dt)
 
 /** The error of the books at dt is a few thousandths of what was lost, and a quarter at dt/2.
  */
+static void check_second(const outcome *coarse, const outcome *fine)
+{
+    check_at_most(fabs(coarse->residual), 5e-3 * coarse->lost);
+    check_at_most(fabs(fine->residual), 0.35 * fabs(coarse->residual));
+}
+
 static void check_second_order(const clod_case_contact *contact)
 {
     const outcome coarse = collide(contact, DT);
     const outcome fine = collide(contact, 0.5 * DT);
-    check_at_most(fabs(coarse.residual), 5e-3 * coarse.lost);
-    check_at_most(fabs(fine.residual), 0.35 * fabs(coarse.residual));
+    check_second(&coarse, &fine);
 }
 
 static void plasticity_and_adhesion_close(void **state)
@@ -102,6 +107,23 @@ static void friction_and_rolling_resistance_close(void **state)
     check_second_order(&c); // epsd2
     c.rolling = CLOD_ROLLING_CDT;
     check_second_order(&c);
+}
+
+/** The lag is small beside the losses and of first order in the step; losses converge with it.
+ */
+static void the_lag_is_of_first_order(void **state)
+{
+    (void)state;
+    clod_case_contact c = contact_ore();
+    c.restitution = 0.5;
+    c.rolling = CLOD_ROLLING_EPSD;
+    c.rolling_damping = 0.3;
+    const outcome coarse = collide(&c, DT);
+    const outcome fine = collide(&c, 0.5 * DT);
+    check_at_most(fabs(coarse.ledger.lag), 0.05 * coarse.lost);
+    check_at_most(fabs(fine.ledger.lag), 0.6 * fabs(coarse.ledger.lag));
+    assert_true(fine.ledger.lag != 0.0);
+    check_second(&coarse, &fine); // the residual does not see it
 }
 
 /** No law loses where there is nothing to lose: the drift of Verlet alone, and it is small. */
@@ -187,6 +209,7 @@ int main(void)
         cmocka_unit_test(luding_and_eepa_close),
         cmocka_unit_test(dash_pots_close),
         cmocka_unit_test(friction_and_rolling_resistance_close),
+        cmocka_unit_test(the_lag_is_of_first_order),
         cmocka_unit_test(elastic_grains_lose_nothing),
         cmocka_unit_test(beds_with_walls_close),
         cmocka_unit_test(a_lifted_grain_takes_momentum_and_weight),

@@ -124,16 +124,75 @@ static void an_overlap_beyond_the_laws(void **state)
         clod_status status = {0};
         assert_false(clod_step_advance(&s.step, 1000, &status));
         assert_in_range(s.state.step, 70, 71);
-        char text[512];
+        char text[600];
+        // nothing holds it back: k1 d^1.5 = (0.6 mm)^1.5 = 1.47e-5 N (1.51e-5 at 0.61 mm), and
+        // a critical step of 0.066 s (3.5 times 1.5 d^0.5 on half the mass of the ore, 1.4e-4
+        // kg)
         snprintf(
             text, sizeof text,
-            "step %d: grain 0 overlaps grain 1 by %s %% of its radius; the contact laws "
-            "hold up to 20 %%. Stiffen the contact, lower the load, or take a smaller time "
-            "step (now 1e-06 s)",
-            (int)s.state.step, s.state.step == 70 ? "20.0" : "20.3");
+            "step %d: grain 0 overlaps grain 1 by %s %% of the radius of the smaller one; "
+            "time.overlap_limit is 20 %%. The time step is not the reason (%s of the "
+            "critical step of this contact): it is too soft for its load, some %s N. Raise "
+            "its k1 (and k2), lower the load or the speed, or, if so deep a contact is "
+            "meant, raise time.overlap_limit",
+            (int)s.state.step, s.state.step == 70 ? "20.0" : "20.3", "1.5e-05",
+            s.state.step == 70 ? "1.47e-05" : "1.51e-05");
         assert_string_equal(status.text, text);
         scene_end(&s);
     }
+}
+
+/** Of 3 mm and 1 mm, or of 1 mm and a wall, the smaller radius counts, in every set. */
+static void the_limit_is_of_the_smaller_radius(void **state)
+{
+    (void)state;
+    static const char *const SETS[] = {"scalar", "avx2", "avx512", "neon"};
+    const double limits[] = {0.0, 0.1, 0.4, 0.9}; // 0: 20 %
+    for (int k = 0; k < 4 * 4 * 2 * 2; k++) {
+        const char *set = SETS[k / 16];
+        const double limit = limits[k / 4 % 4];
+        const bool beyond = k / 2 % 2 == 1, wall = k % 2 == 1;
+        const double overlap = 1e-3 * ((limit > 0.0 ? limit : 0.2) + (beyond ? 0.01 : -0.01));
+        if (clod_kernel_choose(set) == NULL) {
+            continue;
+        }
+        const clod_case_contact contact = contact_ore();
+        scene s;
+        clod_status status = {0};
+        scene_init(&s, 1e-6, &contact);
+        scene_grain(&s, 0.0, 0.0, 0.0, 1e-3);
+        scene_grain(&s, wall ? 0.01 : 4e-3 - overlap, 0.0, 0.0, 3e-3);
+        if (wall) {
+            scene_wall(&s, "the floor", shape_floor(overlap - 1e-3));
+        }
+        const clod_step_options options = {.threads = 1, .simd = set, .overlap_limit = limit};
+        s.state.grains.place[1][2] = wall ? 0.01 : 0.0;
+        assert_int_equal(clod_step_init(&s.step, &s.state, &s.laws, &options, &status),
+                         !beyond);
+        char share[32];
+        snprintf(share, sizeof share, "by %.1f %% of the radius", 1e5 * overlap);
+        assert_true(!beyond || strstr(status.text, share) != NULL);
+        scene_end(&s);
+    }
+}
+
+// By hand: 1 mm a step, so 0.3 mm apart becomes 0.7 mm deep at once. Critical there: 2
+// sqrt(m*/k) with m* = 1.40314e-4 kg and k = 1.5 * 2.37e9 sqrt(0.7e-3) = 9.4057e7 N/m: 2.44e-6
+// s.
+static void a_step_that_is_too_large_is_told(void **state)
+{
+    (void)state;
+    scene s;
+    two_grains(&s, 0.0063);
+    s.state.dt = 1e-4;
+    scene_move(&s, 1, -10.0, 0.0, 0.0);
+    scene_start(&s);
+    expect(&s, 1000, CLOD_FAILED,
+           "step 1: grain 0 overlaps grain 1 by 23.3 % of the radius of the smaller one; "
+           "time.overlap_limit is 20 %. The time step, 0.0001 s, is too large: 41 of the "
+           "critical step of this contact as deep as it is, 2.44e-06 s. Take time.step: auto, "
+           "or at most 2.4e-07 s; when it is auto, time.design_stress for the load that comes");
+    scene_end(&s);
 }
 
 /** Every number of a speed or spin, in every set, of an early and a late grain. */
@@ -170,9 +229,24 @@ static void an_overlap_with_a_wall_at_the_start(void **state)
     scene_wall(&s, "the floor", shape_floor(-0.00225));
     expect_at_start(
         &s, (clod_step_options){.threads = 1}, CLOD_FAILED,
-        "step 0: grain 0 overlaps wall 'the floor' by 25.0 % of its radius; the "
-        "contact laws hold up to 20 %. Stiffen the contact, lower the load, or take "
-        "a smaller time step (now 1e-06 s)");
+        "step 0: grain 0 overlaps wall 'the floor' by 25.0 % of the radius; "
+        "time.overlap_limit is 20 %. They are put so: move them apart. If so deep a "
+        "contact is meant, raise time.overlap_limit");
+}
+
+/** A state of another run, whose forces are found anew, is one that was put so. */
+static void an_overlap_at_the_start_of_a_later_run(void **state)
+{
+    (void)state;
+    scene s;
+    two_grains(&s, 0.01);
+    scene_wall(&s, "the floor", shape_floor(-0.00225));
+    s.state.step = 41;
+    expect_at_start(
+        &s, (clod_step_options){.threads = 1}, CLOD_FAILED,
+        "step 41: grain 0 overlaps wall 'the floor' by 25.0 % of the radius; "
+        "time.overlap_limit is 20 %. They are put so: move them apart. If so deep a "
+        "contact is meant, raise time.overlap_limit");
 }
 
 /** Without a direction between them, and still named. */
@@ -182,9 +256,9 @@ static void two_grains_in_one_place(void **state)
     scene s;
     two_grains(&s, 0.0);
     expect_at_start(&s, (clod_step_options){.threads = 1}, CLOD_FAILED,
-                    "step 0: grain 0 overlaps grain 1 by 200.0 % of its radius; the contact "
-                    "laws hold up to 20 %. Stiffen the contact, lower the load, or take a "
-                    "smaller time step (now 1e-06 s)");
+                    "step 0: grain 0 overlaps grain 1 by 200.0 % of the radius of the smaller "
+                    "one; time.overlap_limit is 20 %. They are put so: move them apart. If so "
+                    "deep a contact is meant, raise time.overlap_limit");
 }
 
 static void a_velocity_that_is_not_a_number(void **state)
@@ -246,8 +320,11 @@ int main(void)
         cmocka_unit_test(a_position_that_is_not_a_number),
         cmocka_unit_test(a_grain_that_leaves),
         cmocka_unit_test(an_overlap_beyond_the_laws),
+        cmocka_unit_test(the_limit_is_of_the_smaller_radius),
+        cmocka_unit_test(a_step_that_is_too_large_is_told),
         cmocka_unit_test(every_number_that_is_not_finite_is_seen),
         cmocka_unit_test(an_overlap_with_a_wall_at_the_start),
+        cmocka_unit_test(an_overlap_at_the_start_of_a_later_run),
         cmocka_unit_test(two_grains_in_one_place),
         cmocka_unit_test(a_velocity_that_is_not_a_number),
         cmocka_unit_test(a_spin_without_bounds),

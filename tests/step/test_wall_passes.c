@@ -39,7 +39,8 @@ static void bench_init(bench *self, dice *roll)
         block->i[g % CLOD_LANES] = g;
         block->slot_wall[g % CLOD_LANES] = g;
     }
-    self->view = (clod_kernel_view){.place = (const double(*)[4])self->place,
+    self->view = (clod_kernel_view){.overlap_limit = CLOD_STEP_OVERLAP,
+                                    .place = (const double(*)[4])self->place,
                                     .motion = (const double(*)[4])self->motion,
                                     .turning = (const double(*)[4])self->turning,
                                     .load = self->load,

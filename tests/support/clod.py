@@ -130,7 +130,7 @@ class Case(unittest.TestCase):
 
     def assert_same_end(self, one, other, parts):
         """Two results folders hold the same tables, pictures, results and last states."""
-        own = ("log.jsonl", ".clod-lock", "summary.json")
+        own = ("log.jsonl", ".clod-lock", "summary.json", "report.txt")  # with the clock
         names = [sorted(name for name in os.listdir(folder)
                         if name not in own and not name.startswith("restart"))
                  for folder in (one, other)]

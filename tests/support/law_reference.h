@@ -187,16 +187,24 @@ static inline void ref_carry(quad spring[3], const quad n[3], quad turn, quad so
     }
 }
 
-/** Eq. (6): cut to the limit and reset the spring. */
-static inline void ref_cut(quad force[3], quad limit, quad stiffness, quad spring[3])
+/** Shorten a vector whose length times `scale` is beyond the limit. */
+static inline void ref_shorten(quad vector[3], quad scale, quad limit)
 {
-    const quad length = sqrtl(ref_dot(force, force));
-    if (length > limit) {
-        for (int c = 0; c < 3; c++) {
-            force[c] = force[c] / length * limit;
-            spring[c] = -force[c] / stiffness;
-        }
+    const quad length = scale * sqrtl(ref_dot(vector, vector));
+    for (int c = 0; c < 3 && length > limit; c++) {
+        vector[c] = vector[c] / length * limit;
     }
+}
+
+/** PHYSICS 3: the spring is held to its limit, then the sum of spring and dash-pot. */
+static inline void ref_pull_back(quad spring[3], quad stiffness, quad dash_pot,
+                                 const quad rate[3], quad limit, quad force[3])
+{
+    ref_shorten(spring, stiffness, limit);
+    for (int c = 0; c < 3; c++) {
+        force[c] = -stiffness * spring[c] - dash_pot * rate[c];
+    }
+    ref_shorten(force, 1.0L, limit);
 }
 
 static inline quad ref_measure(const clod_case_contact *c, const ref_law *law, quad x, quad f)
@@ -233,13 +241,10 @@ static inline void ref_rolling(const clod_case_contact *c, const ref_motion *m, 
     ref_carry(memory->roll, m->normal, turn, dash_pot ? soften : soften_t);
     for (int a = 0; a < 3; a++) {
         memory->roll[a] += dt * spin[a];
-        out[a] = -k_r * memory->roll[a];
     }
-    const bool below = sqrtl(ref_dot(out, out)) < cap;
-    ref_cut(out, cap, k_r, memory->roll);
-    for (int a = 0; a < 3 && dash_pot && below; a++) {
-        out[a] -= 2.0L * (quad)c->rolling_damping * sqrtl(m->roll_inertia * k_r) * spin[a];
-    }
+    const quad c_r =
+        dash_pot ? 2.0L * (quad)c->rolling_damping * sqrtl(m->roll_inertia * k_r) : 0.0L;
+    ref_pull_back(memory->roll, k_r, c_r, spin, cap, out);
 }
 
 /** Velocity of i against j at the contact along the tangent plane (PHYSICS 3). */
@@ -285,12 +290,11 @@ static inline ref_result ref_contact(const clod_case_contact *c, const clod_case
     ref_carry(memory->spring, m->normal, turn, soften_t);
     for (int k = 0; k < 3; k++) {
         memory->spring[k] += dt * slip[k];
-        r.f_t[k] = -law.tangential * memory->spring[k] -
-                   law.damping * sqrtl(m->m_star * law.tangential) * slip[k];
     }
     r.limit = (quad)c->friction * measure;
     r.stiffness = law.tangential;
-    ref_cut(r.f_t, r.limit, law.tangential, memory->spring);
+    ref_pull_back(memory->spring, law.tangential,
+                  law.damping * sqrtl(m->m_star * law.tangential), slip, r.limit, r.f_t);
     if (c->rolling != CLOD_ROLLING_NONE) {
         ref_rolling(c, m, measure, dk, law.tangential, soften_t, soften, turn, dt, memory,
                     r.roll);

@@ -38,7 +38,7 @@ static const char CASE[] =
     "  offset: 4 mm\n"
     "  lid_mass: 0.02 kg\n"
     "  preshear_stress: 5 kPa\n"
-    "  shear_stresses: [2 kPa]\n"
+    "  shear_stresses: [2 kPa, 3 kPa]\n"
     "  speed: 40 mm/s\n"
     "  block_displacement: 0.5 mm\n"
     "  preshear_max: 6 mm\n"
@@ -167,7 +167,8 @@ static void no_grain_leaves_the_cell(void **state)
         check_inside(&b);
     }
     check_inside(&b);
-    check_close(ring->shift.x, 6e-3, 0.1e-3);
+    // whole blocks, each of 0.5 mm, within 6 mm
+    check_close(ring->shift.x, 5.75e-3, 0.25e-3);
     double farthest = 0.0;
     clod_ring_shear_reverse(&b.test, &b.state);
     while (!look(&b)) {
@@ -181,7 +182,9 @@ static void no_grain_leaves_the_cell(void **state)
         check_inside(&b);
     }
     check_inside(&b);
-    assert_int_equal(b.test.flags, 0);
+    // past alignment the rims add to the resistance (docs/theory/jenike.md): no peak is asked
+    // for
+    assert_int_equal(b.test.flags & ~CLOD_RING_SHEAR_NO_PEAK, 0);
     assert_true(ring->shift.x > 6.1e-3); // farther than before
     end(&b);
 }

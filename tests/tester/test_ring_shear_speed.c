@@ -35,6 +35,8 @@ static void begin(cell *self, double inner, double outer, double speed)
                                            .programme.steady_blocks = 3,
                                            .programme.steady_tolerance = 0.02,
                                            .programme.preshear_max = 1.0,
+                                           .fill_max = 0.6,
+                                           .settle_max = 0.3,
                                            .programme.shear_max = 5e-3,
                                            .programme.beyond_peak = 1e-3,
                                            .programme.peak_window = 0.2e-3}};

@@ -45,6 +45,8 @@ static int make_cell(void **context)
                                              .height = 0.05,
                                              .speed = SPEED,
                                              .crush_max = 0.1,
+                                             .fill_max = 0.6,
+                                             .settle_max = 0.3,
                                              .beyond_peak = 0.02};
     for (int w = 0; w < 3; w++) {
         snprintf(now.wall[w].name, sizeof now.wall[w].name, "%s", NAMES[w]);
@@ -146,12 +148,33 @@ static void filling_waits_for_rest_and_ends(void **context)
     assert_true(now.state.adhesion == 0.1);
 }
 
+/** Nothing moves here, but what falls is that slow for twice 20 mm/s over g. */
+static void where_gravity_is_weak_rest_takes_longer(void **context)
+{
+    (void)context;
+    now.state.gravity[2] = -0.25; // 160 ms, in looks of 2 ms; 2 mm/s: 16 ms, as ever
+    const int looks = look_while(CLOD_UNIAXIAL_FILL, 0.0, 1000);
+    assert_true(looks == 80 || looks == 81);
+    assert_int_equal(now.test.flags, 0);
+    now.state.gravity[2] = -9.81;
+    now.test.phase = CLOD_UNIAXIAL_FILL;
+    go_to_crushing();
+    now.state.gravity[2] = -0.05; // 80 ms
+    now.test.phase = CLOD_UNIAXIAL_FREE;
+    now.test.phase_start = (double)now.state.step * DT;
+    const int free = look_while(CLOD_UNIAXIAL_FREE, 0.0, 1000);
+    assert_true(free == 40 || free == 41);
+}
+
 static void filling_that_never_rests_is_told(void **context)
 {
     (void)context;
     now.motion[2][0] = 1.0;
+    now.from.uniaxial.fill_max = 0.9; // the case says how long
+    clod_uniaxial_begin(&now.test, &now.from, &now.state);
     look_while(CLOD_UNIAXIAL_FILL, 0.0, 100000);
     assert_int_equal(now.test.flags, CLOD_UNIAXIAL_NOT_SETTLED);
+    assert_in_range(now.state.step, 90001, 90200); // a look is 200 steps
 }
 
 static void a_consolidation_begins_with_the_lid_at_the_grains(void **context)
@@ -204,8 +227,11 @@ static void consolidation_that_never_rests_is_told(void **context)
 {
     (void)context;
     go_to_consolidation();
+    now.test.settle_max = 0.7;
+    const int64_t before = now.state.step;
     look_while(CLOD_UNIAXIAL_CONSOLIDATE, 0.5 * STRESS, 100000);
     assert_int_equal(now.test.flags, CLOD_UNIAXIAL_NOT_SETTLED);
+    assert_in_range(now.state.step - before, 70000, 70200); // a look is 200 steps
 }
 
 static void the_lid_goes_up_until_it_carries_nothing(void **context)
@@ -339,6 +365,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         T(filling_waits_for_rest_and_ends),
         T(filling_that_never_rests_is_told),
+        T(where_gravity_is_weak_rest_takes_longer),
         T(a_consolidation_begins_with_the_lid_at_the_grains),
         T(consolidation_rests_under_its_stress),
         T(consolidation_that_never_rests_is_told),

@@ -3,6 +3,7 @@
 #include "support/check.h"
 #include "verify/chung_ooi.h"
 #include "verify/luding.h"
+#include "verify/rebound.h"
 
 static const clod_verify_chung_material BALL = {"ball", 3.0 / (4.0 * M_PI), 1e9, 0.0};
 
@@ -104,6 +105,54 @@ static void luding_is_what_its_lines_give(void **state)
     check_close(most, 0.0, 0.0);
 }
 
+/** A stiff sphere of 1 kg and 1 m on a plane; overlaps of a thousandth of the radius. */
+static clod_verify_rebound rebound_of(double restitution, double friction, double slip)
+{
+    return (clod_verify_rebound){.radius = 1.0,
+                                 .mass = 1.0,
+                                 .young_star = 1e9,
+                                 .shear_star = 0.4e9,
+                                 .restitution = restitution,
+                                 .friction = friction,
+                                 .normal = 1.0,
+                                 .slip = slip};
+}
+
+/** Slides throughout: v and R w change by mu (1 + e) v_n and 5/2 of it (hertz.h), but for the
+ * lever R - d. */
+static void a_fast_rebound_is_that_of_sliding(void **state)
+{
+    (void)state;
+    const clod_verify_rebound one = rebound_of(0.8, 0.2, 5.0);
+    const double impulse = 0.2 * 1.8;
+    const double v = 5.0 - impulse;
+    const double w = 2.5 * impulse;
+    check_relative(clod_verify_rebound_energy(&one, 20000), (v * v + 0.4 * w * w) / 25.0, 1e-3);
+}
+
+/** Without friction all is left. */
+static void a_smooth_rebound_keeps_its_slip(void **state)
+{
+    (void)state;
+    const clod_verify_rebound one = rebound_of(0.8, 0.0, 0.3);
+    check_relative(clod_verify_rebound_energy(&one, 1000), 1.0, 1e-12);
+}
+
+/** Elastic, without dash-pot, and nearly along the normal: no more than what came, no less than
+ * what rolling keeps (5/7, Chung & Ooi); the spring swings in between. Twice the steps, half
+ * the error. */
+static void a_steep_rebound_makes_no_energy(void **state)
+{
+    (void)state;
+    const clod_verify_rebound one = rebound_of(1.0, 0.5, 0.1);
+    const double coarse = clod_verify_rebound_energy(&one, 2000);
+    const double fine = clod_verify_rebound_energy(&one, 4000);
+    const double finest = clod_verify_rebound_energy(&one, 1000000);
+    check_at_most(finest, 1.0);
+    check_at_most(5.0 / 7.0, finest);
+    check_at_most(fabs(fine - finest), 0.6 * fabs(coarse - finest));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -111,6 +160,9 @@ int main(void)
         cmocka_unit_test(a_pair_has_reduced_mass_and_radius),
         cmocka_unit_test(sliding_takes_the_friction_of_the_normal_impulse),
         cmocka_unit_test(luding_is_what_its_lines_give),
+        cmocka_unit_test(a_fast_rebound_is_that_of_sliding),
+        cmocka_unit_test(a_smooth_rebound_keeps_its_slip),
+        cmocka_unit_test(a_steep_rebound_makes_no_energy),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,23 @@
+#pragma once
+/**
+ * @file json.h
+ * JSON texts made with jansson, whole or not at all: json_object_set_new and the like leave out
+ * what there is no memory for, and a text made of the rest would look complete.
+ */
+
+#include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+/**
+ * The text of a value.
+ *
+ * @param flags  of json_dumps
+ * @return       owned text (clod_memory_free); NULL when jansson found no memory for a value or
+ *               text in this thread since the last call, or for this text
+ * Threads  safe.   Test  tests/faults/test_alloc_faults.py
+ */
+char *clod_json_text(const json_t *value, size_t flags);
+
+/** Whether jansson found no memory for something in this thread since the last text. */
+bool clod_json_lacks_memory(void);

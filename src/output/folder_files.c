@@ -1,0 +1,103 @@
+#include "output/folder_files.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/json.h"
+#include "base/memory.h"
+#include "output/file.h"
+
+bool clod_folder_fail(const clod_folder *self, const char *action, const char *name, int error,
+                      clod_status *status)
+{
+    char path[PATH_MAX + NAME_MAX + 2];
+    snprintf(path, sizeof path, "%s/%s", self->path, name);
+    return clod_file_fail(status, action, path, error);
+}
+
+bool clod_folder_has(const clod_folder *self, const char *name, bool *there,
+                     clod_status *status)
+{
+    struct stat info;
+    *there = fstatat(self->descriptor, name, &info, AT_SYMLINK_NOFOLLOW) == 0;
+    return *there || errno == ENOENT || clod_folder_fail(self, "look at", name, errno, status);
+}
+
+int clod_folder_open_file(const clod_folder *self, const char *name, int flags,
+                          clod_status *status)
+{
+    const int descriptor = clod_file_open(self->descriptor, name, flags | O_NOFOLLOW);
+    if (descriptor < 0) {
+        clod_folder_fail(self, "write", name, errno, status);
+    }
+    return descriptor;
+}
+
+bool clod_folder_read(const clod_folder *self, const char *name, void **bytes, size_t *size,
+                      clod_status *status)
+{
+    const int error = clod_file_load(self->descriptor, name, bytes, size);
+    return error == 0 || error == ENOENT || clod_folder_fail(self, "read", name, error, status);
+}
+
+bool clod_folder_replace(const clod_folder *self, const char *name, const void *head,
+                         size_t head_size, const void *body, size_t body_size,
+                         clod_status *status)
+{
+    char part[NAME_MAX + 1];
+    if ((size_t)snprintf(part, sizeof part, "%s.part", name) >= sizeof part) {
+        return clod_folder_fail(self, "write", name, ENAMETOOLONG, status);
+    }
+    int error = clod_file_write_new(self->descriptor, part, head, head_size, body, body_size);
+    if (error != 0) { // a link in the way has the name of the part
+        return clod_folder_fail(self, "write", error == ELOOP ? part : name, error, status);
+    }
+    if (!clod_folder_check(self, status)) {
+        unlinkat(self->descriptor, part, 0);
+        return false;
+    }
+    if (renameat(self->descriptor, part, self->descriptor, name) != 0) {
+        error = errno;
+        unlinkat(self->descriptor, part, 0);
+        return clod_folder_fail(self, "write", name, error, status);
+    }
+    error = clod_file_sync(self->descriptor);
+    return error == 0 || error == EINVAL || // the file system cannot sync folders
+           clod_folder_fail(self, "write", name, error, status);
+}
+
+bool clod_folder_remove(const clod_folder *self, const char *name, clod_status *status)
+{
+    return unlinkat(self->descriptor, name, 0) == 0 || errno == ENOENT ||
+           clod_folder_fail(self, "remove", name, errno, status);
+}
+
+bool clod_folder_write(const clod_folder *self, const char *name, const char *text,
+                       clod_status *status)
+{
+    return clod_folder_replace(self, name, text, strlen(text), NULL, 0, status);
+}
+
+bool clod_folder_write_json(const clod_folder *self, const char *name, const json_t *json,
+                            clod_status *status)
+{
+    char *text = clod_json_text(json, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
+    if (text == NULL) {
+        return clod_folder_fail(self, "write", name, ENOMEM, status);
+    }
+    const bool done = clod_folder_replace(self, name, text, strlen(text), "\n", 1, status);
+    clod_memory_free(text);
+    return done;
+}
+
+bool clod_folder_write_case(const clod_folder *self, const char *case_text,
+                            const char *complete_text, clod_status *status)
+{
+    return clod_folder_write(self, "case.yaml", case_text, status) &&
+           clod_folder_write(self, "case-complete.yaml", complete_text, status);
+}

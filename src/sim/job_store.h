@@ -1,0 +1,31 @@
+#pragma once
+/**
+ * @file job_store.h
+ * What a job leaves in the results folder and finds there: checkpoints and snapshots. Jobs run
+ * side by side in threads, and HDF5 is not thread-safe: they take turns here.
+ */
+
+#include "sim/job.h"
+
+#define CLOD_JOB_STEM 96 ///< bytes: restart-, the name of a part and a suffix
+
+/** Whether it is the only job of a free run: its files have plain names, others their own. */
+bool clod_job_is_plain(const clod_job *self);
+
+/** Start of the names of a job's checkpoints; `suffix` is "" for those to go on from. */
+void clod_job_stem(const char *name, const char *suffix, char stem[CLOD_JOB_STEM]);
+
+/** Names of the tables of a job: its series, and the energies of the ledger. */
+void clod_job_tables(const char *name, char series[CLOD_JOB_STEM], char energy[CLOD_JOB_STEM]);
+
+/** Tell the user a sentence, and the log. */
+void clod_job_tell(const clod_job *self, const char *text);
+
+/** Write a checkpoint; the histories are in the state. */
+bool clod_job_store(clod_job *self, const char *suffix, clod_status *status);
+
+/** Write the next snapshot; the histories are in the state. */
+bool clod_job_picture(clod_job *self, clod_status *status);
+
+/** Forget the snapshots that are later than the state. */
+bool clod_job_cut_pictures(const clod_job *self, clod_status *status);

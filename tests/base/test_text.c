@@ -1,0 +1,73 @@
+/**
+ * Texts written piece by piece: whole, and of any length.
+ */
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+
+static void an_empty_text(void **state)
+{
+    (void)state;
+    clod_text text;
+    assert_non_null(clod_text_open(&text));
+    char *whole = clod_text_close(&text);
+    assert_string_equal(whole, "");
+    clod_memory_free(whole);
+}
+
+/** Longer than any buffer on the way; expected: what snprintf writes. */
+static void a_long_text(void **state)
+{
+    (void)state;
+    enum { LINES = 20000, WIDTH = 12 };
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    assert_non_null(out);
+    for (int i = 0; i < LINES; i++) {
+        assert_int_equal(fprintf(out, "%11d\n", i), WIDTH);
+    }
+    char *whole = clod_text_close(&text);
+    assert_non_null(whole);
+    assert_int_equal(strlen(whole), LINES * WIDTH);
+    for (int i = 0; i < LINES; i++) {
+        char line[WIDTH + 1];
+        snprintf(line, sizeof line, "%11d\n", i);
+        assert_memory_equal(whole + (size_t)i * WIDTH, line, WIDTH);
+    }
+    clod_memory_free(whole);
+}
+
+/** Every length about the first room: the 0 at the end fits always (under the sanitizers). */
+static void every_length(void **state)
+{
+    (void)state;
+    for (size_t length = 1000; length < 1100; length++) {
+        clod_text text;
+        FILE *out = clod_text_open(&text);
+        assert_non_null(out);
+        for (size_t i = 0; i < length; i++) {
+            fputc('x', out);
+        }
+        char *whole = clod_text_close(&text);
+        assert_int_equal(strlen(whole), length);
+        clod_memory_free(whole);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_empty_text),
+        cmocka_unit_test(a_long_text),
+        cmocka_unit_test(every_length),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,129 @@
+"""Points in, loci out, as a user pipes them: standard input, CSV with its warnings, refusals."""
+
+import json
+import os
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+HEAD = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+GOOD = HEAD + "10,7.6,3,3.1,1650\n10,7.6,5,4.5,1650\n10,7.6,7.5,6.25,1650\n"
+# a bulk density in g/cm3, and a point above preshear
+WRONG = HEAD + "10,7.6,3,3.1,1.65\n10,7.6,5,4.5,1.65\n10,7.6,12,9.4,1.65\n"
+
+
+class Locus(clod.Case):
+
+    def locus(self, *arguments, code=0, **more):
+        done = clod.run("locus", *arguments, cwd=self.folder, **more)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def write(self, name, text, **more):
+        with open(self.path(name), "w", **more) as file:
+            file.write(text)
+
+    def test_standard_input_and_output(self):
+        self.write("points.csv", GOOD)
+        for form in ([], ["--json"], ["--csv"]):
+            told = self.locus("points.csv", *form).stdout
+            self.assertGreater(len(told), 100)
+            self.assertEqual(self.locus("-", *form, input=GOOD).stdout, told)
+            self.assertEqual(self.locus("-", "-o", "-", *form, input=GOOD).stdout, told)
+        self.assertEqual(os.listdir(self.folder), ["points.csv"])
+        said = self.locus("-", input=GOOD + "10,7.6\n", code=2).stderr
+        self.assertIn("clod locus: standard input:5: 2 cells, but the header has 5 columns", said)
+
+    def test_a_pipe_is_read_to_its_end(self):
+        """A pipe tells no size, and hands over 64 KiB at a time."""
+        long = "".join(f"# remark {k}\n" for k in range(50000)) + GOOD
+        self.write("points.csv", GOOD)
+        told = self.locus("points.csv").stdout
+        self.assertEqual(self.locus("-", input=long).stdout, told)
+        self.assertEqual(self.locus("/dev/stdin", input=long).stdout, told)
+
+    def test_csv_says_its_warnings(self):
+        self.write("points.csv", WRONG)
+        done = self.locus("points.csv", "--csv")
+        self.assertEqual(len(done.stdout.splitlines()), 2)
+        wanted = json.loads(self.locus("points.csv", "--json").stdout)["loci"][0]["warnings"]
+        self.assertGreaterEqual(len(wanted), 2)
+        self.assertEqual(done.stderr.splitlines(),
+                         [f"clod locus: preshear at 10.000 kPa: {text}" for text in wanted])
+        for text in ("A bulk density of 1.65 kg/m3 is outside", "is above the preshear stress"):
+            self.assertIn(text, done.stderr)
+        self.write("points.csv", GOOD)
+        self.assertEqual(self.locus("points.csv", "--csv").stderr, "")
+
+    def test_csv_remarks_on_the_flow_function(self):
+        twice = GOOD + "20,15.2,6,4.9,1650\n20,15.2,10,7.7,1650\n20,15.2,15,11.2,1650\n"
+        said = self.locus("-", "--csv", input=twice).stderr
+        self.assertRegex(said, r"clod locus: sigma_c falls from \S+ to \S+ kPa while")
+
+    def test_two_forms_are_refused(self):
+        self.write("points.csv", GOOD)
+        for form in (["--json", "--csv"], ["--csv", "--json"]):
+            done = self.locus("points.csv", *form, code=2)
+            self.assertEqual(done.stdout, "")
+            self.assertIn("--json and --csv are two forms of the result; give one", done.stderr)
+
+    def test_option_beside_a_full_column(self):
+        self.write("points.csv", GOOD)
+        done = self.locus("points.csv", "--sigma-pre=12kPa", code=2)
+        self.assertEqual(done.stdout, "")
+        self.assertIn('so --sigma-pre="12kPa" would change nothing', done.stderr)
+
+    def test_files_that_cannot_be_read(self):
+        self.write("points.csv", GOOD)
+        os.chmod(self.path("points.csv"), 0)
+        drop = []
+        if os.geteuid() == 0:  # root may read everything
+            drop = ["setpriv", "--bounding-set=-dac_override,-dac_read_search"]
+        for verb in ("locus", "run", "contact", "check"):
+            done = subprocess.run([*drop, clod.BINARY, verb, "points.csv"], text=True,
+                                  cwd=self.folder, capture_output=True, timeout=60)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr, f"clod {verb}: points.csv: cannot be opened: "
+                             "Permission denied; you have no right to read it, ls -l shows "
+                             "whose it is and what is allowed\n")
+            done = clod.run(verb, ".", cwd=self.folder)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr, f"clod {verb}: .: cannot be read: Is a directory; "
+                             "name a file in it\n")
+
+
+class New(clod.Case):
+
+    def test_template_on_standard_output(self):
+        for name in ("ring-shear", "free-run", "contact-bench"):
+            told = clod.run("new", name, "-", cwd=self.folder)
+            self.assertEqual((told.returncode, told.stderr), (0, ""))
+            self.assertEqual(os.listdir(self.folder), [])
+            self.assertEqual(clod.run("new", name, "x.yaml", cwd=self.folder).returncode, 0)
+            self.assertEqual(clod.read(self.path("x.yaml")).decode(), told.stdout)
+            os.remove(self.path("x.yaml"))
+        with open("/dev/full", "w") as full:
+            done = clod.run("new", "jenike", "-", cwd=self.folder, stdout=full)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("standard output: cannot be written", done.stderr)
+
+
+class Marks(clod.Case):
+
+    def test_case_with_a_byte_order_mark(self):
+        """Editors of another system put one before the first key; lines and columns stay."""
+        case = clod.read(clod.source("cases/contact-bench/case.yaml"))
+        with open(self.path("case.yaml"), "wb") as file:
+            file.write(b"\xEF\xBB\xBF" + case)
+        self.assertEqual(clod.run("contact", "case.yaml", cwd=self.folder).stdout,
+                         clod.run("contact", clod.source("cases/contact-bench/case.yaml")).stdout)
+        with open(self.path("case.yaml"), "wb") as file:
+            file.write(b"\xEF\xBB\xBFwrong: 1\n" + case)
+        said = clod.run("contact", "case.yaml", cwd=self.folder).stderr
+        self.assertIn("case.yaml:1:1: wrong: this key is not known", said)
+
+
+if __name__ == "__main__":
+    clod.main()

@@ -1,0 +1,185 @@
+"""Every verb when memory ends: the k-th call for memory fails, or all from the k-th on.
+
+A call of clod itself that fails must end in exit status 1 with a text that names memory, or change
+nothing. Nothing half-written may be left, and a results folder must serve the next run. Libraries
+may do worse: docs/known-crashes.md lists what they do.
+
+This looks at some calls of each verb; test_alloc_faults_slow.py at all of them up to 2 000.
+"""
+
+import concurrent.futures
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+SHIM = os.path.join(os.path.dirname(clod.BINARY), "alloc_faults.so")
+SMALL = clod.source("tests/support/small.yaml")
+BENCH = clod.source("cases/contact-bench/case.yaml")
+POINTS = clod.source("tests/analysis/seeds/two_groups.csv")
+RUN = ["run", SMALL, "-o", "run", "-t", "1"]
+# What differs between two runs: the rate and, of check, the lines that follow from it.
+CLOCK = re.compile(r"[0-9.e+-]+ grain-steps/s|^(rate|wall-clock|WARNING| .*( with one| free)$).*\n",
+                   re.M)
+# What check says when there is no memory for the packing that it times: the rest is as ever.
+LEFT_OUT = re.compile(r"are not estimated: .*no memory")
+TIMED = ("log.jsonl", "summary.json", "restart_a.h5", "restart_b.h5", ".clod-lock")
+MOST = 2000
+
+# name: arguments, and those of a run without faults that goes before
+VERBS = {
+    "help": ["--help"],
+    "help of run": ["run", "--help"],
+    "schema": ["schema"],
+    "explain": ["explain"],
+    "explain a key": ["explain", "k1", "seed"],
+    "manual": ["explain", "--manual"],
+    "new": ["new", "free-run", "new.yaml"],
+    "check": ["check", SMALL, "-t", "1"],
+    "run": RUN,
+    "run again": RUN,
+    "contact": ["contact", BENCH],
+    "contact into a file": ["contact", BENCH, "-o", "contact.csv"],
+    "locus": ["locus", POINTS],
+    "locus as JSON": ["locus", "--json", POINTS, "-o", "locus.json"],
+    "locus as CSV": ["locus", "--csv", POINTS, "-o", "locus.csv"],
+    "verify": ["verify", "chung-ooi-2", "-o", "verify"],
+    "wrong case": ["run", SMALL, "--set", "sede=1", "--set", "gravty=2"],
+}
+LIBRARIES = ("libfyaml", "libudunits2,libexpat", "libhdf5", "libgomp", "libc.")
+# Those that crash by themselves without memory: docs/known-crashes.md says where.
+CRASHES = ("libhdf5", "libfyaml", "libudunits2")
+
+
+def files_of(folder):
+    """Contents by name, without what differs between two runs."""
+    found = {}
+    for at, _, names in os.walk(folder):
+        for name in names:
+            path = os.path.join(at, name)
+            found[os.path.relpath(path, folder)] = b"" if name in TIMED else clod.read(path)
+    return found
+
+
+class Fault:
+    """One run of a verb in which memory ends."""
+
+    def __init__(self, test, verb, whose, number, all_from):
+        self.folder = clod.make_folder()
+        self.verb, self.whose, self.number, self.all_from = verb, whose, number, all_from
+        self.arguments = VERBS[verb]
+        try:
+            self.start(test)
+        finally:
+            shutil.rmtree(self.folder)
+
+    def start(self, test):
+        if self.verb == "run again":
+            shutil.copytree(test.complete, os.path.join(self.folder, "run"))
+        report = os.path.join(self.folder, "report")
+        environment = {**os.environ, "OMP_NUM_THREADS": "1", "LD_PRELOAD": SHIM,
+                       "ALLOC_FAIL": str(self.number), "ALLOC_FROM": str(int(self.all_from)),
+                       "ALLOC_WHOSE": self.whose, "ALLOC_REPORT": report}
+        done = subprocess.run([clod.BINARY, *self.arguments], cwd=self.folder, env=environment,
+                              capture_output=True, timeout=600)
+        self.status, self.out = done.returncode, done.stdout.decode(errors="replace")
+        self.told = done.stderr.decode(errors="replace")
+        with open(report) as file:
+            lines = file.read().splitlines()
+        os.remove(report)
+        self.failed = [line[7:] for line in lines if line.startswith("failed ")]
+        self.crash = [line[6:] for line in lines if line.startswith("crash ")]
+        last = [line.split() for line in lines if line.startswith("calls ")]
+        self.calls = int(last[0][1]) if last else 0
+        self.files = files_of(self.folder)
+        self.after = None
+        if self.failed and self.verb in ("run", "run again"):
+            self.after = subprocess.run([clod.BINARY, *self.arguments], cwd=self.folder,
+                                        capture_output=True, text=True, timeout=600)
+            self.files_after = files_of(self.folder)
+
+    def wrong(self, good):
+        """What is wrong with the end of this run, beside one without faults; None if nothing."""
+        if self.after is not None and self.after.returncode != 0:
+            return f"the folder serves no more: {self.after.stderr}"
+        if self.after is not None and self.files_after != good.files:
+            return "the next run in the folder leaves other results"
+        if self.status < 0:
+            by = next((line.split()[0] for line in self.crash if not line.startswith("libc.")), "")
+            known = self.whose != "own" and by.startswith(CRASHES)
+            return None if known else f"crashed, signal {-self.status}"
+        if self.verb == "check" and self.status == 0 and LEFT_OUT.search(self.out):
+            return None # told beside the rest of the report
+        if self.status == good.status and self.told_same(good):
+            return None if self.files == good.files else "files differ, exit status is the same"
+        if self.status not in (1, 2):
+            return f"exit status {self.status}, not 1, but other output"
+        if not re.sub(r"^clod[a-z ]*:", "", self.told.strip()).strip():
+            return "failed without a text"
+        if self.whose == "own" and "memory" not in self.told:
+            return "the text does not name memory"
+        half = [name for name, content in self.files.items() if name not in good.files
+                or (os.path.dirname(name) == "" and content != good.files[name])]
+        return f"left behind: {half}" if half else None
+
+    def told_same(self, good):
+        return CLOCK.sub("", self.out + self.told) == CLOCK.sub("", good.out + good.told)
+
+    def __str__(self):
+        where = "\n    ".join(self.failed[:8])
+        crash = "\n    ".join(["crash in", *self.crash[:8]] if self.crash else [])
+        return (f"{self.verb}: call {self.number}{' and all after it' if self.all_from else ''} of "
+                f"{self.whose}: status {self.status}, told {self.told[-300:]!r}\n    {where}\n"
+                f"    {crash}")
+
+
+class AllocFaults(clod.Case):
+
+    def setUp(self):
+        super().setUp()
+        self.complete = self.path("complete")
+        done = clod.run("run", SMALL, "-o", self.complete, "-t", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def numbers(self, calls):
+        """Of some calls: the first ones, and about ten of the rest, never the same distance."""
+        step = max(1, calls // 8)
+        return sorted({*range(1, min(calls, 4) + 1), *range(5, calls + 1, step), calls} - {0})
+
+    def look(self, verb, whose):
+        """Let calls fail one by one; every wrong end."""
+        good = Fault(self, verb, whose, 0, False)
+        self.assertIn(good.status, (0, 2), good.told)
+        calls = min(good.calls, MOST)
+        wrong = []
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            runs = [pool.submit(Fault, self, verb, whose, k, all_from)
+                    for k in self.numbers(calls) for all_from in (False, True)]
+            for run in concurrent.futures.as_completed(runs):
+                fault = run.result()
+                what = fault.wrong(good)
+                if what is not None:
+                    wrong.append(f"{what}\n  {fault}")
+        return len(runs), wrong
+
+    def check(self, verbs, whose):
+        for verb in verbs:
+            with self.subTest(verb=verb, whose=whose):
+                count, wrong = self.look(verb, whose)
+                print(f"{verb}, {whose}: {count} runs, {len(wrong)} wrong", flush=True)
+                self.assertEqual(wrong, [], "\n".join(wrong[:20]))
+
+    def test_own_calls(self):
+        self.check(VERBS, "own")
+
+    def test_calls_of_libraries(self):
+        for library in LIBRARIES:
+            self.check(("run", "run again"), library)
+
+
+if __name__ == "__main__":
+    clod.main()

@@ -1,0 +1,76 @@
+// Which keys of two complete cases differ: text against text, both written by hand.
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "sim/case_diff.h"
+
+static char seen[1024];
+
+static void note(void *context, const char *key, const char *there, const char *here)
+{
+    (void)context;
+    const size_t used = strlen(seen);
+    snprintf(seen + used, sizeof seen - used, "%s: %s | %s\n", key, there != NULL ? there : "-",
+             here != NULL ? here : "-");
+}
+
+static void expect(const char *there, const char *here, const char *differences)
+{
+    clod_status status;
+    seen[0] = '\0';
+    assert_true(clod_case_differences(there, here, note, NULL, &status));
+    assert_string_equal(seen, differences);
+}
+
+#define HEAD "# a comment: 1\ntitle: \"a: b\"\nmaterials:\n  ore:\n    density: 2500 kg/m3\n"
+#define STAGES                                                                                 \
+    "stages:\n  - name: \"a\"\n    duration: 1 s\n    walls:\n      lid:\n        spin: 1 "    \
+    "rad/s\n"                                                                                  \
+    "  - name: \"b\"\n    duration: 2 s\n"
+
+static void keys_are_told_with_their_path(void **state)
+{
+    (void)state;
+    expect(HEAD STAGES, HEAD STAGES, "");
+    expect(HEAD "contacts:\n  ore-ore:\n    friction: 0.3\n    k1: 1 N/m\n",
+           HEAD "contacts:\n  ore-ore:\n    friction: 0.2\n    k1: 1 N/m\n",
+           "contacts.ore-ore.friction: 0.3 | 0.2\n");
+    expect("# one\ntitle: \"a\"\n", "# two\ntitle: \"b\"\n", "title: \"a\" | \"b\"\n");
+}
+
+static void list_items_are_numbered(void **state)
+{
+    (void)state;
+    expect(STAGES,
+           "stages:\n  - name: \"a\"\n    duration: 1 s\n    walls:\n      lid:\n"
+           "        spin: 2 rad/s\n  - name: \"c\"\n    duration: 2 s\n",
+           "stages.0.walls.lid.spin: 1 rad/s | 2 rad/s\nstages.1.name: \"b\" | \"c\"\n");
+    expect("walls:\n  box:\n    shapes:\n      - plane:\n          point: 1\n"
+           "      - plane:\n          point: 2\n    spin: 0\n",
+           "walls:\n  box:\n    shapes:\n      - plane:\n          point: 1\n"
+           "      - plane:\n          point: 3\n    spin: 0\n",
+           "walls.box.shapes.1.plane.point: 2 | 3\n");
+}
+
+static void what_is_only_in_one_is_told(void **state)
+{
+    (void)state;
+    expect("a:\n  b: 1\nc: 2\n", "a:\n  b: 1\n  d: 3\n", "c: 2 | -\na.d: - | 3\n");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(keys_are_told_with_their_path),
+        cmocka_unit_test(list_items_are_numbered),
+        cmocka_unit_test(what_is_only_in_one_is_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
