@@ -161,5 +161,7 @@ int main(int argc, char **argv)
     char name[32];
     snprintf(name, sizeof name, "clod %s", chosen->name);
     argv[first] = name; // so that the verb's own messages begin with it
-    return chosen->run(argc - first, argv + first);
+    const int result = chosen->run(argc - first, argv + first);
+    clod_output_put(""); // now: a library's own end could flush and forget why it failed
+    return result;
 }

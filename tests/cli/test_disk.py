@@ -48,6 +48,7 @@ class Disk(clod.Case):
         self.assertIn("resume", self.goes_on(folder))
         self.assert_same_end(whole, folder, ["run"])
 
+    @clod.quick_only
     def test_full_disk(self):
         disk = self.path("disk")
         os.mkdir(disk)

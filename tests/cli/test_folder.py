@@ -37,7 +37,7 @@ class Folder(clod.Case):
         """Exit status 2, the name of the file, and nothing has changed or come."""
         before = {file: clod.read(self.path(f"{folder}/{file}"))
                   for file in os.listdir(self.path(folder))}
-        done = clod.run("run", BOX, "-o", folder, "-t", "1", *options, cwd=self.folder)
+        done = clod.run("run", FREE, "-o", folder, "-t", "1", *options, cwd=self.folder)
         self.assertEqual(done.returncode, 2, f"{name}: {done.stderr}")
         self.assertEqual(done.stdout, "")
         self.assertIn(f"{folder}/{name} is in the way", done.stderr)
@@ -55,7 +55,7 @@ class Folder(clod.Case):
 
     def test_a_folder_that_holds_its_own_case(self):
         os.mkdir(self.path("own"))
-        shutil.copy(BOX, self.path("own/case.yaml"))
+        shutil.copy(FREE, self.path("own/case.yaml"))
         self.refused("own", "case.yaml")
 
     def begin(self, folder):
@@ -123,29 +123,29 @@ class Folder(clod.Case):
             self.put("user", name)
             self.refused("user", name, "--fresh")
             os.remove(self.path(f"user/{name}"))
-        fresh = self.run_into("out", BOX, "--fresh")
-        self.assertEqual(fresh, self.run_into("other", BOX))
+        fresh = self.run_into("out", FREE, "--fresh")
+        self.assertEqual(fresh, self.run_into("other", FREE))
 
     def test_other_files_stay(self):
         """A folder with other files is fine, and --fresh leaves them."""
         mine = ["notes.txt", "my.hdf.series", "my_snap_000001.hdf", "points.csv.bak"]
         self.put("out", *mine)
-        self.run_into("out", BOX)
+        self.run_into("out", FREE)
         shutil.copy(self.path("out/restart_a.h5"), self.path("out/kept_a.h5"))
         kept = clod.read(self.path("out/kept_a.h5"))
-        self.run_into("out", BOX, "--fresh")
+        self.run_into("out", FREE, "--fresh")
         self.assertEqual(clod.read(self.path("out/kept_a.h5")), kept)
         for name in mine:
             self.assertEqual(clod.read(self.path(f"out/{name}")), MINE)
 
     def test_empty_folder(self):
         os.mkdir(self.path("empty"))
-        self.run_into("empty", BOX)
+        self.run_into("empty", FREE)
 
     def test_copy_of_a_results_folder(self):
-        self.run_into("out", BOX)
+        self.run_into("out", FREE)
         shutil.copytree(self.path("out"), self.path("copy"))
-        self.run_into("copy", BOX)  # with the lock: goes on, here to report only
+        self.run_into("copy", FREE)  # with the lock: goes on, here to report only
         os.remove(self.path("copy/" + LOCK))
         self.refused("copy", "case-complete.yaml")
 
@@ -172,7 +172,7 @@ class Folder(clod.Case):
             self.assertEqual(self.content("out"), before)
 
     def test_refused_fresh_of_a_ring(self):
-        self.run_into("out", BOX)
+        self.run_into("out", FREE)
         before = self.content("out")
         done = clod.run("run", RING, "-o", "out", "-t", "1", "--fresh", "--set",
                         "time.step=1 s", cwd=self.folder)
@@ -181,11 +181,11 @@ class Folder(clod.Case):
 
     def test_another_case(self):
         """The message tells whose run lies there, and the way that loses nothing first."""
-        self.run_into("out", BOX)
+        self.run_into("out", FREE)
         before = self.content("out", LOCK)
-        done = clod.run("run", BOX, "-o", "out", "--set", "seed=8", cwd=self.folder)
+        done = clod.run("run", FREE, "-o", "out", "--set", "seed=8", cwd=self.folder)
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertIn('since the run ("Small box with lid") in out was begun', done.stderr)
+        self.assertIn('since the run ("Few grains for faults") in out was begun', done.stderr)
         self.assertLess(done.stderr.index("with -o"), done.stderr.index("--fresh"))
         self.assertEqual(self.content("out", LOCK), before)
 
@@ -276,7 +276,7 @@ class Folder(clod.Case):
 
     def test_complete_run_without_its_checkpoints(self):
         """Its table is told again, and nothing is run."""
-        cases = [BOX] if clod.SANITIZED else [BOX, RING]
+        cases = [FREE] if clod.SANITIZED else [FREE, RING]
         for case in cases:
             name = os.path.splitext(os.path.basename(case))[0]
             table = clod.run("run", case, "-o", name, "-t", "1", cwd=self.folder).stdout
@@ -294,23 +294,23 @@ class Folder(clod.Case):
             self.assertEqual(done.returncode, 2, done.stderr)
 
     def test_only_a_summary_is_left(self):
-        self.run_into("out", BOX)
+        self.run_into("out", FREE)
         self.lose("out", "restart*")
         self.lose("out", "report.txt")
         self.lose("out", "series.csv")
         self.lose("out", "snap_*")
-        self.refused_without("out", BOX, "summary.json")
+        self.refused_without("out", FREE, "summary.json")
 
     def test_killed_before_the_first_row(self):
         """A table without rows has nothing to lose."""
-        self.run_into("out", BOX)
+        self.run_into("out", FREE)
         header = clod.read(self.path("out/series.csv")).split(b"\n")[0] + b"\n"
         for name in os.listdir(self.path("out")):
             if name not in (LOCK, "case.yaml", "case-complete.yaml", "log.jsonl"):
                 os.remove(self.path(f"out/{name}"))
         with open(self.path("out/series.csv"), "wb") as file:
             file.write(header)
-        self.run_into("out", BOX)
+        self.run_into("out", FREE)
 
     def times(self, folder):
         with open(self.path(f"{folder}/run.hdf.series")) as file:
@@ -341,8 +341,8 @@ class Folder(clod.Case):
             self.assertIn("snapshot_interval: 0.01 s", file.read())
 
     def test_another_series_is_another_case(self):
-        self.run_into("out", BOX)
-        done = clod.run("run", BOX, "-o", "out", "--set", "output.series_interval=1 ms",
+        self.run_into("out", FREE)
+        done = clod.run("run", FREE, "-o", "out", "--set", "output.series_interval=2 ms",
                         cwd=self.folder)
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("The case has changed", done.stderr)

@@ -247,12 +247,12 @@ int main(void)
         cmocka_unit_test(check_values_at_8_percent),
         cmocka_unit_test(check_values_of_the_linear_law),
         cmocka_unit_test(pull_off_matches_the_closed_form),
-        cmocka_unit_test(pull_off_values_are_the_printed_ones),
         cmocka_unit_test(plastic_overlap_is_the_printed_one),
         cmocka_unit_test(random_paths_follow_the_branches),
         cmocka_unit_test(the_law_has_no_force_scale),
         cmocka_unit_test(equal_stiffnesses_are_elastic),
         cmocka_unit_test(a_contact_that_opens_forgets),
+        cmocka_unit_test(pull_off_values_are_the_printed_ones), // the longest
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

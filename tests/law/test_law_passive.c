@@ -369,7 +369,6 @@ static void cdt_loses_by_the_rolling_of_the_step(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_loss_is_below_zero_in_any_step),
         cmocka_unit_test(loading_across_the_kink_loses_the_trapezium),
         cmocka_unit_test(unloading_across_the_kink_loses_the_trapezium),
         cmocka_unit_test(the_pull_off_line_of_the_patch_loses_nothing_before_it_is_met),
@@ -383,6 +382,7 @@ int main(void)
         cmocka_unit_test(a_reversal_loses_by_the_velocity_of_the_step),
         cmocka_unit_test(a_cut_force_is_shared_by_spring_and_dash_pot),
         cmocka_unit_test(cdt_loses_by_the_rolling_of_the_step),
+        cmocka_unit_test(no_loss_is_below_zero_in_any_step), // the longest
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

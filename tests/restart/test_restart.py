@@ -206,6 +206,7 @@ class Restart(clod.Case):
         done = self.go_on(RING, folder, "-t", "1")
         self.assertEqual(done.stderr.count("cannot be used"), 1, done.stderr)
 
+    @clod.quick_only
     def test_damaged_reversed_state(self):
         """A part without a whole checkpoint begins anew when its files are taken away."""
         folder = self.path("reversed")
