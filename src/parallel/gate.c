@@ -1,17 +1,12 @@
 #include "parallel/gate.h"
 
-#include <stdbool.h>
-
 #include "parallel/threads.h"
 
 #define SPINS 2000 ///< about 20 microseconds
-#define PROBE 256  ///< waits after which a gate that gave up spinning tries again
 
 void clod_gate_init(clod_gate *self, int threads)
 {
-    self->most = threads > clod_threads_available() ? 0 : SPINS;
-    atomic_init(&self->spins, self->most);
-    atomic_init(&self->waits, 0);
+    self->spins = threads > clod_threads_available() ? 0 : SPINS;
     atomic_init(&self->opened, 0);
     atomic_init(&self->sleepers, 0);
     self->lock = (pthread_mutex_t)PTHREAD_MUTEX_INITIALIZER;
@@ -56,30 +51,13 @@ static void sleep_until(clod_gate *self, uint64_t times)
     pthread_mutex_unlock(&self->lock);
 }
 
-/**
- * Where the one that is waited for has lost its processor to another program, spinning is in
- * vain and keeps the processor from it: each time halves the looks, each success doubles them,
- * and now and then all are tried again.
- */
 void clod_gate_wait(clod_gate *self, uint64_t times)
 {
-    const int now = atomic_load_explicit(&self->spins, memory_order_relaxed);
-    const bool full = now == self->most;
-    const bool probe =
-        !full && atomic_fetch_add_explicit(&self->waits, 1, memory_order_relaxed) % PROBE == 0;
-    const int looks = probe ? self->most : now;
-    for (int spins = 0; spins < looks; spins++) {
+    for (int spins = 0; spins < self->spins; spins++) {
         if (clod_gate_opened(self) >= times) {
-            if (!full) {
-                const int more = 2 * looks < self->most ? 2 * looks : self->most;
-                atomic_store_explicit(&self->spins, more, memory_order_relaxed);
-            }
             return;
         }
         relax();
-    }
-    if (looks > 0) {
-        atomic_store_explicit(&self->spins, now / 2, memory_order_relaxed);
     }
     sleep_until(self, times);
 }

@@ -15,9 +15,7 @@ typedef struct clod_gate {
     atomic_int sleepers;
     pthread_mutex_t lock; ///< of the sleepers only
     pthread_cond_t woken;
-    _Alignas(64) atomic_int spins; ///< looks before a waiting thread falls asleep, now
-    atomic_uint waits;             ///< with fewer looks than at most
-    int most;                      ///< looks at most; 0: more threads than processors
+    int spins; ///< looks before a waiting thread falls asleep; 0: more threads than processors
 } clod_gate;
 
 /** @param threads  of the team; more than there are processors fall asleep at once: whoever
