@@ -22,12 +22,14 @@ SMALL = clod.source("tests/support/small.yaml")
 BENCH = clod.source("cases/contact-bench/case.yaml")
 POINTS = clod.source("tests/analysis/seeds/two_groups.csv")
 RUN = ["run", SMALL, "-o", "run", "-t", "1"]
+RING = ["run", clod.source("tests/faults/ring.yaml"), "-o", "run", "-t", "1"]
+JENIKE = ["run", clod.source("tests/restart/jenike.yaml"), "-o", "run", "-t", "1"]
 # What differs between two runs: the rate and, of check, the lines that follow from it.
 CLOCK = re.compile(r"[0-9.e+-]+ grain-steps/s|^(rate|wall-clock|WARNING| .*( with one| free)$).*\n",
                    re.M)
 # What check says when there is no memory for the packing that it times: the rest is as ever.
 LEFT_OUT = re.compile(r"are not estimated: .*no memory")
-TIMED = ("log.jsonl", "summary.json", "restart_a.h5", "restart_b.h5", ".clod-lock")
+TIMED = re.compile(r"(log\.jsonl|summary\.json|restart.*_[ab]\.h5|\.clod-lock)$")
 MOST = 2000
 
 # name: arguments, and those of a run without faults that goes before
@@ -39,17 +41,24 @@ VERBS = {
     "explain a key": ["explain", "k1", "seed"],
     "manual": ["explain", "--manual"],
     "new": ["new", "free-run", "new.yaml"],
+    "new to standard output": ["new", "free-run", "-"],
     "check": ["check", SMALL, "-t", "1"],
     "run": RUN,
     "run again": RUN,
+    "run from another": ["run", SMALL, "--from", "before", "-o", "run", "-t", "1"],
+    "ring shear test": RING,
+    "Jenike test": JENIKE,
     "contact": ["contact", BENCH],
     "contact into a file": ["contact", BENCH, "-o", "contact.csv"],
     "locus": ["locus", POINTS],
+    "locus of standard input": ["locus", "-"],
     "locus as JSON": ["locus", "--json", POINTS, "-o", "locus.json"],
     "locus as CSV": ["locus", "--csv", POINTS, "-o", "locus.csv"],
     "verify": ["verify", "chung-ooi-2", "-o", "verify"],
     "wrong case": ["run", SMALL, "--set", "sede=1", "--set", "gravty=2"],
 }
+LONG = ("ring shear test", "Jenike test")  # a second a run
+BEFORE = {"run again": "run", "run from another": "before"}  # where a complete run lies before
 LIBRARIES = ("libfyaml", "libudunits2,libexpat", "libhdf5", "libgomp", "libc.")
 # Those that crash by themselves without memory: docs/known-crashes.md says where.
 CRASHES = ("libhdf5", "libfyaml", "libudunits2")
@@ -61,7 +70,7 @@ def files_of(folder):
     for at, _, names in os.walk(folder):
         for name in names:
             path = os.path.join(at, name)
-            found[os.path.relpath(path, folder)] = b"" if name in TIMED else clod.read(path)
+            found[os.path.relpath(path, folder)] = b"" if TIMED.match(os.path.basename(path)) else clod.read(path)
     return found
 
 
@@ -78,14 +87,15 @@ class Fault:
             shutil.rmtree(self.folder)
 
     def start(self, test):
-        if self.verb == "run again":
-            shutil.copytree(test.complete, os.path.join(self.folder, "run"))
+        if self.verb in BEFORE:
+            shutil.copytree(test.complete, os.path.join(self.folder, BEFORE[self.verb]))
         report = os.path.join(self.folder, "report")
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "LD_PRELOAD": SHIM,
                        "ALLOC_FAIL": str(self.number), "ALLOC_FROM": str(int(self.all_from)),
                        "ALLOC_WHOSE": self.whose, "ALLOC_REPORT": report}
-        done = subprocess.run([clod.BINARY, *self.arguments], cwd=self.folder, env=environment,
-                              capture_output=True, timeout=600)
+        with open(POINTS, "rb") as points:  # for those that read standard input
+            done = subprocess.run([clod.BINARY, *self.arguments], cwd=self.folder, stdin=points,
+                                  env=environment, capture_output=True, timeout=600)
         self.status, self.out = done.returncode, done.stdout.decode(errors="replace")
         self.told = done.stderr.decode(errors="replace")
         with open(report) as file:
@@ -97,7 +107,7 @@ class Fault:
         self.calls = int(last[0][1]) if last else 0
         self.files = files_of(self.folder)
         self.after = None
-        if self.failed and self.verb in ("run", "run again"):
+        if self.failed and self.arguments[0] == "run" and self.verb != "wrong case":
             self.after = subprocess.run([clod.BINARY, *self.arguments], cwd=self.folder,
                                         capture_output=True, text=True, timeout=600)
             self.files_after = files_of(self.folder)
@@ -107,7 +117,9 @@ class Fault:
         if self.after is not None and self.after.returncode != 0:
             return f"the folder serves no more: {self.after.stderr}"
         if self.after is not None and self.files_after != good.files:
-            return "the next run in the folder leaves other results"
+            other = [name for name in good.files.keys() | self.files_after.keys()
+                     if good.files.get(name) != self.files_after.get(name)]
+            return f"the next run in the folder leaves other results: {other}"
         if self.status < 0:
             by = next((line.split()[0] for line in self.crash if not line.startswith("libc.")), "")
             known = self.whose != "own" and by.startswith(CRASHES)
@@ -145,10 +157,12 @@ class AllocFaults(clod.Case):
         done = clod.run("run", SMALL, "-o", self.complete, "-t", "1")
         self.assertEqual(done.returncode, 0, done.stderr)
 
-    def numbers(self, calls):
+    def numbers(self, verb, calls):
         """Of some calls: the first ones, and about ten of the rest, never the same distance."""
-        step = max(1, calls // 8)
-        return sorted({*range(1, min(calls, 4) + 1), *range(5, calls + 1, step), calls} - {0})
+        first, parts = (1, 4) if verb in LONG else (4, 8)
+        step = max(1, calls // parts)
+        return sorted({*range(1, min(calls, first) + 1), *range(first + 1, calls + 1, step),
+                       calls} - {0})
 
     def look(self, verb, whose):
         """Let calls fail one by one; every wrong end."""
@@ -158,7 +172,7 @@ class AllocFaults(clod.Case):
         wrong = []
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             runs = [pool.submit(Fault, self, verb, whose, k, all_from)
-                    for k in self.numbers(calls) for all_from in (False, True)]
+                    for k in self.numbers(verb, calls) for all_from in (False, True)]
             for run in concurrent.futures.as_completed(runs):
                 fault = run.result()
                 what = fault.wrong(good)
