@@ -64,7 +64,13 @@ static void warn_step(clod_check_report *r)
 static void warn_contact(const clod_case *from, clod_check_report *r)
 {
     const bool known = clod_case_tester(from) != NULL || from->time.design_stress > 0.0;
-    if (r->overlap_ratio > CLOD_LIMITS_OVERLAP_MEAN && known) {
+    if (r->overlap_ratio > from->time.overlap_limit) {
+        warn(r,
+             "grains %s overlap by %.3g %% of their radius, and a run stops at %.3g %%. Raise "
+             "the stiffness or, if so deep contacts are meant, time.overlap_limit",
+             known ? "will" : "may", 100.0 * r->overlap_ratio,
+             100.0 * from->time.overlap_limit);
+    } else if (r->overlap_ratio > CLOD_LIMITS_OVERLAP_MEAN && known) {
         warn(r,
              "grains overlap by %.2f %% of their radius at %.4g kPa: density and contacts are "
              "no longer those of spheres (below %.0f %% is good). Raise the stiffness",

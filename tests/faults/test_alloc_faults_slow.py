@@ -1,4 +1,7 @@
-"""All calls for memory of every verb, up to the 2 000th, fail in turn (of a test every 50th); about an hour."""
+"""All calls for memory of every verb, up to the 2 000th, fail in turn; about an hour.
+
+Of a shear test it is every 50th.
+"""
 
 import os
 import sys

@@ -242,6 +242,7 @@ static void each_fault_has_its_warning(void **state)
     warns(state, RING, "ring_shear.grain_count=2000", "some 16.7 mm high, not 40 mm");
     warns(state, RING, "ring_shear.grain_count=7000", "7000 grains are 146 % of");
     warns(state, RING, "contacts.default.k1=4.75e6 N/m^1.5", "of their radius");
+    warns(state, RING, "time.overlap_limit=0.05 %", "a run stops at 0.05 %");
     warns(state, RING, "ring_shear.grain_count=2900", "diameters across the depth");
     warns(state, RING, "ring_shear.outer_radius=75 mm", "diameters across the width");
     warns(state, RING, "ring_shear.bar_height=3 mm", "0.50 grain diameters high");
