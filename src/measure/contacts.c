@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "parallel/exact.h"
+
 static double pair_distance(const clod_state *state, const double a[4], const double b[4])
 {
     double sum = 0.0;
@@ -16,15 +18,15 @@ clod_measure_contacts clod_measure_contacts_of(const clod_state *state)
 {
     clod_measure_contacts m = {.walls = state->wall_contact_count};
     m.pairs = state->contact_count - state->wall_contact_count;
-    double sum = 0.0;
+    clod_exact sum = {0};
     for (size_t k = 0; k < m.pairs; k++) {
         const double *a = state->grains.place[state->contacts[k].i];
         const double *b = state->grains.place[state->contacts[k].j];
         const double overlap = (a[3] + b[3] - pair_distance(state, a, b)) / fmin(a[3], b[3]);
         m.max_overlap = fmax(m.max_overlap, overlap);
-        sum += overlap;
+        clod_exact_add(&sum, overlap);
     }
-    m.mean_overlap = m.pairs > 0 ? sum / (double)m.pairs : 0.0;
+    m.mean_overlap = m.pairs > 0 ? clod_exact_value(&sum) / (double)m.pairs : 0.0;
     m.coordination =
         2.0 * (double)m.pairs / (double)(state->grains.count + !state->grains.count);
     return m;
@@ -47,14 +49,14 @@ size_t clod_measure_loaded_grains(const clod_state *state)
 
 double clod_measure_kinetic_energy(const clod_state *state)
 {
-    double sum = 0.0;
+    clod_exact sum = {0};
     for (size_t g = 0; g < state->grains.count; g++) {
         const double *v = state->grains.motion[g];
         const double *w = state->grains.turning[g];
-        sum += 0.5 * v[3] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-        sum += 0.5 / w[3] * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+        clod_exact_add(&sum, 0.5 * v[3] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+        clod_exact_add(&sum, 0.5 / w[3] * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
     }
-    return sum;
+    return clod_exact_value(&sum);
 }
 
 double clod_measure_max_speed(const clod_state *state)

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "parallel/exact.h"
 #include "tester/limits.h"
 
 #define FILL_LEAST 0.05    ///< s of filling at least
@@ -24,11 +25,11 @@ clod_wall *clod_bed_wall(const clod_state *state, const char *name)
 
 double clod_bed_mass(const clod_state *state)
 {
-    double mass = 0.0;
+    clod_exact mass = {0};
     for (size_t g = 0; g < state->grains.count; g++) {
-        mass += state->grains.motion[g][3];
+        clod_exact_add(&mass, state->grains.motion[g][3]);
     }
-    return mass;
+    return clod_exact_value(&mass);
 }
 
 double clod_bed_largest(const clod_state *state)
@@ -42,12 +43,12 @@ double clod_bed_largest(const clod_state *state)
 
 double clod_bed_rms_speed(const clod_state *state)
 {
-    double sum = 0.0;
+    clod_exact sum = {0};
     for (size_t g = 0; g < state->grains.count; g++) {
         const double *v = state->grains.motion[g];
-        sum += v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        clod_exact_add(&sum, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }
-    return sqrt(sum / (double)state->grains.count);
+    return sqrt(clod_exact_value(&sum) / (double)state->grains.count);
 }
 
 double clod_bed_top(const clod_state *state)
