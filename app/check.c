@@ -25,7 +25,8 @@ typedef struct request {
 
 static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0, "results folder meant for the run: its disk is looked at", 0},
-    {"threads", 't', "N", 0, "threads meant for the run; all processors unless given", 0},
+    {"threads", 't', "N", 0,
+     "threads meant for the run; unless given those that run would take", 0},
     CLOD_ONE_CASE_SET,
     {"json", KEY_JSON, NULL, 0, "print one JSON object instead of text", 0},
     {0},

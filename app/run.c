@@ -91,7 +91,9 @@ static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0, "results folder (run/NAME for NAME.yaml and for NAME/case.yaml)",
      0},
     {"threads", 't', "N", 0,
-     "threads (all processors, and at most as many); results do not depend on it", 0},
+     "threads, at most one a processor; unless given all, but one for 500 grains. Results "
+     "do not depend on it",
+     0},
     {"set", 'S', "KEY=VALUE", 0,
      "change a key of the case, for instance ring_shear.speed='10 mm/s'; may be given often",
      0},

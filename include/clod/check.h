@@ -90,7 +90,7 @@ typedef struct clod_check_report {
     double rate_one, rate;  ///< grain-steps/s with one and with all threads, of a quiet machine
     double rate_slowest;    ///< of the slowest measurement with all threads
     double processor_share; ///< part of a processor that one thread got meanwhile; 1: all of it
-    bool busy;              ///< it was less than 0.9: what more threads gain is partly assumed
+    bool busy;              ///< other programs are at work: what more threads gain is assumed
     double clock_likely, clock_most;    ///< s on the clock
     double memory;                      ///< bytes
     double rows_most, snapshots_most;   ///< that will be written; a free run writes just these

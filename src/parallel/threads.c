@@ -27,6 +27,12 @@ int clod_threads_take(int wanted)
     return wanted > 0 && wanted < most ? wanted : most;
 }
 
+int clod_threads_worth(int threads, size_t grains)
+{
+    const size_t most = grains / CLOD_THREADS_GRAINS;
+    return most >= (size_t)threads ? threads : most > 1 ? (int)most : 1;
+}
+
 static void *work(void *argument)
 {
     job_queue *queue = argument;

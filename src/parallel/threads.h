@@ -26,6 +26,12 @@ int clod_threads_available(void);
  * since more only wait for each other. */
 int clod_threads_take(int wanted);
 
+/** Grains below which a further thread does not pay: it would wait more than compute. */
+#define CLOD_THREADS_GRAINS 500
+
+/** Of so many threads, those that pay for a bed of so many grains; at least one. */
+int clod_threads_worth(int threads, size_t grains);
+
 /**
  * Run `count` independent jobs on at most `workers` threads; job k starts before job k + 1.
  *

@@ -234,6 +234,9 @@ bool clod_check_cost(const clod_check_subject *subject, clod_check_report *repor
     clod_check_bytes bytes = {0};
     report->processors = clod_threads_available();
     report->threads = clod_threads_take(subject->options->threads);
+    if (subject->options->threads == 0 && clod_case_tester(subject->from) == NULL) {
+        report->threads = clod_threads_worth(report->threads, (size_t)report->grains);
+    }
     if (!clod_check_rate(subject, report, &bytes, status)) {
         return false;
     }

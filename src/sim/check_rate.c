@@ -22,6 +22,7 @@
 enum { MEASUREMENTS = 5 }; ///< their spread is told
 
 #define BUSY 0.9       ///< part of a processor below which other programs have the rest
+#define DISTURBED 0.7  ///< part of the gain that is expected below which the threads had none
 #define WAIT_TIME 3e-6 ///< s of a step in which threads wait for each other, at barriers
 
 /** What a number of threads did with the packing. */
@@ -163,15 +164,17 @@ static bool time_step(const clod_check_subject *subject, const clod_state *packi
 
 /**
  * What more threads gain: the ratio of the quickest chunks, in which all had their processors.
- * On a busy machine there may be no such chunk: then at least what equal parts of the work and
- * the waiting for each other let expect.
+ * On a busy machine there may be no such chunk, though one thread had its processor all the
+ * time: then what equal parts of the work and the waiting for each other let expect.
  */
-static double gain_of(const timing *one, const timing *all, const clod_check_report *report)
+static double gain_of(const timing *one, const timing *all, clod_check_report *report)
 {
     const double threads = report->threads;
-    const double gain = fmin(one->best / all->best, threads);
+    const double measured = fmin(one->best / all->best, threads);
     const double step = one->processor / one->steps;
-    return report->busy ? fmax(gain, step / (step / threads + WAIT_TIME)) : gain;
+    const double expected = step / (step / threads + WAIT_TIME);
+    report->busy = report->busy || measured < DISTURBED * expected;
+    return report->busy ? fmax(measured, expected) : measured;
 }
 
 /** The rate of one thread is that of its processor, whatever else runs there. */

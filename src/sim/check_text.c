@@ -169,12 +169,18 @@ static void write_rate(page *to, const clod_check_report *r)
     }
     if (r->busy) {
         line(to, "",
-             "other programs are at work: a thread had %.0f %% of a processor. The rates are "
-             "those "
-             "of a quiet machine%s; a run beside these programs takes %.1f times as long",
-             100.0 * r->processor_share,
-             r->threads > 1 ? ", what more threads gain is partly assumed" : "",
-             1.0 / r->processor_share);
+             "other programs are at work: one thread had %.0f %% of a processor. The rates are "
+             "those of a quiet machine;",
+             100.0 * r->processor_share);
+        if (r->threads > 1) {
+            line(to, "",
+                 "what %d threads gain is partly assumed. Beside these programs threads wait "
+                 "for each other: --threads 1 may be several times faster",
+                 r->threads);
+        } else {
+            line(to, "", "a run beside these programs takes %.1f times as long",
+                 1.0 / r->processor_share);
+        }
     }
     if (is_test(r)) {
         line(to, "wall-clock", "likely %s, at most %s; up to %d part%s side by side",

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "base/plural.h"
+#include "parallel/threads.h"
 #include "setup/grains.h"
 #include "sim/check.h"
 #include "sim/outputs.h"
@@ -13,9 +14,8 @@
 #define BAR_LIMIT 0.98 ///< grain diameters, as good as one
 #define FEW_GRAINS 0.6 ///< of those that fill the depth
 #define MANY_GRAINS 1.4
-#define SERVO_STEPS 20.0    ///< steps in one period of a loaded wall
-#define THREAD_GRAINS 500.0 ///< grains below which a further thread does not pay
-#define WEAK_STRESS 0.1     ///< points below this part of the preshear stress are unsafe
+#define SERVO_STEPS 20.0 ///< steps in one period of a loaded wall
+#define WEAK_STRESS 0.1  ///< points below this part of the preshear stress are unsafe
 
 __attribute__((format(printf, 2, 3))) static void warn(clod_check_report *report,
                                                        const char *format, ...)
@@ -218,19 +218,12 @@ static void warn_machine(const clod_check_subject *subject, clod_check_report *r
         warn(r, "%d threads on %d processor%s slow each other down: a run takes %d",
              subject->options->threads, r->processors, clod_plural(r->processors), r->threads);
     }
-    if (r->rate < r->rate_one) {
+    const double grains = (double)r->grains * r->side_by_side;
+    if (r->threads > 1 && grains / r->threads < CLOD_THREADS_GRAINS) {
         warn(r,
-             "%d threads were slower than one when measured: the grains are too few. Use "
-             "--threads 1",
-             r->threads);
-    }
-    const double each = (double)r->grains * r->side_by_side / r->threads;
-    if (r->threads > 1 && each < THREAD_GRAINS) {
-        warn(r,
-             "%.0f grain%s for each thread: threads wait for each other. --threads %.0f is "
-             "likely as fast",
-             each, clod_plural(round(each)),
-             fmax(1.0, floor((double)r->grains * r->side_by_side / THREAD_GRAINS)));
+             "less than %d grains for each thread: threads wait for each other. --threads %.0f "
+             "is likely as fast",
+             CLOD_THREADS_GRAINS, fmax(1.0, floor(grains / CLOD_THREADS_GRAINS)));
     }
 }
 

@@ -9,6 +9,7 @@
 #include "clod/version.h"
 #include "measure/contacts.h"
 #include "output/series.h"
+#include "parallel/threads.h"
 #include "sim/energy_series.h"
 #include "sim/job_store.h"
 #include "sim/origin.h"
@@ -305,7 +306,10 @@ static bool open_loop(job_loop *loop, clod_status *status)
     loop->series = clod_series_open(job->sim->folder, series, job->procedure.columns,
                                     job->procedure.column_count,
                                     job->resumed ? &job->memory.series : NULL, status);
-    const clod_step_options options = {.threads = job->threads,
+    const int threads = job->sim->any_threads
+                            ? clod_threads_worth(job->threads, job->state.grains.count)
+                            : job->threads;
+    const clod_step_options options = {.threads = threads,
                                        .simd = job->sim->options->simd,
                                        .overlap_limit = job->sim->from->time.overlap_limit};
     if (loop->series == NULL || !clod_laws_init(&loop->laws, job->sim->from, status)) {

@@ -42,6 +42,7 @@ typedef struct clod_sim {
     const char *identity;      ///< of the case (sim/identity.h): checkpoints belong to it
     clod_eventlog *log;
     struct clod_origin *origin; ///< run from whose grains this one begins; NULL: none
+    bool any_threads;           ///< nobody asked for a number: no more than pay
 } clod_sim;
 
 #define CLOD_JOB_VERSION 128 ///< bytes of a version text

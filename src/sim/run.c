@@ -170,6 +170,7 @@ bool clod_run(const clod_case *self, const clod_run_options *wanted, char **repo
     }
     clod_sim sim = {.from = self,
                     .options = options,
+                    .any_threads = wanted->threads == 0,
                     .directory = standard != NULL ? standard : options->directory,
                     .identity = identity};
     clod_origin origin = {0};

@@ -45,6 +45,18 @@ static void no_more_threads_than_processors(void **state)
     assert_int_equal(clod_threads_take(1024), all > 1024 ? 1024 : all);
 }
 
+static void few_grains_are_worth_few_threads(void **state)
+{
+    (void)state;
+    assert_int_equal(clod_threads_worth(8, 0), 1);
+    assert_int_equal(clod_threads_worth(8, 999), 1);
+    assert_int_equal(clod_threads_worth(8, 1000), 2);
+    assert_int_equal(clod_threads_worth(8, 3999), 7);
+    assert_int_equal(clod_threads_worth(8, 4000), 8);
+    assert_int_equal(clod_threads_worth(8, SIZE_MAX), 8);
+    assert_int_equal(clod_threads_worth(1, SIZE_MAX), 1);
+}
+
 typedef struct jobs {
     atomic_int runs[50];
     atomic_int running, most;
@@ -196,6 +208,7 @@ int main(void)
         cmocka_unit_test(chunks_cover_all_items_once_and_evenly),
         cmocka_unit_test(there_is_a_processor),
         cmocka_unit_test(no_more_threads_than_processors),
+        cmocka_unit_test(few_grains_are_worth_few_threads),
         cmocka_unit_test(every_job_runs_once),
         cmocka_unit_test(a_barrier_separates_rounds),
         cmocka_unit_test(a_gate_lets_pass_what_it_has_opened_for),
