@@ -200,6 +200,9 @@ typedef struct clod_case_output {
     bool energy;                ///< keep the energy ledger
 } clod_case_output;
 
+/** Largest overlap_limit: at 1 nothing tells out of which side of a wall a grain is to go. */
+#define CLOD_CASE_OVERLAP_MOST 0.9
+
 typedef struct clod_case_time {
     double step;           ///< s; 0 = auto
     double safety;         ///< auto: fraction of the critical step of the stiffest pair

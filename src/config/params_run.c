@@ -130,7 +130,7 @@ static const clod_param TIME_ROWS[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "1",
-     CLOD_ABOVE(0, 0.9),
+     CLOD_ABOVE(0, CLOD_CASE_OVERLAP_MOST),
      .fallback = "20 %",
      .example = "40 %",
      CLOD_AT(T, overlap_limit),

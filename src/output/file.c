@@ -11,12 +11,16 @@
 
 #include "base/memory.h"
 
+bool clod_file_is_full(int error)
+{
+    return error == ENOSPC || error == EDQUOT || error == EFBIG;
+}
+
 bool clod_file_fail(clod_status *status, const char *action, const char *path, int error)
 {
     const char *advice = "";
-    if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
-        advice = " Free some space, then give the same command again: the run goes on from its "
-                 "last checkpoint. What was complete before is untouched.";
+    if (clod_file_is_full(error)) {
+        advice = " Free some space, then give the same command again.";
     } else if (error == ENOENT && strcmp(action, "write") == 0) {
         advice = " Does the folder exist?";
     } else if (error == ENOENT && strcmp(action, "make the folder") == 0) {

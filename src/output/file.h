@@ -59,7 +59,13 @@ int clod_file_load(int folder, const char *name, void **bytes, size_t *size);
 /** The same, with a text when it does not succeed. */
 bool clod_file_read(const char *path, void **bytes, size_t *size, clod_status *status);
 
-/** Record that `action` ("write", "open") on `path` failed with errno value `error`. */
+/** Whether an errno value says that there is no room: a full disk, a quota, a size limit. */
+bool clod_file_is_full(int error);
+
+/**
+ * Record that `action` ("write", "open") on `path` failed with errno value `error`.
+ * For a file of a run's folder: clod_folder_fail.
+ */
 bool clod_file_fail(clod_status *status, const char *action, const char *path, int error);
 
 /** Continue a CRC-32 (of zlib, gzip and Python's zlib.crc32) over some bytes; 0 begins one. */

@@ -17,6 +17,13 @@ bool clod_folder_fail(const clod_folder *self, const char *action, const char *n
 {
     char path[PATH_MAX + NAME_MAX + 2];
     snprintf(path, sizeof path, "%s/%s", self->path, name);
+    if (clod_file_is_full(error)) {
+        return clod_status_fail(
+            status, CLOD_FAILED,
+            "Cannot %s %s: %s. Free some space, then give the same command again: the run goes "
+            "on from its last checkpoint. What was complete before is untouched.",
+            action, path, strerror(error));
+    }
     return clod_file_fail(status, action, path, error);
 }
 

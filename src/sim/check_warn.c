@@ -67,9 +67,11 @@ static void warn_contact(const clod_case *from, clod_check_report *r)
     if (r->overlap_ratio > from->time.overlap_limit) {
         warn(r,
              "grains %s overlap by %.3g %% of their radius, and a run stops at %.3g %%. Raise "
-             "the stiffness or, if so deep contacts are meant, time.overlap_limit",
-             known ? "will" : "may", 100.0 * r->overlap_ratio,
-             100.0 * from->time.overlap_limit);
+             "the stiffness%s",
+             known ? "will" : "may", 100.0 * r->overlap_ratio, 100.0 * from->time.overlap_limit,
+             r->overlap_ratio < CLOD_CASE_OVERLAP_MOST
+                 ? " or, if so deep contacts are meant, time.overlap_limit"
+                 : "");
     } else if (r->overlap_ratio > CLOD_LIMITS_OVERLAP_MEAN && known) {
         warn(r,
              "grains overlap by %.2f %% of their radius at %.4g kPa: density and contacts are "
@@ -127,7 +129,7 @@ static void warn_bars(const clod_case_ring_shear *ring, clod_check_report *r)
 {
     if (ring->bar_count == 0) {
         warn(r, "ring_shear.bar_count is 0: lid and base grip by friction alone and the solid "
-                "may slip along them");
+                "may slip along them. Raise it: 20 is usual");
     } else if (r->bar_diameters < BAR_LIMIT) {
         warn(r,
              "the bars are %.2f grain diameters high: grains slip over them. Raise "
@@ -142,8 +144,9 @@ static void warn_points(const clod_shear_cell *cell, clod_check_report *r)
     if (r->lowest_stress < WEAK_STRESS * shear->preshear_stress) {
         warn(r,
              "the lowest shear point is %.1f %% of the preshear stress: it is hard to hold and "
-             "bends the yield locus. 20 to 80 %% is usual",
-             100.0 * r->lowest_stress / shear->preshear_stress);
+             "bends the yield locus. 20 to 80 %% is usual: raise or remove it in "
+             "%s.shear_stresses",
+             100.0 * r->lowest_stress / shear->preshear_stress, cell->key);
     }
     if (shear->shear_stress_count < 3) {
         warn(r,

@@ -58,8 +58,12 @@ static void add_flags(json_t *list, const clod_shear_cell *cell, const clod_part
             cell->key, cell->settle_max, part->point < 0 ? " or fill_max" : "");
     }
     if ((flags & CLOD_RING_SHEAR_NO_REVERSAL) != 0) {
-        clod_warning_box_add(list, "%s: shear stress did not fall to zero when sheared back",
-                             part->name);
+        clod_warning_box_add(
+            list,
+            "%s: the shear stress did not fall to zero when sheared back: the points begin "
+            "under shear. Look at %s.csv: if it still falls at the end, raise the stiffness%s; "
+            "if it is level, use a larger cell or smaller grains",
+            part->name, part->name, t->straight != 0 ? " or jenike.rim" : "");
     }
     if ((flags & CLOD_RING_SHEAR_NO_PEAK) != 0) {
         clod_warning_box_add(
@@ -152,7 +156,8 @@ json_t *clod_ring_warnings(const clod_case *from, const clod_part *part, int par
     const double across = gap / (2.0 * cell.radius_mean);
     if (across < CLOD_LIMITS_GRAINS) {
         clod_warning_box_add(list,
-                             "only %.1f grain diameters across the specimen; %.0f are wanted",
+                             "only %.1f grain diameters across the specimen; %.0f are wanted. "
+                             "Use a larger cell or smaller grains",
                              across, CLOD_LIMITS_GRAINS);
     }
     return list;

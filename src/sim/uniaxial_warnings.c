@@ -49,7 +49,9 @@ static void add_flags(json_t *list, const clod_case *from, const clod_part *part
     if ((t->flags & CLOD_UNIAXIAL_COLLAPSED) != 0) {
         clod_warning_box_add(list,
                              "%s: the specimen did not stand without its mould; its strength "
-                             "counts as 0",
+                             "counts as 0. That is right for a solid that flows freely; if it "
+                             "should stand, raise its adhesion (k_adh) or the consolidation "
+                             "stress, or lower uniaxial.height",
                              part->name);
     }
 }
@@ -145,7 +147,7 @@ json_t *clod_uniaxial_warnings(const clod_case *from, const clod_part *part, int
     if (across < CLOD_LIMITS_FREE_GRAINS) {
         clod_warning_box_add(list,
                              "only %.1f grain diameters across the specimen; %.0f are "
-                             "wanted",
+                             "wanted. Use a larger mould or smaller grains",
                              across, CLOD_LIMITS_FREE_GRAINS);
     }
     return list;

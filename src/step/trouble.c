@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "clod/case.h"
 #include "law/law_cycle.h"
 
 #define LARGE_STEP 0.25 ///< of the critical step: six steps for half a swing
@@ -134,10 +135,10 @@ static void advise(const clod_step *self, const worst_overlap *worst, char *text
     const deep_contact deep = describe(self, worst);
     const double dt = self->state->dt;
     const double critical = critical_step(&deep);
-    if (self->state->step == self->begin) { // before any step was made
-        snprintf(text, size,
-                 "They are put so: move them apart. If so deep a contact is meant, raise "
-                 "time.overlap_limit");
+    const bool in_range = worst->fraction < CLOD_CASE_OVERLAP_MOST; // a limit can allow it
+    if (self->state->step == self->begin) {                         // before any step was made
+        snprintf(text, size, "They are put so: move them apart%s",
+                 in_range ? ". If so deep a contact is meant, raise time.overlap_limit" : "");
     } else if (dt > LARGE_STEP * critical) {
         snprintf(text, size,
                  "The time step, %.3g s, is too large: %.2g of the critical step of this "
@@ -148,9 +149,11 @@ static void advise(const clod_step *self, const worst_overlap *worst, char *text
         snprintf(text, size,
                  "The time step is not the reason (%.2g of the critical step of this contact): "
                  "it is too soft for its load, some %.3g N. Raise %s, lower the load or the "
-                 "speed, or, if so deep a contact is meant, raise time.overlap_limit",
+                 "speed%s",
                  dt / critical, clod_law_cycle_force(deep.law, deep.r_star, deep.overlap),
-                 deep.law->kind == CLOD_LAW_HERTZ ? "youngs_modulus" : "its k1 (and k2)");
+                 deep.law->kind == CLOD_LAW_HERTZ ? "youngs_modulus" : "its k1 (and k2)",
+                 in_range ? ", or, if so deep a contact is meant, raise time.overlap_limit"
+                          : "");
     }
 }
 

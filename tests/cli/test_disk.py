@@ -29,6 +29,7 @@ class Disk(clod.Case):
         self.assertEqual(done.stdout, "")
         self.assertEqual(done.stderr.count(reason), 1, done.stderr)
         self.assertIn(folder, done.stderr)
+        self.assertIn("the run goes on from its last checkpoint", done.stderr)
 
     def goes_on(self, folder):
         before = len(clod.log(folder))

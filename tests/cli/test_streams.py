@@ -57,6 +57,16 @@ class Streams(clod.Case):
             for redirection in ("2>/dev/full", "2>&-"):
                 self.assertEqual(self.spoken(arguments, redirection).returncode, 0)
 
+    def test_a_table_without_room(self):
+        # no run, so nothing is promised that goes on
+        for arguments in (["contact", BENCH], ["locus", POINTS], ["locus", "--csv", POINTS]):
+            with self.subTest(arguments=arguments):
+                done = self.spoken([*arguments, "-o", "/dev/full"], "")
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn("Cannot write /dev/full: No space left on device. Free some space, "
+                              "then give the same command again.", done.stderr)
+                self.assertNotIn("checkpoint", done.stderr)
+
     def test_no_file_gets_the_number_of_a_closed_stream(self):
         # the table goes to FILE: nothing of what is said may end up in it
         table = self.path("table.csv")

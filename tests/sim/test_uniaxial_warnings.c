@@ -99,6 +99,25 @@ static void a_stress_that_was_not_reached_has_its_reason(void **state)
            "still gave way or the lid swung", "raise uniaxial.settle_max");
 }
 
+static void a_specimen_that_falls_apart_has_a_remedy(void **state)
+{
+    (void)state;
+    now.test[1].flags = CLOD_UNIAXIAL_COLLAPSED;
+    now.test[1].strength = 0.0;
+    EXPECT(1, "stress-1: the specimen did not stand", "raise its adhesion (k_adh)",
+           "uniaxial.height");
+}
+
+// 80 mm over grains of 16 mm: 5.
+static void a_mould_that_is_too_narrow_has_a_remedy(void **state)
+{
+    (void)state;
+    now.from.uniaxial.radius_mean = 8e-3;
+    now.test[1].speed = now.test[2].speed = 0.0; // inertia is another warning
+    EXPECT(1, "only 5.0 grain diameters across the specimen; 10 are wanted",
+           "Use a larger mould or smaller grains");
+}
+
 // In whichever order the stresses stand in the case.
 static void a_strength_that_falls_is_told(void **state)
 {
@@ -123,6 +142,8 @@ int main(void)
         T(nothing_is_wrong),
         T(a_limit_of_time_is_named),
         T(a_stress_that_was_not_reached_has_its_reason),
+        T(a_specimen_that_falls_apart_has_a_remedy),
+        T(a_mould_that_is_too_narrow_has_a_remedy),
         T(a_strength_that_falls_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -257,8 +257,44 @@ static void two_grains_in_one_place(void **state)
     two_grains(&s, 0.0);
     expect_at_start(&s, (clod_step_options){.threads = 1}, CLOD_FAILED,
                     "step 0: grain 0 overlaps grain 1 by 200.0 % of the radius of the smaller "
-                    "one; time.overlap_limit is 20 %. They are put so: move them apart. If so "
-                    "deep a contact is meant, raise time.overlap_limit");
+                    "one; time.overlap_limit is 20 %. They are put so: move them apart");
+}
+
+// The key goes up to 90 %: of a radius of 3 mm, 2.7 mm.
+static void a_limit_is_named_only_where_it_can_be_raised_so_far(void **state)
+{
+    (void)state;
+    for (int beyond = 0; beyond < 2; beyond++) {
+        scene s;
+        clod_status status = {0};
+        two_grains(&s, 6e-3 - (beyond ? 2.73e-3 : 2.67e-3));
+        const clod_step_options options = {.threads = 1};
+        assert_false(clod_step_init(&s.step, &s.state, &s.laws, &options, &status));
+        assert_non_null(strstr(status.text, beyond ? "by 91.0 %" : "by 89.0 %"));
+        assert_int_equal(strstr(status.text, "raise time.overlap_limit") != NULL, !beyond);
+        scene_end(&s);
+    }
+}
+
+/** As above, 10 m/s against what nothing holds back, but stopped by the highest limit. */
+static void the_highest_limit_is_not_to_be_raised(void **state)
+{
+    (void)state;
+    scene s;
+    two_grains(&s, 0.0061);
+    for (int l = 0; l < SCENE_LAWS; l++) {
+        s.law[l].k1 = s.law[l].k2 = 1.0;
+    }
+    scene_move(&s, 1, -10.0, 0.0, 0.0);
+    scene_start_with(&s, (clod_step_options){.threads = 1, .overlap_limit = 0.9});
+    clod_status status = {0};
+    assert_false(clod_step_advance(&s.step, 1000, &status));
+    assert_in_range(s.state.step, 280, 281); // 0.1 mm free, then 2.7 mm, 10 um a step
+    assert_non_null(strstr(status.text, "time.overlap_limit is 90 %. The time step is not"));
+    const char *end = strstr(status.text, "Raise its k1");
+    assert_non_null(end);
+    assert_string_equal(end, "Raise its k1 (and k2), lower the load or the speed");
+    scene_end(&s);
 }
 
 static void a_velocity_that_is_not_a_number(void **state)
@@ -326,6 +362,8 @@ int main(void)
         cmocka_unit_test(an_overlap_with_a_wall_at_the_start),
         cmocka_unit_test(an_overlap_at_the_start_of_a_later_run),
         cmocka_unit_test(two_grains_in_one_place),
+        cmocka_unit_test(a_limit_is_named_only_where_it_can_be_raised_so_far),
+        cmocka_unit_test(the_highest_limit_is_not_to_be_raised),
         cmocka_unit_test(a_velocity_that_is_not_a_number),
         cmocka_unit_test(a_spin_without_bounds),
         cmocka_unit_test(a_time_step_far_too_long_is_found_out),

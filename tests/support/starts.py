@@ -15,30 +15,15 @@ import signal
 import time
 
 import clod
+from start_numbers import about, often, si, vector
+from start_walls import Walls
 
 STEPS = 100
 MARGINS = (10.0, 10.0, 10.0, 10.0, 3.0, 1.0, 1.0, 0.3, 0.0, 0.0, 0.0, -0.4)  # radii
 TESTERS = ("ring_shear", "jenike", "uniaxial")
 
 
-def si(value, unit):
-    return f"{value:.8g} {unit}"
-
-
-def vector(values, unit):
-    return [si(value, unit) for value in values]
-
-
-def about(dice, low, high):
-    """Uniform in the logarithm."""
-    return math.exp(dice.uniform(math.log(low), math.log(high)))
-
-
-def often(dice, probability):
-    return dice.random() < probability
-
-
-class Start:
+class Start(Walls):
     """One random case; `case` is its tree, `files` are grain files by name."""
 
     def __init__(self, seed, number):
@@ -83,7 +68,37 @@ class Start:
                 law["plasticity_depth"] = round(dice.uniform(0.02, 0.5), 3)
             if kind in ("mepa", "eepa"):
                 law["exponent"] = exponent
+            if kind == "eepa":
+                self.add_pull(law, stiff)
+        self.add_friction(law)
         return law
+
+    def add_pull(self, law, stiff):
+        """The constant pull of eepa, of up to a tenth of the force that presses an overlap of
+        the radius, and a surface energy as large or k_adh."""
+        dice = self.dice
+        pull = stiff * self.radius ** 1.5 * about(dice, 1e-7, 0.1)
+        if often(dice, 0.4):
+            law["pull_off_force"] = si(pull, "N")
+        if often(dice, 0.3):
+            law["surface_energy"] = si(pull / self.radius, "J/m2")
+        elif often(dice, 0.3):
+            law["k_adh"] = si(stiff * dice.uniform(0.0, 0.9), "N/m^1.5")
+
+    def add_friction(self, law):
+        """How a contact slips and rolls."""
+        dice = self.dice
+        if often(dice, 0.3):
+            law["coulomb"] = dice.choice(("adhesive", "force", "paper"))
+        if law["law"] in ("mepa", "eepa") and often(dice, 0.2):
+            law["tangential"] = "literal"
+        elif law["law"] != "hertz" and often(dice, 0.2):
+            law["tangential_ratio"] = si(about(dice, 0.05, 10.0), "").strip()
+        if often(dice, 0.4):
+            law["rolling"] = dice.choice(("cdt", "epsd", "epsd2"))
+            law["rolling_friction"] = dice.choice((0.0, 0.01, 0.3, 3.0))
+            if law["rolling"] == "epsd" and often(dice, 0.5):
+                law["rolling_damping"] = round(dice.uniform(0.0, 2.0), 3)
 
     def add_grains(self):
         dice = self.dice
@@ -103,10 +118,7 @@ class Start:
         dice = self.dice
         spread = dice.choice((1.0, 1.2, 2.0))
         low, high = self.radius / spread, self.radius
-        group = {"material": "ore",
-                 "region": {"box": {"min": vector((0, 0, self.bottom), "m"),
-                                    "max": vector((self.side, self.side,
-                                                   self.bottom + self.height), "m")}}}
+        group = {"material": "ore", "region": self.region()}
         if often(dice, 0.2):
             group["sizes"] = {"sieve": [{"size": si(2 * low, "m"), "passing": "0 %"},
                                         {"size": si(2.2 * high, "m"), "passing": "100 %"}]}
@@ -129,6 +141,22 @@ class Start:
             group["velocity"] = vector([dice.uniform(-1, 1) * speed for _ in range(3)], "m/s")
         return group
 
+    def box(self):
+        return {"box": {"min": vector((0, 0, self.bottom), "m"),
+                        "max": vector((self.side, self.side, self.bottom + self.height), "m")}}
+
+    def region(self):
+        """The box in which all is, or an upright ring or cylinder in it."""
+        dice = self.dice
+        if often(dice, 0.7):
+            return self.box()
+        outer = self.side * dice.choice((0.3, 0.49, 0.49, 0.49, 0.7))
+        ring = {"center": vector((self.side / 2, self.side / 2, self.bottom), "m"),
+                "outer_radius": si(outer, "m"), "height": si(self.height, "m")}
+        if often(dice, 0.5):
+            ring["inner_radius"] = si(outer * dice.choice((0.2, 0.4, 0.9)), "m")
+        return {"annulus": ring}
+
     def grain_file(self):
         """Grains on a lattice that may overlap a little, coincide, or lie outside."""
         dice = self.dice
@@ -145,33 +173,13 @@ class Start:
         if often(dice, 0.2):
             rows[0][dice.randrange(3)] -= self.radius * dice.choice((1.5, 3.0, 10.0))
         speed = 0.0 if often(dice, 0.6) else about(dice, 1e-3, 100.0)
-        lines = ["x [m],y [m],z [m],radius [m],vz [m/s]"]
-        lines += [",".join(f"{v:.9g}" for v in (*row, self.radius, -speed)) for row in rows]
+        spin = 0.0 if often(dice, 0.7) else about(dice, 1e-1, 1e5)
+        lines = ["x [m],y [m],z [m],radius [m],vz [m/s],wx [rad/s]"]
+        lines += [",".join(f"{v:.9g}" for v in (*row, self.radius, -speed, spin))
+                  for row in rows]
         self.files["grains.csv"] = "\n".join(lines) + "\n"
         self.side = self.radius * 2 + pitch * wide
         return {"material": "ore", "file": "grains.csv"}
-
-    def add_walls(self):
-        dice = self.dice
-        walls = {}
-        if often(dice, 0.6):
-            level = dice.choice((0.0, 0.0, -self.radius, self.bottom + 0.3 * self.radius))
-            walls["floor"] = {"material": "side", "shapes": [
-                {"plane": {"point": vector((0, 0, level), "m"), "normal": [0, 0, 1]}}]}
-        if often(dice, 0.2):
-            radius = self.side * dice.choice((0.3, 0.71, 0.8))
-            walls["shell"] = {"material": "side", "shapes": [{"cylinder": {
-                "foot": vector((self.side / 2, self.side / 2, self.bottom), "m"),
-                "radius": si(radius, "m"), "length": si(3 * self.height, "m")}}]}
-        if often(dice, 0.2):
-            walls["lid"] = {"material": "side", "shapes": [{"plane": {
-                "point": vector((0, 0, self.bottom + 1.2 * self.height), "m"),
-                "normal": [0, 0, -1]}}],
-                "load": {"stress": si(about(dice, 1e2, 1e6), "Pa"),
-                         "area": si(self.side ** 2, "m2"),
-                         "mass": si(about(dice, 1e-6, 1.0), "kg"), "axis": [0, 0, -1]}}
-        if walls:
-            self.case["walls"] = walls
 
     def add_rest(self):
         dice = self.dice
@@ -184,13 +192,21 @@ class Start:
             self.add_domain()
         if often(dice, 0.25):
             self.case["time"] = {"step": si(about(dice, 1e-9, 1e-3) * self.radius / 1e-3, "s")}
+        if often(dice, 0.25):
+            self.case.setdefault("time", {})["overlap_limit"] = self.overlap_limit()
         if often(dice, 0.2):
             self.case["output"] = {"series_interval": si(1e-9, "s")}
-        stage = {"name": "two", "duration": "1e-12 s"}
-        if "floor" in self.case.get("walls", {}) and often(dice, 0.5):
-            speed = about(dice, 1e-2, 300.0) * dice.choice((-1, 1))
-            stage["walls"] = {"floor": {"velocity": vector((0, 0, speed), "m/s")}}
-        self.case["stages"] = [{"name": "one", "duration": "1e-12 s"}, stage]
+        if often(dice, 0.25):
+            self.case.setdefault("output", {})["energy"] = True
+        self.case["stages"] = [{"name": "one", "duration": "1e-12 s"},
+                               {"name": "two", "duration": "1e-12 s"}]
+        for stage in self.case["stages"]:
+            if often(dice, 0.25):
+                stage["adhesion"] = dice.choice(("0 %", "10 %", "100 %"))
+        self.add_changes(self.case["stages"][1])
+
+    def overlap_limit(self):
+        return si(100 * min(0.9, about(self.dice, 1e-3, 3.0)), "%")
 
     def add_domain(self):
         """Around the region, a little too small, or with a period that is too short."""
@@ -206,6 +222,7 @@ class Start:
                 high[a] = low[a] + self.radius * dice.uniform(3.0, 6.0)
                 for group in self.case["grains"]:
                     if "region" in group:
+                        group["region"] = self.box()
                         group["region"]["box"]["max"][a] = si(high[a], "m")
         self.case["domain"] = {"min": vector(low, "m"), "max": vector(high, "m"),
                                "periodic": periodic}
@@ -238,6 +255,15 @@ class Start:
             changes += [f"contacts.default.k1={stiff:.4g} N/m^1.5",
                         f"contacts.default.k2={4 * stiff:.4g} N/m^1.5",
                         f"contacts.default.k_adh={0.2 * stiff:.4g} N/m^1.5"]
+        if often(dice, 0.25):
+            changes += [f"contacts.default.rolling={dice.choice(('cdt', 'epsd', 'epsd2'))}",
+                        f"contacts.default.rolling_friction={dice.uniform(0.0, 1.0):.3g}"]
+        if often(dice, 0.25):
+            changes.append(f"contacts.default.coulomb={dice.choice(('force', 'paper'))}")
+        if often(dice, 0.2):
+            changes.append(f"time.overlap_limit={self.overlap_limit()}")
+        if often(dice, 0.2):
+            changes.append("output.energy=true")
         if name != "uniaxial" and often(dice, 0.2):
             changes.append(f"{name}.seeds=2")
         return changes
