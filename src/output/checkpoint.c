@@ -142,6 +142,9 @@ static bool check_walls(clod_hdf *hdf, const clod_state *state, const char *path
                found[w].shape_count == wall->shape_count;
     }
     clod_memory_free(found);
+    if (clod_hdf_lacks_memory(hdf)) { // what was not read looks like other walls
+        return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
+    }
     return same || clod_status_fail(status, CLOD_FAILED,
                                     "%s was written with other walls than the case has now. "
                                     "Start over with --fresh.",

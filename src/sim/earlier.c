@@ -58,7 +58,10 @@ static bool is_same_case(const clod_sim *sim, const char *complete, clod_status 
     }
     char *identity = clod_identity_text(before);
     const bool same = identity != NULL && strcmp(identity, sim->identity) == 0;
-    if (!same) {
+    if (identity == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "no memory to compare the case with that of %s",
+                         sim->directory);
+    } else if (!same) {
         fail_changed(sim, before, complete, status);
     }
     clod_memory_free(identity);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "clod/version.h"
 #include "output/checkpoint.h"
 #include "output/folder_files.h"
@@ -178,6 +179,31 @@ bool clod_job_try_origin(clod_job *job, clod_status *status)
     return read_origin(job, told, status) && take_tables(job, false, status);
 }
 
+/** Tell what was taken over; the first part of a test also tells in what the cases differ. */
+static bool tell_taken(const clod_job *job, clod_status *status)
+{
+    clod_text text;
+    clod_origin *origin = job->sim->origin;
+    FILE *out = clod_text_open(&text);
+    char *told = NULL;
+    if (out != NULL) {
+        fprintf(out, "%s is taken over from %s, step %lld, time %.9g s: %zu grains", job->name,
+                origin->text, (long long)job->state.step, job->state.time,
+                job->state.grains.count);
+        if (!atomic_exchange(&origin->told, true)) {
+            fputc('\n', out);
+            clod_origin_print_differences(origin, out);
+        }
+        told = clod_text_close(&text);
+    }
+    if (told == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory to tell what is taken over");
+    }
+    clod_job_tell(job, told);
+    clod_memory_free(told);
+    return true;
+}
+
 bool clod_job_take_over(clod_job *job, clod_status *status)
 {
     char notice[1024];
@@ -192,7 +218,7 @@ bool clod_job_take_over(clod_job *job, clod_status *status)
     if (notice[0] != '\0') {
         clod_job_tell(job, notice);
     }
-    if (!take_tables(job, true, status)) {
+    if (!take_tables(job, true, status) || !tell_taken(job, status)) {
         return false;
     }
     clod_eventlog_write(job->sim->log, "taken over", "{s:s, s:s, s:I, s:f}", "part", job->name,

@@ -314,6 +314,13 @@ void clod_origin_fini(clod_origin *self)
     self->differences = NULL;
 }
 
+void clod_origin_print_differences(const clod_origin *self, FILE *out)
+{
+    fprintf(out, "  %s\n%s",
+            self->differences[0] != '\0' ? "what differs:" : "the case is the same",
+            self->differences);
+}
+
 bool clod_origin_is_that(const clod_origin *self, const char *text, const char *directory,
                          clod_status *status)
 {

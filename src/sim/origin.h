@@ -9,7 +9,9 @@
  */
 
 #include <limits.h>
+#include <stdatomic.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #include "sim/job.h"
 #include "state/state.h"
@@ -25,6 +27,7 @@ typedef struct clod_origin {
     char *differences;          ///< a line for each key that is not the same; owned
     bool same_law;              ///< materials, contacts and time are the same
     bool same_domain;           ///< the domain is the same
+    atomic_bool told;           ///< a part of a test has told in what the cases differ
 } clod_origin;
 
 /**
@@ -64,6 +67,9 @@ bool clod_origin_state(const clod_origin *self, const clod_case *from, clod_stat
  */
 bool clod_origin_try(const clod_origin *self, const clod_case *from,
                      const clod_run_options *options, clod_status *status);
+
+/** Print in what the cases differ, or that they do not; the origin is open. */
+void clod_origin_print_differences(const clod_origin *self, FILE *out);
 
 /** Refuse to go on with a run that began from another one than `self` (NULL: not asked). */
 bool clod_origin_is_that(const clod_origin *self, const char *text, const char *directory,

@@ -390,9 +390,7 @@ bool clod_origin_state(const clod_origin *self, const clod_case *from, clod_stat
     ok = ok ? move_all(&now, status)
             : clod_status_fail(status, CLOD_FAILED, "no memory for the grains");
     if (now.told != NULL) {
-        fprintf(now.told, "  %s\n%s",
-                self->differences[0] != '\0' ? "what differs:" : "the case is the same",
-                self->differences);
+        clod_origin_print_differences(self, now.told);
         *told = clod_text_close(&text);
         ok = ok && (*told != NULL || clod_status_fail(status, CLOD_FAILED,
                                                       "no memory to tell what is taken over"));

@@ -178,7 +178,7 @@ void clod_uniaxial_report_finished(const clod_sim *sim, const clod_part *part, i
     if (found > 0) { // the filling, from which all others begin, is the first
         json_t *warnings = clod_uniaxial_warnings(sim->from, done, found);
         clod_status second; // of a test that failed already: the first failure is told
-        if (write_table(sim->folder, done + 1, found - 1, &second) &&
+        if (warnings != NULL && write_table(sim->folder, done + 1, found - 1, &second) &&
             write_summary(sim, done, found - 1, warnings, why, &second)) {
             clod_parts_tell_finished(sim, found, "flow_function.csv");
         }

@@ -106,13 +106,16 @@ static void add_inertia(json_t *list, const clod_case *from, const clod_part *pa
     }
 }
 
-/** Remark on a strength that falls while the consolidation rises. */
-static void add_fall(json_t *list, const clod_part *part, int parts)
+/** Remark on a strength that falls while the consolidation rises; false without memory. */
+static bool add_fall(json_t *list, const clod_part *part, int parts)
 {
     char text[CLOD_LOCUS_WARNING_TEXT] = "";
     clod_warnings_strength *points = clod_memory_alloc((size_t)parts, sizeof *points);
     size_t count = 0;
-    for (int p = 0; points != NULL && p < parts; p++) {
+    if (points == NULL) {
+        return false;
+    }
+    for (int p = 0; p < parts; p++) {
         const clod_uniaxial *t = part[p].test;
         if (part[p].point >= 0) {
             points[count++] =
@@ -124,6 +127,7 @@ static void add_fall(json_t *list, const clod_part *part, int parts)
         clod_warning_box_add(list, "%s", text);
     }
     clod_memory_free(points);
+    return true;
 }
 
 json_t *clod_uniaxial_warnings(const clod_case *from, const clod_part *part, int parts)
@@ -142,7 +146,10 @@ json_t *clod_uniaxial_warnings(const clod_case *from, const clod_part *part, int
                                  part[p].name, 100.0 * part[p].max_overlap);
         }
     }
-    add_fall(list, part, parts);
+    if (!add_fall(list, part, parts)) {
+        json_decref(list);
+        return NULL;
+    }
     const double across = from->uniaxial.diameter / (2.0 * from->uniaxial.radius_mean);
     if (across < CLOD_LIMITS_FREE_GRAINS) {
         clod_warning_box_add(list,

@@ -1,6 +1,6 @@
 """All calls for memory of every verb, up to the 2 000th, fail in turn; about an hour.
 
-Of a shear test it is every 50th.
+Of those that take long it is every 50th.
 """
 
 import os

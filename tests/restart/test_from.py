@@ -263,6 +263,20 @@ class Tests(clod.Case):
     def same_table(self, one, other):
         self.assertEqual(clod.read(self.path(one)), clod.read(self.path(other)))
 
+    def assert_told(self, one, other, err):
+        """On the screen and in the log: each part with the step at its end there, what differs."""
+        steps = {event["part"]: event["step"] for event in clod.log(self.path(one))
+                 if event["event"] == "finished"}
+        notices = [event["text"] for event in clod.log(self.path(other))
+                   if event["event"] == "notice"]
+        for text in (err, "\n".join(notices)):
+            for part in ("preshear", "reverse"):
+                self.assertIn(f"{part} is taken over from {os.path.realpath(self.path(one))}, "
+                              f"step {steps[part]}, ", text)
+            self.assertEqual(text.count("what differs:\n"), 1)
+            self.assertIn("\n  ring_shear.shear_stresses: [300 Pa, 600 Pa] there, "
+                          "[300 Pa, 600 Pa, 450 Pa] here\n", text)
+
     @clod.quick_only
     def test_more_points(self):
         """The points that both have are the same, and the preparation is not run again."""
@@ -274,6 +288,7 @@ class Tests(clod.Case):
         parts = json.loads(clod.read(self.path("more/summary.json")))["parts"]
         self.assertEqual({part["from"] for part in parts}, {os.path.realpath(self.path("few"))})
         self.assertEqual(len(clod.table(self.path("more/points.csv"))), 3)
+        self.assert_told("few", "more", done.stderr)
         began = {event["from"] for event in clod.log(self.path("more"))
                  if event["event"] == "phase"}
         self.assertEqual(began, {"reduce", "shear"})
