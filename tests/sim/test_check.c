@@ -1,11 +1,8 @@
 // The preflight against hand calculations (PHYSICS 1, 5, 7), and every warning once.
 
 #include <math.h>
-#include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
-#include <stdatomic.h>
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -15,7 +12,6 @@
 #include <jansson.h>
 
 #include "clod/check.h"
-#include "parallel/threads.h"
 
 #define K1 4.75e8
 #define K2 2.37e9
@@ -343,57 +339,6 @@ static void the_rayleigh_limit_sets_the_step_of_hertz(void **state)
     near(r->step, 0.15 * 2.27e-6, 3e-3); // PHYSICS 5
 }
 
-static void too_many_threads_are_told(void **state)
-{
-    clod_status status = {CLOD_OK, ""};
-    const clod_check_report *r = &((looked *)*state)->report;
-    check(state, FREE, NULL);
-    assert_true(look(state, FREE, NULL, r->processors + 1, &status));
-    bool told = false;
-    for (size_t w = 0; w < r->warning_count; w++) {
-        told = told || strstr(r->warning[w], "processors slow each other down") != NULL;
-    }
-    assert_true(told);
-}
-
-static atomic_bool busy;
-
-static void *keep_busy(void *unused)
-{
-    while (atomic_load(&busy)) {
-    }
-    return unused;
-}
-
-/** Beside other programs threads may do less than one alone: the estimate is not that. */
-static void a_busy_machine_is_not_taken_for_a_slow_one(void **state)
-{
-    clod_status status = {CLOD_OK, ""};
-    const clod_check_report *r = &((looked *)*state)->report;
-    pthread_t other[4];
-    atomic_store(&busy, true);
-    for (int k = 0; k < 4; k++) {
-        assert_int_equal(pthread_create(&other[k], NULL, keep_busy, NULL), 0);
-    }
-    const bool good = look(state, RING, NULL, 2, &status);
-    atomic_store(&busy, false);
-    for (int k = 0; k < 4; k++) {
-        pthread_join(other[k], NULL);
-    }
-    assert_true(good);
-    assert_true(r->threads == 1 || r->rate > 0.9 * r->rate_one);
-}
-
-/** Without a number asked for, a bed of few grains takes one thread. */
-static void few_grains_take_one_thread(void **state)
-{
-    clod_status status = {CLOD_OK, ""};
-    const clod_check_report *r = &((looked *)*state)->report;
-    assert_true(look(state, FREE, NULL, 0, &status));
-    assert_true(r->grains < 2 * CLOD_THREADS_GRAINS);
-    assert_int_equal(r->threads, 1);
-}
-
 static void json_and_text_say_the_same(void **state)
 {
     static char text[CLOD_CHECK_TEXT];
@@ -468,9 +413,6 @@ int main(void)
         cmocka_unit_test(notes_are_in_json_and_text),
         cmocka_unit_test(a_step_beyond_the_critical_one_is_wrong_use),
         cmocka_unit_test(the_rayleigh_limit_sets_the_step_of_hertz),
-        cmocka_unit_test(too_many_threads_are_told),
-        cmocka_unit_test(a_busy_machine_is_not_taken_for_a_slow_one),
-        cmocka_unit_test(few_grains_take_one_thread),
         cmocka_unit_test(json_and_text_say_the_same),
         cmocka_unit_test(a_contact_bench_needs_no_estimate),
         cmocka_unit_test(grains_that_do_not_fit_are_wrong_use),
