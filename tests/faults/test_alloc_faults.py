@@ -29,6 +29,7 @@ JENIKE = ["run", clod.source("tests/restart/jenike.yaml"), "-o", "run", "-t", "1
 # What differs between two runs: the rate and, of check, the lines that follow from it.
 CLOCK = re.compile(r"[0-9.e+-]+ grain-steps/s|[0-9]+ s of work|"
                    r"^(rate|wall-clock|WARNING| .*( with one| free)$).*\n|"
+                   r"^ .*(slowest of five|other programs|beside these).*\n|"
                    r'^  "(rate_(one|per|slow)|wall_clock|machine|processor_share|disk_free).*\n',
                    re.M)
 # What check says when there is no memory for the packing that it times: the rest is as ever.
