@@ -6,22 +6,6 @@
 
 static const double SIGMA[] = {3e3, 4.5e3, 6e3, 7.5e3};
 
-/** A good test, of one preshear. */
-static void good_points(clod_locus_point points[4])
-{
-    points_on_line(1e3, 35.0 * DEG, 10e3, 7.6e3, SIGMA, 4, points);
-}
-
-static clod_locus evaluate(const clod_locus_point *points, size_t count)
-{
-    static clod_status status;
-    clod_locus locus;
-    if (!clod_locus_evaluate(points, count, &locus, &status)) {
-        fail_msg("%s", status.text);
-    }
-    return locus;
-}
-
 static void expect(const clod_locus_point *points, const char *warning)
 {
     clod_locus locus = evaluate(points, 4);

@@ -4,23 +4,6 @@
 
 #include "analysis/fit.h"
 
-/** A good test: warnings none. */
-static void good_points(clod_locus_point points[4])
-{
-    const double sigma[] = {3e3, 4.5e3, 6e3, 7.5e3};
-    points_on_line(1e3, 35.0 * DEG, 10e3, 7.6e3, sigma, 4, points);
-}
-
-static clod_locus evaluate(const clod_locus_point *points, size_t count)
-{
-    static clod_status status;
-    clod_locus locus;
-    if (!clod_locus_evaluate(points, count, &locus, &status)) {
-        fail_msg("%s", status.text);
-    }
-    return locus;
-}
-
 /** Expect exactly these warnings. */
 static void expect(const clod_locus_point *points, size_t count, const char *first,
                    const char *second)

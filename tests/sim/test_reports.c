@@ -89,6 +89,14 @@ static json_t *summary_of(const bench *self)
     return json_load_file(path, 0, NULL);
 }
 
+/** The summary of a test that gave no result, for this reason. */
+static json_t *incomplete_summary_of(const bench *self, const char *reason)
+{
+    json_t *summary = summary_of(self);
+    assert_string_equal(json_string_value(json_object_get(summary, "incomplete")), reason);
+    return summary;
+}
+
 /** Lines of a table. */
 static size_t lines_of(const bench *self, const char *table)
 {
@@ -216,8 +224,7 @@ static void points_without_a_locus(void **state)
                         "at 10.000 kPa, seed 0: Point 2: the peak shear stress is -20; it must "
                         "be 0 or more.");
     clod_ring_report_finished(&b.sim, part, 2, 3, status.text);
-    json_t *summary = summary_of(&b);
-    assert_string_equal(json_string_value(json_object_get(summary, "incomplete")), status.text);
+    json_t *summary = incomplete_summary_of(&b, status.text);
     assert_true(json_is_null(json_object_get(summary, "locus")));
     const json_t *parts = json_object_get(summary, "parts");
     assert_int_equal(json_array_size(parts), 5);
@@ -240,9 +247,7 @@ static void ring_test_that_failed_on_its_way(void **state)
     fill_ring(part, test, 4e3);
     part[2].ok = false; // of the points only the last two are finished
     clod_ring_report_finished(&b.sim, part, 2, 3, "the disk is full");
-    json_t *summary = summary_of(&b);
-    assert_string_equal(json_string_value(json_object_get(summary, "incomplete")),
-                        "the disk is full");
+    json_t *summary = incomplete_summary_of(&b, "the disk is full");
     const json_t *parts = json_object_get(summary, "parts");
     assert_int_equal(json_array_size(parts), 4);
     assert_string_equal(json_string_value(json_object_get(json_array_get(parts, 2), "part")),
@@ -321,9 +326,7 @@ static void uniaxial_test_that_failed_on_its_way(void **state)
     fill_mould(part, test, 6e3);
     part[2].ok = false;
     clod_uniaxial_report_finished(&b.sim, part, 3, "a grain left the mould");
-    json_t *summary = summary_of(&b);
-    assert_string_equal(json_string_value(json_object_get(summary, "incomplete")),
-                        "a grain left the mould");
+    json_t *summary = incomplete_summary_of(&b, "a grain left the mould");
     assert_int_equal(json_array_size(json_object_get(summary, "parts")), 3);
     assert_int_equal(json_array_size(json_object_get(summary, "flow_function")), 2);
     assert_int_equal(lines_of(&b, "flow_function.csv"), 1 + 2);
