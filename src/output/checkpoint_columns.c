@@ -1,5 +1,7 @@
 #include "output/checkpoint_columns.h"
 
+#include <stdio.h>
+
 #include "base/assert.h"
 
 /** Where the rows of a group of columns start, and how they follow each other. */
@@ -123,11 +125,15 @@ static void add_contacts(clod_checkpoint_columns *self, const clod_state *state)
     ADD(i, "i", "1", I32, 1);
     ADD(j, "j", "1", I32, 1);
     ADD(shape, "shape", "1", I32, 1);
-    ADD(history[0], "plastic", "m^n", F64, 1);
-    ADD(history[1], "tangent", "N m-1", F64, 1);
-    ADD(history[2], "spring", "m", F64, 3);
-    ADD(history[5], "roll", "rad", F64, 3);
 #undef ADD
+    for (int f = 0; f < CLOD_HISTORY_FIELDS; f++) {
+        const clod_history_field *field = &CLOD_HISTORY[f];
+        const size_t first =
+            offsetof(clod_contact, history) + (size_t)field->first * sizeof(double);
+        snprintf(self->name[f], sizeof self->name[f], "contacts/%s", field->name);
+        add(self, contacts, first, self->name[f], field->unit, CLOD_HDF_F64,
+            (size_t)field->components);
+    }
 }
 
 void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state)

@@ -13,6 +13,7 @@
 typedef struct clod_checkpoint_columns {
     clod_hdf_column column[CLOD_CHECKPOINT_COLUMNS];
     size_t count;
+    char name[CLOD_HISTORY_FIELDS][32]; ///< of the columns of histories
 } clod_checkpoint_columns;
 
 /**

@@ -158,6 +158,25 @@ static clod_contact_line contact_line(const clod_state *state, const clod_contac
     return line;
 }
 
+/** Every quantity of the contacts' histories. */
+static void put_histories(clod_hdf *hdf, const clod_contact *contacts, size_t count)
+{
+    for (int f = 0; f < CLOD_HISTORY_FIELDS; f++) {
+        const clod_history_field *field = &CLOD_HISTORY[f];
+        char name[64];
+        snprintf(name, sizeof name, "VTKHDF/CellData/%s", field->name);
+        const clod_hdf_column column = {.name = name,
+                                        .units = field->unit,
+                                        .type = CLOD_HDF_F64,
+                                        .components = (size_t)field->components,
+                                        .rows = count,
+                                        .data = count > 0 ? contacts[0].history + field->first
+                                                          : NULL,
+                                        .stride = sizeof *contacts};
+        clod_hdf_put(hdf, &column);
+    }
+}
+
 static bool put_contacts(clod_hdf *hdf, const clod_state *state, clod_status *status)
 {
     const size_t n = state->contact_count - state->wall_contact_count;
@@ -170,19 +189,14 @@ static bool put_contacts(clod_hdf *hdf, const clod_state *state, clod_status *st
             lines[c] = contact_line(state, &contacts[c]);
             memcpy(ends[2 * c], lines[c].end, sizeof lines[c].end);
         }
-        const size_t row = sizeof *lines, history = sizeof *contacts;
-        const double *values = n > 0 ? contacts[0].history : NULL;
+        const size_t row = sizeof *lines;
         const clod_hdf_column columns[] = {
             {"VTKHDF/Points", "m", CLOD_HDF_F64, 3, 2 * n, ends, sizeof *ends},
             {"VTKHDF/CellData/id", "1", CLOD_HDF_I64, 2, n, lines[0].id, row},
             {"VTKHDF/CellData/overlap", "m", CLOD_HDF_F64, 1, n, &lines[0].overlap, row},
-            {"VTKHDF/CellData/plastic", "m^n", CLOD_HDF_F64, 1, n, values, history},
-            {"VTKHDF/CellData/spring", "m", CLOD_HDF_F64, 3, n, n > 0 ? values + 2 : NULL,
-             history},
-            {"VTKHDF/CellData/roll", "rad", CLOD_HDF_F64, 3, n, n > 0 ? values + 5 : NULL,
-             history},
         };
         put_columns(hdf, columns, sizeof columns / sizeof *columns);
+        put_histories(hdf, contacts, n);
         good = put_cells(hdf, n, VTK_LINE, 2, status);
     } else {
         clod_status_fail(status, CLOD_FAILED, "No memory for a snapshot of the contacts.");

@@ -26,9 +26,9 @@ typedef struct clod_state {
     double (*build_place)[4]; ///< [grains.capacity] rows at the last rebuild, in today's order
     double *build_walls;      ///< [walls.count * 4] shift and angle at the last rebuild
     double build_motion;      ///< m, bound of any point's motion since then; < 0: rebuild now
-    // contacts with history (touching), sorted by (i, j) and by (i, wall, shape); moved here
-    // from the step's blocks by clod_step_export, and back when it steps or counts
-    // energies
+    // contacts with history (touching), sorted by (i, j) and by (i, wall, shape): those of a
+    // state that no step has; a step keeps them in its blocks, and clod_step_export copies
+    // those of the moment to here
     clod_contact *contacts;
     size_t contact_count, contact_capacity;
     size_t wall_contact_count; ///< the last ones of `contacts` are grain-wall

@@ -134,7 +134,7 @@ static void add_contacts(clod_step *self, clod_energies *e)
 clod_energies clod_step_energies(clod_step *self)
 {
     clod_energies e = {0};
-    if (!clod_step_take_back(self)) {
+    if (self->failed) {
         e.normal = NAN;
         return e;
     }
@@ -146,7 +146,7 @@ clod_energies clod_step_energies(clod_step *self)
 
 bool clod_step_open_ledger(clod_step *self, clod_status *status)
 {
-    if (!clod_step_take_back(self)) {
+    if (self->failed) {
         *status = self->status;
         return false;
     }

@@ -16,7 +16,7 @@ typedef struct near_job {
     const clod_wall_rows *walls;
 } near_job;
 
-static const double NO_HISTORY[8] = {0.0};
+static const double NO_HISTORY[CLOD_HISTORY_NUMBERS] = {0.0};
 
 static bool pair_is_near(const clod_state *state, size_t i, size_t j, double skin)
 {
@@ -100,46 +100,53 @@ static bool reserve_blocks(clod_near_blocks *self, size_t groups, size_t size)
     return clod_near_room(&self->block, &self->capacity, self->count, size);
 }
 
-static void history_put(clod_history *to, int lane, const double from[8])
+/** Contacts of the state's list as a list that ascends as they do goes along beside them. */
+typedef struct known_contacts {
+    const clod_contact *item;
+    size_t next, end;
+} known_contacts;
+
+/** History of the contact (i, j, shape), or none; contacts before it are not asked for again.
+ */
+static const double *history_of(known_contacts *known, int32_t i, int32_t j, int32_t shape)
 {
-    to->plastic[lane] = from[0];
-    to->tangent[lane] = from[1];
-    for (int c = 0; c < 3; c++) {
-        to->spring[c][lane] = from[2 + c];
-        to->roll[c][lane] = from[5 + c];
+    const clod_contact wanted = {.i = i, .j = j, .shape = shape};
+    for (; known->next < known->end; known->next++) {
+        const int order = clod_contact_compare(&known->item[known->next], &wanted);
+        if (order >= 0) {
+            return order == 0 ? known->item[known->next].history : NO_HISTORY;
+        }
     }
+    return NO_HISTORY;
 }
 
-/** Near pairs into blocks, with the histories of those contacts that are there: both ascend. */
+/** Near pairs into blocks, with the histories of those contacts that are there. */
 static void place_pairs(near_job *job, const clod_pairs *pairs)
 {
     clod_contact_block *blocks = job->near->pairs.block;
     const clod_state *state = job->state;
-    const size_t contacts = state->contact_count - state->wall_contact_count;
     clod_near_walk walk = clod_near_walk_begin(job->near, pairs, state, job->laws);
     const size_t room = state->contact_capacity * sizeof *state->contacts;
-    size_t k = 0, next = CLOD_NEAR_GIVE_BACK, given = 0;
+    known_contacts known = {state->contacts, 0,
+                            state->contact_count - state->wall_contact_count};
+    size_t next = CLOD_NEAR_GIVE_BACK, given = 0;
     while (clod_near_walk_on(&walk)) {
         const size_t at = clod_near_walk_lane(&walk);
         clod_contact_block *block = &blocks[at / CLOD_LANES];
         const int lane = (int)(at % CLOD_LANES);
         block->i[lane] = walk.i;
         block->j[lane] = walk.j;
-        const clod_contact *from = state->contacts;
-        while (k < contacts &&
-               (from[k].i < walk.i || (from[k].i == walk.i && from[k].j < walk.j))) {
-            k++;
-        }
-        const bool touches = k < contacts && from[k].i == walk.i && from[k].j == walk.j;
-        history_put(&block->history, lane, touches ? from[k].history : NO_HISTORY);
-        if (k >= next) {
-            given = clod_near_give_back(state->contacts, room, given, k * sizeof *from);
+        clod_history_put(&block->history, lane, history_of(&known, walk.i, walk.j, -1));
+        if (known.next >= next) {
+            const size_t read = known.next * sizeof *state->contacts;
+            given = clod_near_give_back(state->contacts, room, given, read);
             next += CLOD_NEAR_GIVE_BACK;
         }
     }
 }
 
-static void place_wall(near_job *job, clod_wall_candidate *c, size_t *fill)
+static void place_wall(near_job *job, const clod_wall_candidate *c, size_t *fill,
+                       known_contacts *known)
 {
     clod_near *near = job->near;
     clod_wall_block *blocks = near->walls.block;
@@ -151,22 +158,21 @@ static void place_wall(near_job *job, clod_wall_candidate *c, size_t *fill)
     block->wall[lane] = CLOD_WALL_ROWS * c->wall;
     block->shape[lane] = clod_wall_rows_shape(job->walls, c->wall, c->shape);
     block->slot_wall[lane] = near->wall_slot_fill[c->wall]++;
-    history_put(&block->history, lane,
-                c->lane >= 0 ? job->state->contacts[c->lane].history : NO_HISTORY);
-    c->lane = (int32_t)at;
+    clod_history_put(&block->history, lane, history_of(known, c->i, c->wall, c->shape));
 }
 
-static void place_walls(near_job *job, clod_wall_candidates *candidates)
+static void place_walls(near_job *job, const clod_wall_candidates *candidates)
 {
+    const clod_state *state = job->state;
     const size_t groups = clod_near_groups(job->near);
     size_t *fill = job->near->walls.group_count + groups;
     memset(fill, 0, groups * sizeof *fill);
+    known_contacts known = {state->contacts, state->contact_count - state->wall_contact_count,
+                            state->contact_count};
     for (size_t k = 0; k < candidates->count; k++) {
-        clod_wall_candidate *c = &candidates->item[k];
+        const clod_wall_candidate *c = &candidates->item[k];
         if (c->near != 0) {
-            place_wall(job, c, fill);
-        } else {
-            c->lane = -1;
+            place_wall(job, c, fill, &known);
         }
     }
 }
@@ -184,7 +190,7 @@ static void pad_pairs(near_job *job)
             const int lane = (int)(at % CLOD_LANES);
             block->i[lane] = far;
             block->j[lane] = far + 1;
-            history_put(&block->history, lane, NO_HISTORY);
+            clod_history_put(&block->history, lane, NO_HISTORY);
         }
     }
 }
@@ -203,7 +209,7 @@ static void pad_walls(near_job *job)
             block->wall[lane] = 0;
             block->shape[lane] = clod_wall_rows_padding(job->walls, job->state->walls.count);
             block->slot_wall[lane] = spare++;
-            history_put(&block->history, lane, NO_HISTORY);
+            clod_history_put(&block->history, lane, NO_HISTORY);
         }
     }
 }
@@ -217,8 +223,10 @@ static bool allocate(clod_near *self, const clod_state *state)
     self->between.run_start = clod_memory_alloc(groups + 1, sizeof(size_t));
     self->wall_slot_start = clod_memory_alloc(walls + 1, sizeof(int32_t));
     self->wall_slot_fill = clod_memory_alloc(walls + 1, sizeof(int32_t));
+    self->source = clod_memory_alloc(groups, sizeof *self->source);
     bool good = self->part_start != NULL && self->between.run_start != NULL &&
-                self->wall_slot_start != NULL && self->wall_slot_fill != NULL;
+                self->wall_slot_start != NULL && self->wall_slot_fill != NULL &&
+                self->source != NULL;
     clod_near_blocks *lists[] = {&self->pairs, &self->walls};
     for (int k = 0; k < 2; k++) {
         lists[k]->group_start = clod_memory_alloc(groups + 1, sizeof(size_t));
@@ -299,6 +307,7 @@ bool clod_near_make(clod_near *self, clod_neighbour *neighbour, clod_state *stat
                     clod_status *status)
 {
     self->skin = skin;
+    self->made = false;
     mark_near(neighbour, state, walls, skin);
     if (prepare(self, state, laws)) {
         near_job job = {self, state, laws, walls};
@@ -313,6 +322,7 @@ bool clod_near_make(clod_near *self, clod_neighbour *neighbour, clod_state *stat
             place_all(&job, neighbour);
             clod_near_between_make(self);
             clod_neighbour_give_back(neighbour);
+            self->made = true;
             return true;
         }
     }
@@ -338,5 +348,6 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->wall_slot_start);
     clod_memory_free(self->wall_slot_fill);
     clod_memory_free(self->wall_slots);
+    clod_memory_free(self->source);
     *self = (clod_near){0};
 }

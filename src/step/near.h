@@ -37,6 +37,14 @@ typedef struct clod_near_between {
     size_t share_capacity, run_capacity;
 } clod_near_between;
 
+/** Contacts of one group, or of a run of one, as a cursor goes along them (near_cursor.h). */
+typedef struct clod_near_source {
+    const char *block; ///< first block of the group
+    uint64_t key;      ///< of the contact that it is at; UINT64_MAX: at its end
+    size_t at, end;    ///< contacts of the group
+    size_t given;      ///< bytes of the list's array up to which memory is given back
+} clod_near_source;
+
 typedef struct clod_near {
     double skin; ///< m, of the list as it is
     int32_t laws;
@@ -50,7 +58,9 @@ typedef struct clod_near {
     int32_t *wall_slot_fill;  ///< scratch
     double (*wall_slots)[8];
     size_t wall_slot_capacity;
-    bool ledger; ///< keep room for what the contacts spend
+    clod_near_source *source; ///< [laws * parts] scratch of a cursor
+    bool made;                ///< the list stands; false: the histories are in the state
+    bool ledger;              ///< keep room for what the contacts spend
 } clod_near;
 
 /** Group of a law's contacts within a part. */
@@ -73,9 +83,9 @@ static inline size_t clod_near_groups(const clod_near *self)
 
 /**
  * Make the near list. The histories of state->contacts go into its blocks, and the state's list
- * is empty then; without memory nothing is lost.
+ * is empty then; without memory they stay there, and there is no list.
  *
- * @param neighbour  candidates; it is noted which are near, and where those of walls are
+ * @param neighbour  candidates; it is noted which are near
  * @param walls      the walls as they are now
  * @param skin       thin skin [m]
  * @return           false without memory
@@ -97,10 +107,14 @@ bool clod_near_room(void *array, size_t *capacity, size_t count, size_t size);
 bool clod_near_reserve_spent(clod_near *self);
 
 /**
- * The history of every closed contact into state->contacts (emptied first), ascending. The
- * blocks hold nothing then, until the list is made again.
+ * Copy every contact with its history into state->contacts (emptied first): pairs ascending by
+ * (i, j), then walls by (i, wall, shape). Without a list they are there already.
+ *
+ * @param walls    the rows that the list was made with
+ * @param release  the list is not needed any more: its memory is given back as it is read
+ * @return         false without memory; nothing is lost
  */
-bool clod_near_export(clod_near *self, clod_neighbour *neighbour, clod_state *state,
-                      const clod_laws *laws, clod_status *status);
+bool clod_near_gather(clod_near *self, clod_state *state, const clod_wall_rows *walls,
+                      bool release, clod_status *status);
 
 void clod_near_fini(clod_near *self);

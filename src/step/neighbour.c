@@ -82,7 +82,7 @@ static bool find_walls(clod_neighbour *self, const clod_state *state, const clod
                 }
                 const int32_t law = clod_laws_index(laws, grains->material[g], wall->material);
                 walls->item[walls->count++] = (clod_wall_candidate){
-                    (int32_t)g, w, -1, (int16_t)s, (uint32_t)law & 0x7fff, 0};
+                    (int32_t)g, w, (int16_t)s, (uint32_t)law & 0x7fff, 0};
             }
         }
     }
@@ -129,17 +129,15 @@ static size_t find_pairs(const clod_pairs *self, size_t grains, const clod_conta
     return k;
 }
 
-/** The same for walls, contacts [begin, end); each candidate is told its contact. */
-static size_t attach_walls(clod_wall_candidates *self, const clod_contact *contacts,
-                           size_t begin, size_t end)
+/** The same for contacts [begin, end) with walls. */
+static size_t find_wall_pairs(const clod_wall_candidates *self, const clod_contact *contacts,
+                              size_t begin, size_t end)
 {
     size_t k = begin;
     for (size_t c = 0; c < self->count && k < end; c++) {
-        clod_wall_candidate *at = &self->item[c];
-        if (at->i == contacts[k].i && at->wall == contacts[k].j &&
-            at->shape == contacts[k].shape) {
-            at->lane = (int32_t)k++;
-        }
+        const clod_wall_candidate *at = &self->item[c];
+        k += at->i == contacts[k].i && at->wall == contacts[k].j &&
+             at->shape == contacts[k].shape;
     }
     return k;
 }
@@ -168,7 +166,7 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
     const size_t pairs = state->contact_count - state->wall_contact_count;
     size_t left = find_pairs(&self->pairs, state->grains.count, state->contacts, pairs);
     if (left == pairs) {
-        left = attach_walls(&self->walls, state->contacts, pairs, state->contact_count);
+        left = find_wall_pairs(&self->walls, state->contacts, pairs, state->contact_count);
     }
     if (left < state->contact_count) {
         const uint64_t grain = state->grains.id[state->contacts[left].i];

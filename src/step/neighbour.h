@@ -31,7 +31,6 @@ typedef struct clod_pairs {
 /** A grain and a shape of a wall that may touch. */
 typedef struct clod_wall_candidate {
     int32_t i, wall;
-    int32_t lane;      ///< where its history is: lane of a block, or row of contacts; -1 none
     int16_t shape;     ///< of the wall
     uint16_t law : 15; ///< row of clod_laws
     uint16_t near : 1; ///< it is on the near list

@@ -27,8 +27,8 @@ static bool reserve(clod_neighbour *self, const clod_state *state)
     const size_t grains = state->grains.capacity;
     const size_t pairs = state->contact_count - state->wall_contact_count;
     size_t items = CLOD_NEIGHBOUR_ROW_ITEMS * grains;
-    items = items > state->wall_contact_count ? items : state->wall_contact_count;
-    items = items > pairs / PLACES_PER_ITEM ? items : pairs / PLACES_PER_ITEM + 1;
+    const size_t most = pairs > state->wall_contact_count ? pairs : state->wall_contact_count;
+    items = items > most / PLACES_PER_ITEM ? items : most / PLACES_PER_ITEM + 1;
     if (grains > self->grain_capacity) {
         clod_memory_free(self->pairs.start);
         clod_memory_free(self->cell_of);
@@ -125,8 +125,7 @@ static void permute_grains(const clod_neighbour *self, clod_grains *grains)
     permute(self, grains->material, n, sizeof *grains->material, sizeof *grains->material);
 }
 
-/** Rename the grains of a contact; when their order turns, i and j swap and springs with them.
- */
+/** Rename the grains of a contact; when their order turns, the contact is met the other way. */
 static void rename_contact(const clod_neighbour *self, clod_contact *c)
 {
     c->i = self->rank[c->i];
@@ -135,22 +134,17 @@ static void rename_contact(const clod_neighbour *self, clod_contact *c)
     }
     c->j = self->rank[c->j];
     if (c->i > c->j) {
-        const int32_t swap = c->i;
-        c->i = c->j;
-        c->j = swap;
-        for (int h = 2; h < 8; h++) {
-            c->history[h] = -c->history[h];
-        }
+        clod_contact_turn(c);
     }
 }
 
-/** Put `count` pairs into ascending (i, j): by counting to the run of their i, in place along
- *  the cycles of that permutation, then by j, a handful in each run. */
-static void sort_pairs(clod_neighbour *self, clod_contact *contacts, size_t count,
-                       size_t grains)
+/** Put `count` contacts into ascending order: by counting to the run of their i, in place along
+ *  the cycles of that permutation, then by partner, a handful in each run. */
+static void sort_contacts(clod_neighbour *self, clod_contact *contacts, size_t count,
+                          size_t grains)
 {
     int32_t *place = (int32_t *)self->sort;
-    int32_t *next = self->cell_of; // where the next pair of each grain goes
+    int32_t *next = self->cell_of; // where the next contact of each grain goes
     memset(next, 0, grains * sizeof *next);
     for (size_t k = 0; k < count; k++) {
         next[contacts[k].i]++;
@@ -177,34 +171,10 @@ static void sort_pairs(clod_neighbour *self, clod_contact *contacts, size_t coun
     for (size_t k = 1; k < count; k++) {
         const clod_contact moving = contacts[k];
         size_t at = k;
-        for (; at > 0 && contacts[at - 1].i == moving.i && contacts[at - 1].j > moving.j;
-             at--) {
+        for (; at > 0 && clod_contact_compare(&contacts[at - 1], &moving) > 0; at--) {
             contacts[at] = contacts[at - 1];
         }
         contacts[at] = moving;
-    }
-}
-
-/** Put `count` contacts with walls into ascending (i, wall, shape). */
-static void sort_walls(clod_neighbour *self, clod_contact *contacts, size_t count)
-{
-    for (size_t k = 0; k < count; k++) {
-        const clod_contact *c = &contacts[k];
-        const uint64_t low = (uint64_t)(uint32_t)c->j << 16 | (uint64_t)(uint32_t)c->shape;
-        self->sort[k] = (clod_sort_item){(uint64_t)(uint32_t)c->i << 32 | low, k};
-    }
-    clod_sort(self->sort, self->sort_scratch, count);
-    for (size_t k = 0; k < count; k++) { // along each cycle of the permutation, in place
-        const clod_contact moving = contacts[k];
-        size_t at = k;
-        while (self->sort[at].index != k) {
-            const size_t from = self->sort[at].index;
-            contacts[at] = contacts[from];
-            self->sort[at].index = at;
-            at = from;
-        }
-        contacts[at] = moving;
-        self->sort[at].index = at;
     }
 }
 
@@ -215,9 +185,10 @@ bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_
                                 state->contact_count);
     }
     const size_t pairs = state->contact_count - state->wall_contact_count;
-    sort_pairs(self, state->contacts, pairs, state->grains.count);
-    if (state->wall_contact_count > 0) {
-        sort_walls(self, state->contacts + pairs, state->wall_contact_count);
+    const size_t walls = state->wall_contact_count;
+    sort_contacts(self, state->contacts, pairs, state->grains.count);
+    if (walls > 0) {
+        sort_contacts(self, state->contacts + pairs, walls, state->grains.count);
     }
     clod_neighbour_give_back(self);
     return true;

@@ -19,20 +19,17 @@ double clod_step_thin_skin(const clod_step *self, double speed)
     return fmin(skin, self->neighbour.skin);
 }
 
-/** Histories into the state. */
+/** Histories into the state; the near list is no more. */
 static bool take_out(clod_step *self)
 {
-    self->exported =
-        clod_near_export(&self->near, &self->neighbour, self->state, self->laws, &self->status);
-    return self->exported;
+    return clod_near_gather(&self->near, self->state, &self->walls, true, &self->status);
 }
 
-/** And into blocks again, those of a list with this skin. */
+/** And into the blocks of a list with this skin. */
 static bool put_back(clod_step *self, double skin)
 {
-    self->exported = !clod_near_make(&self->near, &self->neighbour, self->state, self->laws,
-                                     &self->walls, skin, &self->status);
-    return !self->exported;
+    return clod_near_make(&self->near, &self->neighbour, self->state, self->laws, &self->walls,
+                          skin, &self->status);
 }
 
 static void refresh(clod_step *self, double speed)

@@ -106,26 +106,13 @@ static double fastest(const clod_state *state)
     return fmax(sqrt(speed2), walls);
 }
 
-bool clod_step_take_back(clod_step *self)
-{
-    if (self->exported && !self->failed) {
-        clod_wall_rows_update(&self->walls, &self->state->walls); // someone may have moved them
-        const double skin = clod_step_thin_skin(self, fastest(self->state));
-        self->failed = !clod_near_make(&self->near, &self->neighbour, self->state, self->laws,
-                                       &self->walls, skin, &self->status);
-        self->exported = self->failed;
-        self->view.wall_slots = self->near.wall_slots;
-        self->thread[0].near_motion = 0.0;
-    }
-    return !self->failed;
-}
-
 bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
 {
-    if (!clod_step_take_back(self)) { // failed once and for all
+    if (self->failed) { // once and for all
         *status = self->status;
         return false;
     }
+    self->state->contact_count = self->state->wall_contact_count = 0; // of the moment before
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].build_motion = self->state->build_motion;
         self->thread[t].near_motion = self->thread[0].near_motion;
@@ -267,12 +254,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
 
 bool clod_step_export(clod_step *self, clod_status *status)
 {
-    if (self->exported) { // the state has the history already, the blocks not
-        return true;
-    }
-    self->exported =
-        clod_near_export(&self->near, &self->neighbour, self->state, self->laws, status);
-    return self->exported;
+    return clod_near_gather(&self->near, self->state, &self->walls, false, status);
 }
 
 void clod_step_fini(clod_step *self)

@@ -48,7 +48,6 @@ typedef struct clod_step {
     clod_near near;           ///< contact blocks
     clod_wall_rows walls;     ///< where they are in this step
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
-    bool exported;         ///< histories are in the state, not in the blocks
     int64_t begin;         ///< step of the state when it was taken
     bool failed;           ///< a rebuild went wrong; status says why
     clod_status status;
@@ -60,7 +59,7 @@ typedef struct clod_step {
  * Get ready to advance a state; the forces of a fresh state are computed.
  *
  * @param self     [out]
- * @param state    borrowed until clod_step_fini; its contacts' history is taken over
+ * @param state    borrowed until clod_step_fini; the history of its contacts goes on
  * @param laws     borrowed
  * @return         false: no memory, unknown instruction set, or a state that cannot be
  * Errors  CLOD_FAILED, CLOD_USAGE.   Threads  one per state.
@@ -90,12 +89,32 @@ bool clod_step_open_ledger(clod_step *self, clod_status *status);
  *  after a list that could not be made: the next advance says why. */
 clod_energies clod_step_energies(clod_step *self);
 
-/** Bring the history of all closed contacts into state->contacts (checkpoint, measurements);
- *  there until the next advance, energies or opening of the ledger take it back. */
+/**
+ * Copy all contacts that touch, with their histories of now, into state->contacts: ascending,
+ * pairs before walls. The next advance empties that list.
+ *
+ * @return  false without memory
+ * Errors  CLOD_FAILED.   Threads  one per state.   Test  tests/step/test_contact_identity.c
+ */
 bool clod_step_export(clod_step *self, clod_status *status);
 
-/** After an export: the histories into blocks again, of a list made now; false: see status. */
-bool clod_step_take_back(clod_step *self);
+/**
+ * History of one contact of two grains now, by their ids.
+ *
+ * @param id       ids of the grains, in any order
+ * @param contact  [out] its rows and history, as met by id[0] against id[1]
+ * @return         false: they do not touch, or there are no such grains
+ * Errors  none.   Threads  one per state.   Test  tests/step/test_contact_identity.c
+ */
+bool clod_step_contact_of(const clod_step *self, const uint64_t id[2], clod_contact *contact);
+
+/**
+ * The same of a grain and a surface of a wall.
+ *
+ * @param wall, shape  their numbers in state->walls
+ */
+bool clod_step_wall_contact_of(const clod_step *self, uint64_t id, int32_t wall, int32_t shape,
+                               clod_contact *contact);
 
 /**
  * Thin skin of a near list that is made now. The thicker it is, the longer the list lasts and

@@ -59,20 +59,21 @@ static void the_first_list_knows_the_speed(void **state)
     }
 }
 
-/** So does a list that is made after an export, and every later one. */
+/** So does every later one. */
 static void later_lists_know_the_speed(void **state)
 {
     (void)state;
-    clod_status status = {0};
     scene s;
     two_grains(&s, 0.0, false);
-    assert_true(clod_step_export(&s.step, &status));
     scene_move(&s, 0, 0.4, 0.0, 0.0);
-    assert_true(clod_step_take_back(&s.step));
+    while (s.step.refreshes == 0 && s.state.step < 100) {
+        scene_run(&s, 1);
+    }
+    assert_int_equal(s.step.refreshes, 1);
     check_relative(s.step.near.skin, 6.9282e-5, 1e-5); // twice that of 0.1 m/s
     scene_move(&s, 0, 0.0, 0.1, 0.0);
     scene_run(&s, 400); // 40 um: twice that is beyond the skin
-    assert_int_equal(s.step.refreshes, 1);
+    assert_int_equal(s.step.refreshes, 2);
     check_relative(s.step.near.skin, 3.4641e-5, 1e-5);
     scene_end(&s);
 }

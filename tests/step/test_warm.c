@@ -30,7 +30,6 @@ static void rewind_to(scene *s, const clod_state *start)
                 clod_near_make(&s->step.near, &s->step.neighbour, &s->state, &s->laws,
                                &s->step.walls, 1e-5, &status));
     s->step.view.wall_slots = s->step.near.wall_slots;
-    s->step.exported = false;
 }
 
 static void check_warm(bed_kind kind, int threads)

@@ -1,0 +1,23 @@
+#include "state/contacts.h"
+
+// Source: docs/theory (mepa, tangential, rolling)
+const clod_history_field CLOD_HISTORY[CLOD_HISTORY_FIELDS] = {
+    // name, unit, first number, components, turns its sign with the order of the pair
+    [CLOD_HISTORY_PLASTIC] = {"plastic", "m^n", 0, 1, false},
+    [CLOD_HISTORY_TANGENT] = {"tangent", "N m-1", 1, 1, false},
+    [CLOD_HISTORY_SPRING] = {"spring", "m", 2, 3, true},
+    [CLOD_HISTORY_ROLL] = {"roll", "rad", 5, 3, true},
+};
+
+void clod_contact_turn(clod_contact *self)
+{
+    const int32_t i = self->i;
+    self->i = self->j;
+    self->j = i;
+    for (int f = 0; f < CLOD_HISTORY_FIELDS; f++) {
+        const clod_history_field *field = &CLOD_HISTORY[f];
+        for (int c = 0; field->turns && c < field->components; c++) {
+            self->history[field->first + c] = -self->history[field->first + c];
+        }
+    }
+}
