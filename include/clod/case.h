@@ -304,6 +304,12 @@ typedef struct clod_case_contact_bench {
     size_t leg_count;
 } clod_case_contact_bench;
 
+/** What happens to a grain that crosses an open side of the domain. */
+typedef enum clod_open {
+    CLOD_OPEN_STOP,   ///< the run stops and names it
+    CLOD_OPEN_DELETE, ///< it is removed and counted
+} clod_open;
+
 typedef struct clod_case {
     char *path; ///< file it came from
     char *text; ///< its whole text, for the copy in the results folder and the checkpoint
@@ -312,6 +318,7 @@ typedef struct clod_case {
     bool periodic[3];
     bool has_domain;
     double domain_min[3], domain_max[3]; ///< m
+    int open;                            ///< clod_open: what happens to a grain that leaves
     double gravity[3];                   ///< m/s2
     clod_case_time time;
     clod_case_material *materials;

@@ -12,6 +12,8 @@
 #define S clod_case_stage
 #define W clod_case_wall_change
 
+static const char *const OPEN[] = {"stop", "delete", NULL};
+
 static const clod_param DOMAIN_ROWS[] = {
     {.key = "min",
      .kind = CLOD_PARAM_VECTOR,
@@ -39,8 +41,19 @@ static const clod_param DOMAIN_ROWS[] = {
      .fallback = "false false false",
      .example = "[true, false, false]",
      CLOD_AT(C, periodic),
-     .help = "Directions x, y, z in which the domain repeats itself; in the others grains that "
-             "leave it are an error.",
+     .help = "Directions x, y, z in which the domain repeats itself; the other sides are open.",
+     .source = "convention"},
+    {.key = "open",
+     .kind = CLOD_PARAM_CHOICE,
+     .need = CLOD_PARAM_OPTIONAL,
+     .choices = OPEN,
+     .fallback = "stop",
+     CLOD_AT(C, open),
+     .help =
+         "What happens when a grain leaves through an open side: stop the run and name it, "
+         "or delete it and count number, mass and kinetic energy, by side. It is noticed at "
+         "the next rebuild of the neighbour search, at most 0.15 radii of the largest grain "
+         "behind the side.",
      .source = "convention"},
 };
 const clod_table CLOD_TABLE_DOMAIN = {.title = "The space in which grains may be.",

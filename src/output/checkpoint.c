@@ -11,6 +11,8 @@
 #include "output/checkpoint_file.h"
 #include "output/folder_files.h"
 #include "output/hdf.h"
+#include "state/alter.h"
+#include "state/ids.h"
 #include "state/limits.h"
 
 /** The identity of a wall: stored to be compared, never read back. */
@@ -44,6 +46,32 @@ static clod_hdf_column part_column(const clod_checkpoint_part *part, char name[N
                              .stride = 1};
 }
 
+/** Whom each contact is between: ids of grains, or of a grain and the wall's number; owned. */
+static uint64_t (*make_partners(const clod_state *state))[2]
+{
+    uint64_t(*partners)[2] = clod_memory_alloc(state->contact_count + 1, sizeof *partners);
+    const size_t pairs = state->contact_count - state->wall_contact_count;
+    for (size_t c = 0; partners != NULL && c < state->contact_count; c++) {
+        const clod_contact *contact = &state->contacts[c];
+        partners[c][0] = state->grains.id[contact->i];
+        partners[c][1] = c < pairs ? state->grains.id[contact->j] : (uint64_t)contact->j;
+    }
+    return partners;
+}
+
+static void put_columns(clod_hdf *hdf, const clod_state *state, const uint64_t (*partners)[2])
+{
+    clod_checkpoint_columns columns;
+    clod_checkpoint_columns_list(&columns, state, partners);
+    for (size_t c = 0; c < columns.count; c++) {
+        clod_hdf_put(hdf, &columns.column[c]);
+    }
+    clod_hdf_column identity[2];
+    wall_identity(state, identity);
+    clod_hdf_put(hdf, &identity[0]);
+    clod_hdf_put(hdf, &identity[1]);
+}
+
 /** Owned HDF5 bytes of everything. */
 static bool build_image(const clod_state *state, const clod_checkpoint_part *parts,
                         size_t part_count, const char *case_text, void **image, size_t *size,
@@ -53,20 +81,22 @@ static bool build_image(const clod_state *state, const clod_checkpoint_part *par
     if (hdf == NULL) {
         return false;
     }
+    uint64_t(*partners)[2] = make_partners(state);
+    if (partners == NULL) {
+        clod_status ignored;
+        clod_hdf_finish(&hdf, image, size, &ignored);
+        clod_memory_free(*image);
+        return clod_status_fail(status, CLOD_FAILED,
+                                "No memory for a checkpoint of %zu grains.",
+                                state->grains.count);
+    }
     const int64_t format = CLOD_CHECKPOINT_FORMAT;
     clod_hdf_put_ints(hdf, "/", "clod_checkpoint_format", &format, 1);
     clod_hdf_put_text(hdf, "/", "clod_version", clod_version_text());
     clod_hdf_put_ints(hdf, "/", "step", &state->step, 1);
     clod_hdf_put_real(hdf, "/", "time_s", state->time);
-    clod_checkpoint_columns columns;
-    clod_checkpoint_columns_list(&columns, state);
-    for (size_t c = 0; c < columns.count; c++) {
-        clod_hdf_put(hdf, &columns.column[c]);
-    }
-    clod_hdf_column identity[2];
-    wall_identity(state, identity);
-    clod_hdf_put(hdf, &identity[0]);
-    clod_hdf_put(hdf, &identity[1]);
+    put_columns(hdf, state, (const uint64_t(*)[2])partners);
+    clod_memory_free(partners);
     for (size_t p = 0; p < part_count; p++) {
         char name[NAME_MAX];
         const clod_hdf_column part = part_column(&parts[p], name);
@@ -118,31 +148,59 @@ bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const cl
     return done;
 }
 
-/** Whether the walls that stand are those of the file. */
-static bool check_walls(clod_hdf *hdf, const clod_state *state, const char *path,
-                        clod_status *status)
+/** Names and numbers of shapes of the file's walls into `found`. */
+static void read_walls(clod_hdf *hdf, clod_wall *found, size_t stored)
 {
-    const size_t stored = clod_hdf_rows(hdf, "walls/name");
-    const size_t count = (size_t)state->walls.count;
-    bool same = stored == count;
-    clod_wall *found = clod_memory_alloc(count + 1, sizeof *found);
-    if (found == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
-    }
-    if (same && count > 0) {
-        clod_state other = {.walls = {.count = state->walls.count, .wall = found}};
+    if (stored > 0) {
+        const clod_state other = {.walls = {.count = (int32_t)stored, .wall = found}};
         clod_hdf_column identity[2];
         wall_identity(&other, identity);
         clod_hdf_get(hdf, &identity[0]);
         clod_hdf_get(hdf, &identity[1]);
     }
-    for (size_t w = 0; same && w < count; w++) {
+}
+
+/** Walls of the case that the file knows to have been removed go; whether the others are its.
+ */
+static bool match_walls(clod_state *state, const clod_wall *found, size_t stored,
+                        int64_t removed)
+{
+    size_t w = 0;
+    while (w < (size_t)state->walls.count) {
         const clod_wall *wall = &state->walls.wall[w];
-        same = strncmp(found[w].name, wall->name, sizeof wall->name) == 0 &&
-               found[w].shape_count == wall->shape_count;
+        if (w < stored && strncmp(found[w].name, wall->name, sizeof wall->name) == 0 &&
+            found[w].shape_count == wall->shape_count) {
+            w++;
+        } else if (removed-- > 0) {
+            clod_state_drop_wall(state, (int32_t)w);
+        } else {
+            return false;
+        }
     }
+    return w == stored && removed == 0;
+}
+
+/** Whether the walls of the case are those of the file; those that were removed go. */
+static bool check_walls(clod_hdf *hdf, clod_state *state, const char *path, clod_status *status)
+{
+    const size_t stored = clod_hdf_rows(hdf, "walls/name");
+    int64_t removed = 0;
+    const clod_hdf_column column = {.name = "state/walls_removed",
+                                    .type = CLOD_HDF_I64,
+                                    .components = 1,
+                                    .rows = 1,
+                                    .data = &removed,
+                                    .stride = sizeof removed};
+    clod_hdf_get(hdf, &column);
+    clod_wall *found = clod_memory_alloc(stored + 1, sizeof *found);
+    if (found == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
+    }
+    read_walls(hdf, found, stored);
+    const bool no_memory = clod_hdf_lacks_memory(hdf); // what was not read looks different
+    const bool same = !no_memory && match_walls(state, found, stored, removed);
     clod_memory_free(found);
-    if (clod_hdf_lacks_memory(hdf)) { // what was not read looks like other walls
+    if (no_memory) {
         return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
     }
     return same || clod_status_fail(status, CLOD_FAILED,
@@ -155,7 +213,7 @@ static bool check_walls(clod_hdf *hdf, const clod_state *state, const char *path
 static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
 {
     const size_t grains = clod_hdf_rows(hdf, "grains/id");
-    const size_t contacts = clod_hdf_rows(hdf, "contacts/i");
+    const size_t contacts = clod_hdf_rows(hdf, "contacts/shape");
     if (!clod_limits_contacts(contacts, status) ||
         !clod_grains_reserve(&state->grains, grains, status)) {
         return false;
@@ -188,18 +246,81 @@ static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
                                     "No memory for a checkpoint of %zu grains.", grains);
 }
 
-/** Whether every contact is one of grains and walls that are there. */
-static bool contacts_fit(const clod_state *state)
+/** Rows of one contact from its partners; false: they are not there. */
+static bool find_contact(const clod_state *state, const clod_ids *ids, size_t c,
+                         const uint64_t partners[2])
 {
-    bool fit = state->wall_contact_count <= state->contact_count;
-    for (size_t c = 0; fit && c < state->contact_count; c++) {
-        const clod_contact *contact = &state->contacts[c];
-        const bool pair = c < state->contact_count - state->wall_contact_count;
-        const size_t partners = pair ? state->grains.count : (size_t)state->walls.count;
-        fit = contact->i >= 0 && (size_t)contact->i < state->grains.count && contact->j >= 0 &&
-              (size_t)contact->j < partners;
+    clod_contact *contact = &state->contacts[c];
+    const bool pair = c < state->contact_count - state->wall_contact_count;
+    const int64_t i = clod_ids_row(ids, partners[0]);
+    if (!pair) {
+        const bool there = partners[1] < (uint64_t)state->walls.count;
+        const int32_t wall = there ? (int32_t)partners[1] : 0;
+        contact->i = (int32_t)i;
+        contact->j = wall;
+        return i >= 0 && there && contact->shape >= 0 &&
+               contact->shape < state->walls.wall[wall].shape_count;
     }
-    return fit;
+    const int64_t j = clod_ids_row(ids, partners[1]);
+    contact->i = (int32_t)i;
+    contact->j = (int32_t)j;
+    if (i >= 0 && j >= 0 && i > j) { // rows stand in another order than they did
+        clod_contact_turn(contact);
+    }
+    return i >= 0 && j >= 0 && i != j && contact->shape == -1;
+}
+
+/** Rows of all contacts; false: one is of a grain, wall or shape that is not there. */
+static bool find_contacts(clod_state *state, const uint64_t (*partners)[2], const char *path,
+                          clod_status *status)
+{
+    clod_ids ids;
+    if (!clod_ids_init(&ids, state->grains.id, state->grains.count, status)) {
+        return false;
+    }
+    bool fit =
+        state->wall_contact_count <= state->contact_count && clod_ids_are_different(&ids);
+    for (size_t c = 0; fit && c < state->contact_count; c++) {
+        fit = find_contact(state, &ids, c, partners[c]);
+    }
+    clod_ids_fini(&ids);
+    return fit || clod_status_fail(status, CLOD_FAILED,
+                                   "%s holds two grains of one id, or contacts of grains or "
+                                   "walls that it does not have. Start over with --fresh.",
+                                   path);
+}
+
+/** Read every column and part. */
+static void get_columns(clod_hdf *hdf, const clod_state *state, const uint64_t (*partners)[2],
+                        const clod_checkpoint_part *parts, size_t part_count)
+{
+    clod_checkpoint_columns columns;
+    clod_checkpoint_columns_list(&columns, state, partners);
+    for (size_t c = 0; c < columns.count; c++) {
+        clod_hdf_get(hdf, &columns.column[c]);
+    }
+    for (size_t p = 0; p < part_count; p++) {
+        char name[NAME_MAX];
+        const clod_hdf_column part = part_column(&parts[p], name);
+        clod_hdf_get(hdf, &part);
+    }
+}
+
+/** End reading; false, with what was wrong. */
+static bool end_reading(clod_hdf **hdf, const char *path, clod_status *status)
+{
+    const bool no_memory = clod_hdf_lacks_memory(*hdf);
+    clod_status reading;
+    if (clod_hdf_end_reading(hdf, &reading)) {
+        return true;
+    }
+    if (no_memory) {
+        return clod_status_fail(status, CLOD_FAILED, "%s: %s", path, reading.text);
+    }
+    return clod_status_fail(status, CLOD_FAILED,
+                            "%s is whole but does not hold what this clod needs: %s Start over "
+                            "with --fresh.",
+                            path, reading.text);
 }
 
 /** Fill state and parts from a whole file. */
@@ -216,32 +337,19 @@ static bool restore(const clod_checkpoint_file *file, clod_state *state,
         clod_hdf_end_reading(&hdf, &reading);
         return false;
     }
-    clod_checkpoint_columns columns;
-    clod_checkpoint_columns_list(&columns, state);
-    for (size_t c = 0; c < columns.count; c++) {
-        clod_hdf_get(hdf, &columns.column[c]);
-    }
-    for (size_t p = 0; p < part_count; p++) {
-        char name[NAME_MAX];
-        const clod_hdf_column part = part_column(&parts[p], name);
-        clod_hdf_get(hdf, &part);
-    }
-    const bool no_memory = clod_hdf_lacks_memory(hdf);
-    if (!clod_hdf_end_reading(&hdf, &reading)) {
-        if (no_memory) {
-            return clod_status_fail(status, CLOD_FAILED, "%s: %s", file->path, reading.text);
-        }
+    uint64_t(*partners)[2] = clod_memory_alloc(state->contact_count + 1, sizeof *partners);
+    if (partners == NULL) {
+        clod_hdf_end_reading(&hdf, &reading);
         return clod_status_fail(status, CLOD_FAILED,
-                                "%s is whole but does not hold what this clod needs: %s Start "
-                                "over with --fresh.",
-                                file->path, reading.text);
+                                "No memory for a checkpoint of %zu grains.",
+                                state->grains.count);
     }
+    get_columns(hdf, state, (const uint64_t(*)[2])partners, parts, part_count);
+    const bool good = end_reading(&hdf, file->path, status) &&
+                      find_contacts(state, (const uint64_t(*)[2])partners, file->path, status);
+    clod_memory_free(partners);
     clod_grains_pad(&state->grains);
-    return contacts_fit(state) ||
-           clod_status_fail(status, CLOD_FAILED,
-                            "%s holds contacts of grains or walls that it does not have. Start "
-                            "over with --fresh.",
-                            file->path);
+    return good;
 }
 
 /** Say why neither file can be used. */

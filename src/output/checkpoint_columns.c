@@ -46,6 +46,16 @@ static void add_state(clod_checkpoint_columns *self, const clod_state *state)
     ADD(ledger.rolling, "ledger_rolling", "J", F64, 1);
     ADD(ledger.lag, "ledger_lag", "J", F64, 1);
     ADD(ledger.wall_work, "ledger_wall_work", "J", F64, 1);
+    ADD(ledger.exchanged, "ledger_exchanged", "J", F64, 1);
+    ADD(exchange.walls_removed, "walls_removed", "1", I64, 1);
+    ADD(exchange.added, "grains_added", "1", I64, 1);
+    ADD(exchange.removed, "grains_removed", "1", I64, 1);
+    ADD(exchange.added_mass, "mass_added", "kg", F64, 1);
+    ADD(exchange.removed_mass, "mass_removed", "kg", F64, 1);
+    ADD(exchange.left, "grains_left", "1", I64, CLOD_FACES);
+    ADD(exchange.left_mass, "mass_left", "kg", F64, CLOD_FACES);
+    ADD(exchange.left_energy, "energy_left", "J", F64, CLOD_FACES);
+    ADD(domain.removes, "domain_removes", "1", U8, 1);
     ADD(build_motion, "build_motion", "m", F64, 1);
     ADD(wall_contact_count, "wall_contact_count", "1", U64, 1);
 #undef ADD
@@ -116,16 +126,13 @@ static void add_walls(clod_checkpoint_columns *self, const clod_state *state)
     }
 }
 
-static void add_contacts(clod_checkpoint_columns *self, const clod_state *state)
+static void add_contacts(clod_checkpoint_columns *self, const clod_state *state,
+                         const uint64_t (*partners)[2])
 {
     const clod_rows contacts = {state->contacts, state->contact_count, sizeof(clod_contact)};
-#define ADD(field, name, units, type, n)                                                       \
-    add(self, contacts, offsetof(clod_contact, field), "contacts/" name, units,                \
-        CLOD_HDF_##type, n)
-    ADD(i, "i", "1", I32, 1);
-    ADD(j, "j", "1", I32, 1);
-    ADD(shape, "shape", "1", I32, 1);
-#undef ADD
+    const clod_rows ids = {partners, state->contact_count, sizeof *partners};
+    add(self, ids, 0, "contacts/partners", "1", CLOD_HDF_U64, 2);
+    add(self, contacts, offsetof(clod_contact, shape), "contacts/shape", "1", CLOD_HDF_I32, 1);
     for (int f = 0; f < CLOD_HISTORY_FIELDS; f++) {
         const clod_history_field *field = &CLOD_HISTORY[f];
         const size_t first =
@@ -136,11 +143,12 @@ static void add_contacts(clod_checkpoint_columns *self, const clod_state *state)
     }
 }
 
-void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state)
+void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state,
+                                  const uint64_t (*partners)[2])
 {
     self->count = 0;
     add_state(self, state);
     add_grains(self, state);
     add_walls(self, state);
-    add_contacts(self, state);
+    add_contacts(self, state, partners);
 }

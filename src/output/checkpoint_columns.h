@@ -8,7 +8,7 @@
 #include "output/hdf.h"
 #include "state/state.h"
 
-#define CLOD_CHECKPOINT_COLUMNS 64
+#define CLOD_CHECKPOINT_COLUMNS 80
 
 typedef struct clod_checkpoint_columns {
     clod_hdf_column column[CLOD_CHECKPOINT_COLUMNS];
@@ -19,7 +19,13 @@ typedef struct clod_checkpoint_columns {
 /**
  * List every column of the state, but for what makes up a wall's identity (name, shapes).
  *
+ * Contacts are known by their partners: the ids of two grains, the earlier one in the order of
+ * forces first; or the id of a grain and the number of a wall.
+ *
  * The pointers are borrowed from the state: list again when its arrays have moved. Arrays that
  * the state does not have (build_place, build_walls) are not listed.
+ *
+ * @param partners  [contact_count] of each contact; NULL without contacts
  */
-void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state);
+void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state,
+                                  const uint64_t (*partners)[2]);

@@ -67,6 +67,7 @@ void clod_setup_domain(const clod_case *from, clod_state *state)
 {
     clod_domain *domain = &state->domain;
     memcpy(domain->periodic, from->periodic, sizeof domain->periodic);
+    domain->removes = from->open == CLOD_OPEN_DELETE;
     if (from->has_domain) {
         memcpy(domain->min, from->domain_min, sizeof domain->min);
         memcpy(domain->max, from->domain_max, sizeof domain->max);

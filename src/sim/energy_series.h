@@ -7,7 +7,7 @@
 #include "output/series.h"
 #include "state/state.h"
 
-#define CLOD_ENERGY_SERIES_COLUMNS 15
+#define CLOD_ENERGY_SERIES_COLUMNS 16
 
 /** Header texts. */
 extern const char *const clod_energy_series_columns[CLOD_ENERGY_SERIES_COLUMNS];

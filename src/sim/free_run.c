@@ -14,6 +14,7 @@
 #include "setup/walls.h"
 #include "sim/free_stages.h"
 #include "sim/job_store.h"
+#include "sim/leavers.h"
 #include "sim/origin.h"
 
 /** Columns before those of the walls, and of each wall. */
@@ -67,12 +68,16 @@ static void wall_columns(const clod_wall *wall, double *row)
 static bool free_sample(void *data, const void *context, clod_state *state, double *row)
 {
     free_data *self = data;
+    const char *names[CLOD_LEAVERS_COLUMNS];
+    const size_t leavers = clod_leavers_columns(context, names);
     const double first[FIRST_COUNT] = {state->time, (double)self->at.stage,
                                        clod_measure_kinetic_energy(state),
                                        clod_measure_max_speed(state)};
     memcpy(row, first, sizeof first);
+    clod_leavers_row(context, state, row + FIRST_COUNT);
     for (int32_t w = 0; w < state->walls.count; w++) {
-        wall_columns(&state->walls.wall[w], row + FIRST_COUNT + (size_t)w * PER_WALL_COUNT);
+        wall_columns(&state->walls.wall[w],
+                     row + FIRST_COUNT + leavers + (size_t)w * PER_WALL_COUNT);
     }
     if (self->at.end != CLOD_FREE_GOES_ON) {
         self->ended[self->at.stage] =
@@ -102,18 +107,29 @@ static const char *free_reason(const void *data)
     return clod_free_stages_reason((clod_free_end)self->ended[last].reason);
 }
 
+/** Columns of a series that do not belong to a wall. */
+static size_t columns_before_walls(const clod_case *from)
+{
+    const char *names[CLOD_LEAVERS_COLUMNS];
+    return FIRST_COUNT + clod_leavers_columns(from, names);
+}
+
 /** Header texts: fixed ones, then NAME.force_x [N] and so on; one block of owned text. */
-static char (*make_columns(const clod_state *state, const char **columns))[COLUMN_TEXT]
+static char (*make_columns(const clod_case *from, const clod_state *state,
+                           const char **columns))[COLUMN_TEXT]
 {
     const size_t walls = (size_t)state->walls.count;
+    const size_t first = columns_before_walls(from);
     char(*text)[COLUMN_TEXT] = clod_memory_alloc(walls * PER_WALL_COUNT + 1, COLUMN_TEXT);
-    for (size_t c = 0; text != NULL && c < FIRST_COUNT; c++) {
-        columns[c] = FIRST[c];
+    if (text == NULL) {
+        return NULL;
     }
-    for (size_t k = 0; text != NULL && k < walls * PER_WALL_COUNT; k++) {
+    memcpy(columns, FIRST, sizeof FIRST);
+    clod_leavers_columns(from, columns + FIRST_COUNT);
+    for (size_t k = 0; k < walls * PER_WALL_COUNT; k++) {
         snprintf(text[k], COLUMN_TEXT, "%s.%s", state->walls.wall[k / PER_WALL_COUNT].name,
                  PER_WALL[k % PER_WALL_COUNT]);
-        columns[FIRST_COUNT + k] = text[k];
+        columns[first + k] = text[k];
     }
     return text;
 }
@@ -148,6 +164,7 @@ static char *make_report(const clod_job *job)
             state->grains.count, clod_plural((double)state->grains.count), bed.pairs,
             clod_plural((double)bed.pairs), bed.coordination, 100.0 * bed.max_overlap);
     report_stages(out, job);
+    clod_leavers_report(out, job->sim->from, state);
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         fprintf(out, "  wall %-16s force (%.4g, %.4g, %.4g) N\n", wall->name, wall->force.x,
@@ -198,6 +215,10 @@ static bool write_summary(const clod_job *job, clod_status *status)
     const clod_sim *sim = job->sim;
     if (job->memory.origin[0] != '\0') {
         json_object_set_new(root, "from", json_string(job->memory.origin));
+    }
+    json_t *left = clod_leavers_json(sim->from, state);
+    if (left != NULL) {
+        json_object_set_new(root, "left", left);
     }
     const bool ok = root != NULL
                         ? clod_folder_write_json(sim->folder, "summary.json", root, status)
@@ -257,9 +278,11 @@ bool clod_free_run(const clod_sim *sim, char **report, clod_status *status)
     free_data *data = clod_memory_alloc(1, data_size);
     clod_job job = {.sim = sim, .name = "run", .threads = sim->options->threads};
     bool ok = make_state(&job, status);
-    const size_t count = FIRST_COUNT + PER_WALL_COUNT * (size_t)job.state.walls.count;
+    const size_t count =
+        columns_before_walls(sim->from) + PER_WALL_COUNT * (size_t)job.state.walls.count;
     const char **columns = clod_memory_alloc(count, sizeof *columns);
-    char(*text)[COLUMN_TEXT] = ok && columns != NULL ? make_columns(&job.state, columns) : NULL;
+    char(*text)[COLUMN_TEXT] =
+        ok && columns != NULL ? make_columns(sim->from, &job.state, columns) : NULL;
     if (ok && (text == NULL || data == NULL)) {
         ok = clod_status_fail(status, CLOD_FAILED, "no memory for %zu columns", count);
     }

@@ -154,8 +154,8 @@ static bool can_go_on(job_loop *loop, clod_status *status)
 }
 
 /**
- * The procedure's turn: it may take walls away and change adhesion. What that does to the
- * stored energy is no motion of grains: the ledger's opening balance moves by it.
+ * The procedure's turn: it may change adhesion and ask for grains and walls to come or go. What
+ * that does to the energy is no motion of grains: the ledger books it as exchanged.
  */
 static bool sample(job_loop *loop, bool *finished, clod_status *status)
 {
@@ -170,9 +170,10 @@ static bool sample(job_loop *loop, bool *finished, clod_status *status)
     clod_laws_set_adhesion(&loop->laws, job->state.adhesion);
     if (books) {
         const clod_energies after = clod_step_energies(&loop->step);
-        job->state.ledger.start += clod_energies_sum(&after) - clod_energies_sum(&before);
+        job->state.ledger.exchanged += clod_energies_sum(&after) - clod_energies_sum(&before);
     }
-    return clod_series_row(loop->series, loop->row, status) && can_go_on(loop, status);
+    return clod_step_change(&loop->step, status) &&
+           clod_series_row(loop->series, loop->row, status) && can_go_on(loop, status);
 }
 
 /** Into the log: a phase is over, and why. */

@@ -8,8 +8,10 @@
 #include <stdbool.h>
 
 typedef struct clod_domain {
-    double min[3], max[3]; ///< m; a grain that leaves an open side stops the run
+    double min[3], max[3]; ///< m
     bool periodic[3];
+    bool removes; ///< a grain that leaves an open side is removed and counted; else it stops
+                  ///< the run
 } clod_domain;
 
 /** a - b along one axis, by the nearest image where the domain is periodic [m]. */

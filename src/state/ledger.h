@@ -15,6 +15,8 @@ typedef struct clod_ledger {
     double rolling;   ///< J, lost by rolling resistance
     double lag;       ///< J, work beyond that of forces with an earlier velocity; either sign
     double wall_work; ///< J, done by the walls on the grains
+    double
+        exchanged; ///< J, brought in by grains and walls that came, less what others took away
 } clod_ledger;
 
 /** Energies of one moment [J]. */
@@ -34,5 +36,6 @@ static inline double clod_energies_sum(const clod_energies *e)
 static inline double clod_ledger_residual(const clod_ledger *self, const clod_energies *now)
 {
     const double lost = self->plastic + self->dash_pot + self->friction + self->rolling;
-    return clod_energies_sum(now) - self->start + lost + self->lag - self->wall_work;
+    return clod_energies_sum(now) - self->start + lost + self->lag - self->wall_work -
+           self->exchanged;
 }

@@ -6,6 +6,7 @@
 
 #include <stdint.h>
 
+#include "state/changes.h"
 #include "state/contacts.h"
 #include "state/domain.h"
 #include "state/grains.h"
@@ -22,6 +23,8 @@ typedef struct clod_state {
     int64_t step;
     double adhesion; ///< k_adh as a fraction of its final value
     clod_ledger ledger;
+    clod_exchange exchange; ///< grains that have come and gone
+    clod_changes changes;   ///< asked for, not made yet: none at a checkpoint or in a copy
     // the neighbour search at its last rebuild; decides when the grains are sorted next
     double (*build_place)[4]; ///< [grains.capacity] rows at the last rebuild, in today's order
     double *build_walls;      ///< [walls.count * 4] shift and angle at the last rebuild

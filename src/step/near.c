@@ -214,19 +214,15 @@ static void pad_walls(near_job *job)
     }
 }
 
-/** Arrays whose size follows from parts, laws and walls, which stay. */
-static bool allocate(clod_near *self, const clod_state *state)
+/** Arrays whose size follows from parts and laws, which stay. */
+static bool allocate(clod_near *self)
 {
-    const size_t walls = (size_t)state->walls.count;
     const size_t groups = clod_near_groups(self);
     self->part_start = clod_memory_alloc((size_t)self->parts + 1, sizeof(size_t));
     self->between.run_start = clod_memory_alloc(groups + 1, sizeof(size_t));
-    self->wall_slot_start = clod_memory_alloc(walls + 1, sizeof(int32_t));
-    self->wall_slot_fill = clod_memory_alloc(walls + 1, sizeof(int32_t));
     self->source = clod_memory_alloc(groups, sizeof *self->source);
-    bool good = self->part_start != NULL && self->between.run_start != NULL &&
-                self->wall_slot_start != NULL && self->wall_slot_fill != NULL &&
-                self->source != NULL;
+    bool good =
+        self->part_start != NULL && self->between.run_start != NULL && self->source != NULL;
     clod_near_blocks *lists[] = {&self->pairs, &self->walls};
     for (int k = 0; k < 2; k++) {
         lists[k]->group_start = clod_memory_alloc(groups + 1, sizeof(size_t));
@@ -240,9 +236,16 @@ static bool prepare(clod_near *self, const clod_state *state, const clod_laws *l
 {
     if (self->part_start == NULL) {
         self->laws = laws->count;
-        if (!allocate(self, state)) {
+        if (!allocate(self)) {
             return false;
         }
+    }
+    const size_t walls = (size_t)state->walls.count + 1;
+    if (!clod_near_room(&self->wall_slot_start, &self->wall_start_capacity, walls,
+                        sizeof *self->wall_slot_start) ||
+        !clod_near_room(&self->wall_slot_fill, &self->wall_fill_capacity, walls,
+                        sizeof *self->wall_slot_fill)) {
+        return false;
     }
     return self->parts == 1 || clod_near_room(&self->weight, &self->weight_capacity,
                                               state->grains.count, sizeof *self->weight);

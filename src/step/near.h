@@ -56,6 +56,7 @@ typedef struct clod_near {
     size_t weight_capacity;
     int32_t *wall_slot_start; ///< [walls + 1]; a wall's slots ascend by grain
     int32_t *wall_slot_fill;  ///< scratch
+    size_t wall_start_capacity, wall_fill_capacity;
     double (*wall_slots)[8];
     size_t wall_slot_capacity;
     clod_near_source *source; ///< [laws * parts] scratch of a cursor

@@ -15,7 +15,14 @@
 
 void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool brute_force)
 {
-    *self = (clod_neighbour){.brute_force = brute_force, .radius_min = INFINITY};
+    *self = (clod_neighbour){.brute_force = brute_force};
+    clod_neighbour_size(self, state);
+}
+
+void clod_neighbour_size(clod_neighbour *self, const clod_state *state)
+{
+    self->radius_min = INFINITY;
+    self->radius_max = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
         const double radius = state->grains.place[g][3];
         self->radius_min = fmin(self->radius_min, radius);
@@ -81,8 +88,8 @@ static bool find_walls(clod_neighbour *self, const clod_state *state, const clod
                     return false;
                 }
                 const int32_t law = clod_laws_index(laws, grains->material[g], wall->material);
-                walls->item[walls->count++] = (clod_wall_candidate){
-                    (int32_t)g, w, (int16_t)s, (uint32_t)law & 0x7fff, 0};
+                walls->item[walls->count++] =
+                    (clod_wall_candidate){(int32_t)g, w, (int16_t)s, (uint32_t)law & 0x7fff, 0};
             }
         }
     }

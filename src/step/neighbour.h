@@ -71,6 +71,9 @@ static inline double (*clod_neighbour_rows(const clod_neighbour *self))[4]
 /** Wide skin from the sizes of the grains; nothing is built yet. */
 void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool brute_force);
 
+/** Radii and wide skin anew: grains have come or gone. */
+void clod_neighbour_size(clod_neighbour *self, const clod_state *state);
+
 /**
  * Wrap the grains into the domain, sort them by layers, carry state->contacts over and
  * note positions as those of the rebuild.
@@ -79,13 +82,21 @@ void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool bru
  */
 bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status);
 
+/**
+ * Put a state that nobody steps back into the order of its last rebuild, which follows from
+ * state->build_place and the ids: whatever the order of its rows and contacts, the order of
+ * forces is the same.
+ *
+ * @return  false without memory.   Test  tests/step/test_any_order.c
+ */
+bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_status *status);
+
 /** Candidates from state->build_place and build_walls; every contact must be among them. */
 bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
                           clod_status *status);
 
-/** Put state->contacts into ascending order: pairs by (i, j), then walls by (i, wall, shape).
- */
-bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_status *status);
+/** Room for the grains there are in the arrays of the search; false without memory. */
+bool clod_neighbour_reserve(clod_neighbour *self, const clod_state *state, clod_status *status);
 
 /** Add a pair at the end of the candidates; false without memory, and beyond the limit. */
 bool clod_neighbour_add(clod_pairs *self, size_t j);

@@ -44,6 +44,13 @@ static bool reserve(clod_neighbour *self, const clod_state *state)
            self->rank != NULL && reserve_sort(self, items);
 }
 
+bool clod_neighbour_reserve(clod_neighbour *self, const clod_state *state, clod_status *status)
+{
+    return reserve(self, state) ||
+           clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu grains",
+                            state->grains.count);
+}
+
 /** Wrap periodic directions; a grain beyond an open side is an error. */
 static bool wrap(clod_state *state, clod_status *status)
 {
@@ -60,7 +67,8 @@ static bool wrap(clod_state *state, clod_status *status)
                 return clod_status_fail(
                     status, CLOD_FAILED,
                     "step %lld: grain %llu has left the domain: %c = %g m, allowed %g to %g m; "
-                    "enlarge domain, close the gap in the walls, or take a smaller time step",
+                    "enlarge domain, close the gap in the walls, take a smaller time step, or "
+                    "set domain.open: delete",
                     (long long)state->step, (unsigned long long)state->grains.id[g], AXIS[a],
                     *x, min, max);
             }
@@ -69,9 +77,10 @@ static bool wrap(clod_state *state, clod_status *status)
     return true;
 }
 
-static void sort_by_layers(clod_neighbour *self, const clod_grains *grains)
+/** The order of grains that are, or were, at these places. */
+static void sort_by_layers(clod_neighbour *self, const clod_grains *grains,
+                           const double (*place)[4])
 {
-    const double(*place)[4] = (const double(*)[4])grains->place;
     const clod_layers layers = clod_layers_of(place, grains->count);
     for (size_t g = 0; g < grains->count; g++) {
         self->sort[g] = (clod_sort_item){clod_layers_key(&layers, place[g]), g};
@@ -178,7 +187,20 @@ static void sort_contacts(clod_neighbour *self, clod_contact *contacts, size_t c
     }
 }
 
-bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_status *status)
+/** Rows and contacts of the state into the order that was found. */
+static void apply_order(clod_neighbour *self, clod_state *state)
+{
+    permute_grains(self, &state->grains);
+    for (size_t g = 0; g < state->grains.count; g++) {
+        self->rank[self->sort[g].index] = (int32_t)g;
+    }
+    for (size_t k = 0; k < state->contact_count; k++) {
+        rename_contact(self, &state->contacts[k]);
+    }
+}
+
+/** Both lists of contacts into ascending order. */
+static bool sort_lists(clod_neighbour *self, clod_state *state, clod_status *status)
 {
     if (!reserve(self, state)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu contacts",
@@ -192,6 +214,25 @@ bool clod_neighbour_sort_contacts(clod_neighbour *self, clod_state *state, clod_
     }
     clod_neighbour_give_back(self);
     return true;
+}
+
+bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_status *status)
+{
+    if (!clod_neighbour_reserve(self, state, status)) {
+        return false;
+    }
+    const size_t count = state->grains.count;
+    sort_by_layers(self, &state->grains, (const double(*)[4])state->build_place);
+    bool sorted = true;
+    for (size_t g = 0; g < count; g++) {
+        sorted = sorted && self->sort[g].index == g;
+    }
+    if (!sorted) {
+        const size_t row = sizeof *state->build_place;
+        permute(self, state->build_place, count, row, row);
+        apply_order(self, state);
+    }
+    return sort_lists(self, state, status);
 }
 
 /** Remember where everything is at this rebuild. */
@@ -233,20 +274,13 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
     if (!wrap(state, status)) {
         return false;
     }
-    if (!reserve(self, state)) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu grains",
-                                grains->count);
+    if (!clod_neighbour_reserve(self, state, status)) {
+        return false;
     }
     give_back_old(self, state);
-    sort_by_layers(self, grains);
-    permute_grains(self, grains);
-    for (size_t g = 0; g < grains->count; g++) {
-        self->rank[self->sort[g].index] = (int32_t)g;
-    }
-    for (size_t k = 0; k < state->contact_count; k++) {
-        rename_contact(self, &state->contacts[k]);
-    }
-    if (!clod_neighbour_sort_contacts(self, state, status)) {
+    sort_by_layers(self, grains, (const double(*)[4])grains->place);
+    apply_order(self, state);
+    if (!sort_lists(self, state, status)) {
         return false;
     }
     return note_rebuild(state) ||

@@ -1,7 +1,8 @@
 // Stage near: when motion has used a skin up, make the near list anew, or rebuild everything.
 #include <math.h>
 
-#include "step/step.h"
+#include "state/alter.h"
+#include "step/change.h"
 
 /**
  * What a near list costs, over what the pairs within a skin of one smallest radius cost in a
@@ -38,12 +39,30 @@ static void refresh(clod_step *self, double speed)
     self->refreshes++;
 }
 
+/** Grains that have left through an open side go, with what they carried. */
+static void let_go(clod_step *self, size_t leavers)
+{
+    if (leavers > 0) {
+        clod_state_drop_grains(self->state, self->neighbour.rank);
+        clod_neighbour_size(&self->neighbour, self->state);
+    }
+}
+
 static void rebuild(clod_step *self, double speed)
 {
-    self->failed =
-        !take_out(self) || !clod_neighbour_sort(&self->neighbour, self->state, &self->status) ||
-        !clod_neighbour_build(&self->neighbour, self->state, self->laws, &self->status) ||
-        !put_back(self, clod_step_thin_skin(self, speed));
+    const size_t leavers = clod_change_find_leavers(self);
+    const double before = leavers > 0 ? clod_change_balance(self) : 0.0;
+    self->failed = !take_out(self);
+    if (!self->failed) {
+        let_go(self, leavers);
+        self->failed =
+            !clod_neighbour_sort(&self->neighbour, self->state, &self->status) ||
+            !clod_neighbour_build(&self->neighbour, self->state, self->laws, &self->status) ||
+            !put_back(self, clod_step_thin_skin(self, speed));
+    }
+    if (leavers > 0 && !self->failed) {
+        self->state->ledger.exchanged += clod_change_balance(self) - before;
+    }
     self->rebuilds++;
 }
 

@@ -1,11 +1,11 @@
 #include "step/step.h"
 
-#include <math.h>
 #include <omp.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "parallel/threads.h"
+#include "step/equip.h"
 #include "step/trouble.h"
 
 /** What a stage reads and writes, for the reader and for the order of barriers. */
@@ -92,24 +92,13 @@ static void advance_all(clod_step *self, int64_t steps)
     }
 }
 
-/** Speed of the fastest grain, or of the fastest point of a wall [m/s]. */
-static double fastest(const clod_state *state)
-{
-    double speed2 = 0.0, walls = 0.0;
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const double *v = state->grains.motion[g];
-        speed2 = fmax(speed2, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    }
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        walls = fmax(walls, clod_wall_speed_bound(&state->walls.wall[w]));
-    }
-    return fmax(sqrt(speed2), walls);
-}
-
 bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
 {
     if (self->failed) { // once and for all
         *status = self->status;
+        return false;
+    }
+    if (!clod_step_change(self, status)) {
         return false;
     }
     self->state->contact_count = self->state->wall_contact_count = 0; // of the moment before
@@ -132,8 +121,7 @@ static bool allocate(clod_step *self)
 {
     self->thread = clod_memory_alloc((size_t)self->threads, sizeof *self->thread);
     self->gate = clod_memory_alloc((size_t)self->threads, sizeof *self->gate);
-    if (self->thread == NULL || self->gate == NULL ||
-        !clod_wall_rows_init(&self->walls, &self->state->walls)) {
+    if (self->thread == NULL || self->gate == NULL) {
         return false;
     }
     for (int t = 0; t < self->threads; t++) {
@@ -141,63 +129,6 @@ static bool allocate(clod_step *self)
         clod_gate_init(&self->gate[t], self->threads);
     }
     return true;
-}
-
-/** Rows and periods for the kernels. */
-static void look(clod_step *self, double overlap_limit)
-{
-    const clod_grains *grains = &self->state->grains;
-    self->view = (clod_kernel_view){.place = (const double(*)[4])grains->place,
-                                    .motion = (const double(*)[4])grains->motion,
-                                    .turning = (const double(*)[4])grains->turning,
-                                    .before = (const double(*)[8])grains->before,
-                                    .load = grains->load,
-                                    .wall_slots = self->near.wall_slots,
-                                    .shape = (const double(*)[4])self->walls.shape,
-                                    .wall = (const double(*)[4])self->walls.wall,
-                                    .lead = self->neighbour.lead,
-                                    .overlap_limit = overlap_limit};
-    for (int a = 0; a < 3; a++) {
-        const clod_domain *domain = &self->state->domain;
-        if (domain->periodic[a]) {
-            self->view.period[a] = domain->max[a] - domain->min[a];
-            self->view.inverse_period[a] = 1.0 / self->view.period[a];
-        }
-    }
-}
-
-static bool periods_are_long_enough(const clod_step *self, clod_status *status)
-{
-    const double least = 4.0 * self->neighbour.radius_max + 2.0 * self->neighbour.skin;
-    for (int a = 0; a < 3; a++) {
-        const clod_domain *domain = &self->state->domain;
-        const double period = domain->max[a] - domain->min[a];
-        if (domain->periodic[a] && !(period > least)) {
-            return clod_status_fail(
-                status, CLOD_USAGE,
-                "domain: the period along %c is %g m, but a grain would meet its own "
-                "neighbours twice; at least %g m is needed for these grains",
-                "xyz"[a], period, least);
-        }
-    }
-    return true;
-}
-
-/** Lists of a state: as they were at its last rebuild, or for the first time. */
-static bool build_lists(clod_step *self, clod_status *status)
-{
-    clod_state *state = self->state;
-    if (state->build_motion < 0.0 || state->build_place == NULL) {
-        state->contact_count = state->wall_contact_count = 0;
-        if (!clod_neighbour_sort(&self->neighbour, state, status)) {
-            return false;
-        }
-    } else if (!clod_neighbour_sort_contacts(&self->neighbour, state, status)) {
-        return false;
-    }
-    return clod_neighbour_build(&self->neighbour, state, self->laws, status) &&
-           clod_near_make(&self->near, &self->neighbour, state, self->laws, &self->walls,
-                          clod_step_thin_skin(self, fastest(state)), status);
 }
 
 /** Forces of a state that has never been stepped: the stages without time passing. */
@@ -236,18 +167,21 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
     self->threads = options->threads > 0 ? options->threads : clod_threads_available();
     self->near.parts = self->threads;
     clod_neighbour_init(&self->neighbour, state, options->brute_force);
-    clod_grains_pad(&state->grains);
     if (!allocate(self)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the step");
     }
     if (self->near.ledger && !clod_grains_keep_before(&state->grains, status)) {
         return false;
     }
+    self->view.overlap_limit =
+        options->overlap_limit > 0.0 ? options->overlap_limit : CLOD_STEP_OVERLAP;
     const bool fresh = state->build_motion < 0.0 || state->build_place == NULL;
-    if (!periods_are_long_enough(self, status) || !build_lists(self, status)) {
+    if (fresh) { // nobody has touched yet
+        state->contact_count = state->wall_contact_count = 0;
+    }
+    if (!clod_step_equip(self, status) || !clod_step_build_lists(self, fresh, status)) {
         return false;
     }
-    look(self, options->overlap_limit > 0.0 ? options->overlap_limit : CLOD_STEP_OVERLAP);
     clod_barrier_init(&self->barrier, self->threads);
     return !fresh || first_forces(self, status);
 }

@@ -78,6 +78,15 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
 bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status);
 
 /**
+ * Make the changes of state->changes now, at a rebuild; the queue is empty then. An advance
+ * with changes asked for begins with this.
+ *
+ * @return  false: an id or a name that is not right (nothing is changed then), or no memory
+ * Errors  CLOD_USAGE, CLOD_FAILED.   Threads  one per state.   Test  tests/step/test_change.c
+ */
+bool clod_step_change(clod_step *self, clod_status *status);
+
+/**
  * Open the energy ledger of the state at this moment: from now on every step records what
  * contacts spend and walls do. It stays open in copies and checkpoints of the state.
  *

@@ -31,8 +31,8 @@ const char *const clod_uniaxial_columns[CLOD_UNIAXIAL_COLUMNS] = {
 
 const char *clod_uniaxial_phase_name(clod_uniaxial_phase phase)
 {
-    static const char *const NAMES[] = {"fill",    "lower", "consolidate", "unload",
-                                        "prepare", "free",  "crush",       "done"};
+    static const char *const NAMES[] = {"fill", "lower", "consolidate", "unload",
+                                        "free", "crush", "done"};
     return NAMES[phase];
 }
 
@@ -92,7 +92,6 @@ int64_t clod_uniaxial_plan(const clod_uniaxial *self, const clod_state *state)
     case CLOD_UNIAXIAL_DONE:
         return 0;
     case CLOD_UNIAXIAL_UNLOAD:
-    case CLOD_UNIAXIAL_PREPARE:
         return FINE_STEPS;
     case CLOD_UNIAXIAL_CRUSH:
         if (clod_bed_wall(state, "lid")->velocity.z != -self->speed) {
@@ -118,7 +117,8 @@ static void measure(const clod_uniaxial *self, const clod_state *state, double *
     row[CLOD_UNIAXIAL_STRAIN] = zero > 0.0 ? 1.0 - height / zero : 0.0;
     row[CLOD_UNIAXIAL_STRESS] = lid->sum_force.z / (steps * self->area);
     row[CLOD_UNIAXIAL_STRESS_BASE] = -base->sum_force.z / (steps * self->area);
-    row[CLOD_UNIAXIAL_MOULD_FORCE] = 0.0 - mould->sum_force.z / steps; // never -0
+    row[CLOD_UNIAXIAL_MOULD_FORCE] =
+        mould != NULL ? 0.0 - mould->sum_force.z / steps : 0.0; // never -0
     row[CLOD_UNIAXIAL_HEIGHT] = height;
     row[CLOD_UNIAXIAL_BULK_DENSITY] = self->grain_mass / (self->area * height);
     row[CLOD_UNIAXIAL_SOLID_FRACTION] = self->solid_volume / (self->area * height);
@@ -184,6 +184,7 @@ static void slew(clod_state *state, double target, double interval)
     lid->velocity.z = fabs(change) <= most ? target : lid->velocity.z + copysign(most, change);
 }
 
+/** The lid carries nothing any more: the mould is taken off. */
 static void after_unload(clod_uniaxial *self, clod_state *state, const double *row,
                          double interval)
 {
@@ -191,21 +192,9 @@ static void after_unload(clod_uniaxial *self, clod_state *state, const double *r
     if (row[CLOD_UNIAXIAL_STRESS] <= 0.0) {
         clod_bed_wall(state, "lid")->velocity.z = 0.0;
         self->unloaded_height = row[CLOD_UNIAXIAL_HEIGHT];
-        state->build_motion = INFINITY;
-        enter(self, state, CLOD_UNIAXIAL_PREPARE);
+        clod_changes_remove_wall(&state->changes, "mould");
+        enter(self, state, CLOD_UNIAXIAL_FREE);
     }
-}
-
-/**
- * Take the mould away at one stroke: far up, with what was in contact with it where it was. Its
- * contacts are still on the near list and find in the next step that they are open, which is
- * how any contact forgets its history; no rebuild of the neighbour search, which would look for
- * touching grains at the mould, can come before, since the last one is only FINE_STEPS old.
- */
-static void remove_mould(clod_uniaxial *self, clod_state *state)
-{
-    clod_bed_wall(state, "mould")->shift.z = 2.0 * self->lid_start;
-    enter(self, state, CLOD_UNIAXIAL_FREE);
 }
 
 static void after_free(clod_uniaxial *self, clod_state *state, double in_phase)
@@ -281,9 +270,6 @@ bool clod_uniaxial_sample(clod_uniaxial *self, clod_state *state, double *row)
         break;
     case CLOD_UNIAXIAL_UNLOAD:
         after_unload(self, state, row, interval);
-        break;
-    case CLOD_UNIAXIAL_PREPARE:
-        remove_mould(self, state);
         break;
     case CLOD_UNIAXIAL_FREE:
         after_free(self, state, in_phase);

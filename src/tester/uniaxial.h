@@ -21,7 +21,6 @@ typedef enum clod_uniaxial_phase {
     CLOD_UNIAXIAL_LOWER,       ///< the lid comes down until it carries
     CLOD_UNIAXIAL_CONSOLIDATE, ///< load raised to the consolidation stress, full adhesion
     CLOD_UNIAXIAL_UNLOAD,      ///< the lid goes up until it carries nothing
-    CLOD_UNIAXIAL_PREPARE,     ///< the neighbour search is made anew before the mould goes
     CLOD_UNIAXIAL_FREE,        ///< without the mould until at rest
     CLOD_UNIAXIAL_CRUSH,       ///< the lid comes down to the peak and beyond
     CLOD_UNIAXIAL_DONE,

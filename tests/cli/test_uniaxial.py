@@ -22,7 +22,7 @@ STRESSES, SPEED, CRUSH_MAX = [10e3, 20e3], 0.080, 0.08
 AREA = math.pi * 0.018 ** 2
 DENSITY = 2481.3
 PARTS = ["stress-1", "stress-2"]
-FILL, LOWER, CONSOLIDATE, UNLOAD, PREPARE, FREE, CRUSH = range(7)
+FILL, LOWER, CONSOLIDATE, UNLOAD, FREE, CRUSH = range(6)
 
 
 class Uniaxial(clod.TesterCase):
@@ -55,7 +55,7 @@ class Uniaxial(clod.TesterCase):
             phases = [row["phase"] for row in self.series[part]]
             self.assertEqual(phases, sorted(phases))
             self.assertEqual(set(phases),
-                             {LOWER, CONSOLIDATE, UNLOAD, PREPARE, FREE, CRUSH})
+                             {LOWER, CONSOLIDATE, UNLOAD, FREE, CRUSH})
             times = [self.series["fill"][-1]["time"]] + [row["time"] for row in
                                                          self.series[part]]
             self.assertEqual(times, sorted(set(times)))

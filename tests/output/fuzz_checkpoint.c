@@ -53,7 +53,7 @@ static void make_state(clod_state *state, clod_wall *wall)
     static const double REST[3] = {0.0, 0.0, 0.0};
     clod_status status;
     *state = (clod_state){.dt = 1e-6, .time = 1e-3, .step = 1000, .adhesion = 1.0};
-    *wall = (clod_wall){.name = "floor", .shape_count = 0};
+    *wall = (clod_wall){.name = "floor", .shape_count = 1};
     state->walls = (clod_walls){.count = 1, .wall = wall};
     for (uint64_t g = 0; g < 3; g++) {
         const double row[4] = {(double)g, 0.0, 0.0, 0.6};
@@ -63,13 +63,16 @@ static void make_state(clod_state *state, clod_wall *wall)
     }
 }
 
-/** Write three grains with these contacts, the last `of_walls` of them with the wall. */
+/** Write three grains with these contacts, the last `of_walls` of them with the wall. Rows 3
+ * and 4 are of grains that the file does not have. */
 static void write_state(clod_contact *contacts, size_t of_walls)
 {
     clod_state state;
     clod_wall wall;
     clod_status status;
     make_state(&state, &wall);
+    state.grains.id[3] = 100;
+    state.grains.id[4] = UINT64_MAX;
     state.contacts = contacts;
     state.contact_count = CONTACTS;
     state.wall_contact_count = of_walls;
@@ -102,14 +105,14 @@ static void start(void)
     whole = bytes;
 }
 
-/** Whether these contacts are of the three grains and the wall. */
+/** Whether these contacts are of the three grains, and the wall and its shape. */
 static bool fits(const clod_contact *contacts, size_t of_walls)
 {
     bool fit = of_walls <= CONTACTS;
     for (size_t c = 0; fit && c < CONTACTS; c++) {
-        const int partners = c + of_walls < CONTACTS ? 3 : 1;
-        fit = contacts[c].i >= 0 && contacts[c].i < 3 && contacts[c].j >= 0 &&
-              contacts[c].j < partners;
+        const clod_contact *k = &contacts[c];
+        fit = k->i < 3 && (c + of_walls < CONTACTS ? k->j < 3 && k->i != k->j && k->shape == -1
+                                                   : k->j == 0 && k->shape == 0);
     }
     return fit;
 }
@@ -169,15 +172,15 @@ static void try_contacts(const uint8_t *data, size_t size)
     if (size < 1 + 3 * CONTACTS) {
         return;
     }
+    const size_t of_walls = data[0] % (CONTACTS + 1);
     for (size_t c = 0; c < CONTACTS; c++) {
-        contacts[c].i = number(data[1 + 3 * c]);
-        contacts[c].j = number(data[2 + 3 * c]);
+        contacts[c].i = data[1 + 3 * c] % 5;
+        contacts[c].j = c + of_walls < CONTACTS ? data[2 + 3 * c] % 5 : number(data[2 + 3 * c]);
         contacts[c].shape = number(data[3 + 3 * c]);
         for (int h = 0; h < 8; h++) {
             contacts[c].history[h] = h % 2 == 0 ? NAN : 1e300 * data[1 + 3 * c];
         }
     }
-    const size_t of_walls = data[0] % (CONTACTS + 1);
     unlink(path);
     unlink(other);
     write_state(contacts, of_walls);

@@ -117,6 +117,17 @@ static inline clod_state random_state(uint64_t seed)
     random_reals(&source, state.domain.min, 3);
     random_reals(&source, state.domain.max, 3);
     state.domain.periodic[1] = true;
+    state.domain.removes = true;
+    for (int f = 0; f < CLOD_FACES; f++) {
+        state.exchange.left[f] = random_int(&source);
+    }
+    random_reals(&source, state.exchange.left_mass, CLOD_FACES);
+    random_reals(&source, state.exchange.left_energy, CLOD_FACES);
+    state.exchange.added = random_int(&source);
+    state.exchange.removed = random_int(&source);
+    state.exchange.added_mass = random_real(&source);
+    state.exchange.removed_mass = random_real(&source);
+    state.ledger.exchanged = random_real(&source);
     random_reals(&source, state.gravity, 3);
     state.dt = random_real(&source);
     state.time = random_real(&source);
@@ -129,10 +140,12 @@ static inline clod_state random_state(uint64_t seed)
     for (size_t c = 0; c < state.contact_count; c++) {
         clod_contact *contact = &state.contacts[c];
         const bool pair = c + state.wall_contact_count < state.contact_count;
-        contact->i = abs(random_int(&source)) % RANDOM_STATE_GRAINS;
-        contact->j =
-            abs(random_int(&source)) % (pair ? RANDOM_STATE_GRAINS : RANDOM_STATE_WALLS);
-        contact->shape = random_int(&source);
+        contact->i = abs(random_int(&source)) % (RANDOM_STATE_GRAINS - 1);
+        const int later = RANDOM_STATE_GRAINS - 1 - contact->i; // rows behind i
+        contact->j = pair ? contact->i + 1 + abs(random_int(&source)) % later
+                          : abs(random_int(&source)) % RANDOM_STATE_WALLS;
+        contact->shape =
+            pair ? -1 : abs(random_int(&source)) % state.walls.wall[contact->j].shape_count;
         random_reals(&source, contact->history, 8);
     }
     // values that only an exact copy keeps
@@ -156,6 +169,9 @@ static inline void assert_states_equal(const clod_state *a, const clod_state *b)
     assert_memory_equal(a->build_place, b->build_place, n * sizeof *a->build_place);
     assert_memory_equal(a->build_walls, b->build_walls,
                         4 * RANDOM_STATE_WALLS * sizeof(double));
+    assert_memory_equal(&a->exchange, &b->exchange, sizeof a->exchange);
+    assert_memory_equal(&a->ledger, &b->ledger, sizeof a->ledger);
+    assert_int_equal(a->domain.removes, b->domain.removes);
     assert_int_equal(a->walls.count, b->walls.count);
     for (int w = 0; w < a->walls.count; w++) {
         const clod_wall *x = &a->walls.wall[w];

@@ -4,7 +4,6 @@
 #include "support/bed.h"
 #include "support/bits.h"
 
-#define AWAY 5.0 ///< m
 #define STEPS 9500
 
 /** A bed in a drum that has come down on its floor, the neighbour search made anew. */
@@ -33,21 +32,21 @@ static size_t contacts_with(scene *s, const char *name)
 static void take_away(scene *s)
 {
     assert_true(contacts_with(s, "drum") > 5);
-    s->state.walls.wall[0].shift.z = AWAY;
+    clod_changes_remove_wall(&s->state.changes, "drum");
+    assert_true(clod_step_change(&s->step, &s->step.status));
 }
 
-static void contacts_are_forgotten_in_one_step(void **state)
+static void contacts_go_with_their_wall(void **state)
 {
     (void)state;
     scene s;
     settle(&s);
     take_away(&s);
-    scene_run(&s, 1);
-    const clod_vec3 f = s.state.walls.wall[0].force;
-    assert_true(f.x == 0.0 && f.y == 0.0 && f.z == 0.0);
+    assert_int_equal(s.state.walls.count, 2);
     assert_int_equal(contacts_with(&s, "drum"), 0);
-    s.state.build_motion = INFINITY; // nor does a rebuild miss anything
+    assert_true(contacts_with(&s, "base") > 5); // those of the others stay
     scene_run(&s, 50);
+    assert_int_equal(s.state.exchange.walls_removed, 1);
     scene_end(&s);
 }
 
@@ -99,7 +98,7 @@ static void a_run_cut_there_goes_on_with_the_same_bits(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(contacts_are_forgotten_in_one_step),
+        cmocka_unit_test(contacts_go_with_their_wall),
         cmocka_unit_test(a_run_cut_there_goes_on_with_the_same_bits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

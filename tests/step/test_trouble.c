@@ -68,7 +68,8 @@ static void a_grain_outside_at_the_start(void **state)
     s.state.domain.min[2] = 0.001;
     expect_at_start(&s, (clod_step_options){.threads = 1}, CLOD_FAILED,
                     "step 0: grain 0 has left the domain: z = 0 m, allowed 0.001 to 10 m; "
-                    "enlarge domain, close the gap in the walls, or take a smaller time step");
+                    "enlarge domain, close the gap in the walls, take a smaller time step, or "
+                    "set domain.open: delete");
 }
 
 static void a_position_that_is_not_a_number(void **state)
@@ -82,7 +83,8 @@ static void a_position_that_is_not_a_number(void **state)
         expect_at_start(
             &s, (clod_step_options){.threads = 1}, CLOD_FAILED,
             "step 0: grain 1 has left the domain: x = nan m, allowed -10 to 10 m; "
-            "enlarge domain, close the gap in the walls, or take a smaller time step");
+            "enlarge domain, close the gap in the walls, take a smaller time step, or "
+            "set domain.open: delete");
     }
 }
 
@@ -101,8 +103,8 @@ static void a_grain_that_leaves(void **state)
         assert_false(clod_step_advance(&s.step, 1000, &status));
         assert_non_null(strstr(status.text,
                                "grain 1 has left the domain: x = 0.01045 m, allowed -10 to "
-                               "0.0103 m; enlarge domain, close the gap in the walls, or take "
-                               "a smaller time step"));
+                               "0.0103 m; enlarge domain, close the gap in the walls, take a "
+                               "smaller time step, or set domain.open: delete"));
         assert_in_range(s.state.step, 449, 451);
         scene_end(&s);
     }

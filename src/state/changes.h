@@ -1,0 +1,70 @@
+#pragma once
+/**
+ * @file changes.h
+ * Grains and walls that come and go: a queue that anyone fills between steps, and the counts of
+ * what has come and gone. The step makes the changes at a rebuild (clod_step_change).
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "clod/status.h"
+#include "state/walls.h"
+
+/** A grain that is to come; mass and inertia follow from radius and density. */
+typedef struct clod_new_grain {
+    uint64_t id;        ///< no other grain has it
+    double place[4];    ///< x, y, z, radius [m]
+    double velocity[3]; ///< m/s
+    double angular[3];  ///< angular velocity [rad/s]
+    double density;     ///< kg/m3
+    uint16_t material;
+} clod_new_grain;
+
+/** What is to change; all zero: nothing. Not part of a checkpoint: it is empty at one. */
+typedef struct clod_changes {
+    clod_new_grain *new_grain; ///< owned, as the rest
+    uint64_t *lost_grain;      ///< ids
+    clod_wall *new_wall;       ///< with their shapes
+    char (*lost_wall)[32];     ///< names
+    size_t new_grains, lost_grains, new_walls, lost_walls;
+    size_t new_grain_room, lost_grain_room, new_wall_room, lost_wall_room;
+    bool lacks_memory; ///< something could not be put in
+} clod_changes;
+
+/** Sides of the domain: x min, x max, y min, y max, z min, z max. */
+#define CLOD_FACES 6
+
+/** What has come and gone since the beginning of the run. */
+typedef struct clod_exchange {
+    int64_t walls_removed;
+    int64_t added, removed;         ///< grains, by the queue
+    double added_mass;              ///< kg
+    double removed_mass;            ///< kg
+    int64_t left[CLOD_FACES];       ///< grains that crossed an open face and were removed
+    double left_mass[CLOD_FACES];   ///< kg
+    double left_energy[CLOD_FACES]; ///< J, their kinetic energy, of rotation included
+} clod_exchange;
+
+/**
+ * Put one change into the queue. They are made together: what goes before what comes.
+ *
+ * Errors  without memory the queue notes that, and clod_step_change says so and changes
+ * nothing. Threads one per queue.   Test  tests/step/test_change.c
+ */
+void clod_changes_add_grain(clod_changes *self, const clod_new_grain *grain);
+void clod_changes_remove_grain(clod_changes *self, uint64_t id);
+/** Its shapes are taken over: `wall` has none then. */
+void clod_changes_add_wall(clod_changes *self, clod_wall *wall);
+void clod_changes_remove_wall(clod_changes *self, const char *name);
+
+/** Whether anything is to change. */
+static inline bool clod_changes_any(const clod_changes *self)
+{
+    return self->lacks_memory ||
+           self->new_grains + self->lost_grains + self->new_walls + self->lost_walls > 0;
+}
+
+/** Empty the queue and free its memory. */
+void clod_changes_fini(clod_changes *self);

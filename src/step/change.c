@@ -1,0 +1,308 @@
+#include "step/change.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "state/alter.h"
+#include "state/ids.h"
+#include "step/equip.h"
+#include "step/trouble.h"
+
+#define GOES (-1) ///< rank of a grain that goes
+
+double clod_change_balance(clod_step *self)
+{
+    if (self->state->ledger.open == 0) {
+        return 0.0;
+    }
+    const clod_energies now = clod_step_energies(self);
+    return clod_energies_sum(&now);
+}
+
+// ---- grains that cross an open side
+
+/** The open side that a position is beyond, or -1. */
+static int face_beyond(const clod_domain *domain, const double *place)
+{
+    for (int a = 0; a < 3; a++) {
+        if (!domain->periodic[a] && place[a] < domain->min[a]) {
+            return 2 * a;
+        }
+        if (!domain->periodic[a] && place[a] > domain->max[a]) {
+            return 2 * a + 1;
+        }
+    }
+    return -1;
+}
+
+static double kinetic(const double *velocity, double mass, const double *turning)
+{
+    const double v2 =
+        velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2];
+    const double w2 =
+        turning[0] * turning[0] + turning[1] * turning[1] + turning[2] * turning[2];
+    return 0.5 * mass * v2 + 0.5 / turning[3] * w2;
+}
+
+/**
+ * Count one grain that leaves in the middle of a step: half a kick before the end, of which the
+ * weight is known. The ledger is told what that half kick would have brought.
+ */
+static void count_leaver(clod_state *state, size_t row, int face)
+{
+    const double *v = state->grains.motion[row];
+    const double *w = state->grains.turning[row];
+    double whole[3];
+    for (int a = 0; a < 3; a++) {
+        whole[a] = v[a] + 0.5 * state->dt * state->gravity[a];
+    }
+    const double energy = kinetic(whole, v[3], w);
+    state->exchange.left[face]++;
+    state->exchange.left_mass[face] += v[3];
+    state->exchange.left_energy[face] += energy;
+    if (state->ledger.open != 0) {
+        state->ledger.exchanged -= energy - kinetic(v, v[3], w);
+    }
+}
+
+size_t clod_change_find_leavers(clod_step *self)
+{
+    clod_state *state = self->state;
+    int32_t *rank = self->neighbour.rank;
+    size_t leavers = 0;
+    int32_t next = 0;
+    for (size_t g = 0; state->domain.removes && g < state->grains.count; g++) {
+        const int face = face_beyond(&state->domain, state->grains.place[g]);
+        rank[g] = face < 0 ? next++ : GOES;
+        if (face >= 0) {
+            count_leaver(state, g, face);
+            leavers++;
+        }
+    }
+    return leavers;
+}
+
+// ---- the queue
+
+static int32_t wall_of(const clod_state *state, const char *name)
+{
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        if (strcmp(state->walls.wall[w].name, name) == 0) {
+            return w;
+        }
+    }
+    return -1;
+}
+
+/** Mark the grains that go, each once. */
+static bool mark_lost(clod_step *self, const clod_ids *index, clod_status *status)
+{
+    const clod_changes *changes = &self->state->changes;
+    int32_t *rank = self->neighbour.rank;
+    memset(rank, 0, self->state->grains.count * sizeof *rank);
+    for (size_t k = 0; k < changes->lost_grains; k++) {
+        const int64_t row = clod_ids_row(index, changes->lost_grain[k]);
+        if (row < 0 || rank[row] == GOES) {
+            return clod_status_fail(status, CLOD_USAGE, "grain %llu cannot be removed: %s",
+                                    (unsigned long long)changes->lost_grain[k],
+                                    row < 0 ? "there is none with this id"
+                                            : "it is to be removed twice");
+        }
+        rank[row] = GOES;
+    }
+    int32_t next = 0;
+    for (size_t g = 0; g < self->state->grains.count; g++) {
+        rank[g] = rank[g] == GOES ? GOES : next++;
+    }
+    return true;
+}
+
+static bool number_is_good(const clod_new_grain *g)
+{
+    bool good =
+        g->place[3] > 0.0 && isfinite(g->place[3]) && g->density > 0.0 && isfinite(g->density);
+    for (int a = 0; a < 3; a++) {
+        good = good && isfinite(g->place[a]) && isfinite(g->velocity[a]) &&
+               isfinite(g->angular[a]);
+    }
+    return good;
+}
+
+/** One grain that is to come: its numbers, its material, its place and its id. */
+static bool check_new(const clod_step *self, const clod_ids *index, size_t k,
+                      clod_status *status)
+{
+    const clod_state *state = self->state;
+    const clod_new_grain *grain = &state->changes.new_grain[k];
+    const unsigned long long id = grain->id;
+    if (!number_is_good(grain)) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "grain %llu cannot be added: position and velocities must be "
+                                "finite, radius (%g m) and density (%g kg/m3) positive",
+                                id, grain->place[3], grain->density);
+    }
+    if (grain->material >= self->laws->materials) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "grain %llu cannot be added: material %d is unknown, there are "
+                                "%d",
+                                id, grain->material, self->laws->materials);
+    }
+    if (face_beyond(&state->domain, grain->place) >= 0) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "grain %llu cannot be added: (%g, %g, %g) m is outside of the "
+                                "domain",
+                                id, grain->place[0], grain->place[1], grain->place[2]);
+    }
+    bool known = clod_ids_row(index, grain->id) >= 0;
+    for (size_t before = 0; before < k && !known; before++) {
+        known = state->changes.new_grain[before].id == grain->id;
+    }
+    return !known || clod_status_fail(status, CLOD_USAGE,
+                                      "grain %llu cannot be added: another one has this id; "
+                                      "an id is used once in a run",
+                                      id);
+}
+
+/** Whether a wall has the name of the queue's new wall `k`, and stays; or one before it. */
+static bool name_is_taken(const clod_state *state, size_t k)
+{
+    const clod_changes *changes = &state->changes;
+    const char *name = changes->new_wall[k].name;
+    bool taken = wall_of(state, name) >= 0;
+    for (size_t w = 0; w < changes->lost_walls; w++) {
+        taken = taken && strcmp(changes->lost_wall[w], name) != 0;
+    }
+    for (size_t w = 0; w < k; w++) {
+        taken = taken || strcmp(changes->new_wall[w].name, name) == 0;
+    }
+    return taken;
+}
+
+/** Walls of the queue: what goes is there, what comes is not. */
+static bool check_walls(const clod_state *state, clod_status *status)
+{
+    const clod_changes *changes = &state->changes;
+    for (size_t w = 0; w < changes->lost_walls; w++) {
+        if (wall_of(state, changes->lost_wall[w]) < 0) {
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "wall '%s' cannot be removed: there is none of this name",
+                                    changes->lost_wall[w]);
+        }
+    }
+    for (size_t w = 0; w < changes->new_walls; w++) {
+        if (name_is_taken(state, w)) {
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "wall '%s' cannot be added: another one has this name",
+                                    changes->new_wall[w].name);
+        }
+    }
+    return true;
+}
+
+/** Everything that is wrong with the queue is found before anything is changed. */
+static bool check(clod_step *self, clod_status *status)
+{
+    clod_ids index = {0};
+    if (self->state->changes.lacks_memory) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for a list of changes");
+    }
+    bool good =
+        check_walls(self->state, status) &&
+        clod_neighbour_reserve(&self->neighbour, self->state, status) &&
+        clod_ids_init(&index, self->state->grains.id, self->state->grains.count, status) &&
+        mark_lost(self, &index, status);
+    for (size_t k = 0; good && k < self->state->changes.new_grains; k++) {
+        good = check_new(self, &index, k, status);
+    }
+    clod_ids_fini(&index);
+    return good;
+}
+
+/** What goes. */
+static void drop(clod_step *self)
+{
+    clod_state *state = self->state;
+    const clod_changes *changes = &state->changes;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        if (self->neighbour.rank[g] == GOES) {
+            state->exchange.removed++;
+            state->exchange.removed_mass += state->grains.motion[g][3];
+        }
+    }
+    if (changes->lost_grains > 0) {
+        clod_state_drop_grains(state, self->neighbour.rank);
+    }
+    for (size_t w = 0; w < changes->lost_walls; w++) {
+        const int32_t wall = wall_of(state, changes->lost_wall[w]);
+        if (wall >= 0) { // not asked for twice
+            clod_state_drop_wall(state, wall);
+            state->exchange.walls_removed++;
+        }
+    }
+}
+
+/** What comes: a new grain carries its weight for the first half kick. */
+static bool add(clod_step *self, clod_status *status)
+{
+    clod_state *state = self->state;
+    clod_changes *changes = &state->changes;
+    for (size_t k = 0; k < changes->new_grains; k++) {
+        const clod_new_grain *grain = &changes->new_grain[k];
+        if (!clod_grains_add(&state->grains, grain->place, grain->velocity, grain->angular,
+                             grain->density, grain->material, grain->id, status)) {
+            return false;
+        }
+        const size_t row = state->grains.count - 1;
+        const double mass = state->grains.motion[row][3];
+        for (int a = 0; a < 3; a++) {
+            state->grains.load[row][a] = mass * state->gravity[a];
+        }
+        state->exchange.added++;
+        state->exchange.added_mass += mass;
+    }
+    return changes->new_walls == 0 ||
+           clod_state_add_walls(state, changes->new_wall, changes->new_walls, status);
+}
+
+/** Lists of what is there now. */
+static bool rebuild(clod_step *self, clod_status *status)
+{
+    clod_state *state = self->state;
+    clod_memory_free(state->build_place); // for other numbers of grains and walls
+    clod_memory_free(state->build_walls);
+    state->build_place = NULL;
+    state->build_walls = NULL;
+    self->rebuilds++;
+    self->thread[0].near_motion = 0.0;
+    return clod_step_equip(self, status) && clod_step_build_lists(self, true, status);
+}
+
+bool clod_step_change(clod_step *self, clod_status *status)
+{
+    clod_state *state = self->state;
+    if (!clod_changes_any(&state->changes)) {
+        return true;
+    }
+    if (self->failed) {
+        *status = self->status;
+        return false;
+    }
+    bool good = check(self, status);
+    if (good) {
+        const double before = clod_change_balance(self);
+        good = clod_near_gather(&self->near, state, &self->walls, true, status);
+        if (good) {
+            drop(self);
+            good = add(self, status) && rebuild(self, status);
+        }
+        if (good) {
+            state->ledger.exchanged += clod_change_balance(self) - before;
+        } else { // the lists are gone
+            self->failed = true;
+            self->status = *status;
+        }
+    }
+    clod_changes_fini(&state->changes);
+    return good;
+}

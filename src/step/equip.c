@@ -1,0 +1,85 @@
+#include "step/equip.h"
+
+#include <math.h>
+
+/** Speed of the fastest grain, or of the fastest point of a wall [m/s]. */
+static double fastest(const clod_state *state)
+{
+    double speed2 = 0.0, walls = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        const double *v = state->grains.motion[g];
+        speed2 = fmax(speed2, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        walls = fmax(walls, clod_wall_speed_bound(&state->walls.wall[w]));
+    }
+    return fmax(sqrt(speed2), walls);
+}
+
+static bool periods_are_long_enough(const clod_step *self, clod_status *status)
+{
+    const double least = 4.0 * self->neighbour.radius_max + 2.0 * self->neighbour.skin;
+    for (int a = 0; a < 3; a++) {
+        const clod_domain *domain = &self->state->domain;
+        const double period = domain->max[a] - domain->min[a];
+        if (domain->periodic[a] && !(period > least)) {
+            return clod_status_fail(
+                status, CLOD_USAGE,
+                "domain: the period along %c is %g m, but a grain would meet its own "
+                "neighbours twice; at least %g m is needed for these grains",
+                "xyz"[a], period, least);
+        }
+    }
+    return true;
+}
+
+/** Rows and periods for the kernels. */
+static void look(clod_step *self)
+{
+    const clod_grains *grains = &self->state->grains;
+    self->view = (clod_kernel_view){.place = (const double(*)[4])grains->place,
+                                    .motion = (const double(*)[4])grains->motion,
+                                    .turning = (const double(*)[4])grains->turning,
+                                    .before = (const double(*)[8])grains->before,
+                                    .load = grains->load,
+                                    .wall_slots = self->near.wall_slots,
+                                    .shape = (const double(*)[4])self->walls.shape,
+                                    .wall = (const double(*)[4])self->walls.wall,
+                                    .lead = self->neighbour.lead,
+                                    .dt = self->view.dt,
+                                    .overlap_limit = self->view.overlap_limit};
+    for (int a = 0; a < 3; a++) {
+        const clod_domain *domain = &self->state->domain;
+        if (domain->periodic[a]) {
+            self->view.period[a] = domain->max[a] - domain->min[a];
+            self->view.inverse_period[a] = 1.0 / self->view.period[a];
+        }
+    }
+}
+
+bool clod_step_equip(clod_step *self, clod_status *status)
+{
+    clod_grains_pad(&self->state->grains);
+    clod_neighbour_size(&self->neighbour, self->state);
+    clod_wall_rows_fini(&self->neighbour.build_rows); // made at the next rebuild
+    clod_wall_rows_fini(&self->walls);
+    if (!clod_wall_rows_init(&self->walls, &self->state->walls)) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for %d walls",
+                                (int)self->state->walls.count);
+    }
+    return periods_are_long_enough(self, status);
+}
+
+bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
+{
+    clod_state *state = self->state;
+    const bool sorted = sort ? clod_neighbour_sort(&self->neighbour, state, status)
+                             : clod_neighbour_sort_as_built(&self->neighbour, state, status);
+    if (!sorted || !clod_neighbour_build(&self->neighbour, state, self->laws, status) ||
+        !clod_near_make(&self->near, &self->neighbour, state, self->laws, &self->walls,
+                        clod_step_thin_skin(self, fastest(state)), status)) {
+        return false;
+    }
+    look(self);
+    return true;
+}
