@@ -46,6 +46,9 @@ static void settle(clod_near_source *self, clod_near_format format)
 /** Take contacts [begin, end) of a group in. */
 static void add_source(clod_near_cursor *self, size_t group, size_t begin, size_t end)
 {
+    if (begin == end) { // an empty list has no blocks at all
+        return;
+    }
     const clod_near_format format = clod_near_format_of(self->near, self->list);
     const size_t first = self->list->group_start[group] * format.size;
     const size_t page = CLOD_MEMORY_HUGE_PAGE;
@@ -122,6 +125,9 @@ void clod_near_cursor_release(const clod_near_cursor *self)
 static const clod_history *find_in(const clod_near_blocks *list, clod_near_format format,
                                    size_t group, uint64_t key, int *lane)
 {
+    if (list->group_count[group] == 0) { // an empty list has no blocks at all
+        return NULL;
+    }
     const char *blocks = (const char *)list->block + list->group_start[group] * format.size;
     size_t low = 0, high = list->group_count[group];
     while (low < high) {
