@@ -2,12 +2,6 @@
 
 #include <time.h>
 
-const bench_stage BENCH_STAGE[BENCH_STAGES] = {
-    {"drift", clod_step_drift},   {"near", clod_step_near}, {"contact", clod_step_contact},
-    {"wall", clod_step_wall},     {"kick", clod_step_kick}, {"servo", clod_step_servo},
-    {"ledger", clod_step_ledger},
-};
-
 double bench_now(void)
 {
     struct timespec t;
@@ -15,16 +9,16 @@ double bench_now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[BENCH_STAGES],
+bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[CLOD_STAGES],
                           clod_status *status)
 {
-    for (int k = 0; k < BENCH_STAGES; k++) {
+    for (int k = 0; k < CLOD_STAGES; k++) {
         seconds[k] = 0.0;
     }
     double before = bench_now();
     for (int64_t s = 0; s < steps; s++) {
-        for (int k = 0; k < BENCH_STAGES; k++) {
-            BENCH_STAGE[k].run(step, 0);
+        for (int k = 0; k < CLOD_STAGES; k++) {
+            CLOD_STAGE[k].run(step, 0);
             const double after = bench_now();
             seconds[k] += after - before;
             before = after;

@@ -4,17 +4,7 @@
  * The stages of the step one by one, with a clock around each.
  */
 
-#include "step/step.h"
-
-#define BENCH_STAGES 7
-
-typedef struct bench_stage {
-    const char *name;
-    void (*run)(clod_step *self, int part);
-} bench_stage;
-
-/** The rows of STAGES in src/step/step.c; bench/test-step compares the results. */
-extern const bench_stage BENCH_STAGE[BENCH_STAGES];
+#include "step/stages.h"
 
 /** Seconds of a clock that never goes back. */
 double bench_now(void);
@@ -25,5 +15,5 @@ double bench_now(void);
  * @param seconds  [out] spent in each stage, over all steps
  * @return         false when the step failed
  */
-bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[BENCH_STAGES],
+bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[CLOD_STAGES],
                           clod_status *status);

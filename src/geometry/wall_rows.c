@@ -83,6 +83,30 @@ void clod_wall_rows_place(clod_wall_rows *self, int32_t w, const clod_wall *wall
     }
 }
 
+void clod_wall_rows_box(const clod_wall_rows *self, int32_t w, int32_t shape, double low[3],
+                        double high[3])
+{
+    const double(*row)[4] =
+        (const double(*)[4])self->shape + clod_wall_rows_shape(self, w, shape);
+    for (int a = 0; a < 3; a++) {
+        const double at = row[0][a];
+        double below = INFINITY, above = INFINITY; // of a plane
+        if (row[0][3] == CLOD_WALL_BOX) {
+            below = above = fabs(row[1][a]) * row[1][3] + fabs(row[2][a]) * row[2][3] +
+                            fabs(row[3][a]) * row[3][3];
+        } else if (row[0][3] != CLOD_WALL_PLANE) { // between the circles at both ends
+            const double across = sqrt(fmax(1.0 - row[2][a] * row[2][a], 0.0));
+            const double rise = row[2][a] * row[3][2] * row[3][3];
+            const double foot = across * row[3][0];
+            const double top = across * fabs(row[3][0] + row[3][1] * row[3][3]);
+            below = fmax(foot, top - rise);
+            above = fmax(foot, top + rise);
+        }
+        low[a] = at - below;
+        high[a] = at + above;
+    }
+}
+
 void clod_wall_rows_fini(clod_wall_rows *self)
 {
     clod_memory_free(self->shape);

@@ -81,4 +81,13 @@ static inline bool clod_wall_rows_is_far(const clod_wall_rows *self, int32_t w, 
     return row[0][3] == CLOD_WALL_BOX && apart2 > most * most;
 }
 
+/**
+ * Box along the axes that a shape of a wall does not leave [m]; a plane's is endless.
+ *
+ * @param low, high  [out] [3]
+ * Errors  none.   Threads  pure.   Test  tests/step/test_many_walls.c
+ */
+void clod_wall_rows_box(const clod_wall_rows *self, int32_t w, int32_t shape, double low[3],
+                        double high[3]);
+
 void clod_wall_rows_fini(clod_wall_rows *self);

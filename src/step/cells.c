@@ -5,13 +5,6 @@
 
 #include "base/memory.h"
 
-/** A grid of cells at least one reach wide, over the grains' bounding box or the period. */
-typedef struct cell_grid {
-    double min[3], inverse_width[3];
-    int32_t n[3];
-    bool periodic[3];
-} cell_grid;
-
 static bool within_skin(const clod_state *state, const double a[4], const double b[4],
                         double skin)
 {
@@ -58,9 +51,9 @@ double clod_cells_most(size_t grains)
     return fmin(8.0 * (double)grains + 64.0, (double)(INT32_MAX - 1));
 }
 
-static cell_grid make_grid(const clod_neighbour *self, const clod_state *state)
+clod_cells_grid clod_cells_grid_of(const clod_neighbour *self, const clod_state *state)
 {
-    cell_grid grid;
+    clod_cells_grid grid;
     double width = 2.0 * self->radius_max + self->skin;
     const double most = clod_cells_most(state->grains.count);
     double cells = INFINITY;
@@ -81,14 +74,9 @@ static cell_grid make_grid(const clod_neighbour *self, const clod_state *state)
     return grid;
 }
 
-static int32_t cell_along(const cell_grid *grid, int axis, double x)
-{
-    const int32_t c = (int32_t)((x - grid->min[axis]) * grid->inverse_width[axis]);
-    return c < 0 ? 0 : c >= grid->n[axis] ? grid->n[axis] - 1 : c;
-}
-
 /** Grains by cell, in ascending order within each (a counting sort is stable). */
-static bool fill_cells(clod_neighbour *self, const clod_state *state, const cell_grid *grid)
+static bool fill_cells(clod_neighbour *self, const clod_state *state,
+                       const clod_cells_grid *grid)
 {
     const size_t grains = state->grains.count;
     const size_t cells = (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
@@ -104,9 +92,9 @@ static bool fill_cells(clod_neighbour *self, const clod_state *state, const cell
     memset(self->cell_start, 0, (cells + 1) * sizeof *self->cell_start);
     for (size_t g = 0; g < grains; g++) {
         const double *p = state->build_place[g];
-        const int32_t x = cell_along(grid, 0, p[0]);
-        const int32_t y = cell_along(grid, 1, p[1]);
-        const int32_t z = cell_along(grid, 2, p[2]);
+        const int32_t x = clod_cells_along(grid, 0, p[0]);
+        const int32_t y = clod_cells_along(grid, 1, p[1]);
+        const int32_t z = clod_cells_along(grid, 2, p[2]);
         self->cell_of[g] = (z * grid->n[1] + y) * grid->n[0] + x;
         self->cell_start[self->cell_of[g] + 1]++;
     }
@@ -121,7 +109,7 @@ static bool fill_cells(clod_neighbour *self, const clod_state *state, const cell
 }
 
 /** Cells to look at along one axis: up to three, none twice. */
-static int around(const cell_grid *grid, int axis, int32_t c, int32_t out[3])
+static int around(const clod_cells_grid *grid, int axis, int32_t c, int32_t out[3])
 {
     const int32_t n = grid->n[axis];
     int count = 0;
@@ -181,7 +169,7 @@ bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state)
         self->pairs.start[0] = 0;
         return true;
     }
-    const cell_grid grid = make_grid(self, state);
+    const clod_cells_grid grid = clod_cells_grid_of(self, state);
     if (!fill_cells(self, state, &grid)) {
         return false;
     }
@@ -191,9 +179,9 @@ bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state)
         self->pairs.start[i] = (uint32_t)first;
         int32_t x[3], y[3], z[3];
         const double *p = state->build_place[i];
-        const int nx = around(&grid, 0, cell_along(&grid, 0, p[0]), x);
-        const int ny = around(&grid, 1, cell_along(&grid, 1, p[1]), y);
-        const int nz = around(&grid, 2, cell_along(&grid, 2, p[2]), z);
+        const int nx = around(&grid, 0, clod_cells_along(&grid, 0, p[0]), x);
+        const int ny = around(&grid, 1, clod_cells_along(&grid, 1, p[1]), y);
+        const int nz = around(&grid, 2, clod_cells_along(&grid, 2, p[2]), z);
         for (int c = 0; c < nx * ny * nz; c++) {
             const int32_t cell =
                 (z[c / (nx * ny)] * grid.n[1] + y[c / nx % ny]) * grid.n[0] + x[c % nx];

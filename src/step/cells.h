@@ -7,6 +7,24 @@
 
 #include "step/neighbour.h"
 
+/** A grid of cells at least one reach wide, over the grains' bounding box or the period. */
+typedef struct clod_cells_grid {
+    double min[3], inverse_width[3]; ///< m, 1/m; 0 where all grains are at one place
+    int32_t n[3];
+    bool periodic[3];
+} clod_cells_grid;
+
+/** Grid for the grains at the last rebuild; there is at least one grain. */
+clod_cells_grid clod_cells_grid_of(const clod_neighbour *self, const clod_state *state);
+
+/** Number of the cell along an axis in which a coordinate is, or the nearest one. */
+static inline int32_t clod_cells_along(const clod_cells_grid *grid, int axis, double x)
+{
+    const double at = (x - grid->min[axis]) * grid->inverse_width[axis];
+    const int32_t last = grid->n[axis] - 1;
+    return !(at > 0.0) ? 0 : at >= (double)last ? last : (int32_t)at;
+}
+
 /** Most cells that a grid for so many grains has: coarser for scattered ones, and int32 counts.
  */
 double clod_cells_most(size_t grains);

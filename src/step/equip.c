@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "base/memory.h"
+
 /** Speed of the fastest grain, or of the fastest point of a wall [m/s]. */
 static double fastest(const clod_state *state)
 {
@@ -63,7 +65,13 @@ bool clod_step_equip(clod_step *self, clod_status *status)
     clod_neighbour_size(&self->neighbour, self->state);
     clod_wall_rows_fini(&self->neighbour.build_rows); // made at the next rebuild
     clod_wall_rows_fini(&self->walls);
-    if (!clod_wall_rows_init(&self->walls, &self->state->walls)) {
+    clod_memory_free(self->moving);
+    clod_memory_free(self->feeling);
+    const size_t walls = (size_t)self->state->walls.count;
+    self->moving = clod_memory_alloc(walls + 1, sizeof *self->moving);
+    self->feeling = clod_memory_alloc(walls + 1, sizeof *self->feeling);
+    if (self->moving == NULL || self->feeling == NULL ||
+        !clod_wall_rows_init(&self->walls, &self->state->walls)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %d walls",
                                 (int)self->state->walls.count);
     }
@@ -80,6 +88,8 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
                         clod_step_thin_skin(self, fastest(state)), status)) {
         return false;
     }
+    clod_step_list_moving(self);
+    clod_step_list_feeling(self);
     look(self);
     return true;
 }

@@ -1,16 +1,18 @@
-// Stages drift, kick and servo: how grains and walls move.
+// Stages drift and servo: how grains and walls move. The second half kick of a step is done by
+// the drift of the next one, which is one way through memory for both.
 #include <math.h>
 #include <string.h>
 
 #include "parallel/threads.h"
 #include "step/step.h"
 
-/** Walls move; the fastest speed that a point of them can have [m/s]. */
+/** Walls that can move do; the fastest speed that a point of them can have [m/s]. */
 static double drift_walls(clod_step *self)
 {
     double fastest = 0.0;
     const double dt = self->state->dt;
-    for (int32_t w = 0; w < self->state->walls.count; w++) {
+    for (int32_t k = 0; k < self->moving_count; k++) {
+        const int32_t w = self->moving[k];
         clod_wall *wall = &self->state->walls.wall[w];
         clod_wall_move(wall, dt, self->state->step + 1);
         clod_wall_rows_place(&self->walls, w, wall);
@@ -39,20 +41,13 @@ void clod_step_drift(clod_step *self, int part)
     const clod_kernel_speed seen = self->kernel->drift(
         grains->place, grains->motion, grains->turning, grains->load,
         mine->owed ? self->state->gravity : NULL, self->state->dt, c.begin, c.end);
-    mine->owed = false;
+    mine->owed = true; // this step's second half kick, when its forces are there
     mine->max_speed2 = seen.max_speed2;
     mine->finite = seen.finite;
     if (part == 0) {
         const double walls = drift_walls(self);
         mine->max_speed2 = fmax(mine->max_speed2, walls * walls);
     }
-}
-
-/** The second half kick waits for the drift of the next step: one way through memory for both.
- */
-void clod_step_kick(clod_step *self, int part)
-{
-    self->thread[part].owed = true;
 }
 
 void clod_step_settle(clod_step *self, int part)
@@ -104,12 +99,12 @@ void clod_step_servo(clod_step *self, int part)
     if (part != 0) {
         return;
     }
-    for (int32_t w = 0; w < self->state->walls.count; w++) {
+    for (int32_t k = 0; k < self->feeling_count; k++) {
+        const int32_t w = self->feeling[k];
         clod_wall *wall = &self->state->walls.wall[w];
         const double before = power_of(wall); // the force before with the way of this step
         sum_wall(wall, (const double(*)[8])self->near.wall_slots, self->near.wall_slot_start[w],
                  self->near.wall_slot_start[w + 1]);
-        wall->sum_steps++;
         wall->sum_force = clod_vec3_add(wall->sum_force, wall->force);
         wall->sum_torque = clod_vec3_add(wall->sum_torque, wall->torque);
         wall->sum_power += wall->power;

@@ -7,6 +7,7 @@
 #include "step/near_between.h"
 #include "step/near_parts.h"
 #include "step/near_walk.h"
+#include "step/room.h"
 
 /** What goes through the making of one list. */
 typedef struct near_job {
@@ -34,20 +35,6 @@ static bool wall_is_near(const clod_state *state, const clod_wall_candidate *c,
 {
     const double *p = state->grains.place[c->i];
     return clod_wall_rows_gap(walls, c->wall, c->shape, p).distance < p[3] + skin;
-}
-
-bool clod_near_room(void *array, size_t *capacity, size_t count, size_t size)
-{
-    if (count <= *capacity) {
-        return true;
-    }
-    void *old;
-    memcpy(&old, array, sizeof old);
-    clod_memory_free(old);
-    void *fresh = clod_memory_alloc(count + count / 8, size);
-    memcpy(array, &fresh, sizeof fresh);
-    *capacity = fresh != NULL ? count + count / 8 : 0;
-    return fresh != NULL;
 }
 
 /** Group of a wall contact. */
@@ -97,7 +84,7 @@ static void count_walls(const near_job *job, const clod_wall_candidates *candida
 static bool reserve_blocks(clod_near_blocks *self, size_t groups, size_t size)
 {
     self->count = self->group_start[groups];
-    return clod_near_room(&self->block, &self->capacity, self->count, size);
+    return clod_room_for(&self->block, &self->capacity, self->count, size);
 }
 
 /** Contacts of the state's list as a list that ascends as they do goes along beside them. */
@@ -241,14 +228,14 @@ static bool prepare(clod_near *self, const clod_state *state, const clod_laws *l
         }
     }
     const size_t walls = (size_t)state->walls.count + 1;
-    if (!clod_near_room(&self->wall_slot_start, &self->wall_start_capacity, walls,
-                        sizeof *self->wall_slot_start) ||
-        !clod_near_room(&self->wall_slot_fill, &self->wall_fill_capacity, walls,
-                        sizeof *self->wall_slot_fill)) {
+    if (!clod_room_for(&self->wall_slot_start, &self->wall_start_capacity, walls,
+                       sizeof *self->wall_slot_start) ||
+        !clod_room_for(&self->wall_slot_fill, &self->wall_fill_capacity, walls,
+                       sizeof *self->wall_slot_fill)) {
         return false;
     }
-    return self->parts == 1 || clod_near_room(&self->weight, &self->weight_capacity,
-                                              state->grains.count, sizeof *self->weight);
+    return self->parts == 1 || clod_room_for(&self->weight, &self->weight_capacity,
+                                             state->grains.count, sizeof *self->weight);
 }
 
 static void mark_near(clod_neighbour *neighbour, const clod_state *state,
@@ -279,9 +266,9 @@ static bool layout_wall_slots(clod_near *self, const clod_neighbour *neighbour, 
     }
     memcpy(self->wall_slot_fill, self->wall_slot_start, (size_t)walls * sizeof(int32_t));
     const size_t padding = clod_near_groups(self) * CLOD_LANES;
-    return clod_near_room(&self->wall_slots, &self->wall_slot_capacity,
-                          (size_t)self->wall_slot_start[walls] + padding,
-                          sizeof *self->wall_slots);
+    return clod_room_for(&self->wall_slots, &self->wall_slot_capacity,
+                         (size_t)self->wall_slot_start[walls] + padding,
+                         sizeof *self->wall_slots);
 }
 
 /** All contacts into blocks; the state's list is empty then. */
@@ -299,10 +286,10 @@ static void place_all(near_job *job, clod_neighbour *neighbour)
 
 bool clod_near_reserve_spent(clod_near *self)
 {
-    return !self->ledger || (clod_near_room(&self->pairs.spent, &self->pairs.spent_capacity,
-                                            self->pairs.count, sizeof *self->pairs.spent) &&
-                             clod_near_room(&self->walls.spent, &self->walls.spent_capacity,
-                                            self->walls.count, sizeof *self->walls.spent));
+    return !self->ledger || (clod_room_for(&self->pairs.spent, &self->pairs.spent_capacity,
+                                           self->pairs.count, sizeof *self->pairs.spent) &&
+                             clod_room_for(&self->walls.spent, &self->walls.spent_capacity,
+                                           self->walls.count, sizeof *self->walls.spent));
 }
 
 bool clod_near_make(clod_near *self, clod_neighbour *neighbour, clod_state *state,

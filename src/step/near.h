@@ -95,15 +95,6 @@ bool clod_near_make(clod_near *self, clod_neighbour *neighbour, clod_state *stat
                     const clod_laws *laws, const clod_wall_rows *walls, double skin,
                     clod_status *status);
 
-/**
- * Room for `count` items of an array, contents lost.
- *
- * @param array     where the pointer to the array is
- * @param capacity  [in,out] items that it has room for
- * @return          false without memory
- */
-bool clod_near_room(void *array, size_t *capacity, size_t count, size_t size);
-
 /** Room for what each contact of the list spends, when `ledger` is set. */
 bool clod_near_reserve_spent(clod_near *self);
 

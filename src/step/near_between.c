@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "step/near_parts.h"
+#include "step/room.h"
 
 #define ROWS_IN_A_LINE 2 ///< of four doubles, in the caches
 
@@ -28,8 +29,8 @@ bool clod_near_between_reserve(clod_near *near)
     }
     clod_near_between *self = &near->between;
     const size_t lanes = (near->pairs.count - first_block(near)) * CLOD_LANES;
-    return clod_near_room(&self->share, &self->share_capacity, lanes, sizeof *self->share) &&
-           clod_near_room(&self->run, &self->run_capacity, most_runs(near), sizeof *self->run);
+    return clod_room_for(&self->share, &self->share_capacity, lanes, sizeof *self->share) &&
+           clod_room_for(&self->run, &self->run_capacity, most_runs(near), sizeof *self->run);
 }
 
 /** Go on to the next run of a group, in which i's part stays the same; false: there is none. */

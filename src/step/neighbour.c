@@ -7,6 +7,8 @@
 #include "state/limits.h"
 #include "step/cells.h"
 #include "step/layers.h"
+#include "step/room.h"
+#include "step/wall_cells.h"
 
 /** Wide skin as a fraction of the largest radius: few candidates against rare rebuilds. */
 #define SKIN_FRACTION 0.3
@@ -38,61 +40,13 @@ static void reserve_pairs(clod_pairs *self, size_t count)
     self->capacity = self->item != NULL ? count : 0;
 }
 
-/** Room for one more item in an array, which is moved; false without memory. */
-static bool reserve_one(void *array, size_t count, size_t *capacity, size_t size)
-{
-    if (count < *capacity) {
-        return true;
-    }
-    const size_t more = *capacity + *capacity / 2 + 1024;
-    void *old;
-    memcpy(&old, array, sizeof old);
-    void *grown = clod_memory_grow(old, *capacity, more, size);
-    if (grown == NULL) {
-        return false;
-    }
-    memcpy(array, &grown, sizeof grown);
-    *capacity = more;
-    return true;
-}
-
 bool clod_neighbour_add(clod_pairs *self, size_t j)
 {
     if (self->count == CLOD_LIMITS_PAIRS || // start could not tell where they are
-        !reserve_one(&self->item, self->count, &self->capacity, sizeof *self->item)) {
+        !clod_room_for_one(&self->item, &self->capacity, self->count, sizeof *self->item)) {
         return false;
     }
     self->item[self->count++] = (clod_partner){(uint32_t)j & 0x7fffffff, 0};
-    return true;
-}
-
-/** Grains and shapes of walls that are within the skin, walls as they were at the rebuild. */
-static bool find_walls(clod_neighbour *self, const clod_state *state, const clod_laws *laws)
-{
-    self->walls.count = 0;
-    const clod_grains *grains = &state->grains;
-    for (size_t g = 0; g < grains->count; g++) {
-        const double *p = state->build_place[g];
-        const double reach = p[3] + self->skin;
-        for (int32_t w = 0; w < state->walls.count; w++) {
-            const clod_wall *wall = &state->walls.wall[w];
-            for (int32_t s = 0; s < wall->shape_count; s++) {
-                if (clod_wall_rows_is_far(&self->build_rows, w, s, p, reach) ||
-                    clod_wall_rows_gap(&self->build_rows, w, s, p).distance >= reach) {
-                    continue;
-                }
-                clod_wall_candidates *walls = &self->walls;
-                if (walls->count == CLOD_LIMITS_WALL_PAIRS ||
-                    !reserve_one(&walls->item, walls->count, &walls->capacity,
-                                 sizeof *walls->item)) {
-                    return false;
-                }
-                const int32_t law = clod_laws_index(laws, grains->material[g], wall->material);
-                walls->item[walls->count++] =
-                    (clod_wall_candidate){(int32_t)g, w, (int16_t)s, (uint32_t)law & 0x7fff, 0};
-            }
-        }
-    }
     return true;
 }
 
@@ -165,9 +119,11 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
     if (self->pairs.capacity == 0) { // memory that is never used costs nothing (base/memory.c)
         reserve_pairs(&self->pairs, LIKELY_PAIRS * state->grains.count);
     }
-    if (!walls_at_rebuild(self, state) || !find_walls(self, state, laws) ||
-        !(self->brute_force ? clod_cells_all_pairs(self, state)
-                            : clod_cells_find_pairs(self, state))) {
+    if (!walls_at_rebuild(self, state) ||
+        !(self->brute_force
+              ? clod_wall_cells_find_all(self, state, laws) && clod_cells_all_pairs(self, state)
+              : clod_wall_cells_find(self, state, laws) &&
+                    clod_cells_find_pairs(self, state))) {
         return clod_neighbour_fail_to_add(self, state->grains.count, status);
     }
     const size_t pairs = state->contact_count - state->wall_contact_count;
@@ -205,6 +161,7 @@ void clod_neighbour_fini(clod_neighbour *self)
     clod_memory_free(self->pairs.item);
     clod_memory_free(self->walls.item);
     clod_wall_rows_fini(&self->build_rows);
+    clod_wall_cells_fini(&self->wall_cells);
     clod_memory_free(self->cell_of);
     clod_memory_free(self->cell_item);
     clod_memory_free(self->cell_start);

@@ -31,10 +31,23 @@ typedef struct clod_pairs {
 /** A grain and a shape of a wall that may touch. */
 typedef struct clod_wall_candidate {
     int32_t i, wall;
-    int16_t shape;     ///< of the wall
-    uint16_t law : 15; ///< row of clod_laws
-    uint16_t near : 1; ///< it is on the near list
+    int32_t shape; ///< of the wall
+    int32_t law;   ///< row of clod_laws
+    int32_t near;  ///< 1: it is on the near list
 } clod_wall_candidate;
+
+/** A shape that may be near the grains of a cell. */
+typedef struct clod_wall_entry {
+    int32_t cell, wall, shape;
+} clod_wall_entry;
+
+/** Shapes by cell (wall_cells.h): scratch, kept between rebuilds. */
+typedef struct clod_wall_cells {
+    clod_wall_entry *entry;  ///< [count] in ascending (wall, shape)
+    clod_wall_entry *sorted; ///< [count] the same by cell
+    size_t *start;           ///< [cells + 1] first of each cell
+    size_t count, entry_capacity, sorted_capacity, start_capacity;
+} clod_wall_cells;
 
 typedef struct clod_wall_candidates {
     clod_wall_candidate *item; ///< [count], in ascending (i, wall, shape)
@@ -49,6 +62,7 @@ typedef struct clod_neighbour {
     clod_pairs pairs;
     clod_wall_candidates walls;
     clod_wall_rows build_rows; ///< of the walls at the last rebuild
+    clod_wall_cells wall_cells;
     // scratch, kept between rebuilds
     int32_t *cell_of, *cell_item; ///< [grains]; cell_of also counts contacts by grain
     int32_t *cell_start;          ///< [cells + 1]

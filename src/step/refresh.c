@@ -29,8 +29,12 @@ static bool take_out(clod_step *self)
 /** And into the blocks of a list with this skin. */
 static bool put_back(clod_step *self, double skin)
 {
-    return clod_near_make(&self->near, &self->neighbour, self->state, self->laws, &self->walls,
-                          skin, &self->status);
+    if (!clod_near_make(&self->near, &self->neighbour, self->state, self->laws, &self->walls,
+                        skin, &self->status)) {
+        return false;
+    }
+    clod_step_list_feeling(self);
+    return true;
 }
 
 static void refresh(clod_step *self, double speed)

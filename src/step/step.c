@@ -6,40 +6,31 @@
 #include "base/memory.h"
 #include "parallel/threads.h"
 #include "step/equip.h"
+#include "step/stages.h"
 #include "step/trouble.h"
 
-/** What a stage reads and writes, for the reader and for the order of barriers. */
-enum {
-    POSITION = 1,
-    VELOCITY = 2,
-    CONTACT_LIST = 4,
-    SHARE = 8, ///< of contacts between two threads' grains; they wait at gates
-    HISTORY = 16,
-    FORCE = 32,
-    WALL_FORCE = 64,
-    WALLS = 128,
-    LEDGER = 256,
-};
+#define POSITION CLOD_STAGE_POSITION
+#define VELOCITY CLOD_STAGE_VELOCITY
+#define LISTS CLOD_STAGE_CONTACT_LIST
+#define SHARE CLOD_STAGE_SHARE
+#define HISTORY CLOD_STAGE_HISTORY
+#define FORCE CLOD_STAGE_FORCE
+#define WALL_FORCE CLOD_STAGE_WALL_FORCE
+#define WALLS CLOD_STAGE_WALLS
+#define LEDGER CLOD_STAGE_LEDGER
 
-typedef struct clod_stage {
-    const char *name;
-    void (*run)(clod_step *self, int part);
-    int reads, writes;
-    bool wait; ///< all threads must have finished it before the next stage begins
-} clod_stage;
-
-static const clod_stage STAGES[] = {
+// drift completes the half kick of the step before; after the last step clod_step_settle does
+const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     // clang-format off
+    // name,    function,          reads,                       writes,                             barrier
     {"drift",   clod_step_drift,   FORCE | VELOCITY | WALLS,    POSITION | VELOCITY | FORCE | WALLS, true},
-    {"near",    clod_step_near,    POSITION | VELOCITY,         CONTACT_LIST,                false},
-    {"contact", clod_step_contact, POSITION | VELOCITY,         FORCE | HISTORY | SHARE,     false},
-    {"wall",    clod_step_wall,    POSITION | VELOCITY | WALLS, FORCE | WALL_FORCE | HISTORY, true},
-    {"kick",    clod_step_kick,    0,                           0,                           false},
-    {"servo",   clod_step_servo,   WALL_FORCE,                  WALLS,                       false},
-    {"ledger",  clod_step_ledger,  HISTORY,                     LEDGER,                      false},
+    {"near",    clod_step_near,    POSITION | VELOCITY,         LISTS,                               false},
+    {"contact", clod_step_contact, POSITION | VELOCITY | LISTS, FORCE | HISTORY | SHARE,             false},
+    {"wall",    clod_step_wall,    POSITION | VELOCITY | WALLS, FORCE | WALL_FORCE | HISTORY,        true},
+    {"servo",   clod_step_servo,   WALL_FORCE,                  WALLS,                               false},
+    {"ledger",  clod_step_ledger,  HISTORY,                     LEDGER,                              false},
     // clang-format on
 };
-#define STAGE_COUNT (sizeof STAGES / sizeof *STAGES)
 
 /** Trouble as one thread sees it, from flags that stay until all threads have looked. */
 static bool has_trouble(const clod_step *self, int part)
@@ -56,9 +47,9 @@ static void advance_part(clod_step *self, int64_t steps, int part)
 {
     const int64_t first = self->state->step;
     for (int64_t s = 0; s < steps; s++) {
-        for (size_t k = 0; k < STAGE_COUNT; k++) {
-            STAGES[k].run(self, part);
-            if (STAGES[k].wait) {
+        for (int k = 0; k < CLOD_STAGES; k++) {
+            CLOD_STAGE[k].run(self, part);
+            if (CLOD_STAGE[k].wait) {
                 clod_barrier_wait(&self->barrier);
             }
             if (self->failed) { // set between barriers: all threads see it here
@@ -107,7 +98,11 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
         self->thread[t].near_motion = self->thread[0].near_motion;
     }
     self->view.dt = self->state->dt;
+    const int64_t first = self->state->step;
+    clod_step_list_moving(self);
+    clod_step_list_feeling(self); // a load may have been put on
     advance_all(self, steps);
+    clod_step_count_steps(self, self->state->step - first);
     self->state->build_motion = self->thread[0].build_motion;
     self->state->time = (double)self->state->step * self->state->dt;
     if (self->failed) {
@@ -197,6 +192,8 @@ void clod_step_fini(clod_step *self)
     clod_near_fini(&self->near);
     clod_memory_free(self->thread);
     clod_memory_free(self->gate);
+    clod_memory_free(self->moving);
+    clod_memory_free(self->feeling);
     clod_wall_rows_fini(&self->walls);
     *self = (clod_step){0};
 }

@@ -47,6 +47,9 @@ typedef struct clod_step {
     clod_neighbour neighbour; ///< candidates
     clod_near near;           ///< contact blocks
     clod_wall_rows walls;     ///< where they are in this step
+    int32_t *moving;          ///< [moving_count] walls that can move
+    int32_t *feeling; ///< [feeling_count] walls with contacts, a load, or a force before
+    int32_t moving_count, feeling_count;
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
     int64_t begin;         ///< step of the state when it was taken
     bool failed;           ///< a rebuild went wrong; status says why
@@ -137,15 +140,25 @@ double clod_step_thin_skin(const clod_step *self, double speed);
 
 void clod_step_fini(clod_step *self);
 
-// ---- stages, in the order in which step.c lists them; `part` is the thread's number
+// ---- lists of walls (wall_lists.c)
+
+/** Before steps: which walls can move in them; rows of all walls for where they are. */
+void clod_step_list_moving(clod_step *self);
+
+/** After a near list is made: which walls a step adds up. */
+void clod_step_list_feeling(clod_step *self);
+
+/** After steps: how many went into the sums of every wall. */
+void clod_step_count_steps(clod_step *self, int64_t steps);
+
+// ---- stages, in the order of the table (stages.h); `part` is the thread's number
 
 void clod_step_drift(clod_step *self, int part);
 void clod_step_near(clod_step *self, int part);
 void clod_step_contact(clod_step *self, int part);
 void clod_step_wall(clod_step *self, int part);
-void clod_step_kick(clod_step *self, int part);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);
 
-/** After the last step: the half kick that is owed. */
+/** The half kick that the last drift has left: in the next one, or after the last step. */
 void clod_step_settle(clod_step *self, int part);

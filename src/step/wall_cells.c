@@ -1,0 +1,187 @@
+#include "step/wall_cells.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "state/limits.h"
+#include "step/cells.h"
+#include "step/room.h"
+
+// ---- which shapes are near which cells
+
+/** Size of a cell along an axis [m]. */
+static double width_of(const clod_cells_grid *grid, int axis)
+{
+    return grid->inverse_width[axis] > 0.0 ? 1.0 / grid->inverse_width[axis] : 0.0;
+}
+
+/** Whether a shape may be within `reach` of a grain whose centre is in a cell. Gaps change by
+ * no more than the way between two points (wall_gap.h), so the gap of the cell's centre
+ * decides. */
+static bool cell_is_near(const clod_wall_rows *rows, const clod_wall_entry *shape,
+                         const clod_cells_grid *grid, const int32_t at[3], double reach)
+{
+    double centre[3], diagonal2 = 0.0;
+    for (int a = 0; a < 3; a++) {
+        const double width = width_of(grid, a);
+        centre[a] = grid->min[a] + ((double)at[a] + 0.5) * width;
+        diagonal2 += width * width;
+    }
+    const double half = 0.5 * sqrt(diagonal2) * (1.0 + 1e-6); // and rounding of cells' borders
+    return clod_wall_rows_gap(rows, shape->wall, shape->shape, centre).distance < half + reach;
+}
+
+/** Cells that the box about a shape reaches; false: none. */
+static bool cells_of(const clod_wall_rows *rows, const clod_wall_entry *shape,
+                     const clod_cells_grid *grid, double reach, int32_t first[3],
+                     int32_t last[3])
+{
+    double low[3], high[3];
+    clod_wall_rows_box(rows, shape->wall, shape->shape, low, high);
+    for (int a = 0; a < 3; a++) {
+        const double slack = reach + 1e-6 * width_of(grid, a);
+        const double end = grid->min[a] + grid->n[a] * width_of(grid, a);
+        if (low[a] - slack > end || high[a] + slack < grid->min[a]) {
+            return false;
+        }
+        first[a] = clod_cells_along(grid, a, low[a] - slack);
+        last[a] = clod_cells_along(grid, a, high[a] + slack);
+    }
+    return true;
+}
+
+/** Note a shape for every cell in which a grain may be near it. */
+static bool enter_shape(clod_wall_cells *self, const clod_wall_rows *rows,
+                        const clod_wall_entry *shape, const clod_cells_grid *grid, double reach)
+{
+    int32_t first[3], last[3], at[3];
+    if (!cells_of(rows, shape, grid, reach, first, last)) {
+        return true;
+    }
+    for (at[2] = first[2]; at[2] <= last[2]; at[2]++) {
+        for (at[1] = first[1]; at[1] <= last[1]; at[1]++) {
+            for (at[0] = first[0]; at[0] <= last[0]; at[0]++) {
+                if (!cell_is_near(rows, shape, grid, at, reach)) {
+                    continue;
+                }
+                if (!clod_room_for_one(&self->entry, &self->entry_capacity, self->count,
+                                       sizeof *self->entry)) {
+                    return false;
+                }
+                clod_wall_entry *entry = &self->entry[self->count++];
+                *entry = *shape;
+                entry->cell = (at[2] * grid->n[1] + at[1]) * grid->n[0] + at[0];
+            }
+        }
+    }
+    return true;
+}
+
+/** All shapes, in ascending order, and then by cell: a counting sort keeps that order. */
+static bool fill(clod_wall_cells *self, const clod_walls *walls, const clod_wall_rows *rows,
+                 const clod_cells_grid *grid, double reach)
+{
+    self->count = 0;
+    for (int32_t w = 0; w < walls->count; w++) {
+        for (int32_t s = 0; s < walls->wall[w].shape_count; s++) {
+            const clod_wall_entry shape = {.wall = w, .shape = s};
+            if (!enter_shape(self, rows, &shape, grid, reach)) {
+                return false;
+            }
+        }
+    }
+    const size_t cells = (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
+    if (!clod_room_for(&self->start, &self->start_capacity, cells + 2, sizeof *self->start) ||
+        !clod_room_for(&self->sorted, &self->sorted_capacity, self->count + 1,
+                       sizeof *self->sorted)) {
+        return false;
+    }
+    memset(self->start, 0, (cells + 2) * sizeof *self->start);
+    for (size_t k = 0; k < self->count; k++) {
+        self->start[self->entry[k].cell + 2]++;
+    }
+    for (size_t c = 0; c < cells; c++) {
+        self->start[c + 2] += self->start[c + 1];
+    }
+    for (size_t k = 0; k < self->count; k++) { // afterwards start[c] is where cell c begins
+        self->sorted[self->start[self->entry[k].cell + 1]++] = self->entry[k];
+    }
+    return true;
+}
+
+// ---- which shapes are near which grains
+
+/** Add a grain and a shape to the candidates if they are within the skin. */
+static bool try_shape(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
+                      size_t g, const clod_wall_entry *shape)
+{
+    const double *p = state->build_place[g];
+    const double reach = p[3] + self->skin;
+    const clod_wall_rows *rows = &self->build_rows;
+    if (clod_wall_rows_is_far(rows, shape->wall, shape->shape, p, reach) ||
+        clod_wall_rows_gap(rows, shape->wall, shape->shape, p).distance >= reach) {
+        return true;
+    }
+    clod_wall_candidates *walls = &self->walls;
+    if (walls->count == CLOD_LIMITS_WALL_PAIRS ||
+        !clod_room_for_one(&walls->item, &walls->capacity, walls->count, sizeof *walls->item)) {
+        return false;
+    }
+    const int32_t law = clod_laws_index(laws, state->grains.material[g],
+                                        state->walls.wall[shape->wall].material);
+    walls->item[walls->count++] = (clod_wall_candidate){
+        .i = (int32_t)g, .wall = shape->wall, .shape = shape->shape, .law = law};
+    return true;
+}
+
+bool clod_wall_cells_find(clod_neighbour *self, const clod_state *state, const clod_laws *laws)
+{
+    self->walls.count = 0;
+    if (state->grains.count == 0 || state->walls.count == 0) {
+        return true;
+    }
+    clod_wall_cells *cells = &self->wall_cells;
+    const clod_cells_grid grid = clod_cells_grid_of(self, state);
+    if (!fill(cells, &state->walls, &self->build_rows, &grid, self->radius_max + self->skin)) {
+        return false;
+    }
+    for (size_t g = 0; g < state->grains.count; g++) {
+        const double *p = state->build_place[g];
+        const int32_t x = clod_cells_along(&grid, 0, p[0]);
+        const int32_t y = clod_cells_along(&grid, 1, p[1]);
+        const int32_t z = clod_cells_along(&grid, 2, p[2]);
+        const size_t cell = (size_t)((z * grid.n[1] + y) * grid.n[0] + x);
+        for (size_t k = cells->start[cell]; k < cells->start[cell + 1]; k++) {
+            if (!try_shape(self, state, laws, g, &cells->sorted[k])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool clod_wall_cells_find_all(clod_neighbour *self, const clod_state *state,
+                              const clod_laws *laws)
+{
+    self->walls.count = 0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        for (int32_t w = 0; w < state->walls.count; w++) {
+            for (int32_t s = 0; s < state->walls.wall[w].shape_count; s++) {
+                const clod_wall_entry shape = {.wall = w, .shape = s};
+                if (!try_shape(self, state, laws, g, &shape)) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+void clod_wall_cells_fini(clod_wall_cells *self)
+{
+    clod_memory_free(self->entry);
+    clod_memory_free(self->sorted);
+    clod_memory_free(self->start);
+    *self = (clod_wall_cells){0};
+}
