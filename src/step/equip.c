@@ -83,9 +83,16 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
     clod_state *state = self->state;
     const bool sorted = sort ? clod_neighbour_sort(&self->neighbour, state, status)
                              : clod_neighbour_sort_as_built(&self->neighbour, state, status);
-    if (!sorted || !clod_neighbour_build(&self->neighbour, state, self->laws, status) ||
-        !clod_near_make(&self->near, &self->neighbour, state, self->laws, &self->walls,
-                        clod_step_thin_skin(self, fastest(state)), status)) {
+    if (!sorted || !clod_neighbour_build(&self->neighbour, state, self->laws, status)) {
+        return false;
+    }
+    const clod_near_job job = {.near = &self->near,
+                               .neighbour = &self->neighbour,
+                               .state = state,
+                               .laws = self->laws,
+                               .walls = &self->walls,
+                               .skin = clod_step_thin_skin(self, fastest(state))};
+    if (!clod_near_make(&job, status)) {
         return false;
     }
     clod_step_list_moving(self);

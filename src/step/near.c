@@ -5,19 +5,13 @@
 
 #include "base/memory.h"
 #include "step/near_between.h"
+#include "step/near_known.h"
 #include "step/near_parts.h"
 #include "step/near_walk.h"
+#include "step/near_walls.h"
 #include "step/room.h"
 
-/** What goes through the making of one list. */
-typedef struct near_job {
-    clod_near *near;
-    clod_state *state;
-    const clod_laws *laws;
-    const clod_wall_rows *walls;
-} near_job;
-
-static const double NO_HISTORY[CLOD_HISTORY_NUMBERS] = {0.0};
+// ---- which candidates are near
 
 static bool pair_is_near(const clod_state *state, size_t i, size_t j, double skin)
 {
@@ -37,14 +31,51 @@ static bool wall_is_near(const clod_state *state, const clod_wall_candidate *c,
     return clod_wall_rows_gap(walls, c->wall, c->shape, p).distance < p[3] + skin;
 }
 
-/** Group of a wall contact. */
-static size_t wall_group(const clod_near *self, const clod_wall_candidate *c)
+/** Add work to a grain's: several threads may, and the sum does not depend on their order. */
+static void add_work(const clod_near_job *job, size_t grain, int32_t work)
 {
-    return clod_near_group(self, clod_near_part_of(self, c->i), c->law);
+    if (job->near->parts > 1) {
+        __atomic_fetch_add(&job->near->weight[grain], work, __ATOMIC_RELAXED);
+    }
 }
 
+/** Items [begin, end) of so many that are a part's to look at before there is a cut. */
+static size_t share_of(size_t count, int part, int parts)
+{
+    return count * (size_t)part / (size_t)parts;
+}
+
+void clod_near_mark(const clod_near_job *job, int part)
+{
+    const clod_state *state = job->state;
+    const clod_pairs *pairs = &job->neighbour->pairs;
+    const int parts = job->near->parts;
+    const size_t end = share_of(state->grains.count, part + 1, parts);
+    for (size_t i = share_of(state->grains.count, part, parts); i < end; i++) {
+        for (size_t k = pairs->start[i]; k < pairs->start[i + 1]; k++) {
+            const size_t j = pairs->item[k].j;
+            const bool near = pair_is_near(state, i, j, job->skin);
+            pairs->item[k].near = near;
+            if (near) {
+                add_work(job, j, CLOD_NEAR_PAIR_WORK);
+            }
+        }
+    }
+    const clod_wall_candidates *walls = &job->neighbour->walls;
+    const size_t last = share_of(walls->count, part + 1, parts);
+    for (size_t k = share_of(walls->count, part, parts); k < last; k++) {
+        clod_wall_candidate *c = &walls->item[k];
+        c->near = wall_is_near(state, c, job->walls, job->skin);
+        if (c->near != 0) {
+            add_work(job, (size_t)c->i, CLOD_NEAR_WALL_WORK);
+        }
+    }
+}
+
+// ---- where the pairs go
+
 /** The first block of each group from the numbers of its contacts. */
-static void layout_groups(clod_near_blocks *blocks, size_t groups)
+void clod_near_layout_groups(clod_near_blocks *blocks, size_t groups)
 {
     blocks->group_start[0] = 0;
     for (size_t q = 0; q < groups; q++) {
@@ -53,163 +84,143 @@ static void layout_groups(clod_near_blocks *blocks, size_t groups)
     }
 }
 
-/** Count near pairs by group. */
-static void count_pairs(const near_job *job, const clod_pairs *pairs)
-{
-    clod_near_blocks *blocks = &job->near->pairs;
-    const size_t groups = clod_near_groups(job->near);
-    memset(blocks->group_count, 0, groups * sizeof *blocks->group_count);
-    clod_near_walk walk = clod_near_walk_begin(job->near, pairs, job->state, job->laws);
-    while (clod_near_walk_on(&walk)) {
-        blocks->group_count[walk.group]++;
-    }
-    layout_groups(blocks, groups);
-}
-
-/** Count near grains at walls by group. */
-static void count_walls(const near_job *job, const clod_wall_candidates *candidates)
-{
-    clod_near_blocks *blocks = &job->near->walls;
-    const size_t groups = clod_near_groups(job->near);
-    memset(blocks->group_count, 0, groups * sizeof *blocks->group_count);
-    for (size_t k = 0; k < candidates->count; k++) {
-        if (candidates->item[k].near != 0) {
-            blocks->group_count[wall_group(job->near, &candidates->item[k])]++;
-        }
-    }
-    layout_groups(blocks, groups);
-}
-
 /** Room for the blocks of all groups. */
-static bool reserve_blocks(clod_near_blocks *self, size_t groups, size_t size)
+bool clod_near_reserve_blocks(clod_near_blocks *self, size_t groups, size_t size)
 {
     self->count = self->group_start[groups];
     return clod_room_for(&self->block, &self->capacity, self->count, size);
 }
 
-/** Contacts of the state's list as a list that ascends as they do goes along beside them. */
-typedef struct known_contacts {
-    const clod_contact *item;
-    size_t next, end;
-} known_contacts;
-
-/** History of the contact (i, j, shape), or none; contacts before it are not asked for again.
- */
-static const double *history_of(known_contacts *known, int32_t i, int32_t j, int32_t shape)
+/** Where the next pair of a part goes in each group; [groups]. */
+static size_t *fill_of(const clod_near *self, int part)
 {
-    const clod_contact wanted = {.i = i, .j = j, .shape = shape};
-    for (; known->next < known->end; known->next++) {
-        const int order = clod_contact_compare(&known->item[known->next], &wanted);
-        if (order >= 0) {
-            return order == 0 ? known->item[known->next].history : NO_HISTORY;
-        }
-    }
-    return NO_HISTORY;
+    return self->part_fill + (size_t)part * clod_near_groups(self);
 }
 
-/** Near pairs into blocks, with the histories of those contacts that are there. */
-static void place_pairs(near_job *job, const clod_pairs *pairs)
+void clod_near_count(const clod_near_job *job, int part)
 {
-    clod_contact_block *blocks = job->near->pairs.block;
-    const clod_state *state = job->state;
-    clod_near_walk walk = clod_near_walk_begin(job->near, pairs, state, job->laws);
-    const size_t room = state->contact_capacity * sizeof *state->contacts;
-    known_contacts known = {state->contacts, 0,
-                            state->contact_count - state->wall_contact_count};
-    size_t next = CLOD_NEAR_GIVE_BACK, given = 0;
+    size_t *count = fill_of(job->near, part);
+    memset(count, 0, clod_near_groups(job->near) * sizeof *count);
+    clod_near_walk walk = clod_near_walk_begin(job, part);
     while (clod_near_walk_on(&walk)) {
-        const size_t at = clod_near_walk_lane(&walk);
+        count[walk.group]++;
+    }
+}
+
+/** Numbers of pairs in each group, and where those of each part begin: they ascend by part. */
+static void sum_groups(clod_near *self)
+{
+    const size_t groups = clod_near_groups(self);
+    for (size_t q = 0; q < groups; q++) {
+        size_t sum = 0;
+        for (int p = 0; p < self->parts; p++) {
+            size_t *at = &fill_of(self, p)[q];
+            const size_t count = *at;
+            *at = sum;
+            sum += count;
+        }
+        self->pairs.group_count[q] = sum;
+    }
+    clod_near_layout_groups(&self->pairs, groups);
+}
+
+bool clod_near_layout(const clod_near_job *job, clod_status *status)
+{
+    clod_near *self = job->near;
+    sum_groups(self);
+    if (clod_near_reserve_blocks(&self->pairs, clod_near_groups(self),
+                                 sizeof(clod_contact_block)) &&
+        clod_near_walls_layout(job) && clod_near_reserve_spent(self) &&
+        clod_near_between_reserve(self)) {
+        clod_near_walls_place(job);
+        return true;
+    }
+    return clod_status_fail(status, CLOD_FAILED, "no memory for the contacts of %zu grains",
+                            job->state->grains.count);
+}
+
+/** The first of the pairs with a history whose i is not before a row. */
+static size_t first_from(const clod_state *state, size_t row)
+{
+    size_t low = 0, high = state->contact_count - state->wall_contact_count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if ((size_t)state->contacts[middle].i < row) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+/** The near pairs of a part into blocks, with the histories of those that touch. */
+static void place_pairs(const clod_near_job *job, int part)
+{
+    const clod_near *near = job->near;
+    clod_contact_block *blocks = near->pairs.block;
+    const clod_state *state = job->state;
+    const size_t size = sizeof *state->contacts, page = CLOD_MEMORY_HUGE_PAGE;
+    const size_t room = state->contact_capacity * size;
+    size_t *fill = fill_of(near, part);
+    clod_near_walk walk = clod_near_walk_begin(job, part);
+    clod_near_known known = {state->contacts, first_from(state, near->part_start[part]),
+                             first_from(state, near->part_start[part + 1])};
+    size_t next = known.next + CLOD_NEAR_GIVE_BACK;
+    size_t given = (known.next * size + page - 1) / page * page;
+    while (clod_near_walk_on(&walk)) {
+        const size_t at = near->pairs.group_start[walk.group] * CLOD_LANES + fill[walk.group]++;
         clod_contact_block *block = &blocks[at / CLOD_LANES];
         const int lane = (int)(at % CLOD_LANES);
         block->i[lane] = walk.i;
         block->j[lane] = walk.j;
-        clod_history_put(&block->history, lane, history_of(&known, walk.i, walk.j, -1));
+        clod_history_put(&block->history, lane, clod_near_history(&known, walk.i, walk.j, -1));
         if (known.next >= next) {
-            const size_t read = known.next * sizeof *state->contacts;
-            given = clod_near_give_back(state->contacts, room, given, read);
+            given = clod_near_give_back(state->contacts, room, given, known.next * size);
             next += CLOD_NEAR_GIVE_BACK;
         }
     }
 }
 
-static void place_wall(near_job *job, const clod_wall_candidate *c, size_t *fill,
-                       known_contacts *known)
-{
-    clod_near *near = job->near;
-    clod_wall_block *blocks = near->walls.block;
-    const size_t group = wall_group(near, c);
-    const size_t at = near->walls.group_start[group] * CLOD_LANES + fill[group]++;
-    clod_wall_block *block = &blocks[at / CLOD_LANES];
-    const int lane = (int)(at % CLOD_LANES);
-    block->i[lane] = c->i;
-    block->wall[lane] = CLOD_WALL_ROWS * c->wall;
-    block->shape[lane] = clod_wall_rows_shape(job->walls, c->wall, c->shape);
-    block->slot_wall[lane] = near->wall_slot_fill[c->wall]++;
-    clod_history_put(&block->history, lane, history_of(known, c->i, c->wall, c->shape));
-}
-
-static void place_walls(near_job *job, const clod_wall_candidates *candidates)
-{
-    const clod_state *state = job->state;
-    const size_t groups = clod_near_groups(job->near);
-    size_t *fill = job->near->walls.group_count + groups;
-    memset(fill, 0, groups * sizeof *fill);
-    known_contacts known = {state->contacts, state->contact_count - state->wall_contact_count,
-                            state->contact_count};
-    for (size_t k = 0; k < candidates->count; k++) {
-        const clod_wall_candidate *c = &candidates->item[k];
-        if (c->near != 0) {
-            place_wall(job, c, fill, &known);
-        }
-    }
-}
-
-/** Fill the lanes behind the last contact of each group with the padding rows of the grains. */
-static void pad_pairs(near_job *job)
+/** Fill the lanes behind the last contact of a group with the padding rows of the grains. */
+static void pad_group(const clod_near_job *job, size_t group)
 {
     const clod_near_blocks *pairs = &job->near->pairs;
     const int32_t far = (int32_t)job->state->grains.count;
     clod_contact_block *blocks = pairs->block;
-    for (size_t q = 0; q < clod_near_groups(job->near); q++) {
-        const size_t first = pairs->group_start[q] * CLOD_LANES + pairs->group_count[q];
-        for (size_t at = first; at < pairs->group_start[q + 1] * CLOD_LANES; at++) {
-            clod_contact_block *block = &blocks[at / CLOD_LANES];
-            const int lane = (int)(at % CLOD_LANES);
-            block->i[lane] = far;
-            block->j[lane] = far + 1;
-            clod_history_put(&block->history, lane, NO_HISTORY);
-        }
+    const size_t first = pairs->group_start[group] * CLOD_LANES + pairs->group_count[group];
+    for (size_t at = first; at < pairs->group_start[group + 1] * CLOD_LANES; at++) {
+        clod_contact_block *block = &blocks[at / CLOD_LANES];
+        const int lane = (int)(at % CLOD_LANES);
+        block->i[lane] = far;
+        block->j[lane] = far + 1;
+        clod_history_put(&block->history, lane, CLOD_NEAR_NO_HISTORY);
     }
 }
 
-static void pad_walls(near_job *job)
+void clod_near_place(const clod_near_job *job, int part)
 {
-    const clod_near_blocks *walls = &job->near->walls;
-    clod_wall_block *blocks = walls->block;
-    int32_t spare = job->near->wall_slot_start[job->state->walls.count];
-    for (size_t q = 0; q < clod_near_groups(job->near); q++) {
-        const size_t first = walls->group_start[q] * CLOD_LANES + walls->group_count[q];
-        for (size_t at = first; at < walls->group_start[q + 1] * CLOD_LANES; at++) {
-            clod_wall_block *block = &blocks[at / CLOD_LANES];
-            const int lane = (int)(at % CLOD_LANES);
-            block->i[lane] = (int32_t)job->state->grains.count;
-            block->wall[lane] = 0;
-            block->shape[lane] = clod_wall_rows_padding(job->walls, job->state->walls.count);
-            block->slot_wall[lane] = spare++;
-            clod_history_put(&block->history, lane, NO_HISTORY);
-        }
+    place_pairs(job, part);
+    for (int32_t law = 0; law < job->near->laws; law++) {
+        pad_group(job, clod_near_group(job->near, part, law));
+        pad_group(job, clod_near_group_between(job->near, part, law));
     }
 }
+
+// ---- once for all
 
 /** Arrays whose size follows from parts and laws, which stay. */
 static bool allocate(clod_near *self)
 {
     const size_t groups = clod_near_groups(self);
-    self->part_start = clod_memory_alloc((size_t)self->parts + 1, sizeof(size_t));
+    const size_t parts = (size_t)self->parts;
+    self->part_start = clod_memory_alloc(parts + 1, sizeof(size_t));
     self->between.run_start = clod_memory_alloc(groups + 1, sizeof(size_t));
-    self->source = clod_memory_alloc(groups, sizeof *self->source);
-    bool good =
-        self->part_start != NULL && self->between.run_start != NULL && self->source != NULL;
+    self->source = clod_memory_alloc(parts * groups, sizeof *self->source);
+    self->part_fill = clod_memory_alloc(parts * groups, sizeof *self->part_fill);
+    self->gathered = clod_memory_alloc(parts, sizeof *self->gathered);
+    bool good = self->part_start != NULL && self->between.run_start != NULL &&
+                self->source != NULL && self->part_fill != NULL && self->gathered != NULL;
     clod_near_blocks *lists[] = {&self->pairs, &self->walls};
     for (int k = 0; k < 2; k++) {
         lists[k]->group_start = clod_memory_alloc(groups + 1, sizeof(size_t));
@@ -219,69 +230,48 @@ static bool allocate(clod_near *self)
     return good;
 }
 
-static bool prepare(clod_near *self, const clod_state *state, const clod_laws *laws)
+/** Room for what follows from the numbers of grains and walls. */
+static bool reserve(const clod_near_job *job)
 {
-    if (self->part_start == NULL) {
-        self->laws = laws->count;
-        if (!allocate(self)) {
-            return false;
-        }
-    }
-    const size_t walls = (size_t)state->walls.count + 1;
-    if (!clod_room_for(&self->wall_slot_start, &self->wall_start_capacity, walls,
-                       sizeof *self->wall_slot_start) ||
-        !clod_room_for(&self->wall_slot_fill, &self->wall_fill_capacity, walls,
-                       sizeof *self->wall_slot_fill)) {
-        return false;
-    }
-    return self->parts == 1 || clod_room_for(&self->weight, &self->weight_capacity,
-                                             state->grains.count, sizeof *self->weight);
+    clod_near *self = job->near;
+    const size_t walls = (size_t)job->state->walls.count + 1;
+    return clod_room_for(&self->wall_slot_start, &self->wall_start_capacity, walls,
+                         sizeof *self->wall_slot_start) &&
+           clod_room_for(&self->wall_slot_fill, &self->wall_fill_capacity, walls,
+                         sizeof *self->wall_slot_fill) &&
+           (self->parts == 1 || clod_room_for(&self->weight, &self->weight_capacity,
+                                              job->state->grains.count, sizeof *self->weight));
 }
 
-static void mark_near(clod_neighbour *neighbour, const clod_state *state,
-                      const clod_wall_rows *walls, double skin)
+bool clod_near_begin(const clod_near_job *job, clod_status *status)
 {
-    const clod_pairs *pairs = &neighbour->pairs;
-    for (size_t i = 0; i < state->grains.count; i++) {
-        for (size_t k = pairs->start[i]; k < pairs->start[i + 1]; k++) {
-            pairs->item[k].near = pair_is_near(state, i, pairs->item[k].j, skin);
-        }
+    clod_near *self = job->near;
+    self->skin = job->skin;
+    self->made = false;
+    bool good = self->part_start != NULL;
+    if (!good) {
+        self->laws = job->laws->count;
+        good = allocate(self);
     }
-    for (size_t k = 0; k < neighbour->walls.count; k++) {
-        clod_wall_candidate *c = &neighbour->walls.item[k];
-        c->near = wall_is_near(state, c, walls, skin);
+    if (!good || !reserve(job)) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the contacts of %zu grains",
+                                job->state->grains.count);
     }
+    for (size_t g = 0; self->parts > 1 && g < job->state->grains.count; g++) {
+        self->weight[g] = CLOD_NEAR_GRAIN_WORK;
+    }
+    return true;
 }
 
-/** Offsets of the walls' slots from their contacts. */
-static bool layout_wall_slots(clod_near *self, const clod_neighbour *neighbour, int32_t walls)
+void clod_near_end(const clod_near_job *job)
 {
-    memset(self->wall_slot_start, 0, ((size_t)walls + 1) * sizeof(int32_t));
-    for (size_t k = 0; k < neighbour->walls.count; k++) {
-        const clod_wall_candidate *c = &neighbour->walls.item[k];
-        self->wall_slot_start[c->wall + 1] += c->near;
-    }
-    for (int32_t w = 0; w < walls; w++) {
-        self->wall_slot_start[w + 1] += self->wall_slot_start[w];
-    }
-    memcpy(self->wall_slot_fill, self->wall_slot_start, (size_t)walls * sizeof(int32_t));
-    const size_t padding = clod_near_groups(self) * CLOD_LANES;
-    return clod_room_for(&self->wall_slots, &self->wall_slot_capacity,
-                         (size_t)self->wall_slot_start[walls] + padding,
-                         sizeof *self->wall_slots);
-}
-
-/** All contacts into blocks; the state's list is empty then. */
-static void place_all(near_job *job, clod_neighbour *neighbour)
-{
-    place_walls(job, &neighbour->walls); // first: pairs give the contacts back as they go
-    pad_walls(job);
-    place_pairs(job, &neighbour->pairs);
-    pad_pairs(job);
     clod_state *state = job->state;
     const size_t room = state->contact_capacity * sizeof *state->contacts;
     clod_near_give_back(state->contacts, room, 0, room);
     state->contact_count = state->wall_contact_count = 0;
+    clod_near_between_make(job->near);
+    clod_neighbour_give_back(job->neighbour);
+    job->near->made = true;
 }
 
 bool clod_near_reserve_spent(clod_near *self)
@@ -292,32 +282,27 @@ bool clod_near_reserve_spent(clod_near *self)
                                            self->walls.count, sizeof *self->walls.spent));
 }
 
-bool clod_near_make(clod_near *self, clod_neighbour *neighbour, clod_state *state,
-                    const clod_laws *laws, const clod_wall_rows *walls, double skin,
-                    clod_status *status)
+bool clod_near_make(const clod_near_job *job, clod_status *status)
 {
-    self->skin = skin;
-    self->made = false;
-    mark_near(neighbour, state, walls, skin);
-    if (prepare(self, state, laws)) {
-        near_job job = {self, state, laws, walls};
-        const size_t groups = clod_near_groups(self);
-        clod_near_cut(self, neighbour, state->grains.count);
-        count_pairs(&job, &neighbour->pairs);
-        count_walls(&job, &neighbour->walls);
-        if (reserve_blocks(&self->pairs, groups, sizeof(clod_contact_block)) &&
-            reserve_blocks(&self->walls, groups, sizeof(clod_wall_block)) &&
-            layout_wall_slots(self, neighbour, state->walls.count) &&
-            clod_near_reserve_spent(self) && clod_near_between_reserve(self)) {
-            place_all(&job, neighbour);
-            clod_near_between_make(self);
-            clod_neighbour_give_back(neighbour);
-            self->made = true;
-            return true;
-        }
+    if (!clod_near_begin(job, status)) {
+        return false;
     }
-    return clod_status_fail(status, CLOD_FAILED, "no memory for the contacts of %zu grains",
-                            state->grains.count);
+    const int parts = job->near->parts;
+    for (int p = 0; p < parts; p++) {
+        clod_near_mark(job, p);
+    }
+    clod_near_cut(job);
+    for (int p = 0; p < parts; p++) {
+        clod_near_count(job, p);
+    }
+    if (!clod_near_layout(job, status)) {
+        return false;
+    }
+    for (int p = 0; p < parts; p++) {
+        clod_near_place(job, p);
+    }
+    clod_near_end(job);
+    return true;
 }
 
 void clod_near_fini(clod_near *self)
@@ -339,5 +324,7 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->wall_slot_fill);
     clod_memory_free(self->wall_slots);
     clod_memory_free(self->source);
+    clod_memory_free(self->part_fill);
+    clod_memory_free(self->gathered);
     *self = (clod_near){0};
 }

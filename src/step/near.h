@@ -45,6 +45,12 @@ typedef struct clod_near_source {
     size_t given;      ///< bytes of the list's array up to which memory is given back
 } clod_near_source;
 
+/** Contacts of one part in the state's list. */
+typedef struct clod_near_range {
+    size_t pair, pairs; ///< the first, and how many
+    size_t wall, walls;
+} clod_near_range;
+
 typedef struct clod_near {
     double skin; ///< m, of the list as it is
     int32_t laws;
@@ -59,9 +65,11 @@ typedef struct clod_near {
     size_t wall_start_capacity, wall_fill_capacity;
     double (*wall_slots)[8];
     size_t wall_slot_capacity;
-    clod_near_source *source; ///< [laws * parts] scratch of a cursor
-    bool made;                ///< the list stands; false: the histories are in the state
-    bool ledger;              ///< keep room for what the contacts spend
+    clod_near_source *source;  ///< scratch of cursors: [parts][laws * parts]
+    size_t *part_fill;         ///< scratch [parts][groups]: where a part's next pair goes
+    clod_near_range *gathered; ///< scratch [parts]: contacts of each part
+    bool made;                 ///< the list stands; false: the histories are in the state
+    bool ledger;               ///< keep room for what the contacts spend
 } clod_near;
 
 /** Group of a law's contacts within a part. */
@@ -82,30 +90,54 @@ static inline size_t clod_near_groups(const clod_near *self)
     return clod_near_group(self, 2 * self->parts, 0);
 }
 
+/** What goes through the making of one list, for all threads. */
+typedef struct clod_near_job {
+    clod_near *near;
+    clod_neighbour *neighbour; ///< candidates; it is noted which are near
+    clod_state *state;
+    const clod_laws *laws;
+    const clod_wall_rows *walls; ///< where they are now
+    double skin;                 ///< thin skin [m]
+} clod_near_job;
+
 /**
- * Make the near list. The histories of state->contacts go into its blocks, and the state's list
- * is empty then; without memory they stay there, and there is no list.
+ * Make the near list, in steps: those with a `part` for every part, in any order or at the same
+ * time; the others once. The histories of state->contacts go into the blocks, and the state's
+ * list is empty then; without memory they stay there, and there is no list.
  *
- * @param neighbour  candidates; it is noted which are near
- * @param walls      the walls as they are now
- * @param skin       thin skin [m]
- * @return           false without memory
+ * @return  false without memory
+ * Errors  CLOD_FAILED.   Test  tests/step/test_near_parts.c, test_same_bits.c
  */
-bool clod_near_make(clod_near *self, clod_neighbour *neighbour, clod_state *state,
-                    const clod_laws *laws, const clod_wall_rows *walls, double skin,
-                    clod_status *status);
+bool clod_near_begin(const clod_near_job *job, clod_status *status);
+void clod_near_mark(const clod_near_job *job, int part); ///< which candidates are near
+void clod_near_cut(const clod_near_job *job);            ///< parts of about the same work
+void clod_near_count(const clod_near_job *job, int part);
+bool clod_near_layout(const clod_near_job *job, clod_status *status); ///< and all walls
+void clod_near_place(const clod_near_job *job, int part);
+void clod_near_end(const clod_near_job *job);
+
+/** All of that by one thread. */
+bool clod_near_make(const clod_near_job *job, clod_status *status);
 
 /** Room for what each contact of the list spends, when `ledger` is set. */
 bool clod_near_reserve_spent(clod_near *self);
 
 /**
  * Copy every contact with its history into state->contacts (emptied first): pairs ascending by
- * (i, j), then walls by (i, wall, shape). Without a list they are there already.
+ * (i, j), then walls by (i, wall, shape). In steps, as the making of a list; not at all when no
+ * list is made: they are there already.
  *
  * @param walls    the rows that the list was made with
  * @param release  the list is not needed any more: its memory is given back as it is read
  * @return         false without memory; nothing is lost
  */
+void clod_near_gather_count(clod_near *self, int part);
+bool clod_near_gather_room(clod_near *self, clod_state *state, clod_status *status);
+void clod_near_gather_copy(clod_near *self, clod_state *state, const clod_wall_rows *walls,
+                           int part, bool release);
+void clod_near_gather_end(clod_near *self, bool release);
+
+/** All of that by one thread. */
 bool clod_near_gather(clod_near *self, clod_state *state, const clod_wall_rows *walls,
                       bool release, clod_status *status);
 

@@ -59,53 +59,44 @@ static void add_source(clod_near_cursor *self, size_t group, size_t begin, size_
                                         page * page};
     settle(&source, format);
     if (source.key != AT_END) {
-        self->near->source[self->sources++] = source;
+        self->source[self->sources++] = source;
     }
 }
 
-/** The groups and runs whose i are in this part. */
-static void open_part(clod_near_cursor *self)
+clod_near_cursor clod_near_cursor_begin(const clod_near *near, const clod_near_blocks *list,
+                                        int part)
 {
-    const clod_near *near = self->near;
-    self->sources = 0;
+    const size_t most = (size_t)near->laws * (size_t)near->parts;
+    clod_near_cursor self = {
+        .near = near, .list = list, .source = near->source + (size_t)part * most};
     for (int32_t law = 0; law < near->laws; law++) {
-        const size_t within = clod_near_group(near, self->part, law);
-        add_source(self, within, 0, self->list->group_count[within]);
-        const size_t k = (size_t)law * (size_t)near->parts + (size_t)self->part;
+        const size_t within = clod_near_group(near, part, law);
+        add_source(&self, within, 0, list->group_count[within]);
+        const size_t k = (size_t)law * (size_t)near->parts + (size_t)part;
         const size_t *start = near->between.run_start;
-        for (size_t r = start[k]; self->list == &near->pairs && r < start[k + 1]; r++) {
+        for (size_t r = start[k]; list == &near->pairs && r < start[k + 1]; r++) {
             const clod_near_run *run = &near->between.run[r];
-            add_source(self, clod_near_group_between(near, run->later, law), run->begin,
+            add_source(&self, clod_near_group_between(near, run->later, law), run->begin,
                        run->end);
         }
     }
-}
-
-clod_near_cursor clod_near_cursor_begin(const clod_near *near, const clod_near_blocks *list)
-{
-    return (clod_near_cursor){.near = near, .list = list, .part = -1};
+    return self;
 }
 
 bool clod_near_cursor_next(clod_near_cursor *self)
 {
-    clod_near_source *source = self->near->source;
-    for (;;) {
-        clod_near_source *least = source;
-        for (int32_t k = 1; k < self->sources; k++) {
-            least = source[k].key < least->key ? &source[k] : least;
-        }
-        if (self->sources > 0 && least->key != AT_END) {
-            const clod_near_format format = clod_near_format_of(self->near, self->list);
-            self->block = least->block + least->at / CLOD_LANES * format.size;
-            self->lane = (int)(least->at++ % CLOD_LANES);
-            settle(least, format);
-            return true;
-        }
-        if (++self->part >= self->near->parts) {
-            return false;
-        }
-        open_part(self);
+    clod_near_source *least = self->source;
+    for (int32_t k = 1; k < self->sources; k++) {
+        least = self->source[k].key < least->key ? &self->source[k] : least;
     }
+    if (self->sources == 0 || least->key == AT_END) {
+        return false;
+    }
+    const clod_near_format format = clod_near_format_of(self->near, self->list);
+    self->block = least->block + least->at / CLOD_LANES * format.size;
+    self->lane = (int)(least->at++ % CLOD_LANES);
+    settle(least, format);
+    return true;
 }
 
 void clod_near_cursor_release(const clod_near_cursor *self)
@@ -113,7 +104,7 @@ void clod_near_cursor_release(const clod_near_cursor *self)
     const clod_near_format format = clod_near_format_of(self->near, self->list);
     const char *array = self->list->block;
     for (int32_t k = 0; k < self->sources; k++) {
-        clod_near_source *source = &self->near->source[k];
+        clod_near_source *source = &self->source[k];
         const size_t read =
             (size_t)(source->block - array) + source->at / CLOD_LANES * format.size;
         source->given = clod_near_give_back(

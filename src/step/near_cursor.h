@@ -11,8 +11,8 @@
 typedef struct clod_near_cursor {
     const clod_near *near;
     const clod_near_blocks *list; ///< pairs or walls
-    int part;                     ///< whose grains the contacts' i are
-    int32_t sources;              ///< groups and runs of this part
+    clod_near_source *source;     ///< [sources] groups and runs of a part
+    int32_t sources;
     // the contact
     const void *block; ///< clod_contact_block, or clod_wall_block of the walls' list
     int lane;
@@ -29,11 +29,12 @@ typedef struct clod_near_format {
 clod_near_format clod_near_format_of(const clod_near *self, const clod_near_blocks *list);
 
 /**
- * Before the first contact; one cursor of a list at a time.
+ * Before the first contact of a part's grains, as i; one cursor of a part at a time.
  *
  * @param list  &near->pairs or &near->walls
  */
-clod_near_cursor clod_near_cursor_begin(const clod_near *near, const clod_near_blocks *list);
+clod_near_cursor clod_near_cursor_begin(const clod_near *near, const clod_near_blocks *list,
+                                        int part);
 
 /** Go on to the next contact that touches; false: there is none. */
 bool clod_near_cursor_next(clod_near_cursor *self);

@@ -28,35 +28,86 @@ static bool reserve_contacts(const clod_near *self, clod_state *state, clod_stat
     return true;
 }
 
-static void gather_pairs(const clod_near *self, clod_state *state, bool release)
+void clod_near_gather_count(clod_near *self, int part)
 {
-    clod_near_cursor cursor = clod_near_cursor_begin(self, &self->pairs);
+    clod_near_range range = {0};
+    clod_near_cursor pairs = clod_near_cursor_begin(self, &self->pairs, part);
+    while (clod_near_cursor_next(&pairs)) {
+        range.pairs++;
+    }
+    clod_near_cursor walls = clod_near_cursor_begin(self, &self->walls, part);
+    while (clod_near_cursor_next(&walls)) {
+        range.walls++;
+    }
+    self->gathered[part] = range;
+}
+
+bool clod_near_gather_room(clod_near *self, clod_state *state, clod_status *status)
+{
+    size_t pairs = 0, walls = 0;
+    for (int p = 0; p < self->parts; p++) {
+        self->gathered[p].pair = pairs;
+        pairs += self->gathered[p].pairs;
+    }
+    for (int p = 0; p < self->parts; p++) {
+        self->gathered[p].wall = pairs + walls;
+        walls += self->gathered[p].walls;
+    }
+    if (!reserve_contacts(self, state, status)) {
+        return false;
+    }
+    state->contact_count = pairs + walls;
+    state->wall_contact_count = walls;
+    return true;
+}
+
+static void copy_pairs(const clod_near *self, clod_state *state, int part, bool release)
+{
+    clod_contact *to = &state->contacts[self->gathered[part].pair];
+    size_t count = 0;
+    clod_near_cursor cursor = clod_near_cursor_begin(self, &self->pairs, part);
     while (clod_near_cursor_next(&cursor)) {
         const clod_contact_block *block = cursor.block;
         const int lane = cursor.lane;
-        clod_contact *to = &state->contacts[state->contact_count++];
         *to = (clod_contact){.i = block->i[lane], .j = block->j[lane], .shape = -1};
         clod_history_get(&block->history, lane, to->history);
-        if (release && state->contact_count % CLOD_NEAR_GIVE_BACK == 0) {
+        to++;
+        if (release && ++count % CLOD_NEAR_GIVE_BACK == 0) {
             clod_near_cursor_release(&cursor);
         }
     }
 }
 
-static void gather_walls(const clod_near *self, clod_state *state, const clod_wall_rows *walls)
+static void copy_walls(const clod_near *self, clod_state *state, const clod_wall_rows *walls,
+                       int part)
 {
-    const size_t before = state->contact_count;
-    clod_near_cursor cursor = clod_near_cursor_begin(self, &self->walls);
+    clod_contact *to = &state->contacts[self->gathered[part].wall];
+    clod_near_cursor cursor = clod_near_cursor_begin(self, &self->walls, part);
     while (clod_near_cursor_next(&cursor)) {
         const clod_wall_block *block = cursor.block;
         const int lane = cursor.lane;
         const int32_t wall = block->wall[lane] / CLOD_WALL_ROWS;
         const int32_t shape = block->shape[lane] / CLOD_SHAPE_ROWS - walls->first_shape[wall];
-        clod_contact *to = &state->contacts[state->contact_count++];
         *to = (clod_contact){.i = block->i[lane], .j = wall, .shape = shape};
         clod_history_get(&block->history, lane, to->history);
+        to++;
     }
-    state->wall_contact_count = state->contact_count - before;
+}
+
+void clod_near_gather_copy(clod_near *self, clod_state *state, const clod_wall_rows *walls,
+                           int part, bool release)
+{
+    copy_pairs(self, state, part, release);
+    copy_walls(self, state, walls, part);
+}
+
+void clod_near_gather_end(clod_near *self, bool release)
+{
+    if (release) {
+        const size_t blocks = self->pairs.capacity * sizeof(clod_contact_block);
+        clod_near_give_back(self->pairs.block, blocks, 0, blocks);
+        self->made = false;
+    }
 }
 
 bool clod_near_gather(clod_near *self, clod_state *state, const clod_wall_rows *walls,
@@ -65,15 +116,15 @@ bool clod_near_gather(clod_near *self, clod_state *state, const clod_wall_rows *
     if (!self->made) {
         return true;
     }
-    if (!reserve_contacts(self, state, status)) {
+    for (int p = 0; p < self->parts; p++) {
+        clod_near_gather_count(self, p);
+    }
+    if (!clod_near_gather_room(self, state, status)) {
         return false;
     }
-    gather_pairs(self, state, release);
-    gather_walls(self, state, walls);
-    if (release) {
-        const size_t blocks = self->pairs.capacity * sizeof(clod_contact_block);
-        clod_near_give_back(self->pairs.block, blocks, 0, blocks);
-        self->made = false;
+    for (int p = 0; p < self->parts; p++) {
+        clod_near_gather_copy(self, state, walls, p, release);
     }
+    clod_near_gather_end(self, release);
     return true;
 }

@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file near_walk.h
- * A walk along the near pairs in ascending (i, j). A pair does not know where its history is:
- * in each group the pairs stand in this very order, so the walk knows.
+ * A walk along the near pairs of a part, with the group of each; and memory of large beds that
+ * is given back as it has been read.
  */
 
 #include "base/memory.h"
@@ -30,72 +30,52 @@ static inline size_t clod_near_give_back(void *array, size_t bytes, size_t given
     return whole;
 }
 
+/** Near pairs of the grains of one part, in ascending (i, j). */
 typedef struct clod_near_walk {
-    const clod_near *near;
-    const clod_pairs *pairs;
-    const clod_laws *laws;
-    const uint16_t *material;
-    size_t *fill; ///< [groups] pairs of each group that have gone by; set to 0 before the walk
-    size_t next;  ///< candidate to look at
-    int part;     ///< of i
+    const clod_near_job *job;
+    size_t next, end; ///< candidates
+    int part;
     // the pair
     int32_t i, j;
     size_t group;
 } clod_near_walk;
 
+/** Before the first pair of a part. */
+static inline clod_near_walk clod_near_walk_begin(const clod_near_job *job, int part)
+{
+    const uint32_t *start = job->neighbour->pairs.start;
+    const size_t *row = &job->near->part_start[part];
+    return (clod_near_walk){.job = job,
+                            .next = start[row[0]],
+                            .end = start[row[1]],
+                            .part = part,
+                            .i = (int32_t)row[0]};
+}
+
 /** Go on to the next near pair; false: there is none. */
 static inline bool clod_near_walk_on(clod_near_walk *self)
 {
-    const clod_pairs *pairs = self->pairs;
-    for (; self->next < pairs->count; self->next++) {
-        while (self->next >= pairs->start[self->i + 1]) {
-            self->i++;
-        }
-        if (pairs->item[self->next].near != 0) {
-            break;
-        }
+    const clod_pairs *pairs = &self->job->neighbour->pairs;
+    while (self->next < self->end && pairs->item[self->next].near == 0) {
+        self->next++;
     }
-    if (self->next == pairs->count) {
+    if (self->next == self->end) {
         return false;
     }
-    self->j = (int32_t)pairs->item[self->next].j;
-    const size_t *part_start = self->near->part_start;
-    while ((size_t)self->i >= part_start[self->part + 1]) {
-        self->part++;
+    while (self->next >= pairs->start[self->i + 1]) {
+        self->i++;
     }
+    self->j = (int32_t)pairs->item[self->next++].j;
+    const clod_near *near = self->job->near;
     int later = self->part;
-    while ((size_t)self->j >= part_start[later + 1]) {
+    while ((size_t)self->j >= near->part_start[later + 1]) {
         later++;
     }
+    const clod_laws *laws = self->job->laws;
+    const uint16_t *material = self->job->state->grains.material;
     const int32_t law =
-        self->laws->count == 1
-            ? 0
-            : clod_laws_index(self->laws, self->material[self->i], self->material[self->j]);
-    self->group = later == self->part ? clod_near_group(self->near, later, law)
-                                      : clod_near_group_between(self->near, later, law);
-    self->next++;
+        laws->count == 1 ? 0 : clod_laws_index(laws, material[self->i], material[self->j]);
+    self->group = later == self->part ? clod_near_group(near, later, law)
+                                      : clod_near_group_between(near, later, law);
     return true;
-}
-
-/** Lane of the pair, counted over all blocks; once for each pair. */
-static inline size_t clod_near_walk_lane(clod_near_walk *self)
-{
-    return self->near->pairs.group_start[self->group] * CLOD_LANES + self->fill[self->group]++;
-}
-
-/** At the beginning; `fill` is scratch of the list of pairs. */
-static inline clod_near_walk clod_near_walk_begin(const clod_near *near,
-                                                  const clod_pairs *pairs,
-                                                  const clod_state *state,
-                                                  const clod_laws *laws)
-{
-    clod_near_walk walk = {.near = near,
-                           .pairs = pairs,
-                           .laws = laws,
-                           .material = state->grains.material,
-                           .fill = near->pairs.group_count + clod_near_groups(near)};
-    for (size_t q = 0; q < clod_near_groups(near); q++) {
-        walk.fill[q] = 0;
-    }
-    return walk;
 }

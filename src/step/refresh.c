@@ -1,6 +1,8 @@
 // Stage near: when motion has used a skin up, make the near list anew, or rebuild everything.
 #include <math.h>
+#include <stdatomic.h>
 
+#include "parallel/threads.h"
 #include "state/alter.h"
 #include "step/change.h"
 
@@ -20,57 +22,139 @@ double clod_step_thin_skin(const clod_step *self, double speed)
     return fmin(skin, self->neighbour.skin);
 }
 
-/** Histories into the state; the near list is no more. */
-static bool take_out(clod_step *self)
+/** The list that is being made. */
+static clod_near_job job_of(clod_step *self)
 {
-    return clod_near_gather(&self->near, self->state, &self->walls, true, &self->status);
+    return (clod_near_job){.near = &self->near,
+                           .neighbour = &self->neighbour,
+                           .state = self->state,
+                           .laws = self->laws,
+                           .walls = &self->walls,
+                           .skin = clod_step_thin_skin(self, self->remake.speed)};
 }
 
-/** And into the blocks of a list with this skin. */
-static bool put_back(clod_step *self, double skin)
+// ---- the phases, in the order of the table below
+
+/** Grains that leave through an open side are marked. */
+static void begin(clod_step *self, int part)
 {
-    if (!clod_near_make(&self->near, &self->neighbour, self->state, self->laws, &self->walls,
-                        skin, &self->status)) {
-        return false;
+    (void)part;
+    self->remake.leavers = self->remake.again ? clod_change_find_leavers(self) : 0;
+    self->remake.before = self->remake.leavers > 0 ? clod_change_balance(self) : 0.0;
+}
+
+static void count_old(clod_step *self, int part)
+{
+    clod_near_gather_count(&self->near, part);
+}
+
+static void make_room(clod_step *self, int part)
+{
+    (void)part;
+    self->failed = !clod_near_gather_room(&self->near, self->state, &self->status);
+}
+
+/** Histories into the state. */
+static void copy_old(clod_step *self, int part)
+{
+    clod_near_gather_copy(&self->near, self->state, &self->walls, part, true);
+}
+
+/** The near list is no more; at a rebuild the candidates are found anew. */
+static void search(clod_step *self, int part)
+{
+    (void)part;
+    clod_state *state = self->state;
+    clod_near_gather_end(&self->near, true);
+    if (self->remake.leavers > 0) { // with what they carried
+        clod_state_drop_grains(state, self->neighbour.rank);
+        clod_neighbour_size(&self->neighbour, state);
     }
-    clod_step_list_feeling(self);
-    return true;
-}
-
-static void refresh(clod_step *self, double speed)
-{
-    self->failed = !take_out(self) || !put_back(self, clod_step_thin_skin(self, speed));
-    self->refreshes++;
-}
-
-/** Grains that have left through an open side go, with what they carried. */
-static void let_go(clod_step *self, size_t leavers)
-{
-    if (leavers > 0) {
-        clod_state_drop_grains(self->state, self->neighbour.rank);
-        clod_neighbour_size(&self->neighbour, self->state);
-    }
-}
-
-static void rebuild(clod_step *self, double speed)
-{
-    const size_t leavers = clod_change_find_leavers(self);
-    const double before = leavers > 0 ? clod_change_balance(self) : 0.0;
-    self->failed = !take_out(self);
+    self->failed = self->remake.again &&
+                   (!clod_neighbour_sort(&self->neighbour, state, &self->status) ||
+                    !clod_neighbour_build(&self->neighbour, state, self->laws, &self->status));
     if (!self->failed) {
-        let_go(self, leavers);
-        self->failed =
-            !clod_neighbour_sort(&self->neighbour, self->state, &self->status) ||
-            !clod_neighbour_build(&self->neighbour, self->state, self->laws, &self->status) ||
-            !put_back(self, clod_step_thin_skin(self, speed));
+        self->remake.job = job_of(self);
+        self->failed = !clod_near_begin(&self->remake.job, &self->status);
     }
-    if (leavers > 0 && !self->failed) {
-        self->state->ledger.exchanged += clod_change_balance(self) - before;
-    }
-    self->rebuilds++;
 }
 
-/** Every thread takes the same decision from the same numbers; thread 0 does the work. */
+static void mark(clod_step *self, int part)
+{
+    clod_near_mark(&self->remake.job, part);
+}
+
+static void cut(clod_step *self, int part)
+{
+    (void)part;
+    clod_near_cut(&self->remake.job);
+}
+
+static void count_new(clod_step *self, int part)
+{
+    clod_near_count(&self->remake.job, part);
+}
+
+static void layout(clod_step *self, int part)
+{
+    (void)part;
+    self->failed = !clod_near_layout(&self->remake.job, &self->status);
+}
+
+/** Pairs into blocks, with their histories. */
+static void place(clod_step *self, int part)
+{
+    clod_near_place(&self->remake.job, part);
+}
+
+static void end(clod_step *self, int part)
+{
+    (void)part;
+    clod_near_end(&self->remake.job);
+    clod_step_list_feeling(self);
+    self->view.wall_slots = self->near.wall_slots;
+    self->view.lead = self->neighbour.lead;
+    if (self->remake.leavers > 0) {
+        self->state->ledger.exchanged += clod_change_balance(self) - self->remake.before;
+    }
+    self->rebuilds += self->remake.again;
+    self->refreshes += !self->remake.again;
+}
+
+typedef struct list_phase {
+    void (*run)(clod_step *self, int part);
+    bool all; ///< by every thread for its parts; else by thread 0 alone
+} list_phase;
+
+static const list_phase PHASES[] = {
+    {begin, false},  {count_old, true}, {make_room, false}, {copy_old, true},
+    {search, false}, {mark, true},      {cut, false},       {count_new, true},
+    {layout, false}, {place, true},     {end, false},
+};
+#define PHASE_COUNT ((int)(sizeof PHASES / sizeof *PHASES))
+
+/**
+ * The phases as one thread sees them; a barrier follows each. Where one has failed, all threads
+ * leave after its barrier: thread 0 may be in the next one by then, so the number counts.
+ */
+static void remake_lists(clod_step *self, int part)
+{
+    const clod_chunk mine = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
+    for (int k = 0; k < PHASE_COUNT && atomic_load(&self->remake.failed) >= k; k++) {
+        for (size_t p = mine.begin; PHASES[k].all && p < mine.end; p++) {
+            PHASES[k].run(self, (int)p);
+        }
+        if (!PHASES[k].all && part == 0) {
+            PHASES[k].run(self, 0);
+            if (self->failed) {
+                atomic_store(&self->remake.failed, k);
+            }
+        }
+        clod_barrier_wait(&self->barrier);
+    }
+}
+
+/** Every thread takes the same decision from the same numbers; all make the lists. */
 void clod_step_near(clod_step *self, int part)
 {
     clod_step_thread *mine = &self->thread[part];
@@ -89,17 +173,13 @@ void clod_step_near(clod_step *self, int part)
     if (!finite || !(again || thin)) { // positions that are not finite cannot be sorted
         return;
     }
-    clod_barrier_wait(&self->barrier);
     if (part == 0) {
-        if (again) {
-            rebuild(self, speed);
-        } else {
-            refresh(self, speed);
-        }
-        self->view.wall_slots = self->near.wall_slots;
-        self->view.lead = self->neighbour.lead;
+        self->remake.again = again;
+        self->remake.speed = speed;
+        atomic_store(&self->remake.failed, PHASE_COUNT);
     }
     clod_barrier_wait(&self->barrier);
+    remake_lists(self, part);
     mine->near_motion = 0.0;
     mine->build_motion = again ? 0.0 : mine->build_motion;
 }

@@ -36,6 +36,16 @@ typedef struct clod_step_thread {
     bool owed;                      ///< its grains' second half kick is still to be done
 } clod_step_thread;
 
+/** What goes through the making of lists within a step. */
+typedef struct clod_step_remake {
+    bool again;         ///< the candidates too: a rebuild
+    double speed;       ///< m/s, of the fastest point now
+    size_t leavers;     ///< grains that leave through an open side
+    double before;      ///< J, energy with them
+    _Atomic int failed; ///< the phase that did, or one behind the last
+    clod_near_job job;
+} clod_step_remake;
+
 typedef struct clod_step {
     clod_state *state;     ///< borrowed
     const clod_laws *laws; ///< borrowed; adhesion may change between calls of advance
@@ -51,8 +61,9 @@ typedef struct clod_step {
     int32_t *feeling; ///< [feeling_count] walls with contacts, a load, or a force before
     int32_t moving_count, feeling_count;
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
-    int64_t begin;         ///< step of the state when it was taken
-    bool failed;           ///< a rebuild went wrong; status says why
+    clod_step_remake remake;
+    int64_t begin; ///< step of the state when it was taken
+    bool failed;   ///< a rebuild went wrong; status says why
     clod_status status;
     // for reports
     int64_t rebuilds, refreshes;

@@ -128,7 +128,7 @@ static void check_runs(const scene *s)
 }
 
 /** Groups hold as many pairs as candidates are near, and the walk finds each in its lane. */
-static void check_candidates(const scene *s)
+static void check_candidates(scene *s)
 {
     const clod_near *near = &s->step.near;
     const clod_pairs *pairs = &s->step.neighbour.pairs;
@@ -140,13 +140,22 @@ static void check_candidates(const scene *s)
     for (size_t q = 0; q < clod_near_groups(near); q++) {
         held += near->pairs.group_count[q];
     }
-    clod_near_walk walk = clod_near_walk_begin(near, pairs, &s->state, &s->laws);
-    while (clod_near_walk_on(&walk)) {
-        const size_t at = clod_near_walk_lane(&walk);
-        assert_int_equal(blocks[at / CLOD_LANES].i[at % CLOD_LANES], walk.i);
-        assert_int_equal(blocks[at / CLOD_LANES].j[at % CLOD_LANES], walk.j);
-        walked++;
+    size_t *fill = clod_memory_alloc(clod_near_groups(near), sizeof *fill);
+    clod_near_job job = {.near = &s->step.near,
+                         .neighbour = &s->step.neighbour,
+                         .state = &s->state,
+                         .laws = &s->laws};
+    for (int part = 0; part < near->parts; part++) {
+        clod_near_walk walk = clod_near_walk_begin(&job, part);
+        while (clod_near_walk_on(&walk)) {
+            const size_t at =
+                near->pairs.group_start[walk.group] * CLOD_LANES + fill[walk.group]++;
+            assert_int_equal(blocks[at / CLOD_LANES].i[at % CLOD_LANES], walk.i);
+            assert_int_equal(blocks[at / CLOD_LANES].j[at % CLOD_LANES], walk.j);
+            walked++;
+        }
     }
+    clod_memory_free(fill);
     assert_true(marked == held && held == walked);
 }
 

@@ -25,10 +25,15 @@ static void rewind_to(scene *s, const clod_state *start)
     clod_wall_rows_update(&s->step.walls, &s->state.walls);
     s->state.contact_count = s->state.wall_contact_count = 0;
     s->step.thread[0].near_motion = 0.0;
+    const clod_near_job job = {.near = &s->step.near,
+                               .neighbour = &s->step.neighbour,
+                               .state = &s->state,
+                               .laws = &s->laws,
+                               .walls = &s->step.walls,
+                               .skin = 1e-5};
     assert_true(clod_neighbour_sort(&s->step.neighbour, &s->state, &status) &&
                 clod_neighbour_build(&s->step.neighbour, &s->state, &s->laws, &status) &&
-                clod_near_make(&s->step.near, &s->step.neighbour, &s->state, &s->laws,
-                               &s->step.walls, 1e-5, &status));
+                clod_near_make(&job, &status));
     s->step.view.wall_slots = s->step.near.wall_slots;
 }
 
