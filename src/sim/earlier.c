@@ -31,7 +31,7 @@ static void title_of(const char *complete, char *text, size_t size)
 }
 
 /** Say in what the case differs from that of the run in the folder. */
-static void fail_changed(const clod_sim *sim, const char *before, const char *complete,
+static void fail_changed(const clod_job_shared *sim, const char *before, const char *complete,
                          clod_status *status)
 {
     char title[256];
@@ -46,7 +46,7 @@ static void fail_changed(const clod_sim *sim, const char *before, const char *co
         sim->directory, grains != NULL ? "other grains" : "another case");
 }
 
-static bool is_same_case(const clod_sim *sim, const char *complete, clod_status *status)
+static bool is_same_case(const clod_job_shared *sim, const char *complete, clod_status *status)
 {
     void *before;
     size_t size;
@@ -167,7 +167,7 @@ static bool read_report(const clod_folder *folder, char **report, clod_status *s
     return true;
 }
 
-clod_earlier clod_earlier_look(const clod_sim *sim, const char *complete, char **report,
+clod_earlier clod_earlier_look(const clod_job_shared *sim, const char *complete, char **report,
                                clod_status *status)
 {
     leftovers found;

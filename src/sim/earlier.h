@@ -29,5 +29,5 @@ bool clod_earlier_has_checkpoints(const char *directory, bool *found, clod_statu
  * Errors  CLOD_USAGE: another case, checkpoints gone; CLOD_FAILED: cannot be read.
  * Threads one per folder.   Test  tests/cli/test_folder.py
  */
-clod_earlier clod_earlier_look(const clod_sim *sim, const char *complete, char **report,
+clod_earlier clod_earlier_look(const clod_job_shared *sim, const char *complete, char **report,
                                clod_status *status);

@@ -212,7 +212,7 @@ static bool write_summary(const clod_job *job, clod_status *status)
                   "coordination", bed.coordination, "max_overlap", bed.max_overlap,
                   "kinetic_energy_J", clod_measure_kinetic_energy(state), "wall_clock_s",
                   job->memory.wall_clock, "stages", stages_json(job), "walls", walls);
-    const clod_sim *sim = job->sim;
+    const clod_job_shared *sim = job->sim;
     if (job->memory.origin[0] != '\0') {
         json_object_set_new(root, "from", json_string(job->memory.origin));
     }
@@ -231,7 +231,7 @@ static bool write_summary(const clod_job *job, clod_status *status)
 /** The state to begin with; only its walls when everything else is in a checkpoint. */
 static bool make_state(clod_job *job, clod_status *status)
 {
-    const clod_sim *sim = job->sim;
+    const clod_job_shared *sim = job->sim;
     char *told;
     bool exists;
     if (!clod_checkpoint_exists(sim->folder, "restart", &exists, status)) {
@@ -271,7 +271,7 @@ static bool run_stages(clod_job *job, clod_status *status)
     return clod_job_run(job, status);
 }
 
-bool clod_free_run(const clod_sim *sim, char **report, clod_status *status)
+bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *status)
 {
     const size_t stages = sim->from->stage_count;
     const size_t data_size = sizeof(free_data) + stages * sizeof(clod_free_stage_end);

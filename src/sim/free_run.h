@@ -8,4 +8,4 @@
 #include "sim/job.h"
 
 /** Run all stages; the report lists the walls' last forces. */
-bool clod_free_run(const clod_sim *sim, char **report, clod_status *status);
+bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *status);

@@ -34,7 +34,7 @@ typedef struct clod_procedure {
 } clod_procedure;
 
 /** What all jobs of a run share; borrowed by them. */
-typedef struct clod_sim {
+typedef struct clod_job_shared {
     const clod_case *from;
     const clod_run_options *options;
     const char *directory;     ///< path of the folder, for messages
@@ -43,7 +43,7 @@ typedef struct clod_sim {
     clod_eventlog *log;
     struct clod_origin *origin; ///< run from whose grains this one begins; NULL: none
     bool any_threads;           ///< nobody asked for a number: no more than pay
-} clod_sim;
+} clod_job_shared;
 
 #define CLOD_JOB_VERSION 128 ///< bytes of a version text
 #define CLOD_JOB_ORIGIN 512  ///< bytes of an origin
@@ -63,7 +63,7 @@ typedef struct clod_job_memory {
 } clod_job_memory;
 
 typedef struct clod_job {
-    const clod_sim *sim;
+    const clod_job_shared *sim;
     char name[48]; ///< also the start of its files' names
     int threads;
     clod_state state; ///< owned; made by the caller before clod_job_run

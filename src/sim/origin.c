@@ -184,7 +184,7 @@ static void note_difference(void *context, const char *key, const char *there, c
 }
 
 /** Compare the cases; a test goes on with the same test only. */
-static bool compare(clod_origin *self, const clod_sim *sim, clod_status *status)
+static bool compare(clod_origin *self, const clod_job_shared *sim, clod_status *status)
 {
     clod_text text = {0};
     comparison now = {.origin = self, .out = clod_text_open(&text)};
@@ -267,7 +267,7 @@ static bool check_kind(const clod_origin *self, const clod_case *from, clod_stat
                             self->folder);
 }
 
-bool clod_origin_name(clod_origin *self, const clod_sim *sim, clod_status *status)
+bool clod_origin_name(clod_origin *self, const clod_job_shared *sim, clod_status *status)
 {
     char whole[PATH_MAX];
     *self = (clod_origin){.stem = "restart"};
@@ -289,7 +289,7 @@ bool clod_origin_name(clod_origin *self, const clod_sim *sim, clod_status *statu
     return true;
 }
 
-bool clod_origin_open(clod_origin *self, const clod_sim *sim, clod_status *status)
+bool clod_origin_open(clod_origin *self, const clod_job_shared *sim, clod_status *status)
 {
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     pthread_mutex_lock(&lock);

@@ -37,7 +37,7 @@ typedef struct clod_origin {
  * @param self  [out] clod_origin_fini in any case
  * Errors  CLOD_USAGE: no time behind the @, the run's own folder.
  */
-bool clod_origin_name(clod_origin *self, const clod_sim *sim, clod_status *status);
+bool clod_origin_name(clod_origin *self, const clod_job_shared *sim, clod_status *status);
 
 /**
  * Open that run unless it is open, and see in what its case differs from this one's.
@@ -45,7 +45,7 @@ bool clod_origin_name(clod_origin *self, const clod_sim *sim, clod_status *statu
  * Errors  CLOD_USAGE: no results folder, a time at which nothing was kept, a case that cannot
  *         begin there.   Threads  safe.   Test  tests/restart/test_from.py
  */
-bool clod_origin_open(clod_origin *self, const clod_sim *sim, clod_status *status);
+bool clod_origin_open(clod_origin *self, const clod_job_shared *sim, clod_status *status);
 
 void clod_origin_fini(clod_origin *self);
 

@@ -16,7 +16,7 @@
 /** Parts that may run side by side. */
 typedef struct part_batch {
     const clod_parts_tester *tester;
-    const clod_sim *sim;
+    const clod_job_shared *sim;
     clod_part *part;    ///< [count]
     int threads;        ///< of each part
     atomic_bool failed; ///< a part has: no further one is begun
@@ -101,8 +101,8 @@ static void run_part(void *context, int number)
     clod_job_fini(&job);
 }
 
-bool clod_parts_run(const clod_parts_tester *tester, const clod_sim *sim, clod_part *part,
-                    int count, clod_status *status)
+bool clod_parts_run(const clod_parts_tester *tester, const clod_job_shared *sim,
+                    clod_part *part, int count, clod_status *status)
 {
     const int given = sim->options->threads;
     const int threads = given > 0 ? given : clod_threads_available();
@@ -122,7 +122,7 @@ bool clod_parts_run(const clod_parts_tester *tester, const clod_sim *sim, clod_p
     return ok;
 }
 
-bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_sim *sim,
+bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_job_shared *sim,
                            clod_part *part, int count, clod_status *status)
 {
     const part_batch batch = {.tester = tester, .sim = sim};
@@ -162,7 +162,7 @@ void clod_parts_set_number(json_t *object, const char *key, double value)
     json_object_set_new(object, key, isfinite(value) ? json_real(value) : json_null());
 }
 
-bool clod_parts_write_summary(const clod_sim *sim, json_t *parts, const char *name,
+bool clod_parts_write_summary(const clod_job_shared *sim, json_t *parts, const char *name,
                               json_t *results, json_t *warnings, const char *incomplete,
                               clod_status *status)
 {
@@ -191,7 +191,7 @@ int clod_parts_finished(const clod_part *part, int count, clod_part *finished)
     return found;
 }
 
-void clod_parts_tell_finished(const clod_sim *sim, int count, const char *table)
+void clod_parts_tell_finished(const clod_job_shared *sim, int count, const char *table)
 {
     char text[PATH_MAX + 256];
     if (sim->options->notice != NULL) {

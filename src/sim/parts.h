@@ -44,11 +44,11 @@ typedef struct clod_parts_tester {
  *
  * @return  false: the first part that failed gives the status, an interruption last
  */
-bool clod_parts_run(const clod_parts_tester *tester, const clod_sim *sim, clod_part *part,
-                    int count, clod_status *status);
+bool clod_parts_run(const clod_parts_tester *tester, const clod_job_shared *sim,
+                    clod_part *part, int count, clod_status *status);
 
 /** Whether every preparation of a batch can be taken over from another run; writes nothing. */
-bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_sim *sim,
+bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_job_shared *sim,
                            clod_part *part, int count, clod_status *status);
 
 /** What every tester's summary says of a part; a new object. */
@@ -64,7 +64,7 @@ void clod_parts_set_number(json_t *object, const char *key, double value);
  * @param warnings    list of texts, borrowed
  * @param incomplete  why parts or results are missing; NULL when none are
  */
-bool clod_parts_write_summary(const clod_sim *sim, json_t *parts, const char *name,
+bool clod_parts_write_summary(const clod_job_shared *sim, json_t *parts, const char *name,
                               json_t *results, json_t *warnings, const char *incomplete,
                               clod_status *status);
 
@@ -78,7 +78,7 @@ bool clod_parts_write_summary(const clod_sim *sim, json_t *parts, const char *na
 int clod_parts_finished(const clod_part *part, int count, clod_part *finished);
 
 /** Tell the user that the results of `count` finished parts are in the folder. */
-void clod_parts_tell_finished(const clod_sim *sim, int count, const char *table);
+void clod_parts_tell_finished(const clod_job_shared *sim, int count, const char *table);
 
 /** "1234 grains, dt ..., coordination ..., largest overlap at the end of WHAT ..." of part 0.
  */

@@ -116,7 +116,7 @@ static json_t *part_json(const clod_part *part)
 }
 
 /** Summary; without a study, and with what is missing, when `why` is not NULL. */
-static bool write_summary(const clod_sim *sim, const clod_part *part, int parts,
+static bool write_summary(const clod_job_shared *sim, const clod_part *part, int parts,
                           const clod_locus_study *study, json_t *warnings, const char *why,
                           clod_status *status)
 {
@@ -150,7 +150,7 @@ static int append_preshears(const clod_part *part, int parts, char *text, size_t
 
 /** Title, how preshear ended, yield locus, warnings, cost: what the engineer asked for; owned,
  *  NULL without memory. */
-static char *make_text(const clod_sim *sim, const clod_part *part, int parts,
+static char *make_text(const clod_job_shared *sim, const clod_part *part, int parts,
                        const clod_locus_study *study, const json_t *warnings)
 {
     char *table = clod_locus_table(study);
@@ -195,8 +195,8 @@ static clod_locus_study *evaluate(const clod_locus_point *point, int points,
     return study;
 }
 
-bool clod_ring_report(const clod_sim *sim, const clod_part *part, int preparations, int points,
-                      char **report, clod_status *status)
+bool clod_ring_report(const clod_job_shared *sim, const clod_part *part, int preparations,
+                      int points, char **report, clod_status *status)
 {
     clod_locus_point *point = points_of(part + preparations, points);
     json_t *warnings = clod_ring_warnings(sim->from, part, preparations + points);
@@ -218,8 +218,8 @@ bool clod_ring_report(const clod_sim *sim, const clod_part *part, int preparatio
     return ok;
 }
 
-void clod_ring_report_finished(const clod_sim *sim, const clod_part *part, int preparations,
-                               int points, const char *why)
+void clod_ring_report_finished(const clod_job_shared *sim, const clod_part *part,
+                               int preparations, int points, const char *why)
 {
     clod_part *done = clod_memory_alloc((size_t)preparations + (size_t)points, sizeof *done);
     const int before = done != NULL ? clod_parts_finished(part, preparations, done) : 0;

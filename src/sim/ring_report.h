@@ -14,8 +14,8 @@
  * Errors  CLOD_FAILED: the points give no yield locus; disk, memory.
  * Test    tests/sim/test_reports.c
  */
-bool clod_ring_report(const clod_sim *sim, const clod_part *part, int preparations, int points,
-                      char **report, clod_status *status);
+bool clod_ring_report(const clod_job_shared *sim, const clod_part *part, int preparations,
+                      int points, char **report, clod_status *status);
 
 /**
  * When the test failed on its way, or its points give no yield locus: write what the finished
@@ -24,5 +24,5 @@ bool clod_ring_report(const clod_sim *sim, const clod_part *part, int preparatio
  * @param part  [preparations + points] finished or not
  * @param why   goes into the summary
  */
-void clod_ring_report_finished(const clod_sim *sim, const clod_part *part, int preparations,
-                               int points, const char *why);
+void clod_ring_report_finished(const clod_job_shared *sim, const clod_part *part,
+                               int preparations, int points, const char *why);

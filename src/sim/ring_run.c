@@ -133,7 +133,7 @@ static void free_parts(ring_parts *self)
     clod_memory_free(self->test);
 }
 
-bool clod_ring_try_origin(const clod_sim *sim, clod_status *status)
+bool clod_ring_try_origin(const clod_job_shared *sim, clod_status *status)
 {
     ring_parts parts;
     const bool ok = make_parts(&parts, sim->from, status) &&
@@ -142,7 +142,7 @@ bool clod_ring_try_origin(const clod_sim *sim, clod_status *status)
     return ok;
 }
 
-static bool run_parts(const clod_sim *sim, const ring_parts *parts, char **report,
+static bool run_parts(const clod_job_shared *sim, const ring_parts *parts, char **report,
                       clod_status *status)
 {
     clod_part *part = parts->part;
@@ -157,7 +157,7 @@ static bool run_parts(const clod_sim *sim, const ring_parts *parts, char **repor
     return ok;
 }
 
-bool clod_ring_run(const clod_sim *sim, char **report, clod_status *status)
+bool clod_ring_run(const clod_job_shared *sim, char **report, clod_status *status)
 {
     ring_parts parts;
     const bool ok =

@@ -18,7 +18,7 @@
 #include "step/kernel.h"
 
 /** Make the folder ready: clear it when asked, write the copies of the case, open the log. */
-static bool fill_folder(clod_sim *sim, const char *complete, clod_status *status)
+static bool fill_folder(clod_job_shared *sim, const char *complete, clod_status *status)
 {
     if (sim->options->fresh && !clod_folder_clear(sim->folder, status)) {
         return false;
@@ -30,7 +30,7 @@ static bool fill_folder(clod_sim *sim, const char *complete, clod_status *status
     return sim->log != NULL;
 }
 
-static bool run_case(const clod_sim *sim, char **report, clod_status *status)
+static bool run_case(const clod_job_shared *sim, char **report, clod_status *status)
 {
     clod_eventlog_write(sim->log, "start", "{s:s, s:s, s:s, s:i}", "version",
                         clod_version_text(), "case", sim->from->path, "title",
@@ -62,13 +62,13 @@ static bool check_request(const clod_case *from, const clod_run_options *options
 }
 
 /** Keep the text of the report, which a run whose checkpoints are lost can only read. */
-static bool write_report(const clod_sim *sim, const char *report, clod_status *status)
+static bool write_report(const clod_job_shared *sim, const char *report, clod_status *status)
 {
     return report != NULL ? clod_folder_write(sim->folder, "report.txt", report, status)
                           : clod_status_fail(status, CLOD_FAILED, "no memory for the report");
 }
 
-static bool close_log(clod_sim *sim, bool ok, clod_status *status)
+static bool close_log(clod_job_shared *sim, bool ok, clod_status *status)
 {
     clod_status log_status;
     if (!clod_eventlog_close(&sim->log, &log_status) && ok) {
@@ -79,7 +79,7 @@ static bool close_log(clod_sim *sim, bool ok, clod_status *status)
 }
 
 /** Run in a folder that is locked for it. */
-static bool run_in_folder(clod_sim *sim, const char *complete, char **report,
+static bool run_in_folder(clod_job_shared *sim, const char *complete, char **report,
                           clod_status *status)
 {
     clod_folder *folder = clod_folder_open(sim->directory, status);
@@ -118,7 +118,7 @@ static clod_run_options fit_threads(const clod_run_options *wanted)
 }
 
 /** Whether this run can begin with what the other one has. */
-static bool try_origin(const clod_sim *sim, clod_status *status)
+static bool try_origin(const clod_job_shared *sim, clod_status *status)
 {
     if (sim->from->uniaxial.present) {
         return clod_uniaxial_try_origin(sim, status);
@@ -132,7 +132,7 @@ static bool try_origin(const clod_sim *sim, clod_status *status)
  * The run that this one begins from, which is tried before anything is written, unless this
  * one has begun already and only goes on.
  */
-static bool open_origin(clod_sim *sim, clod_origin *origin, clod_status *status)
+static bool open_origin(clod_job_shared *sim, clod_origin *origin, clod_status *status)
 {
     const clod_run_options *options = sim->options;
     bool begun = false;
@@ -168,11 +168,11 @@ bool clod_run(const clod_case *self, const clod_run_options *wanted, char **repo
     } else if (options->directory == NULL) {
         standard = clod_folder_default(self->path, status);
     }
-    clod_sim sim = {.from = self,
-                    .options = options,
-                    .any_threads = wanted->threads == 0,
-                    .directory = standard != NULL ? standard : options->directory,
-                    .identity = identity};
+    clod_job_shared sim = {.from = self,
+                           .options = options,
+                           .any_threads = wanted->threads == 0,
+                           .directory = standard != NULL ? standard : options->directory,
+                           .identity = identity};
     clod_origin origin = {0};
     const bool ok = identity != NULL && sim.directory != NULL &&
                     open_origin(&sim, &origin, status) &&

@@ -96,7 +96,7 @@ static json_t *point_json(const clod_part *part)
     return j;
 }
 
-static bool write_summary(const clod_sim *sim, const clod_part *part, int points,
+static bool write_summary(const clod_job_shared *sim, const clod_part *part, int points,
                           json_t *warnings, const char *why, clod_status *status)
 {
     json_t *list = json_array();
@@ -125,7 +125,7 @@ static int table_row(const clod_uniaxial *t, char *text, size_t size)
 }
 
 /** Title, flow function, warnings: what the engineer asked for. */
-static char *make_text(const clod_sim *sim, const clod_part *part, int points,
+static char *make_text(const clod_job_shared *sim, const clod_part *part, int points,
                        const json_t *warnings)
 {
     const char *title = sim->from->title != NULL ? sim->from->title : "uniaxial test";
@@ -154,8 +154,8 @@ static char *make_text(const clod_sim *sim, const clod_part *part, int points,
     return text;
 }
 
-bool clod_uniaxial_report(const clod_sim *sim, const clod_part *part, int points, char **report,
-                          clod_status *status)
+bool clod_uniaxial_report(const clod_job_shared *sim, const clod_part *part, int points,
+                          char **report, clod_status *status)
 {
     json_t *warnings = clod_uniaxial_warnings(sim->from, part, points + 1);
     if (warnings == NULL) {
@@ -170,8 +170,8 @@ bool clod_uniaxial_report(const clod_sim *sim, const clod_part *part, int points
     return ok;
 }
 
-void clod_uniaxial_report_finished(const clod_sim *sim, const clod_part *part, int points,
-                                   const char *why)
+void clod_uniaxial_report_finished(const clod_job_shared *sim, const clod_part *part,
+                                   int points, const char *why)
 {
     clod_part *done = clod_memory_alloc((size_t)points + 1, sizeof *done);
     const int found = done != NULL ? clod_parts_finished(part, points + 1, done) : 0;

@@ -12,8 +12,8 @@
  * @param part    [1 + points] finished parts, the filling first
  * @param report  [out] owned text
  */
-bool clod_uniaxial_report(const clod_sim *sim, const clod_part *part, int points, char **report,
-                          clod_status *status);
+bool clod_uniaxial_report(const clod_job_shared *sim, const clod_part *part, int points,
+                          char **report, clod_status *status);
 
 /**
  * When the test failed on its way: write what the finished parts have, flow_function.csv and
@@ -22,5 +22,5 @@ bool clod_uniaxial_report(const clod_sim *sim, const clod_part *part, int points
  * @param part  [1 + points] finished or not
  * @param why   goes into the summary
  */
-void clod_uniaxial_report_finished(const clod_sim *sim, const clod_part *part, int points,
-                                   const char *why);
+void clod_uniaxial_report_finished(const clod_job_shared *sim, const clod_part *part,
+                                   int points, const char *why);

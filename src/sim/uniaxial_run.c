@@ -78,7 +78,7 @@ static void name_parts(const clod_case *from, int parts, clod_part *part, clod_u
     }
 }
 
-bool clod_uniaxial_try_origin(const clod_sim *sim, clod_status *status)
+bool clod_uniaxial_try_origin(const clod_job_shared *sim, clod_status *status)
 {
     clod_part part = {0};
     clod_uniaxial test = {0};
@@ -86,7 +86,7 @@ bool clod_uniaxial_try_origin(const clod_sim *sim, clod_status *status)
     return clod_parts_try_origin(&TESTER, sim, &part, 1, status);
 }
 
-bool clod_uniaxial_run(const clod_sim *sim, char **report, clod_status *status)
+bool clod_uniaxial_run(const clod_job_shared *sim, char **report, clod_status *status)
 {
     const int points = (int)sim->from->uniaxial.consolidation_stress_count;
     clod_part *part = clod_memory_alloc((size_t)points + 1, sizeof *part);

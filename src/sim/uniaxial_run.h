@@ -9,8 +9,8 @@
 #include "tester/uniaxial.h"
 
 /** Run the test; the report is the result table with the warning box. */
-bool clod_uniaxial_run(const clod_sim *sim, char **report, clod_status *status);
+bool clod_uniaxial_run(const clod_job_shared *sim, char **report, clod_status *status);
 
 /** Whether its preparation can be taken over from the run that it begins from, before anything
  *  is written. Errors  see clod_job_try_origin.   Test  tests/restart/test_from.py */
-bool clod_uniaxial_try_origin(const clod_sim *sim, clod_status *status);
+bool clod_uniaxial_try_origin(const clod_job_shared *sim, clod_status *status);

@@ -37,7 +37,7 @@ static const char MOULD[] =
 typedef struct bench {
     clod_case *from;
     clod_run_options options;
-    clod_sim sim;
+    clod_job_shared sim;
     clod_folder *open;
     char folder[64];
     char told[512];
@@ -63,10 +63,10 @@ static void begin(bench *self, const char *text)
     if (self->open == NULL) {
         fail_msg("%s", status.text);
     }
-    self->sim = (clod_sim){.from = self->from,
-                           .options = &self->options,
-                           .directory = self->folder,
-                           .folder = self->open};
+    self->sim = (clod_job_shared){.from = self->from,
+                                  .options = &self->options,
+                                  .directory = self->folder,
+                                  .folder = self->open};
 }
 
 static void end(bench *self, const char *table)

@@ -1,0 +1,226 @@
+#include "sim/sim.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/assert.h"
+#include "base/memory.h"
+#include "measure/contacts.h"
+#include "parallel/threads.h"
+#include "setup/begin.h"
+
+/** Cases are read one at a time. */
+static pthread_mutex_t case_lock = PTHREAD_MUTEX_INITIALIZER;
+
+void clod_sim_need(const void *argument, const char *function, const char *name)
+{
+    if (argument == NULL) {
+        char text[160];
+        snprintf(text, sizeof text, "%s: %s != NULL", function, name);
+        clod_assert_fail(text, __FILE__, __LINE__);
+    }
+}
+
+bool clod_sim_given(const void *argument, const char *function, const char *name,
+                    clod_status *status)
+{
+    clod_sim_need(status, function, "status");
+    return argument != NULL ||
+           clod_status_fail(status, CLOD_USAGE, "%s: %s is NULL", function, name);
+}
+
+bool clod_sim_finite(const double numbers[3], const char *function, const char *name,
+                     clod_status *status)
+{
+    return (isfinite(numbers[0]) && isfinite(numbers[1]) && isfinite(numbers[2])) ||
+           clod_status_fail(status, CLOD_USAGE, "%s: %s is (%g, %g, %g); give finite numbers",
+                            function, name, numbers[0], numbers[1], numbers[2]);
+}
+
+bool clod_sim_hold(clod_sim *self, clod_status *status)
+{
+    return clod_step_export(&self->step, status);
+}
+
+bool clod_sim_moved(clod_sim *self, clod_status *status)
+{
+    if (!clod_sim_hold(self, status)) {
+        return false;
+    }
+    self->state.build_motion = (double)INFINITY;
+    return true;
+}
+
+bool clod_sim_take_up(clod_sim *self, clod_status *status)
+{
+    clod_laws_set_adhesion(&self->laws, self->state.adhesion);
+    self->ready =
+        clod_step_init(&self->step, &self->state, &self->laws, &self->options, status);
+    return self->ready;
+}
+
+static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *status)
+{
+    self->options = (clod_step_options){.threads = options != NULL ? options->threads : 0,
+                                        .simd = options != NULL ? options->simd : NULL,
+                                        .overlap_limit = self->from->time.overlap_limit};
+    if (!clod_begin_state(self->from, self->from->seed, &self->state, status) ||
+        !clod_laws_init(&self->laws, self->from, status)) {
+        return false;
+    }
+    const int threads = clod_threads_take(self->options.threads);
+    self->options.threads = self->options.threads > 0
+                                ? threads
+                                : clod_threads_worth(threads, self->state.grains.count);
+    return clod_sim_take_up(self, status);
+}
+
+clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
+                          clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(from, status)) {
+        return NULL;
+    }
+    clod_sim *self = clod_memory_alloc(1, sizeof *self);
+    if (self == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "no memory for a simulation");
+        return NULL;
+    }
+    self->from = from;
+    if (!begin(self, options, status)) {
+        clod_sim_destroy(&self);
+    }
+    return self;
+}
+
+/** A simulation that owns its case, which may be NULL after a failure. */
+static clod_sim *create_owning(clod_case *from, const clod_sim_options *options,
+                               clod_status *status)
+{
+    clod_sim *self = from != NULL ? clod_sim_create(from, options, status) : NULL;
+    if (self == NULL) {
+        clod_case_destroy(&from);
+        return NULL;
+    }
+    self->owned = from;
+    return self;
+}
+
+clod_sim *clod_sim_create_from_file(const char *path, const clod_sim_options *options,
+                                    clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(path, status)) {
+        return NULL;
+    }
+    pthread_mutex_lock(&case_lock);
+    clod_case *from = clod_case_load(path, NULL, 0, status);
+    pthread_mutex_unlock(&case_lock);
+    return create_owning(from, options, status);
+}
+
+clod_sim *clod_sim_create_from_text(const char *name, const char *text,
+                                    const clod_sim_options *options, clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(name, status) || !CLOD_SIM_GIVEN(text, status)) {
+        return NULL;
+    }
+    pthread_mutex_lock(&case_lock);
+    clod_case *from = clod_case_parse(name, text, strlen(text), NULL, 0, status);
+    pthread_mutex_unlock(&case_lock);
+    return create_owning(from, options, status);
+}
+
+void clod_sim_destroy(clod_sim **self)
+{
+    if (self == NULL || *self == NULL) {
+        return;
+    }
+    clod_step_fini(&(*self)->step);
+    clod_state_fini(&(*self)->state);
+    clod_laws_fini(&(*self)->laws);
+    clod_memory_free((*self)->contacts);
+    clod_case_destroy(&(*self)->owned);
+    clod_memory_free(*self);
+    *self = NULL;
+}
+
+bool clod_sim_advance(clod_sim *self, int64_t steps, clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status)) {
+        return false;
+    }
+    if (steps < 0) {
+        return clod_status_fail(status, CLOD_USAGE, "%s: %lld steps; give 0 or more", __func__,
+                                (long long)steps);
+    }
+    return steps == 0 || clod_step_advance(&self->step, steps, status);
+}
+
+double clod_sim_time(const clod_sim *self)
+{
+    CLOD_SIM_NEED(self);
+    return self->state.time;
+}
+
+double clod_sim_dt(const clod_sim *self)
+{
+    CLOD_SIM_NEED(self);
+    return self->state.dt;
+}
+
+int64_t clod_sim_step(const clod_sim *self)
+{
+    CLOD_SIM_NEED(self);
+    return self->state.step;
+}
+
+bool clod_sim_set_adhesion(clod_sim *self, double fraction, clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status)) {
+        return false;
+    }
+    if (!(fraction >= 0.0 && fraction <= 1.0)) {
+        return clod_status_fail(status, CLOD_USAGE, "%s: fraction is %g; give 0 to 1", __func__,
+                                fraction);
+    }
+    self->state.adhesion = fraction;
+    clod_laws_set_adhesion(&self->laws, fraction);
+    return true;
+}
+
+bool clod_sim_energies(clod_sim *self, clod_sim_energy *energy, clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(energy, status)) {
+        return false;
+    }
+    if (!clod_step_take_back(&self->step)) {
+        *status = self->step.status;
+        return false;
+    }
+    const clod_energies now = clod_step_energies(&self->step);
+    *energy = (clod_sim_energy){.translation = now.translation,
+                                .rotation = now.rotation,
+                                .potential = now.potential,
+                                .normal = now.normal,
+                                .sliding = now.sliding,
+                                .rolling = now.rolling};
+    return true;
+}
+
+bool clod_sim_measure(clod_sim *self, clod_sim_bed *bed, clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(bed, status) ||
+        !clod_sim_hold(self, status)) {
+        return false;
+    }
+    const clod_measure_contacts now = clod_measure_contacts_of(&self->state);
+    *bed = (clod_sim_bed){.pairs = now.pairs,
+                          .walls = now.walls,
+                          .coordination = now.coordination,
+                          .max_overlap = now.max_overlap,
+                          .mean_overlap = now.mean_overlap,
+                          .max_speed = clod_measure_max_speed(&self->state)};
+    return true;
+}

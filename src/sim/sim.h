@@ -1,0 +1,45 @@
+#pragma once
+/**
+ * @file sim.h
+ * Inside of the public clod_sim (clod/sim.h): a state, its step, and what is lent to the
+ * caller.
+ */
+
+#include "clod/sim.h"
+#include "law/law.h"
+#include "state/state.h"
+#include "step/step.h"
+
+struct clod_sim {
+    clod_case *owned;      ///< NULL: the case is borrowed
+    const clod_case *from; ///< the case
+    clod_step_options options;
+    clod_state state;
+    clod_laws laws;
+    clod_step step;
+    bool ready;                 ///< state and step are whole; always but for a failed read
+    clod_sim_contact *contacts; ///< [contact_capacity] lent by clod_sim_contacts
+    size_t contact_capacity;
+};
+
+/** Stop the program, naming both, when an argument is NULL: for functions without a status. */
+void clod_sim_need(const void *argument, const char *function, const char *name);
+#define CLOD_SIM_NEED(argument) clod_sim_need(argument, __func__, #argument)
+
+/** Whether an argument is there; else CLOD_USAGE with both names. */
+bool clod_sim_given(const void *argument, const char *function, const char *name,
+                    clod_status *status);
+#define CLOD_SIM_GIVEN(argument, status) clod_sim_given(argument, __func__, #argument, status)
+
+/** Whether the three numbers are finite; else CLOD_USAGE. */
+bool clod_sim_finite(const double numbers[3], const char *function, const char *name,
+                     clod_status *status);
+
+/** Histories into the state; after this positions and walls may be moved. */
+bool clod_sim_hold(clod_sim *self, clod_status *status);
+
+/** The next step looks for neighbours anew: something moved that the step did not move. */
+bool clod_sim_moved(clod_sim *self, clod_status *status);
+
+/** Step for the state that is there; the laws get its adhesion. */
+bool clod_sim_take_up(clod_sim *self, clod_status *status);

@@ -1,0 +1,162 @@
+// Properties of the grains as views of their rows, and the closed contacts.
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "sim/sim.h"
+
+/** A property: where its first number lies in the rows of clod_grains. */
+typedef struct field {
+    const char *name, *unit;
+    clod_sim_type type;
+    size_t components;
+    size_t rows;   ///< offset in clod_grains of the pointer to the rows
+    size_t stride; ///< bytes of a row
+    size_t offset; ///< bytes from the start of a row
+    bool writable;
+} field;
+
+#define GRAINS(member) offsetof(clod_grains, member), sizeof *((clod_grains *)NULL)->member
+#define NUMBER(index) ((index) * sizeof(double))
+
+static const field FIELDS[] = {
+    // clang-format off
+    // name,              unit,         type,         numbers, rows,         offset,    writable
+    {"position",          "m",          CLOD_SIM_F64, 3, GRAINS(place),    NUMBER(0), true},
+    {"radius",            "m",          CLOD_SIM_F64, 1, GRAINS(place),    NUMBER(3), false},
+    {"velocity",          "m/s",        CLOD_SIM_F64, 3, GRAINS(motion),   NUMBER(0), true},
+    {"mass",              "kg",         CLOD_SIM_F64, 1, GRAINS(motion),   NUMBER(3), false},
+    {"angular_velocity",  "rad/s",      CLOD_SIM_F64, 3, GRAINS(turning),  NUMBER(0), true},
+    {"inverse_inertia",   "1/(kg m2)",  CLOD_SIM_F64, 1, GRAINS(turning),  NUMBER(3), false},
+    {"force",             "N",          CLOD_SIM_F64, 3, GRAINS(load),     NUMBER(0), true},
+    {"torque",            "N m",        CLOD_SIM_F64, 3, GRAINS(load),     NUMBER(4), true},
+    {"id",                "1",          CLOD_SIM_U64, 1, GRAINS(id),       0,         false},
+    {"material",          "1",          CLOD_SIM_U16, 1, GRAINS(material), 0,         false},
+    // clang-format on
+};
+#define FIELD_COUNT (sizeof FIELDS / sizeof *FIELDS)
+
+size_t clod_sim_grain_count(const clod_sim *self)
+{
+    CLOD_SIM_NEED(self);
+    return self->state.grains.count;
+}
+
+size_t clod_sim_array_count(void)
+{
+    return FIELD_COUNT;
+}
+
+const char *clod_sim_array_name(size_t index)
+{
+    return index < FIELD_COUNT ? FIELDS[index].name : NULL;
+}
+
+static bool no_such_array(const char *name, clod_status *status)
+{
+    char all[512] = "";
+    for (size_t f = 0; f < FIELD_COUNT; f++) {
+        const size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", f > 0 ? ", " : "", FIELDS[f].name);
+    }
+    return clod_status_fail(status, CLOD_USAGE,
+                            "clod_sim_array: grains have no property '%s'; there are: %s", name,
+                            all);
+}
+
+bool clod_sim_array(clod_sim *self, const char *name, clod_sim_view *view, clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(name, status) ||
+        !CLOD_SIM_GIVEN(view, status)) {
+        return false;
+    }
+    for (size_t f = 0; f < FIELD_COUNT; f++) {
+        const field *from = &FIELDS[f];
+        if (strcmp(from->name, name) != 0) {
+            continue;
+        }
+        char *rows;
+        memcpy(&rows, (const char *)&self->state.grains + from->rows, sizeof rows);
+        *view = (clod_sim_view){.name = from->name,
+                                .unit = from->unit,
+                                .type = from->type,
+                                .rows = self->state.grains.count,
+                                .components = from->components,
+                                .stride = from->stride,
+                                .writable = from->writable,
+                                .data = rows + from->offset};
+        return true;
+    }
+    return no_such_array(name, status);
+}
+
+size_t clod_sim_row_of_id(const clod_sim *self, uint64_t id)
+{
+    CLOD_SIM_NEED(self);
+    const clod_grains *grains = &self->state.grains;
+    for (size_t g = 0; g < grains->count; g++) {
+        if (grains->id[g] == id) {
+            return g;
+        }
+    }
+    return SIZE_MAX;
+}
+
+bool clod_sim_positions_changed(clod_sim *self, clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status)) {
+        return false;
+    }
+    for (size_t g = 0; g < self->state.grains.count; g++) {
+        char name[64];
+        snprintf(name, sizeof name, "position of grain %llu",
+                 (unsigned long long)self->state.grains.id[g]);
+        if (!clod_sim_finite(self->state.grains.place[g], __func__, name, status)) {
+            return false;
+        }
+    }
+    return clod_sim_moved(self, status);
+}
+
+/** The one place that knows how contacts are kept: those of the state, histories in it. */
+static clod_sim_contact contact_of(const clod_state *state, size_t index)
+{
+    const clod_contact *from = &state->contacts[index];
+    const bool wall = from->shape >= 0;
+    const double *h = from->history;
+    return (clod_sim_contact){.id_1 = state->grains.id[from->i],
+                              .id_2 = wall ? 0 : state->grains.id[from->j],
+                              .row_1 = (size_t)from->i,
+                              .row_2 = wall ? 0 : (size_t)from->j,
+                              .wall = wall ? from->j : -1,
+                              .shape = from->shape,
+                              .plastic = h[0],
+                              .tangent = h[1],
+                              .spring = {h[2], h[3], h[4]},
+                              .roll = {h[5], h[6], h[7]}};
+}
+
+bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t *count,
+                       clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(contacts, status) ||
+        !CLOD_SIM_GIVEN(count, status) || !clod_sim_hold(self, status)) {
+        return false;
+    }
+    const size_t needed = self->state.contact_count;
+    if (needed > self->contact_capacity) {
+        clod_memory_free(self->contacts);
+        self->contact_capacity = 0;
+        self->contacts = clod_memory_alloc(needed, sizeof *self->contacts);
+        if (self->contacts == NULL) {
+            return clod_status_fail(status, CLOD_FAILED, "no memory for %zu contacts", needed);
+        }
+        self->contact_capacity = needed;
+    }
+    for (size_t c = 0; c < needed; c++) {
+        self->contacts[c] = contact_of(&self->state, c);
+    }
+    *contacts = self->contacts;
+    *count = needed;
+    return true;
+}

@@ -1,0 +1,88 @@
+// Checkpoints and snapshots of a simulation, in the formats of a run.
+#include "base/memory.h"
+#include "output/checkpoint.h"
+#include "output/folder.h"
+#include "output/snapshot.h"
+#include "sim/identity.h"
+#include "sim/job_store.h"
+#include "sim/sim.h"
+
+/** Text to which the checkpoints of a case belong; owned, NULL after a failure. */
+static char *make_identity(const clod_case *from, clod_status *status)
+{
+    char *complete = clod_identity_complete(from, status);
+    if (complete == NULL) {
+        return NULL;
+    }
+    char *identity = clod_identity_text(complete);
+    clod_memory_free(complete);
+    if (identity == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "no memory for the text of the case");
+    }
+    return identity;
+}
+
+bool clod_sim_write_checkpoint(clod_sim *self, const char *folder, clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(folder, status) ||
+        !clod_sim_hold(self, status)) {
+        return false;
+    }
+    char *identity = make_identity(self->from, status);
+    clod_folder *open = identity != NULL ? clod_folder_open(folder, status) : NULL;
+    const bool ok = open != NULL && clod_checkpoint_write(open, "restart", &self->state, NULL,
+                                                          0, identity, status);
+    clod_folder_close(&open);
+    clod_memory_free(identity);
+    return ok;
+}
+
+/** Fill an empty state from a checkpoint of the same case. */
+static bool read_state(const clod_sim *self, const char *folder, const char *stem,
+                       clod_state *state, clod_status *status)
+{
+    char notice[1024];
+    char *identity = make_identity(self->from, status);
+    clod_folder *open = identity != NULL ? clod_folder_look(folder, status) : NULL;
+    const bool ok = open != NULL &&
+                    clod_walls_copy(&state->walls, &self->state.walls, status) &&
+                    clod_checkpoint_read(open, stem, state, NULL, 0, identity, notice,
+                                         sizeof notice, status);
+    clod_folder_close(&open);
+    clod_memory_free(identity);
+    return ok;
+}
+
+bool clod_sim_read_checkpoint(clod_sim *self, const char *folder, const char *part,
+                              clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(folder, status)) {
+        return false;
+    }
+    char stem[CLOD_JOB_STEM];
+    clod_state state = {.build_motion = -1.0};
+    clod_job_stem(part != NULL ? part : "run", "", stem);
+    if (!read_state(self, folder, stem, &state, status)) {
+        clod_state_fini(&state);
+        return false;
+    }
+    clod_step_fini(&self->step);
+    clod_state_fini(&self->state);
+    self->state = state;
+    return clod_sim_take_up(self, status);
+}
+
+bool clod_sim_write_snapshot(clod_sim *self, const char *folder, bool contacts,
+                             clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(folder, status) ||
+        !clod_sim_hold(self, status)) {
+        return false;
+    }
+    clod_folder *open = clod_folder_open(folder, status);
+    clod_snapshot_film film = {0};
+    const bool ok = open != NULL && clod_snapshot_write(open, "run", self->state.step,
+                                                        &self->state, contacts, &film, status);
+    clod_folder_close(&open);
+    return ok;
+}

@@ -1,0 +1,153 @@
+// Walls of a simulation driven by its owner.
+#include <math.h>
+#include <string.h>
+
+#include "sim/sim.h"
+
+int32_t clod_sim_wall_count(const clod_sim *self)
+{
+    CLOD_SIM_NEED(self);
+    return self->state.walls.count;
+}
+
+int32_t clod_sim_wall_index(const clod_sim *self, const char *name)
+{
+    CLOD_SIM_NEED(self);
+    CLOD_SIM_NEED(name);
+    for (int32_t w = 0; w < self->state.walls.count; w++) {
+        if (strcmp(self->state.walls.wall[w].name, name) == 0) {
+            return w;
+        }
+    }
+    return -1;
+}
+
+static bool has_wall(const clod_sim *self, int32_t wall, const char *function,
+                     clod_status *status)
+{
+    return clod_sim_given(self, function, "self", status) &&
+           ((wall >= 0 && wall < self->state.walls.count) ||
+            clod_status_fail(status, CLOD_USAGE, "%s: there is no wall %d; there are %d",
+                             function, (int)wall, (int)self->state.walls.count));
+}
+
+static void put(double to[3], clod_vec3 from)
+{
+    to[0] = from.x;
+    to[1] = from.y;
+    to[2] = from.z;
+}
+
+bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
+                        clod_status *status)
+{
+    if (!has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(view, status)) {
+        return false;
+    }
+    const clod_wall *from = &self->state.walls.wall[wall];
+    const double share = from->sum_steps > 0 ? 1.0 / (double)from->sum_steps : 0.0;
+    *view = (clod_sim_wall){.name = from->name,
+                            .angle = from->angle,
+                            .spin = clod_wall_spin(from),
+                            .power = from->power,
+                            .mean_power = share * from->sum_power,
+                            .mean_steps = from->sum_steps,
+                            .loaded = from->load != CLOD_LOAD_NONE,
+                            .load = from->load != CLOD_LOAD_NONE ? from->load_force : 0.0};
+    put(view->position, from->shift);
+    put(view->velocity, clod_wall_velocity(from));
+    put(view->force, from->force);
+    put(view->torque, from->torque);
+    put(view->mean_force, clod_vec3_scale(from->sum_force, share));
+    put(view->mean_torque, clod_vec3_scale(from->sum_torque, share));
+    return true;
+}
+
+bool clod_sim_set_wall_velocity(clod_sim *self, int32_t wall, const double velocity[3],
+                                clod_status *status)
+{
+    if (!has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(velocity, status) ||
+        !clod_sim_finite(velocity, __func__, "velocity", status)) {
+        return false;
+    }
+    self->state.walls.wall[wall].velocity = (clod_vec3){velocity[0], velocity[1], velocity[2]};
+    return true;
+}
+
+bool clod_sim_set_wall_surface_velocity(clod_sim *self, int32_t wall, const double velocity[3],
+                                        clod_status *status)
+{
+    if (!has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(velocity, status) ||
+        !clod_sim_finite(velocity, __func__, "velocity", status)) {
+        return false;
+    }
+    self->state.walls.wall[wall].surface_velocity =
+        (clod_vec3){velocity[0], velocity[1], velocity[2]};
+    return true;
+}
+
+bool clod_sim_set_wall_spin(clod_sim *self, int32_t wall, double spin, clod_status *status)
+{
+    if (!has_wall(self, wall, __func__, status)) {
+        return false;
+    }
+    clod_wall *to = &self->state.walls.wall[wall];
+    if (!isfinite(spin)) {
+        return clod_status_fail(status, CLOD_USAGE, "%s: spin is %g; give a finite number",
+                                __func__, spin);
+    }
+    for (int32_t s = 0; spin != 0.0 && s < to->shape_count; s++) {
+        if (to->shapes[s].kind == CLOD_SHAPE_PLANE && !to->shapes[s].symmetric) {
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "%s: the wall '%s' has a plane that would turn out of "
+                                    "itself; only planes across the spin axis can turn",
+                                    __func__, to->name);
+        }
+    }
+    to->spin = spin;
+    return true;
+}
+
+bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_status *status)
+{
+    if (!has_wall(self, wall, __func__, status)) {
+        return false;
+    }
+    clod_wall *to = &self->state.walls.wall[wall];
+    if (to->load == CLOD_LOAD_NONE || !isfinite(force)) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                isfinite(force)
+                                    ? "%s: the wall '%s' has no load in the case, which also "
+                                      "gives its mass and damping"
+                                    : "%s: the load of '%s' must be finite",
+                                __func__, to->name);
+    }
+    to->load_force = force;
+    return true;
+}
+
+bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double position[3],
+                                clod_status *status)
+{
+    if (!has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(position, status) ||
+        !clod_sim_finite(position, __func__, "position", status)) {
+        return false;
+    }
+    clod_wall *to = &self->state.walls.wall[wall];
+    if (to->oscillation.frequency > 0.0) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s: the wall '%s' oscillates, which gives its position",
+                                __func__, to->name);
+    }
+    if (!clod_sim_moved(self, status)) {
+        return false;
+    }
+    to->shift = (clod_vec3){position[0], position[1], position[2]};
+    return true;
+}
+
+void clod_sim_reset_wall_means(clod_sim *self)
+{
+    CLOD_SIM_NEED(self);
+    clod_walls_reset_sums(&self->state.walls);
+}
