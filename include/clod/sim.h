@@ -113,9 +113,9 @@ size_t clod_sim_grain_count(const clod_sim *self);
  *   radius [m], mass [kg], inverse_inertia [1/(kg m2)]         1 number
  *   id [1] (uint64_t, never changes), material [1] (uint16_t, index in the case)
  *
- * A view and the numbers of the rows are valid until the next clod_sim_advance, energies,
- * checkpoint read or destruction: the neighbour search sorts the rows. A grain is told by its
- * id. Positions may lie outside a periodic domain by less than a period.
+ * A view and the numbers of the rows are valid until the next clod_sim_advance, change,
+ * energies, contacts, measure, file or destruction: the neighbour search sorts the rows. A
+ * grain is told by its id. Positions may lie outside a periodic domain by less than a period.
  *
  * Velocities count from the next step on, without more ado. After writing positions call
  * clod_sim_positions_changed. What is written to force or torque acts in the first half of the
@@ -142,6 +142,37 @@ static inline double *clod_sim_row(const clod_sim_view *view, size_t row)
  * @return  row, or SIZE_MAX when there is no grain with this id
  */
 size_t clod_sim_row_of_id(const clod_sim *self, uint64_t id);
+
+/** A grain that is to come. */
+typedef struct clod_sim_grain {
+    uint64_t id;                ///< no other grain of the run has or had it
+    double position[3];         ///< m
+    double radius;              ///< m
+    double velocity[3];         ///< m/s
+    double angular_velocity[3]; ///< rad/s
+    size_t material;            ///< index in the case; its density gives mass and inertia
+} clod_sim_grain;
+
+/**
+ * Ask for a grain to come, or for one to go. All that was asked for, of grains and walls, is
+ * done together before the next step, energies, contacts or file, or by clod_sim_change; what
+ * goes goes first. The order of requests changes no bit.
+ *
+ * The time step stays that of the case: give it (time.step) when much smaller grains come.
+ *
+ * Errors  CLOD_USAGE: no such material. An id that is taken or unknown, a place outside of the
+ *         domain, numbers that are not finite: by what does the changes, which then does none.
+ * Test    tests/sim/test_sim_change.c
+ */
+bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status *status);
+bool clod_sim_remove_grain(clod_sim *self, uint64_t id, clod_status *status);
+
+/**
+ * Do what was asked for now. Views, rows and indices of walls are not valid any more.
+ *
+ * Errors  CLOD_USAGE: a request is wrong, and nothing has changed; CLOD_FAILED: memory.
+ */
+bool clod_sim_change(clod_sim *self, clod_status *status);
 
 /**
  * Say that positions have been written: the next step looks for neighbours anew. Contacts that
@@ -240,6 +271,17 @@ bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_sta
  */
 bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double position[3],
                                 clod_status *status);
+
+/**
+ * Ask for a wall to come or go, as clod_sim_add_grain.
+ *
+ * @param wall  as in a case (clod/case.h), with a name of its own and without a load; borrowed.
+ *              A checkpoint of a simulation with such walls cannot be read again.
+ * Errors  CLOD_USAGE: an unknown material, a load, a plane that would turn out of itself; a
+ * name that is taken or unknown: by what does the changes.   Test  tests/sim/test_sim_change.c
+ */
+bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *status);
+bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status);
 
 /** Begin the means of force, torque and power of all walls anew. */
 void clod_sim_reset_wall_means(clod_sim *self);

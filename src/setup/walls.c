@@ -193,8 +193,8 @@ static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod
     return true;
 }
 
-static bool make_wall(const clod_case *from, const clod_case_wall *given, clod_wall *wall,
-                      clod_status *status)
+bool clod_setup_wall(const clod_case *from, const clod_case_wall *given, clod_wall *wall,
+                     clod_status *status)
 {
     if (strlen(given->name) >= sizeof wall->name) {
         return clod_status_fail(status, CLOD_USAGE,
@@ -230,7 +230,7 @@ bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *sta
     }
     for (size_t w = 0; w < from->wall_count; w++) {
         walls->count = (int32_t)(w + 1);
-        if (!make_wall(from, &from->walls[w], &walls->wall[w], status)) {
+        if (!clod_setup_wall(from, &from->walls[w], &walls->wall[w], status)) {
             return false;
         }
     }

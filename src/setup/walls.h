@@ -18,6 +18,10 @@
  */
 bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *status);
 
+/** One wall of a case, or one like them; as clod_setup_walls. */
+bool clod_setup_wall(const clod_case *from, const clod_case_wall *given, clod_wall *wall,
+                     clod_status *status);
+
 /**
  * Say for every shape whether turning about the wall's spin axis leaves it where it is.
  * clod_setup_walls has done so; for walls that are built by hand.

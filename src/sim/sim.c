@@ -41,16 +41,12 @@ bool clod_sim_finite(const double numbers[3], const char *function, const char *
 
 bool clod_sim_hold(clod_sim *self, clod_status *status)
 {
-    return clod_step_export(&self->step, status);
+    return clod_step_change(&self->step, status) && clod_step_export(&self->step, status);
 }
 
-bool clod_sim_moved(clod_sim *self, clod_status *status)
+void clod_sim_moved(clod_sim *self)
 {
-    if (!clod_sim_hold(self, status)) {
-        return false;
-    }
-    self->state.build_motion = (double)INFINITY;
-    return true;
+    clod_changes_moved(&self->state.changes);
 }
 
 bool clod_sim_take_up(clod_sim *self, clod_status *status)
@@ -195,8 +191,7 @@ bool clod_sim_energies(clod_sim *self, clod_sim_energy *energy, clod_status *sta
     if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(energy, status)) {
         return false;
     }
-    if (!clod_step_take_back(&self->step)) {
-        *status = self->step.status;
+    if (!clod_step_change(&self->step, status)) {
         return false;
     }
     const clod_energies now = clod_step_energies(&self->step);

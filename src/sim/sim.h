@@ -35,11 +35,12 @@ bool clod_sim_given(const void *argument, const char *function, const char *name
 bool clod_sim_finite(const double numbers[3], const char *function, const char *name,
                      clod_status *status);
 
-/** Histories into the state; after this positions and walls may be moved. */
+/** Changes that were asked for are made, and all contacts copied into the state. */
 bool clod_sim_hold(clod_sim *self, clod_status *status);
 
-/** The next step looks for neighbours anew: something moved that the step did not move. */
-bool clod_sim_moved(clod_sim *self, clod_status *status);
+/** Something moved that the step did not move: neighbours are looked for anew before all else.
+ */
+void clod_sim_moved(clod_sim *self);
 
 /** Step for the state that is there; the laws get its adhesion. */
 bool clod_sim_take_up(clod_sim *self, clod_status *status);

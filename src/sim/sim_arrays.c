@@ -115,7 +115,8 @@ bool clod_sim_positions_changed(clod_sim *self, clod_status *status)
             return false;
         }
     }
-    return clod_sim_moved(self, status);
+    clod_sim_moved(self);
+    return true;
 }
 
 /** The one place that knows how contacts are kept: those of the state, histories in it. */

@@ -54,6 +54,20 @@ void clod_state_drop_grains(clod_state *self, const int32_t *rank)
     clod_grains_pad(grains);
 }
 
+void clod_state_drop_contacts(clod_state *self, const uint8_t *keep)
+{
+    const size_t pairs = self->contact_count - self->wall_contact_count;
+    size_t kept = 0, kept_walls = 0;
+    for (size_t k = 0; k < self->contact_count; k++) {
+        if (keep[k] != 0) {
+            self->contacts[kept++] = self->contacts[k];
+            kept_walls += k >= pairs;
+        }
+    }
+    self->contact_count = kept;
+    self->wall_contact_count = kept_walls;
+}
+
 void clod_state_drop_wall(clod_state *self, int32_t wall)
 {
     clod_walls *walls = &self->walls;

@@ -21,3 +21,10 @@ void clod_state_drop_wall(clod_state *self, int32_t wall);
 /** Put walls behind the others; their shapes are taken over. False without memory. */
 bool clod_state_add_walls(clod_state *self, clod_wall *walls, size_t count,
                           clod_status *status);
+
+/**
+ * Forget contacts for which `keep` is 0; the order of the others stays.
+ *
+ * @param keep  [contact_count]
+ */
+void clod_state_drop_contacts(clod_state *self, const uint8_t *keep);

@@ -30,6 +30,7 @@ typedef struct clod_changes {
     char (*lost_wall)[32];     ///< names
     size_t new_grains, lost_grains, new_walls, lost_walls;
     size_t new_grain_room, lost_grain_room, new_wall_room, lost_wall_room;
+    bool moved;        ///< somebody moved grains or walls otherwise than by a step
     bool lacks_memory; ///< something could not be put in
 } clod_changes;
 
@@ -59,10 +60,16 @@ void clod_changes_remove_grain(clod_changes *self, uint64_t id);
 void clod_changes_add_wall(clod_changes *self, clod_wall *wall);
 void clod_changes_remove_wall(clod_changes *self, const char *name);
 
+/** Grains or walls were put elsewhere: contacts that are open now are forgotten. */
+static inline void clod_changes_moved(clod_changes *self)
+{
+    self->moved = true;
+}
+
 /** Whether anything is to change. */
 static inline bool clod_changes_any(const clod_changes *self)
 {
-    return self->lacks_memory ||
+    return self->lacks_memory || self->moved ||
            self->new_grains + self->lost_grains + self->new_walls + self->lost_walls > 0;
 }
 

@@ -219,6 +219,41 @@ static bool check(clod_step *self, clod_status *status)
     return good;
 }
 
+/** Whether a contact of the state touches where its grains and walls are now. */
+static bool touches(const clod_step *self, const clod_contact *contact)
+{
+    const clod_state *state = self->state;
+    const double *a = state->grains.place[contact->i];
+    if (contact->shape >= 0) {
+        return clod_wall_rows_gap(&self->walls, contact->j, contact->shape, a).distance < a[3];
+    }
+    const double *b = state->grains.place[contact->j];
+    double square = 0.0;
+    for (int c = 0; c < 3; c++) {
+        const double s = clod_domain_separation(&state->domain, c, a[c], b[c]);
+        square += s * s;
+    }
+    return square < (a[3] + b[3]) * (a[3] + b[3]);
+}
+
+/** After somebody has moved things: what does not touch any more is forgotten. */
+static bool forget_open(clod_step *self, clod_status *status)
+{
+    clod_state *state = self->state;
+    uint8_t *keep = clod_memory_alloc(state->contact_count + 1, sizeof *keep);
+    if (keep == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for %zu contacts",
+                                state->contact_count);
+    }
+    clod_wall_rows_update(&self->walls, &state->walls);
+    for (size_t k = 0; k < state->contact_count; k++) {
+        keep[k] = touches(self, &state->contacts[k]);
+    }
+    clod_state_drop_contacts(state, keep);
+    clod_memory_free(keep);
+    return true;
+}
+
 /** What goes. */
 static void drop(clod_step *self)
 {
@@ -292,6 +327,9 @@ bool clod_step_change(clod_step *self, clod_status *status)
     if (good) {
         const double before = clod_change_balance(self);
         good = clod_near_gather(&self->near, state, &self->walls, true, status);
+        if (good) {
+            good = !state->changes.moved || forget_open(self, status);
+        }
         if (good) {
             drop(self);
             good = add(self, status) && rebuild(self, status);

@@ -1,0 +1,172 @@
+// Grains and walls that come and go through the library's object.
+
+#include <stdint.h>
+#include <string.h>
+
+#include "clod/sim.h"
+#include "support/check.h"
+
+static const char CASE[] =
+    "materials: {ore: {density: 2500 kg/m3}}\n"
+    "contacts: {default: {law: hooke, k1: 1e4 N/m, restitution: 0.5, friction: 0.3}}\n"
+    "time: {step: 1e-5 s}\n"
+    "domain: {min: [-50 mm, -50 mm, -5 mm], max: [50 mm, 50 mm, 200 mm]}\n"
+    "stages: [{name: fall, duration: 1 s}]\n"
+    "walls:\n"
+    "  floor: {material: ore, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, "
+    "1]}}]}\n"
+    "  sides: {material: ore, shapes: [\n"
+    "    {plane: {point: [-12 mm, 0 mm, 0 mm], normal: [1, 0, 0]}},\n"
+    "    {plane: {point: [12 mm, 0 mm, 0 mm], normal: [-1, 0, 0]}},\n"
+    "    {plane: {point: [0 mm, -12 mm, 0 mm], normal: [0, 1, 0]}},\n"
+    "    {plane: {point: [0 mm, 12 mm, 0 mm], normal: [0, -1, 0]}}]}\n"
+    "grains:\n"
+    "  - {material: ore, count: 30, radius: {distribution: uniform, min: 2 mm, max: 2 mm}, "
+    "region: {box: {min: [-10 mm, -10 mm, 4 mm], max: [10 mm, 10 mm, 40 mm]}}}\n";
+
+static clod_status status;
+#define CHECK(call)                                                                            \
+    do {                                                                                       \
+        if (!(call)) {                                                                         \
+            fail_msg("%s", status.text);                                                       \
+        }                                                                                      \
+    } while (0)
+
+static clod_sim *make(void)
+{
+    const clod_sim_options options = {.threads = 1};
+    clod_sim *sim = clod_sim_create_from_text("case.yaml", CASE, &options, &status);
+    CHECK(sim != NULL);
+    return sim;
+}
+
+static double *numbers(clod_sim *sim, const char *name, uint64_t id)
+{
+    clod_sim_view view;
+    CHECK(clod_sim_array(sim, name, &view, &status));
+    const size_t row = clod_sim_row_of_id(sim, id);
+    assert_true(row != SIZE_MAX);
+    return clod_sim_row(&view, row);
+}
+
+/** A grain in free flight: z = z0 - g t (t + dt)/2 in velocity Verlet is z0 - g t^2/2. */
+static void a_new_grain_flies_as_it_should(void **state)
+{
+    (void)state;
+    clod_sim *sim = make();
+    CHECK(clod_sim_advance(sim, 500, &status));
+    const clod_sim_grain grain = {.id = 900,
+                                  .position = {0.003, 0.003, 0.19},
+                                  .radius = 1e-3,
+                                  .velocity = {-0.1, 0.0, 0.2}};
+    CHECK(clod_sim_add_grain(sim, &grain, &status));
+    CHECK(clod_sim_advance(sim, 1000, &status)); // 10 ms
+    assert_int_equal(clod_sim_grain_count(sim), 31);
+    const double *at = numbers(sim, "position", 900);
+    check_relative(at[0], 0.003 - 0.1 * 0.01, 1e-12);
+    check_relative(at[2], 0.19 + 0.2 * 0.01 - 0.5 * 9.81 * 1e-4, 1e-12);
+    check_relative(*numbers(sim, "mass", 900), 2500.0 * 4.0 / 3.0 * M_PI * 1e-9, 1e-14);
+    clod_sim_destroy(&sim);
+}
+
+static void a_grain_that_went_is_gone(void **state)
+{
+    (void)state;
+    clod_sim *sim = make();
+    CHECK(clod_sim_advance(sim, 8000, &status));
+    clod_sim_view id;
+    CHECK(clod_sim_array(sim, "id", &id, &status));
+    const uint64_t first = *(const uint64_t *)id.data;
+    CHECK(clod_sim_remove_grain(sim, first, &status));
+    CHECK(clod_sim_change(sim, &status));
+    assert_int_equal(clod_sim_grain_count(sim), 29);
+    assert_true(clod_sim_row_of_id(sim, first) == SIZE_MAX);
+    const clod_sim_contact *contacts;
+    size_t count;
+    CHECK(clod_sim_contacts(sim, &contacts, &count, &status));
+    assert_true(count > 5);
+    for (size_t k = 0; k < count; k++) {
+        assert_true(contacts[k].id_1 != first &&
+                    (contacts[k].wall >= 0 || contacts[k].id_2 != first));
+    }
+    CHECK(clod_sim_advance(sim, 100, &status));
+    clod_sim_destroy(&sim);
+}
+
+/** All that rests on the floor falls when it goes, and rests on the one that comes. */
+static void walls_come_and_go(void **state)
+{
+    (void)state;
+    clod_sim *sim = make();
+    CHECK(clod_sim_advance(sim, 30000, &status));
+    CHECK(clod_sim_remove_wall(sim, "floor", &status));
+    clod_case_shape plane = {.kind = CLOD_SHAPE_PLANE, .normal = {0.0, 0.0, 1.0}};
+    plane.point[2] = -0.001;
+    const clod_case_wall lower = {
+        .name = "lower", .material = "ore", .shapes = &plane, .shape_count = 1};
+    CHECK(clod_sim_add_wall(sim, &lower, &status));
+    CHECK(clod_sim_advance(sim, 1, &status));
+    assert_int_equal(clod_sim_wall_count(sim), 2);
+    assert_int_equal(clod_sim_wall_index(sim, "floor"), -1);
+    clod_sim_wall wall;
+    const int32_t lowest = clod_sim_wall_index(sim, "lower");
+    CHECK(clod_sim_wall_look(sim, lowest, &wall, &status));
+    assert_string_equal(wall.name, "lower");
+    assert_true(wall.force[2] == 0.0); // 1 mm below
+    CHECK(clod_sim_advance(sim, 40000, &status));
+    CHECK(clod_sim_wall_look(sim, lowest, &wall, &status));
+    const double weight = 30.0 * 2500.0 * 4.0 / 3.0 * M_PI * 8e-9 * 9.81;
+    check_relative(-wall.force[2], weight, 0.02); // at rest but for a little
+    clod_sim_destroy(&sim);
+}
+
+static void expect_refused(bool done, const char *text)
+{
+    assert_false(done);
+    assert_int_equal(status.code, CLOD_USAGE);
+    if (strstr(status.text, text) == NULL) {
+        fail_msg("'%s' does not say '%s'", status.text, text);
+    }
+}
+
+static void wrong_requests_are_refused(void **state)
+{
+    (void)state;
+    clod_sim *sim = make();
+    clod_sim_grain grain = {.id = 900, .position = {0.0, 0.0, 0.1}, .radius = 1e-3};
+    expect_refused(clod_sim_add_grain(sim, NULL, &status), "clod_sim_add_grain: grain is NULL");
+    expect_refused(clod_sim_remove_wall(sim, NULL, &status), "name is NULL");
+    grain.material = 1;
+    expect_refused(clod_sim_add_grain(sim, &grain, &status), "the case has 1");
+    grain.material = 0;
+    grain.position[0] = 1.0;
+    CHECK(clod_sim_add_grain(sim, &grain, &status));
+    expect_refused(clod_sim_change(sim, &status), "outside of the domain");
+    CHECK(clod_sim_remove_grain(sim, 12345, &status));
+    expect_refused(clod_sim_advance(sim, 1, &status), "there is none with this id");
+    clod_case_shape plane = {.kind = CLOD_SHAPE_PLANE, .normal = {0.0, 0.0, 1.0}};
+    clod_case_wall wall = {
+        .name = "lower", .material = "wood", .shapes = &plane, .shape_count = 1};
+    expect_refused(clod_sim_add_wall(sim, &wall, &status), "no material 'wood'");
+    wall.material = "ore";
+    wall.load = CLOD_LOAD_FORCE;
+    expect_refused(clod_sim_add_wall(sim, &wall, &status), "has a load");
+    wall.load = CLOD_LOAD_NONE;
+    wall.name = "floor";
+    CHECK(clod_sim_add_wall(sim, &wall, &status));
+    expect_refused(clod_sim_change(sim, &status), "another one has this name");
+    assert_int_equal(clod_sim_grain_count(sim), 30);
+    CHECK(clod_sim_advance(sim, 10, &status)); // and it goes on
+    clod_sim_destroy(&sim);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_new_grain_flies_as_it_should),
+        cmocka_unit_test(a_grain_that_went_is_gone),
+        cmocka_unit_test(walls_come_and_go),
+        cmocka_unit_test(wrong_requests_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
