@@ -252,8 +252,6 @@ static void check_oscillation(clod_loader *loader, const char *path, const clod_
     }
 }
 
-#define SHAPES_MAX 32767 ///< a candidate keeps the number of its shape in 16 bits
-
 static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
 {
     clod_case_wall *wall = &self->walls[index];
@@ -265,12 +263,6 @@ static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
     if (!clean(loader, path)) {
         return;
     }
-    if (wall->shape_count > SHAPES_MAX) {
-        snprintf(key, sizeof key, "%s.shapes", path);
-        clod_check_fail(loader, key,
-                        "has %zu shapes, at most %d are allowed; make several walls",
-                        wall->shape_count, SHAPES_MAX);
-    }
     for (size_t i = 0; i < wall->shape_count; i++) {
         snprintf(key, sizeof key, "%s.shapes.%zu", path, i);
         check_shape(loader, key, &wall->shapes[i]);
@@ -280,6 +272,21 @@ static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
     }
     if (has(loader, path, "oscillation")) {
         check_oscillation(loader, path, wall);
+    }
+}
+
+/** Shapes of all walls: the step numbers four rows of each, and of one more, with 32 bits. */
+#define SHAPES_MAX ((size_t)INT32_MAX / 4 - 1)
+
+static void check_shape_count(clod_loader *loader, const clod_case *self)
+{
+    size_t shapes = 0;
+    for (size_t i = 0; i < self->wall_count; i++) {
+        shapes += self->walls[i].shape_count;
+    }
+    if (shapes > SHAPES_MAX) {
+        clod_check_fail(loader, "walls", "have %zu shapes, at most %zu are allowed", shapes,
+                        SHAPES_MAX);
     }
 }
 
@@ -376,6 +383,7 @@ void clod_check_run(clod_loader *loader, clod_case *self)
     for (size_t i = 0; i < self->wall_count; i++) {
         check_wall(loader, self, i);
     }
+    check_shape_count(loader, self);
     clod_index stage_names = {0};
     for (size_t i = 0; i < self->stage_count; i++) {
         check_stage(loader, self, &stage_names, i);
