@@ -1,9 +1,10 @@
 // The near list's contacts with walls: few beside those between grains, by one thread.
+#include "step/near_walls.h"
+
 #include <string.h>
 
 #include "step/near_known.h"
 #include "step/near_parts.h"
-#include "step/near_walls.h"
 #include "step/room.h"
 
 /** Group of a wall contact. */

@@ -73,7 +73,7 @@ static void a_grain_that_went_is_gone(void **state)
 {
     (void)state;
     clod_sim *sim = make();
-    CHECK(clod_sim_advance(sim, 8000, &status));
+    CHECK(clod_sim_advance(sim, 30000, &status));
     clod_sim_view id;
     CHECK(clod_sim_array(sim, "id", &id, &status));
     const uint64_t first = *(const uint64_t *)id.data;
