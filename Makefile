@@ -67,7 +67,7 @@ check-arm: setup-arm build ## see that clod gives the same bits on 64-bit ARM, i
 	@tools/check-arm $(RELEASE)/clod
 
 format: setup-test ## put all sources into the house format
-	clang-format-14 -i $$(find src include app tests bench -name '*.[ch]')
+	clang-format-14 -i $$(find src include app tests bench examples -name '*.[ch]')
 
 package: build ## make a Debian package in build/release
 	cd $(RELEASE) && cpack -G DEB

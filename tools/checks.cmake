@@ -4,7 +4,7 @@
 file(GLOB_RECURSE CLOD_LAYERED CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
   src/*.[ch] include/*.h app/*.[ch])
 file(GLOB_RECURSE CLOD_BESIDE CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
-  tests/*.[ch] bench/*.[ch])
+  tests/*.[ch] bench/*.[ch] examples/*.[ch])
 set(CLOD_ALL ${CLOD_LAYERED} ${CLOD_BESIDE})
 set(CLOD_HEADERS ${CLOD_LAYERED})
 list(FILTER CLOD_HEADERS INCLUDE REGEX "^(src|include)/.*\\.h$")
@@ -61,3 +61,6 @@ set_tests_properties(bench/instructions PROPERTIES SKIP_RETURN_CODE 77)
 clod_add_check(bench/step 600 bench/check-step ${CMAKE_BINARY_DIR}/bench/bench_step)
 
 clod_add_check(package/deb 1200 tools/check-package ${CMAKE_BINARY_DIR})
+
+# Installed into a folder of its own: what the libraries export, examples built by pkg-config and CMake.
+clod_add_check(package/library 1200 tools/check-library ${CMAKE_BINARY_DIR})

@@ -1,8 +1,51 @@
 # What is installed, and the Debian package of it (cpack -G DEB).
 include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
 install(TARGETS clod clod_core)
+if(TARGET clod_shared)
+  install(TARGETS clod_shared)
+endif()
 install(DIRECTORY include/clod TYPE INCLUDE FILES_MATCHING PATTERN "*.h")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(DIRECTORY cases examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# pkg-config and find_package(clod): both found from where the files lie, so the tree may be moved.
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY
+  ${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgconfig OUTPUT_VARIABLE CLOD_PC_UP)
+set(CLOD_PC_PREFIX "\${pcfiledir}/${CLOD_PC_UP}")
+set(CLOD_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/clod)
+configure_file(tools/clod.pc.in ${CLOD_GENERATED}/clod.pc @ONLY)
+configure_package_config_file(tools/clod-config.cmake.in ${CLOD_GENERATED}/clod-config.cmake
+  INSTALL_DESTINATION ${CLOD_CMAKE_FOLDER} PATH_VARS CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_INCLUDEDIR)
+write_basic_package_version_file(${CLOD_GENERATED}/clod-config-version.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CLOD_GENERATED}/clod.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${CLOD_GENERATED}/clod-config.cmake ${CLOD_GENERATED}/clod-config-version.cmake
+  DESTINATION ${CLOD_CMAKE_FOLDER})
+
+# Manual pages and completion say what the program's --help says, so it must run on this machine.
+find_program(HELP2MAN help2man)
+if(HELP2MAN AND TARGET clod AND NOT CMAKE_CROSSCOMPILING AND NOT CLOD_SANITIZE)
+  set(CLOD_HELP ${CMAKE_BINARY_DIR}/help)
+  add_custom_command(OUTPUT ${CLOD_HELP}/stamp
+    COMMAND ${CMAKE_SOURCE_DIR}/tools/make-man $<TARGET_FILE:clod> ${CLOD_HELP}/man1
+    COMMAND ${CMAKE_SOURCE_DIR}/tools/make-completion $<TARGET_FILE:clod> ${CLOD_HELP}/completion
+    COMMAND ${CMAKE_COMMAND} -E touch ${CLOD_HELP}/stamp
+    DEPENDS clod tools/make-man tools/make-completion
+    COMMENT "Writing manual pages and completion" VERBATIM)
+  add_custom_target(clod_help ALL DEPENDS ${CLOD_HELP}/stamp)
+  install(DIRECTORY ${CLOD_HELP}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+  install(FILES ${CLOD_HELP}/completion/clod
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${CLOD_HELP}/completion/_clod
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+  install(FILES ${CLOD_HELP}/completion/clod.fish
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+else()
+  message(STATUS "No manual pages and no completion: they need help2man and a program that runs here")
+endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "the clod developers <clod@localhost>")

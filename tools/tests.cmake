@@ -51,6 +51,17 @@ foreach(source IN LISTS CLOD_TEST_SOURCES)
     TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 endforeach()
 
+# examples/NAME.c: each says on its last line what it found beside what should be, and fails when
+# they differ. tools/check-library builds them as users do.
+file(GLOB CLOD_EXAMPLES CONFIGURE_DEPENDS examples/*.c)
+foreach(source IN LISTS CLOD_EXAMPLES)
+  cmake_path(GET source STEM name)
+  clod_add_program(example_${name} ${source})
+  add_test(NAME examples/${name} COMMAND example_${name})
+  set_tests_properties(examples/${name} PROPERTIES LABELS examples TIMEOUT ${CLOD_TEST_SECONDS}
+    ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
+endforeach()
+
 # tests/simd/vocabulary.c once per instruction set, with the flags of the kernels.
 foreach(set IN LISTS CLOD_SETS)
   string(TOUPPER ${set} SET_UPPER)
