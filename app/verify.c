@@ -11,7 +11,7 @@
 
 #include "app.h"
 #include "arguments.h"
-#include "clod/verify.h"
+#include "verify/verify.h"
 
 typedef struct request {
     const char *directory;

@@ -4,7 +4,7 @@
  * What a run of the suite found: rows, their verdict, and the table for people.
  */
 
-#include "clod/verify.h"
+#include "verify/verify.h"
 
 /**
  * Judge a row and append it.

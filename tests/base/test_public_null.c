@@ -14,7 +14,7 @@
 #include "clod/locus.h"
 #include "clod/run.h"
 #include "clod/schema.h"
-#include "clod/verify.h"
+#include "verify/verify.h"
 
 #define POINTS CLOD_SOURCE_DIR "/tests/analysis/seeds/two_groups.csv"
 
