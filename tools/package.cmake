@@ -4,6 +4,8 @@ include(CMakePackageConfigHelpers)
 install(TARGETS clod clod_core)
 if(TARGET clod_shared)
   install(TARGETS clod_shared)
+  install(DIRECTORY ${CMAKE_BINARY_DIR}/python/clod DESTINATION lib/python3/dist-packages
+    FILES_MATCHING PATTERN "*.py")
 endif()
 install(DIRECTORY include/clod TYPE INCLUDE FILES_MATCHING PATTERN "*.h")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)

@@ -92,6 +92,24 @@ if(CLOD_SANITIZE)
   # Faults are injected by a preloaded library, which the sanitizers do not go with.
   list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "faults/test_")
 endif()
+# The Python package needs packages of Debian's own Python, and the shared library, which a tree with
+# sanitizers does not have.
+list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "tests/python/")
+if(TARGET clod_shared)
+  add_test(NAME python/test_python
+    COMMAND /usr/bin/python3 -B ${CMAKE_SOURCE_DIR}/tests/python/test_python.py)
+  set_tests_properties(python/test_python PROPERTIES LABELS python TIMEOUT ${CLOD_TEST_SECONDS}
+    ENVIRONMENT "${CLOD_TEST_ENVIRONMENT};CLOD_PYTHON=${CMAKE_BINARY_DIR}/python;CLOD_LIBRARY=$<TARGET_FILE:clod_shared>")
+  file(GLOB CLOD_PYTHON_EXAMPLES CONFIGURE_DEPENDS examples/*.py)
+  foreach(script IN LISTS CLOD_PYTHON_EXAMPLES)
+    cmake_path(GET script STEM name)
+    add_test(NAME examples/python_${name} COMMAND /usr/bin/python3 -B ${script})
+    set_tests_properties(examples/python_${name} PROPERTIES LABELS examples
+      TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT
+      "PYTHONPATH=${CMAKE_BINARY_DIR}/python;CLOD_LIBRARY=$<TARGET_FILE:clod_shared>")
+  endforeach()
+endif()
+
 foreach(script IN LISTS CLOD_TEST_SCRIPTS)
   cmake_path(GET script STEM name)
   cmake_path(GET script PARENT_PATH folder)

@@ -1,0 +1,302 @@
+"""libclod's clod_sim (include/clod/sim.h) as an object; cffi calls it, nothing is compiled."""
+
+import os
+
+import cffi
+import numpy
+
+from ._cdef import CDEF
+
+ffi = cffi.FFI()
+ffi.cdef(CDEF)
+
+
+def _load():
+    """The library that CLOD_LIBRARY names, or the installed one."""
+    name = os.environ.get("CLOD_LIBRARY", "libclod.so.0.1")
+    try:
+        return ffi.dlopen(name)
+    except OSError as error:
+        raise ImportError(f"{name}: {error}. Install clod, or let CLOD_LIBRARY name "
+                          "libclod.so.") from error
+
+
+lib = _load()
+TYPES = {lib.CLOD_SIM_F64: "<f8", lib.CLOD_SIM_U64: "<u8", lib.CLOD_SIM_U16: "<u2"}
+CONTACT = numpy.dtype([("id_1", "u8"), ("id_2", "u8"), ("wall", "i4"), ("shape", "i4"),
+                       ("plastic", "f8"), ("tangent", "f8"), ("spring", "f8", 3),
+                       ("roll", "f8", 3)])
+
+
+class Error(RuntimeError):
+    """What clod says when something went wrong; `usage`: the caller or the case is wrong."""
+
+    def __init__(self, status):
+        super().__init__(ffi.string(status.text).decode())
+        self.usage = status.code == lib.CLOD_USAGE
+
+
+class _View:
+    """Memory of a simulation as NumPy takes it; keeps the simulation alive."""
+
+    def __init__(self, simulation, view):
+        self.simulation = simulation
+        itemsize = numpy.dtype(TYPES[view.type]).itemsize
+        shape, strides = (view.rows,), (view.stride,)
+        if view.components > 1:
+            shape, strides = shape + (view.components,), strides + (itemsize,)
+        self.__array_interface__ = {
+            "version": 3, "shape": shape, "strides": strides, "typestr": TYPES[view.type],
+            "data": (int(ffi.cast("uintptr_t", view.data)), not view.writable)}
+
+
+class Wall:
+    """A wall of a simulation, by its name: what it feels, and its motion, which may be set."""
+
+    def __init__(self, simulation, name):
+        self._simulation, self.name = simulation, name
+
+    def _index(self):
+        index = lib.clod_sim_wall_index(self._simulation._pointer(), self.name.encode())
+        if index < 0:
+            raise KeyError(f"there is no wall '{self.name}'")
+        return index
+
+    def _look(self):
+        wall = ffi.new("clod_sim_wall *")
+        self._simulation._call(lib.clod_sim_wall_look, self._index(), wall)
+        return wall
+
+    def _vector(self, name):
+        return numpy.array(list(getattr(self._look(), name)))
+
+    force = property(lambda self: self._vector("force"), doc="N, of the grains, last step")
+    torque = property(lambda self: self._vector("torque"), doc="N m, last step")
+    mean_force = property(lambda self: self._vector("mean_force"),
+                          doc="N, since Simulation.reset_wall_means")
+    mean_torque = property(lambda self: self._vector("mean_torque"), doc="N m, likewise")
+    power = property(lambda self: self._look().power, doc="W, done on the grains, last step")
+    angle = property(lambda self: self._look().angle, doc="rad, turned so far")
+
+    @property
+    def position(self):
+        """m, from where the case puts it; may be set."""
+        return self._vector("position")
+
+    @position.setter
+    def position(self, value):
+        self._simulation._call(lib.clod_sim_set_wall_position, self._index(),
+                               ffi.new("double[3]", list(value)))
+
+    @property
+    def velocity(self):
+        """m/s, of the wall's material; setting it drives the wall."""
+        return self._vector("velocity")
+
+    @velocity.setter
+    def velocity(self, value):
+        self._simulation._call(lib.clod_sim_set_wall_velocity, self._index(),
+                               ffi.new("double[3]", list(value)))
+
+    def set_surface_velocity(self, value):
+        """m/s, of a belt: the wall stays where it is."""
+        self._simulation._call(lib.clod_sim_set_wall_surface_velocity, self._index(),
+                               ffi.new("double[3]", list(value)))
+
+    @property
+    def spin(self):
+        """rad/s about its spin axis; may be set."""
+        return self._look().spin
+
+    @spin.setter
+    def spin(self, value):
+        self._simulation._call(lib.clod_sim_set_wall_spin, self._index(), float(value))
+
+    @property
+    def load(self):
+        """N that the load of the case aims at; may be set."""
+        return self._look().load
+
+    @load.setter
+    def load(self, value):
+        self._simulation._call(lib.clod_sim_set_wall_load, self._index(), float(value))
+
+
+class Simulation:
+    """A simulation made from a case file, or from the text of one.
+
+    Arrays (position, velocity, angular_velocity, force, torque, radius, mass, inverse_inertia,
+    id, material) are views: they are valid until the next advance, change, energies, contacts,
+    measure or file, which may sort the rows. Copy what is to be kept.
+    """
+
+    def __init__(self, path=None, text=None, threads=0, simd=None):
+        if (path is None) == (text is None):
+            raise TypeError("give either the path of a case, or its text")
+        self._status = ffi.new("clod_status *")
+        options = ffi.new("clod_sim_options *")
+        options.threads = threads
+        simd_text = ffi.new("char[]", simd.encode()) if simd is not None else ffi.NULL
+        options.simd = simd_text
+        self._sim = ffi.new("clod_sim **")
+        if path is not None:
+            self._sim[0] = lib.clod_sim_create_from_file(os.fsencode(path), options,
+                                                         self._status)
+        else:
+            self._sim[0] = lib.clod_sim_create_from_text(b"case", text.encode(), options,
+                                                         self._status)
+        if self._sim[0] == ffi.NULL:
+            raise Error(self._status)
+
+    def close(self):
+        """Free it; views of it must not be used any more."""
+        lib.clod_sim_destroy(self._sim)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def __del__(self):
+        if hasattr(self, "_sim"):
+            self.close()
+
+    def _pointer(self):
+        if self._sim[0] == ffi.NULL:
+            raise ValueError("this simulation is closed")
+        return self._sim[0]
+
+    def _call(self, function, *arguments):
+        if not function(self._pointer(), *arguments, self._status):
+            raise Error(self._status)
+
+    # ---- time
+
+    def advance(self, steps):
+        """Advance by a number of steps."""
+        self._call(lib.clod_sim_advance, int(steps))
+
+    time = property(lambda self: lib.clod_sim_time(self._pointer()), doc="s simulated")
+    dt = property(lambda self: lib.clod_sim_dt(self._pointer()), doc="s, time step")
+    step = property(lambda self: lib.clod_sim_step(self._pointer()), doc="steps done")
+
+    def set_adhesion(self, fraction):
+        """k_adh and other pulls as a fraction of the case's, from now on."""
+        self._call(lib.clod_sim_set_adhesion, float(fraction))
+
+    # ---- grains
+
+    def __len__(self):
+        return lib.clod_sim_grain_count(self._pointer())
+
+    def array(self, name):
+        """View of a property of all grains, without a copy."""
+        view = ffi.new("clod_sim_view *")
+        self._call(lib.clod_sim_array, name.encode(), view)
+        return numpy.asarray(_View(self, view))
+
+    def __getattr__(self, name):
+        if name in ARRAYS:
+            return self.array(name)
+        raise AttributeError(f"a Simulation has no '{name}'; its arrays are {', '.join(ARRAYS)}")
+
+    def row(self, grain):
+        """Row of the grain with this id, now."""
+        rows = numpy.nonzero(self.array("id") == grain)[0]
+        if len(rows) == 0:
+            raise KeyError(f"there is no grain {grain}")
+        return int(rows[0])
+
+    def positions_changed(self):
+        """To be called after writing positions."""
+        self._call(lib.clod_sim_positions_changed)
+
+    def add_grain(self, id, position, radius, velocity=(0, 0, 0), angular_velocity=(0, 0, 0),
+                  material=0):
+        """Ask for a grain to come, before the next step or by change()."""
+        grain = ffi.new("clod_sim_grain *")
+        grain.id, grain.radius, grain.material = id, radius, material
+        grain.position, grain.velocity = list(position), list(velocity)
+        grain.angular_velocity = list(angular_velocity)
+        self._call(lib.clod_sim_add_grain, grain)
+
+    def remove_grain(self, id):
+        """Ask for a grain to go."""
+        self._call(lib.clod_sim_remove_grain, int(id))
+
+    def remove_wall(self, name):
+        """Ask for a wall to go."""
+        self._call(lib.clod_sim_remove_wall, name.encode())
+
+    def change(self):
+        """Do now what was asked for."""
+        self._call(lib.clod_sim_change)
+
+    # ---- contacts, walls, measures
+
+    def contacts(self):
+        """Copy of all closed contacts with their history; a structured array.
+
+        Fields: id_1, id_2 (of grains; with a wall id_2 is 0), wall and shape (-1 without),
+        plastic [m^n], tangent [N/m], spring [m], roll [rad].
+        """
+        first, count = ffi.new("clod_sim_contact **"), ffi.new("size_t *")
+        self._call(lib.clod_sim_contacts, first, count)
+        size = ffi.sizeof("clod_sim_contact")
+        raw = numpy.frombuffer(ffi.buffer(first[0], count[0] * size), "u1").reshape(-1, size) \
+            if count[0] > 0 else numpy.empty((0, size), "u1")
+        made = numpy.empty(count[0], CONTACT)
+        for name in CONTACT.names:
+            kind = CONTACT.fields[name][0]
+            begin = ffi.offsetof("clod_sim_contact", name)
+            field = numpy.ascontiguousarray(raw[:, begin:begin + kind.itemsize])
+            made[name] = field.view(kind.base).reshape((-1,) + kind.shape)
+        return made
+
+    @property
+    def walls(self):
+        """Walls by name."""
+        made = {}
+        for index in range(lib.clod_sim_wall_count(self._pointer())):
+            wall = ffi.new("clod_sim_wall *")
+            self._call(lib.clod_sim_wall_look, index, wall)
+            name = ffi.string(wall.name).decode()
+            made[name] = Wall(self, name)
+        return made
+
+    def reset_wall_means(self):
+        """Begin the means of force and torque of all walls anew."""
+        lib.clod_sim_reset_wall_means(self._pointer())
+
+    def _numbers(self, function, kind):
+        made = ffi.new(f"{kind} *")
+        self._call(function, made)
+        return {name: getattr(made, name) for name, _ in ffi.typeof(kind).fields}
+
+    def energies(self):
+        """J: translation, rotation, potential, normal, sliding, rolling."""
+        return self._numbers(lib.clod_sim_energies, "clod_sim_energy")
+
+    def measure(self):
+        """Numbers of contacts, coordination, overlaps (fractions), largest speed [m/s]."""
+        return self._numbers(lib.clod_sim_measure, "clod_sim_bed")
+
+    # ---- files
+
+    def write_checkpoint(self, folder):
+        """Write a checkpoint into a results folder."""
+        self._call(lib.clod_sim_write_checkpoint, os.fsencode(folder))
+
+    def read_checkpoint(self, folder, part=None):
+        """Go on from the newest checkpoint in a folder, of the same case."""
+        self._call(lib.clod_sim_read_checkpoint, os.fsencode(folder),
+                   part.encode() if part is not None else ffi.NULL)
+
+    def write_snapshot(self, folder, contacts=False):
+        """Write grains and walls for ParaView into a results folder."""
+        self._call(lib.clod_sim_write_snapshot, os.fsencode(folder), contacts)
+
+
+ARRAYS = [ffi.string(lib.clod_sim_array_name(k)).decode()
+          for k in range(lib.clod_sim_array_count())]

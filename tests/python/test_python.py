@@ -1,0 +1,149 @@
+"""The Python package: the same object and the same bits as the library, views without copies."""
+
+import gc
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod as program  # noqa: E402  runs the command line
+
+sys.modules.pop("clod")
+sys.path.insert(0, os.environ["CLOD_PYTHON"])
+import numpy  # noqa: E402
+
+import clod  # noqa: E402
+
+CASE = """\
+materials: {ore: {density: 2500 kg/m3}}
+contacts: {default: {law: mepa, k1: 4.75e5 N/m^1.5, k2: 2.37e6 N/m^1.5, k_adh: 1e5 N/m^1.5,
+                     restitution: 0.3, friction: 0.35}}
+time: {step: 2e-6 s}
+domain: {min: [0 mm, 0 mm, -5 mm], max: [20 mm, 20 mm, 100 mm], periodic: [true, true, false]}
+stages: [{name: fall, duration: 0.02 s}]
+walls: {floor: {material: ore, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, 1]}}]}}
+grains:
+  - {material: ore, count: 60, radius: {distribution: uniform, min: 1.8 mm, max: 2 mm},
+     region: {box: {min: [0 mm, 0 mm, 2 mm], max: [20 mm, 20 mm, 30 mm]}}}
+output: {series_interval: 1 ms, contacts: true}
+"""
+
+
+def make(**more):
+    return clod.Simulation(text=CASE, threads=1, **more)
+
+
+class Python(program.Case):
+
+    def test_arrays_are_views(self):
+        with make() as sim:
+            self.assertEqual(sim.position.shape, (60, 3))
+            self.assertEqual((len(sim), sim.radius.shape, sim.id.dtype), (60, (60,), "u8"))
+            before = sim.velocity[7].copy()
+            sim.velocity[7] += [0, 0, 1]
+            numpy.testing.assert_array_equal(sim.velocity[7], before + [0, 0, 1])
+            self.assertTrue(numpy.shares_memory(sim.velocity, sim.velocity))
+            with self.assertRaises(ValueError):
+                sim.radius[0] = 1.0  # not writable
+
+    def test_free_fall(self):
+        """A grain alone: z0 - g t^2/2, by hand."""
+        with make() as sim:
+            sim.add_grain(1000, [0.01, 0.01, 0.09], 1e-3)
+            sim.advance(1000)
+            row = sim.row(1000)
+            self.assertAlmostEqual(sim.position[row, 2], 0.09 - 0.5 * 9.81 * (1000 * 2e-6)**2,
+                                   delta=1e-15)
+            self.assertAlmostEqual(sim.velocity[row, 2], -9.81 * 2e-3, delta=1e-13)
+            sim.remove_grain(1000)
+            sim.change()
+            with self.assertRaises(KeyError):
+                sim.row(1000)
+
+    def test_a_view_keeps_the_simulation(self):
+        sim = make()
+        position = sim.position
+        kept = position.copy()
+        del sim
+        gc.collect()
+        numpy.testing.assert_array_equal(position, kept)
+
+    def test_weight_on_the_floor(self):
+        with make() as sim:
+            sim.advance(150000)
+            sim.reset_wall_means()
+            sim.advance(5000)
+            weight = 9.81 * sim.mass.sum()
+            self.assertAlmostEqual(-sim.walls["floor"].mean_force[2] / weight, 1.0, delta=0.02)
+            contacts = sim.contacts()
+            self.assertEqual(len(contacts), sim.measure()["pairs"] + sim.measure()["walls"])
+            self.assertTrue((contacts["plastic"] > 0).any())
+            self.assertTrue(numpy.isin(contacts["id_1"], sim.id).all())
+            energy = sim.energies()
+            v = sim.velocity
+            self.assertAlmostEqual(energy["translation"] /
+                                   (0.5 * (sim.mass * (v * v).sum(1)).sum()), 1, delta=1e-12)
+
+    def test_walls_are_driven(self):
+        with make() as sim:
+            floor = sim.walls["floor"]
+            floor.velocity = [0, 0, -0.5]
+            sim.advance(1000)
+            numpy.testing.assert_allclose(floor.position, [0, 0, -0.5 * 2e-3], rtol=1e-12)
+            sim.remove_wall("floor")
+            sim.change()
+            self.assertEqual(sim.walls, {})
+            with self.assertRaises(KeyError):
+                floor.force
+
+    def test_the_bits_of_a_run(self):
+        """clod run and Python end with the same bits; the results folder into arrays."""
+        with open(self.path("case.yaml"), "w") as file:
+            file.write(CASE)
+        done = program.run("run", "case.yaml", "-o", "out", "-t", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        run = clod.results(self.path("out"))
+        with clod.Simulation(self.path("case.yaml"), threads=2) as sim:
+            sim.advance(10000)
+            series = run.series()
+            self.assertEqual(series["time"][-1], sim.time)
+            self.assertEqual(series["floor.shift_z"][-1], 0)
+            again = make()
+            again.read_checkpoint(self.path("out"))
+            self.assertEqual(again.step, 10000)
+            order, other = numpy.argsort(sim.id), numpy.argsort(again.id)
+            numpy.testing.assert_array_equal(sim.position[order], again.position[other])
+            again.close()
+        self.assertEqual(run.summary["grains"], 60)
+        self.assertEqual(run.table()[1]["kinetic_energy"], "J")
+        try:
+            import h5py  # noqa: F401
+        except ImportError:
+            return
+        self.assertEqual(run.snapshot()["position"].shape, (60, 3))
+        self.assertIn("plastic", run.snapshot(kind="contacts"))
+
+    def test_errors(self):
+        with self.assertRaises(clod.Error) as caught:
+            clod.Simulation(text="title: nothing")
+        self.assertTrue(caught.exception.usage)
+        self.assertIn("needs the key materials", str(caught.exception))
+        with self.assertRaises(TypeError):
+            clod.Simulation()
+        sim = make()
+        with self.assertRaises(clod.Error):
+            sim.advance(-1)
+        with self.assertRaises(AttributeError):
+            sim.colour
+        sim.remove_grain(12345)
+        with self.assertRaisesRegex(clod.Error, "there is none with this id"):
+            sim.change()
+        sim.close()
+        with self.assertRaises(ValueError):
+            sim.advance(1)
+        with self.assertRaises(FileNotFoundError):
+            clod.results(self.path("nowhere"))
+
+
+if __name__ == "__main__":
+    unittest.main()
