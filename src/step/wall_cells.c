@@ -151,7 +151,7 @@ bool clod_wall_cells_find(clod_neighbour *self, const clod_state *state, const c
         const int32_t x = clod_cells_along(&grid, 0, p[0]);
         const int32_t y = clod_cells_along(&grid, 1, p[1]);
         const int32_t z = clod_cells_along(&grid, 2, p[2]);
-        const size_t cell = (size_t)((z * grid.n[1] + y) * grid.n[0] + x);
+        const int32_t cell = (z * grid.n[1] + y) * grid.n[0] + x;
         for (size_t k = cells->start[cell]; k < cells->start[cell + 1]; k++) {
             if (!try_shape(self, state, laws, g, &cells->sorted[k])) {
                 return false;

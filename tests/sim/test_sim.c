@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "clod/sim.h"
+#include "output/temp_folder.h"
 #include "support/check.h"
 
 #define HEAD                                                                                   \
@@ -226,12 +227,9 @@ static void energies_are_those_of_the_grains(void **unused)
     clod_sim_destroy(&sim);
 }
 
-static void a_checkpoint_goes_on_with_the_same_bits(void **unused)
+static void a_checkpoint_goes_on_with_the_same_bits(void **temporary)
 {
-    (void)unused;
-    char folder[] = P_tmpdir "/clod-sim-XXXXXX";
-    char command[128];
-    assert_non_null(mkdtemp(folder));
+    const char *folder = *temporary;
     clod_sim *a = make(BED, 1);
     clod_sim *b = make(BED, 2);
     clod_sim *c = make(ONE, 1);
@@ -250,9 +248,7 @@ static void a_checkpoint_goes_on_with_the_same_bits(void **unused)
     clod_sim_destroy(&a);
     clod_sim_destroy(&b);
     clod_sim_destroy(&c);
-    snprintf(command, sizeof command, "ls %s/*.hdf.series >/dev/null && rm -r %s", folder,
-             folder);
-    assert_int_equal(system(command), 0);
+    assert_true(temp_exists(temporary, "run.hdf.series"));
 }
 
 /** The text names function and argument. */
@@ -336,7 +332,8 @@ int main(void)
         cmocka_unit_test(a_grain_that_is_moved_meets_the_floor),
         cmocka_unit_test(contacts_keep_their_history),
         cmocka_unit_test(energies_are_those_of_the_grains),
-        cmocka_unit_test(a_checkpoint_goes_on_with_the_same_bits),
+        cmocka_unit_test_setup_teardown(a_checkpoint_goes_on_with_the_same_bits,
+                                        temp_folder_make, temp_folder_remove),
         cmocka_unit_test(what_is_missing_is_named),
         cmocka_unit_test(walls_are_driven),
     };

@@ -31,7 +31,8 @@ static void lattice(scene *s, int n, int first_left_out, int second_left_out)
     scene_init(s, 1e-6, &ore);
     s->state.gravity[2] = -9.81;
     for (int k = 0; k < n * n * n; k++) {
-        const double x = PITCH * (k % n), y = PITCH * (k / n % n), z = PITCH * (k / n / n);
+        const int column = k % n, line = k / n % n, layer = k / n / n;
+        const double x = PITCH * column, y = PITCH * line, z = PITCH * layer;
         if (k != first_left_out && k != second_left_out) {
             const size_t g = scene_grain(s, x, y, FIRST + z, 2e-3);
             s->state.grains.id[g] = (uint64_t)k;

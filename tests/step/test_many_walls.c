@@ -168,10 +168,9 @@ static void far_boxes_change_no_bit(void **state)
     wall->shapes = clod_memory_grow(wall->shapes, 1, 10000, sizeof *wall->shapes);
     wall->shape_count = 10000;
     for (int k = 1; k < 10000; k++) {
-        wall->shapes[k] =
-            shape_box((clod_vec3){-0.1 + 4e-3 * (k % 50), -0.1 + 4e-3 * (k / 50 % 50),
-                                  0.12 + 4e-3 * (k / 2500)},
-                      1e-3, 1e-3, 1e-3);
+        const int column = k % 50, line = k / 50 % 50, layer = k / 2500;
+        const clod_vec3 at = {-0.1 + 4e-3 * column, -0.1 + 4e-3 * line, 0.12 + 4e-3 * layer};
+        wall->shapes[k] = shape_box(at, 1e-3, 1e-3, 1e-3);
     }
     scene_start(&plain);
     scene_start_with(&crowded, (clod_step_options){.threads = 2});
