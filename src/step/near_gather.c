@@ -63,6 +63,9 @@ bool clod_near_gather_room(clod_near *self, clod_state *state, clod_status *stat
 
 static void copy_pairs(const clod_near *self, clod_state *state, int part, bool release)
 {
+    if (self->gathered[part].pairs == 0) { // there may be no list at all
+        return;
+    }
     clod_contact *to = &state->contacts[self->gathered[part].pair];
     size_t count = 0;
     clod_near_cursor cursor = clod_near_cursor_begin(self, &self->pairs, part);
@@ -81,6 +84,9 @@ static void copy_pairs(const clod_near *self, clod_state *state, int part, bool 
 static void copy_walls(const clod_near *self, clod_state *state, const clod_wall_rows *walls,
                        int part)
 {
+    if (self->gathered[part].walls == 0) {
+        return;
+    }
     clod_contact *to = &state->contacts[self->gathered[part].wall];
     clod_near_cursor cursor = clod_near_cursor_begin(self, &self->walls, part);
     while (clod_near_cursor_next(&cursor)) {
