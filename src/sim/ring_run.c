@@ -5,7 +5,6 @@
 #include "base/memory.h"
 #include "setup/begin.h"
 #include "sim/ring_report.h"
-#include "tester/jenike.h"
 
 static int64_t ring_plan(const void *data, const void *context, const clod_state *state)
 {
@@ -58,8 +57,6 @@ static void ring_begin(const clod_case *from, const clod_part *part, clod_state 
         clod_ring_shear_branch(part->test, stress, state);
     } else if (part->point == CLOD_RING_REVERSE) {
         clod_ring_shear_reverse(part->test, state);
-    } else if (from->jenike.present) {
-        clod_jenike_begin(part->test, from, state);
     } else {
         clod_ring_shear_begin(part->test, from, state);
     }

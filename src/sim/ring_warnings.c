@@ -6,6 +6,7 @@
 #include "sim/shear_cell.h"
 #include "sim/warning_box.h"
 #include "tester/limits.h"
+#include "tester/shear_tester.h"
 
 #define SERVO_LIMIT 0.01    ///< relative error of the mean normal stress
 #define DILATION_LIMIT 0.01 ///< change of height per shear displacement
@@ -34,18 +35,15 @@ const char *clod_ring_preshear_words(const clod_ring_shear *test,
 static void add_flags(json_t *list, const clod_shear_cell *cell, const clod_part *part)
 {
     const clod_ring_shear *t = part->test;
+    const clod_shear_tester *tester = clod_shear_tester_of(t);
     const int64_t flags = t->flags;
     if ((flags & CLOD_RING_SHEAR_NOT_STEADY) != 0) {
         char words[CLOD_RING_WORDS_SIZE];
-        clod_warning_box_add(
-            list,
-            "%s: shear stress %s; tau_p is where a line through the last "
-            "blocks ends. %s",
-            part->name, clod_ring_preshear_words(t, words),
-            t->straight != 0
-                ? "By ASTM D6128 it then gives no valid point of a yield locus. Set "
-                  "jenike.twists (or raise them), or raise preshear_max with offset and rim"
-                : "Raise ring_shear.preshear_max to see how far it goes");
+        clod_warning_box_add(list,
+                             "%s: shear stress %s; tau_p is where a line through the last "
+                             "blocks ends. %s",
+                             part->name, clod_ring_preshear_words(t, words),
+                             tester->if_not_steady);
     }
     if ((flags & CLOD_RING_SHEAR_NOT_SETTLED) != 0) {
         clod_warning_box_add(
@@ -63,15 +61,14 @@ static void add_flags(json_t *list, const clod_shear_cell *cell, const clod_part
             "%s: the shear stress did not fall to zero when sheared back: the points begin "
             "under shear. Look at %s.csv: if it still falls at the end, raise the stiffness%s; "
             "if it is level, use a larger cell or smaller grains",
-            part->name, part->name, t->straight != 0 ? " or jenike.rim" : "");
+            part->name, part->name, tester->to_reverse);
     }
     if ((flags & CLOD_RING_SHEAR_NO_PEAK) != 0) {
         clod_warning_box_add(
             list,
             "%s: no peak within %.3g mm of shear; the largest smoothed value is taken. Raise "
             "%s.shear_max%s",
-            part->name, 1e3 * cell->programme->shear_max, cell->key,
-            t->straight != 0 ? " with offset and rim" : "");
+            part->name, 1e3 * cell->programme->shear_max, cell->key, tester->to_go_further);
     }
 }
 
@@ -79,17 +76,17 @@ static void add_flags(json_t *list, const clod_shear_cell *cell, const clod_part
 static void add_dilation(json_t *list, const clod_shear_cell *cell, const clod_part *part)
 {
     const clod_ring_shear *t = part->test;
+    const char *further = clod_shear_tester_of(t)->to_go_further;
     const double rate = t->preshear_dilation;
     if (part->point < 0 && fabs(rate) > DILATION_LIMIT) {
         const bool steady = (t->flags & CLOD_RING_SHEAR_NOT_STEADY) == 0;
         clod_warning_box_add(
             list,
             "%s: %sthe specimen still %s by %.3f mm per mm of shear: not the critical state. "
-            "Raise %s.%s to go further%s",
+            "Raise %s.%s to go further%s%s",
             part->name, steady ? "the shear stress is steady, but " : "",
             rate > 0.0 ? "dilates" : "contracts", fabs(rate), cell->key,
-            steady ? "steady_blocks" : "preshear_max",
-            t->straight != 0 ? ", with offset and rim" : "");
+            steady ? "steady_blocks" : "preshear_max", further[0] != '\0' ? "," : "", further);
     }
 }
 

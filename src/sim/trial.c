@@ -4,7 +4,6 @@
 #include "setup/begin.h"
 #include "sim/free_stages.h"
 #include "step/step.h"
-#include "tester/jenike.h"
 #include "tester/ring_shear.h"
 #include "tester/uniaxial.h"
 
@@ -21,10 +20,8 @@ typedef struct trial {
 
 static void begin(trial *self)
 {
-    if (self->from->ring_shear.present) {
+    if (clod_case_shear(self->from) != NULL) {
         clod_ring_shear_begin(&self->shear, self->from, &self->state);
-    } else if (self->from->jenike.present) {
-        clod_jenike_begin(&self->shear, self->from, &self->state);
     } else if (self->from->uniaxial.present) {
         clod_uniaxial_begin(&self->uniaxial, self->from, &self->state);
     } else {

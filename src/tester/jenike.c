@@ -1,11 +1,12 @@
-#include "tester/jenike.h"
+// The row of the Jenike shear tester (ASTM D6128): shear ring and lid move along x as one, base
+// and base ring stand still (setup/jenike_cell.h; docs/theory/jenike.md).
 
 #include <math.h>
 
 #include "tester/bed.h"
-#include "tester/ring_measure.h"
+#include "tester/shear_tester.h"
 
-void clod_jenike_begin(clod_ring_shear *self, const clod_case *from, clod_state *state)
+static void describe(clod_ring_shear *self, const clod_case *from, const clod_state *state)
 {
     const clod_case_jenike *cell = &from->jenike;
     *self = (clod_ring_shear){
@@ -14,35 +15,28 @@ void clod_jenike_begin(clod_ring_shear *self, const clod_case *from, clod_state 
         .lowest_lid = cell->base_height + 2.0 * clod_bed_largest(state),
         .fill_max = cell->fill_max,
         .settle_max = cell->settle_max,
-        .straight = 1,
         .base_height = cell->base_height,
         .twist_angle = cell->twist_angle,
         .twists = cell->twists,
     };
-    clod_ring_shear_start(self, &cell->programme, state);
 }
 
-void clod_jenike_set_speed(clod_state *state, double speed)
+static double speed(const clod_ring_shear *self, const clod_state *state)
 {
+    (void)self;
+    return clod_bed_wall(state, "shear_ring")->velocity.x;
+}
+
+static void set_speed(const clod_ring_shear *self, clod_state *state, double speed)
+{
+    (void)self;
     clod_bed_wall(state, "shear_ring")->velocity.x = speed;
     clod_bed_wall(state, "lid")->velocity.x = speed;
 }
 
-double clod_jenike_speed(const clod_state *state)
+static bool is_at_speed(const clod_ring_shear *self, const clod_state *state)
 {
-    return clod_bed_wall(state, "shear_ring")->velocity.x;
-}
-
-bool clod_jenike_is_at_speed(const clod_ring_shear *self, const clod_state *state)
-{
-    return clod_jenike_speed(state) == self->target_speed;
-}
-
-bool clod_jenike_is_behind(const clod_state *state)
-{
-    const clod_wall *ring = clod_bed_wall(state, "shear_ring");
-    const clod_shape *rim = &ring->shapes[1];
-    return rim->center.x + ring->shift.x <= rim->inner - rim->outer;
+    return speed(self, state) == self->target_speed;
 }
 
 /** Bring a spin towards its target; whether it is there. */
@@ -53,7 +47,8 @@ static bool slew_spin(clod_wall *wall, double target, double most)
     return wall->spin == target;
 }
 
-bool clod_jenike_twist(clod_ring_shear *self, clod_state *state, double change)
+/** To one side and to the other, the lid's edge moving with the speed of preshear. */
+static bool twist(clod_ring_shear *self, clod_state *state, double change)
 {
     clod_wall *lid = clod_bed_wall(state, "lid");
     const double radius = lid->shapes[0].outer;
@@ -69,29 +64,60 @@ bool clod_jenike_twist(clod_ring_shear *self, clod_state *state, double change)
     return false;
 }
 
-void clod_jenike_measure(const clod_ring_shear *self, const clod_state *state, double *row)
+/** Between the rings. */
+static double shear_plane(const clod_ring_shear *self, double lid)
+{
+    (void)lid;
+    return self->base_height;
+}
+
+/**
+ *     tau   = -F_x(shear ring and lid)/A     tau_base   =  F_x(base and base ring)/A
+ *                                            sigma_base = -F_z(base and base ring)/A
+ *
+ * with the forces of the grains on the walls, A the inner area.
+ */
+static void read(const clod_ring_shear *self, const clod_state *state, double steps,
+                 double *row)
 {
     const clod_wall *lid = clod_bed_wall(state, "lid");
     const clod_wall *ring = clod_bed_wall(state, "shear_ring");
     const clod_wall *base = clod_bed_wall(state, "base");
     const clod_wall *base_ring = clod_bed_wall(state, "base_ring");
-    const double steps = (double)(lid->sum_steps > 0 ? lid->sum_steps : 1);
     const double area = steps * self->area;
-    const double height = clod_ring_lid_height(self, state);
-    row[CLOD_RING_SHEAR_TIME] = (double)state->step * state->dt;
-    row[CLOD_RING_SHEAR_PHASE] = (double)self->phase;
-    row[CLOD_RING_SHEAR_DISPLACEMENT] = self->displacement;
-    row[CLOD_RING_SHEAR_NORMAL_STRESS] =
-        lid->sum_force.z / area + clod_ring_solid_above(self, state);
     row[CLOD_RING_SHEAR_NORMAL_STRESS_BASE] =
         -(base->sum_force.z + base_ring->sum_force.z) / area;
     row[CLOD_RING_SHEAR_SHEAR_STRESS] = -(lid->sum_force.x + ring->sum_force.x) / area;
     row[CLOD_RING_SHEAR_SHEAR_STRESS_BASE] =
         (base->sum_force.x + base_ring->sum_force.x) / area;
-    row[CLOD_RING_SHEAR_HEIGHT] = height;
-    row[CLOD_RING_SHEAR_BULK_DENSITY] = self->grain_mass / (self->area * height);
-    row[CLOD_RING_SHEAR_SPEED] = clod_jenike_speed(state);
     // of the drive: what the lid does on its way down is the load's, not the stem's
     row[CLOD_RING_SHEAR_POWER] =
         row[CLOD_RING_SHEAR_SHEAR_STRESS] * self->area * row[CLOD_RING_SHEAR_SPEED];
 }
+
+/** The shear ring is as far behind the base ring as its rim is thick, or farther. */
+static bool is_back(const clod_state *state)
+{
+    const clod_wall *ring = clod_bed_wall(state, "shear_ring");
+    const clod_shape *rim = &ring->shapes[1];
+    return rim->center.x + ring->shift.x <= rim->inner - rim->outer;
+}
+
+const clod_shear_tester CLOD_SHEAR_TESTER_JENIKE = {
+    .kind = CLOD_RING_SHEAR_JENIKE,
+    .key = "jenike",
+    .describe = describe,
+    .speed = speed,
+    .set_speed = set_speed,
+    .is_at_speed = is_at_speed,
+    .twist = twist,
+    .shear_plane = shear_plane,
+    .read = read,
+    .is_back = is_back,
+    .lid_meets = "it and the base ring",
+    .if_no_bed = "Raise jenike.grain_count (or fill_fraction)",
+    .if_not_steady = "By ASTM D6128 it then gives no valid point of a yield locus. Set "
+                     "jenike.twists (or raise them), or raise preshear_max with offset and rim",
+    .to_reverse = " or jenike.rim",
+    .to_go_further = " with offset and rim",
+};

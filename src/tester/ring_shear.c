@@ -4,9 +4,8 @@
 #include <stdio.h>
 
 #include "tester/bed.h"
-#include "tester/jenike.h"
 #include "tester/limits.h"
-#include "tester/ring_measure.h"
+#include "tester/shear_tester.h"
 
 // The programme below is the operator's hand: none of these numbers is a property of the solid,
 // and the results folder shows what each did. Displacements are at the mean radius r_m.
@@ -22,32 +21,12 @@ const char *clod_ring_shear_phase_name(clod_ring_shear_phase phase)
     return NAMES[phase];
 }
 
-/** Whether the speed has reached its target: the very number that was put there. */
-static bool is_at_speed(const clod_ring_shear *self, const clod_state *state)
-{
-    return self->straight != 0 ? clod_jenike_is_at_speed(self, state)
-                               : clod_ring_is_at_speed(self, state);
-}
-
-static double shear_speed(const clod_ring_shear *self, const clod_state *state)
-{
-    return self->straight != 0 ? clod_jenike_speed(state) : clod_ring_speed(self, state);
-}
-
-static void set_speed(const clod_ring_shear *self, clod_state *state, double speed)
-{
-    if (self->straight != 0) {
-        clod_jenike_set_speed(state, speed);
-    } else {
-        clod_ring_set_speed(self, state, speed);
-    }
-}
-
 /** Load of the lid that gives a normal stress at the shear plane. */
 static void set_stress(const clod_ring_shear *self, clod_state *state, double stress)
 {
     clod_wall *lid = clod_bed_wall(state, "lid");
-    lid->load_force = fmax((stress - clod_ring_solid_above(self, state)) * self->area, 0.0);
+    lid->load_force =
+        fmax((stress - clod_shear_tester_solid_above(self, state)) * self->area, 0.0);
 }
 
 static void enter(clod_ring_shear *self, clod_state *state, clod_ring_shear_phase phase)
@@ -61,25 +40,10 @@ static void enter(clod_ring_shear *self, clod_state *state, clod_ring_shear_phas
 
 void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_state *state)
 {
-    const clod_case_ring_shear *cell = &from->ring_shear;
-    const double ri = cell->inner_radius;
-    const double ro = cell->outer_radius;
-    *self = (clod_ring_shear){
-        .area = M_PI * (ro * ro - ri * ri),
-        .mean_radius = 2.0 / 3.0 * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri),
-        .bars_volume = clod_ring_bars_volume(state),
-        .bar_height = cell->bar_height,
-        .lid_mass = cell->lid_mass,
-        .lowest_lid = 2.0 * cell->bar_height + 2.0 * clod_bed_largest(state),
-        .fill_max = cell->fill_max,
-        .settle_max = cell->settle_max,
-    };
-    clod_ring_shear_start(self, &cell->programme, state);
-}
-
-void clod_ring_shear_start(clod_ring_shear *self, const clod_case_programme *programme,
-                           clod_state *state)
-{
+    const clod_case_programme *programme = clod_case_shear(from);
+    const clod_shear_tester *tester = clod_shear_tester_of_case(from);
+    tester->describe(self, from, state);
+    self->kind = tester->kind;
     self->lid_start = clod_bed_wall(state, "lid")->shapes[0].center.z;
     self->grain_mass = clod_bed_mass(state);
     self->preshear_stress = programme->preshear_stress;
@@ -127,7 +91,8 @@ int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *stat
     if (self->phase == CLOD_RING_SHEAR_DONE) {
         return 0;
     }
-    if (self->phase == CLOD_RING_SHEAR_REVERSE || !is_at_speed(self, state)) {
+    if (self->phase == CLOD_RING_SHEAR_REVERSE ||
+        !clod_shear_tester_of(self)->is_at_speed(self, state)) {
         return FINE_STEPS;
     }
     if (self->phase == CLOD_RING_SHEAR_PRESHEAR) {
@@ -146,7 +111,7 @@ static void after_fill(clod_ring_shear *self, clod_state *state, double in_phase
     bool late;
     if (clod_bed_is_filled(state, in_phase, self->fill_max, &late)) {
         self->flags |= late ? CLOD_RING_SHEAR_NOT_SETTLED : 0;
-        clod_bed_put_lid(state, clod_ring_lid_height(self, state), self->bar_height);
+        clod_bed_put_lid(state, clod_shear_tester_lid_height(self, state), self->bar_height);
         enter(self, state, CLOD_RING_SHEAR_LOWER);
     }
 }
@@ -196,7 +161,7 @@ static void after_load(clod_ring_shear *self, clod_state *state, const double *r
 static void after_twist(clod_ring_shear *self, clod_state *state, double interval)
 {
     set_stress(self, state, self->target_stress);
-    if (clod_jenike_twist(self, state, ACCELERATION * interval)) {
+    if (clod_shear_tester_of(self)->twist(self, state, ACCELERATION * interval)) {
         self->target_speed = self->speed;
         enter(self, state, CLOD_RING_SHEAR_PRESHEAR);
     }
@@ -229,7 +194,7 @@ static void note_preshear(clod_ring_shear *self, bool steady)
 static void after_preshear(clod_ring_shear *self, clod_state *state, const double *row)
 {
     set_stress(self, state, self->target_stress);
-    if (!is_at_speed(self, state)) {
+    if (!clod_shear_tester_of(self)->is_at_speed(self, state)) {
         return;
     }
     const bool level =
@@ -252,7 +217,7 @@ static void after_reverse(clod_ring_shear *self, clod_state *state, const double
 {
     set_stress(self, state, self->target_stress);
     const bool late = self->displacement > CLOD_LIMITS_REVERSE_MAX ||
-                      (self->straight != 0 && clod_jenike_is_behind(state));
+                      clod_shear_tester_of(self)->is_back(state);
     if (row[CLOD_RING_SHEAR_SHEAR_STRESS] > 0.0 && !late) {
         return;
     }
@@ -287,12 +252,14 @@ static void after_shear(clod_ring_shear *self, clod_state *state, const double *
 /** Bring the speed of shear towards its target without a blow. */
 static void slew(const clod_ring_shear *self, clod_state *state, double interval)
 {
-    const double now = shear_speed(self, state);
+    const clod_shear_tester *tester = clod_shear_tester_of(self);
+    const double now = tester->speed(self, state);
     const double change = self->target_speed - now;
     const double most = ACCELERATION * interval;
-    if (!is_at_speed(self, state)) {
-        set_speed(self, state,
-                  fabs(change) <= most ? self->target_speed : now + copysign(most, change));
+    if (!tester->is_at_speed(self, state)) {
+        tester->set_speed(self, state,
+                          fabs(change) <= most ? self->target_speed
+                                               : now + copysign(most, change));
     }
 }
 
@@ -300,7 +267,7 @@ static void slew(const clod_ring_shear *self, clod_state *state, double interval
  */
 static double sheared(const clod_ring_shear *self, const clod_state *state)
 {
-    const double speed = shear_speed(self, state);
+    const double speed = clod_shear_tester_of(self)->speed(self, state);
     return self->phase == CLOD_RING_SHEAR_REVERSE ? fmax(-speed, 0.0) : fabs(speed);
 }
 
@@ -308,25 +275,19 @@ static double sheared(const clod_ring_shear *self, const clod_state *state)
 static bool is_without_bed(const clod_ring_shear *self, const clod_state *state)
 {
     return self->phase != CLOD_RING_SHEAR_FILL &&
-           clod_ring_lid_height(self, state) < self->lowest_lid;
+           clod_shear_tester_lid_height(self, state) < self->lowest_lid;
 }
 
 bool clod_ring_shear_trouble(const clod_ring_shear *self, char *text, size_t size)
 {
+    const clod_shear_tester *tester = clod_shear_tester_of(self);
     const bool trouble = (self->flags & CLOD_RING_SHEAR_NO_BED) != 0;
-    if (trouble && self->straight != 0) {
+    if (trouble) {
         snprintf(
             text, size,
-            "the lid sank to %.3g mm, where no grain fits between it and the base ring: the "
-            "cell holds too few grains. Raise jenike.grain_count (or fill_fraction)",
-            1e3 * self->last_height);
-    } else if (trouble) {
-        snprintf(
-            text, size,
-            "the lid sank to %.3g mm, where no grain fits between its bars and those of the "
-            "trough: the cell holds too few grains. Raise ring_shear.grain_count (or "
-            "fill_fraction), or lower bar_height",
-            1e3 * self->last_height);
+            "the lid sank to %.3g mm, where no grain fits between %s: the cell holds too few "
+            "grains. %s",
+            1e3 * self->last_height, tester->lid_meets, tester->if_no_bed);
     }
     return trouble;
 }
@@ -336,11 +297,7 @@ bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *ro
     const double interval = (double)clod_bed_wall(state, "lid")->sum_steps * state->dt;
     const double in_phase = (double)state->step * state->dt - self->phase_start;
     self->displacement += sheared(self, state) * interval;
-    if (self->straight != 0) {
-        clod_jenike_measure(self, state, row);
-    } else {
-        clod_ring_measure(self, state, row);
-    }
+    clod_shear_tester_measure(self, state, row);
     clod_walls_reset_sums(&state->walls);
     switch (self->phase) {
     case CLOD_RING_SHEAR_FILL:

@@ -4,9 +4,9 @@
  * The procedure of a shear test, as a state machine that looks at the walls between steps and
  * tells them what to do next. It holds plain data only, so a checkpoint stores it as it is.
  *
- * It is that of the Schulze ring shear test (ASTM D6773; PHYSICS 7). With `straight` it drives
- * a Jenike cell (ASTM D6128; tester/jenike.h), which is sheared along x instead of about z;
- * what depends on the cell is in ring_measure.c and jenike.c.
+ * It is that of the Schulze ring shear test (ASTM D6773; PHYSICS 7) and of the Jenike shear
+ * test (ASTM D6128), whose cell is sheared along x instead of about z. What depends on the
+ * tester is its row (tester/shear_tester.h), which the procedure finds by `kind`.
  *
  * One procedure prepares the specimen: fill, lower the lid, consolidate, preshear until steady,
  * for preshear_min at least and preshear_max at most. The shear stress of preshear is the mean
@@ -24,6 +24,13 @@
 #include "measure/peak.h"
 #include "measure/steady.h"
 #include "state/state.h"
+
+/** The testers. */
+typedef enum clod_ring_shear_kind {
+    CLOD_RING_SHEAR_RING,
+    CLOD_RING_SHEAR_JENIKE,
+    CLOD_RING_SHEAR_KINDS,
+} clod_ring_shear_kind;
 
 typedef enum clod_ring_shear_phase {
     CLOD_RING_SHEAR_FILL,        ///< grains fall and come to rest, adhesion reduced
@@ -72,10 +79,10 @@ typedef struct clod_ring_shear {
     double lid_start;   ///< m, height of the lid's plane at shift 0
     double lid_mass;    ///< kg
     double lowest_lid;  ///< m: below it no grain fits between the bars of lid and trough
-    int64_t straight;   ///< 1: a Jenike cell; bars and mean radius are 0
-    double base_height; ///< m, straight: the shear plane above the base
-    double twist_angle; ///< rad, straight: of the lid to each side
-    int64_t twists;     ///< straight: how often to and fro
+    int64_t kind;       ///< clod_ring_shear_kind; what the other tester has is 0
+    double base_height; ///< m, Jenike: the shear plane above the base
+    double twist_angle; ///< rad, Jenike: of the lid to each side
+    int64_t twists;     ///< Jenike: how often to and fro
     // the programme
     double preshear_stress, shear_stress;                             ///< Pa
     double speed, shear_speed;                                        ///< m/s at r_m
@@ -112,15 +119,11 @@ extern const char *const clod_ring_shear_columns[CLOD_RING_SHEAR_COLUMNS];
 /** Name of a phase, for logs. */
 const char *clod_ring_shear_phase_name(clod_ring_shear_phase phase);
 
-/** Begin with the filling of a fresh cell (setup/ring_cell.h). */
-void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_state *state);
-
 /**
- * Begin with the filling of any cell: the caller has filled in what describes the cell, zero
- * what it has not, and this adds the grains and the programme.
+ * Begin with the filling of a fresh cell (setup/ring_cell.h, setup/jenike_cell.h), that of the
+ * case's shear test.
  */
-void clod_ring_shear_start(clod_ring_shear *self, const clod_case_programme *programme,
-                           clod_state *state);
+void clod_ring_shear_begin(clod_ring_shear *self, const clod_case *from, clod_state *state);
 
 /** Begin to shear back from the presheared state: `self` is the copy of the preparing one. */
 void clod_ring_shear_reverse(clod_ring_shear *self, clod_state *state);

@@ -14,8 +14,8 @@ import unittest
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 RECORD = os.path.join(ROOT, "tests/output/checkpoint_parts.txt")
 # What src/sim hands to clod_checkpoint_write as parts, and what those structs are made of.
-PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_phase", "clod_ring_shear_flag",
-                                      "clod_ring_shear"]),
+PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_kind", "clod_ring_shear_phase",
+                                      "clod_ring_shear_flag", "clod_ring_shear"]),
          ("src/tester/uniaxial.h", ["clod_uniaxial_phase", "clod_uniaxial_flag",
                                     "clod_uniaxial"]),
          ("src/measure/steady.h", ["CLOD_STEADY_MAX", "clod_steady"]),

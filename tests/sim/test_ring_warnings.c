@@ -76,7 +76,7 @@ static void a_shear_stress_that_stays_has_a_remedy(void **state)
         json_t *list;
         now.from.ring_shear.present = straight == 0;
         now.from.jenike.present = straight == 1;
-        now.test[1].straight = straight;
+        now.test[1].kind = straight ? CLOD_RING_SHEAR_JENIKE : CLOD_RING_SHEAR_RING;
         now.test[1].flags = CLOD_RING_SHEAR_NO_REVERSAL;
         const char *text = only_warning(&list);
         assert_non_null(strstr(text, "reverse: the shear stress did not fall to zero"));

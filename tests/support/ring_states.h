@@ -40,7 +40,8 @@ static inline int make_cell(void **context)
     static const char *const NAMES[] = {"trough", "sides", "lid"};
     (void)context;
     memset(&now, 0, sizeof now);
-    now.from.ring_shear = (clod_case_ring_shear){.inner_radius = 0.05,
+    now.from.ring_shear = (clod_case_ring_shear){.present = true,
+                                                 .inner_radius = 0.05,
                                                  .outer_radius = 0.1,
                                                  .bar_height = BAR_HEIGHT,
                                                  .lid_mass = 1.0,

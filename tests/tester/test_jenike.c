@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "support/check.h"
-#include "tester/jenike.h"
+#include "tester/ring_shear.h"
 
 // The cell of 3.75 in: A = pi 0.047625^2 m2.
 #define RADIUS 0.047625
@@ -82,7 +82,7 @@ static void make(int64_t twists)
     now.state.gravity[2] = -9.81;
     now.state.dt = DT;
     now.state.adhesion = 0.1;
-    clod_jenike_begin(&now.test, &now.from, &now.state);
+    clod_ring_shear_begin(&now.test, &now.from, &now.state);
 }
 
 /** Advance by the planned steps under a stress at the lid and a shear stress, then look. */

@@ -8,7 +8,7 @@
 #include "setup/jenike_cell.h"
 #include "step/step.h"
 #include "support/check.h"
-#include "tester/jenike.h"
+#include "tester/ring_shear.h"
 
 // Soft grains without adhesion that do not roll on the floor: they slide on it, as a block,
 // when the floor is much smoother than they are among themselves.
@@ -71,7 +71,7 @@ static void begin(bed *self, double base_height, double offset)
     if (!clod_step_init(&self->step, &self->state, &self->laws, &how, &status)) {
         fail_msg("%s", status.text);
     }
-    clod_jenike_begin(&self->test, self->from, &self->state);
+    clod_ring_shear_begin(&self->test, self->from, &self->state);
 }
 
 static bool look(bed *self)

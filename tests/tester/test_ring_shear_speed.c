@@ -25,7 +25,8 @@ typedef struct cell {
 static void begin(cell *self, double inner, double outer, double speed)
 {
     static const char *const NAMES[] = {"trough", "sides", "lid"};
-    const clod_case from = {.ring_shear = {.inner_radius = inner,
+    const clod_case from = {.ring_shear = {.present = true,
+                                           .inner_radius = inner,
                                            .outer_radius = outer,
                                            .bar_height = 6e-3,
                                            .lid_mass = 1.0,
