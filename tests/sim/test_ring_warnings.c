@@ -1,6 +1,7 @@
 // The warning box of a shear test: texts with their remedies, from fabricated results.
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -88,6 +89,30 @@ static void a_shear_stress_that_stays_has_a_remedy(void **state)
     }
 }
 
+/** The way of a Jenike cell is that of its offset and rim. */
+static void a_longer_way_has_a_remedy(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < CLOD_RING_SHEAR_KINDS; kind++) {
+        const bool jenike = kind == CLOD_RING_SHEAR_JENIKE;
+        json_t *list;
+        now.from.ring_shear.present = !jenike;
+        now.from.jenike.present = jenike;
+        now.test[0].kind = now.test[1].kind = kind;
+        now.test[0].preshear_dilation = 0.02;
+        const char *end = strstr(only_warning(&list), "to go further");
+        assert_string_equal(end,
+                            jenike ? "to go further, with offset and rim" : "to go further");
+        json_decref(list);
+        now.test[0].preshear_dilation = 0.0;
+        now.test[1].flags = CLOD_RING_SHEAR_NO_PEAK;
+        end = strstr(only_warning(&list), "shear_max");
+        assert_string_equal(end, jenike ? "shear_max with offset and rim" : "shear_max");
+        json_decref(list);
+        now.test[1].flags = 0;
+    }
+}
+
 // 40 mm of height over grains of 10 mm: 4.
 static void a_cell_that_is_too_small_has_a_remedy(void **state)
 {
@@ -106,6 +131,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         T(nothing_is_wrong),
         T(a_shear_stress_that_stays_has_a_remedy),
+        T(a_longer_way_has_a_remedy),
         T(a_cell_that_is_too_small_has_a_remedy),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,6 @@
 // The rows of the shear testers: each is found by its number and by the case that has it.
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -38,11 +39,31 @@ static void rows_are_complete(void **state)
     }
 }
 
+// Grains of 1, 2, 4 and 8 kg at 15, 25, 36 and 50 mm; lid at 45 - 5 mm, tips of its bars at 34
+// mm. Above the tips 12 kg, above the rings' plane at 20 mm 14 kg; 10 m/s2 on 0.01 m2.
+static void solid_above_the_shear_plane_is_counted(void **state)
+{
+    (void)state;
+    double place[4][4] = {{0, 0, 0.015}, {0, 0, 0.025}, {0, 0, 0.036}, {0, 0, 0.050}};
+    double motion[4][4] = {{0, 0, 0, 1}, {0, 0, 0, 2}, {0, 0, 0, 4}, {0, 0, 0, 8}};
+    clod_wall lid = {.name = "lid", .shift.z = -0.005};
+    const clod_state now = {.grains = {.place = place, .motion = motion, .count = 4},
+                            .walls = {.wall = &lid, .count = 1},
+                            .gravity = {0.0, 0.0, -10.0}};
+    clod_ring_shear test = {
+        .area = 0.01, .lid_start = 0.045, .bar_height = 0.006, .base_height = 0.02};
+    test.kind = CLOD_RING_SHEAR_RING;
+    assert_true(fabs(clod_shear_tester_solid_above(&test, &now) - 12e3) < 1e-9);
+    test.kind = CLOD_RING_SHEAR_JENIKE;
+    assert_true(fabs(clod_shear_tester_solid_above(&test, &now) - 14e3) < 1e-9);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_tester_is_found_by_number_and_by_case),
         cmocka_unit_test(rows_are_complete),
+        cmocka_unit_test(solid_above_the_shear_plane_is_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
