@@ -119,9 +119,21 @@ typedef enum clod_shape_kind {
 
 typedef enum clod_side { CLOD_SIDE_INSIDE, CLOD_SIDE_OUTSIDE } clod_side;
 
+/** What a surface of a wall is made of, and how its material moves while it stays: a belt. */
+typedef struct clod_case_surface {
+    char *material;       ///< NULL: that of the wall
+    double velocity[3];   ///< m/s
+    double speed;         ///< m/s along the projection of `direction` onto the surface
+    double direction[3];  ///< not zero when there is a speed
+    double spin;          ///< rad/s about spin_axis through spin_point
+    double spin_axis[3];  ///< not zero when there is a spin
+    double spin_point[3]; ///< m
+} clod_case_surface;
+
 /** One surface of a wall. Which fields count depends on `kind`. */
 typedef struct clod_case_shape {
-    int kind;         ///< clod_shape_kind
+    int kind; ///< clod_shape_kind
+    clod_case_surface surface;
     double point[3];  ///< plane: a point; disc, annulus, box: centre; shells: foot of the axis
     double normal[3]; ///< plane, disc, annulus: normal towards the grains
     double axis[3];   ///< cylinder, cone: direction of the axis
@@ -151,14 +163,23 @@ typedef struct clod_case_oscillation {
     double phase;        ///< rad, at time 0
 } clod_case_oscillation;
 
+/** How shapes are turned before a run. */
+typedef struct clod_case_rotation {
+    double axis[3];  ///< not zero when there is an angle
+    double angle;    ///< rad, by the right-hand rule
+    double point[3]; ///< m, on the axis
+} clod_case_rotation;
+
 /** A wall: a rigid body of one or more shapes. */
 typedef struct clod_case_wall {
     char *name;
-    char *material;
+    char *material; ///< of the shapes that have none of their own
     clod_case_shape *shapes;
     size_t shape_count;
-    double velocity[3]; ///< m/s
-    double spin;        ///< rad/s about spin_axis through spin_point
+    clod_case_rotation rotate; ///< of all shapes, before the run
+    double move[3];            ///< m, of all shapes, after that
+    double velocity[3];        ///< m/s
+    double spin;               ///< rad/s about spin_axis through spin_point
     double spin_axis[3];
     double spin_point[3];       ///< m
     double surface_velocity[3]; ///< m/s, the shape stays where it is (belt)

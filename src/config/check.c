@@ -118,8 +118,12 @@ static bool is_grain(const clod_case *self, const char *material, bool from_file
 static bool is_wall(const clod_case *self, const char *material)
 {
     for (size_t i = 0; i < self->wall_count; i++) {
-        if (is(self->walls[i].material, material)) {
-            return true;
+        const clod_case_wall *wall = &self->walls[i];
+        for (size_t s = 0; s < wall->shape_count; s++) {
+            const char *own = wall->shapes[s].surface.material;
+            if (is(own != NULL ? own : wall->material, material)) {
+                return true;
+            }
         }
     }
     const tester_materials tester = materials_of(self);

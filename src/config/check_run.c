@@ -252,6 +252,18 @@ static void check_oscillation(clod_loader *loader, const char *path, const clod_
     }
 }
 
+/** A material of a shape's own has to be one of the case. */
+static void check_surface(clod_loader *loader, const clod_case *self, const char *path,
+                          const clod_case_shape *shape)
+{
+    if (shape->surface.material != NULL) {
+        char key[PATH_SIZE + 96];
+        snprintf(key, sizeof key, "%s.%s.surface.material", path,
+                 CLOD_TABLE_SHAPE.params[shape->kind].key);
+        clod_check_material(loader, self, key, shape->surface.material);
+    }
+}
+
 static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
 {
     clod_case_wall *wall = &self->walls[index];
@@ -266,6 +278,7 @@ static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
     for (size_t i = 0; i < wall->shape_count; i++) {
         snprintf(key, sizeof key, "%s.shapes.%zu", path, i);
         check_shape(loader, key, &wall->shapes[i]);
+        check_surface(loader, self, key, &wall->shapes[i]);
     }
     if (has(loader, path, "load")) {
         check_load(loader, path, wall);
@@ -275,8 +288,9 @@ static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
     }
 }
 
-/** Shapes of all walls: the step numbers four rows of each, and of one more, with 32 bits. */
-#define SHAPES_MAX ((size_t)INT32_MAX / 4 - 1)
+/** Shapes of all walls: the step numbers eight rows of each, and of a few more, with 32 bits.
+ */
+#define SHAPES_MAX ((size_t)INT32_MAX / 8 - 8)
 
 static void check_shape_count(clod_loader *loader, const clod_case *self)
 {

@@ -24,6 +24,31 @@
 #define CLOD_WALL_BOX 0.0
 #define CLOD_WALL_PLANE 2.0
 
+/** Rows of a shape: where it is (wall_closest.h), and how its material moves. */
+enum {
+    CLOD_SHAPE_VELOCITY = 4, ///< m/s, where `lever` is 0; [3]: m/s, along a direction
+    CLOD_SHAPE_SPIN,         ///< rad/s
+    CLOD_SHAPE_ORIGIN,       ///< m, from where levers and the torque on the wall are taken
+    CLOD_SHAPE_DIRECTION,    ///< unit; projected onto the surface
+    CLOD_SHAPE_ROWS
+};
+
+/** What closest points are computed by: contacts of one form stand together. */
+typedef enum clod_wall_form {
+    CLOD_FORM_PLANE,
+    CLOD_FORM_BOX,   ///< box, bar
+    CLOD_FORM_SHELL, ///< disc, annulus, cylinder, cone
+    CLOD_FORMS
+} clod_wall_form;
+
+/** Form of a shape from its number in row 0. */
+static inline clod_wall_form clod_wall_form_of(double kind)
+{
+    return kind == CLOD_WALL_PLANE ? CLOD_FORM_PLANE
+           : kind == CLOD_WALL_BOX ? CLOD_FORM_BOX
+                                   : CLOD_FORM_SHELL;
+}
+
 #include "simd/simd.h"
 
 typedef struct clod_wall_closest {
@@ -99,29 +124,30 @@ static inline clod_wall_closest_away clod_wall_closest_box(vreal s[4][4], vreal3
 /**
  * The closest point of each lane's shape.
  *
- * @param s  rows of the shapes
- * @param p  the points [m]
+ * @param form  of all lanes
+ * @param s     rows of the shapes
+ * @param p     the points [m]
  * Errors  none.   Threads  pure.   Test  tests/geometry/test_wall_gap.c, test_wall_cone.c
  */
 __attribute__((always_inline)) static inline clod_wall_closest
-clod_wall_closest_point(vreal s[4][4], vreal3 p)
+clod_wall_closest_point(clod_wall_form form, vreal s[4][4], vreal3 p)
 {
     const vreal3 axis = {s[2][0], s[2][1], s[2][2]};
     const vreal3 r = vreal3_sub(p, (vreal3){s[0][0], s[0][1], s[0][2]});
     const vreal height = vreal3_dot(r, axis);
-    const vmask plane = vmask_less(vreal_set(1.5), s[0][3]);
-    const vmask box = vmask_less(vreal_abs(s[0][3]), vreal_set(0.5));
-    const clod_wall_closest_away shell = clod_wall_closest_shell(s, r, height);
-    const clod_wall_closest_away solid = clod_wall_closest_box(s, r, height);
-    const vreal least = vreal_set(DBL_MIN);
-    vreal distance = vreal_sqrt(vreal_select(box, solid.square, shell.square));
-    vreal3 normal = vreal3_scale(vreal3_select(box, solid.away, shell.away),
-                                 1.0 / vreal_max(distance, least));
-    const vmask on = vmask_less(distance, least);
-    if (vmask_any(on)) {
-        normal = vreal3_select(on, vreal3_select(box, solid.on, shell.on), normal);
-        distance = vreal_select(on, vreal_select(box, -solid.depth, shell.depth), distance);
+    if (form == CLOD_FORM_PLANE) {
+        return (clod_wall_closest){height, axis};
     }
-    return (clod_wall_closest){vreal_select(plane, height, distance),
-                               vreal3_select(plane, axis, normal)};
+    const bool box = form == CLOD_FORM_BOX;
+    const clod_wall_closest_away beside =
+        box ? clod_wall_closest_box(s, r, height) : clod_wall_closest_shell(s, r, height);
+    const vreal least = vreal_set(DBL_MIN);
+    clod_wall_closest at = {.distance = vreal_sqrt(beside.square)};
+    at.normal = vreal3_scale(beside.away, 1.0 / vreal_max(at.distance, least));
+    const vmask on = vmask_less(at.distance, least);
+    if (vmask_any(on)) {
+        at.normal = vreal3_select(on, beside.on, at.normal);
+        at.distance = vreal_select(on, box ? -beside.depth : beside.depth, at.distance);
+    }
+    return at;
 }

@@ -82,8 +82,9 @@ static inline clod_gap clod_wall_gap_rows(const double (*row)[4], clod_vec3 p)
     for (int k = 0; k < 4; k++) {
         vreal_load_rows(s[k], row + k, FIRST);
     }
+    const vreal3 point = {vreal_set(p.x), vreal_set(p.y), vreal_set(p.z)};
     const clod_wall_closest at =
-        clod_wall_closest_point(s, (vreal3){vreal_set(p.x), vreal_set(p.y), vreal_set(p.z)});
+        clod_wall_closest_point(clod_wall_form_of(row[0][3]), s, point);
     return (clod_gap){at.distance, {at.normal.x, at.normal.y, at.normal.z}};
 }
 

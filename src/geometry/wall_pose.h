@@ -13,6 +13,15 @@ typedef struct clod_wall_pose {
     double rotation[3][3]; ///< from the frame to space
 } clod_wall_pose;
 
+/** The pose at angle 0. Threads: pure. */
+static inline clod_wall_pose clod_wall_pose_at_rest(const clod_wall *wall)
+{
+    clod_wall_pose pose = {.origin = clod_vec3_add(wall->spin_point, wall->shift),
+                           .point = wall->spin_point};
+    clod_quat_matrix(clod_wall_orientation(wall), pose.rotation);
+    return pose;
+}
+
 /** Pose of a wall now; turned by exactly nothing when its angle is 0. Threads: pure. */
 static inline clod_wall_pose clod_wall_pose_now(const clod_wall *wall)
 {
@@ -20,12 +29,20 @@ static inline clod_wall_pose clod_wall_pose_now(const clod_wall *wall)
     const double c = cos(wall->angle);
     const double s = sin(wall->angle);
     const double cross[3][3] = {{0.0, -u[2], u[1]}, {u[2], 0.0, -u[0]}, {-u[1], u[0], 0.0}};
-    clod_wall_pose pose = {.origin = clod_vec3_add(wall->spin_point, wall->shift),
-                           .point = wall->spin_point};
+    const clod_wall_pose rest = clod_wall_pose_at_rest(wall);
+    double turn[3][3];
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) { // Rodrigues: c 1 + s [u]x + (1 - c) u u^T
             const double diagonal = i == j ? c : 0.0;
-            pose.rotation[i][j] = diagonal + s * cross[i][j] + (1.0 - c) * u[i] * u[j];
+            turn[i][j] = diagonal + s * cross[i][j] + (1.0 - c) * u[i] * u[j];
+        }
+    }
+    clod_wall_pose pose = rest;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            pose.rotation[i][j] = turn[i][0] * rest.rotation[0][j] +
+                                  turn[i][1] * rest.rotation[1][j] +
+                                  turn[i][2] * rest.rotation[2][j];
         }
     }
     return pose;

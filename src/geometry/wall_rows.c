@@ -14,21 +14,29 @@ bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls)
     for (size_t w = 0; w < count; w++) {
         shapes += (size_t)walls->wall[w].shape_count;
     }
-    self->shape = clod_memory_alloc(CLOD_SHAPE_ROWS * (shapes + 1), sizeof *self->shape);
-    self->wall = clod_memory_alloc(CLOD_WALL_ROWS * count + 1, sizeof *self->wall);
+    self->shape =
+        clod_memory_alloc(CLOD_SHAPE_ROWS * (shapes + CLOD_FORMS), sizeof *self->shape);
     self->first_shape = clod_memory_alloc(count + 1, sizeof *self->first_shape);
-    self->at = clod_memory_alloc(count + 1, sizeof *self->at);
+    self->pose = clod_memory_alloc(count + 1, sizeof *self->pose);
+    self->motion = clod_memory_alloc(count + 1, sizeof *self->motion);
     self->reach = clod_memory_alloc(count + 1, sizeof *self->reach);
-    if (self->shape == NULL || self->wall == NULL || self->first_shape == NULL ||
-        self->at == NULL || self->reach == NULL) {
+    self->belts = clod_memory_alloc(count + 1, sizeof *self->belts);
+    if (self->shape == NULL || self->first_shape == NULL || self->pose == NULL ||
+        self->motion == NULL || self->reach == NULL || self->belts == NULL) {
         clod_wall_rows_fini(self);
         return false;
     }
-    self->shape[CLOD_SHAPE_ROWS * shapes][3] = CLOD_WALL_PLANE; // all zero else: nowhere
+    static const double KIND[CLOD_FORMS] = {[CLOD_FORM_PLANE] = CLOD_WALL_PLANE,
+                                            [CLOD_FORM_BOX] = CLOD_WALL_BOX,
+                                            [CLOD_FORM_SHELL] = 1.0};
+    for (size_t f = 0; f < CLOD_FORMS; f++) { // all zero else
+        self->shape[CLOD_SHAPE_ROWS * (shapes + f)][3] = KIND[f];
+    }
     for (int32_t w = 0; w < walls->count; w++) {
         self->first_shape[w + 1] = self->first_shape[w] + walls->wall[w].shape_count;
-        self->at[w][0] = NAN; // nowhere yet
+        self->pose[w][0] = NAN; // nowhere yet
         self->reach[w] = clod_wall_reach(&walls->wall[w]);
+        self->belts[w] = clod_wall_has_belts(&walls->wall[w]);
         clod_wall_rows_place(self, w, &walls->wall[w]);
     }
     return true;
@@ -48,38 +56,99 @@ static void put(double row[4], clod_vec3 v)
     row[2] = v.z;
 }
 
-/** The shapes of a wall, shifted, and turned if there is an angle. */
-static void place_shapes(clod_wall_rows *self, int32_t w, const clod_wall *wall)
+clod_wall_stand clod_wall_stand_of(const clod_wall *wall)
 {
-    const clod_wall_pose pose = clod_wall_pose_now(wall);
-    for (int32_t s = 0; s < wall->shape_count; s++) {
-        clod_shape now = wall->shapes[s];
-        if (now.symmetric || wall->angle == 0.0) {
-            now.center = clod_vec3_add(now.center, wall->shift);
-        } else {
-            now.center = clod_wall_point_to_space(&pose, now.center);
-            for (int a = 0; a < 3; a++) {
-                now.axis[a] = clod_wall_to_space(&pose, now.axis[a]);
-            }
+    return (clod_wall_stand){.wall = wall,
+                             .now = clod_wall_pose_now(wall),
+                             .rest = clod_wall_pose_at_rest(wall),
+                             .turned = wall->angle != 0.0,
+                             .given = clod_quat_is_none(wall->orientation),
+                             .velocity = clod_wall_velocity(wall),
+                             .spin = clod_vec3_scale(wall->spin_axis, clod_wall_spin(wall))};
+}
+
+/** A shape where it is: shifted, and turned if there is an angle or an orientation. */
+static void place_shape(const clod_wall_stand *self, const clod_shape *shape, double (*row)[4])
+{
+    clod_shape now = *shape;
+    const bool turned = self->turned && !shape->symmetric;
+    if (!turned && self->given) {
+        now.center = clod_vec3_add(now.center, self->wall->shift);
+    } else {
+        const clod_wall_pose *pose = turned ? &self->now : &self->rest;
+        now.center = clod_wall_point_to_space(pose, now.center);
+        for (int a = 0; a < 3; a++) {
+            now.axis[a] = clod_wall_to_space(pose, now.axis[a]);
         }
-        clod_wall_shape_rows(&now, self->shape + clod_wall_rows_shape(self, w, s));
     }
+    clod_wall_shape_rows(&now, row);
+}
+
+/** How the material of a shape moves: with its wall, and as a belt, which turns with the wall.
+ */
+static void place_motion(const clod_wall_stand *self, const clod_belt *belt, double (*row)[4])
+{
+    clod_vec3 velocity = self->velocity, spin = self->spin;
+    if (clod_belt_moves(belt)) {
+        const clod_wall_pose *pose = &self->now;
+        const clod_vec3 turning =
+            clod_vec3_scale(clod_wall_to_space(pose, belt->spin_axis), belt->spin);
+        const clod_vec3 point = clod_wall_point_to_space(pose, belt->spin_point);
+        const clod_vec3 arm = clod_vec3_sub(pose->origin, point);
+        velocity = clod_vec3_add(velocity, clod_wall_to_space(pose, belt->velocity));
+        velocity = clod_vec3_add(velocity, clod_vec3_cross(turning, arm));
+        spin = clod_vec3_add(spin, turning);
+    }
+    put(row[CLOD_SHAPE_VELOCITY], velocity);
+    row[CLOD_SHAPE_VELOCITY][3] = belt->speed;
+    put(row[CLOD_SHAPE_SPIN], spin);
+    put(row[CLOD_SHAPE_ORIGIN], self->now.origin);
+    put(row[CLOD_SHAPE_DIRECTION], clod_wall_to_space(&self->now, belt->direction));
+}
+
+void clod_wall_rows_place_shape(clod_wall_rows *self, int32_t w, const clod_wall_stand *stand,
+                                int32_t shape)
+{
+    double(*row)[4] = self->shape + clod_wall_rows_shape(self, w, shape);
+    place_shape(stand, &stand->wall->shapes[shape], row);
+    place_motion(stand, &stand->wall->shapes[shape].belt, row);
+}
+
+/** Copy numbers; whether any is another one. */
+static bool renew(double *to, const double *from, int count)
+{
+    bool other = false;
+    for (int c = 0; c < count; c++) {
+        other |= to[c] != from[c];
+        to[c] = from[c];
+    }
+    return other;
+}
+
+/** Note what a wall's rows are to be for; whether they were for something else. */
+static bool note(clod_wall_rows *self, int32_t w, const clod_wall *wall)
+{
+    double pose[CLOD_WALL_POSE_NUMBERS];
+    clod_wall_pose_get(wall, pose);
+    const clod_vec3 v = clod_wall_velocity(wall);
+    const clod_vec3 spin = clod_vec3_scale(wall->spin_axis, clod_wall_spin(wall));
+    const double motion[CLOD_WALL_MOTION_NUMBERS] = {v.x, v.y, v.z, spin.x, spin.y, spin.z};
+    const bool moved = renew(self->pose[w], pose, CLOD_WALL_POSE_NUMBERS);
+    return renew(self->motion[w], motion, CLOD_WALL_MOTION_NUMBERS) || moved;
+}
+
+void clod_wall_rows_note(clod_wall_rows *self, int32_t w, const clod_wall *wall)
+{
+    note(self, w, wall);
 }
 
 void clod_wall_rows_place(clod_wall_rows *self, int32_t w, const clod_wall *wall)
 {
-    double(*row)[4] = self->wall + (ptrdiff_t)CLOD_WALL_ROWS * w;
-    put(row[0], clod_wall_velocity(wall));
-    put(row[1], clod_vec3_scale(wall->spin_axis, clod_wall_spin(wall)));
-    put(row[2], clod_vec3_add(wall->spin_point, wall->shift));
-    const double at[4] = {wall->shift.x, wall->shift.y, wall->shift.z, wall->angle};
-    bool moved = false;
-    for (int c = 0; c < 4; c++) {
-        moved |= at[c] != self->at[w][c];
-        self->at[w][c] = at[c];
-    }
-    if (moved) {
-        place_shapes(self, w, wall);
+    if (note(self, w, wall)) {
+        const clod_wall_stand stand = clod_wall_stand_of(wall);
+        for (int32_t s = 0; s < wall->shape_count; s++) {
+            clod_wall_rows_place_shape(self, w, &stand, s);
+        }
     }
 }
 
@@ -110,9 +179,10 @@ void clod_wall_rows_box(const clod_wall_rows *self, int32_t w, int32_t shape, do
 void clod_wall_rows_fini(clod_wall_rows *self)
 {
     clod_memory_free(self->shape);
-    clod_memory_free(self->wall);
     clod_memory_free(self->first_shape);
-    clod_memory_free(self->at);
+    clod_memory_free(self->pose);
+    clod_memory_free(self->motion);
     clod_memory_free(self->reach);
+    clod_memory_free(self->belts);
     *self = (clod_wall_rows){0};
 }

@@ -1,30 +1,47 @@
 #pragma once
 /**
  * @file wall_rows.h
- * All walls as they are at one moment, in rows of four numbers that kernels load by number: the
- * shapes of all walls in space (wall_closest.h), and how each wall moves. Turned and shifted
- * once per wall and step, so a contact meets its shape where it is.
+ * All walls as they are at one moment, in rows of four numbers that kernels load by number:
+ * each shape in space (wall_closest.h), and how its material moves. Turned and shifted once per
+ * step, so a contact meets its shape where it is.
  *
  * A shape that its wall's turning leaves where it is (clod_shape.symmetric) is never turned,
  * and one of a wall at rest is exactly the one that was given.
+ *
+ * The material of a shape at a point p moves with (v + w x lever) + s t: lever = p - origin; v
+ * and w are the velocity and spin of wall and belt together; t is the unit vector along the
+ * projection of a direction onto the surface, s the speed along it.
  */
 
 #include <math.h>
 
 #include "geometry/wall_closest.h"
 #include "geometry/wall_gap.h"
+#include "geometry/wall_pose.h"
 #include "state/walls.h"
 
-/** Rows of a shape, and of a wall: its velocity [m/s], its spin [rad/s], where it turns [m]. */
-enum { CLOD_SHAPE_ROWS = 4, CLOD_WALL_ROWS = 3 };
+/** Numbers that a wall's rows follow from: pose, and motion of the wall. */
+#define CLOD_WALL_MOTION_NUMBERS 6
 
 typedef struct clod_wall_rows {
-    double (*shape)[4];   ///< [(shapes + 1) * CLOD_SHAPE_ROWS]; the last one is for padding
-    double (*wall)[4];    ///< [walls * CLOD_WALL_ROWS]
+    double (*shape)[4];   ///< [(shapes + CLOD_FORMS) * CLOD_SHAPE_ROWS]; the last for padding
     int32_t *first_shape; ///< [walls + 1] number of each wall's first shape
-    double (*at)[4];      ///< [walls] shift and angle that its shapes' rows are for
-    double *reach;        ///< [walls] clod_wall_reach [m]
+    double (*pose)[CLOD_WALL_POSE_NUMBERS];     ///< [walls] that all rows of a wall are for
+    double (*motion)[CLOD_WALL_MOTION_NUMBERS]; ///< [walls] the same
+    double *reach;                              ///< [walls] clod_wall_reach [m]
+    bool *belts;                                ///< [walls] clod_wall_has_belts
 } clod_wall_rows;
+
+/** How a wall stands and moves, in all that its shapes need to know of it. */
+typedef struct clod_wall_stand {
+    const clod_wall *wall;
+    clod_wall_pose now, rest; ///< rest: at angle 0
+    clod_vec3 velocity, spin; ///< m/s, rad/s
+    bool turned, given;       ///< has an angle; has the orientation in which it was given
+} clod_wall_stand;
+
+/** How a wall stands; `wall` is borrowed. Threads: pure. */
+clod_wall_stand clod_wall_stand_of(const clod_wall *wall);
 
 /**
  * Rows of the walls where they are now.
@@ -38,13 +55,30 @@ bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls);
 /** The walls have moved: the same rows for where they are now. */
 void clod_wall_rows_update(clod_wall_rows *self, const clod_walls *walls);
 
-/** Rows of wall `w` alone, where `wall` says it is. */
+/** Rows of wall `w` alone, where `wall` says it is; nothing to do where they are for that. */
 void clod_wall_rows_place(clod_wall_rows *self, int32_t w, const clod_wall *wall);
 
-/** First row of the shape that every point is at distance 0 from: padding grains have R < 0. */
-static inline int32_t clod_wall_rows_padding(const clod_wall_rows *self, int32_t walls)
+/**
+ * Rows of one shape of wall `w`, as its wall stands, whatever they were for. Threads: other
+ * shapes may be placed at the same time.
+ */
+void clod_wall_rows_place_shape(clod_wall_rows *self, int32_t w, const clod_wall_stand *stand,
+                                int32_t shape);
+
+/** Note that all shapes of wall `w` have been placed where `wall` says it is. */
+void clod_wall_rows_note(clod_wall_rows *self, int32_t w, const clod_wall *wall);
+
+/** First row of a form's shape that no point is within: padding grains have R < 0. */
+static inline int32_t clod_wall_rows_padding(const clod_wall_rows *self, int32_t walls,
+                                             clod_wall_form form)
 {
-    return CLOD_SHAPE_ROWS * self->first_shape[walls];
+    return CLOD_SHAPE_ROWS * (self->first_shape[walls] + (int32_t)form);
+}
+
+/** Form of a shape, by its first row. */
+static inline clod_wall_form clod_wall_rows_form(const clod_wall_rows *self, int32_t row)
+{
+    return clod_wall_form_of(self->shape[row][3]);
 }
 
 /** First row of a shape of a wall. */

@@ -235,7 +235,7 @@ static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
     }
     if (clod_hdf_rows(hdf, "walls/build_angle") > 0) {
         state->build_walls =
-            clod_memory_alloc(4 * (size_t)state->walls.count, sizeof *state->build_walls);
+            clod_memory_alloc((size_t)state->walls.count, sizeof *state->build_walls);
         good = good && state->build_walls != NULL;
     }
     if (contacts > 0) {
@@ -349,6 +349,9 @@ static bool restore(const clod_checkpoint_file *file, clod_state *state,
                       find_contacts(state, (const uint64_t(*)[2])partners, file->path, status);
     clod_memory_free(partners);
     clod_grains_pad(&state->grains);
+    for (int32_t w = 0; w < state->walls.count; w++) { // it follows from axis and pose
+        clod_wall_find_symmetry(&state->walls.wall[w]);
+    }
     return good;
 }
 

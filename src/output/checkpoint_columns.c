@@ -101,6 +101,7 @@ static void add_walls(clod_checkpoint_columns *self, const clod_state *state)
     ADD(spin_point, "m", F64, 3);
     ADD(shift, "m", F64, 3);
     ADD(angle, "rad", F64, 1);
+    ADD(orientation, "1", F64, 4);
     ADD(travel, "m", F64, 3);
     ADD(turned, "rad", F64, 1);
     ADD(load, "1", I32, 1);
@@ -113,6 +114,7 @@ static void add_walls(clod_checkpoint_columns *self, const clod_state *state)
     ADD(force, "N", F64, 3);
     ADD(torque, "N m", F64, 3);
     ADD(power, "W", F64, 1);
+    ADD(belt_power, "W", F64, 1);
     ADD(sum_steps, "1", I64, 1);
     ADD(sum_force, "N", F64, 3);
     ADD(sum_torque, "N m", F64, 3);
@@ -120,9 +122,10 @@ static void add_walls(clod_checkpoint_columns *self, const clod_state *state)
 #undef ADD
     if (state->build_walls != NULL) {
         const clod_rows build = {state->build_walls, (size_t)state->walls.count,
-                                 4 * sizeof(double)};
+                                 sizeof *state->build_walls};
         add(self, build, 0, "walls/build_shift", "m", CLOD_HDF_F64, 3);
         add(self, build, 3 * sizeof(double), "walls/build_angle", "rad", CLOD_HDF_F64, 1);
+        add(self, build, 4 * sizeof(double), "walls/build_orientation", "1", CLOD_HDF_F64, 4);
     }
 }
 

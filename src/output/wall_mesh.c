@@ -71,7 +71,8 @@ static void draw(clod_mesh_pen *pen, clod_vec3 a, clod_vec3 b, clod_vec3 c)
     const clod_vec3 velocity = clod_wall_velocity_at(pen->wall, middle);
     memcpy(mesh->velocity[t], &velocity, sizeof mesh->velocity[t]);
     mesh->wall[t] = pen->number;
-    mesh->material[t] = pen->wall->material;
+    mesh->material[t] =
+        clod_wall_material(pen->wall, (int32_t)(pen->shape - pen->wall->shapes));
 }
 
 static void draw_quad(clod_mesh_pen *pen, const clod_vec3 q[4])

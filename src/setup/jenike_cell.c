@@ -61,7 +61,7 @@ static void put_behind(const clod_case_jenike *cell, clod_wall *wall)
     for (int32_t s = 0; s < wall->shape_count; s++) {
         wall->shapes[s].center.x = -cell->offset;
     }
-    clod_setup_wall_symmetry(wall);
+    clod_wall_find_symmetry(wall);
 }
 
 /** The base, which the grains need; shear ring and lid follow from the grains. */
@@ -83,9 +83,9 @@ static bool make_walls(const clod_case *from, clod_state *state, clod_status *st
         return false;
     }
     base->shapes[0] = clod_cell_part_ring(0.0, 0.5 * cell->diameter, 0.0, 1.0);
-    clod_setup_wall_symmetry(base);
+    clod_wall_find_symmetry(base);
     fill_ring(cell, 0.0, cell->base_height, 1.0, base_ring);
-    clod_setup_wall_symmetry(base_ring);
+    clod_wall_find_symmetry(base_ring);
     shear_ring->shape_count = lid->shape_count = 0; // open until the grains are in
     return true;
 }

@@ -84,7 +84,7 @@ static void fill_ring(const clod_case_ring_shear *cell, double height, double fa
     for (int64_t b = 0; b < cell->bar_count; b++) {
         wall->shapes[b + 1] = make_bar(cell, b, bottom);
     }
-    clod_setup_wall_symmetry(wall);
+    clod_wall_find_symmetry(wall);
 }
 
 /** Trough and sides, which the grains need; the lid's place follows from the grains. */
@@ -107,7 +107,7 @@ static bool make_walls(const clod_case *from, clod_state *state, clod_status *st
     clod_shape *side = wall[CLOD_RING_CELL_SIDES].shapes;
     side[0] = clod_cell_part_side(cell->inner_radius, 0.0, CLOD_SIDE_OUTSIDE);
     side[1] = clod_cell_part_side(cell->outer_radius, 0.0, CLOD_SIDE_INSIDE);
-    clod_setup_wall_symmetry(&wall[CLOD_RING_CELL_SIDES]);
+    clod_wall_find_symmetry(&wall[CLOD_RING_CELL_SIDES]);
     wall[CLOD_RING_CELL_LID].shape_count = 0; // open until the grains are in
     return true;
 }

@@ -140,7 +140,10 @@ static void meet_bed(const clod_case *from, const clod_state *state, clod_timest
         clod_timestep_add(&sizes[state->grains.material[g]], 1.0, state->grains.place[g][3]);
     }
     for (int32_t w = 0; w < state->walls.count; w++) {
-        is_wall[state->walls.wall[w].material] = true;
+        const clod_wall *wall = &state->walls.wall[w];
+        for (int32_t s = 0; s < wall->shape_count; s++) {
+            is_wall[clod_wall_material(wall, s)] = true;
+        }
     }
     *grains = (clod_timestep_grains){
         .sizes = sizes, .is_wall = is_wall, .stress = from->time.design_stress};

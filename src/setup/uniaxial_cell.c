@@ -63,7 +63,7 @@ static bool make_walls(const clod_case *from, clod_state *state, clod_status *st
     const double pan = 0.5 * PAN_RADII * cell->diameter;
     base->shapes[0] = clod_cell_part_ring(0.0, pan, 0.0, 1.0);
     base->shapes[1] = clod_cell_part_side(pan, cell->height, CLOD_SIDE_INSIDE);
-    clod_setup_wall_symmetry(base);
+    clod_wall_find_symmetry(base);
     mould->shape_count = lid->shape_count = 0; // open until the grains are in
     return true;
 }
@@ -76,11 +76,11 @@ static void close_cell(const clod_case_uniaxial *cell, double height, clod_state
     clod_wall *mould = &state->walls.wall[CLOD_UNIAXIAL_CELL_MOULD];
     mould->shape_count = 1;
     mould->shapes[0] = clod_cell_part_side(radius, lid_height, CLOD_SIDE_INSIDE);
-    clod_setup_wall_symmetry(mould);
+    clod_wall_find_symmetry(mould);
     clod_wall *lid = &state->walls.wall[CLOD_UNIAXIAL_CELL_LID];
     lid->shape_count = 1;
     lid->shapes[0] = clod_cell_part_ring(0.0, radius, lid_height, -1.0);
-    clod_setup_wall_symmetry(lid);
+    clod_wall_find_symmetry(lid);
     lid->load = CLOD_LOAD_STRESS;
     lid->mass = cell->lid_mass;
     lid->area = clod_uniaxial_cell_area(cell);

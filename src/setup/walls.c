@@ -7,9 +7,6 @@
 #include "base/assert.h"
 #include "base/memory.h"
 
-/** Angle [rad] and relative offset below which two axes count as one. */
-#define SAME_AXIS 1e-9
-
 /** The mean velocity of a step is then within (2 pi/50)^2/24 = 0.07 % of the velocity in it. */
 #define STEPS_PER_PERIOD 50.0
 
@@ -89,28 +86,6 @@ static clod_shape make_shape(const clod_case_shape *from)
     return shape;
 }
 
-static bool is_symmetric(const clod_wall *wall, const clod_shape *shape)
-{
-    if (shape->kind == CLOD_SHAPE_BOX || shape->kind == CLOD_SHAPE_BAR) {
-        return false;
-    }
-    const clod_vec3 tilt = clod_vec3_cross(shape->axis[2], wall->spin_axis);
-    if (clod_vec3_length(tilt) > SAME_AXIS) {
-        return false;
-    }
-    const clod_vec3 arm = clod_vec3_sub(shape->center, wall->spin_point);
-    const double offset = clod_vec3_length(clod_vec3_cross(arm, wall->spin_axis));
-    const double radius = fmax(shape->inner, shape->outer);
-    return shape->kind == CLOD_SHAPE_PLANE || offset <= SAME_AXIS * radius;
-}
-
-void clod_setup_wall_symmetry(clod_wall *wall)
-{
-    for (int32_t s = 0; s < wall->shape_count; s++) {
-        wall->shapes[s].symmetric = is_symmetric(wall, &wall->shapes[s]);
-    }
-}
-
 /** Whether the wall turns at the start or in any stage. */
 static bool ever_turns(const clod_case *from, const clod_case_wall *wall)
 {
@@ -168,6 +143,46 @@ static void make_oscillation(const clod_case_oscillation *from, clod_wall *wall)
     clod_wall_start(wall);
 }
 
+/** A direction of a case, as unit vector; zero where it says nothing. */
+static clod_vec3 direction(const double v[3])
+{
+    const clod_vec3 given = vector(v);
+    return clod_vec3_dot(given, given) > 0.0 ? clod_vec3_unit(given) : given;
+}
+
+static clod_belt make_belt(const clod_case_surface *from)
+{
+    return (clod_belt){.velocity = vector(from->velocity),
+                       .direction = direction(from->direction),
+                       .speed = from->speed,
+                       .spin = from->spin,
+                       .spin_axis = direction(from->spin_axis),
+                       .spin_point = vector(from->spin_point)};
+}
+
+/** Turn and shift a shape with its belt, as the case asks for. */
+static void place_shape(const clod_case_wall *given, clod_shape *shape)
+{
+    const clod_vec3 move = vector(given->move);
+    if (given->rotate.angle != 0.0) {
+        const clod_vec3 axis = clod_vec3_unit(vector(given->rotate.axis));
+        const clod_vec3 point = vector(given->rotate.point);
+        clod_vec3 *directions[] = {&shape->axis[0],        &shape->axis[1],
+                                   &shape->axis[2],        &shape->belt.velocity,
+                                   &shape->belt.direction, &shape->belt.spin_axis};
+        clod_vec3 *points[] = {&shape->center, &shape->belt.spin_point};
+        for (int k = 0; k < 6; k++) {
+            *directions[k] = clod_vec3_rotate(*directions[k], axis, given->rotate.angle);
+        }
+        for (int k = 0; k < 2; k++) {
+            const clod_vec3 arm = clod_vec3_sub(*points[k], point);
+            *points[k] = clod_vec3_add(point, clod_vec3_rotate(arm, axis, given->rotate.angle));
+        }
+    }
+    shape->center = clod_vec3_add(shape->center, move);
+    shape->belt.spin_point = clod_vec3_add(shape->belt.spin_point, move);
+}
+
 static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod_wall *wall,
                         clod_status *status)
 {
@@ -177,20 +192,21 @@ static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod
     }
     wall->shape_count = (int32_t)given->shape_count;
     for (size_t s = 0; s < given->shape_count; s++) {
+        const clod_case_surface *surface = &given->shapes[s].surface;
         wall->shapes[s] = make_shape(&given->shapes[s]);
-    }
-    clod_setup_wall_symmetry(wall);
-    for (size_t s = 0; s < given->shape_count; s++) {
-        const clod_shape *shape = &wall->shapes[s];
-        if (shape->kind == CLOD_SHAPE_PLANE && !shape->symmetric && ever_turns(from, given)) {
-            return clod_status_fail(
-                status, CLOD_USAGE,
-                "walls.%s.shapes[%zu]: an endless plane can turn only about "
-                "its own normal; use a box or a disc",
-                given->name, s);
+        wall->shapes[s].belt = make_belt(surface);
+        if (surface->material != NULL) { // checked at load
+            wall->shapes[s].material = 1 + clod_case_material_index(from, surface->material);
         }
+        place_shape(given, &wall->shapes[s]);
     }
-    return true;
+    clod_wall_find_symmetry(wall);
+    const int32_t plane = clod_wall_plane_across(wall);
+    return plane < 0 || !ever_turns(from, given) ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "walls.%s.shapes[%d]: an endless plane can turn only about "
+                            "its own normal; use a box or a disc",
+                            given->name, (int)plane);
 }
 
 bool clod_setup_wall(const clod_case *from, const clod_case_wall *given, clod_wall *wall,

@@ -23,12 +23,6 @@ bool clod_setup_wall(const clod_case *from, const clod_case_wall *given, clod_wa
                      clod_status *status);
 
 /**
- * Say for every shape whether turning about the wall's spin axis leaves it where it is.
- * clod_setup_walls has done so; for walls that are built by hand.
- */
-void clod_setup_wall_symmetry(clod_wall *wall);
-
-/**
  * Check that the time step resolves every oscillation.
  *
  * @param dt  time step [s]

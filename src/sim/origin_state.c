@@ -101,8 +101,9 @@ static bool same_oscillation(const clod_oscillation *a, const clod_oscillation *
 /** Put a wall where its like was; what it does from now on is this case's. */
 static void put_wall(const moving *self, const clod_wall *before, clod_wall *now)
 {
-    now->shift = before->shift;
-    now->angle = before->angle;
+    double pose[CLOD_WALL_POSE_NUMBERS];
+    clod_wall_pose_get(before, pose);
+    clod_wall_pose_set(now, pose);
     now->force = before->force;
     now->torque = before->torque;
     now->power = before->power;
@@ -195,7 +196,8 @@ static bool keep_contact(const moving *self, const uint16_t *material, clod_cont
 {
     const bool at_wall = contact->shape >= 0;
     const clod_wall *wall = at_wall ? &self->other.walls.wall[contact->j] : NULL;
-    const int partner = at_wall ? wall->material : material[contact->j];
+    const int partner =
+        at_wall ? clod_wall_material(wall, contact->shape) : material[contact->j];
     if (at_wall && self->wall[contact->j] < 0) {
         count->walls++;
         return false;
@@ -337,16 +339,14 @@ static bool set_build(moving *self, clod_status *status)
         return true;
     }
     state->build_place = clod_memory_alloc(state->grains.capacity, sizeof *state->build_place);
-    state->build_walls = clod_memory_alloc(4 * walls + 1, sizeof *state->build_walls);
+    state->build_walls = clod_memory_alloc(walls + 1, sizeof *state->build_walls);
     if (state->build_place == NULL || state->build_walls == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the grains");
     }
     memcpy(state->build_place, state->grains.place,
            state->grains.count * sizeof *state->build_place);
     for (size_t w = 0; w < walls; w++) {
-        const clod_wall *wall = &state->walls.wall[w];
-        const double pose[4] = {wall->shift.x, wall->shift.y, wall->shift.z, wall->angle};
-        memcpy(state->build_walls + 4 * w, pose, sizeof pose);
+        clod_wall_pose_get(&state->walls.wall[w], state->build_walls[w]);
     }
     state->build_motion = (double)INFINITY;
     return true;

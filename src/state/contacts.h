@@ -56,8 +56,9 @@ typedef struct clod_contact_block {
 /** Grain-wall contacts; the wall stands for j. */
 typedef struct clod_wall_block {
     int32_t i[CLOD_LANES];
-    int32_t wall[CLOD_LANES], shape[CLOD_LANES]; ///< first of their rows in clod_wall_rows
-    int32_t slot_wall[CLOD_LANES];               ///< where the wall's share of force goes
+    int32_t wall[CLOD_LANES];  ///< its number
+    int32_t shape[CLOD_LANES]; ///< first of its rows in clod_wall_rows
+    int32_t sum[CLOD_LANES];   ///< to which the force on the wall is added (step/near.h)
     clod_history history;
 } clod_wall_block;
 

@@ -41,8 +41,8 @@ bool clod_state_copy(clod_state *self, const clod_state *from, clod_status *stat
         memcpy(self->build_place, from->build_place,
                from->grains.count * sizeof *self->build_place);
     }
-    if (!copy_items(&self->build_walls, from->build_walls, 4 * (size_t)from->walls.count,
-                    sizeof(double)) ||
+    if (!copy_items(&self->build_walls, from->build_walls, (size_t)from->walls.count,
+                    sizeof *self->build_walls) ||
         !copy_items(&self->contacts, from->contacts, from->contact_count,
                     sizeof *self->contacts)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory to copy the state");

@@ -5,11 +5,84 @@
 
 #include "base/memory.h"
 
+/** Angle [rad] and relative offset below which two axes count as one. */
+#define SAME_AXIS 1e-9
+
+/** A direction of the frame as it lies in space at angle 0. */
+static clod_vec3 oriented(const clod_wall *self, clod_vec3 direction)
+{
+    return clod_quat_is_none(self->orientation)
+               ? direction
+               : clod_quat_rotate(self->orientation, direction);
+}
+
 /** Distance of a point of the frame from the spin axis [m]. */
 static double axis_distance(const clod_wall *self, clod_vec3 point)
 {
-    const clod_vec3 arm = clod_vec3_sub(point, self->spin_point);
+    const clod_vec3 arm = oriented(self, clod_vec3_sub(point, self->spin_point));
     return clod_vec3_length(clod_vec3_cross(self->spin_axis, arm));
+}
+
+static bool is_symmetric(const clod_wall *self, const clod_shape *shape)
+{
+    if (shape->kind == CLOD_SHAPE_BOX || shape->kind == CLOD_SHAPE_BAR) {
+        return false;
+    }
+    const clod_vec3 axis = oriented(self, shape->axis[2]);
+    if (clod_vec3_length(clod_vec3_cross(axis, self->spin_axis)) > SAME_AXIS) {
+        return false;
+    }
+    const double radius = fmax(shape->inner, shape->outer);
+    return shape->kind == CLOD_SHAPE_PLANE ||
+           axis_distance(self, shape->center) <= SAME_AXIS * radius;
+}
+
+void clod_wall_find_symmetry(clod_wall *self)
+{
+    for (int32_t s = 0; s < self->shape_count; s++) {
+        self->shapes[s].symmetric = is_symmetric(self, &self->shapes[s]);
+    }
+}
+
+int32_t clod_wall_plane_across(const clod_wall *self)
+{
+    for (int32_t s = 0; s < self->shape_count; s++) {
+        if (self->shapes[s].kind == CLOD_SHAPE_PLANE && !self->shapes[s].symmetric) {
+            return s;
+        }
+    }
+    return -1;
+}
+
+bool clod_wall_has_belts(const clod_wall *self)
+{
+    for (int32_t s = 0; s < self->shape_count; s++) {
+        if (clod_belt_moves(&self->shapes[s].belt)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void clod_wall_set_orientation(clod_wall *self, clod_quat orientation)
+{
+    self->orientation = clod_quat_unit(orientation);
+    self->angle = self->turned = 0.0;
+    clod_wall_find_symmetry(self);
+}
+
+void clod_wall_set_spin_axis(clod_wall *self, clod_vec3 axis, clod_vec3 point)
+{
+    const clod_quat turned = clod_quat_about(self->spin_axis, self->angle);
+    const clod_quat now =
+        clod_quat_unit(clod_quat_product(turned, clod_wall_orientation(self)));
+    const clod_vec3 origin = clod_vec3_add(self->spin_point, self->shift);
+    const clod_quat back = {now.w, -now.x, -now.y, -now.z};
+    const clod_vec3 arm = clod_quat_rotate(back, clod_vec3_sub(point, origin));
+    self->spin_point = clod_vec3_add(self->spin_point, arm);
+    self->shift = clod_vec3_sub(point, self->spin_point);
+    self->spin_axis = axis;
+    clod_wall_set_orientation(self, now);
 }
 
 /** Largest distance of a corner of a box from the spin axis; exact, as a box is convex. */

@@ -5,17 +5,33 @@
  */
 
 #include <stdint.h>
+#include <string.h>
 
+#include "base/quat.h"
 #include "base/vec3.h"
 #include "clod/case.h"
 #include "clod/status.h"
 
 /**
- * A surface in the frame of its wall (the frame in which it was given; it turns about the
- * wall's spin axis and moves with the wall's shift).
+ * How the material of a surface moves while the surface stays where it is, beside what its wall
+ * does: a belt. In the frame of the wall; all zero: not at all.
+ */
+typedef struct clod_belt {
+    clod_vec3 velocity;  ///< m/s, the same everywhere
+    clod_vec3 direction; ///< unit; along its projection onto the surface the material moves ...
+    double speed;        ///< m/s, ... with this speed (not where it is normal to the surface)
+    double spin;         ///< rad/s, about an axis
+    clod_vec3 spin_axis; ///< unit
+    clod_vec3 spin_point; ///< m
+} clod_belt;
+
+/**
+ * A surface in the frame of its wall: the frame in which it was given.
  */
 typedef struct clod_shape {
     clod_shape_kind kind;
+    int32_t material; ///< 1 + number of its own material; 0: that of its wall
+    clod_belt belt;
     bool symmetric;   ///< turning about the wall's spin axis leaves it where it is
     clod_vec3 center; ///< plane: point; disc, annulus, box, bar: centre; else: foot of the axis
     clod_vec3
@@ -36,17 +52,20 @@ typedef struct clod_oscillation {
 
 typedef struct clod_wall {
     char name[32];
-    uint16_t material;
+    uint16_t material; ///< of the shapes that have none of their own
     int32_t shape_count;
     clod_shape *shapes; ///< owned
     // motion
     clod_vec3 velocity;         ///< m/s, of the whole wall; the servo adds to it
-    clod_vec3 surface_velocity; ///< m/s
+    clod_vec3 surface_velocity; ///< m/s, of all surfaces, in space; their belts add to it
     double spin;                ///< rad/s
-    clod_vec3 spin_axis;        ///< unit
+    clod_vec3 spin_axis;        ///< unit, in space
     clod_vec3 spin_point;       ///< m, in the frame of the wall
-    clod_vec3 shift;            ///< m, where it is: moved so far, with the oscillation
-    double angle;               ///< rad, turned so far, with the oscillation
+    // pose: a point p of the frame is at
+    // spin_point + shift + turn(spin_axis, angle) orientation (p - spin_point)
+    clod_quat orientation; ///< unit; the pose at angle 0; all zero: as it was given
+    clod_vec3 shift;       ///< m, where it is: moved so far, with the oscillation
+    double angle;          ///< rad, turned so far, with the oscillation
     clod_oscillation oscillation;
     clod_vec3 travel;        ///< m, if it oscillates: shift without that, the sum of all else
     double turned;           ///< rad, if it oscillates: angle without that
@@ -61,9 +80,10 @@ typedef struct clod_wall {
     double damping;        ///< N s/m
     double servo_velocity; ///< m/s along load_axis
     // result of the last step
-    clod_vec3 force;  ///< N, of the grains on the wall
-    clod_vec3 torque; ///< N m, of the grains on the wall, about spin_point + shift
-    double power;     ///< W, done by the wall on the grains
+    clod_vec3 force;   ///< N, of the grains on the wall
+    clod_vec3 torque;  ///< N m, of the grains on the wall, about spin_point + shift
+    double power;      ///< W, done by the wall and its belts on the grains
+    double belt_power; ///< W, the part of it that the shapes' belts do
     // sums since clod_walls_reset_sums, in step order
     int64_t sum_steps;
     clod_vec3 sum_force, sum_torque;
@@ -75,7 +95,7 @@ typedef struct clod_walls {
     clod_wall *wall; ///< owned
 } clod_walls;
 
-/** Velocity of the wall's material without that of its turning [m/s], belt motion included. */
+/** Velocity of the wall without that of its turning, and without its shapes' belts [m/s]. */
 static inline clod_vec3 clod_wall_velocity(const clod_wall *self)
 {
     clod_vec3 v = clod_vec3_add(self->velocity, self->surface_velocity);
@@ -89,7 +109,7 @@ static inline double clod_wall_spin(const clod_wall *self)
     return self->spin + self->sway_spin;
 }
 
-/** Velocity of the wall's material at a point of space [m/s], belt motion included. */
+/** Velocity of the wall at a point of space [m/s], without its shapes' belts. */
 static inline clod_vec3 clod_wall_velocity_at(const clod_wall *self, clod_vec3 point)
 {
     const clod_vec3 origin = clod_vec3_add(self->spin_point, self->shift);
@@ -97,6 +117,73 @@ static inline clod_vec3 clod_wall_velocity_at(const clod_wall *self, clod_vec3 p
     return clod_vec3_axpy(clod_wall_velocity(self), clod_wall_spin(self),
                           clod_vec3_cross(self->spin_axis, arm));
 }
+
+/** Orientation at angle 0, whether it was ever set or not. */
+static inline clod_quat clod_wall_orientation(const clod_wall *self)
+{
+    const clod_quat q = self->orientation;
+    return clod_quat_is_none(q) ? CLOD_QUAT_NONE : q;
+}
+
+/** Material of a shape. */
+static inline uint16_t clod_wall_material(const clod_wall *self, int32_t shape)
+{
+    const int32_t own = self->shapes[shape].material;
+    return own > 0 ? (uint16_t)(own - 1) : self->material;
+}
+
+/** Numbers that a pose is: shift, angle, orientation. */
+#define CLOD_WALL_POSE_NUMBERS 8
+
+/** The pose of a wall as numbers. */
+static inline void clod_wall_pose_get(const clod_wall *self, double to[CLOD_WALL_POSE_NUMBERS])
+{
+    const clod_quat q = self->orientation;
+    const double pose[CLOD_WALL_POSE_NUMBERS] = {
+        self->shift.x, self->shift.y, self->shift.z, self->angle, q.w, q.x, q.y, q.z};
+    memcpy(to, pose, sizeof pose);
+}
+
+/** Put a wall at a pose. */
+static inline void clod_wall_pose_set(clod_wall *self,
+                                      const double from[CLOD_WALL_POSE_NUMBERS])
+{
+    self->shift = (clod_vec3){from[0], from[1], from[2]};
+    self->angle = from[3];
+    self->orientation = (clod_quat){from[4], from[5], from[6], from[7]};
+}
+
+/** Whether the material of a shape moves beside its wall. */
+static inline bool clod_belt_moves(const clod_belt *self)
+{
+    const clod_vec3 v = self->velocity;
+    return v.x != 0.0 || v.y != 0.0 || v.z != 0.0 || self->speed != 0.0 || self->spin != 0.0;
+}
+
+/** Whether any of its shapes has a belt. */
+bool clod_wall_has_belts(const clod_wall *self);
+
+/**
+ * Give the wall another orientation, turned about its spin point: the pose at angle 0, and the
+ * angle is 0. Nothing else of its pose changes.
+ *
+ * @param orientation  unit quaternion from the frame to space
+ */
+void clod_wall_set_orientation(clod_wall *self, clod_quat orientation);
+
+/**
+ * Let the wall turn about another axis from now on; it stays where it is.
+ *
+ * @param axis   unit, in space
+ * @param point  m, a point of the axis in space
+ */
+void clod_wall_set_spin_axis(clod_wall *self, clod_vec3 axis, clod_vec3 point);
+
+/** Note for each shape whether turning about the spin axis leaves it where it is. */
+void clod_wall_find_symmetry(clod_wall *self);
+
+/** A plane that turning about the spin axis would tilt: endless, it cannot; or -1. */
+int32_t clod_wall_plane_across(const clod_wall *self);
 
 /** Put an oscillating wall where it is at time 0, with its velocity there. */
 void clod_wall_start(clod_wall *self);

@@ -93,27 +93,63 @@ void clod_step_contact(clod_step *self, int part)
     self->thread[part].excess = excess;
 }
 
-/** Wall contacts of one group. */
-static bool run_walls(clod_step *self, size_t group, const clod_law *law)
+/** Carry what walls feel by a part's grains, where one may have more contacts than fit. */
+static void carry_sums(clod_step *self, int part)
 {
+    const int32_t walls = self->state->walls.count;
+    const int32_t *sum = self->near.part_sum + (size_t)part * (size_t)walls;
+    for (int32_t w = 0; self->near.crowded && w < walls; w++) {
+        if (sum[w] >= 0) {
+            clod_fixed_carry(&self->near.wall_sum[sum[w]]);
+        }
+    }
+}
+
+/** Wall contacts of one group. */
+static bool run_walls(clod_step *self, int part, int32_t l, clod_wall_form form)
+{
+    const clod_law *law = &self->laws->law[l];
     const clod_near_blocks *walls = &self->near.walls;
-    clod_wall_block *blocks = walls->block;
+    const size_t group = clod_near_wall_group(&self->near, part, l, form);
     const size_t begin = walls->group_start[group];
-    for (size_t b = begin; self->near.ledger && b < walls->group_start[group + 1]; b++) {
-        self->kernel->wall_spend(&self->view, law, &blocks[b], &walls->spent[b]);
+    clod_wall_block *blocks = (clod_wall_block *)walls->block + begin;
+    clod_spent_block *spent = walls->spent + begin;
+    bool excess = false;
+    for (size_t b = 0; self->near.ledger && b < walls->group_start[group + 1] - begin; b++) {
+        self->kernel->wall_spend(&self->view, law, form, &blocks[b], &spent[b]);
     }
     const size_t contacts = walls->group_count[group];
-    return contacts > 0 && self->kernel->wall(&self->view, law, &blocks[begin], contacts);
+    for (size_t first = 0; first < contacts; first += CLOD_FIXED_ADDENDS) {
+        const size_t left = contacts - first;
+        excess |= self->kernel->wall(&self->view, law, form, &blocks[first / CLOD_LANES],
+                                     left < CLOD_FIXED_ADDENDS ? left : CLOD_FIXED_ADDENDS);
+        carry_sums(self, part);
+    }
+    return excess;
+}
+
+/** All wall contacts of a part. */
+static bool run_part_walls(clod_step *self, int part)
+{
+    bool excess = false;
+    for (int32_t l = 0; l < self->laws->count; l++) {
+        for (int form = 0; form < CLOD_FORMS; form++) {
+            excess |= run_walls(self, part, l, (clod_wall_form)form);
+        }
+    }
+    return excess;
 }
 
 void clod_step_wall(clod_step *self, int part)
 {
     const clod_chunk mine = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
     bool excess = false;
+    const uint64_t step = clod_gate_opened(&self->placed_gate[part]);
+    for (int t = 0; t < self->threads; t++) {
+        clod_gate_wait(&self->placed_gate[t], step);
+    }
     for (int p = (int)mine.begin; p < (int)mine.end; p++) {
-        for (int32_t l = 0; l < self->laws->count; l++) {
-            excess |= run_walls(self, clod_near_group(&self->near, p, l), &self->laws->law[l]);
-        }
+        excess |= run_part_walls(self, p);
     }
     self->thread[part].excess |= excess;
 }

@@ -44,9 +44,8 @@ static void look(clod_step *self)
                                     .turning = (const double(*)[4])grains->turning,
                                     .before = (const double(*)[8])grains->before,
                                     .load = grains->load,
-                                    .wall_slots = self->near.wall_slots,
+                                    .wall_sum = self->near.wall_sum,
                                     .shape = (const double(*)[4])self->walls.shape,
-                                    .wall = (const double(*)[4])self->walls.wall,
                                     .lead = self->neighbour.lead,
                                     .dt = self->view.dt,
                                     .overlap_limit = self->view.overlap_limit};
@@ -67,11 +66,20 @@ bool clod_step_equip(clod_step *self, clod_status *status)
     clod_wall_rows_fini(&self->walls);
     clod_memory_free(self->moving);
     clod_memory_free(self->feeling);
+    clod_memory_free(self->placed);
+    clod_memory_free(self->is_near);
     const size_t walls = (size_t)self->state->walls.count;
+    size_t shapes = 0;
+    for (size_t w = 0; w < walls; w++) {
+        shapes += (size_t)self->state->walls.wall[w].shape_count;
+    }
     self->moving = clod_memory_alloc(walls + 1, sizeof *self->moving);
     self->feeling = clod_memory_alloc(walls + 1, sizeof *self->feeling);
-    if (self->moving == NULL || self->feeling == NULL ||
-        !clod_wall_rows_init(&self->walls, &self->state->walls)) {
+    self->placed = clod_memory_alloc(shapes + 1, sizeof *self->placed);
+    self->is_near = clod_memory_alloc(shapes + 1, sizeof *self->is_near);
+    self->felt_finite = true;
+    if (self->moving == NULL || self->feeling == NULL || self->placed == NULL ||
+        self->is_near == NULL || !clod_wall_rows_init(&self->walls, &self->state->walls)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %d walls",
                                 (int)self->state->walls.count);
     }

@@ -8,7 +8,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "geometry/wall_closest.h"
 #include "law/law.h"
+#include "parallel/fixed.h"
 #include "state/contacts.h"
 
 /** Arrays and numbers the contact loops read; rows as in state/grains.h. */
@@ -18,15 +20,21 @@ typedef struct clod_kernel_view {
     const double (*turning)[4];
     const double (*before)[8]; ///< loads of the last step, with the ledger
     double (*load)[8];         ///< where contacts add their force and torque on each grain
-    double (*wall_slots)[8];   ///< force and torque on each wall by each of its contacts
-    const double (*shape)[4];  ///< rows of the walls' shapes, and of the walls
-    const double (*wall)[4];   ///< (geometry/wall_rows.h)
+    clod_fixed *wall_sum;      ///< of what walls feel: columns below
+    const double (*shape)[4];  ///< rows of the walls' shapes (geometry/wall_rows.h)
     size_t lead;               ///< rows by which memory is asked for before it is needed
     double dt;                 ///< s
     double overlap_limit;      ///< fraction of the smaller radius
     double period[3];          ///< m; 0 where the domain is open
     double inverse_period[3];  ///< 1/m
 } clod_kernel_view;
+
+/** Columns of what a wall feels by each of its contacts. */
+enum {
+    CLOD_FELT_FORCE = 0,  ///< N, [3]: of the grain on the wall
+    CLOD_FELT_POWER = 3,  ///< W, of wall and belt on the grain
+    CLOD_FELT_TORQUE = 4, ///< N m, [3]: of the grain on the wall, about its origin
+};
 
 /** What the contacts of a block turned into heat in one step [J]. */
 typedef struct clod_spent_block {
@@ -60,18 +68,23 @@ typedef struct clod_kernel {
     bool (*contact)(const clod_kernel_view *view, const clod_law *law,
                     clod_contact_block *blocks, size_t contacts, size_t end,
                     double (*apart)[8]);
-    /** Force of `contacts` wall contacts of one law; true when an overlap is too large. */
-    bool (*wall)(const clod_kernel_view *view, const clod_law *law, clod_wall_block *blocks,
-                 size_t contacts);
+    /**
+     * Force of `contacts` wall contacts of one law, with shapes of one form; true when an
+     * overlap is too large.
+     *
+     * @param contacts  at most CLOD_FIXED_ADDENDS
+     */
+    bool (*wall)(const clod_kernel_view *view, const clod_law *law, clod_wall_form form,
+                 clod_wall_block *blocks, size_t contacts);
     /** For the ledger, just before `contact` or `wall`: what the block spends in this step. */
     void (*contact_spend)(const clod_kernel_view *view, const clod_law *law,
                           clod_contact_block *block, clod_spent_block *spent);
-    void (*wall_spend)(const clod_kernel_view *view, const clod_law *law,
+    void (*wall_spend)(const clod_kernel_view *view, const clod_law *law, clod_wall_form form,
                        clod_wall_block *block, clod_spent_block *spent);
     /** Between steps: what the block stores. */
     void (*contact_stored)(const clod_kernel_view *view, const clod_law *law,
                            clod_contact_block *block, clod_stored_block *stored);
-    void (*wall_stored)(const clod_kernel_view *view, const clod_law *law,
+    void (*wall_stored)(const clod_kernel_view *view, const clod_law *law, clod_wall_form form,
                         clod_wall_block *block, clod_stored_block *stored);
     /**
      * Half a kick and a whole drift of grains [begin, end); their loads begin anew at zero.

@@ -84,11 +84,12 @@ static void kernel_contact_spend(const clod_kernel_view *view, const clod_law *l
 
 /** The same for a block of wall contacts; a wall keeps its velocity over the step. */
 static void kernel_wall_spend(const clod_kernel_view *view, const clod_law *law,
-                              clod_wall_block *block, clod_spent_block *spent)
+                              clod_wall_form form, clod_wall_block *block,
+                              clod_spent_block *spent)
 {
     for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
         const int32_t *i = &block->i[lane];
-        const kernel_wall_meeting meeting = kernel_wall_meet(view, block, lane);
+        const kernel_wall_meeting meeting = kernel_wall_meet(view, form, block, lane);
         const clod_law_motion now = meeting.motion;
         const kernel_earlier a = kernel_earlier_of(view, i);
         clod_law_motion before = kernel_wall_before(&now, view->dt);
@@ -123,10 +124,11 @@ static void kernel_contact_stored(const clod_kernel_view *view, const clod_law *
 }
 
 static void kernel_wall_stored(const clod_kernel_view *view, const clod_law *law,
-                               clod_wall_block *block, clod_stored_block *stored)
+                               clod_wall_form form, clod_wall_block *block,
+                               clod_stored_block *stored)
 {
     for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
-        const clod_law_motion now = kernel_wall_meet(view, block, lane).motion;
+        const clod_law_motion now = kernel_wall_meet(view, form, block, lane).motion;
         const clod_law_memory memory = clod_law_memory_load(&block->history, lane);
         kernel_store_stored(stored, lane,
                             clod_law_stored_energy(law, now.overlap, now.r_star, &memory));

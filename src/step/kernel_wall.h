@@ -7,6 +7,9 @@
 #include "geometry/wall_closest.h"
 #include "step/kernel_contact.h"
 
+/** Squared length of a unit vector's projection below which it is normal to the surface. */
+#define KERNEL_WALL_ACROSS 1e-12
+
 /** How grains meet shapes of walls. */
 typedef struct kernel_wall_meeting {
     clod_law_motion motion;
@@ -14,27 +17,46 @@ typedef struct kernel_wall_meeting {
     vreal3 lever;    ///< m, from the point about which the wall turns to the contact
 } kernel_wall_meeting;
 
-/** Geometry and kinematics of CLOD_WIDTH contacts from the rows of grains, shapes and walls. */
+/** Velocity of belts along the projection of their directions onto the surface. */
+static inline vreal3 kernel_wall_along(const clod_kernel_view *view, const int32_t *shape,
+                                       vreal speed, vreal3 normal)
+{
+    vreal d[4];
+    vreal_load_rows(d, view->shape + CLOD_SHAPE_DIRECTION, shape);
+    const vreal3 direction = {d[0], d[1], d[2]};
+    const vreal3 flat = vreal3_axpy(direction, -vreal3_dot(direction, normal), normal);
+    const vreal square = vreal3_dot(flat, flat);
+    const vmask along = vmask_less(vreal_set(KERNEL_WALL_ACROSS), square);
+    const vreal length = vreal_sqrt(vreal_max(square, vreal_set(KERNEL_WALL_ACROSS)));
+    return vreal3_scale(flat, vreal_select(along, speed / length, vreal_set(0.0)));
+}
+
+/** Geometry and kinematics of CLOD_WIDTH contacts from the rows of grains and shapes. */
 static inline kernel_wall_meeting kernel_wall_meet(const clod_kernel_view *view,
+                                                   clod_wall_form form,
                                                    const clod_wall_block *block, int lane)
 {
-    vreal p[4], v[4], w[4], s[4][4], wall[3][4];
+    vreal p[4], v[4], w[4], s[4][4], moves[4], turns[4], origin[4];
     vreal_load_rows(p, view->place, &block->i[lane]);
     vreal_load_rows(v, view->motion, &block->i[lane]);
     vreal_load_rows(w, view->turning, &block->i[lane]);
     for (int k = 0; k < 4; k++) {
         vreal_load_rows(s[k], view->shape + k, &block->shape[lane]);
     }
-    for (int k = 0; k < 3; k++) {
-        vreal_load_rows(wall[k], view->wall + k, &block->wall[lane]);
-    }
+    vreal_load_rows(moves, view->shape + CLOD_SHAPE_VELOCITY, &block->shape[lane]);
+    vreal_load_rows(turns, view->shape + CLOD_SHAPE_SPIN, &block->shape[lane]);
+    vreal_load_rows(origin, view->shape + CLOD_SHAPE_ORIGIN, &block->shape[lane]);
     const vreal3 centre = {p[0], p[1], p[2]};
-    const clod_wall_closest closest = clod_wall_closest_point(s, centre);
-    const vreal3 spin = {wall[1][0], wall[1][1], wall[1][2]};
-    const vreal3 to_centre = vreal3_sub(centre, (vreal3){wall[2][0], wall[2][1], wall[2][2]});
+    const clod_wall_closest closest = clod_wall_closest_point(form, s, centre);
+    const vreal3 spin = {turns[0], turns[1], turns[2]};
+    const vreal3 to_centre = vreal3_sub(centre, (vreal3){origin[0], origin[1], origin[2]});
     const vreal3 lever = vreal3_axpy(to_centre, -closest.distance, closest.normal);
-    const vreal3 velocity =
-        vreal3_add((vreal3){wall[0][0], wall[0][1], wall[0][2]}, vreal3_cross(spin, lever));
+    vreal3 velocity =
+        vreal3_add((vreal3){moves[0], moves[1], moves[2]}, vreal3_cross(spin, lever));
+    if (vmask_any(vmask_less(vreal_set(0.0), vreal_abs(moves[3])))) {
+        velocity = vreal3_add(
+            velocity, kernel_wall_along(view, &block->shape[lane], moves[3], closest.normal));
+    }
     return (kernel_wall_meeting){
         .motion = {.overlap = p[3] - closest.distance,
                    .normal = closest.normal,
@@ -54,46 +76,59 @@ static inline kernel_wall_meeting kernel_wall_meet(const clod_kernel_view *view,
 #define KERNEL_WALLS                                                                           \
     ((kernel_layout){sizeof(clod_wall_block), offsetof(clod_wall_block, history)})
 
-/** First pass: geometry and kinematics; the levers of the wall's moments. */
+/** What the wall's shares need of the geometry. */
+typedef struct kernel_wall_side {
+    vreal3 lever, velocity, spin; ///< of the wall's material at the contact
+} kernel_wall_side;
+
+/** First pass: geometry and kinematics. */
 CLOD_LAW_PASS void kernel_wall_move(const clod_kernel_view *view, const clod_law *law,
-                                    kernel_batch *batch, vreal3 *lever)
+                                    clod_wall_form form, kernel_batch *batch,
+                                    kernel_wall_side *side)
 {
     for (int k = 0; k < batch->vectors; k++) {
         const clod_wall_block *block = kernel_block(batch, KERNEL_WALLS, k);
-        const kernel_wall_meeting meeting = kernel_wall_meet(view, block, kernel_lane(k));
+        const kernel_wall_meeting meeting = kernel_wall_meet(view, form, block, kernel_lane(k));
         batch->meeting[k].arm_i = meeting.motion.arm_i;
         clod_law_touch_of(law, &meeting.motion, &batch->meeting[k].touch);
-        lever[k] = meeting.lever;
+        side[k] = (kernel_wall_side){meeting.lever, meeting.velocity, meeting.motion.spin_j};
     }
 }
 
-/** The grain's share, and the wall's: -F and its moment about the point where the wall turns.
- */
-static inline void kernel_wall_store(const clod_kernel_view *view, vreal arm, vreal3 lever,
-                                     clod_law_result r, const clod_wall_block *block, int lane,
-                                     int lanes)
+/** The grain's share, and the wall's (CLOD_FELT_FORCE and so on). */
+static inline void kernel_wall_store(const clod_kernel_view *view, vreal arm,
+                                     const kernel_wall_side *side, clod_law_result r,
+                                     const clod_wall_block *block, int lane, int lanes)
 {
+    static const int32_t FOLLOWING[8] = {0, 1, 2, 3, 4, 5, 6, 7};
     const vreal zero = vreal_set(0.0);
     const vreal3 turn = vreal3_axpy(r.roll, -arm, r.lever);
     const vreal on_i[8] = {r.force.x, r.force.y, r.force.z, zero, turn.x, turn.y, turn.z, zero};
     vreal_add_rows(view->load, &block->i[lane], on_i, lanes);
 
-    const vreal3 moment = vreal3_add(vreal3_cross(lever, r.force), r.roll);
+    const vreal3 moment = vreal3_add(vreal3_cross(side->lever, r.force), r.roll);
     const vreal3 kept = vreal3_select(r.closed, moment, (vreal3){zero, zero, zero});
-    const vreal on_wall[8] = {-r.force.x, -r.force.y, -r.force.z, zero,
-                              -kept.x,    -kept.y,    -kept.z,    zero};
-    vreal_store_rows(view->wall_slots, &block->slot_wall[lane], on_wall);
+    const vreal power = vreal3_dot(side->velocity, r.force) + vreal3_dot(side->spin, r.roll);
+    const vreal on_wall[8] = {
+        -r.force.x, -r.force.y, -r.force.z, vreal_select(r.closed, power, zero),
+        -kept.x,    -kept.y,    -kept.z,    zero};
+    _Alignas(64) double felt[CLOD_WIDTH][CLOD_FIXED_COLUMNS];
+    vreal_store_rows(felt, FOLLOWING, on_wall);
+    for (int l = 0; l < lanes; l++) {
+        clod_fixed_add(&view->wall_sum[block->sum[lane + l]], felt[l]);
+    }
 }
 
 /** Last pass: limits and shares; the largest excess of an overlap so far. */
 CLOD_LAW_PASS vreal kernel_wall_limit(const clod_kernel_view *view, const clod_law *law,
-                                      kernel_batch *batch, const vreal3 *lever, vreal excess)
+                                      kernel_batch *batch, const kernel_wall_side *side,
+                                      vreal excess)
 {
     clod_law_cuts cuts = clod_law_limit_begin(law, &batch->trial[0]);
     for (int k = 0; k < batch->vectors; k++) {
         const clod_law_result result = kernel_batch_limit(law, batch, k, &cuts);
         const clod_law_touch *touch = &batch->meeting[k].touch;
-        kernel_wall_store(view, batch->meeting[k].arm_i, lever[k], result,
+        kernel_wall_store(view, batch->meeting[k].arm_i, &side[k], result,
                           kernel_block(batch, KERNEL_WALLS, k), kernel_lane(k),
                           kernel_lanes(batch, k));
         const vreal beyond = touch->overlap - view->overlap_limit * touch->r_star;
@@ -104,30 +139,45 @@ CLOD_LAW_PASS vreal kernel_wall_limit(const clod_kernel_view *view, const clod_l
 
 /** All contacts, batch by batch through the passes. */
 CLOD_LAW_PASS bool kernel_wall_loop(const clod_kernel_view *view, const clod_law law,
-                                    clod_wall_block *blocks, size_t contacts)
+                                    clod_wall_form form, clod_wall_block *blocks,
+                                    size_t contacts)
 {
     const clod_kernel_view v = *view;
     vreal excess = vreal_set(-1.0);
     kernel_batch batch;
-    vreal3 lever[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
+    kernel_wall_side side[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
     for (size_t first = 0; first < contacts; first += (size_t)KERNEL_BATCH * CLOD_LANES) {
         kernel_batch_begin(&batch, KERNEL_WALLS, blocks, first, contacts);
-        kernel_wall_move(&v, &law, &batch, lever);
+        kernel_wall_move(&v, &law, form, &batch, side);
         kernel_batch_press(&law, v.dt, KERNEL_WALLS, &batch);
         kernel_batch_carry(&law, v.dt, KERNEL_WALLS, &batch);
-        excess = kernel_wall_limit(&v, &law, &batch, lever, excess);
+        excess = kernel_wall_limit(&v, &law, &batch, side, excess);
     }
     return vmask_any(vmask_less(vreal_set(0.0), excess));
 }
 
 /** As for grains: once more for the law that most walls of testers have. */
-__attribute__((flatten)) static bool kernel_wall(const clod_kernel_view *view,
-                                                 const clod_law *law, clod_wall_block *blocks,
-                                                 size_t contacts)
+CLOD_LAW_PASS bool kernel_wall_of(const clod_kernel_view *view, const clod_law *law,
+                                  clod_wall_form form, clod_wall_block *blocks, size_t contacts)
 {
     if (kernel_law_is(law, CLOD_LAW_MEPA, CLOD_ROLLING_EPSD2)) {
         return kernel_wall_loop(view, kernel_law_known(*law, CLOD_LAW_MEPA, CLOD_ROLLING_EPSD2),
-                                blocks, contacts);
+                                form, blocks, contacts);
     }
-    return kernel_wall_loop(view, *law, blocks, contacts);
+    return kernel_wall_loop(view, *law, form, blocks, contacts);
+}
+
+/** A loop for each form, so that none computes the closest points of the others. */
+__attribute__((flatten)) static bool kernel_wall(const clod_kernel_view *view,
+                                                 const clod_law *law, clod_wall_form form,
+                                                 clod_wall_block *blocks, size_t contacts)
+{
+    switch (form) {
+    case CLOD_FORM_PLANE:
+        return kernel_wall_of(view, law, CLOD_FORM_PLANE, blocks, contacts);
+    case CLOD_FORM_BOX:
+        return kernel_wall_of(view, law, CLOD_FORM_BOX, blocks, contacts);
+    default:
+        return kernel_wall_of(view, law, CLOD_FORM_SHELL, blocks, contacts);
+    }
 }

@@ -49,7 +49,7 @@ void clod_step_ledger(clod_step *self, int part)
     clod_ledger *ledger = &self->state->ledger;
     spent_sums sums = {0};
     add_spent(&self->near.pairs, clod_near_groups(&self->near), &sums);
-    add_spent(&self->near.walls, clod_near_groups(&self->near), &sums);
+    add_spent(&self->near.walls, clod_near_wall_groups(&self->near), &sums);
     ledger->plastic += clod_exact_value(&sums.plastic);
     ledger->dash_pot += clod_exact_value(&sums.dash_pot);
     ledger->friction += clod_exact_value(&sums.friction);
@@ -102,13 +102,16 @@ static void store_pairs(clod_step *self, size_t q, const clod_law *law, stored_s
 }
 
 /** What the wall contacts of one group store. */
-static void store_walls(clod_step *self, size_t q, const clod_law *law, stored_sums *sums)
+static void store_walls(clod_step *self, int part, int32_t l, clod_wall_form form,
+                        stored_sums *sums)
 {
+    const clod_law *law = &self->laws->law[l];
+    const size_t q = clod_near_wall_group(&self->near, part, l, form);
     const clod_near_blocks *walls = &self->near.walls;
     clod_wall_block *blocks = walls->block;
     clod_stored_block stored;
     for (size_t b = walls->group_start[q]; b < walls->group_start[q + 1]; b++) {
-        self->kernel->wall_stored(&self->view, law, &blocks[b], &stored);
+        self->kernel->wall_stored(&self->view, law, form, &blocks[b], &stored);
         add_stored(sums, &stored, contacts_of(walls, q, b));
     }
 }
@@ -122,8 +125,8 @@ static void add_contacts(clod_step *self, clod_energies *e)
         for (int p = 0; p < 2 * near->parts; p++) { // within a part, then with later ones
             store_pairs(self, clod_near_group(near, p, l), law, &sums);
         }
-        for (int p = 0; p < near->parts; p++) {
-            store_walls(self, clod_near_group(near, p, l), law, &sums);
+        for (int k = 0; k < near->parts * CLOD_FORMS; k++) {
+            store_walls(self, k / CLOD_FORMS, l, (clod_wall_form)(k % CLOD_FORMS), &sums);
         }
     }
     e->normal = clod_exact_value(&sums.normal);

@@ -7,18 +7,31 @@
 #include "step/step.h"
 
 /** Walls that can move do; the fastest speed that a point of them can have [m/s]. */
-static double drift_walls(clod_step *self)
+static double move_walls(clod_step *self)
 {
     double fastest = 0.0;
-    const double dt = self->state->dt;
     for (int32_t k = 0; k < self->moving_count; k++) {
         const int32_t w = self->moving[k];
         clod_wall *wall = &self->state->walls.wall[w];
-        clod_wall_move(wall, dt, self->state->step + 1);
-        clod_wall_rows_place(&self->walls, w, wall);
+        clod_wall_move(wall, self->state->dt, self->state->step + 1);
         fastest = fmax(fastest, clod_wall_speed_within(wall, self->walls.reach[w]));
     }
     return fastest;
+}
+
+/** A thread's share of the shapes that move and have grains near, where they are now. */
+void clod_step_place(clod_step *self, int part)
+{
+    const clod_chunk c = clod_threads_chunk(self->placed_count, part, self->threads);
+    clod_wall_stand stand;
+    for (size_t k = c.begin; k < c.end; k++) {
+        const clod_step_shape at = self->placed[k];
+        if (k == c.begin || at.wall != self->placed[k - 1].wall) {
+            stand = clod_wall_stand_of(&self->state->walls.wall[at.wall]);
+        }
+        clod_wall_rows_place_shape(&self->walls, at.wall, &stand, at.shape);
+    }
+    clod_gate_open(&self->placed_gate[part]);
 }
 
 /** The grains of the parts that belong to a thread. */
@@ -43,9 +56,9 @@ void clod_step_drift(clod_step *self, int part)
         mine->owed ? self->state->gravity : NULL, self->state->dt, c.begin, c.end);
     mine->owed = true; // this step's second half kick, when its forces are there
     mine->max_speed2 = seen.max_speed2;
-    mine->finite = seen.finite;
+    mine->finite = seen.finite && (part != 0 || self->felt_finite);
     if (part == 0) {
-        const double walls = drift_walls(self);
+        const double walls = move_walls(self);
         mine->max_speed2 = fmax(mine->max_speed2, walls * walls);
     }
 }
@@ -61,25 +74,37 @@ void clod_step_settle(clod_step *self, int part)
     self->thread[part].owed = false;
 }
 
-/** What the wall does to the grains with its force and torque and its velocity of now [W]. */
+/** What the wall does to the grains with its force and torque and its velocity of now, without
+ *  its belts [W]. */
 static double power_of(const clod_wall *wall)
 {
     return -clod_vec3_dot(wall->force, clod_wall_velocity(wall)) -
            clod_wall_spin(wall) * clod_vec3_dot(wall->torque, wall->spin_axis);
 }
 
-/** Ordered sum of a wall's slots; power is what the wall does to the grains. */
-static void sum_wall(clod_wall *wall, const double (*slots)[8], int32_t begin, int32_t end)
+static clod_vec3 vector(const double *column)
 {
-    double sum[8] = {0.0};
-    for (int32_t s = begin; s < end; s++) {
-        for (int c = 0; c < 8; c++) {
-            sum[c] += slots[s][c];
-        }
+    return (clod_vec3){column[0], column[1], column[2]};
+}
+
+/** What the wall feels: the sums of all parts, which begin anew. */
+static void sum_wall(clod_step *self, int32_t w)
+{
+    clod_wall *wall = &self->state->walls.wall[w];
+    clod_fixed all = {0};
+    for (int32_t s = self->near.sum_start[w]; s < self->near.sum_start[w + 1]; s++) {
+        clod_fixed_merge(&all, &self->near.wall_sum[s]);
+        self->near.wall_sum[s] = (clod_fixed){0};
     }
-    wall->force = (clod_vec3){sum[0], sum[1], sum[2]};
-    wall->torque = (clod_vec3){sum[4], sum[5], sum[6]};
-    wall->power = power_of(wall);
+    double felt[CLOD_FIXED_COLUMNS];
+    clod_fixed_value(&all, felt);
+    wall->force = vector(&felt[CLOD_FELT_FORCE]);
+    wall->torque = vector(&felt[CLOD_FELT_TORQUE]);
+    const double power = power_of(wall);
+    wall->belt_power = self->walls.belts[w] ? felt[CLOD_FELT_POWER] - power : 0.0;
+    wall->power = power + wall->belt_power;
+    self->felt_finite =
+        self->felt_finite && isfinite(felt[0] + felt[1] + felt[2] + wall->power);
 }
 
 /**
@@ -102,9 +127,9 @@ void clod_step_servo(clod_step *self, int part)
     for (int32_t k = 0; k < self->feeling_count; k++) {
         const int32_t w = self->feeling[k];
         clod_wall *wall = &self->state->walls.wall[w];
-        const double before = power_of(wall); // the force before with the way of this step
-        sum_wall(wall, (const double(*)[8])self->near.wall_slots, self->near.wall_slot_start[w],
-                 self->near.wall_slot_start[w + 1]);
+        // the force before with the way of this step
+        const double before = power_of(wall) + wall->belt_power;
+        sum_wall(self, w);
         wall->sum_force = clod_vec3_add(wall->sum_force, wall->force);
         wall->sum_torque = clod_vec3_add(wall->sum_torque, wall->torque);
         wall->sum_power += wall->power;

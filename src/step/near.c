@@ -105,6 +105,7 @@ void clod_near_count(const clod_near_job *job, int part)
     while (clod_near_walk_on(&walk)) {
         count[walk.group]++;
     }
+    clod_near_walls_count(job, part);
 }
 
 /** Numbers of pairs in each group, and where those of each part begin: they ascend by part. */
@@ -132,7 +133,6 @@ bool clod_near_layout(const clod_near_job *job, clod_status *status)
                                  sizeof(clod_contact_block)) &&
         clod_near_walls_layout(job) && clod_near_reserve_spent(self) &&
         clod_near_between_reserve(self)) {
-        clod_near_walls_place(job);
         return true;
     }
     return clod_status_fail(status, CLOD_FAILED, "no memory for the contacts of %zu grains",
@@ -201,6 +201,7 @@ static void pad_group(const clod_near_job *job, size_t group)
 void clod_near_place(const clod_near_job *job, int part)
 {
     place_pairs(job, part);
+    clod_near_walls_place(job, part);
     for (int32_t law = 0; law < job->near->laws; law++) {
         pad_group(job, clod_near_group(job->near, part, law));
         pad_group(job, clod_near_group_between(job->near, part, law));
@@ -216,15 +217,16 @@ static bool allocate(clod_near *self)
     const size_t parts = (size_t)self->parts;
     self->part_start = clod_memory_alloc(parts + 1, sizeof(size_t));
     self->between.run_start = clod_memory_alloc(groups + 1, sizeof(size_t));
-    self->source = clod_memory_alloc(parts * groups, sizeof *self->source);
+    self->source = clod_memory_alloc(parts * clod_near_sources(self), sizeof *self->source);
     self->part_fill = clod_memory_alloc(parts * groups, sizeof *self->part_fill);
     self->gathered = clod_memory_alloc(parts, sizeof *self->gathered);
     bool good = self->part_start != NULL && self->between.run_start != NULL &&
                 self->source != NULL && self->part_fill != NULL && self->gathered != NULL;
     clod_near_blocks *lists[] = {&self->pairs, &self->walls};
     for (int k = 0; k < 2; k++) {
-        lists[k]->group_start = clod_memory_alloc(groups + 1, sizeof(size_t));
-        lists[k]->group_count = clod_memory_alloc(2 * groups, sizeof(size_t));
+        const size_t count = k == 0 ? groups : clod_near_wall_groups(self);
+        lists[k]->group_start = clod_memory_alloc(count + 1, sizeof(size_t));
+        lists[k]->group_count = clod_memory_alloc(2 * count, sizeof(size_t));
         good = good && lists[k]->group_start != NULL && lists[k]->group_count != NULL;
     }
     return good;
@@ -234,11 +236,11 @@ static bool allocate(clod_near *self)
 static bool reserve(const clod_near_job *job)
 {
     clod_near *self = job->near;
-    const size_t walls = (size_t)job->state->walls.count + 1;
-    return clod_room_for(&self->wall_slot_start, &self->wall_start_capacity, walls,
-                         sizeof *self->wall_slot_start) &&
-           clod_room_for(&self->wall_slot_fill, &self->wall_fill_capacity, walls,
-                         sizeof *self->wall_slot_fill) &&
+    const size_t walls = (size_t)job->state->walls.count;
+    return clod_room_for(&self->sum_start, &self->sum_start_capacity, walls + 1,
+                         sizeof *self->sum_start) &&
+           clod_room_for(&self->part_sum, &self->part_sum_capacity,
+                         (size_t)self->parts * walls + 1, sizeof *self->part_sum) &&
            (self->parts == 1 || clod_room_for(&self->weight, &self->weight_capacity,
                                               job->state->grains.count, sizeof *self->weight));
 }
@@ -320,9 +322,9 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->between.run_start);
     clod_memory_free(self->part_start);
     clod_memory_free(self->weight);
-    clod_memory_free(self->wall_slot_start);
-    clod_memory_free(self->wall_slot_fill);
-    clod_memory_free(self->wall_slots);
+    clod_memory_free(self->wall_sum);
+    clod_memory_free(self->sum_start);
+    clod_memory_free(self->part_sum);
     clod_memory_free(self->source);
     clod_memory_free(self->part_fill);
     clod_memory_free(self->gathered);

@@ -8,7 +8,8 @@
  * The grains are cut into parts, runs of rows with about as much work each, one part for each
  * thread. Blocks stand in groups: for each part and law the contacts within the part, then for
  * each part and law those with grains of earlier parts; within a group contacts ascend by
- * (i, j).
+ * (i, j). Contacts with walls stand in a group for each part, law and form of shape, ascending
+ * by (i, wall, shape).
  */
 
 #include "step/kernel.h"
@@ -60,12 +61,12 @@ typedef struct clod_near {
     clod_near_between between;
     int32_t *weight; ///< scratch [grains]: work of each grain
     size_t weight_capacity;
-    int32_t *wall_slot_start; ///< [walls + 1]; a wall's slots ascend by grain
-    int32_t *wall_slot_fill;  ///< scratch
-    size_t wall_start_capacity, wall_fill_capacity;
-    double (*wall_slots)[8];
-    size_t wall_slot_capacity;
-    clod_near_source *source;  ///< scratch of cursors: [parts][laws * parts]
+    clod_fixed *wall_sum; ///< [sum_start[walls]] what a wall feels by the grains of a part
+    int32_t *sum_start;   ///< [walls + 1] first sum of each wall; one for each part that it has
+    int32_t *part_sum;    ///< [parts][walls] number of a part's sum of a wall, or -1
+    bool crowded;         ///< a sum may get more than CLOD_FIXED_ADDENDS in a step
+    size_t wall_sum_capacity, sum_start_capacity, part_sum_capacity;
+    clod_near_source *source;  ///< scratch of cursors: [parts][clod_near_sources]
     size_t *part_fill;         ///< scratch [parts][groups]: where a part's next pair goes
     clod_near_range *gathered; ///< scratch [parts]: contacts of each part
     bool made;                 ///< the list stands; false: the histories are in the state
@@ -88,6 +89,26 @@ static inline size_t clod_near_group_between(const clod_near *self, int later, i
 static inline size_t clod_near_groups(const clod_near *self)
 {
     return clod_near_group(self, 2 * self->parts, 0);
+}
+
+/** Group of a law's contacts of grains of a part with shapes of a form. */
+static inline size_t clod_near_wall_group(const clod_near *self, int part, int32_t law,
+                                          clod_wall_form form)
+{
+    return clod_near_group(self, part, law) * CLOD_FORMS + (size_t)form;
+}
+
+/** Groups of the list of walls. */
+static inline size_t clod_near_wall_groups(const clod_near *self)
+{
+    return clod_near_wall_group(self, self->parts, 0, (clod_wall_form)0);
+}
+
+/** Most groups and runs that a part's contacts of one list stand in. */
+static inline size_t clod_near_sources(const clod_near *self)
+{
+    const size_t most = self->parts > CLOD_FORMS ? (size_t)self->parts : CLOD_FORMS;
+    return (size_t)self->laws * most;
 }
 
 /** What goes through the making of one list, for all threads. */

@@ -63,21 +63,40 @@ static void add_source(clod_near_cursor *self, size_t group, size_t begin, size_
     }
 }
 
+/** Contacts of one law between grains, those of a part as i. */
+static void add_pairs(clod_near_cursor *self, int part, int32_t law)
+{
+    const clod_near *near = self->near;
+    const size_t within = clod_near_group(near, part, law);
+    add_source(self, within, 0, near->pairs.group_count[within]);
+    const size_t k = (size_t)law * (size_t)near->parts + (size_t)part;
+    const size_t *start = near->between.run_start;
+    for (size_t r = start[k]; r < start[k + 1]; r++) {
+        const clod_near_run *run = &near->between.run[r];
+        add_source(self, clod_near_group_between(near, run->later, law), run->begin, run->end);
+    }
+}
+
+/** Contacts of one law with walls. */
+static void add_walls(clod_near_cursor *self, int part, int32_t law)
+{
+    for (int form = 0; form < CLOD_FORMS; form++) {
+        const size_t group = clod_near_wall_group(self->near, part, law, (clod_wall_form)form);
+        add_source(self, group, 0, self->near->walls.group_count[group]);
+    }
+}
+
 clod_near_cursor clod_near_cursor_begin(const clod_near *near, const clod_near_blocks *list,
                                         int part)
 {
-    const size_t most = (size_t)near->laws * (size_t)near->parts;
-    clod_near_cursor self = {
-        .near = near, .list = list, .source = near->source + (size_t)part * most};
+    clod_near_cursor self = {.near = near,
+                             .list = list,
+                             .source = near->source + (size_t)part * clod_near_sources(near)};
     for (int32_t law = 0; law < near->laws; law++) {
-        const size_t within = clod_near_group(near, part, law);
-        add_source(&self, within, 0, list->group_count[within]);
-        const size_t k = (size_t)law * (size_t)near->parts + (size_t)part;
-        const size_t *start = near->between.run_start;
-        for (size_t r = start[k]; list == &near->pairs && r < start[k + 1]; r++) {
-            const clod_near_run *run = &near->between.run[r];
-            add_source(&self, clod_near_group_between(near, run->later, law), run->begin,
-                       run->end);
+        if (list == &near->pairs) {
+            add_pairs(&self, part, law);
+        } else {
+            add_walls(&self, part, law);
         }
     }
     return self;
@@ -146,11 +165,16 @@ const clod_history *clod_near_find(const clod_near *self, const clod_near_blocks
     const clod_near_format format = clod_near_format_of(self, list);
     const uint64_t key = (uint64_t)(uint32_t)i << 32 | (uint32_t)partner;
     const int part = clod_near_part_of(self, i);
-    const int later = list == &self->pairs ? clod_near_part_of(self, partner) : part;
+    const bool wall = list == &self->walls;
+    const int later = wall ? part : clod_near_part_of(self, partner);
+    const int forms = wall ? CLOD_FORMS : 1;
     const clod_history *found = NULL;
-    for (int32_t law = 0; law < self->laws && found == NULL; law++) {
-        const size_t group = later == part ? clod_near_group(self, part, law)
-                                           : clod_near_group_between(self, later, law);
+    for (int k = 0; k < self->laws * forms && found == NULL; k++) {
+        const int32_t law = k / forms;
+        const size_t group =
+            wall            ? clod_near_wall_group(self, part, law, (clod_wall_form)(k % forms))
+            : later == part ? clod_near_group(self, part, law)
+                            : clod_near_group_between(self, later, law);
         found = find_in(list, format, group, key, lane);
     }
     return found;

@@ -92,7 +92,7 @@ static void copy_walls(const clod_near *self, clod_state *state, const clod_wall
     while (clod_near_cursor_next(&cursor)) {
         const clod_wall_block *block = cursor.block;
         const int lane = cursor.lane;
-        const int32_t wall = block->wall[lane] / CLOD_WALL_ROWS;
+        const int32_t wall = block->wall[lane];
         const int32_t shape = block->shape[lane] / CLOD_SHAPE_ROWS - walls->first_shape[wall];
         *to = (clod_contact){.i = block->i[lane], .j = wall, .shape = shape};
         clod_history_get(&block->history, lane, to->history);

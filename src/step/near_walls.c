@@ -1,4 +1,4 @@
-// The near list's contacts with walls: few beside those between grains, by one thread.
+// The near list's contacts with walls: each part's by the thread of that part.
 #include "step/near_walls.h"
 
 #include <string.h>
@@ -7,107 +7,155 @@
 #include "step/near_parts.h"
 #include "step/room.h"
 
-/** Group of a wall contact. */
-static size_t wall_group(const clod_near *self, const clod_wall_candidate *c)
+/** Group of a wall contact of a part. */
+static size_t group_of(const clod_near_job *job, int part, const clod_wall_candidate *c)
 {
-    return clod_near_group(self, clod_near_part_of(self, c->i), c->law);
+    const int32_t row = clod_wall_rows_shape(job->walls, c->wall, c->shape);
+    return clod_near_wall_group(job->near, part, c->law, clod_wall_rows_form(job->walls, row));
 }
 
-/** Count near grains at walls by group. */
-static void count_walls(const clod_near_job *job)
+/** The first of the candidates, which ascend by grain, whose grain is not before a row. */
+static size_t first_from(const clod_wall_candidates *candidates, size_t row)
 {
-    const clod_wall_candidates *candidates = &job->neighbour->walls;
-    clod_near_blocks *blocks = &job->near->walls;
-    const size_t groups = clod_near_groups(job->near);
-    memset(blocks->group_count, 0, groups * sizeof *blocks->group_count);
-    for (size_t k = 0; k < candidates->count; k++) {
-        if (candidates->item[k].near != 0) {
-            blocks->group_count[wall_group(job->near, &candidates->item[k])]++;
+    size_t low = 0, high = candidates->count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if ((size_t)candidates->item[middle].i < row) {
+            low = middle + 1;
+        } else {
+            high = middle;
         }
     }
-    clod_near_layout_groups(blocks, groups);
+    return low;
 }
 
-/** Offsets of the walls' slots from their contacts. */
-static bool layout_wall_slots(clod_near *self, const clod_neighbour *neighbour, int32_t walls)
+/** A part's numbers of its sums, by wall; until the layout numbers of its contacts. */
+static int32_t *sums_of(const clod_near_job *job, int part)
 {
-    memset(self->wall_slot_start, 0, ((size_t)walls + 1) * sizeof(int32_t));
-    for (size_t k = 0; k < neighbour->walls.count; k++) {
-        const clod_wall_candidate *c = &neighbour->walls.item[k];
-        self->wall_slot_start[c->wall + 1] += c->near;
-    }
-    for (int32_t w = 0; w < walls; w++) {
-        self->wall_slot_start[w + 1] += self->wall_slot_start[w];
-    }
-    memcpy(self->wall_slot_fill, self->wall_slot_start, (size_t)walls * sizeof(int32_t));
-    const size_t padding = clod_near_groups(self) * CLOD_LANES;
-    return clod_room_for(&self->wall_slots, &self->wall_slot_capacity,
-                         (size_t)self->wall_slot_start[walls] + padding,
-                         sizeof *self->wall_slots);
+    return job->near->part_sum + (size_t)part * (size_t)job->state->walls.count;
 }
 
-static void place_wall(const clod_near_job *job, const clod_wall_candidate *c, size_t *fill,
-                       clod_near_known *known)
+void clod_near_walls_count(const clod_near_job *job, int part)
 {
     clod_near *near = job->near;
-    clod_wall_block *blocks = near->walls.block;
-    const size_t group = wall_group(near, c);
-    const size_t at = near->walls.group_start[group] * CLOD_LANES + fill[group]++;
-    clod_wall_block *block = &blocks[at / CLOD_LANES];
-    const int lane = (int)(at % CLOD_LANES);
-    block->i[lane] = c->i;
-    block->wall[lane] = CLOD_WALL_ROWS * c->wall;
-    block->shape[lane] = clod_wall_rows_shape(job->walls, c->wall, c->shape);
-    block->slot_wall[lane] = near->wall_slot_fill[c->wall]++;
-    clod_history_put(&block->history, lane, clod_near_history(known, c->i, c->wall, c->shape));
-}
-
-static void place_walls(const clod_near_job *job)
-{
     const clod_wall_candidates *candidates = &job->neighbour->walls;
-    const clod_state *state = job->state;
-    const size_t groups = clod_near_groups(job->near);
-    size_t *fill = job->near->walls.group_count + groups;
-    memset(fill, 0, groups * sizeof *fill);
-    clod_near_known known = {state->contacts, state->contact_count - state->wall_contact_count,
-                             state->contact_count};
-    for (size_t k = 0; k < candidates->count; k++) {
+    const size_t first = clod_near_wall_group(near, part, 0, (clod_wall_form)0);
+    const size_t groups = clod_near_wall_group(near, part + 1, 0, (clod_wall_form)0) - first;
+    memset(near->walls.group_count + first, 0, groups * sizeof *near->walls.group_count);
+    int32_t *sum = sums_of(job, part);
+    for (int32_t w = 0; w < job->state->walls.count; w++) {
+        sum[w] = -1;
+    }
+    const size_t end = first_from(candidates, near->part_start[part + 1]);
+    for (size_t k = first_from(candidates, near->part_start[part]); k < end; k++) {
         const clod_wall_candidate *c = &candidates->item[k];
         if (c->near != 0) {
-            place_wall(job, c, fill, &known);
+            near->walls.group_count[group_of(job, part, c)]++;
+            sum[c->wall] = sum[c->wall] < 0 ? 1 : sum[c->wall] + 1;
         }
     }
 }
 
-static void pad_walls(const clod_near_job *job)
+/** A sum for each wall and part that has it, those of a wall side by side. */
+static bool layout_sums(const clod_near_job *job)
 {
-    const clod_near_blocks *walls = &job->near->walls;
-    clod_wall_block *blocks = walls->block;
-    int32_t spare = job->near->wall_slot_start[job->state->walls.count];
-    for (size_t q = 0; q < clod_near_groups(job->near); q++) {
-        const size_t first = walls->group_start[q] * CLOD_LANES + walls->group_count[q];
-        for (size_t at = first; at < walls->group_start[q + 1] * CLOD_LANES; at++) {
-            clod_wall_block *block = &blocks[at / CLOD_LANES];
-            const int lane = (int)(at % CLOD_LANES);
-            block->i[lane] = (int32_t)job->state->grains.count;
-            block->wall[lane] = 0;
-            block->shape[lane] = clod_wall_rows_padding(job->walls, job->state->walls.count);
-            block->slot_wall[lane] = spare++;
-            clod_history_put(&block->history, lane, CLOD_NEAR_NO_HISTORY);
+    clod_near *near = job->near;
+    const int32_t walls = job->state->walls.count;
+    int32_t sums = 0;
+    near->crowded = false;
+    for (int32_t w = 0; w < walls; w++) {
+        near->sum_start[w] = sums;
+        for (int p = 0; p < near->parts; p++) {
+            int32_t *sum = &sums_of(job, p)[w];
+            near->crowded = near->crowded || *sum > CLOD_FIXED_ADDENDS;
+            *sum = *sum < 0 ? -1 : sums++;
         }
     }
+    near->sum_start[walls] = sums;
+    if (!clod_room_for(&near->wall_sum, &near->wall_sum_capacity, (size_t)sums + 1,
+                       sizeof *near->wall_sum)) {
+        return false;
+    }
+    memset(near->wall_sum, 0, (size_t)sums * sizeof *near->wall_sum);
+    return true;
 }
 
 bool clod_near_walls_layout(const clod_near_job *job)
 {
-    count_walls(job);
-    const size_t groups = clod_near_groups(job->near);
-    return clod_near_reserve_blocks(&job->near->walls, groups, sizeof(clod_wall_block)) &&
-           layout_wall_slots(job->near, job->neighbour, job->state->walls.count);
+    clod_near_blocks *walls = &job->near->walls;
+    const size_t groups = clod_near_wall_groups(job->near);
+    clod_near_layout_groups(walls, groups);
+    return clod_near_reserve_blocks(walls, groups, sizeof(clod_wall_block)) && layout_sums(job);
 }
 
-void clod_near_walls_place(const clod_near_job *job)
+/** The first of the state's wall contacts whose grain is not before a row. */
+static size_t known_from(const clod_state *state, size_t row)
 {
-    place_walls(job);
-    pad_walls(job);
+    size_t low = state->contact_count - state->wall_contact_count, high = state->contact_count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if ((size_t)state->contacts[middle].i < row) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+static void place(const clod_near_job *job, int part, const clod_wall_candidate *c,
+                  clod_near_known *known)
+{
+    clod_near_blocks *walls = &job->near->walls;
+    const size_t group = group_of(job, part, c);
+    size_t *fill = walls->group_count + clod_near_wall_groups(job->near);
+    const size_t at = walls->group_start[group] * CLOD_LANES + fill[group]++;
+    clod_wall_block *block = (clod_wall_block *)walls->block + at / CLOD_LANES;
+    const int lane = (int)(at % CLOD_LANES);
+    block->i[lane] = c->i;
+    block->wall[lane] = c->wall;
+    block->shape[lane] = clod_wall_rows_shape(job->walls, c->wall, c->shape);
+    block->sum[lane] = sums_of(job, part)[c->wall];
+    clod_history_put(&block->history, lane, clod_near_history(known, c->i, c->wall, c->shape));
+}
+
+/** Fill the lanes behind the last contact of a group. */
+static void pad(const clod_near_job *job, size_t group)
+{
+    const clod_near_blocks *walls = &job->near->walls;
+    const clod_wall_form form = (clod_wall_form)(group % CLOD_FORMS);
+    const size_t first = walls->group_start[group] * CLOD_LANES + walls->group_count[group];
+    for (size_t at = first; at < walls->group_start[group + 1] * CLOD_LANES; at++) {
+        clod_wall_block *block = (clod_wall_block *)walls->block + at / CLOD_LANES;
+        const int lane = (int)(at % CLOD_LANES);
+        block->i[lane] = (int32_t)job->state->grains.count;
+        block->wall[lane] = 0;
+        block->shape[lane] = clod_wall_rows_padding(job->walls, job->state->walls.count, form);
+        block->sum[lane] = 0; // never added to
+        clod_history_put(&block->history, lane, CLOD_NEAR_NO_HISTORY);
+    }
+}
+
+void clod_near_walls_place(const clod_near_job *job, int part)
+{
+    const clod_near *near = job->near;
+    const clod_state *state = job->state;
+    const clod_wall_candidates *candidates = &job->neighbour->walls;
+    const size_t groups = clod_near_wall_groups(near);
+    const size_t begin = clod_near_wall_group(near, part, 0, (clod_wall_form)0);
+    const size_t end = clod_near_wall_group(near, part + 1, 0, (clod_wall_form)0);
+    memset(near->walls.group_count + groups + begin, 0,
+           (end - begin) * sizeof *near->walls.group_count);
+    const size_t rows[2] = {near->part_start[part], near->part_start[part + 1]};
+    clod_near_known known = {state->contacts, known_from(state, rows[0]),
+                             known_from(state, rows[1])};
+    const size_t last = first_from(candidates, rows[1]);
+    for (size_t k = first_from(candidates, rows[0]); k < last; k++) {
+        if (candidates->item[k].near != 0) {
+            place(job, part, &candidates->item[k], &known);
+        }
+    }
+    for (size_t group = begin; group < end; group++) {
+        pad(job, group);
+    }
 }

@@ -12,8 +12,11 @@ void clod_near_layout_groups(clod_near_blocks *blocks, size_t groups);
 /** Room for the blocks of all groups (near.c). */
 bool clod_near_reserve_blocks(clod_near_blocks *self, size_t groups, size_t size);
 
-/** Count grains near walls; room for their blocks and for the walls' slots. */
+/** Count the grains of a part that are near walls. */
+void clod_near_walls_count(const clod_near_job *job, int part);
+
+/** Room for the blocks of all parts and for what walls feel; false without memory. */
 bool clod_near_walls_layout(const clod_near_job *job);
 
-/** All of them into blocks, before any memory of the state's contacts is given back. */
-void clod_near_walls_place(const clod_near_job *job);
+/** A part's contacts with walls into blocks, with the histories of those that touch. */
+void clod_near_walls_place(const clod_near_job *job, int part);

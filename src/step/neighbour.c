@@ -58,9 +58,7 @@ static bool walls_at_rebuild(clod_neighbour *self, const clod_state *state)
     }
     for (int32_t w = 0; w < state->walls.count; w++) {
         clod_wall then = state->walls.wall[w];
-        const double *at = &state->build_walls[4 * (size_t)w];
-        then.shift = (clod_vec3){at[0], at[1], at[2]};
-        then.angle = at[3];
+        clod_wall_pose_set(&then, state->build_walls[w]);
         clod_wall_rows_place(&self->build_rows, w, &then);
     }
     return true;

@@ -242,16 +242,14 @@ static bool note_rebuild(clod_state *state)
     if (state->build_place == NULL) {
         state->build_place = clod_memory_alloc(grains->capacity, sizeof *state->build_place);
         state->build_walls =
-            clod_memory_alloc(4 * (size_t)state->walls.count + 1, sizeof(double));
+            clod_memory_alloc((size_t)state->walls.count + 1, sizeof *state->build_walls);
         if (state->build_place == NULL || state->build_walls == NULL) {
             return false;
         }
     }
     memcpy(state->build_place, grains->place, grains->count * sizeof *grains->place);
     for (int32_t w = 0; w < state->walls.count; w++) {
-        const clod_wall *wall = &state->walls.wall[w];
-        const double at[4] = {wall->shift.x, wall->shift.y, wall->shift.z, wall->angle};
-        memcpy(&state->build_walls[4 * w], at, sizeof at);
+        clod_wall_pose_get(&state->walls.wall[w], state->build_walls[w]);
     }
     state->build_motion = 0.0;
     return true;

@@ -79,6 +79,25 @@ static void search(clod_step *self, int part)
     }
 }
 
+/** Shapes of walls that move, where they are now: until now only those with grains near. */
+static void place_walls(clod_step *self, int part)
+{
+    const clod_walls *walls = &self->state->walls;
+    for (int32_t k = 0; k < self->moving_count; k++) {
+        const int32_t w = self->moving[k];
+        const clod_wall *wall = &walls->wall[w];
+        const clod_wall_stand stand = clod_wall_stand_of(wall);
+        const clod_chunk c =
+            clod_threads_chunk((size_t)wall->shape_count, part, self->near.parts);
+        for (size_t s = c.begin; s < c.end; s++) {
+            clod_wall_rows_place_shape(&self->walls, w, &stand, (int32_t)s);
+        }
+        if (part == 0) {
+            clod_wall_rows_note(&self->walls, w, wall);
+        }
+    }
+}
+
 static void mark(clod_step *self, int part)
 {
     clod_near_mark(&self->remake.job, part);
@@ -112,7 +131,7 @@ static void end(clod_step *self, int part)
     (void)part;
     clod_near_end(&self->remake.job);
     clod_step_list_feeling(self);
-    self->view.wall_slots = self->near.wall_slots;
+    self->view.wall_sum = self->near.wall_sum;
     self->view.lead = self->neighbour.lead;
     if (self->remake.leavers > 0) {
         self->state->ledger.exchanged += clod_change_balance(self) - self->remake.before;
@@ -127,9 +146,9 @@ typedef struct list_phase {
 } list_phase;
 
 static const list_phase PHASES[] = {
-    {begin, false},  {count_old, true}, {make_room, false}, {copy_old, true},
-    {search, false}, {mark, true},      {cut, false},       {count_new, true},
-    {layout, false}, {place, true},     {end, false},
+    {begin, false},      {count_old, true}, {make_room, false}, {copy_old, true},
+    {place_walls, true}, {search, false},   {mark, true},       {cut, false},
+    {count_new, true},   {layout, false},   {place, true},      {end, false},
 };
 #define PHASE_COUNT ((int)(sizeof PHASES / sizeof *PHASES))
 

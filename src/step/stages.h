@@ -16,7 +16,8 @@ enum {
     CLOD_STAGE_FORCE = 32,
     CLOD_STAGE_WALL_FORCE = 64,
     CLOD_STAGE_WALLS = 128,
-    CLOD_STAGE_LEDGER = 256,
+    CLOD_STAGE_SURFACES = 256, ///< rows of shapes; they wait at gates
+    CLOD_STAGE_LEDGER = 512,
 };
 
 typedef struct clod_stage {
@@ -26,6 +27,6 @@ typedef struct clod_stage {
     bool wait; ///< a barrier follows: all threads finish it before the next stage begins
 } clod_stage;
 
-#define CLOD_STAGES 6
+#define CLOD_STAGES 7
 
 extern const clod_stage CLOD_STAGE[CLOD_STAGES];

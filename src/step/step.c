@@ -17,6 +17,7 @@
 #define FORCE CLOD_STAGE_FORCE
 #define WALL_FORCE CLOD_STAGE_WALL_FORCE
 #define WALLS CLOD_STAGE_WALLS
+#define SURFACES CLOD_STAGE_SURFACES
 #define LEDGER CLOD_STAGE_LEDGER
 
 // drift completes the half kick of the step before; after the last step clod_step_settle does
@@ -24,9 +25,10 @@ const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     // clang-format off
     // name,    function,          reads,                       writes,                             barrier
     {"drift",   clod_step_drift,   FORCE | VELOCITY | WALLS,    POSITION | VELOCITY | FORCE | WALLS, true},
+    {"place",   clod_step_place,   WALLS,                       SURFACES,                            false},
     {"near",    clod_step_near,    POSITION | VELOCITY,         LISTS,                               false},
     {"contact", clod_step_contact, POSITION | VELOCITY | LISTS, FORCE | HISTORY | SHARE,             false},
-    {"wall",    clod_step_wall,    POSITION | VELOCITY | WALLS, FORCE | WALL_FORCE | HISTORY,        true},
+    {"wall",    clod_step_wall,    POSITION | VELOCITY | SURFACES, FORCE | WALL_FORCE | HISTORY,        true},
     {"servo",   clod_step_servo,   WALL_FORCE,                  WALLS,                               false},
     {"ledger",  clod_step_ledger,  HISTORY,                     LEDGER,                              false},
     // clang-format on
@@ -116,12 +118,14 @@ static bool allocate(clod_step *self)
 {
     self->thread = clod_memory_alloc((size_t)self->threads, sizeof *self->thread);
     self->gate = clod_memory_alloc((size_t)self->threads, sizeof *self->gate);
-    if (self->thread == NULL || self->gate == NULL) {
+    self->placed_gate = clod_memory_alloc((size_t)self->threads, sizeof *self->placed_gate);
+    if (self->thread == NULL || self->gate == NULL || self->placed_gate == NULL) {
         return false;
     }
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].finite = self->thread[t].all_finite = true;
         clod_gate_init(&self->gate[t], self->threads);
+        clod_gate_init(&self->placed_gate[t], self->threads);
     }
     return true;
 }
@@ -192,8 +196,11 @@ void clod_step_fini(clod_step *self)
     clod_near_fini(&self->near);
     clod_memory_free(self->thread);
     clod_memory_free(self->gate);
+    clod_memory_free(self->placed_gate);
     clod_memory_free(self->moving);
     clod_memory_free(self->feeling);
+    clod_memory_free(self->placed);
+    clod_memory_free(self->is_near);
     clod_wall_rows_fini(&self->walls);
     *self = (clod_step){0};
 }

@@ -46,6 +46,11 @@ typedef struct clod_step_remake {
     clod_near_job job;
 } clod_step_remake;
 
+/** A shape of a wall. */
+typedef struct clod_step_shape {
+    int32_t wall, shape;
+} clod_step_shape;
+
 typedef struct clod_step {
     clod_state *state;     ///< borrowed
     const clod_laws *laws; ///< borrowed; adhesion may change between calls of advance
@@ -54,12 +59,17 @@ typedef struct clod_step {
     clod_barrier barrier;
     clod_step_thread *thread; ///< [threads]
     clod_gate *gate; ///< [near.parts] opened when a law's shares for earlier parts are there
+    clod_gate *placed_gate;   ///< [threads] opened when a thread's shapes of walls are placed
     clod_neighbour neighbour; ///< candidates
     clod_near near;           ///< contact blocks
     clod_wall_rows walls;     ///< where they are in this step
     int32_t *moving;          ///< [moving_count] walls that can move
     int32_t *feeling; ///< [feeling_count] walls with contacts, a load, or a force before
     int32_t moving_count, feeling_count;
+    clod_step_shape *placed; ///< [placed_count] shapes of moving walls with grains near
+    size_t placed_count;
+    uint8_t *is_near;      ///< scratch [shapes]: whether grains are near
+    bool felt_finite;      ///< what walls felt in the last step
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
     clod_step_remake remake;
     int64_t begin; ///< step of the state when it was taken
@@ -156,7 +166,7 @@ void clod_step_fini(clod_step *self);
 /** Before steps: which walls can move in them; rows of all walls for where they are. */
 void clod_step_list_moving(clod_step *self);
 
-/** After a near list is made: which walls a step adds up. */
+/** After a near list is made: which walls a step adds up, and which shapes it moves. */
 void clod_step_list_feeling(clod_step *self);
 
 /** After steps: how many went into the sums of every wall. */
@@ -165,6 +175,7 @@ void clod_step_count_steps(clod_step *self, int64_t steps);
 // ---- stages, in the order of the table (stages.h); `part` is the thread's number
 
 void clod_step_drift(clod_step *self, int part);
+void clod_step_place(clod_step *self, int part);
 void clod_step_near(clod_step *self, int part);
 void clod_step_contact(clod_step *self, int part);
 void clod_step_wall(clod_step *self, int part);

@@ -32,6 +32,16 @@ static bool report_not_finite(const clod_state *state, clod_status *status)
                 (long long)state->step, (unsigned long long)state->grains.id[g], state->dt);
         }
     }
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        const clod_vec3 force = state->walls.wall[w].force;
+        if (!isfinite(force.x + force.y + force.z)) {
+            return clod_status_fail(
+                status, CLOD_FAILED,
+                "step %lld: the force on wall '%s' is not a finite number, or beyond 4e15 N; "
+                "the time step (%g s) is most likely too large, see clod check",
+                (long long)state->step, state->walls.wall[w].name, state->dt);
+        }
+    }
     return clod_status_fail(status, CLOD_FAILED,
                             "step %lld: a velocity is out of all bounds; the time step (%g s) "
                             "is most likely too large, see clod check",
@@ -61,7 +71,7 @@ static double wall_overlap_fraction(const clod_step *self, const clod_wall_candi
 typedef struct worst_overlap {
     double fraction; ///< of the radius; 0: there is none
     int32_t i, j;    ///< j < 0: with a wall
-    int32_t wall;
+    int32_t wall, shape;
 } worst_overlap;
 
 static worst_overlap find_worst(const clod_step *self)
@@ -73,7 +83,7 @@ static worst_overlap find_worst(const clod_step *self)
             const int32_t j = (int32_t)pairs->item[k].j;
             const double fraction = overlap_fraction(self, (int32_t)i, j);
             if (fraction > worst.fraction) {
-                worst = (worst_overlap){fraction, (int32_t)i, j, -1};
+                worst = (worst_overlap){fraction, (int32_t)i, j, -1, -1};
             }
         }
     }
@@ -81,7 +91,7 @@ static worst_overlap find_worst(const clod_step *self)
         const clod_wall_candidate *c = &self->neighbour.walls.item[k];
         const double fraction = wall_overlap_fraction(self, c);
         if (fraction > worst.fraction) {
-            worst = (worst_overlap){fraction, c->i, -1, c->wall};
+            worst = (worst_overlap){fraction, c->i, -1, c->wall, c->shape};
         }
     }
     return worst;
@@ -101,7 +111,8 @@ static deep_contact describe(const clod_step *self, const worst_overlap *worst)
     const double mass = grains->motion[worst->i][3];
     const bool wall = worst->j < 0;
     const int32_t material =
-        wall ? self->state->walls.wall[worst->wall].material : grains->material[worst->j];
+        wall ? clod_wall_material(&self->state->walls.wall[worst->wall], worst->shape)
+             : grains->material[worst->j];
     const int32_t law = clod_laws_index(self->laws, grains->material[worst->i], material);
     deep_contact deep = {.law = &self->laws->law[law], .r_star = a, .m_star = mass};
     deep.overlap = worst->fraction * a;

@@ -128,8 +128,9 @@ static bool try_shape(clod_neighbour *self, const clod_state *state, const clod_
         !clod_room_for_one(&walls->item, &walls->capacity, walls->count, sizeof *walls->item)) {
         return false;
     }
-    const int32_t law = clod_laws_index(laws, state->grains.material[g],
-                                        state->walls.wall[shape->wall].material);
+    const int32_t law =
+        clod_laws_index(laws, state->grains.material[g],
+                        clod_wall_material(&state->walls.wall[shape->wall], shape->shape));
     walls->item[walls->count++] = (clod_wall_candidate){
         .i = (int32_t)g, .wall = shape->wall, .shape = shape->shape, .law = law};
     return true;

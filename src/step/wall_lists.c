@@ -1,5 +1,7 @@
 // Which walls a step has to do with: those that can move, and those that feel something. All
 // others cost nothing, however many there are.
+#include <string.h>
+
 #include "step/step.h"
 
 static bool can_move(const clod_wall *wall)
@@ -27,17 +29,45 @@ void clod_step_list_moving(clod_step *self)
     }
 }
 
+/** Shapes of walls that can move, where grains are near: the others are placed with a list. */
+static void list_placed(clod_step *self)
+{
+    const clod_walls *walls = &self->state->walls;
+    const int32_t *first = self->walls.first_shape;
+    self->placed_count = 0;
+    if (self->moving_count == 0) {
+        return;
+    }
+    memset(self->is_near, 0, (size_t)first[walls->count]);
+    const clod_wall_block *block = self->near.walls.block;
+    for (size_t at = 0; at < self->near.walls.count * CLOD_LANES; at++) {
+        const int32_t shape = block[at / CLOD_LANES].shape[at % CLOD_LANES] / CLOD_SHAPE_ROWS;
+        if (shape < first[walls->count]) { // not a padding lane
+            self->is_near[shape] = 1;
+        }
+    }
+    for (int32_t k = 0; k < self->moving_count; k++) {
+        const int32_t w = self->moving[k];
+        for (int32_t s = 0; s < walls->wall[w].shape_count; s++) {
+            if (self->is_near[first[w] + s] != 0) {
+                self->placed[self->placed_count++] = (clod_step_shape){w, s};
+            }
+        }
+    }
+}
+
 void clod_step_list_feeling(clod_step *self)
 {
     const clod_walls *walls = &self->state->walls;
-    const int32_t *slots = self->near.wall_slot_start;
+    const int32_t *sums = self->near.sum_start;
     self->feeling_count = 0;
     for (int32_t w = 0; w < walls->count; w++) {
         const clod_wall *wall = &walls->wall[w];
-        if (slots[w] < slots[w + 1] || wall->load != CLOD_LOAD_NONE || has_felt(wall)) {
+        if (sums[w] < sums[w + 1] || wall->load != CLOD_LOAD_NONE || has_felt(wall)) {
             self->feeling[self->feeling_count++] = w;
         }
     }
+    list_placed(self);
 }
 
 void clod_step_count_steps(clod_step *self, int64_t steps)

@@ -289,16 +289,25 @@ static double any_coordinate(dice *roll)
                                    : 0.5 * (dice_pick(roll, 17) - 8);
 }
 
-/** Lanes with shapes of all kinds: what one lane at a time gives, to the last bit. */
+/** A shape of one form, as rows. */
+static void shape_of(clod_wall_form form, dice *roll, double row[4][4])
+{
+    do {
+        const clod_shape s = any_shape(roll);
+        clod_wall_shape_rows(&s, row);
+    } while (clod_wall_form_of(row[0][3]) != form);
+}
+
+/** Lanes with shapes of each form: what one lane at a time gives, to the last bit. */
 static void check_closest(const vocabulary *v)
 {
     dice roll = {6};
     int on = 0;
     for (int k = 0; k < 20000; k++) {
         double in[19][8], row[8][4][4], out[4][8];
+        const clod_wall_form form = (clod_wall_form)(k % CLOD_FORMS);
         for (int l = 0; l < 8; l++) {
-            const clod_shape s = any_shape(&roll);
-            clod_wall_shape_rows(&s, row[l]);
+            shape_of(form, &roll, row[l]);
             for (int c = 0; c < 16; c++) {
                 in[c][l] = row[l][c / 4][c % 4];
             }
@@ -306,7 +315,7 @@ static void check_closest(const vocabulary *v)
                 in[c][l] = any_coordinate(&roll);
             }
         }
-        v->closest(in, out);
+        v->closest(form, in, out);
         for (int l = 0; l < 8; l++) {
             const clod_vec3 p = {in[16][l], in[17][l], in[18][l]};
             const clod_gap gap = clod_wall_gap_rows((const double(*)[4])row[l], p);

@@ -118,14 +118,15 @@ static void vectors(double (*in)[8], double (*out)[8])
     }
 }
 
-static void closest(double (*in)[8], double (*out)[8])
+static void closest(int form, double (*in)[8], double (*out)[8])
 {
     for (int l = 0; l < VOCABULARY_LANES; l += CLOD_WIDTH) {
         vreal s[4][4];
         for (int c = 0; c < 16; c++) {
             s[c / 4][c % 4] = vreal_load(&in[c][l]);
         }
-        const clod_wall_closest at = clod_wall_closest_point(s, vreal3_load(in + 16, l));
+        const clod_wall_closest at =
+            clod_wall_closest_point((clod_wall_form)form, s, vreal3_load(in + 16, l));
         vreal_store(&out[0][l], at.distance);
         vreal3_store(out + 1, l, at.normal);
     }

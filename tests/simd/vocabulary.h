@@ -44,7 +44,7 @@ typedef struct vocabulary {
     /** Rows of out: a + b, a - b, a x b, a + s b, s a, (a.b, a.a, 0); s is in[6]. */
     void (*vectors)(double (*in)[8], double (*out)[8]);
     /** Closest points: `in` has 16 rows of a shape and x, y, z; out distance and normal. */
-    void (*closest)(double (*in)[8], double (*out)[8]);
+    void (*closest)(int form, double (*in)[8], double (*out)[8]);
 } vocabulary;
 
 extern const vocabulary vocabulary_scalar;

@@ -34,7 +34,7 @@ static void rewind_to(scene *s, const clod_state *start)
     assert_true(clod_neighbour_sort(&s->step.neighbour, &s->state, &status) &&
                 clod_neighbour_build(&s->step.neighbour, &s->state, &s->laws, &status) &&
                 clod_near_make(&job, &status));
-    s->step.view.wall_slots = s->step.near.wall_slots;
+    s->step.view.wall_sum = s->step.near.wall_sum;
 }
 
 static void check_warm(bed_kind kind, int threads)
