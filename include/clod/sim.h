@@ -217,9 +217,10 @@ bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t
 
 /** A wall as it is now. Forces and torques are those of the grains on the wall. */
 typedef struct clod_sim_wall {
-    const char *name;   ///< valid as long as the simulation
-    double position[3]; ///< m, moved from where the case puts it
-    double angle;       ///< rad, turned about its spin axis
+    const char *name;      ///< valid as long as the simulation
+    double position[3];    ///< m, moved from where the case puts it
+    double orientation[4]; ///< w, x, y, z: from the frame in which it was given to space
+    double angle;          ///< rad, turned about its spin axis since that axis was set
     double velocity[3]; ///< m/s, of the wall's material: motion, load servo, oscillation, belt
     double spin;        ///< rad/s about its spin axis
     double force[3];    ///< N, last step
@@ -261,6 +262,31 @@ bool clod_sim_set_wall_surface_velocity(clod_sim *self, int32_t wall, const doub
                                         clod_status *status);
 bool clod_sim_set_wall_spin(clod_sim *self, int32_t wall, double spin, clod_status *status);
 bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_status *status);
+
+/**
+ * Turn a wall at once to an orientation: the unit quaternion w, x, y, z (Hamilton) from the
+ * frame in which its shapes were given to space, about the point of its spin axis (which moves
+ * with the wall). With clod_sim_set_wall_position this is any pose.
+ *
+ * @param orientation  [4]; made to length 1
+ * Errors  CLOD_USAGE: no such wall, numbers that are not finite or all 0, a wall that
+ *         oscillates; nothing is changed.   Test  tests/sim/test_sim.c
+ */
+bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double orientation[4],
+                                   clod_status *status);
+
+/**
+ * Let a wall turn with an angular velocity about a point from now on; it stays where it is.
+ *
+ * A new axis or point costs a rebuild of the neighbour lists, another speed does not.
+ *
+ * @param velocity  [3] rad/s; 0 stops the turning and leaves the axis as it is
+ * @param point     [3] m, in space
+ * Errors  CLOD_USAGE: no such wall, a number that is not finite, a plane that would turn out of
+ *         itself, a wall that oscillates; nothing is changed.   Test  tests/sim/test_sim.c
+ */
+bool clod_sim_set_wall_angular_velocity(clod_sim *self, int32_t wall, const double velocity[3],
+                                        const double point[3], clod_status *status);
 
 /**
  * Put a wall elsewhere at once; what it meets there it overlaps.

@@ -113,6 +113,22 @@ class Wall:
         self._simulation._call(lib.clod_sim_set_wall_spin, self._index(), float(value))
 
     @property
+    def orientation(self):
+        """Quaternion w, x, y, z from the frame in which the wall was given; may be set."""
+        return self._vector("orientation")
+
+    @orientation.setter
+    def orientation(self, value):
+        self._simulation._call(lib.clod_sim_set_wall_orientation, self._index(),
+                               ffi.new("double[4]", list(value)))
+
+    def set_angular_velocity(self, value, point):
+        """rad/s about a point of space (m) from now on; the wall stays where it is."""
+        self._simulation._call(lib.clod_sim_set_wall_angular_velocity, self._index(),
+                               ffi.new("double[3]", list(value)),
+                               ffi.new("double[3]", list(point)))
+
+    @property
     def load(self):
         """N that the load of the case aims at; may be set."""
         return self._look().load

@@ -26,10 +26,12 @@
 
 /** Rows of a shape: where it is (wall_closest.h), and how its material moves. */
 enum {
-    CLOD_SHAPE_VELOCITY = 4, ///< m/s, where `lever` is 0; [3]: m/s, along a direction
-    CLOD_SHAPE_SPIN,         ///< rad/s
+    CLOD_SHAPE_VELOCITY = 4, ///< m/s, of the wall where `lever` is 0; [3]: 1 with a belt
+    CLOD_SHAPE_SPIN,         ///< rad/s, of the wall
     CLOD_SHAPE_ORIGIN,       ///< m, from where levers and the torque on the wall are taken
-    CLOD_SHAPE_DIRECTION,    ///< unit; projected onto the surface
+    CLOD_SHAPE_BELT,         ///< m/s, of the belt where `lever` is 0; [3]: along a direction
+    CLOD_SHAPE_BELT_SPIN,    ///< rad/s, of the belt
+    CLOD_SHAPE_DIRECTION,    ///< unit, in which the belt runs, projected onto the surface
     CLOD_SHAPE_ROWS
 };
 

@@ -20,9 +20,8 @@ bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls)
     self->pose = clod_memory_alloc(count + 1, sizeof *self->pose);
     self->motion = clod_memory_alloc(count + 1, sizeof *self->motion);
     self->reach = clod_memory_alloc(count + 1, sizeof *self->reach);
-    self->belts = clod_memory_alloc(count + 1, sizeof *self->belts);
     if (self->shape == NULL || self->first_shape == NULL || self->pose == NULL ||
-        self->motion == NULL || self->reach == NULL || self->belts == NULL) {
+        self->motion == NULL || self->reach == NULL) {
         clod_wall_rows_fini(self);
         return false;
     }
@@ -36,7 +35,6 @@ bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls)
         self->first_shape[w + 1] = self->first_shape[w] + walls->wall[w].shape_count;
         self->pose[w][0] = NAN; // nowhere yet
         self->reach[w] = clod_wall_reach(&walls->wall[w]);
-        self->belts[w] = clod_wall_has_belts(&walls->wall[w]);
         clod_wall_rows_place(self, w, &walls->wall[w]);
     }
     return true;
@@ -88,22 +86,24 @@ static void place_shape(const clod_wall_stand *self, const clod_shape *shape, do
  */
 static void place_motion(const clod_wall_stand *self, const clod_belt *belt, double (*row)[4])
 {
-    clod_vec3 velocity = self->velocity, spin = self->spin;
-    if (clod_belt_moves(belt)) {
-        const clod_wall_pose *pose = &self->now;
+    const clod_wall_pose *pose = &self->now;
+    const clod_vec3 all = self->wall->surface_velocity;
+    put(row[CLOD_SHAPE_VELOCITY], self->velocity);
+    put(row[CLOD_SHAPE_SPIN], self->spin);
+    put(row[CLOD_SHAPE_ORIGIN], pose->origin);
+    const bool moves = clod_belt_moves(belt) || all.x != 0.0 || all.y != 0.0 || all.z != 0.0;
+    row[CLOD_SHAPE_VELOCITY][3] = moves ? 1.0 : 0.0;
+    if (moves) {
         const clod_vec3 turning =
             clod_vec3_scale(clod_wall_to_space(pose, belt->spin_axis), belt->spin);
         const clod_vec3 point = clod_wall_point_to_space(pose, belt->spin_point);
         const clod_vec3 arm = clod_vec3_sub(pose->origin, point);
-        velocity = clod_vec3_add(velocity, clod_wall_to_space(pose, belt->velocity));
-        velocity = clod_vec3_add(velocity, clod_vec3_cross(turning, arm));
-        spin = clod_vec3_add(spin, turning);
+        const clod_vec3 b = clod_vec3_add(all, clod_wall_to_space(pose, belt->velocity));
+        put(row[CLOD_SHAPE_BELT], clod_vec3_add(b, clod_vec3_cross(turning, arm)));
+        put(row[CLOD_SHAPE_BELT_SPIN], turning);
+        put(row[CLOD_SHAPE_DIRECTION], clod_wall_to_space(pose, belt->direction));
+        row[CLOD_SHAPE_BELT][3] = belt->speed;
     }
-    put(row[CLOD_SHAPE_VELOCITY], velocity);
-    row[CLOD_SHAPE_VELOCITY][3] = belt->speed;
-    put(row[CLOD_SHAPE_SPIN], spin);
-    put(row[CLOD_SHAPE_ORIGIN], self->now.origin);
-    put(row[CLOD_SHAPE_DIRECTION], clod_wall_to_space(&self->now, belt->direction));
 }
 
 void clod_wall_rows_place_shape(clod_wall_rows *self, int32_t w, const clod_wall_stand *stand,
@@ -132,7 +132,9 @@ static bool note(clod_wall_rows *self, int32_t w, const clod_wall *wall)
     clod_wall_pose_get(wall, pose);
     const clod_vec3 v = clod_wall_velocity(wall);
     const clod_vec3 spin = clod_vec3_scale(wall->spin_axis, clod_wall_spin(wall));
-    const double motion[CLOD_WALL_MOTION_NUMBERS] = {v.x, v.y, v.z, spin.x, spin.y, spin.z};
+    const clod_vec3 u = wall->surface_velocity;
+    const double motion[CLOD_WALL_MOTION_NUMBERS] = {v.x,    v.y, v.z, spin.x, spin.y,
+                                                     spin.z, u.x, u.y, u.z};
     const bool moved = renew(self->pose[w], pose, CLOD_WALL_POSE_NUMBERS);
     return renew(self->motion[w], motion, CLOD_WALL_MOTION_NUMBERS) || moved;
 }
@@ -183,6 +185,5 @@ void clod_wall_rows_fini(clod_wall_rows *self)
     clod_memory_free(self->pose);
     clod_memory_free(self->motion);
     clod_memory_free(self->reach);
-    clod_memory_free(self->belts);
     *self = (clod_wall_rows){0};
 }

@@ -8,9 +8,10 @@
  * A shape that its wall's turning leaves where it is (clod_shape.symmetric) is never turned,
  * and one of a wall at rest is exactly the one that was given.
  *
- * The material of a shape at a point p moves with (v + w x lever) + s t: lever = p - origin; v
- * and w are the velocity and spin of wall and belt together; t is the unit vector along the
- * projection of a direction onto the surface, s the speed along it.
+ * The material of a shape at a point p moves with v + w x lever + u: lever = p - origin; v and
+ * w are the velocity and spin of the wall; u = b + w_b x lever + s t without what of it is
+ * normal to the surface is that of the belt, t the unit vector along the projection of a
+ * direction onto the surface.
  */
 
 #include <math.h>
@@ -21,7 +22,7 @@
 #include "state/walls.h"
 
 /** Numbers that a wall's rows follow from: pose, and motion of the wall. */
-#define CLOD_WALL_MOTION_NUMBERS 6
+#define CLOD_WALL_MOTION_NUMBERS 9
 
 typedef struct clod_wall_rows {
     double (*shape)[4];   ///< [(shapes + CLOD_FORMS) * CLOD_SHAPE_ROWS]; the last for padding
@@ -29,7 +30,6 @@ typedef struct clod_wall_rows {
     double (*pose)[CLOD_WALL_POSE_NUMBERS];     ///< [walls] that all rows of a wall are for
     double (*motion)[CLOD_WALL_MOTION_NUMBERS]; ///< [walls] the same
     double *reach;                              ///< [walls] clod_wall_reach [m]
-    bool *belts;                                ///< [walls] clod_wall_has_belts
 } clod_wall_rows;
 
 /** How a wall stands and moves, in all that its shapes need to know of it. */

@@ -42,7 +42,8 @@ static size_t shape_triangles(const clod_shape *shape)
 /** A point of the wall's frame, in space. */
 static clod_vec3 to_space(const clod_wall *wall, clod_vec3 point)
 {
-    const clod_vec3 arm = clod_vec3_sub(point, wall->spin_point);
+    const clod_vec3 arm =
+        clod_quat_rotate(clod_wall_orientation(wall), clod_vec3_sub(point, wall->spin_point));
     const clod_vec3 turned = clod_vec3_rotate(arm, wall->spin_axis, wall->angle);
     return clod_vec3_add(turned, clod_vec3_add(wall->spin_point, wall->shift));
 }
@@ -58,6 +59,7 @@ static clod_vec3 shape_point(const clod_shape *shape, double a, double b, double
 /** Add a triangle given in the wall's frame. */
 static void draw(clod_mesh_pen *pen, clod_vec3 a, clod_vec3 b, clod_vec3 c)
 {
+    const int32_t shape = (int32_t)(pen->shape - pen->wall->shapes);
     const clod_vec3 corners[3] = {to_space(pen->wall, a), to_space(pen->wall, b),
                                   to_space(pen->wall, c)};
     clod_wall_mesh *mesh = pen->mesh;
@@ -68,11 +70,12 @@ static void draw(clod_mesh_pen *pen, clod_vec3 a, clod_vec3 b, clod_vec3 c)
         sum = clod_vec3_add(sum, corners[v]);
     }
     const clod_vec3 middle = clod_vec3_scale(sum, 1.0 / 3.0);
-    const clod_vec3 velocity = clod_wall_velocity_at(pen->wall, middle);
+    const clod_vec3 normal = clod_vec3_unit(clod_vec3_cross(
+        clod_vec3_sub(corners[1], corners[0]), clod_vec3_sub(corners[2], corners[0])));
+    const clod_vec3 velocity = clod_wall_material_velocity(pen->wall, shape, middle, normal);
     memcpy(mesh->velocity[t], &velocity, sizeof mesh->velocity[t]);
     mesh->wall[t] = pen->number;
-    mesh->material[t] =
-        clod_wall_material(pen->wall, (int32_t)(pen->shape - pen->wall->shapes));
+    mesh->material[t] = clod_wall_material(pen->wall, shape);
 }
 
 static void draw_quad(clod_mesh_pen *pen, const clod_vec3 q[4])

@@ -54,8 +54,11 @@ bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
                             .mean_steps = from->sum_steps,
                             .loaded = from->load != CLOD_LOAD_NONE,
                             .load = from->load != CLOD_LOAD_NONE ? from->load_force : 0.0};
+    const clod_quat turned = clod_quat_about(from->spin_axis, from->angle);
+    const clod_quat q = clod_quat_product(turned, clod_wall_orientation(from));
+    memcpy(view->orientation, (double[4]){q.w, q.x, q.y, q.z}, sizeof view->orientation);
     put(view->position, from->shift);
-    put(view->velocity, clod_wall_velocity(from));
+    put(view->velocity, clod_vec3_add(clod_wall_velocity(from), from->surface_velocity));
     put(view->force, from->force);
     put(view->torque, from->torque);
     put(view->mean_force, clod_vec3_scale(from->sum_force, share));
@@ -86,6 +89,17 @@ bool clod_sim_set_wall_surface_velocity(clod_sim *self, int32_t wall, const doub
     return true;
 }
 
+/** Whether a wall has an endless plane that would turn out of itself; then it is an error. */
+static bool would_tilt(const clod_wall *wall, const char *function, clod_status *status)
+{
+    return clod_wall_plane_across(wall) >= 0 &&
+           !clod_status_fail(
+               status, CLOD_USAGE,
+               "%s: the wall '%s' has a plane that would turn out of itself; only "
+               "planes across the spin axis can turn",
+               function, wall->name);
+}
+
 bool clod_sim_set_wall_spin(clod_sim *self, int32_t wall, double spin, clod_status *status)
 {
     if (!has_wall(self, wall, __func__, status)) {
@@ -96,13 +110,80 @@ bool clod_sim_set_wall_spin(clod_sim *self, int32_t wall, double spin, clod_stat
         return clod_status_fail(status, CLOD_USAGE, "%s: spin is %g; give a finite number",
                                 __func__, spin);
     }
-    for (int32_t s = 0; spin != 0.0 && s < to->shape_count; s++) {
-        if (to->shapes[s].kind == CLOD_SHAPE_PLANE && !to->shapes[s].symmetric) {
-            return clod_status_fail(status, CLOD_USAGE,
-                                    "%s: the wall '%s' has a plane that would turn out of "
-                                    "itself; only planes across the spin axis can turn",
-                                    __func__, to->name);
+    if (spin != 0.0 && would_tilt(to, __func__, status)) {
+        return false;
+    }
+    to->spin = spin;
+    return true;
+}
+
+/** A wall that can be put at another pose: one that oscillates has its pose from that. */
+static bool has_free_wall(const clod_sim *self, int32_t wall, const char *function,
+                          clod_status *status)
+{
+    if (!has_wall(self, wall, function, status)) {
+        return false;
+    }
+    const clod_wall *it = &self->state.walls.wall[wall];
+    return it->oscillation.frequency == 0.0 ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "%s: the wall '%s' oscillates, which gives its pose", function,
+                            it->name);
+}
+
+bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double orientation[4],
+                                   clod_status *status)
+{
+    if (!has_free_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(orientation, status)) {
+        return false;
+    }
+    double square = 0.0;
+    for (int k = 0; k < 4; k++) {
+        square += orientation[k] * orientation[k];
+    }
+    if (!(square > 0.0 && isfinite(square))) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "%s: orientation is %g, %g, %g, %g; give a quaternion w, x, y, z "
+            "with finite numbers that are not all 0",
+            __func__, orientation[0], orientation[1], orientation[2], orientation[3]);
+    }
+    clod_sim_moved(self);
+    clod_wall_set_orientation(
+        &self->state.walls.wall[wall],
+        (clod_quat){orientation[0], orientation[1], orientation[2], orientation[3]});
+    return true;
+}
+
+bool clod_sim_set_wall_angular_velocity(clod_sim *self, int32_t wall, const double velocity[3],
+                                        const double point[3], clod_status *status)
+{
+    if (!has_free_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(velocity, status) ||
+        !CLOD_SIM_GIVEN(point, status) ||
+        !clod_sim_finite(velocity, __func__, "velocity", status) ||
+        !clod_sim_finite(point, __func__, "point", status)) {
+        return false;
+    }
+    clod_wall *to = &self->state.walls.wall[wall];
+    const clod_vec3 omega = {velocity[0], velocity[1], velocity[2]};
+    const double spin = clod_vec3_length(omega);
+    if (spin == 0.0) {
+        to->spin = 0.0;
+        return true;
+    }
+    const clod_vec3 axis = clod_vec3_scale(omega, 1.0 / spin), is = to->spin_axis;
+    const clod_vec3 at = clod_vec3_add(to->spin_point, to->shift);
+    const bool same = axis.x == is.x && axis.y == is.y && axis.z == is.z && at.x == point[0] &&
+                      at.y == point[1] && at.z == point[2];
+    if (!same) {
+        const clod_wall before = *to;
+        clod_wall_set_spin_axis(to, axis, (clod_vec3){point[0], point[1], point[2]});
+        if (would_tilt(to, __func__, status)) {
+            *to = before;
+            clod_wall_find_symmetry(to);
+            return false;
         }
+        clod_sim_moved(self);
     }
     to->spin = spin;
     return true;
@@ -129,18 +210,12 @@ bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_sta
 bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double position[3],
                                 clod_status *status)
 {
-    if (!has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(position, status) ||
+    if (!has_free_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(position, status) ||
         !clod_sim_finite(position, __func__, "position", status)) {
         return false;
     }
-    clod_wall *to = &self->state.walls.wall[wall];
-    if (to->oscillation.frequency > 0.0) {
-        return clod_status_fail(status, CLOD_USAGE,
-                                "%s: the wall '%s' oscillates, which gives its position",
-                                __func__, to->name);
-    }
     clod_sim_moved(self);
-    to->shift = (clod_vec3){position[0], position[1], position[2]};
+    self->state.walls.wall[wall].shift = (clod_vec3){position[0], position[1], position[2]};
     return true;
 }
 

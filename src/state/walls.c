@@ -54,8 +54,42 @@ int32_t clod_wall_plane_across(const clod_wall *self)
     return -1;
 }
 
+/** A direction of the frame in space, where the wall is now. */
+static clod_vec3 to_space(const clod_wall *self, clod_vec3 direction)
+{
+    return clod_vec3_rotate(oriented(self, direction), self->spin_axis, self->angle);
+}
+
+/** Without what of it is along the normal. */
+static clod_vec3 flat(clod_vec3 v, clod_vec3 normal)
+{
+    return clod_vec3_axpy(v, -clod_vec3_dot(v, normal), normal);
+}
+
+clod_vec3 clod_wall_material_velocity(const clod_wall *self, int32_t shape, clod_vec3 point,
+                                      clod_vec3 normal)
+{
+    const clod_belt *belt = &self->shapes[shape].belt;
+    const clod_vec3 origin = clod_vec3_add(self->spin_point, self->shift);
+    const clod_vec3 arm = clod_vec3_sub(belt->spin_point, self->spin_point);
+    const clod_vec3 centre = clod_vec3_add(origin, to_space(self, arm));
+    const clod_vec3 turning = clod_vec3_scale(to_space(self, belt->spin_axis), belt->spin);
+    const clod_vec3 along = flat(to_space(self, belt->direction), normal);
+    const double square = clod_vec3_dot(along, along);
+    clod_vec3 v = clod_vec3_add(self->surface_velocity, to_space(self, belt->velocity));
+    v = clod_vec3_add(v, clod_vec3_cross(turning, clod_vec3_sub(point, centre)));
+    if (square > CLOD_BELT_ACROSS) {
+        v = clod_vec3_axpy(v, belt->speed / sqrt(square), along);
+    }
+    return clod_vec3_add(clod_wall_velocity_at(self, point), flat(v, normal));
+}
+
 bool clod_wall_has_belts(const clod_wall *self)
 {
+    const clod_vec3 all = self->surface_velocity;
+    if (all.x != 0.0 || all.y != 0.0 || all.z != 0.0) {
+        return true;
+    }
     for (int32_t s = 0; s < self->shape_count; s++) {
         if (clod_belt_moves(&self->shapes[s].belt)) {
             return true;

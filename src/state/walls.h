@@ -14,7 +14,8 @@
 
 /**
  * How the material of a surface moves while the surface stays where it is, beside what its wall
- * does: a belt. In the frame of the wall; all zero: not at all.
+ * does: a belt. In the frame of the wall; all zero: not at all. Material moves along its
+ * surface only: of the sum of all parts what is normal to the surface does not count.
  */
 typedef struct clod_belt {
     clod_vec3 velocity;  ///< m/s, the same everywhere
@@ -25,9 +26,10 @@ typedef struct clod_belt {
     clod_vec3 spin_point; ///< m
 } clod_belt;
 
-/**
- * A surface in the frame of its wall: the frame in which it was given.
- */
+/** Squared length of a direction's projection below which it is normal to the surface. */
+#define CLOD_BELT_ACROSS 1e-12
+
+/** A surface in the frame of its wall: the frame in which it was given. */
 typedef struct clod_shape {
     clod_shape_kind kind;
     int32_t material; ///< 1 + number of its own material; 0: that of its wall
@@ -57,7 +59,7 @@ typedef struct clod_wall {
     clod_shape *shapes; ///< owned
     // motion
     clod_vec3 velocity;         ///< m/s, of the whole wall; the servo adds to it
-    clod_vec3 surface_velocity; ///< m/s, of all surfaces, in space; their belts add to it
+    clod_vec3 surface_velocity; ///< m/s, a belt of all shapes, in space; their own add to it
     double spin;                ///< rad/s
     clod_vec3 spin_axis;        ///< unit, in space
     clod_vec3 spin_point;       ///< m, in the frame of the wall
@@ -95,11 +97,10 @@ typedef struct clod_walls {
     clod_wall *wall; ///< owned
 } clod_walls;
 
-/** Velocity of the wall without that of its turning, and without its shapes' belts [m/s]. */
+/** Velocity of the wall without that of its turning, and without its belts [m/s]. */
 static inline clod_vec3 clod_wall_velocity(const clod_wall *self)
 {
-    clod_vec3 v = clod_vec3_add(self->velocity, self->surface_velocity);
-    v = clod_vec3_axpy(v, self->servo_velocity, self->load_axis);
+    const clod_vec3 v = clod_vec3_axpy(self->velocity, self->servo_velocity, self->load_axis);
     return clod_vec3_add(v, self->sway_velocity);
 }
 
@@ -109,7 +110,7 @@ static inline double clod_wall_spin(const clod_wall *self)
     return self->spin + self->sway_spin;
 }
 
-/** Velocity of the wall at a point of space [m/s], without its shapes' belts. */
+/** Velocity of the wall at a point of space [m/s], without its belts. */
 static inline clod_vec3 clod_wall_velocity_at(const clod_wall *self, clod_vec3 point)
 {
     const clod_vec3 origin = clod_vec3_add(self->spin_point, self->shift);
@@ -160,8 +161,17 @@ static inline bool clod_belt_moves(const clod_belt *self)
     return v.x != 0.0 || v.y != 0.0 || v.z != 0.0 || self->speed != 0.0 || self->spin != 0.0;
 }
 
-/** Whether any of its shapes has a belt. */
+/** Whether the material of any of its shapes moves beside it. */
 bool clod_wall_has_belts(const clod_wall *self);
+
+/**
+ * Velocity of the material of a shape at a point of its surface [m/s], with wall and belts.
+ *
+ * @param point   m, in space
+ * @param normal  unit, of the surface there
+ */
+clod_vec3 clod_wall_material_velocity(const clod_wall *self, int32_t shape, clod_vec3 point,
+                                      clod_vec3 normal);
 
 /**
  * Give the wall another orientation, turned about its spin point: the pose at angle 0, and the

@@ -31,9 +31,9 @@ typedef struct clod_kernel_view {
 
 /** Columns of what a wall feels by each of its contacts. */
 enum {
-    CLOD_FELT_FORCE = 0,  ///< N, [3]: of the grain on the wall
-    CLOD_FELT_POWER = 3,  ///< W, of wall and belt on the grain
-    CLOD_FELT_TORQUE = 4, ///< N m, [3]: of the grain on the wall, about its origin
+    CLOD_FELT_FORCE = 0,      ///< N, [3]: of the grain on the wall
+    CLOD_FELT_BELT_POWER = 3, ///< W, of the belt on the grain
+    CLOD_FELT_TORQUE = 4,     ///< N m, [3]: of the grain on the wall, about its origin
 };
 
 /** What the contacts of a block turned into heat in one step [J]. */

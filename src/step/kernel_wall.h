@@ -5,30 +5,50 @@
  */
 
 #include "geometry/wall_closest.h"
+#include "state/walls.h"
 #include "step/kernel_contact.h"
-
-/** Squared length of a unit vector's projection below which it is normal to the surface. */
-#define KERNEL_WALL_ACROSS 1e-12
 
 /** How grains meet shapes of walls. */
 typedef struct kernel_wall_meeting {
     clod_law_motion motion;
-    vreal3 velocity; ///< m/s, of the wall's material at the contact
-    vreal3 lever;    ///< m, from the point about which the wall turns to the contact
+    vreal3 velocity;  ///< m/s, of the wall's material at the contact
+    vreal3 lever;     ///< m, from the point about which the wall turns to the contact
+    vreal3 belt;      ///< m/s, the part of the velocity that is the belt's
+    vreal3 belt_spin; ///< rad/s
 } kernel_wall_meeting;
 
-/** Velocity of belts along the projection of their directions onto the surface. */
-static inline vreal3 kernel_wall_along(const clod_kernel_view *view, const int32_t *shape,
-                                       vreal speed, vreal3 normal)
+/** A vector without what of it is along the normal. */
+static inline vreal3 kernel_wall_flat(vreal3 v, vreal3 normal)
 {
-    vreal d[4];
+    return vreal3_axpy(v, -vreal3_dot(v, normal), normal);
+}
+
+/** Velocity and spin of belts (geometry/wall_rows.h); nothing where no lane has one. */
+static inline void kernel_wall_belt(const clod_kernel_view *view, const int32_t *shape,
+                                    vreal any, vreal3 normal, kernel_wall_meeting *meeting)
+{
+    const vreal zero = vreal_set(0.0);
+    const vreal3 none = {zero, zero, zero};
+    meeting->belt = meeting->belt_spin = none;
+    const vmask moves = vmask_less(zero, any);
+    if (!vmask_any(moves)) {
+        return;
+    }
+    vreal b[4], w[4], d[4];
+    vreal_load_rows(b, view->shape + CLOD_SHAPE_BELT, shape);
+    vreal_load_rows(w, view->shape + CLOD_SHAPE_BELT_SPIN, shape);
     vreal_load_rows(d, view->shape + CLOD_SHAPE_DIRECTION, shape);
-    const vreal3 direction = {d[0], d[1], d[2]};
-    const vreal3 flat = vreal3_axpy(direction, -vreal3_dot(direction, normal), normal);
-    const vreal square = vreal3_dot(flat, flat);
-    const vmask along = vmask_less(vreal_set(KERNEL_WALL_ACROSS), square);
-    const vreal length = vreal_sqrt(vreal_max(square, vreal_set(KERNEL_WALL_ACROSS)));
-    return vreal3_scale(flat, vreal_select(along, speed / length, vreal_set(0.0)));
+    const vreal3 spin = {w[0], w[1], w[2]};
+    const vreal3 turns =
+        vreal3_add((vreal3){b[0], b[1], b[2]}, vreal3_cross(spin, meeting->lever));
+    const vreal3 along = kernel_wall_flat((vreal3){d[0], d[1], d[2]}, normal);
+    const vreal least = vreal_set(CLOD_BELT_ACROSS);
+    const vreal square = vreal3_dot(along, along);
+    const vreal speed = vreal_select(vmask_less(least, square),
+                                     b[3] / vreal_sqrt(vreal_max(square, least)), zero);
+    const vreal3 belt = vreal3_axpy(turns, speed, along);
+    meeting->belt = vreal3_select(moves, kernel_wall_flat(belt, normal), none);
+    meeting->belt_spin = vreal3_select(moves, spin, none);
 }
 
 /** Geometry and kinematics of CLOD_WIDTH contacts from the rows of grains and shapes. */
@@ -50,27 +70,24 @@ static inline kernel_wall_meeting kernel_wall_meet(const clod_kernel_view *view,
     const clod_wall_closest closest = clod_wall_closest_point(form, s, centre);
     const vreal3 spin = {turns[0], turns[1], turns[2]};
     const vreal3 to_centre = vreal3_sub(centre, (vreal3){origin[0], origin[1], origin[2]});
-    const vreal3 lever = vreal3_axpy(to_centre, -closest.distance, closest.normal);
-    vreal3 velocity =
-        vreal3_add((vreal3){moves[0], moves[1], moves[2]}, vreal3_cross(spin, lever));
-    if (vmask_any(vmask_less(vreal_set(0.0), vreal_abs(moves[3])))) {
-        velocity = vreal3_add(
-            velocity, kernel_wall_along(view, &block->shape[lane], moves[3], closest.normal));
-    }
-    return (kernel_wall_meeting){
-        .motion = {.overlap = p[3] - closest.distance,
-                   .normal = closest.normal,
-                   .velocity = vreal3_sub((vreal3){v[0], v[1], v[2]}, velocity),
-                   .spin_i = {w[0], w[1], w[2]},
-                   .spin_j = spin,
-                   .arm_i = closest.distance,
-                   .arm_j = vreal_set(0.0),
-                   .m_star = v[3],
-                   .r_star = p[3],
-                   .roll_inertia = kernel_contact_inertia(v[3], p[3], w[3])},
-        .velocity = velocity,
-        .lever = lever,
-    };
+    kernel_wall_meeting meeting = {
+        .lever = vreal3_axpy(to_centre, -closest.distance, closest.normal)};
+    kernel_wall_belt(view, &block->shape[lane], moves[3], closest.normal, &meeting);
+    const vreal3 wall =
+        vreal3_add((vreal3){moves[0], moves[1], moves[2]}, vreal3_cross(spin, meeting.lever));
+    meeting.velocity = vreal3_add(wall, meeting.belt);
+    meeting.motion =
+        (clod_law_motion){.overlap = p[3] - closest.distance,
+                          .normal = closest.normal,
+                          .velocity = vreal3_sub((vreal3){v[0], v[1], v[2]}, meeting.velocity),
+                          .spin_i = {w[0], w[1], w[2]},
+                          .spin_j = vreal3_add(spin, meeting.belt_spin),
+                          .arm_i = closest.distance,
+                          .arm_j = vreal_set(0.0),
+                          .m_star = v[3],
+                          .r_star = p[3],
+                          .roll_inertia = kernel_contact_inertia(v[3], p[3], w[3])};
+    return meeting;
 }
 
 #define KERNEL_WALLS                                                                           \
@@ -78,7 +95,7 @@ static inline kernel_wall_meeting kernel_wall_meet(const clod_kernel_view *view,
 
 /** What the wall's shares need of the geometry. */
 typedef struct kernel_wall_side {
-    vreal3 lever, velocity, spin; ///< of the wall's material at the contact
+    vreal3 lever, belt, belt_spin; ///< as in kernel_wall_meeting
 } kernel_wall_side;
 
 /** First pass: geometry and kinematics. */
@@ -91,7 +108,7 @@ CLOD_LAW_PASS void kernel_wall_move(const clod_kernel_view *view, const clod_law
         const kernel_wall_meeting meeting = kernel_wall_meet(view, form, block, kernel_lane(k));
         batch->meeting[k].arm_i = meeting.motion.arm_i;
         clod_law_touch_of(law, &meeting.motion, &batch->meeting[k].touch);
-        side[k] = (kernel_wall_side){meeting.lever, meeting.velocity, meeting.motion.spin_j};
+        side[k] = (kernel_wall_side){meeting.lever, meeting.belt, meeting.belt_spin};
     }
 }
 
@@ -108,7 +125,7 @@ static inline void kernel_wall_store(const clod_kernel_view *view, vreal arm,
 
     const vreal3 moment = vreal3_add(vreal3_cross(side->lever, r.force), r.roll);
     const vreal3 kept = vreal3_select(r.closed, moment, (vreal3){zero, zero, zero});
-    const vreal power = vreal3_dot(side->velocity, r.force) + vreal3_dot(side->spin, r.roll);
+    const vreal power = vreal3_dot(side->belt, r.force) + vreal3_dot(side->belt_spin, r.roll);
     const vreal on_wall[8] = {
         -r.force.x, -r.force.y, -r.force.z, vreal_select(r.closed, power, zero),
         -kept.x,    -kept.y,    -kept.z,    zero};

@@ -100,9 +100,8 @@ static void sum_wall(clod_step *self, int32_t w)
     clod_fixed_value(&all, felt);
     wall->force = vector(&felt[CLOD_FELT_FORCE]);
     wall->torque = vector(&felt[CLOD_FELT_TORQUE]);
-    const double power = power_of(wall);
-    wall->belt_power = self->walls.belts[w] ? felt[CLOD_FELT_POWER] - power : 0.0;
-    wall->power = power + wall->belt_power;
+    wall->belt_power = felt[CLOD_FELT_BELT_POWER];
+    wall->power = power_of(wall) + wall->belt_power;
     self->felt_finite =
         self->felt_finite && isfinite(felt[0] + felt[1] + felt[2] + wall->power);
 }

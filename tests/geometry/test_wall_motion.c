@@ -21,9 +21,17 @@ static clod_wall moving_wall(void)
 static void velocity_adds_translation_servo_spin_and_surface(void **state)
 {
     (void)state;
-    const clod_wall wall = moving_wall();
-    const clod_vec3 v = clod_wall_velocity_at(&wall, (clod_vec3){4.0, 1.0, 7.0});
+    clod_wall wall = moving_wall();
+    clod_shape shape = {0};
+    wall.shapes = &shape;
+    wall.shape_count = 1;
+    const clod_vec3 at = {4.0, 1.0, 7.0}, up = {0.0, 0.0, 1.0}, y = {0.0, 1.0, 0.0};
+    const clod_vec3 rigid = clod_wall_velocity_at(&wall, at);
+    assert_true(rigid.x == 1.0 && rigid.y == 6.0 && rigid.z == -0.25);
+    const clod_vec3 v = clod_wall_material_velocity(&wall, 0, at, up);
     assert_true(v.x == 1.0 && v.y == 6.5 && v.z == -0.25);
+    const clod_vec3 across = clod_wall_material_velocity(&wall, 0, at, y);
+    assert_true(across.x == 1.0 && across.y == 6.0 && across.z == -0.25); // no belt there
 }
 
 // By hand: a box with half sizes 3, 4, 1 about the axis reaches 5; 2 rad/s makes 10 m/s.

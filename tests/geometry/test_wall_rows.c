@@ -187,6 +187,51 @@ static clod_vec3 velocity_at(const double (*row)[4], clod_vec3 p)
     return clod_vec3_add((clod_vec3){v[0], v[1], v[2]}, clod_vec3_cross(turning, arm));
 }
 
+/** Velocity of the material from the rows, as wall_rows.h says. */
+static clod_vec3 material_at(const double (*row)[4], clod_vec3 p, clod_vec3 n)
+{
+    const double *o = row[CLOD_SHAPE_ORIGIN], *b = row[CLOD_SHAPE_BELT];
+    const double *w = row[CLOD_SHAPE_BELT_SPIN], *d = row[CLOD_SHAPE_DIRECTION];
+    const clod_vec3 arm = {p.x - o[0], p.y - o[1], p.z - o[2]};
+    const clod_vec3 turning = {w[0], w[1], w[2]}, direction = {d[0], d[1], d[2]};
+    const clod_vec3 along =
+        clod_vec3_unit(clod_vec3_axpy(direction, -clod_vec3_dot(direction, n), n));
+    clod_vec3 u = clod_vec3_add((clod_vec3){b[0], b[1], b[2]}, clod_vec3_cross(turning, arm));
+    u = clod_vec3_axpy(u, b[3], along);
+    u = clod_vec3_axpy(u, -clod_vec3_dot(u, n), n);
+    return clod_vec3_add(velocity_at(row, p), u);
+}
+
+static void rows_tell_how_belts_move(void **state)
+{
+    (void)state;
+    yard y;
+    yard_init(&y);
+    clod_wall_rows_fini(&y.rows);
+    clod_wall_set_orientation(&y.wall[0], (clod_quat){0.3, -0.5, 0.2, 0.7});
+    y.wall[0].angle = 2.3;
+    for (int s = 0; s < KINDS; s++) {
+        const clod_vec3 axis = clod_vec3_unit(random_point(900 + (uint64_t)s));
+        y.shapes[s].belt = (clod_belt){.velocity = random_point(700 + (uint64_t)s),
+                                       .direction = axis,
+                                       .speed = 0.7 * s,
+                                       .spin = 1.3,
+                                       .spin_axis = {axis.y, axis.z, axis.x},
+                                       .spin_point = random_point(800 + (uint64_t)s)};
+    }
+    assert_true(clod_wall_rows_init(&y.rows, &y.walls));
+    for (uint64_t i = 0; i < POINTS; i++) {
+        const clod_vec3 p = random_point(i), n = clod_vec3_unit(random_point(i + POINTS));
+        for (int32_t s = 0; s < KINDS; s++) {
+            const double(*row)[4] =
+                (const double(*)[4])y.rows.shape + clod_wall_rows_shape(&y.rows, 0, s);
+            const clod_vec3 v = clod_wall_material_velocity(&y.wall[0], s, p, n);
+            check_close(apart(material_at(row, p, n), v), 0.0, 1e-12);
+        }
+    }
+    clod_wall_rows_fini(&y.rows);
+}
+
 static void rows_tell_how_a_wall_moves(void **state)
 {
     (void)state;
@@ -266,6 +311,7 @@ int main(void)
         cmocka_unit_test(symmetric_shape_is_the_same_at_any_angle),
         cmocka_unit_test(rows_follow_walls_that_move),
         cmocka_unit_test(rows_tell_how_a_wall_moves),
+        cmocka_unit_test(rows_tell_how_belts_move),
         cmocka_unit_test(far_is_farther_than_the_reach),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

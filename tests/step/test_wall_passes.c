@@ -99,7 +99,7 @@ static int check_contact(bench *self, const clod_law *law, int g)
     check_close(felt[CLOD_FELT_FORCE], -r.force.x, 0x1p-81);
     check_close(felt[CLOD_FELT_FORCE + 1], -r.force.y, 0x1p-81);
     check_close(felt[CLOD_FELT_FORCE + 2], -r.force.z, 0x1p-81);
-    assert_true(felt[CLOD_FELT_POWER] == 0.0); // the plane is at rest
+    assert_true(felt[CLOD_FELT_BELT_POWER] == 0.0); // the plane is at rest
     const clod_history *got = &self->block[g / CLOD_LANES].history;
     assert_true(got->plastic[lane] == history->plastic[lane]);
     assert_true(got->tangent[lane] == history->tangent[lane]);

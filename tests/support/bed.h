@@ -62,6 +62,13 @@ static inline void bed_drum(scene *self)
     base->shape_count = 2;
     base->shapes = clod_memory_grow(base->shapes, 1, 2, sizeof *base->shapes);
     base->shapes[1] = shape_box((clod_vec3){0.016, 0.0, 0.0015}, 0.012, 0.002, 0.0015);
+    base->shapes[1].material = 1 + 1;
+    base->shapes[1].belt = (clod_belt){.velocity = {0.1, 0.0, -0.05},
+                                       .speed = 0.2,
+                                       .direction = {0.0, 0.6, 0.8},
+                                       .spin = 3.0,
+                                       .spin_axis = {0.0, 1.0, 0.0},
+                                       .spin_point = {0.01, 0.0, 0.0}};
     base->spin = 8.0;
     disc.center.z = 0.07;
     disc.axis[2].z = -1.0;
@@ -71,6 +78,7 @@ static inline void bed_drum(scene *self)
     lid->shapes = clod_memory_grow(lid->shapes, 1, 2, sizeof *lid->shapes);
     lid->shapes[1] = shape_box((clod_vec3){-0.016, 0.0, 0.0685}, 0.012, 0.002, 0.0015);
     lid->material = 2;
+    clod_wall_set_orientation(lid, clod_quat_about((clod_vec3){0.0, 0.0, 1.0}, 0.4));
     lid->load = CLOD_LOAD_FORCE;
     lid->load_force = 30.0;
     lid->load_axis = (clod_vec3){0.0, 0.0, -1.0};
