@@ -23,7 +23,7 @@ typedef enum clod_law_kind {
     CLOD_LAW_EEPA,
 } clod_law_kind;
 
-/** What the Coulomb limit multiplies the friction with (PHYSICS 3). */
+/** What the Coulomb limit multiplies the friction with (docs/theory/tangential.md). */
 typedef enum clod_coulomb {
     CLOD_COULOMB_ADHESIVE,
     CLOD_COULOMB_FORCE,
@@ -232,7 +232,7 @@ typedef struct clod_case_time {
     double overlap_limit;  ///< fraction of the smaller radius at which a run stops
 } clod_case_time;
 
-/** What the operator of a shear tester does with the specimen (PHYSICS 7). */
+/** What the operator of a shear tester does with the specimen (docs/theory/ring-shear.md). */
 typedef struct clod_case_programme {
     double preshear_stress; ///< Pa
     double *shear_stresses; ///< Pa
@@ -249,7 +249,8 @@ typedef struct clod_case_programme {
     int64_t seeds;             ///< number of repeats: seed, seed + 1, ...
 } clod_case_programme;
 
-/** Virtual Schulze ring shear test (PHYSICS 7); absent when `present` is false. */
+/** Virtual Schulze ring shear test (docs/theory/ring-shear.md); absent when `present` is false.
+ */
 typedef struct clod_case_ring_shear {
     bool present;
     char *grain_material, *side_material, *base_material, *lid_material;
@@ -266,7 +267,8 @@ typedef struct clod_case_ring_shear {
     clod_case_programme programme; ///< displacements and speeds at r_m
 } clod_case_ring_shear;
 
-/** Virtual Jenike shear test: a ring on a base ring, sheared straight (PHYSICS 7). */
+/** Virtual Jenike shear test: a ring on a base ring, sheared straight
+ * (docs/theory/ring-shear.md). */
 typedef struct clod_case_jenike {
     bool present;
     char *grain_material, *side_material, *base_material, *lid_material;

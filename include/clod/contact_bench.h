@@ -51,7 +51,7 @@ typedef struct clod_contact_bench_row {
     bool sliding;          ///< friction is at its limit
 } clod_contact_bench_row;
 
-/** The path beside the closed forms of PHYSICS 1 and 2. */
+/** The path beside the closed forms of docs/theory/mepa.md, damping.md. */
 typedef struct clod_contact_bench_summary {
     double d_max, f_max;        ///< largest force of the path [N], and its overlap [m]
     double d_min, f_min;        ///< largest pull of the path [m], [N]; 0, 0 without pull
@@ -61,7 +61,7 @@ typedef struct clod_contact_bench_summary {
     double restitution_asked;   ///< e of the dash-pot
     double restitution_law;     ///< closed form, the law without dash-pot; 0: no parting
     double restitution_both;    ///< an impact with law and dash-pot, integrated; 0: no parting
-    double damping_ratio;       ///< z of PHYSICS 2
+    double damping_ratio;       ///< z of docs/theory/damping.md
     double damping_coefficient; ///< gamma_n at d_max [N s/m]
 } clod_contact_bench_summary;
 
@@ -79,7 +79,7 @@ typedef bool (*clod_contact_bench_sink)(void *context, const clod_contact_bench_
  * @return         false: no contact_bench in the case, a grain without the density that its
  *                 dash-pot needs, or the sink's own failure
  * Errors  CLOD_USAGE; what the sink says.   Threads  pure but for the sink.
- * Source  PHYSICS 1-4.   Test  tests/tester/test_contact_bench.c
+ * Source  docs/theory.   Test  tests/tester/test_contact_bench.c
  */
 bool clod_contact_bench_run(const clod_case *from, clod_contact_bench_sink sink, void *context,
                             clod_contact_bench_summary *summary, clod_status *status);

@@ -96,8 +96,8 @@ typedef struct clod_locus {
  * @param points  [count] at least two, with different sigma_s
  * @param locus   [out] owned content (clod_locus_fini); what is not right is in its warnings
  * Errors  CLOD_USAGE: too few points, one normal stress only, a stress that is no stress.
- * Threads pure.   Source  PHYSICS 7; Schulze, Powders and Bulk Solids (2008), ch. 3.
- * Test    tests/analysis/test_locus.c, test_locus_errors.c
+ * Threads pure.   Source  docs/theory/yield-locus.md; Schulze, Powders and Bulk Solids (2008),
+ * ch. 3. Test    tests/analysis/test_locus.c, test_locus_errors.c
  */
 bool clod_locus_evaluate(const clod_locus_point *points, size_t count, clod_locus *locus,
                          clod_status *status);
@@ -115,7 +115,8 @@ bool clod_locus_combine(const clod_locus *loci, size_t count, clod_locus *locus,
 /** Free the content; an empty locus is fine. */
 void clod_locus_fini(clod_locus *self);
 
-/** Jenike's class of a flowability ffc; "undefined" for NAN. Source PHYSICS 7. */
+/** Jenike's class of a flowability ffc; "undefined" for NAN. Source docs/theory/yield-locus.md.
+ */
 const char *clod_locus_flow(double ffc);
 
 /** Loci of one consolidation stress. */

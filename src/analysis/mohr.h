@@ -17,12 +17,12 @@ typedef struct clod_mohr {
  * the preshear point above the locus, the one that touches the line parallel to the locus in
  * that point.
  *
- * With L = c + t sigma_p, the height of the locus at sigma_p, PHYSICS 7 becomes
- * centre = sigma_p + t L - sqrt((1 + t^2)(L^2 - tau_p^2)): the same circle without c/tan phi,
- * so that it holds for t = 0 and c = 0 as well.
+ * With L = c + t sigma_p, the height of the locus at sigma_p, docs/theory/yield-locus.md
+ * becomes centre = sigma_p + t L - sqrt((1 + t^2)(L^2 - tau_p^2)): the same circle without
+ * c/tan phi, so that it holds for t = 0 and c = 0 as well.
  *
  * Errors  none.   Threads  pure.
- * Source  PHYSICS 7; Schulze, Powders and Bulk Solids (2008), ch. 3.
+ * Source  docs/theory/yield-locus.md; Schulze, Powders and Bulk Solids (2008), ch. 3.
  * Test    tests/analysis/test_locus.c
  */
 clod_mohr clod_mohr_steady(double c, double t, double sigma_p, double tau_p);

@@ -17,7 +17,7 @@ typedef struct clod_spread_result {
 } clod_spread_result;
 
 /**
- * Evaluate points by the equations of PHYSICS 7.
+ * Evaluate points by the equations of docs/theory/yield-locus.md.
  *
  * @param points    [count]
  * @param sigma     [count] [out] normal stresses

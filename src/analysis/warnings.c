@@ -11,7 +11,7 @@
 #define DEGREES (180.0 / 3.14159265358979323846)
 #define PHI_LOW 5.0 // deg; angles of dry and of very rough solids lie well inside
 #define PHI_HIGH 65.0
-#define RANGE_LOW 0.2 // of sigma_p, PHYSICS 7
+#define RANGE_LOW 0.2 // of sigma_p, docs/theory/yield-locus.md
 #define RANGE_HIGH 0.8
 #define RANGE_SLACK CLOD_WARNINGS_SAME_STRESS
 #define TOUCH_SLACK 0.1     // of sigma_p: 80 % often lies a little beyond, and does no harm

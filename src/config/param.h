@@ -45,7 +45,7 @@ typedef struct clod_param {
     const char *fallback; ///< default, as a user would write it
     const char *example;  ///< for a key without default
     const char *help;     ///< one sentence or two
-    const char *source;   ///< equation, standard, or PHYSICS section
+    const char *source;   ///< equation, standard, or page of docs/theory
     size_t offset;
     size_t count;               ///< offset of the number of items
     size_t given;               ///< offset of a bool that is set when the key is there; 0: none

@@ -20,7 +20,7 @@ static const clod_param RADIUS[] = {
      .fallback = "normal",
      CLOD_AT(G, sizes),
      .help = "Distribution by number: normal, cut to [min, max], or uniform between them.",
-     .source = "PHYSICS 6"},
+     .source = "docs/theory/copper-ore.md"},
     CLOD_RADIUS_ROWS(G, CLOD_PARAM_OPTIONAL),
 };
 static const clod_table RADIUS_TABLE = {.title = "Radii drawn by number.", CLOD_ROWS(RADIUS)};
@@ -234,7 +234,7 @@ static const clod_param GRAINS[] = {
      .table = &RADIUS_TABLE,
      .used = has_radius,
      .help = "Grain radii by number (one of radius, sizes).",
-     .source = "PHYSICS 6"},
+     .source = "docs/theory/copper-ore.md"},
     {.key = "sizes",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,

@@ -17,7 +17,7 @@ static const clod_param MATERIAL[] = {
      .example = "2481.3 kg/m3",
      CLOD_AT(M, density),
      .help = "Density of the solid; needed for materials of grains.",
-     .source = "PHYSICS 6"},
+     .source = "docs/theory/copper-ore.md"},
     {.key = "youngs_modulus",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -26,7 +26,7 @@ static const clod_param MATERIAL[] = {
      .example = "119 GPa",
      CLOD_AT(M, youngs_modulus),
      .help = "Young's modulus; needed by the law hertz and for the Rayleigh time.",
-     .source = "PHYSICS 5, 6"},
+     .source = "docs/theory/time-step.md, copper-ore.md"},
     {.key = "poissons_ratio",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -35,7 +35,7 @@ static const clod_param MATERIAL[] = {
      .example = "0.34",
      CLOD_AT(M, poissons_ratio),
      .help = "Poisson's ratio; needed by the law hertz and for the Rayleigh time.",
-     .source = "PHYSICS 5, 6"},
+     .source = "docs/theory/time-step.md, copper-ore.md"},
 };
 
 const clod_table CLOD_TABLE_MATERIAL = {
@@ -123,7 +123,7 @@ static const clod_param CONTACT[] = {
          "Normal force: mepa (elasto-plastic with adhesion), eepa (mepa with a constant pull "
          "or a pull from surface energy), luding (linear, k2 rises with the largest "
          "overlap), hertz (elastic, from Young's modulus) or hooke (linear elastic, k1).",
-     .source = "PHYSICS 1; docs/theory"},
+     .source = "docs/theory/mepa.md"},
     {.key = "exponent",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -225,7 +225,7 @@ static const clod_param CONTACT[] = {
              "luding comes on "
              "top. "
              "1 means no dash-pot.",
-     .source = "PHYSICS 2"},
+     .source = "docs/theory/damping.md"},
     {.key = "friction",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -243,7 +243,7 @@ static const clod_param CONTACT[] = {
      CLOD_AT(C, coulomb),
      .help = "What friction multiplies: the distance from the pull-off line (adhesive), the "
              "size of the normal force (force), or its repulsive part (paper).",
-     .source = "PHYSICS 3"},
+     .source = "docs/theory/tangential.md"},
     {.key = "tangential",
      .kind = CLOD_PARAM_CHOICE,
      .need = CLOD_PARAM_OPTIONAL,
@@ -252,7 +252,7 @@ static const clod_param CONTACT[] = {
      CLOD_AT(C, tangential),
      .help = "Tangential stiffness: from the tangent of the loading branch (tangent), or the "
              "number k1 taken in N/m (literal; needs much smaller steps).",
-     .source = "PHYSICS 3"},
+     .source = "docs/theory/tangential.md"},
     {.key = "tangential_ratio",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -265,7 +265,7 @@ static const clod_param CONTACT[] = {
                "literal takes "
                "the number k1; remove this key",
      .help = "Tangential over normal stiffness, zeta; hertz uses Mindlin's instead.",
-     .source = "PHYSICS 3"},
+     .source = "docs/theory/tangential.md"},
     {.key = "rolling",
      .kind = CLOD_PARAM_CHOICE,
      .need = CLOD_PARAM_OPTIONAL,
@@ -274,7 +274,7 @@ static const clod_param CONTACT[] = {
      CLOD_AT(C, rolling),
      .help = "Rolling resistance: none, constant torque (cdt), spring and dash-pot (epsd), or "
              "spring alone (epsd2).",
-     .source = "PHYSICS 4; Ai, Chen, Rotter, Ooi 2011"},
+     .source = "docs/theory/rolling.md; Ai, Chen, Rotter, Ooi 2011"},
     {.key = "rolling_friction",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -288,7 +288,7 @@ static const clod_param CONTACT[] = {
                "epsd or epsd2 (rolling_friction: 0 with one of these is the same as none)",
      .help = "Coefficient mu_r of rolling friction; times the effective radius it is the lever "
              "arm of the largest torque.",
-     .source = "PHYSICS 4"},
+     .source = "docs/theory/rolling.md"},
     {.key = "rolling_damping",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -299,7 +299,7 @@ static const clod_param CONTACT[] = {
      .used = has_rolling_damping,
      .unused = "only rolling: epsd has a dash-pot; remove this key, or choose epsd",
      .help = "Dash-pot of the rolling spring as a fraction of the critical one; epsd only.",
-     .source = "PHYSICS 4"},
+     .source = "docs/theory/rolling.md"},
 };
 
 const clod_table CLOD_TABLE_CONTACT = {

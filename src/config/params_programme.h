@@ -19,7 +19,7 @@
     {                                                                                          \
         .key = #name, .kind = CLOD_PARAM_INTEGER, .need = CLOD_PARAM_OPTIONAL, .unit = "1",    \
         __VA_ARGS__, .fallback = value, CLOD_AT(type, programme.name), .help = text,           \
-        .source = "PHYSICS 7"                                                                  \
+        .source = "docs/theory/ring-shear.md"                                                  \
     }
 #define CLOD_PROGRAMME_STRESSES(type)                                                          \
     {.key = "preshear_stress",                                                                 \
@@ -30,7 +30,7 @@
      .example = "54.8 kPa",                                                                    \
      CLOD_AT(type, programme.preshear_stress),                                                 \
      .help = "Normal stress of consolidation and preshear at the shear plane.",                \
-     .source = "PHYSICS 6; ASTM D6773, D6128"},                                                \
+     .source = "docs/theory/copper-ore.md; ASTM D6773, D6128"},                                \
     {                                                                                          \
         .key = "shear_stresses", .kind = CLOD_PARAM_REALS, .need = CLOD_PARAM_REQUIRED,        \
         .unit = "Pa", CLOD_FROM(1, 1e8),                                                       \
@@ -39,7 +39,7 @@
         CLOD_COUNT(type, programme.shear_stress_count),                                        \
         .help = "Normal stresses of the points of the yield locus, at least two, each below "  \
                 "preshear_stress; 20 to 80 % of it is usual.",                                 \
-        .source = "PHYSICS 7; ASTM D6773, D6128"                                               \
+        .source = "docs/theory/ring-shear.md; ASTM D6773, D6128"                               \
     }
 #define CLOD_PROGRAMME_STEADY(type)                                                            \
     CLOD_PROGRAMME_WHOLE(                                                                      \
@@ -48,7 +48,7 @@
         CLOD_FROM(3, 64)),                                                                     \
         CLOD_PROGRAMME_REAL(type, steady_tolerance, "1", "2 %",                                \
                             "How well the blocks must agree, relative to their mean.",         \
-                            "PHYSICS 7", CLOD_ABOVE(0, 1))
+                            "docs/theory/ring-shear.md", CLOD_ABOVE(0, 1))
 #define CLOD_PROGRAMME_PRESHEAR(type, least, most, why)                                        \
     CLOD_PROGRAMME_REAL(                                                                       \
         type, preshear_min, "m", least,                                                        \
@@ -61,16 +61,16 @@
             "docs/theory/ring-shear.md", CLOD_ABOVE(0, 100))
 #define CLOD_PROGRAMME_WAYS(type, shear, beyond, window, why)                                  \
     CLOD_PROGRAMME_REAL(type, shear_max, "m", shear,                                           \
-                        "Longest shear of a point in search of its peak.", "PHYSICS 7",        \
-                        CLOD_ABOVE(0, 100)),                                                   \
+                        "Longest shear of a point in search of its peak.",                     \
+                        "docs/theory/ring-shear.md", CLOD_ABOVE(0, 100)),                      \
         CLOD_PROGRAMME_REAL(type, beyond_peak, "m", beyond,                                    \
-                            "Shear that is recorded beyond the peak.", "PHYSICS 7",            \
-                            CLOD_ABOVE(0, 100)),                                               \
+                            "Shear that is recorded beyond the peak.",                         \
+                            "docs/theory/ring-shear.md", CLOD_ABOVE(0, 100)),                  \
         CLOD_PROGRAMME_REAL(                                                                   \
             type, peak_window, "m", window,                                                    \
             "Shear over which the curve is smoothed to find its peak, by a moving average. "   \
             "A wide window lowers a sharp peak, a narrow one takes noise for it. " why,        \
-            "PHYSICS 7; docs/theory/ring-shear.md", CLOD_ABOVE(0, 1))
+            "docs/theory/ring-shear.md", CLOD_ABOVE(0, 1))
 #define CLOD_PROGRAMME_SEEDS(type)                                                             \
     CLOD_PROGRAMME_WHOLE(type, seeds, "1",                                                     \
                          "Number of repeats with seed, seed + 1, ...; from two on the error "  \

@@ -16,7 +16,7 @@
      .example = "3.175 mm",                                                                    \
      CLOD_AT(type, radius_mean),                                                               \
      .help = "Mean of the normal distribution of radii before it is cut.",                     \
-     .source = "PHYSICS 6"},                                                                   \
+     .source = "docs/theory/copper-ore.md"},                                                   \
         {.key = "sd",                                                                          \
          .kind = CLOD_PARAM_REAL,                                                              \
          .need = (mean_need),                                                                  \
@@ -25,7 +25,7 @@
          .example = "0.16 mm",                                                                 \
          CLOD_AT(type, radius_sd),                                                             \
          .help = "Standard deviation of the normal distribution before it is cut.",            \
-         .source = "PHYSICS 6"},                                                               \
+         .source = "docs/theory/copper-ore.md"},                                               \
         {.key = "min",                                                                         \
          .kind = CLOD_PARAM_REAL,                                                              \
          .need = CLOD_PARAM_REQUIRED,                                                          \
@@ -34,9 +34,9 @@
          .example = "2.85 mm",                                                                 \
          CLOD_AT(type, radius_min),                                                            \
          .help = "Smallest radius.",                                                           \
-         .source = "PHYSICS 6"},                                                               \
+         .source = "docs/theory/copper-ore.md"},                                               \
     {                                                                                          \
         .key = "max", .kind = CLOD_PARAM_REAL, .need = CLOD_PARAM_REQUIRED, .unit = "m",       \
         CLOD_FROM(1e-9, 10), .example = "3.49 mm", CLOD_AT(type, radius_max),                  \
-        .help = "Largest radius.", .source = "PHYSICS 6"                                       \
+        .help = "Largest radius.", .source = "docs/theory/copper-ore.md"                       \
     }

@@ -100,7 +100,7 @@ static const clod_param TIME_ROWS[] = {
      CLOD_AT(T, step),
      .help = "Time step, or auto: from the stiffest pair that can meet, its smallest grains "
              "and safety.",
-     .source = "PHYSICS 5"},
+     .source = "docs/theory/time-step.md"},
     {.key = "safety",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -112,7 +112,7 @@ static const clod_param TIME_ROWS[] = {
      .unused = "only step: auto has a safety, and only for mepa and hooke; remove this key",
      .help = "Automatic step as a fraction of the critical step of the stiffest pair; not for "
              "hertz.",
-     .source = "PHYSICS 5"},
+     .source = "docs/theory/time-step.md"},
     {.key = "design_stress",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -125,7 +125,7 @@ static const clod_param TIME_ROWS[] = {
      .help =
          "Stress for which the automatic step estimates the overlap, or auto: from the loads "
          "and gravity.",
-     .source = "PHYSICS 5"},
+     .source = "docs/theory/time-step.md"},
     {.key = "rayleigh_limit",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -138,7 +138,7 @@ static const clod_param TIME_ROWS[] = {
          "only step: auto has this limit, and only for the law hertz (mepa and hooke have "
          "safety); remove this key",
      .help = "Largest fraction of the Rayleigh time that the automatic step takes; hertz only.",
-     .source = "PHYSICS 5"},
+     .source = "docs/theory/time-step.md"},
     {.key = "overlap_limit",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
@@ -297,7 +297,7 @@ static const clod_param STAGE[] = {
      .example = "10 %",
      CLOD_AT(S, adhesion),
      .help = "k_adh during this stage as a fraction of its value in contacts.",
-     .source = "PHYSICS 6"},
+     .source = "docs/theory/copper-ore.md"},
     {.key = "rest",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,

@@ -49,7 +49,7 @@ static const clod_param ROWS[] = {
     REAL(speed, "m/s", CLOD_ABOVE(0, 1), "10 mm/s",
          "Speed of the lid while it unloads and crushes; the inertial number should stay below "
          "1e-3.",
-         "PHYSICS 5"),
+         "docs/theory/time-step.md"),
     REAL(crush_max, "1", CLOD_ABOVE(0, 0.9), "15 %",
          "Axial strain at most in search of the peak.", "ASTM D2166"),
     REAL(beyond_peak, "1", CLOD_ABOVE(0, 0.9), "2 %",

@@ -4,7 +4,7 @@
 
 #include "base/memory.h"
 
-/** z of PHYSICS 2: the damping ratio that gives restitution e. */
+/** z of docs/theory/damping.md: the damping ratio that gives restitution e. */
 static double damping_ratio(double restitution)
 {
     const double l = log(restitution);

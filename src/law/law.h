@@ -6,7 +6,7 @@
  * All laws are one code path. mepa with k1 = k2 and k_adh = 0 is elastic: hooke, and hertz,
  * whose stiffness goes with sqrt(R*). eepa is mepa with a constant pull, and with a pull that
  * goes with the plastic contact patch; luding's k2 rises with the largest overlap.
- * Source: PHYSICS 1-4, docs/theory.
+ * Source: docs/theory.
  */
 
 #include <stdbool.h>
@@ -56,7 +56,7 @@ typedef struct clod_law {
  * @param a, b     the two materials (hertz takes E and nu of both)
  * @return         law with adhesion at its final value
  * Errors  none: the case loader has checked.   Threads  pure.
- * Source  PHYSICS 1-4; damping: docs/theory/damping.md.
+ * Source  docs/theory; damping: docs/theory/damping.md.
  */
 clod_law clod_law_make(const clod_case_contact *contact, const clod_case_material *a,
                        const clod_case_material *b);

@@ -33,7 +33,7 @@ typedef struct clod_law_result {
     vmask closed; ///< lanes in contact; all else is zero
 } clod_law_result;
 
-/** What a contact remembers (PHYSICS 1, 3, 4). */
+/** What a contact remembers (docs/theory/mepa.md, tangential.md, rolling.md). */
 typedef struct clod_law_memory {
     vreal plastic, tangent;
     vreal3 spring, roll;
@@ -46,7 +46,7 @@ static inline clod_law_memory clod_law_memory_load(clod_history *history, int la
         vreal3_load(history->spring, lane), vreal3_load(history->roll, lane)};
 }
 
-/** Store the history of closed contacts; open ones forget everything (PHYSICS 1). */
+/** Store the history of closed contacts; open ones forget everything (docs/theory/mepa.md). */
 static inline void clod_law_memory_store(clod_history *history, int lane, vmask closed,
                                          clod_law_memory memory)
 {
@@ -130,7 +130,7 @@ typedef struct clod_law_roots {
     vreal damping; ///< gamma_n [N s/m]
 } clod_law_roots;
 
-/** Stiffness and dash-pot at the overlap of now (PHYSICS 1, 2). */
+/** Stiffness and dash-pot at the overlap of now (docs/theory/mepa.md, damping.md). */
 CLOD_LAW_PASS clod_law_roots clod_law_press_begin(const clod_law *law,
                                                   const clod_law_touch *touch)
 {
@@ -149,7 +149,7 @@ CLOD_LAW_PASS clod_law_roots clod_law_press_begin(const clod_law *law,
  * @param memory  [in,out] history before; its P is that after, its springs are turned and not
  *                of their old length
  * @param trial   [out] push to roll_square
- * Errors  none.   Threads  pure.   Source  PHYSICS 1-4.   Test  tests/law/
+ * Errors  none.   Threads  pure.   Source  docs/theory.   Test  tests/law/
  */
 CLOD_LAW_PASS void clod_law_press(const clod_law *law, const clod_law_touch *touch, double dt,
                                   const clod_law_roots *roots, clod_law_memory *memory,
@@ -255,7 +255,8 @@ CLOD_LAW_PASS void clod_law_return_springs(const clod_law *law, vreal k_t, vreal
  * @param memory   [in,out] turned springs, and the tangent of the step before; becomes the
  *                 history after, meaningful in closed lanes only
  * @param trial    [in,out] from clod_law_press; gets limit, cap, friction and roll
- * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
+ * Errors  none.   Threads  pure.   Source  docs/theory/tangential.md, rolling.md.   Test
+ * tests/law/
  */
 CLOD_LAW_PASS void clod_law_carry(const clod_law *law, const clod_law_touch *touch, double dt,
                                   const clod_law_inverses *inverses, clod_law_memory *memory,
@@ -283,7 +284,8 @@ typedef struct clod_law_cuts {
     vreal per_slides, per_rolls; ///< 1 over their squares
 } clod_law_cuts;
 
-/** Where spring and dash-pot together are beyond the limits (PHYSICS 3, 4). */
+/** Where spring and dash-pot together are beyond the limits (docs/theory/tangential.md,
+ * rolling.md). */
 CLOD_LAW_PASS clod_law_cuts clod_law_limit_begin(const clod_law *law,
                                                  const clod_law_trial *trial)
 {
@@ -310,7 +312,8 @@ CLOD_LAW_PASS clod_law_cuts clod_law_limit_begin(const clod_law *law,
  * @param trial   from clod_law_carry
  * @param cuts    from clod_law_limit_begin
  * @return        force and torques, zero where the contact is open
- * Errors  none.   Threads  pure.   Source  PHYSICS 3, 4.   Test  tests/law/
+ * Errors  none.   Threads  pure.   Source  docs/theory/tangential.md, rolling.md.   Test
+ * tests/law/
  */
 CLOD_LAW_PASS clod_law_result clod_law_limit(const clod_law *law, const clod_law_touch *touch,
                                              const clod_law_trial *trial,

@@ -1,9 +1,10 @@
 #pragma once
 /**
  * @file law_normal.h
- * Normal force: MEPA's three branches as one clamp (Del Cid & Mustoe, eq. 1-4; PHYSICS 1).
- * hertz and hooke are the same code with k1 = k2 and k_adh = 0, eepa the same with its pulls;
- * luding, whose k2 changes, has the same three branches with another history.
+ * Normal force: MEPA's three branches as one clamp (Del Cid & Mustoe, eq. 1-4;
+ * docs/theory/mepa.md). hertz and hooke are the same code with k1 = k2 and k_adh = 0, eepa the
+ * same with its pulls; luding, whose k2 changes, has the same three branches with another
+ * history.
  */
 
 #include <math.h>
@@ -43,7 +44,7 @@ static inline vreal clod_law_power(vreal overlap, double exponent)
  * @param overlap  d >= 0 [m]
  * @param r_star   R* [m], for hertz, eepa and luding
  * Errors  none.   Threads  pure.
- * Source  PHYSICS 1, 2.   Test  tests/law/test_law_mepa.c
+ * Source  docs/theory/mepa.md, damping.md.   Test  tests/law/test_law_mepa.c
  */
 static inline clod_law_stiffness clod_law_stiffness_at(const clod_law *law, vreal overlap,
                                                        vreal r_star)
@@ -170,7 +171,7 @@ static inline clod_law_normal clod_law_eepa(const clod_law *law, clod_law_stiffn
  * @param s        from clod_law_stiffness_at
  * @param plastic  [in,out] plastic overlap^n of the contact [m^n], luding: d_max [m]; 0 for a
  *                 new contact
- * Errors  none.   Threads  pure.   Source  PHYSICS 1.   Test  tests/law/
+ * Errors  none.   Threads  pure.   Source  docs/theory/mepa.md.   Test  tests/law/
  */
 static inline clod_law_normal clod_law_normal_force(const clod_law *law, clod_law_stiffness s,
                                                     vreal *plastic)
@@ -188,7 +189,8 @@ static inline clod_law_normal clod_law_normal_force(const clod_law *law, clod_la
 
 /**
  * Coefficient of the normal dash-pot, gamma_n [N s/m]; from the elastic part, never from the
- * total force. Returns the restitution asked for at any speed when k1 = k2 (PHYSICS 2).
+ * total force. Returns the restitution asked for at any speed when k1 = k2
+ * (docs/theory/damping.md).
  */
 static inline vreal clod_law_damping(const clod_law *law, clod_law_stiffness s, vreal m_star)
 {
@@ -196,8 +198,9 @@ static inline vreal clod_law_damping(const clod_law *law, clod_law_stiffness s, 
 }
 
 /**
- * Normal measure N [N] that the Coulomb limit and rolling resistance multiply (PHYSICS 3):
- * paper max(f, 0), force |f|, adhesive f + k_adh d^n, the distance from the pull-off line.
+ * Normal measure N [N] that the Coulomb limit and rolling resistance multiply
+ * (docs/theory/tangential.md): paper max(f, 0), force |f|, adhesive f + k_adh d^n, the distance
+ * from the pull-off line.
  */
 static inline vreal clod_law_normal_measure(const clod_law *law, clod_law_normal normal)
 {

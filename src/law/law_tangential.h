@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file law_tangential.h
- * Tangential spring and rolling resistance (PHYSICS 3 and 4). Both are springs in the tangent
- * plane with a cap; their bookkeeping is the same.
+ * Tangential spring and rolling resistance (docs/theory/tangential.md, rolling.md). Both are
+ * springs in the tangent plane with a cap; their bookkeeping is the same.
  */
 
 #include "law/law.h"
@@ -89,7 +89,7 @@ static inline vreal clod_law_cut_factor(clod_law_cut cut, vreal per_square)
     return vreal_select(cut.beyond, cut.limit * (cut.length * per_square), vreal_set(1.0));
 }
 
-/** Tangential stiffness k_t [N/m] (PHYSICS 3). */
+/** Tangential stiffness k_t [N/m] (docs/theory/tangential.md). */
 static inline vreal clod_law_tangential_stiffness(const clod_law *law, vreal tangent)
 {
     if (law->tangential == CLOD_TANGENTIAL_LITERAL) {
@@ -126,7 +126,7 @@ static inline vreal clod_law_tangential_damping(const clod_law *law, vreal norma
  * @param dash_pot   gamma_t [N s/m]
  * @param spring     tangential spring in today's plane, with the slip of the step, within its
  *                   limit [m]
- * Source  PHYSICS 3, eq. (6).   Test  tests/law/test_law_tangential.c
+ * Source  docs/theory/tangential.md, eq. (6).   Test  tests/law/test_law_tangential.c
  */
 static inline vreal3 clod_law_friction(vreal stiffness, vreal3 slip, vreal dash_pot,
                                        vreal3 spring)
@@ -168,7 +168,8 @@ static inline vreal clod_law_rolling_soften(const clod_law *law,
  * @param stiffness  k_r [N m/rad]
  * @param inertia    reduced moment of inertia about the contact [kg m2], for epsd
  * @param roll       rolling spring, shortened to its cap [rad]
- * Source  Ai, Chen, Rotter, Ooi 2011; PHYSICS 4.   Test  tests/law/test_law_rolling.c
+ * Source  Ai, Chen, Rotter, Ooi 2011; docs/theory/rolling.md.   Test
+ * tests/law/test_law_rolling.c
  */
 static inline vreal3 clod_law_rolling_torque(const clod_law *law, vreal3 rolling,
                                              vreal stiffness, vreal inertia, vreal3 roll)

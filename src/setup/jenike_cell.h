@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file jenike_cell.h
- * The cell of the Jenike shear tester (PHYSICS 7; docs/theory/jenike.md) with its loose grains.
+ * The cell of the Jenike shear tester (docs/theory/jenike.md) with its loose grains.
  */
 
 #include "clod/case.h"

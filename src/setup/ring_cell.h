@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file ring_cell.h
- * The cell of the Schulze ring shear tester (PHYSICS 7) with its loose grains.
+ * The cell of the Schulze ring shear tester (docs/theory/ring-shear.md) with its loose grains.
  */
 
 #include "clod/case.h"

@@ -64,7 +64,7 @@ typedef struct clod_timestep {
 
 /**
  * Rayleigh time of a grain, pi R sqrt(rho/G)/(0.1631 nu + 0.8766), or 0 without E.
- * Source  PHYSICS 5.   Test  tests/setup/test_setup_timestep.c
+ * Source  docs/theory/time-step.md.   Test  tests/setup/test_setup_timestep.c
  */
 double clod_timestep_rayleigh(const clod_case_material *material, double radius);
 
@@ -101,7 +101,7 @@ double clod_timestep_force(double stress, double radius);
  *
  * @return  the step with all numbers behind it; with `time.step` given, that step
  * Errors  none: the case is checked.   Threads  pure.
- * Source  PHYSICS 5.   Test  tests/setup/test_setup_timestep.c
+ * Source  docs/theory/time-step.md.   Test  tests/setup/test_setup_timestep.c
  */
 clod_timestep clod_timestep_choose(const clod_case *from, const clod_timestep_grains *grains);
 
@@ -110,6 +110,6 @@ clod_timestep clod_timestep_choose(const clod_case *from, const clod_timestep_gr
  * what comes out need not even look wrong.
  *
  * Errors  CLOD_USAGE with the largest stable step, its pair and the load.   Threads  pure.
- * Source  PHYSICS 5.   Test  tests/setup/test_setup_timestep.c
+ * Source  docs/theory/time-step.md.   Test  tests/setup/test_setup_timestep.c
  */
 bool clod_timestep_accept(const clod_timestep *self, clod_status *status);

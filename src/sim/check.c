@@ -85,7 +85,7 @@ static void look_at_step(const clod_check_subject *subject, clod_check_report *r
     report->rayleigh_imposed = t->reason == CLOD_TIMESTEP_RAYLEIGH;
 }
 
-/** Two mean grains under the target stress; after it the largest pull (PHYSICS 1). */
+/** Two mean grains under the target stress; after it the largest pull (docs/theory/mepa.md). */
 static void look_at_contact(const clod_check_subject *subject, clod_check_report *report)
 {
     const clod_case *from = subject->from;
@@ -108,7 +108,8 @@ static void look_at_contact(const clod_check_subject *subject, clod_check_report
     report->bond = report->weight > 0.0 ? report->pull_off / report->weight : 0.0;
 }
 
-/** I = (shear rate) d sqrt(rho/sigma) with a rate that is the same everywhere (PHYSICS 5). */
+/** I = (shear rate) d sqrt(rho/sigma) with a rate that is the same everywhere
+ * (docs/theory/time-step.md). */
 static double inertial_number(const clod_check_subject *subject, double diameter, double rate,
                               double stress)
 {

@@ -164,7 +164,7 @@ static void advance(bench *self, const pace *speed, clod_contact_bench_row *row)
     double plastic = self->memory.plastic;
     const clod_law_result result = clod_law_contact(law, &motion, speed->dt, &self->memory);
     if (!result.closed) {
-        self->memory = (clod_law_memory){0}; // an open contact forgets (PHYSICS 1)
+        self->memory = (clod_law_memory){0}; // an open contact forgets (docs/theory/mepa.md)
         return;
     }
     const clod_law_stiffness s = clod_law_stiffness_at(law, motion.overlap, motion.r_star);
@@ -222,7 +222,8 @@ static clod_contact_bench_row row_at(const clod_case_leg *leg,
     return row;
 }
 
-/** PHYSICS 1, all for the largest overlap 1: the laws whose restitution knows no speed. */
+/** docs/theory/mepa.md, all for the largest overlap 1: the laws whose restitution knows no
+ * speed. */
 static double closed_restitution(const clod_law *law)
 {
     const double n1 = law->exponent + 1.0;

@@ -8,7 +8,7 @@
 #include "law/law.h"
 
 /**
- * Restitution of the normal law alone, from the energy of the loop of PHYSICS 1.
+ * Restitution of the normal law alone, from the energy of the loop of docs/theory/mepa.md.
  *
  * With D the largest overlap, m = D ((k2 - k1)/(k2 + k_adh))^(1/n) the overlap of the largest
  * pull and P = (1 - k1/k2) D^n, loading stores k1 D^(n+1)/(n+1), and the way out gives back
@@ -17,7 +17,8 @@
  *
  * @param d_max  D [m]
  * @return  e; 0 when the contact keeps more than it gives back, so that the grains stick
- * Errors  none.   Threads  pure.   Source  PHYSICS 1.   Test  tests/tester/test_contact_bench.c
+ * Errors  none.   Threads  pure.   Source  docs/theory/mepa.md.   Test
+ * tests/tester/test_contact_bench.c
  */
 double clod_contact_bench_restitution(const clod_law *law, double r_star, double d_max);
 

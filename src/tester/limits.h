@@ -13,8 +13,9 @@
 enum { CLOD_LIMITS_COARSE_STEPS = 200 };   ///< per row of the series, at constant speed
 
 // What is still good.
-#define CLOD_LIMITS_INERTIA_GOOD 1e-3 ///< inertial number of quasi-static shear (PHYSICS 5)
-#define CLOD_LIMITS_INERTIA 1.2e-3    ///< warned of: PHYSICS 5 says "about"
+#define CLOD_LIMITS_INERTIA_GOOD                                                               \
+    1e-3 ///< inertial number of quasi-static shear (docs/theory/time-step.md)
+#define CLOD_LIMITS_INERTIA 1.2e-3    ///< warned of: docs/theory/time-step.md says "about"
 #define CLOD_LIMITS_GRAINS 5.0        ///< fewest grain diameters across width and height
 #define CLOD_LIMITS_FREE_GRAINS 10.0  ///< fewest across a specimen that stands by itself
 #define CLOD_LIMITS_OVERLAP_MEAN 0.01 ///< overlap / radius of a contact under the mean load

@@ -4,9 +4,10 @@
  * The procedure of a shear test, as a state machine that looks at the walls between steps and
  * tells them what to do next. It holds plain data only, so a checkpoint stores it as it is.
  *
- * It is that of the Schulze ring shear test (ASTM D6773; PHYSICS 7) and of the Jenike shear
- * test (ASTM D6128), whose cell is sheared along x instead of about z. What depends on the
- * tester is its row (tester/shear_tester.h), which the procedure finds by `kind`.
+ * It is that of the Schulze ring shear test (ASTM D6773; docs/theory/ring-shear.md) and of the
+ * Jenike shear test (ASTM D6128), whose cell is sheared along x instead of about z. What
+ * depends on the tester is its row (tester/shear_tester.h), which the procedure finds by
+ * `kind`.
  *
  * One procedure prepares the specimen: fill, lower the lid, consolidate, preshear until steady,
  * for preshear_min at least and preshear_max at most. The shear stress of preshear is the mean
@@ -141,7 +142,7 @@ int64_t clod_ring_shear_plan(const clod_ring_shear *self, const clod_state *stat
  * @return     true when preparation, reversal or point is finished, or cannot go on
  * Errors  none: what is not right is noted in flags; after NO_BED nothing more can come.
  * Threads  one per state.
- * Source  PHYSICS 7.   Test  tests/tester/test_ring_shear.c
+ * Source  docs/theory/ring-shear.md.   Test  tests/tester/test_ring_shear.c
  */
 bool clod_ring_shear_sample(clod_ring_shear *self, clod_state *state, double *row);
 

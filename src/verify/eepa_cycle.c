@@ -7,7 +7,7 @@
 #include "verify/cycle.h"
 #include "verify/suite.h"
 
-#define RADIUS 3.175e-3 ///< m, PHYSICS 6; R* at a wall
+#define RADIUS 3.175e-3 ///< m, docs/theory/copper-ore.md; R* at a wall
 #define STEP 2e-8       ///< s
 #define BISECTIONS 60   ///< halvings of the search for P: to the last bit
 #define LEGS 14
@@ -47,8 +47,8 @@ typedef struct cycle {
  * down the pull-off line, reloads from there in part and past, comes far down that line, lets
  * go, and meets again with nothing remembered.
  *
- * eepa-cycle-pull: the ore with 5 % (n = 3/2) and f0 = -0.05 N. Forces are those that PHYSICS 1
- * lists for mepa, less 0.05 N.
+ * eepa-cycle-pull: the ore with 5 % (n = 3/2) and f0 = -0.05 N. Forces are those that
+ * docs/theory/mepa.md lists for mepa, less 0.05 N.
  *
  * eepa-cycle-energy-linear: n = 1, k2 = 4e6, k1 = 1e6 N/m, and 2 N for a plastic overlap dp of
  * 3 um, that of d_max = 4 um. Largest pull 2 N at dp - 2/k2 = 2.5 um. A quarter of dp has half

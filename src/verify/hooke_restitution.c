@@ -7,8 +7,8 @@
 #include "verify/impact.h"
 #include "verify/suite.h"
 
-#define RADIUS 3.175e-3  ///< m, PHYSICS 6
-#define DENSITY 2481.3   ///< kg/m3, PHYSICS 6
+#define RADIUS 3.175e-3  ///< m, docs/theory/copper-ore.md
+#define DENSITY 2481.3   ///< kg/m3, docs/theory/copper-ore.md
 #define STIFFNESS 4.75e5 ///< k1 [N/m]
 #define PERIOD_PARTS                                                                           \
     10000 ///< steps of a period without dash-pot: it is of first order in the step

@@ -5,16 +5,16 @@
 #include "verify/cycle.h"
 #include "verify/suite.h"
 
-#define RADIUS 3.175e-3 ///< m, PHYSICS 6
+#define RADIUS 3.175e-3 ///< m, docs/theory/copper-ore.md
 #define STEP 2e-8       ///< s
 #define LEGS 16
 #define LEG_OF_MAXIMUM 3 ///< its end is at d_max
 #define LEG_OF_PULL 8    ///< its end is the largest pull after the first loading
-#define BY_HAND "check values of PHYSICS 1, worked out by hand"
+#define BY_HAND "check values of docs/theory/mepa.md, worked out by hand"
 #define EQUATIONS "Del Cid & Mustoe, eq. (1)-(4), taken branch by branch"
 #define SHAPE "docs/theory/mepa.md, Consequences"
 
-/** A law, and what PHYSICS 1 lists for it; NAN: not listed. */
+/** A law, and what docs/theory/mepa.md lists for it; NAN: not listed. */
 typedef struct cycle {
     const char *name;
     double exponent, k1, k2, k_adh; ///< N/m^n
@@ -31,7 +31,7 @@ typedef struct cycle {
 static const double PATH[LEGS] = {0.25, 0.50, 0.75, 1.00, 0.95, 0.90,  0.97, 0.90,
                                   0.0,  0.60, 0.70, 1.10, 0.50, -0.10, 0.25, -0.10};
 
-// Leg 12 is k1 (3.3e-6 m)^1.5 = 2.847505 N; PHYSICS 1 lists it with one digit less.
+// Leg 12 is k1 (3.3e-6 m)^1.5 = 2.847505 N; docs/theory/mepa.md lists it with one digit less.
 static const cycle CYCLES[] = {
     {"mepa-cycle-5",
      1.5,

@@ -7,8 +7,8 @@
 #include "verify/impact.h"
 #include "verify/suite.h"
 
-#define RADIUS 3.175e-3 ///< m, PHYSICS 6
-#define DENSITY 2481.3  ///< kg/m3, PHYSICS 6
+#define RADIUS 3.175e-3 ///< m, docs/theory/copper-ore.md
+#define DENSITY 2481.3  ///< kg/m3, docs/theory/copper-ore.md
 #define SPEED 0.1       ///< of approach [m/s]; the restitution does not depend on it
 #define RATIO 0.2       ///< k1/k2
 #define LOADING 2000.0  ///< steps of loading

@@ -7,8 +7,8 @@
 #include "verify/play.h"
 #include "verify/suite.h"
 
-#define RADIUS 3.175e-3 ///< m, PHYSICS 6
-#define DENSITY 2481.3  ///< kg/m3, PHYSICS 6
+#define RADIUS 3.175e-3 ///< m, docs/theory/copper-ore.md
+#define DENSITY 2481.3  ///< kg/m3, docs/theory/copper-ore.md
 #define STIFFNESS 1e5   ///< k1 [N/m]: the ball sinks in by 1e-5 of its radius
 #define GRAVITY 9.81    ///< m/s2
 #define RESISTANCE 0.05 ///< mu_r

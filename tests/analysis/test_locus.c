@@ -1,4 +1,5 @@
-// Yield locus: the check values of PHYSICS 7, tangency found by bisection, invariances, limits.
+// Yield locus: the check values of docs/theory/yield-locus.md, tangency found by bisection,
+// invariances, limits.
 
 #include "locus_helpers.h"
 
@@ -67,7 +68,7 @@ static double bisect_unconfined(double c, double phi)
     return low + high;
 }
 
-// PHYSICS 7: c = 2 kPa, phi = 35 deg, preshear (10, 8.5) kPa; printed digits.
+// docs/theory/yield-locus.md: c = 2 kPa, phi = 35 deg, preshear (10, 8.5) kPa; printed digits.
 static void check_values_of_the_specification(void **state)
 {
     (void)state;
@@ -119,7 +120,7 @@ static void circles_touch_the_line(void **state)
     }
 }
 
-// The formula as PHYSICS 7 prints it, with c/tan phi; the code has it without.
+// The formula as docs/theory/yield-locus.md prints it, with c/tan phi; the code has it without.
 static void formula_as_printed(void **state)
 {
     (void)state;
@@ -137,9 +138,9 @@ static void formula_as_printed(void **state)
     clod_locus_fini(&locus);
 }
 
-// PHYSICS 7, preshear above the line: sigma_1 = sp + tp (1 + sin phi)/cos phi, and the circle
-// has the preshear point on it and touches the parallel line there (its radius is normal to
-// it).
+// docs/theory/yield-locus.md, preshear above the line: sigma_1 = sp + tp (1 + sin phi)/cos phi,
+// and the circle has the preshear point on it and touches the parallel line there (its radius
+// is normal to it).
 static void preshear_above_the_line(void **state)
 {
     (void)state;
@@ -282,7 +283,7 @@ static void scale_of_stress_does_not_matter(void **state)
     clod_locus_fini(&found[1]);
 }
 
-// Jenike's limits as PHYSICS 7 lists them.
+// Jenike's limits as docs/theory/yield-locus.md lists them.
 static void classes_of_flow(void **state)
 {
     (void)state;

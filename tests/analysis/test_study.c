@@ -171,8 +171,8 @@ static void csv_has_one_row_per_group(void **state)
     clod_locus_study_destroy(&study);
 }
 
-// The whole table of the check case of PHYSICS 7, points at 25, 40, 60, 75 % by hand:
-// tau = 2 + sigma tan 35 deg = 3.7505, 4.8008, 6.2012, 7.2516 kPa.
+// The whole table of the check case of docs/theory/yield-locus.md, points at 25, 40, 60, 75 %
+// by hand: tau = 2 + sigma tan 35 deg = 3.7505, 4.8008, 6.2012, 7.2516 kPa.
 static void table_of_the_check_case(void **state)
 {
     (void)state;
@@ -187,7 +187,8 @@ static void table_of_the_check_case(void **state)
         "cohesion                         c            2.000 ±    0.000  kPa\n",
         "phi_lin      35.00 ±     0.00  deg\n",
         "phi_e        44.65 ±",
-        "phi_sf       40.36 ±", // 40.365 in PHYSICS 7; 40.3645 before that rounding
+        "phi_sf       40.36 ±", // 40.365 in docs/theory/yield-locus.md; 40.3645 before that
+                                // rounding
         "sigma_1     21.598 ±",
         "sigma_2      3.771 ±",
         "sigma_c      7.684 ±",

@@ -175,7 +175,7 @@ class RingShear(clod.TesterCase):
             self.assertIn(line, self.report)
 
     def test_locus_by_hand(self):
-        """Least squares through the three points, and their one preshear (PHYSICS 7).
+        """Least squares through the three points, and their one preshear (docs/theory/ring-shear.md).
 
         Prorating changes nothing: tau_pre is one measurement, the same in all rows. With x, y the
         points and x0, y0 their means: t = sum (x - x0)(y - y0)/sum (x - x0)^2, c = y0 - t x0,

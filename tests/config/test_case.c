@@ -217,7 +217,7 @@ static void defaults_of_time_output_and_bench(void **state)
     clod_case_destroy(&made);
 }
 
-// PHYSICS.md 6 (Table 1) and 7 (RST-01).
+// docs/theory/copper-ore.md (Table 1) and 7 (RST-01).
 static void copper_ore_is_that_of_the_paper(void **state)
 {
     (void)state;

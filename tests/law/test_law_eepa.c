@@ -29,7 +29,7 @@ static clod_case_contact contact_patch(double exponent, double k2, double dp, do
     return contact;
 }
 
-/** The check values of PHYSICS 1 (5 %, n = 3/2) with -0.05 N on all branches. */
+/** The check values of docs/theory/mepa.md (5 %, n = 3/2) with -0.05 N on all branches. */
 static void a_constant_pull_comes_on_top(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-// Normal force: the check values of PHYSICS 1, the family, and random paths against the three
-// branches of the paper.
+// Normal force: the check values of docs/theory/mepa.md, the family, and random paths against
+// the three branches of the paper.
 
 #include "support/dice.h"
 #include "support/law_probe.h"
@@ -33,7 +33,7 @@ static double branches_press(branches *self, double overlap)
 
 typedef struct checkpoint {
     double overlap; ///< as a fraction of d_max
-    double force;   ///< N, printed in PHYSICS 1
+    double force;   ///< N, printed in docs/theory/mepa.md
     double digit;   ///< N, one unit of the last printed digit
 } checkpoint;
 
@@ -173,7 +173,7 @@ static void random_paths_follow_the_branches(void **state)
         double overlap = 0.0;
         for (int s = 0; s < 200; s++) {
             overlap += dice_real(&roll, -1.0, 1.0) * MICRON;
-            if (s % 40 == 39) { // PHYSICS 6: raised after filling, P stays
+            if (s % 40 == 39) { // docs/theory/copper-ore.md: raised after filling, P stays
                 const double fraction = dice_real(&roll, 0.0, 1.0);
                 const double plastic = probe.history.plastic[0];
                 clod_law_set_adhesion(&probe.law, fraction);
@@ -195,7 +195,7 @@ static void random_paths_follow_the_branches(void **state)
     }
 }
 
-/** PHYSICS 1: scaling k1, k2, k_adh by s and d^n by 1/s leaves every force. */
+/** docs/theory/mepa.md: scaling k1, k2, k_adh by s and d^n by 1/s leaves every force. */
 static void the_law_has_no_force_scale(void **state)
 {
     (void)state;
@@ -212,7 +212,7 @@ static void the_law_has_no_force_scale(void **state)
     }
 }
 
-/** k1 = k2: elastic, whatever k_adh (PHYSICS 1). */
+/** k1 = k2: elastic, whatever k_adh (docs/theory/mepa.md). */
 static void equal_stiffnesses_are_elastic(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-// Rolling resistance: closed forms of cdt, epsd and epsd2 (PHYSICS 4).
+// Rolling resistance: closed forms of cdt, epsd and epsd2 (docs/theory/rolling.md).
 
 #include "support/law_probe.h"
 

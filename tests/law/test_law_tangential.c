@@ -85,7 +85,8 @@ static void spins_slip_the_contact(void **state)
 /** Slide far: |F_t| = mu N. Overlaps lead to the four places of the hysteresis loop. */
 static void check_limits(clod_coulomb coulomb, const double expected[4])
 {
-    const double overlap[4] = {3.0, 2.7, 2.4, 1.8}; // virgin, f2 > 0, f2 < 0, f3 (PHYSICS 1)
+    const double overlap[4] = {3.0, 2.7, 2.4,
+                               1.8}; // virgin, f2 > 0, f2 < 0, f3 (docs/theory/mepa.md)
     clod_case_contact contact = contact_ore();
     contact.coulomb = (int)coulomb;
     contact.rolling = CLOD_ROLLING_NONE;
@@ -97,8 +98,8 @@ static void check_limits(clod_coulomb coulomb, const double expected[4])
 }
 
 /**
- * f_hys and k_adh d^n [N] from PHYSICS 1: virgin 2.468172; 0.90 d_max 0.667921; f3 at 0.60
- * -0.859723. f2 at 0.80 = f1(1) - k2 (d_max^1.5 - d^1.5) by hand, k_adh d^1.5 by hand.
+ * f_hys and k_adh d^n [N] from docs/theory/mepa.md: virgin 2.468172; 0.90 d_max 0.667921; f3 at
+ * 0.60 -0.859723. f2 at 0.80 = f1(1) - k2 (d_max^1.5 - d^1.5) by hand, k_adh d^1.5 by hand.
  */
 static void each_coulomb_limit_on_each_branch(void **state)
 {
@@ -121,7 +122,8 @@ static void each_coulomb_limit_on_each_branch(void **state)
     check_limits(CLOD_COULOMB_ADHESIVE, adhesive);
 }
 
-/** On the virgin branch adhesive means mu (1 + k_adh/k1): 0.61 and 0.79 (PHYSICS 3). */
+/** On the virgin branch adhesive means mu (1 + k_adh/k1): 0.61 and 0.79
+ * (docs/theory/tangential.md). */
 static void effective_friction_on_the_virgin_branch(void **state)
 {
     (void)state;
@@ -148,7 +150,7 @@ static law_probe elastic_probe(double friction, double restitution)
     return probe_make(&contact);
 }
 
-/** 0.35 times 4.75e8 (3e-6)^1.5 = 2.468172 N (PHYSICS 1). */
+/** 0.35 times 4.75e8 (3e-6)^1.5 = 2.468172 N (docs/theory/mepa.md). */
 #define LIMIT (0.35 * 2.468172400785650)
 
 /** 1.5 4.75e8 sqrt(3e-6) N/m. */
@@ -196,7 +198,8 @@ static void a_dash_pot_acts_beside_a_spring_at_its_limit(void **state)
 
 /**
  * Random sliding under a changing overlap: neither force nor spring beyond the limit, and what
- * the slip of a step brings in is never less than what the spring gains by it (PHYSICS 3).
+ * the slip of a step brings in is never less than what the spring gains by it
+ * (docs/theory/tangential.md).
  */
 static void a_step_never_gives_more_than_it_takes(void **state)
 {

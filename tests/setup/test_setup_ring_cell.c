@@ -139,8 +139,8 @@ static void depth_and_bars_give_the_number_of_grains(void **state)
     cell_end(from, &s);
 }
 
-// PHYSICS 5: near 1e-6 s. Damping by hand from the step's own stiffness is tested with the
-// walls; here it must be there and the lid must stay stable: c dt/m < 2.
+// docs/theory/time-step.md: near 1e-6 s. Damping by hand from the step's own stiffness is
+// tested with the walls; here it must be there and the lid must stay stable: c dt/m < 2.
 static void state_is_ready_for_filling(void **state)
 {
     (void)state;

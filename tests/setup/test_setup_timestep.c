@@ -1,4 +1,5 @@
-// Time step of the copper ore (PHYSICS 5 and 6) and of simple pairs, worked out by hand.
+// Time step of the copper ore (docs/theory/time-step.md, copper-ore.md) and of simple pairs,
+// worked out by hand.
 
 #include "law/law_cycle.h"
 #include "setup/timestep.h"
@@ -45,7 +46,7 @@ static clod_case copper_ore(clod_case_contact pairs[MATERIALS * MATERIALS])
 static const bool NONE[MATERIALS] = {false, false};
 static const bool ONLY_STEEL[MATERIALS] = {false, true};
 
-// PHYSICS 5: 2.27e-6 s for R = 2.85 mm, so that 1e-7 s is 4.4 %.
+// docs/theory/time-step.md: 2.27e-6 s for R = 2.85 mm, so that 1e-7 s is 4.4 %.
 static void rayleigh_time_of_the_ore(void **state)
 {
     (void)state;
@@ -56,7 +57,8 @@ static void rayleigh_time_of_the_ore(void **state)
     assert_true(clod_timestep_rayleigh(&unknown, 1.0) == 0.0);
 }
 
-// PHYSICS 5: at 54.8 kPa the normal period of the mean grain is 3.3e-5 s, auto is near 1e-6 s.
+// docs/theory/time-step.md: at 54.8 kPa the normal period of the mean grain is 3.3e-5 s, auto
+// is near 1e-6 s.
 static void automatic_step_of_the_ore(void **state)
 {
     (void)state;
@@ -218,7 +220,7 @@ static void given_step_is_kept_and_auto_is_still_told(void **state)
         .sizes = ORE_OF(2.85e-3, 3.175e-3), .is_wall = NONE, .stress = 54.8e3};
     const clod_timestep t = clod_timestep_choose(&from, &grains);
     assert_true(t.given && t.step == 1e-7 && t.automatic > 5e-7);
-    check_close(t.rayleigh_fraction, 0.044, 0.0005); // PHYSICS 5
+    check_close(t.rayleigh_fraction, 0.044, 0.0005); // docs/theory/time-step.md
 }
 
 // Critical step of a pair by hand: 2 sqrt(m*/k), ore on ore with m/2 and the k2 tangent. Auto

@@ -1,4 +1,5 @@
-// The preflight against hand calculations (PHYSICS 1, 5, 7), and every warning once.
+// The preflight against hand calculations (docs/theory/mepa.md, time-step.md, ring-shear.md),
+// and every warning once.
 
 #include <math.h>
 #include <setjmp.h>
@@ -127,7 +128,7 @@ static void contact_at_the_target_stress(void **state)
 }
 
 // Critical step 2 sqrt(m*/k), m* = m/2, k = 1.5 k2 sqrt(d); auto is a tenth of it. Rayleigh
-// time of PHYSICS 5: 2.27e-6 s at R = 2.85 mm, in proportion to R.
+// time of docs/theory/time-step.md: 2.27e-6 s at R = 2.85 mm, in proportion to R.
 static void step_and_what_sets_it(void **state)
 {
     const clod_check_report *r = check(state, RING, NULL);
@@ -336,7 +337,7 @@ static void the_rayleigh_limit_sets_the_step_of_hertz(void **state)
 {
     const clod_check_report *r = check(state, HERTZ, NULL);
     assert_true(r->rayleigh_imposed);
-    near(r->step, 0.15 * 2.27e-6, 3e-3); // PHYSICS 5
+    near(r->step, 0.15 * 2.27e-6, 3e-3); // docs/theory/time-step.md
 }
 
 static void json_and_text_say_the_same(void **state)

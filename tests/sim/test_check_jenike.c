@@ -1,4 +1,5 @@
-// The preflight of a Jenike shear test against hand calculations (PHYSICS 5, 7).
+// The preflight of a Jenike shear test against hand calculations (docs/theory/time-step.md,
+// jenike.md).
 
 #include <jansson.h>
 #include <math.h>

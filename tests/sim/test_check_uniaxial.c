@@ -1,4 +1,5 @@
-// The preflight of a uniaxial test against hand calculations (PHYSICS 1, 5).
+// The preflight of a uniaxial test against hand calculations (docs/theory/mepa.md,
+// time-step.md).
 
 #include <jansson.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file law_reference.h
- * PHYSICS 1-4 once more, as printed: explicit branches and a stored maximum overlap instead of
+ * docs/theory once more, as printed: explicit branches and a stored maximum overlap instead of
  * the clamp, bisection instead of Newton, turns by sine and cosine, long double. Slow and
  * obvious; shares nothing with src/law.
  */
@@ -163,7 +163,7 @@ static inline ref_law ref_law_of(const clod_case_contact *c, const clod_case_mat
         law.tangential = (quad)c->tangential_ratio * law.n * law.k1 * powl(overlap, law.n - 1);
     }
     const quad l = logl((quad)c->restitution);
-    // 1 for n = 1, sqrt(5/6) for n = 3/2 (PHYSICS 2)
+    // 1 for n = 1, sqrt(5/6) for n = 3/2 (docs/theory/damping.md)
     law.damping =
         -2.0L * l / sqrtl(l * l + REF_PI * REF_PI) * sqrtl((1.0L + 1.0L / law.n) / 2.0L);
     return law;
@@ -196,7 +196,8 @@ static inline void ref_shorten(quad vector[3], quad scale, quad limit)
     }
 }
 
-/** PHYSICS 3: the spring is held to its limit, then the sum of spring and dash-pot. */
+/** docs/theory/tangential.md: the spring is held to its limit, then the sum of spring and
+ * dash-pot. */
 static inline void ref_pull_back(quad spring[3], quad stiffness, quad dash_pot,
                                  const quad rate[3], quad limit, quad force[3])
 {
@@ -247,7 +248,8 @@ static inline void ref_rolling(const clod_case_contact *c, const ref_motion *m, 
     ref_pull_back(memory->roll, k_r, c_r, spin, cap, out);
 }
 
-/** Velocity of i against j at the contact along the tangent plane (PHYSICS 3). */
+/** Velocity of i against j at the contact along the tangent plane (docs/theory/tangential.md).
+ */
 static inline quad ref_slip(const ref_motion *m, quad slip[3])
 {
     quad arms[3], turn[3], v[3];

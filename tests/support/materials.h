@@ -6,11 +6,11 @@
 
 #include "clod/case.h"
 
-/** Copper ore (PHYSICS 6). */
+/** Copper ore (docs/theory/copper-ore.md). */
 static const clod_case_material ORE = {
     .density = 2481.3, .youngs_modulus = 119e9, .poissons_ratio = 0.34};
 
-/** Copper ore, 5 % moisture (PHYSICS 6, Table 1), without dash-pot. */
+/** Copper ore, 5 % moisture (docs/theory/copper-ore.md, Table 1), without dash-pot. */
 static inline clod_case_contact contact_ore(void)
 {
     return (clod_case_contact){.law = CLOD_LAW_MEPA,

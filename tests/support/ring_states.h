@@ -12,7 +12,7 @@
 
 // A cell with round numbers: 50 to 100 mm, so that
 //   A = pi (0.1^2 - 0.05^2) = 0.0235619 m2,
-//   r_m = (2/3)(0.1^3 - 0.05^3)/(0.1^2 - 0.05^2) = 0.0777778 m (PHYSICS 7).
+//   r_m = (2/3)(0.1^3 - 0.05^3)/(0.1^2 - 0.05^2) = 0.0777778 m (docs/theory/ring-shear.md).
 #define AREA 0.023561944901923448
 #define MEAN_RADIUS 0.07777777777777778
 #define DT 1e-5

@@ -1,4 +1,4 @@
-// The contact bench against closed forms by hand (PHYSICS 1-4) and its check values.
+// The contact bench against closed forms by hand (docs/theory) and its check values.
 
 #include "support/bench_path.h"
 
@@ -22,7 +22,7 @@ static void printed(double value, double expected)
     }
 }
 
-// Table of PHYSICS 1, "check values", n = 3/2, d_max = 3e-6 m.
+// Table of docs/theory/mepa.md, "check values", n = 3/2, d_max = 3e-6 m.
 static void normal_force_has_the_check_values(void **state)
 {
     (void)state;
@@ -45,7 +45,7 @@ static void normal_force_has_the_check_values(void **state)
     printed(p->row[9].force, -1.089411);
 }
 
-// PHYSICS 1: f3 down to 0.60, reload to 0.70, on to 1.10.
+// docs/theory/mepa.md: f3 down to 0.60, reload to 0.70, on to 1.10.
 static void reloading_from_the_adhesive_branch(void **state)
 {
     (void)state;

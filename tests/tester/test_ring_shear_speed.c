@@ -96,7 +96,7 @@ static void comes_to_speed(double inner, double outer, double speed)
 static void every_speed_is_reached_in_every_cell(void **state)
 {
     (void)state;
-    // the RST-01 as commonly quoted (PHYSICS 7), a small and a large cell
+    // the RST-01 as commonly quoted (docs/theory/ring-shear.md), a small and a large cell
     static const double RADII[][2] = {{0.05, 0.1}, {0.016, 0.032}, {0.1, 0.21}};
     for (size_t r = 0; r < sizeof RADII / sizeof *RADII; r++) {
         for (int tenths = 10; tenths <= 1000; tenths++) { // 1 to 100 mm/s
