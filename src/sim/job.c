@@ -43,7 +43,7 @@ static double clock_now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/** Bring the history into the state and write everything; the series first. */
+/** Write everything; the series first. */
 static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *status)
 {
     clod_job *job = loop->job;
@@ -57,14 +57,18 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
             return false;
         }
     }
-    return clod_series_sync(loop->series, status) && clod_step_export(&loop->step, status) &&
-           clod_job_store(job, suffix, status);
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
+    return clod_series_sync(loop->series, status) &&
+           clod_job_store(job, &contacts, suffix, status);
 }
 
 static bool write_snapshot(job_loop *loop, clod_status *status)
 {
     loop->last_picture = loop->job->state.step;
-    return clod_step_export(&loop->step, status) && clod_job_picture(loop->job, status);
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
+    return clod_job_picture(loop->job, &contacts, status);
 }
 
 /** Steps until a snapshot is due; very many when none ever is. */
@@ -329,7 +333,7 @@ static bool open_loop(job_loop *loop, clod_status *status)
 static void log_end(job_loop *loop, const clod_job *job, bool ok, const clod_status *status)
 {
     clod_status ignored;
-    clod_step_export(&loop->step, &ignored); // after most ends it is done already
+    clod_step_hand_over(&loop->step, &ignored); // for what is measured at the end
     const clod_measure_contacts bed = clod_measure_contacts_of(&job->state);
     clod_eventlog_write(job->sim->log, ok ? "finished" : "stopped",
                         "{s:s, s:I, s:f, s:f, s:i, s:I, s:I, s:I, s:f, s:f, s:s}", "part",

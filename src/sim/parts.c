@@ -38,7 +38,7 @@ static bool take_over(const part_batch *batch, clod_part *part, clod_job *job,
         return false;
     }
     batch->tester->adopt(batch->sim->from, part);
-    return clod_job_store(job, "", status);
+    return clod_job_store(job, NULL, "", status);
 }
 
 static bool begin(const part_batch *batch, clod_part *part, clod_job *job, clod_status *status)
