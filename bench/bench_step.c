@@ -170,6 +170,15 @@ static bool write_checkpoints(const char *path, clod_step *step, double *seconds
     return good;
 }
 
+static double count_contacts(clod_step *step)
+{
+    size_t pairs, walls;
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(step, &reader);
+    contacts.begin(contacts.context, &pairs, &walls);
+    return (double)(pairs + walls);
+}
+
 static bool measure(const options *o, clod_step *step, measured *m, clod_status *status)
 {
     if ((o->ledger && !clod_step_open_ledger(step, status)) ||
@@ -182,15 +191,16 @@ static bool measure(const options *o, clod_step *step, measured *m, clod_status 
     m->wall = bench_now() - begin;
     m->rss_stepped = rss();
     m->rebuilds = step->rebuilds;
-    bool good = ok && (!o->peak || rebuild(step, status));
-    good =
-        good && (o->folder == NULL || write_checkpoints(o->folder, step, &m->writing, status));
-    m->rss_written = rss();
-    good = good && clod_step_export(step, status);
+    const bool good = ok && (!o->peak || rebuild(step, status));
     m->rss_peak = rss();
-    m->contacts = (double)step->state->contact_count;
-    m->energies = clod_step_energies(step); // takes the contacts back, and scratch of its own
-    return good;
+    m->contacts = count_contacts(step);
+    if (!good ||
+        (o->folder != NULL && !write_checkpoints(o->folder, step, &m->writing, status))) {
+        return false;
+    }
+    m->rss_written = rss();
+    m->energies = clod_step_energies(step); // with scratch of its own
+    return true;
 }
 
 static void report(const options *o, clod_step *step, const measured *m)

@@ -330,11 +330,25 @@ static bool open_loop(job_loop *loop, clod_status *status)
     return !job->sim->from->output.energy || open_energy(loop, status);
 }
 
-static void log_end(job_loop *loop, const clod_job *job, bool ok, const clod_status *status)
+/** What the contacts say at the end, before the step that has them is gone. */
+static void measure_bed(job_loop *loop)
 {
-    clod_status ignored;
-    clod_step_hand_over(&loop->step, &ignored); // for what is measured at the end
-    const clod_measure_contacts bed = clod_measure_contacts_of(&job->state);
+    clod_job *job = loop->job;
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
+    job->bed = clod_measure_contacts_from(&job->state, &contacts);
+    job->stepped = true;
+}
+
+clod_measure_contacts clod_job_bed(const clod_job *job)
+{
+    return job->stepped ? job->bed : clod_measure_contacts_of(&job->state);
+}
+
+static void log_end(const job_loop *loop, const clod_job *job, bool ok,
+                    const clod_status *status)
+{
+    const clod_measure_contacts bed = clod_job_bed(job);
     clod_eventlog_write(job->sim->log, ok ? "finished" : "stopped",
                         "{s:s, s:I, s:f, s:f, s:i, s:I, s:I, s:I, s:f, s:f, s:s}", "part",
                         job->name, "step", (json_int_t)job->state.step, "time_s",
@@ -366,6 +380,7 @@ bool clod_job_run(clod_job *job, clod_status *status)
     bool ok = open_loop(&loop, status) && (job->resumed || write_checkpoint(&loop, "", status));
     if (ok) {
         ok = loop_to_end(&loop, status);
+        measure_bed(&loop);
         log_end(&loop, job, ok, status);
     }
     clod_status closing; // an error before it is the one to tell

@@ -186,11 +186,6 @@ bool clod_step_export(clod_step *self, clod_status *status)
     return clod_near_gather(&self->near, self->state, &self->walls, false, status);
 }
 
-bool clod_step_hand_over(clod_step *self, clod_status *status)
-{
-    return clod_near_gather(&self->near, self->state, &self->walls, true, status);
-}
-
 void clod_step_fini(clod_step *self)
 {
     clod_neighbour_fini(&self->neighbour);

@@ -123,12 +123,6 @@ clod_energies clod_step_energies(clod_step *self);
  */
 bool clod_step_export(clod_step *self, clod_status *status);
 
-/**
- * The same at the end of a run: all contacts are moved into state->contacts, and the memory
- * that they took in the step is free. The step is not advanced any more.
- */
-bool clod_step_hand_over(clod_step *self, clod_status *status);
-
 /** Where the reading of a step's contacts is. */
 typedef struct clod_step_reader {
     clod_step *step;
