@@ -137,14 +137,24 @@ static const H5FD_class_t DRIVER = {
     .fl_map = H5FD_FLMAP_DICHOTOMY,
 };
 
+/**
+ * The driver, for good: HDF5 1.10.8 looks at it once more after the last file of it is closed.
+ * A program that uses HDF5 itself may have closed the library since.
+ */
+static hid_t the_driver(void)
+{
+    static hid_t driver = -1; // of whoever has HDF5
+    if (driver < 0 || H5Iget_type(driver) != H5I_VFL) {
+        driver = H5FDregister(&DRIVER);
+    }
+    return driver;
+}
+
 hid_t clod_hdf_disk_access(clod_hdf_disk *disk)
 {
-    const hid_t driver = H5FDregister(&DRIVER);
+    const hid_t driver = the_driver();
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     const bool set = driver >= 0 && access >= 0 && H5Pset_driver(access, driver, &disk) >= 0;
-    if (driver >= 0) {
-        H5FDunregister(driver); // the properties hold it
-    }
     if (!set && access >= 0) {
         H5Pclose(access);
     }
