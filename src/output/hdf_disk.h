@@ -5,8 +5,8 @@
  *
  * HDF5 never opens a file by a path: it reads and writes through a descriptor of ours, behind
  * the bytes of a head. The first error of the system is kept; from then on what HDF5 writes is
- * dropped and reported to it as written, so that it closes its file as after a success. A
- * flush that fails within HDF5 leaves a file that can neither be closed nor forgotten.
+ * dropped and reported to it as written, so that it closes its file as after a success. With
+ * HDF5 1.10.8 a flush that fails leaves its file open for good (docs/known-crashes.md).
  */
 
 #include <hdf5.h>

@@ -99,22 +99,24 @@ bool clod_near_cursor_next(clod_near_cursor *self)
     return true;
 }
 
-clod_contact clod_near_cursor_contact(const clod_near_cursor *self, const clod_wall_rows *walls)
+void clod_near_cursor_copy(const clod_near_cursor *self, const clod_wall_rows *walls,
+                           clod_contact *to)
 {
-    clod_contact contact;
     const int lane = self->lane;
     if (self->list == &self->near->pairs) {
         const clod_contact_block *block = self->block;
-        contact = (clod_contact){.i = block->i[lane], .j = block->j[lane], .shape = -1};
-        clod_history_get(&block->history, lane, contact.history);
+        to->i = block->i[lane];
+        to->j = block->j[lane];
+        to->shape = -1;
+        clod_history_get(&block->history, lane, to->history);
     } else {
         const clod_wall_block *block = self->block;
         const int32_t wall = block->wall[lane] / CLOD_WALL_ROWS;
-        const int32_t shape = block->shape[lane] / CLOD_SHAPE_ROWS - walls->first_shape[wall];
-        contact = (clod_contact){.i = block->i[lane], .j = wall, .shape = shape};
-        clod_history_get(&block->history, lane, contact.history);
+        to->i = block->i[lane];
+        to->j = wall;
+        to->shape = block->shape[lane] / CLOD_SHAPE_ROWS - walls->first_shape[wall];
+        clod_history_get(&block->history, lane, to->history);
     }
-    return contact;
 }
 
 void clod_near_cursor_release(const clod_near_cursor *self)

@@ -68,7 +68,7 @@ static void copy_list(const clod_near *self, const clod_near_blocks *list,
     size_t count = 0;
     clod_near_cursor cursor = clod_near_cursor_begin(self, list, part);
     while (clod_near_cursor_next(&cursor)) {
-        to[count++] = clod_near_cursor_contact(&cursor, walls);
+        clod_near_cursor_copy(&cursor, walls, &to[count++]);
         if (release && count % CLOD_NEAR_GIVE_BACK == 0) {
             clod_near_cursor_release(&cursor);
         }

@@ -28,7 +28,7 @@ size_t clod_near_reader_next(clod_near_reader *self, clod_contact *to, size_t ro
     size_t count = 0;
     while (count < room) {
         if (clod_near_cursor_next(&self->cursor)) {
-            to[count++] = clod_near_cursor_contact(&self->cursor, self->walls);
+            clod_near_cursor_copy(&self->cursor, self->walls, &to[count++]);
         } else if (!turn_page(self)) {
             break;
         }

@@ -7,6 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <hdf5.h>
+
 #include "output/checkpoint.h"
 #include "output/checkpoint_file.h"
 
@@ -406,6 +408,7 @@ static void a_full_disk_leaves_both_files(void **folder)
     }
     sigaction(SIGXFSZ, &old, NULL);
     clod_state_fini(&state);
+    assert_int_equal(H5Fget_obj_count((hid_t)H5F_OBJ_ALL, H5F_OBJ_ALL), 0); // HDF5 let all go
     temp_write(folder, "restart_b.h5", "", 0);
     expect_seed(folder, 1, notice); // the older one is whole too
 }
