@@ -4,13 +4,14 @@
  * at the end, as one line of JSON.
  *
  *   bench_step PACKING.csv PACKING.box [--law NAME] [--steps N] [--warm N] [--threads N]
- *              [--simd SET] [--ledger] [--stages] [--peak]
+ *              [--simd SET] [--ledger] [--stages] [--peak] [--checkpoint FOLDER]
  *   bench_step --version
  *
  * The packing and the laws (mepa, hertz, hertz-rolling) are those of bed.h. The clock runs over
  * `steps` after `warm` steps. --stages runs the stages one by one on one thread with a clock
  * around each. --peak makes all lists anew in one more step, behind the clock: the most memory
- * that a run takes.
+ * that a run takes while it steps. --checkpoint writes CHECKPOINTS of them into the folder
+ * after that, as a run does, and tells the memory and the time of the last.
  */
 #include <getopt.h>
 #include <math.h>
@@ -20,12 +21,14 @@
 
 #include "bed.h"
 #include "clod/version.h"
+#include "output/checkpoint.h"
 #include "stages.h"
 
 #define TIME_STEP 1e-7 // s, for all programs: bench/peers
+#define CHECKPOINTS 3  // from the third on two older ones are there to be looked at first
 
 typedef struct options {
-    const char *csv, *box, *law;
+    const char *csv, *box, *law, *folder;
     int64_t steps, warm; ///< warm < 0: a tenth of the steps, and one
     clod_step_options step;
     bool ledger, stages, peak;
@@ -37,15 +40,22 @@ typedef struct measured {
     clod_energies energies;
     double contacts;
     int64_t rebuilds;
-    long rss_empty, rss_stepped, rss_peak; ///< kB
+    double writing;                                     ///< s, of the last checkpoint
+    long rss_empty, rss_stepped, rss_peak, rss_written; ///< kB
 } measured;
 
 static const struct option OPTIONS[] = {
-    {"law", required_argument, NULL, 'l'},  {"steps", required_argument, NULL, 's'},
-    {"warm", required_argument, NULL, 'w'}, {"threads", required_argument, NULL, 't'},
-    {"simd", required_argument, NULL, 'i'}, {"ledger", no_argument, NULL, 'e'},
-    {"stages", no_argument, NULL, 'g'},     {"peak", no_argument, NULL, 'p'},
-    {"version", no_argument, NULL, 'v'},    {0},
+    {"law", required_argument, NULL, 'l'},
+    {"steps", required_argument, NULL, 's'},
+    {"warm", required_argument, NULL, 'w'},
+    {"threads", required_argument, NULL, 't'},
+    {"simd", required_argument, NULL, 'i'},
+    {"ledger", no_argument, NULL, 'e'},
+    {"stages", no_argument, NULL, 'g'},
+    {"peak", no_argument, NULL, 'p'},
+    {"version", no_argument, NULL, 'v'},
+    {"checkpoint", required_argument, NULL, 'c'},
+    {0},
 };
 
 static void give_up(const char *text)
@@ -94,6 +104,9 @@ static options read_options(int argc, char **argv)
         case 'p':
             o.peak = true;
             break;
+        case 'c':
+            o.folder = optarg;
+            break;
         case 'v':
             puts(clod_version_text());
             exit(0);
@@ -139,6 +152,33 @@ static bool rebuild(clod_step *step, clod_status *status)
     return clod_step_advance(step, 1, status) && step->rebuilds > before;
 }
 
+/** Checkpoints as a job writes them. */
+static bool write_checkpoints(const char *path, clod_step *step, double *seconds,
+                              clod_status *status)
+{
+    clod_folder *folder = clod_folder_open(path, status);
+    bool good = folder != NULL;
+    for (int k = 0; good && k < CHECKPOINTS; k++) {
+        const double begin = bench_now();
+        clod_step_reader reader;
+        const clod_contact_source contacts = clod_step_contacts(step, &reader);
+        good = clod_checkpoint_write(folder, "restart", step->state, &contacts, NULL, 0, NULL,
+                                     status);
+        *seconds = bench_now() - begin;
+    }
+    clod_folder_close(&folder);
+    return good;
+}
+
+static double count_contacts(clod_step *step)
+{
+    size_t pairs, walls;
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(step, &reader);
+    contacts.begin(contacts.context, &pairs, &walls);
+    return (double)(pairs + walls);
+}
+
 static bool measure(const options *o, clod_step *step, measured *m, clod_status *status)
 {
     if ((o->ledger && !clod_step_open_ledger(step, status)) ||
@@ -151,12 +191,16 @@ static bool measure(const options *o, clod_step *step, measured *m, clod_status 
     m->wall = bench_now() - begin;
     m->rss_stepped = rss();
     m->rebuilds = step->rebuilds;
-    const bool good =
-        ok && (!o->peak || rebuild(step, status)) && clod_step_export(step, status);
+    const bool good = ok && (!o->peak || rebuild(step, status));
     m->rss_peak = rss();
-    m->contacts = (double)step->state->contact_count;
-    m->energies = clod_step_energies(step); // takes the contacts back, and scratch of its own
-    return good;
+    m->contacts = count_contacts(step);
+    if (!good ||
+        (o->folder != NULL && !write_checkpoints(o->folder, step, &m->writing, status))) {
+        return false;
+    }
+    m->rss_written = rss();
+    m->energies = clod_step_energies(step); // with scratch of its own
+    return true;
 }
 
 static void report(const options *o, clod_step *step, const measured *m)
@@ -185,6 +229,9 @@ static void report(const options *o, clod_step *step, const measured *m)
     }
     printf("\"kinetic_J\": %.17g, \"rotational_J\": %.17g, ", m->energies.translation,
            m->energies.rotation);
+    if (o->folder != NULL) {
+        printf("\"checkpoint_s\": %.4g, \"rss_written_kB\": %ld, ", m->writing, m->rss_written);
+    }
     printf("\"rss_empty_kB\": %ld, \"rss_stepped_kB\": %ld, \"rss_peak_kB\": %ld}\n",
            m->rss_empty, m->rss_stepped, m->rss_peak);
 }

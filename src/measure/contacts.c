@@ -4,6 +4,8 @@
 
 #include "parallel/exact.h"
 
+#define AT_A_TIME 256 // contacts
+
 static double pair_distance(const clod_state *state, const double a[4], const double b[4])
 {
     double sum = 0.0;
@@ -14,22 +16,41 @@ static double pair_distance(const clod_state *state, const double a[4], const do
     return sqrt(sum);
 }
 
-clod_measure_contacts clod_measure_contacts_of(const clod_state *state)
+/** A contact's share. */
+static void add_contact(clod_measure_contacts *self, clod_exact *sum, const clod_state *state,
+                        const clod_contact *contact)
 {
-    clod_measure_contacts m = {.walls = state->wall_contact_count};
-    m.pairs = state->contact_count - state->wall_contact_count;
+    const double *a = state->grains.place[contact->i];
+    const double *b = state->grains.place[contact->j];
+    const double overlap = (a[3] + b[3] - pair_distance(state, a, b)) / fmin(a[3], b[3]);
+    self->max_overlap = fmax(self->max_overlap, overlap);
+    clod_exact_add(sum, overlap);
+}
+
+clod_measure_contacts clod_measure_contacts_from(const clod_state *state,
+                                                 const clod_contact_source *contacts)
+{
+    clod_measure_contacts m = {0};
+    clod_contact some[AT_A_TIME];
     clod_exact sum = {0};
-    for (size_t k = 0; k < m.pairs; k++) {
-        const double *a = state->grains.place[state->contacts[k].i];
-        const double *b = state->grains.place[state->contacts[k].j];
-        const double overlap = (a[3] + b[3] - pair_distance(state, a, b)) / fmin(a[3], b[3]);
-        m.max_overlap = fmax(m.max_overlap, overlap);
-        clod_exact_add(&sum, overlap);
+    contacts->begin(contacts->context, &m.pairs, &m.walls);
+    for (size_t first = 0; first < m.pairs; first += AT_A_TIME) { // pairs come first
+        const size_t count = contacts->next(contacts->context, some, AT_A_TIME);
+        for (size_t k = 0; k < count && first + k < m.pairs; k++) {
+            add_contact(&m, &sum, state, &some[k]);
+        }
     }
     m.mean_overlap = m.pairs > 0 ? clod_exact_value(&sum) / (double)m.pairs : 0.0;
     m.coordination =
         2.0 * (double)m.pairs / (double)(state->grains.count + !state->grains.count);
     return m;
+}
+
+clod_measure_contacts clod_measure_contacts_of(const clod_state *state)
+{
+    clod_contact_list list;
+    const clod_contact_source contacts = clod_contact_source_of(&list, state);
+    return clod_measure_contacts_from(state, &contacts);
 }
 
 size_t clod_measure_loaded_grains(const clod_state *state)

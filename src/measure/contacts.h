@@ -1,10 +1,10 @@
 #pragma once
 /**
  * @file contacts.h
- * What the contacts of a state say about the bed; state->contacts must be up to date.
+ * What the contacts of a state say about the bed.
  */
 
-#include "state/state.h"
+#include "state/contact_source.h"
 
 typedef struct clod_measure_contacts {
     size_t pairs, walls; ///< closed contacts: grain-grain, grain-wall
@@ -13,7 +13,11 @@ typedef struct clod_measure_contacts {
     double mean_overlap; ///< likewise
 } clod_measure_contacts;
 
-/** Threads: pure. */
+/** Of all contacts of a source, in any order; `state` has the grains.  Threads: pure. */
+clod_measure_contacts clod_measure_contacts_from(const clod_state *state,
+                                                 const clod_contact_source *contacts);
+
+/** The same of state->contacts. */
 clod_measure_contacts clod_measure_contacts_of(const clod_state *state);
 
 /** Grains on which anything but their weight acts: those that are in contact and carry load.

@@ -8,11 +8,11 @@
 #include "base/memory.h"
 #include "clod/version.h"
 #include "output/checkpoint_columns.h"
+#include "output/checkpoint_contacts.h"
 #include "output/checkpoint_file.h"
 #include "output/folder_files.h"
 #include "output/hdf.h"
 #include "state/alter.h"
-#include "state/ids.h"
 #include "state/limits.h"
 
 /** The identity of a wall: stored to be compared, never read back. */
@@ -46,23 +46,10 @@ static clod_hdf_column part_column(const clod_checkpoint_part *part, char name[N
                              .stride = 1};
 }
 
-/** Whom each contact is between: ids of grains, or of a grain and the wall's number; owned. */
-static uint64_t (*make_partners(const clod_state *state))[2]
-{
-    uint64_t(*partners)[2] = clod_memory_alloc(state->contact_count + 1, sizeof *partners);
-    const size_t pairs = state->contact_count - state->wall_contact_count;
-    for (size_t c = 0; partners != NULL && c < state->contact_count; c++) {
-        const clod_contact *contact = &state->contacts[c];
-        partners[c][0] = state->grains.id[contact->i];
-        partners[c][1] = c < pairs ? state->grains.id[contact->j] : (uint64_t)contact->j;
-    }
-    return partners;
-}
-
-static void put_columns(clod_hdf *hdf, const clod_state *state, const uint64_t (*partners)[2])
+static void put_columns(clod_hdf *hdf, const clod_state *state)
 {
     clod_checkpoint_columns columns;
-    clod_checkpoint_columns_list(&columns, state, partners);
+    clod_checkpoint_columns_list(&columns, state);
     for (size_t c = 0; c < columns.count; c++) {
         clod_hdf_put(hdf, &columns.column[c]);
     }
@@ -72,36 +59,26 @@ static void put_columns(clod_hdf *hdf, const clod_state *state, const uint64_t (
     clod_hdf_put(hdf, &identity[1]);
 }
 
-/** Owned HDF5 bytes of everything. */
-static bool build_image(const clod_state *state, const clod_checkpoint_part *parts,
-                        size_t part_count, const char *case_text, void **image, size_t *size,
-                        clod_status *status)
+static void put_attributes(clod_hdf *hdf, const clod_state *state)
 {
-    clod_hdf *hdf = clod_hdf_create(CLOD_HDF_EXACT, status);
-    if (hdf == NULL) {
-        return false;
-    }
-    uint64_t(*partners)[2] = make_partners(state);
-    if (partners == NULL) {
-        clod_status ignored;
-        clod_hdf_finish(&hdf, image, size, &ignored);
-        clod_memory_free(*image);
-        return clod_status_fail(status, CLOD_FAILED,
-                                "No memory for a checkpoint of %zu grains.",
-                                state->grains.count);
-    }
     const int64_t format = CLOD_CHECKPOINT_FORMAT;
     clod_hdf_put_ints(hdf, "/", "clod_checkpoint_format", &format, 1);
     clod_hdf_put_text(hdf, "/", "clod_version", clod_version_text());
     clod_hdf_put_ints(hdf, "/", "step", &state->step, 1);
     clod_hdf_put_real(hdf, "/", "time_s", state->time);
-    put_columns(hdf, state, (const uint64_t(*)[2])partners);
-    clod_memory_free(partners);
+}
+
+static void put_parts(clod_hdf *hdf, const clod_checkpoint_part *parts, size_t part_count)
+{
     for (size_t p = 0; p < part_count; p++) {
         char name[NAME_MAX];
         const clod_hdf_column part = part_column(&parts[p], name);
         clod_hdf_put(hdf, &part);
     }
+}
+
+static void put_case(clod_hdf *hdf, const char *case_text)
+{
     if (case_text != NULL && case_text[0] != '\0') {
         const size_t length = strlen(case_text);
         const clod_hdf_column text = {.name = "case",
@@ -112,10 +89,10 @@ static bool build_image(const clod_state *state, const clod_checkpoint_part *par
                                       .stride = length};
         clod_hdf_put(hdf, &text);
     }
-    return clod_hdf_finish(&hdf, image, size, status);
 }
 
 bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const clod_state *state,
+                           const clod_contact_source *contacts,
                            const clod_checkpoint_part *parts, size_t part_count,
                            const char *case_text, clod_status *status)
 {
@@ -127,25 +104,32 @@ bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const cl
     }
     const int last = clod_checkpoint_file_newest(files);
     const int target = last == -1 ? 0 : 1 - last;
-    void *image;
-    size_t size;
-    if (!build_image(state, parts, part_count, case_text, &image, &size, status)) {
+    clod_folder_draft draft;
+    if (!clod_folder_draft_begin(&draft, folder, files[target].name, status)) {
         return false;
     }
-    const clod_checkpoint_head head = {
+    clod_checkpoint_head head = {
         .format = CLOD_CHECKPOINT_FORMAT,
         .sequence = last == -1 ? 1 : files[last].head.sequence + 1,
         .step = state->step,
         .time = state->time,
         .case_hash = clod_checkpoint_file_case_hash(case_text),
-        .bytes = size,
     };
-    char text[CLOD_CHECKPOINT_HEAD_BYTES];
-    clod_checkpoint_file_print_head(text, &head, image);
-    const bool done =
-        clod_folder_replace(folder, files[target].name, text, sizeof text, image, size, status);
-    clod_memory_free(image);
-    return done;
+    const clod_hdf_place place = {folder, draft.name, draft.descriptor,
+                                  CLOD_CHECKPOINT_HEAD_BYTES};
+    clod_hdf *hdf = clod_hdf_create(&place, CLOD_HDF_EXACT, status);
+    bool good = hdf != NULL;
+    if (good) {
+        put_attributes(hdf, state);
+        put_columns(hdf, state);
+        good = clod_checkpoint_contacts_put(hdf, state, contacts, status);
+        put_parts(hdf, parts, part_count);
+        put_case(hdf, case_text);
+        clod_status finishing; // an error before it is the one to tell
+        good = clod_hdf_finish(&hdf, &head.bytes, good ? status : &finishing) && good;
+    }
+    good = good && clod_checkpoint_file_seal(&draft, &head, status);
+    return clod_folder_draft_end(&draft, good, status);
 }
 
 /** Names and numbers of shapes of the file's walls into `found`. */
@@ -197,10 +181,10 @@ static bool check_walls(clod_hdf *hdf, clod_state *state, const char *path, clod
         return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
     }
     read_walls(hdf, found, stored);
-    const bool no_memory = clod_hdf_lacks_memory(hdf); // what was not read looks different
-    const bool same = !no_memory && match_walls(state, found, stored, removed);
+    const bool unread = clod_hdf_fails_outside(hdf); // what was not read looks different
+    const bool same = !unread && match_walls(state, found, stored, removed);
     clod_memory_free(found);
-    if (no_memory) {
+    if (unread) {
         return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
     }
     return same || clod_status_fail(status, CLOD_FAILED,
@@ -246,56 +230,12 @@ static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
                                     "No memory for a checkpoint of %zu grains.", grains);
 }
 
-/** Rows of one contact from its partners; false: they are not there. */
-static bool find_contact(const clod_state *state, const clod_ids *ids, size_t c,
-                         const uint64_t partners[2])
-{
-    clod_contact *contact = &state->contacts[c];
-    const bool pair = c < state->contact_count - state->wall_contact_count;
-    const int64_t i = clod_ids_row(ids, partners[0]);
-    if (!pair) {
-        const bool there = partners[1] < (uint64_t)state->walls.count;
-        const int32_t wall = there ? (int32_t)partners[1] : 0;
-        contact->i = (int32_t)i;
-        contact->j = wall;
-        return i >= 0 && there && contact->shape >= 0 &&
-               contact->shape < state->walls.wall[wall].shape_count;
-    }
-    const int64_t j = clod_ids_row(ids, partners[1]);
-    contact->i = (int32_t)i;
-    contact->j = (int32_t)j;
-    if (i >= 0 && j >= 0 && i > j) { // rows stand in another order than they did
-        clod_contact_turn(contact);
-    }
-    return i >= 0 && j >= 0 && i != j && contact->shape == -1;
-}
-
-/** Rows of all contacts; false: one is of a grain, wall or shape that is not there. */
-static bool find_contacts(clod_state *state, const uint64_t (*partners)[2], const char *path,
-                          clod_status *status)
-{
-    clod_ids ids;
-    if (!clod_ids_init(&ids, state->grains.id, state->grains.count, status)) {
-        return false;
-    }
-    bool fit =
-        state->wall_contact_count <= state->contact_count && clod_ids_are_different(&ids);
-    for (size_t c = 0; fit && c < state->contact_count; c++) {
-        fit = find_contact(state, &ids, c, partners[c]);
-    }
-    clod_ids_fini(&ids);
-    return fit || clod_status_fail(status, CLOD_FAILED,
-                                   "%s holds two grains of one id, or contacts of grains or "
-                                   "walls that it does not have. Start over with --fresh.",
-                                   path);
-}
-
-/** Read every column and part. */
-static void get_columns(clod_hdf *hdf, const clod_state *state, const uint64_t (*partners)[2],
+/** Read every column and part but the contacts. */
+static void get_columns(clod_hdf *hdf, const clod_state *state,
                         const clod_checkpoint_part *parts, size_t part_count)
 {
     clod_checkpoint_columns columns;
-    clod_checkpoint_columns_list(&columns, state, partners);
+    clod_checkpoint_columns_list(&columns, state);
     for (size_t c = 0; c < columns.count; c++) {
         clod_hdf_get(hdf, &columns.column[c]);
     }
@@ -309,13 +249,14 @@ static void get_columns(clod_hdf *hdf, const clod_state *state, const uint64_t (
 /** End reading; false, with what was wrong. */
 static bool end_reading(clod_hdf **hdf, const char *path, clod_status *status)
 {
-    const bool no_memory = clod_hdf_lacks_memory(*hdf);
+    const bool outside = clod_hdf_fails_outside(*hdf);
     clod_status reading;
     if (clod_hdf_end_reading(hdf, &reading)) {
         return true;
     }
-    if (no_memory) {
-        return clod_status_fail(status, CLOD_FAILED, "%s: %s", path, reading.text);
+    if (outside) {
+        *status = reading;
+        return false;
     }
     return clod_status_fail(status, CLOD_FAILED,
                             "%s is whole but does not hold what this clod needs: %s Start over "
@@ -324,35 +265,31 @@ static bool end_reading(clod_hdf **hdf, const char *path, clod_status *status)
 }
 
 /** Fill state and parts from a whole file. */
-static bool restore(const clod_checkpoint_file *file, clod_state *state,
-                    clod_checkpoint_part *parts, size_t part_count, clod_status *status)
+static bool restore(const clod_folder *folder, const clod_checkpoint_file *file,
+                    clod_state *state, clod_checkpoint_part *parts, size_t part_count,
+                    clod_status *status)
 {
-    clod_hdf *hdf = clod_hdf_open((const char *)file->bytes + CLOD_CHECKPOINT_HEAD_BYTES,
-                                  file->head.bytes, status);
+    const clod_hdf_place place = {folder, file->name, file->descriptor,
+                                  CLOD_CHECKPOINT_HEAD_BYTES};
+    clod_hdf *hdf = clod_hdf_open(&place, file->head.bytes, status);
     if (hdf == NULL) {
         return false;
     }
+    bool good = check_walls(hdf, state, file->path, status) && make_room(hdf, state, status);
+    if (good) {
+        get_columns(hdf, state, parts, part_count);
+        good = clod_checkpoint_contacts_get(hdf, state, file->path, status);
+        clod_grains_pad(&state->grains);
+        for (int32_t w = 0; w < state->walls.count; w++) { // it follows from axis and pose
+            clod_wall_find_symmetry(&state->walls.wall[w]);
+        }
+    }
     clod_status reading;
-    if (!check_walls(hdf, state, file->path, status) || !make_room(hdf, state, status)) {
-        clod_hdf_end_reading(&hdf, &reading);
-        return false;
+    const bool read = end_reading(&hdf, file->path, &reading);
+    if (!read) { // what could not be read looks different
+        *status = reading;
     }
-    uint64_t(*partners)[2] = clod_memory_alloc(state->contact_count + 1, sizeof *partners);
-    if (partners == NULL) {
-        clod_hdf_end_reading(&hdf, &reading);
-        return clod_status_fail(status, CLOD_FAILED,
-                                "No memory for a checkpoint of %zu grains.",
-                                state->grains.count);
-    }
-    get_columns(hdf, state, (const uint64_t(*)[2])partners, parts, part_count);
-    const bool good = end_reading(&hdf, file->path, status) &&
-                      find_contacts(state, (const uint64_t(*)[2])partners, file->path, status);
-    clod_memory_free(partners);
-    clod_grains_pad(&state->grains);
-    for (int32_t w = 0; w < state->walls.count; w++) { // it follows from axis and pose
-        clod_wall_find_symmetry(&state->walls.wall[w]);
-    }
-    return good;
+    return good && read;
 }
 
 /** Say why neither file can be used. */
@@ -418,7 +355,7 @@ bool clod_checkpoint_read(const clod_folder *folder, const char *stem, clod_stat
     if (last == -1) {
         fail_without(files, status);
     } else if (check_origin(&files[last], case_text, status)) {
-        done = restore(&files[last], state, parts, part_count, status);
+        done = restore(folder, &files[last], state, parts, part_count, status);
     }
     const clod_checkpoint_file *bad = &files[1 - (last == -1 ? 0 : last)];
     if (done && bad->there && !bad->whole) {

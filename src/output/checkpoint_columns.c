@@ -57,7 +57,6 @@ static void add_state(clod_checkpoint_columns *self, const clod_state *state)
     ADD(exchange.left_energy, "energy_left", "J", F64, CLOD_FACES);
     ADD(domain.removes, "domain_removes", "1", U8, 1);
     ADD(build_motion, "build_motion", "m", F64, 1);
-    ADD(wall_contact_count, "wall_contact_count", "1", U64, 1);
 #undef ADD
 }
 
@@ -82,7 +81,7 @@ static void add_grains(clod_checkpoint_columns *self, const clod_state *state)
     add(self, turning, 3 * real, "grains/inverse_inertia", "kg-1 m-2", CLOD_HDF_F64, 1);
     add(self, load, 0, "grains/force", "N", CLOD_HDF_F64, 3);
     add(self, load, 4 * real, "grains/torque", "N m", CLOD_HDF_F64, 3);
-    if (state->build_place != NULL) {
+    if (state->build_place != NULL && n > 0) {
         const clod_rows build = {state->build_place, n, sizeof *state->build_place};
         add(self, build, 0, "grains/build_place", "m", CLOD_HDF_F64, 4);
     }
@@ -120,7 +119,7 @@ static void add_walls(clod_checkpoint_columns *self, const clod_state *state)
     ADD(sum_torque, "N m", F64, 3);
     ADD(sum_power, "W", F64, 1);
 #undef ADD
-    if (state->build_walls != NULL) {
+    if (state->build_walls != NULL && state->walls.count > 0) {
         const clod_rows build = {state->build_walls, (size_t)state->walls.count,
                                  sizeof *state->build_walls};
         add(self, build, 0, "walls/build_shift", "m", CLOD_HDF_F64, 3);
@@ -129,29 +128,40 @@ static void add_walls(clod_checkpoint_columns *self, const clod_state *state)
     }
 }
 
-static void add_contacts(clod_checkpoint_columns *self, const clod_state *state,
-                         const uint64_t (*partners)[2])
-{
-    const clod_rows contacts = {state->contacts, state->contact_count, sizeof(clod_contact)};
-    const clod_rows ids = {partners, state->contact_count, sizeof *partners};
-    add(self, ids, 0, "contacts/partners", "1", CLOD_HDF_U64, 2);
-    add(self, contacts, offsetof(clod_contact, shape), "contacts/shape", "1", CLOD_HDF_I32, 1);
-    for (int f = 0; f < CLOD_HISTORY_FIELDS; f++) {
-        const clod_history_field *field = &CLOD_HISTORY[f];
-        const size_t first =
-            offsetof(clod_contact, history) + (size_t)field->first * sizeof(double);
-        snprintf(self->name[f], sizeof self->name[f], "contacts/%s", field->name);
-        add(self, contacts, first, self->name[f], field->unit, CLOD_HDF_F64,
-            (size_t)field->components);
-    }
-}
-
-void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state,
-                                  const uint64_t (*partners)[2])
+void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state)
 {
     self->count = 0;
     add_state(self, state);
     add_grains(self, state);
     add_walls(self, state);
-    add_contacts(self, state, partners);
+}
+
+void clod_checkpoint_columns_of_contacts(clod_checkpoint_columns *self,
+                                         const clod_contact *contacts,
+                                         const uint64_t (*partners)[2], size_t rows)
+{
+    const clod_rows all = {contacts, rows, sizeof *contacts};
+    const clod_rows ids = {partners, rows, sizeof *partners};
+    self->count = 0;
+    add(self, ids, 0, "contacts/partners", "1", CLOD_HDF_U64, 2);
+    add(self, all, offsetof(clod_contact, shape), "contacts/shape", "1", CLOD_HDF_I32, 1);
+    for (int f = 0; f < CLOD_HISTORY_FIELDS; f++) {
+        const clod_history_field *field = &CLOD_HISTORY[f];
+        const size_t first =
+            offsetof(clod_contact, history) + (size_t)field->first * sizeof(double);
+        snprintf(self->name[f], sizeof self->name[f], "contacts/%s", field->name);
+        add(self, all, first, self->name[f], field->unit, CLOD_HDF_F64,
+            (size_t)field->components);
+    }
+}
+
+clod_hdf_column clod_checkpoint_columns_wall_count(const size_t *count)
+{
+    return (clod_hdf_column){.name = "state/wall_contact_count",
+                             .units = "1",
+                             .type = CLOD_HDF_U64,
+                             .components = 1,
+                             .rows = 1,
+                             .data = count,
+                             .stride = sizeof *count};
 }

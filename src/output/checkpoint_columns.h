@@ -17,15 +17,24 @@ typedef struct clod_checkpoint_columns {
 } clod_checkpoint_columns;
 
 /**
- * List every column of the state, but for what makes up a wall's identity (name, shapes).
- *
- * Contacts are known by their partners: the ids of two grains, the earlier one in the order of
- * forces first; or the id of a grain and the number of a wall.
+ * List every column of the state, but for its contacts and for what makes up a wall's identity
+ * (name, shapes).
  *
  * The pointers are borrowed from the state: list again when its arrays have moved. Arrays that
- * the state does not have (build_place, build_walls) are not listed.
- *
- * @param partners  [contact_count] of each contact; NULL without contacts
+ * the state does not have or that have no rows (build_place, build_walls) are not listed.
  */
-void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state,
-                                  const uint64_t (*partners)[2]);
+void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state);
+
+/**
+ * List the columns of contacts. They are known by their partners: the ids of two grains, the
+ * earlier one in the order of forces first; or the id of a grain and the number of a wall.
+ *
+ * @param contacts  [rows] borrowed
+ * @param partners  [rows] of each contact, borrowed
+ */
+void clod_checkpoint_columns_of_contacts(clod_checkpoint_columns *self,
+                                         const clod_contact *contacts,
+                                         const uint64_t (*partners)[2], size_t rows);
+
+/** How many of the contacts, the last ones, are with walls. */
+clod_hdf_column clod_checkpoint_columns_wall_count(const size_t *count);

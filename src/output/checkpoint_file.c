@@ -1,14 +1,16 @@
 #include "output/checkpoint_file.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
-#include "base/memory.h"
 #include "output/checkpoint.h"
 #include "output/file.h"
-#include "output/folder_files.h"
+
+#define READ_BYTES 65536 // of a file at a time; a multiple of the hash's words
 
 uint64_t clod_checkpoint_file_case_hash(const char *case_text)
 {
@@ -16,8 +18,26 @@ uint64_t clod_checkpoint_file_case_hash(const char *case_text)
     return clod_file_hash(CLOD_FILE_HASH_START, text, strlen(text));
 }
 
-void clod_checkpoint_file_print_head(char text[CLOD_CHECKPOINT_HEAD_BYTES],
-                                     const clod_checkpoint_head *head, const void *data)
+/** Continue a hash over so many bytes behind the head; 0 or an errno value. */
+static int hash_file(uint64_t *hash, int descriptor, uint64_t bytes)
+{
+    char some[READ_BYTES];
+    for (uint64_t at = 0; at < bytes;) {
+        const size_t take = bytes - at < sizeof some ? (size_t)(bytes - at) : sizeof some;
+        const int error =
+            clod_file_read_at(descriptor, CLOD_CHECKPOINT_HEAD_BYTES + at, some, take);
+        if (error != 0) {
+            return error;
+        }
+        *hash = clod_file_hash_words(*hash, some, take);
+        at += take;
+    }
+    *hash = clod_file_hash_end(*hash, bytes);
+    return 0;
+}
+
+int clod_checkpoint_file_print_head(char text[CLOD_CHECKPOINT_HEAD_BYTES],
+                                    const clod_checkpoint_head *head, int descriptor)
 {
     memset(text, 0, CLOD_CHECKPOINT_HEAD_BYTES);
     const int length = snprintf(text, CLOD_CHECKPOINT_HEAD_BYTES,
@@ -27,9 +47,21 @@ void clod_checkpoint_file_print_head(char text[CLOD_CHECKPOINT_HEAD_BYTES],
                                 CLOD_CHECKPOINT_HEAD_BYTES, head->format, head->sequence,
                                 head->step, head->time, head->case_hash, head->bytes);
     uint64_t hash = clod_file_hash(CLOD_FILE_HASH_START, text, (size_t)length);
-    hash = clod_file_hash(hash, data, head->bytes);
+    const int error = hash_file(&hash, descriptor, head->bytes);
     snprintf(text + length, CLOD_CHECKPOINT_HEAD_BYTES - (size_t)length,
              "hash %016" PRIx64 "\n", hash);
+    return error;
+}
+
+bool clod_checkpoint_file_seal(const clod_folder_draft *draft, const clod_checkpoint_head *head,
+                               clod_status *status)
+{
+    char text[CLOD_CHECKPOINT_HEAD_BYTES];
+    int error = clod_checkpoint_file_print_head(text, head, draft->descriptor);
+    if (error == 0) {
+        error = clod_file_write_at(draft->descriptor, 0, text, sizeof text);
+    }
+    return error == 0 || clod_folder_fail(draft->folder, "write", draft->name, error, status);
 }
 
 static bool scan_head(const char text[CLOD_CHECKPOINT_HEAD_BYTES], clod_checkpoint_head *head)
@@ -46,30 +78,59 @@ static bool scan_head(const char text[CLOD_CHECKPOINT_HEAD_BYTES], clod_checkpoi
                   &head->bytes, &head->hash) == 7;
 }
 
-/** Whether a file of `size` bytes is whole; else `reason` says why not. */
-static bool check_whole(const char *bytes, size_t size, clod_checkpoint_head *head,
-                        char *reason, size_t reason_size)
+/**
+ * Whether an open file of `size` bytes is whole; else its `reason` says why not, but for errors
+ * of the system.
+ *
+ * @return  0 or an errno value
+ */
+static int check_whole(clod_checkpoint_file *file, size_t size)
 {
+    clod_checkpoint_head *head = &file->head;
     if (size < CLOD_CHECKPOINT_HEAD_BYTES) {
-        snprintf(reason, reason_size, "it has only %zu bytes, it was cut off", size);
-        return false;
+        snprintf(file->reason, sizeof file->reason, "it has only %zu bytes, it was cut off",
+                 size);
+        return 0;
     }
-    if (!scan_head(bytes, head)) {
-        snprintf(reason, reason_size, "it does not begin like a checkpoint of clod");
-        return false;
+    char text[CLOD_CHECKPOINT_HEAD_BYTES], again[CLOD_CHECKPOINT_HEAD_BYTES];
+    int error = clod_file_read_at(file->descriptor, 0, text, sizeof text);
+    if (error != 0) {
+        return error;
+    }
+    if (!scan_head(text, head)) {
+        snprintf(file->reason, sizeof file->reason,
+                 "it does not begin like a checkpoint of clod");
+        return 0;
     }
     if (head->bytes != size - CLOD_CHECKPOINT_HEAD_BYTES) {
-        snprintf(reason, reason_size, "it has %zu bytes, its head says %" PRIu64, size,
-                 head->bytes + CLOD_CHECKPOINT_HEAD_BYTES);
-        return false;
+        snprintf(file->reason, sizeof file->reason, "it has %zu bytes, its head says %" PRIu64,
+                 size, head->bytes + CLOD_CHECKPOINT_HEAD_BYTES);
+        return 0;
     }
-    char again[CLOD_CHECKPOINT_HEAD_BYTES];
-    clod_checkpoint_file_print_head(again, head, bytes + CLOD_CHECKPOINT_HEAD_BYTES);
-    if (memcmp(again, bytes, CLOD_CHECKPOINT_HEAD_BYTES) != 0) {
-        snprintf(reason, reason_size, "its content does not fit its checksum, it is damaged");
-        return false;
+    error = clod_checkpoint_file_print_head(again, head, file->descriptor);
+    file->whole = error == 0 && memcmp(again, text, sizeof text) == 0;
+    if (error == 0 && !file->whole) {
+        snprintf(file->reason, sizeof file->reason,
+                 "its content does not fit its checksum, it is damaged");
     }
-    return true;
+    return error;
+}
+
+/** Open a file and check it; 0 or an errno value. */
+static int look_at(clod_checkpoint_file *file, const clod_folder *folder)
+{
+    file->descriptor = clod_file_open(folder->descriptor, file->name, O_RDONLY);
+    if (file->descriptor < 0) {
+        return errno;
+    }
+    struct stat info;
+    const int error =
+        fstat(file->descriptor, &info) == 0 ? check_whole(file, (size_t)info.st_size) : errno;
+    if (!file->whole) {
+        clod_file_close(file->descriptor); // nothing was written
+        file->descriptor = -1;
+    }
+    return error;
 }
 
 static bool set_name(clod_checkpoint_file *file, const clod_folder *folder, const char *stem,
@@ -90,22 +151,20 @@ static bool is_of_disk(int error)
 bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const clod_folder *folder,
                                const char *stem, clod_status *status)
 {
-    memset(files, 0, 2 * sizeof *files);
+    for (int f = 0; f < 2; f++) {
+        files[f] = (clod_checkpoint_file){.descriptor = -1};
+    }
     for (int f = 0; f < 2; f++) {
         clod_checkpoint_file *file = &files[f];
         if (!set_name(file, folder, stem, "ab"[f], status)) {
             return false;
         }
-        size_t size = 0;
-        const int error = clod_file_load(folder->descriptor, file->name, &file->bytes, &size);
+        const int error = look_at(file, folder);
         file->there = error != ENOENT;
-        if (error == 0) {
-            file->whole =
-                check_whole(file->bytes, size, &file->head, file->reason, sizeof file->reason);
-        } else if (is_of_disk(error)) {
+        if (is_of_disk(error)) {
             snprintf(file->reason, sizeof file->reason, "it cannot be read: %s",
                      strerror(error));
-        } else if (file->there) {
+        } else if (error != 0 && file->there) {
             return clod_folder_fail(folder, "read", file->name, error, status);
         }
     }
@@ -115,8 +174,10 @@ bool clod_checkpoint_file_find(clod_checkpoint_file files[2], const clod_folder 
 void clod_checkpoint_file_release(clod_checkpoint_file files[2])
 {
     for (int f = 0; f < 2; f++) {
-        clod_memory_free(files[f].bytes);
-        files[f].bytes = NULL;
+        if (files[f].descriptor >= 0) {
+            clod_file_close(files[f].descriptor); // nothing was written
+            files[f].descriptor = -1;
+        }
     }
 }
 

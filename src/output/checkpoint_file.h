@@ -7,7 +7,7 @@
 #include <limits.h>
 #include <stdint.h>
 
-#include "output/folder.h"
+#include "output/folder_files.h"
 
 /**
  * Raise it with every change of what a checkpoint holds or means: columns, and the plain data
@@ -31,18 +31,27 @@ typedef struct clod_checkpoint_file {
     bool there, whole;
     char reason[512]; ///< why it is not whole
     clod_checkpoint_head head;
-    void *bytes; ///< owned; the file when it is whole
+    int descriptor; ///< owned; of the open file when it is whole, else -1
 } clod_checkpoint_file;
 
 /** Hash of a case's text; NULL counts as the empty text. */
 uint64_t clod_checkpoint_file_case_hash(const char *case_text);
 
-/** Print the head; its hash is made of the lines before it and head->bytes of `data`. */
-void clod_checkpoint_file_print_head(char text[CLOD_CHECKPOINT_HEAD_BYTES],
-                                     const clod_checkpoint_head *head, const void *data);
+/**
+ * Print the head; its hash is made of the lines before it and head->bytes of the open file
+ * behind CLOD_CHECKPOINT_HEAD_BYTES.
+ *
+ * @return  0 or the errno value of a read that failed
+ */
+int clod_checkpoint_file_print_head(char text[CLOD_CHECKPOINT_HEAD_BYTES],
+                                    const clod_checkpoint_head *head, int descriptor);
+
+/** Put the head before what was written into a draft. */
+bool clod_checkpoint_file_seal(const clod_folder_draft *draft, const clod_checkpoint_head *head,
+                               clod_status *status);
 
 /**
- * Read and check both files; call clod_checkpoint_file_release in any case.
+ * Read both files through and check them; call clod_checkpoint_file_release in any case.
  *
  * A file that the disk cannot read (EIO) is there and not whole; the other one may do. Every
  * other error but ENOENT (no right, no memory) fails: the file may be good.

@@ -52,6 +52,47 @@ bool clod_file_write_all(int descriptor, const void *bytes, size_t size)
     return true;
 }
 
+int clod_file_write_at(int descriptor, uint64_t at, const void *bytes, size_t size)
+{
+    for (size_t done = 0; done < size;) {
+        const ssize_t written =
+            pwrite(descriptor, (const char *)bytes + done, size - done, (off_t)(at + done));
+        if (written > 0) {
+            done += (size_t)written;
+        } else if (written == 0) {
+            return ENOSPC;
+        } else if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return 0;
+}
+
+int clod_file_read_at(int descriptor, uint64_t at, void *bytes, size_t size)
+{
+    for (size_t done = 0; done < size;) {
+        const ssize_t got =
+            pread(descriptor, (char *)bytes + done, size - done, (off_t)(at + done));
+        if (got > 0) {
+            done += (size_t)got;
+        } else if (got == 0) {
+            return EIO; // cut off since its length was asked for
+        } else if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return 0;
+}
+
+int clod_file_truncate(int descriptor, uint64_t size)
+{
+    int result;
+    do {
+        result = ftruncate(descriptor, (off_t)size);
+    } while (result != 0 && errno == EINTR);
+    return result == 0 ? 0 : errno;
+}
+
 int clod_file_open(int folder, const char *name, int flags)
 {
     int descriptor;
@@ -75,25 +116,6 @@ int clod_file_close(int descriptor)
     // Linux frees the descriptor before it can be interrupted: another close could hit a new
     // file
     return close(descriptor) == 0 || errno == EINTR ? 0 : errno;
-}
-
-int clod_file_write_new(int folder, const char *name, const void *head, size_t head_size,
-                        const void *body, size_t body_size)
-{
-    const int descriptor =
-        clod_file_open(folder, name, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
-    if (descriptor < 0) {
-        return errno;
-    }
-    const bool written = clod_file_write_all(descriptor, head, head_size) &&
-                         clod_file_write_all(descriptor, body, body_size);
-    int error = written ? clod_file_sync(descriptor) : errno;
-    const int closing = clod_file_close(descriptor);
-    error = error != 0 ? error : closing;
-    if (error != 0) {
-        unlinkat(folder, name, 0);
-    }
-    return error;
 }
 
 int clod_file_sync_entry(const char *path)
@@ -121,6 +143,27 @@ int clod_file_sync_entry(const char *path)
     return error == EINVAL ? 0 : error; // the file system cannot
 }
 
+/** Write a new file and bring it to the disk; 0 or an errno value, and there is no file then.
+ */
+static int write_new(const char *path, const void *head, size_t head_size, const void *body,
+                     size_t body_size)
+{
+    const int descriptor =
+        clod_file_open(AT_FDCWD, path, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
+    if (descriptor < 0) {
+        return errno;
+    }
+    const bool written = clod_file_write_all(descriptor, head, head_size) &&
+                         clod_file_write_all(descriptor, body, body_size);
+    int error = written ? clod_file_sync(descriptor) : errno;
+    const int closing = clod_file_close(descriptor);
+    error = error != 0 ? error : closing;
+    if (error != 0) {
+        unlink(path);
+    }
+    return error;
+}
+
 bool clod_file_replace(const char *path, const void *head, size_t head_size, const void *body,
                        size_t body_size, clod_status *status)
 {
@@ -128,7 +171,7 @@ bool clod_file_replace(const char *path, const void *head, size_t head_size, con
     if ((size_t)snprintf(part, sizeof part, "%s.part", path) >= sizeof part) {
         return clod_file_fail(status, "write", path, ENAMETOOLONG);
     }
-    int error = clod_file_write_new(AT_FDCWD, part, head, head_size, body, body_size);
+    int error = write_new(part, head, head_size, body, body_size);
     if (error == 0 && rename(part, path) != 0) {
         error = errno;
         unlink(part);
@@ -199,7 +242,7 @@ static uint64_t mix(uint64_t hash, uint64_t word)
     return hash ^ (hash >> 32);
 }
 
-uint64_t clod_file_hash(uint64_t hash, const void *bytes, size_t size)
+uint64_t clod_file_hash_words(uint64_t hash, const void *bytes, size_t size)
 {
     const unsigned char *next = bytes;
     for (size_t left = size; left > 0;) {
@@ -210,5 +253,15 @@ uint64_t clod_file_hash(uint64_t hash, const void *bytes, size_t size)
         next += take;
         left -= take;
     }
+    return hash;
+}
+
+uint64_t clod_file_hash_end(uint64_t hash, uint64_t size)
+{
     return mix(hash, size);
+}
+
+uint64_t clod_file_hash(uint64_t hash, const void *bytes, size_t size)
+{
+    return clod_file_hash_end(clod_file_hash_words(hash, bytes, size), size);
 }

@@ -13,6 +13,15 @@
 /** Write all bytes to an open file, going on after signals; false with errno set. */
 bool clod_file_write_all(int descriptor, const void *bytes, size_t size);
 
+/** Write all bytes from byte `at` of an open file on; 0 or an errno value. */
+int clod_file_write_at(int descriptor, uint64_t at, const void *bytes, size_t size);
+
+/** Read all bytes from byte `at` of an open file on; 0 or an errno value, EIO at its end. */
+int clod_file_read_at(int descriptor, uint64_t at, void *bytes, size_t size);
+
+/** Make an open file so long; 0 or an errno value. */
+int clod_file_truncate(int descriptor, uint64_t size);
+
 /** openat with mode 0666 and O_CLOEXEC, again after signals; -1 with errno set. */
 int clod_file_open(int folder, const char *name, int flags);
 
@@ -24,16 +33,6 @@ int clod_file_sync_entry(const char *path);
 
 /** Close; 0 or an errno value. The descriptor is free in any case, after a signal too. */
 int clod_file_close(int descriptor);
-
-/**
- * Write a new file and bring it to the disk; links are not followed, and what was written is
- * removed when it does not succeed.
- *
- * @param folder  descriptor that `name` is relative to, or AT_FDCWD
- * @return        0 or an errno value
- */
-int clod_file_write_new(int folder, const char *name, const void *head, size_t head_size,
-                        const void *body, size_t body_size);
 
 /**
  * Replace a file: write `path`.part, bring it to the disk, rename it to `path`.
@@ -79,3 +78,10 @@ uint64_t clod_file_crc32(uint64_t sum, const void *bytes, size_t size);
  * the result for certain, any other change but for one chance in 2^64.
  */
 uint64_t clod_file_hash(uint64_t hash, const void *bytes, size_t size);
+
+/**
+ * The same of bytes that come in pieces, each but the last a multiple of 8 long: words of each
+ * piece, then the end with the size of all of them.
+ */
+uint64_t clod_file_hash_words(uint64_t hash, const void *bytes, size_t size);
+uint64_t clod_file_hash_end(uint64_t hash, uint64_t size);

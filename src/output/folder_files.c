@@ -52,30 +52,68 @@ bool clod_folder_read(const clod_folder *self, const char *name, void **bytes, s
     return error == 0 || error == ENOENT || clod_folder_fail(self, "read", name, error, status);
 }
 
+bool clod_folder_draft_begin(clod_folder_draft *self, const clod_folder *folder,
+                             const char *name, clod_status *status)
+{
+    *self = (clod_folder_draft){.folder = folder, .name = name, .descriptor = -1};
+    if ((size_t)snprintf(self->part, sizeof self->part, "%s.part", name) >= sizeof self->part) {
+        return clod_folder_fail(folder, "write", name, ENAMETOOLONG, status);
+    }
+    self->descriptor =
+        clod_file_open(folder->descriptor, self->part, O_RDWR | O_CREAT | O_TRUNC | O_NOFOLLOW);
+    const int error = errno; // a link in the way has the name of the part
+    return self->descriptor >= 0 ||
+           clod_folder_fail(folder, "write", error == ELOOP ? self->part : name, error, status);
+}
+
+/** Close, and bring it to the disk before that if it is good; false with the reason. */
+static bool close_draft(clod_folder_draft *self, bool good, clod_status *status)
+{
+    int error = good ? clod_file_sync(self->descriptor) : 0;
+    const int closing = clod_file_close(self->descriptor);
+    self->descriptor = -1;
+    error = error != 0 ? error : closing;
+    if (good && error != 0) {
+        return clod_folder_fail(self->folder, "write", self->name, error, status);
+    }
+    return good;
+}
+
+static bool rename_draft(const clod_folder_draft *self, clod_status *status)
+{
+    const int folder = self->folder->descriptor;
+    return renameat(folder, self->part, folder, self->name) == 0 ||
+           clod_folder_fail(self->folder, "write", self->name, errno, status);
+}
+
+bool clod_folder_draft_end(clod_folder_draft *self, bool good, clod_status *status)
+{
+    const int folder = self->folder->descriptor;
+    good = close_draft(self, good, status) && clod_folder_check(self->folder, status) &&
+           rename_draft(self, status);
+    if (!good) {
+        unlinkat(folder, self->part, 0);
+        return false;
+    }
+    const int error = clod_file_sync(folder);
+    return error == 0 || error == EINVAL || // the file system cannot sync folders
+           clod_folder_fail(self->folder, "write", self->name, error, status);
+}
+
 bool clod_folder_replace(const clod_folder *self, const char *name, const void *head,
                          size_t head_size, const void *body, size_t body_size,
                          clod_status *status)
 {
-    char part[NAME_MAX + 1];
-    if ((size_t)snprintf(part, sizeof part, "%s.part", name) >= sizeof part) {
-        return clod_folder_fail(self, "write", name, ENAMETOOLONG, status);
-    }
-    int error = clod_file_write_new(self->descriptor, part, head, head_size, body, body_size);
-    if (error != 0) { // a link in the way has the name of the part
-        return clod_folder_fail(self, "write", error == ELOOP ? part : name, error, status);
-    }
-    if (!clod_folder_check(self, status)) {
-        unlinkat(self->descriptor, part, 0);
+    clod_folder_draft draft;
+    if (!clod_folder_draft_begin(&draft, self, name, status)) {
         return false;
     }
-    if (renameat(self->descriptor, part, self->descriptor, name) != 0) {
-        error = errno;
-        unlinkat(self->descriptor, part, 0);
-        return clod_folder_fail(self, "write", name, error, status);
+    const bool written = clod_file_write_all(draft.descriptor, head, head_size) &&
+                         clod_file_write_all(draft.descriptor, body, body_size);
+    if (!written) {
+        clod_folder_fail(self, "write", name, errno, status);
     }
-    error = clod_file_sync(self->descriptor);
-    return error == 0 || error == EINVAL || // the file system cannot sync folders
-           clod_folder_fail(self, "write", name, error, status);
+    return clod_folder_draft_end(&draft, written, status);
 }
 
 bool clod_folder_remove(const clod_folder *self, const char *name, clod_status *status)

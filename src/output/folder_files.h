@@ -7,6 +7,7 @@
  */
 
 #include <jansson.h>
+#include <limits.h>
 #include <stddef.h>
 
 #include "output/folder.h"
@@ -34,9 +35,38 @@ int clod_folder_open_file(const clod_folder *self, const char *name, int flags,
 bool clod_folder_read(const clod_folder *self, const char *name, void **bytes, size_t *size,
                       clod_status *status);
 
+/** A file that is being written, to take the place of another at one stroke. */
+typedef struct clod_folder_draft {
+    const clod_folder *folder; ///< borrowed
+    const char *name;          ///< borrowed: of the file that it will be
+    char part[NAME_MAX + 1];   ///< until then
+    int descriptor;            ///< to write to, and to read from
+} clod_folder_draft;
+
 /**
- * Replace a file: write `name`.part, bring it to the disk, see that the path of the folder
- * still is this folder, rename it to `name`, bring that to the disk.
+ * Begin to replace a file: open `name`.part, empty.
+ *
+ * @param self    [out] clod_folder_draft_end must be called after a success
+ * @param status  [out] on failure there is nothing to end
+ * Errors  CLOD_FAILED: no folder, no right, a link in the way.   Threads  one per file.
+ */
+bool clod_folder_draft_begin(clod_folder_draft *self, const clod_folder *folder,
+                             const char *name, clod_status *status);
+
+/**
+ * Bring the draft to the disk, see that the path of the folder still is this folder, rename the
+ * draft to its name, bring that to the disk.
+ *
+ * @param good    whether all was written; if not, `status` says why, and the draft is removed
+ * @param status  [out] on failure no .part is left, and the file is the old one or the new
+ * @return        whether the file is replaced
+ * Errors  CLOD_FAILED: disk full, folder moved away or replaced.
+ * Test    tests/output/test_folder.c, test_checkpoint.c
+ */
+bool clod_folder_draft_end(clod_folder_draft *self, bool good, clod_status *status);
+
+/**
+ * Replace a file by these bytes, as a draft.
  *
  * @param head    first bytes, may be NULL when head_size is 0
  * @param body    the bytes that follow, may be NULL when body_size is 0

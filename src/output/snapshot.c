@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "output/file.h"
 #include "output/folder_files.h"
@@ -30,60 +31,77 @@ static void put_columns(clod_hdf *hdf, const clod_hdf_column *columns, size_t co
     }
 }
 
+/** The numbers 0, step, 2 step, ... */
+static bool put_multiples(clod_hdf *hdf, const char *name, size_t rows, int64_t step,
+                          clod_status *status)
+{
+    const size_t most = rows < CLOD_HDF_SLAB ? rows : CLOD_HDF_SLAB;
+    int64_t *numbers = clod_memory_alloc(most + 1, sizeof *numbers);
+    if (numbers == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for a snapshot.");
+    }
+    clod_hdf_column column = {name, NULL, CLOD_HDF_I64, 1, rows, numbers, sizeof *numbers};
+    clod_hdf_make(hdf, &column);
+    for (size_t first = 0; first < rows; first += column.rows) {
+        column.rows = rows - first < most ? rows - first : most;
+        for (size_t r = 0; r < column.rows; r++) {
+            numbers[r] = (int64_t)(first + r) * step;
+        }
+        clod_hdf_put_rows(hdf, &column, first);
+    }
+    clod_memory_free(numbers);
+    return true;
+}
+
 /** The cells: number c has the points c * corners ... c * corners + corners - 1. */
 static bool put_cells(clod_hdf *hdf, size_t cells, uint8_t type, int64_t corners,
                       clod_status *status)
 {
     const size_t points = cells * (size_t)corners;
-    int64_t *numbers = clod_memory_alloc(points + cells + 1, sizeof *numbers);
-    uint8_t *types = clod_memory_alloc(cells, 1);
-    const bool good = numbers != NULL && types != NULL;
-    if (good) {
-        int64_t *offsets = numbers + points;
-        for (size_t p = 0; p < points; p++) {
-            numbers[p] = (int64_t)p;
-        }
-        for (size_t c = 0; c <= cells; c++) {
-            offsets[c] = (int64_t)c * corners;
-        }
-        memset(types, type, cells);
-        const int64_t sizes[3] = {(int64_t)points, (int64_t)cells, (int64_t)points};
-        const clod_hdf_column columns[] = {
-            {"VTKHDF/NumberOfPoints", NULL, CLOD_HDF_I64, 1, 1, &sizes[0], 8},
-            {"VTKHDF/NumberOfCells", NULL, CLOD_HDF_I64, 1, 1, &sizes[1], 8},
-            {"VTKHDF/NumberOfConnectivityIds", NULL, CLOD_HDF_I64, 1, 1, &sizes[2], 8},
-            {"VTKHDF/Connectivity", NULL, CLOD_HDF_I64, 1, points, numbers, 8},
-            {"VTKHDF/Offsets", NULL, CLOD_HDF_I64, 1, cells + 1, offsets, 8},
-            {"VTKHDF/Types", NULL, CLOD_HDF_U8, 1, cells, types, 1},
-        };
-        put_columns(hdf, columns, sizeof columns / sizeof *columns);
-    } else {
-        clod_status_fail(status, CLOD_FAILED, "No memory for a snapshot.");
-    }
-    clod_memory_free(numbers);
-    clod_memory_free(types);
-    return good;
+    const int64_t sizes[3] = {(int64_t)points, (int64_t)cells, (int64_t)points};
+    const clod_hdf_column columns[] = {
+        {"VTKHDF/NumberOfPoints", NULL, CLOD_HDF_I64, 1, 1, &sizes[0], 8},
+        {"VTKHDF/NumberOfCells", NULL, CLOD_HDF_I64, 1, 1, &sizes[1], 8},
+        {"VTKHDF/NumberOfConnectivityIds", NULL, CLOD_HDF_I64, 1, 1, &sizes[2], 8},
+        {"VTKHDF/Types", NULL, CLOD_HDF_U8, 1, cells, &type, 0}, // all of one type
+    };
+    put_columns(hdf, columns, sizeof columns / sizeof *columns);
+    return put_multiples(hdf, "VTKHDF/Connectivity", points, 1, status) &&
+           put_multiples(hdf, "VTKHDF/Offsets", cells + 1, corners, status);
 }
 
 /** Contacts of each grain with grains and walls; owned [grains.count], or NULL. */
-static int32_t *coordination(const clod_state *state)
+static int32_t *coordination(const clod_state *state, const clod_contact_source *from)
 {
-    int32_t *number = clod_memory_alloc(state->grains.count, sizeof *number);
-    const size_t between = state->contact_count - state->wall_contact_count;
-    for (size_t c = 0; number != NULL && c < state->contact_count; c++) {
-        number[state->contacts[c].i]++;
-        if (c < between) {
-            number[state->contacts[c].j]++;
+    int32_t *number = clod_memory_alloc(state->grains.count + 1, sizeof *number);
+    clod_contact *some = clod_memory_alloc(CLOD_HDF_SLAB, sizeof *some);
+    size_t between, walls, count = 0;
+    from->begin(from->context, &between, &walls);
+    const size_t total = number != NULL && some != NULL ? between + walls : 0;
+    for (size_t first = 0; first < total; first += count) {
+        count = from->next(from->context, some, CLOD_HDF_SLAB);
+        CLOD_ASSERT(count > 0);
+        for (size_t c = 0; c < count; c++) {
+            number[some[c].i]++;
+            if (first + c < between) {
+                number[some[c].j]++;
+            }
         }
     }
-    return number;
+    const bool good = number != NULL && some != NULL;
+    clod_memory_free(some);
+    if (!good) {
+        clod_memory_free(number);
+    }
+    return good ? number : NULL;
 }
 
-static bool put_grains(clod_hdf *hdf, const clod_state *state, clod_status *status)
+static bool put_grains(clod_hdf *hdf, const clod_state *state, const clod_contact_source *from,
+                       clod_status *status)
 {
     const clod_grains *grains = &state->grains;
     const size_t n = grains->count;
-    int32_t *contacts = coordination(state);
+    int32_t *contacts = coordination(state, from);
     if (contacts == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "No memory for a snapshot.");
     }
@@ -158,59 +176,95 @@ static clod_contact_line contact_line(const clod_state *state, const clod_contac
     return line;
 }
 
-/** Every quantity of the contacts' histories. */
-static void put_histories(clod_hdf *hdf, const clod_contact *contacts, size_t count)
+enum { LINE_COLUMNS = 3 + CLOD_HISTORY_FIELDS };
+
+/** Contacts on their way into a picture. */
+typedef struct slab {
+    clod_contact *contacts;
+    clod_contact_line *lines;
+    double (*ends)[3]; ///< two of each
+    char name[CLOD_HISTORY_FIELDS][64];
+    clod_hdf_column column[LINE_COLUMNS];
+} slab;
+
+/** List the columns of so many contacts: ends, ids, overlap, and every quantity of histories.
+ */
+static void list_lines(slab *self, size_t count)
 {
+    const size_t row = sizeof *self->lines;
+    clod_hdf_column *column = self->column;
+    column[0] = (clod_hdf_column){"VTKHDF/Points", "m",        CLOD_HDF_F64,      3,
+                                  2 * count,       self->ends, sizeof *self->ends};
+    column[1] = (clod_hdf_column){"VTKHDF/CellData/id", "1", CLOD_HDF_I64, 2, count,
+                                  self->lines[0].id,    row};
+    column[2] = (clod_hdf_column){"VTKHDF/CellData/overlap", "m", CLOD_HDF_F64, 1, count,
+                                  &self->lines[0].overlap,   row};
     for (int f = 0; f < CLOD_HISTORY_FIELDS; f++) {
         const clod_history_field *field = &CLOD_HISTORY[f];
-        char name[64];
-        snprintf(name, sizeof name, "VTKHDF/CellData/%s", field->name);
-        const clod_hdf_column column = {.name = name,
-                                        .units = field->unit,
-                                        .type = CLOD_HDF_F64,
-                                        .components = (size_t)field->components,
-                                        .rows = count,
-                                        .data = count > 0 ? contacts[0].history + field->first
-                                                          : NULL,
-                                        .stride = sizeof *contacts};
-        clod_hdf_put(hdf, &column);
+        snprintf(self->name[f], sizeof self->name[f], "VTKHDF/CellData/%s", field->name);
+        column[3 + f] = (clod_hdf_column){.name = self->name[f],
+                                          .units = field->unit,
+                                          .type = CLOD_HDF_F64,
+                                          .components = (size_t)field->components,
+                                          .rows = count,
+                                          .data = self->contacts[0].history + field->first,
+                                          .stride = sizeof *self->contacts};
     }
 }
 
-static bool put_contacts(clod_hdf *hdf, const clod_state *state, clod_status *status)
+/** Write lines from number `first` on, of contacts that were just read. */
+static void put_lines(clod_hdf *hdf, const clod_state *state, slab *self, size_t first,
+                      size_t count)
 {
-    const size_t n = state->contact_count - state->wall_contact_count;
-    const clod_contact *contacts = state->contacts;
-    clod_contact_line *lines = clod_memory_alloc(n, sizeof *lines);
-    double(*ends)[3] = clod_memory_alloc(2 * n, sizeof *ends);
-    bool good = lines != NULL && ends != NULL;
+    for (size_t c = 0; c < count; c++) {
+        self->lines[c] = contact_line(state, &self->contacts[c]);
+        memcpy(self->ends[2 * c], self->lines[c].end, sizeof self->lines[c].end);
+    }
+    list_lines(self, count);
+    clod_hdf_put_rows(hdf, &self->column[0], 2 * first);
+    for (int k = 1; k < LINE_COLUMNS; k++) {
+        clod_hdf_put_rows(hdf, &self->column[k], first);
+    }
+}
+
+static bool put_contacts(clod_hdf *hdf, const clod_state *state,
+                         const clod_contact_source *from, clod_status *status)
+{
+    size_t n, walls;
+    from->begin(from->context, &n, &walls);
+    const size_t most = n < CLOD_HDF_SLAB ? n : CLOD_HDF_SLAB;
+    slab some = {clod_memory_alloc(most + 1, sizeof *some.contacts),
+                 clod_memory_alloc(most + 1, sizeof *some.lines),
+                 clod_memory_alloc(2 * most + 1, sizeof *some.ends),
+                 {{0}},
+                 {{0}}};
+    const bool good = some.contacts != NULL && some.lines != NULL && some.ends != NULL;
     if (good) {
-        for (size_t c = 0; c < n; c++) {
-            lines[c] = contact_line(state, &contacts[c]);
-            memcpy(ends[2 * c], lines[c].end, sizeof lines[c].end);
+        list_lines(&some, n);
+        for (int k = 0; k < LINE_COLUMNS; k++) {
+            clod_hdf_make(hdf, &some.column[k]);
         }
-        const size_t row = sizeof *lines;
-        const clod_hdf_column columns[] = {
-            {"VTKHDF/Points", "m", CLOD_HDF_F64, 3, 2 * n, ends, sizeof *ends},
-            {"VTKHDF/CellData/id", "1", CLOD_HDF_I64, 2, n, lines[0].id, row},
-            {"VTKHDF/CellData/overlap", "m", CLOD_HDF_F64, 1, n, &lines[0].overlap, row},
-        };
-        put_columns(hdf, columns, sizeof columns / sizeof *columns);
-        put_histories(hdf, contacts, n);
-        good = put_cells(hdf, n, VTK_LINE, 2, status);
-    } else {
-        clod_status_fail(status, CLOD_FAILED, "No memory for a snapshot of the contacts.");
     }
-    clod_memory_free(lines);
-    clod_memory_free(ends);
-    return good;
+    for (size_t first = 0, count = 0; good && first < n; first += count) {
+        count = from->next(from->context, some.contacts, n - first < most ? n - first : most);
+        CLOD_ASSERT(count > 0);
+        put_lines(hdf, state, &some, first, count);
+    }
+    clod_memory_free(some.contacts);
+    clod_memory_free(some.lines);
+    clod_memory_free(some.ends);
+    if (!good) {
+        return clod_status_fail(status, CLOD_FAILED,
+                                "No memory for a snapshot of the contacts.");
+    }
+    return put_cells(hdf, n, VTK_LINE, 2, status);
 }
 
-/** Owned bytes of one picture. */
-static bool build_picture(const clod_state *state, int kind, void **image, size_t *size,
-                          clod_status *status)
+/** Write one picture into an open file. */
+static bool put_picture(const clod_hdf_place *place, const clod_state *state,
+                        const clod_contact_source *from, int kind, clod_status *status)
 {
-    clod_hdf *hdf = clod_hdf_create(CLOD_HDF_PICTURE, status);
+    clod_hdf *hdf = clod_hdf_create(place, CLOD_HDF_PICTURE, status);
     if (hdf == NULL) {
         return false;
     }
@@ -220,15 +274,12 @@ static bool build_picture(const clod_state *state, int kind, void **image, size_
     clod_hdf_put_text(hdf, "VTKHDF", "Type", "UnstructuredGrid");
     clod_hdf_put_ints(hdf, "/", "step", &state->step, 1);
     clod_hdf_put_real(hdf, "/", "time_s", state->time);
-    const bool good = kind == GRAINS  ? put_grains(hdf, state, status)
+    const bool good = kind == GRAINS  ? put_grains(hdf, state, from, status)
                       : kind == WALLS ? put_walls(hdf, state, status)
-                                      : put_contacts(hdf, state, status);
+                                      : put_contacts(hdf, state, from, status);
     clod_status finishing;
-    const bool finished = clod_hdf_finish(&hdf, image, size, good ? status : &finishing);
-    if (finished && !good) {
-        clod_memory_free(*image);
-    }
-    return finished && good;
+    uint64_t size;
+    return clod_hdf_finish(&hdf, &size, good ? status : &finishing) && good;
 }
 
 static bool name_series(char name[NAME_MAX + 1], const char *stem, int kind,
@@ -240,38 +291,47 @@ static bool name_series(char name[NAME_MAX + 1], const char *stem, int kind,
            clod_file_fail(status, "name a series", stem, ENAMETOOLONG);
 }
 
+/** What a picture is taken of. */
+typedef struct scene {
+    const clod_folder *folder;
+    const char *stem;
+    int64_t number;
+    const clod_state *state;
+    const clod_contact_source *contacts;
+} scene;
+
 /** Write one picture and put it into its series. */
-static bool write_picture(const clod_folder *folder, const char *stem, int64_t number,
-                          const clod_state *state, int kind, clod_snapshot_film *film,
+static bool write_picture(const scene *self, int kind, clod_snapshot_film *film,
                           clod_status *status)
 {
     char name[NAME_MAX + 1], series[NAME_MAX + 1];
-    const bool plain = strcmp(stem, "run") == 0;
-    if ((size_t)snprintf(name, sizeof name, "%s%s%s_%06" PRId64 ".hdf", plain ? "" : stem,
-                         plain ? "" : "_", KINDS[kind], number) >= sizeof name) {
-        return clod_file_fail(status, "name a snapshot", stem, ENAMETOOLONG);
+    const bool plain = strcmp(self->stem, "run") == 0;
+    if ((size_t)snprintf(name, sizeof name, "%s%s%s_%06" PRId64 ".hdf", plain ? "" : self->stem,
+                         plain ? "" : "_", KINDS[kind], self->number) >= sizeof name) {
+        return clod_file_fail(status, "name a snapshot", self->stem, ENAMETOOLONG);
     }
-    if (!name_series(series, stem, kind, status)) {
+    clod_folder_draft draft;
+    if (!name_series(series, self->stem, kind, status) ||
+        !clod_folder_draft_begin(&draft, self->folder, name, status)) {
         return false;
     }
-    void *image;
-    size_t size;
-    if (!build_picture(state, kind, &image, &size, status)) {
-        return false;
-    }
-    const bool done = clod_folder_replace(folder, name, image, size, NULL, 0, status);
-    clod_memory_free(image);
-    return done &&
-           clod_hdf_series_add(folder, series, name, state->time, &film->crc32[kind], status);
+    const clod_hdf_place place = {self->folder, name, draft.descriptor, 0};
+    const bool good = put_picture(&place, self->state, self->contacts, kind, status);
+    return clod_folder_draft_end(&draft, good, status) &&
+           clod_hdf_series_add(self->folder, series, name, self->state->time,
+                               &film->crc32[kind], status);
 }
 
 bool clod_snapshot_write(const clod_folder *folder, const char *stem, int64_t number,
-                         const clod_state *state, bool contacts, clod_snapshot_film *film,
-                         clod_status *status)
+                         const clod_state *state, const clod_contact_source *from,
+                         bool contacts, clod_snapshot_film *film, clod_status *status)
 {
-    return write_picture(folder, stem, number, state, GRAINS, film, status) &&
-           write_picture(folder, stem, number, state, WALLS, film, status) &&
-           (!contacts || write_picture(folder, stem, number, state, CONTACTS, film, status));
+    clod_contact_list list;
+    const clod_contact_source own = clod_contact_source_of(&list, state);
+    const scene of = {folder, stem, number, state, from != NULL ? from : &own};
+    return write_picture(&of, GRAINS, film, status) &&
+           write_picture(&of, WALLS, film, status) &&
+           (!contacts || write_picture(&of, CONTACTS, film, status));
 }
 
 bool clod_snapshot_resume(const clod_folder *folder, const char *stem, double time,

@@ -23,7 +23,7 @@ typedef struct clod_check_subject {
 /** Bytes that a grain takes. */
 typedef struct clod_check_bytes {
     double contacts, blocks; ///< histories: a large bed holds them once, a small one in both
-    double scratch;          ///< freed in a large bed (docs/adr/0016)
+    double scratch;          ///< while lists are made (docs/adr/0016)
     double other;
 } clod_check_bytes;
 

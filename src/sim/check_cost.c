@@ -25,6 +25,7 @@
 #define NUMBER_BYTES 18.0 ///< of a number in a series
 #define FREE_COLUMNS 4.0  ///< columns of the series of a free run, and of each wall of it
 #define WALL_COLUMNS 11.0
+#define PROGRAM_BYTES 22e6 ///< of the program with its libraries, and of a checkpoint's way
 #define PICTURE_GRAIN 80.0 ///< bytes of a grain in a snapshot, compressed
 #define PICTURE_CONTACT 75.0
 #define STORED_GRAIN 190.0 ///< bytes of a grain in a checkpoint
@@ -218,14 +219,13 @@ static bool find_space(const clod_check_subject *subject, clod_check_report *rep
     return good;
 }
 
-/** Memory of one part of a run while it writes a checkpoint: two images of the file. */
+/** Memory of one part of a run when it makes its lists anew; a checkpoint takes no more. */
 static double memory_of(const clod_check_bytes *each, double grains)
 {
-    const double image = grains * (STORED_GRAIN + CONTACTS * STORED_CONTACT);
     const bool large = grains * each->contacts >= CLOD_MEMORY_LARGE;
-    const double histories = large ? fmax(each->contacts, each->blocks)
-                                   : each->contacts + each->blocks + each->scratch;
-    return grains * (each->other + histories) + 2.0 * image;
+    const double histories =
+        large ? fmax(each->contacts, each->blocks) : each->contacts + each->blocks;
+    return grains * (each->other + each->scratch + histories);
 }
 
 bool clod_check_cost(const clod_check_subject *subject, clod_check_report *report,
@@ -243,7 +243,8 @@ bool clod_check_cost(const clod_check_subject *subject, clod_check_report *repor
     plan_run(subject->from, report);
     plan_disk(subject, report);
     if (report->rate > 0.0) {
-        report->memory = memory_of(&bytes, (double)report->grains) * report->side_by_side;
+        report->memory =
+            memory_of(&bytes, (double)report->grains) * report->side_by_side + PROGRAM_BYTES;
     }
     return find_space(subject, report, status);
 }

@@ -151,7 +151,7 @@ static void report_stages(FILE *out, const clod_job *job)
 static char *make_report(const clod_job *job)
 {
     const clod_state *state = &job->state;
-    const clod_measure_contacts bed = clod_measure_contacts_of(state);
+    const clod_measure_contacts bed = clod_job_bed(job);
     clod_text text;
     FILE *out = clod_text_open(&text);
     if (out == NULL) {
@@ -198,7 +198,7 @@ static json_t *stages_json(const clod_job *job)
 static bool write_summary(const clod_job *job, clod_status *status)
 {
     const clod_state *state = &job->state;
-    const clod_measure_contacts bed = clod_measure_contacts_of(state);
+    const clod_measure_contacts bed = clod_job_bed(job);
     json_t *walls = json_array();
     for (int32_t w = 0; w < state->walls.count; w++) {
         json_array_append_new(walls, wall_json(&state->walls.wall[w]));

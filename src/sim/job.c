@@ -43,7 +43,7 @@ static double clock_now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/** Bring the history into the state and write everything; the series first. */
+/** Write everything; the series first. */
 static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *status)
 {
     clod_job *job = loop->job;
@@ -57,14 +57,18 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
             return false;
         }
     }
-    return clod_series_sync(loop->series, status) && clod_step_export(&loop->step, status) &&
-           clod_job_store(job, suffix, status);
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
+    return clod_series_sync(loop->series, status) &&
+           clod_job_store(job, &contacts, suffix, status);
 }
 
 static bool write_snapshot(job_loop *loop, clod_status *status)
 {
     loop->last_picture = loop->job->state.step;
-    return clod_step_export(&loop->step, status) && clod_job_picture(loop->job, status);
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
+    return clod_job_picture(loop->job, &contacts, status);
 }
 
 /** Steps until a snapshot is due; very many when none ever is. */
@@ -326,11 +330,25 @@ static bool open_loop(job_loop *loop, clod_status *status)
     return !job->sim->from->output.energy || open_energy(loop, status);
 }
 
-static void log_end(job_loop *loop, const clod_job *job, bool ok, const clod_status *status)
+/** What the contacts say at the end, before the step that has them is gone. */
+static void measure_bed(job_loop *loop)
 {
-    clod_status ignored;
-    clod_step_export(&loop->step, &ignored); // after most ends it is done already
-    const clod_measure_contacts bed = clod_measure_contacts_of(&job->state);
+    clod_job *job = loop->job;
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
+    job->bed = clod_measure_contacts_from(&job->state, &contacts);
+    job->stepped = true;
+}
+
+clod_measure_contacts clod_job_bed(const clod_job *job)
+{
+    return job->stepped ? job->bed : clod_measure_contacts_of(&job->state);
+}
+
+static void log_end(const job_loop *loop, const clod_job *job, bool ok,
+                    const clod_status *status)
+{
+    const clod_measure_contacts bed = clod_job_bed(job);
     clod_eventlog_write(job->sim->log, ok ? "finished" : "stopped",
                         "{s:s, s:I, s:f, s:f, s:i, s:I, s:I, s:I, s:f, s:f, s:s}", "part",
                         job->name, "step", (json_int_t)job->state.step, "time_s",
@@ -362,6 +380,7 @@ bool clod_job_run(clod_job *job, clod_status *status)
     bool ok = open_loop(&loop, status) && (job->resumed || write_checkpoint(&loop, "", status));
     if (ok) {
         ok = loop_to_end(&loop, status);
+        measure_bed(&loop);
         log_end(&loop, job, ok, status);
     }
     clod_status closing; // an error before it is the one to tell

@@ -7,6 +7,7 @@
 
 #include "clod/run.h"
 #include "law/law.h"
+#include "measure/contacts.h"
 #include "output/eventlog.h"
 #include "output/folder.h"
 #include "output/series.h"
@@ -69,7 +70,9 @@ typedef struct clod_job {
     clod_state state; ///< owned; made by the caller before clod_job_run
     clod_procedure procedure;
     clod_job_memory memory;
-    bool resumed; ///< state and procedure come from a checkpoint
+    bool resumed;              ///< state and procedure come from a checkpoint
+    clod_measure_contacts bed; ///< at the end of the steps
+    bool stepped;              ///< there were steps; else state.contacts are those of the end
 } clod_job;
 
 /**
@@ -114,5 +117,8 @@ bool clod_job_try_origin(clod_job *job, clod_status *status);
  *          physics has gone wrong the broken state goes to restart-NAME-failed instead.
  */
 bool clod_job_run(clod_job *job, clod_status *status);
+
+/** What the contacts say at the end of a job that has run. */
+clod_measure_contacts clod_job_bed(const clod_job *job);
 
 void clod_job_fini(clod_job *job);

@@ -46,15 +46,16 @@ void clod_job_tell(const clod_job *self, const char *text)
                         text);
 }
 
-bool clod_job_store(clod_job *self, const char *suffix, clod_status *status)
+bool clod_job_store(clod_job *self, const clod_contact_source *contacts, const char *suffix,
+                    clod_status *status)
 {
     char stem[CLOD_JOB_STEM];
     clod_checkpoint_part parts[2];
     const size_t count = parts_of(self, &self->memory, parts);
     clod_job_stem(self->name, suffix, stem);
     pthread_mutex_lock(&hdf5_lock);
-    const bool ok = clod_checkpoint_write(self->sim->folder, stem, &self->state, parts, count,
-                                          self->sim->identity, status);
+    const bool ok = clod_checkpoint_write(self->sim->folder, stem, &self->state, contacts,
+                                          parts, count, self->sim->identity, status);
     pthread_mutex_unlock(&hdf5_lock);
     return ok;
 }
@@ -66,12 +67,12 @@ void clod_job_tables(const char *name, char series[CLOD_JOB_STEM], char energy[C
     snprintf(energy, CLOD_JOB_STEM, "%s%senergy.csv", plain ? "" : name, plain ? "" : "-");
 }
 
-bool clod_job_picture(clod_job *self, clod_status *status)
+bool clod_job_picture(clod_job *self, const clod_contact_source *contacts, clod_status *status)
 {
     pthread_mutex_lock(&hdf5_lock);
-    const bool ok = clod_snapshot_write(self->sim->folder, self->name, self->memory.snapshots++,
-                                        &self->state, self->sim->from->output.contacts,
-                                        &self->memory.film, status);
+    const bool ok = clod_snapshot_write(
+        self->sim->folder, self->name, self->memory.snapshots++, &self->state, contacts,
+        self->sim->from->output.contacts, &self->memory.film, status);
     pthread_mutex_unlock(&hdf5_lock);
     return ok;
 }
@@ -208,7 +209,7 @@ bool clod_job_take_over(clod_job *job, clod_status *status)
 {
     char notice[1024];
     // a table with rows always has a checkpoint beside it, and this one is of before them
-    if (!clod_job_store(job, "", status) || !read_origin(job, notice, status)) {
+    if (!clod_job_store(job, NULL, "", status) || !read_origin(job, notice, status)) {
         return false;
     }
     const clod_origin *origin = job->sim->origin;

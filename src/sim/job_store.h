@@ -6,6 +6,7 @@
  */
 
 #include "sim/job.h"
+#include "state/contact_source.h"
 
 #define CLOD_JOB_STEM 96 ///< bytes: restart-, the name of a part and a suffix
 
@@ -21,11 +22,12 @@ void clod_job_tables(const char *name, char series[CLOD_JOB_STEM], char energy[C
 /** Tell the user a sentence, and the log. */
 void clod_job_tell(const clod_job *self, const char *text);
 
-/** Write a checkpoint; the histories are in the state. */
-bool clod_job_store(clod_job *self, const char *suffix, clod_status *status);
+/** Write a checkpoint; `contacts` NULL: they are in the state. */
+bool clod_job_store(clod_job *self, const clod_contact_source *contacts, const char *suffix,
+                    clod_status *status);
 
-/** Write the next snapshot; the histories are in the state. */
-bool clod_job_picture(clod_job *self, clod_status *status);
+/** Write the next snapshot. */
+bool clod_job_picture(clod_job *self, const clod_contact_source *contacts, clod_status *status);
 
 /** Forget the snapshots that are later than the state. */
 bool clod_job_cut_pictures(const clod_job *self, clod_status *status);

@@ -38,7 +38,7 @@ static bool take_over(const part_batch *batch, clod_part *part, clod_job *job,
         return false;
     }
     batch->tester->adopt(batch->sim->from, part);
-    return clod_job_store(job, "", status);
+    return clod_job_store(job, NULL, "", status);
 }
 
 static bool begin(const part_batch *batch, clod_part *part, clod_job *job, clod_status *status)
@@ -55,7 +55,7 @@ static bool begin(const part_batch *batch, clod_part *part, clod_job *job, clod_
 
 static void note_result(const clod_job *job, clod_part *part)
 {
-    const clod_measure_contacts bed = clod_measure_contacts_of(&job->state);
+    const clod_measure_contacts bed = clod_job_bed(job);
     part->steps = job->state.step;
     part->dt = job->state.dt;
     part->wall_clock = job->memory.wall_clock;

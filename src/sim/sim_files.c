@@ -25,13 +25,15 @@ static char *make_identity(const clod_case *from, clod_status *status)
 bool clod_sim_write_checkpoint(clod_sim *self, const char *folder, clod_status *status)
 {
     if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(folder, status) ||
-        !clod_sim_hold(self, status)) {
+        !clod_step_change(&self->step, status)) {
         return false;
     }
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(&self->step, &reader);
     char *identity = make_identity(self->from, status);
     clod_folder *open = identity != NULL ? clod_folder_open(folder, status) : NULL;
-    const bool ok = open != NULL && clod_checkpoint_write(open, "restart", &self->state, NULL,
-                                                          0, identity, status);
+    const bool ok = open != NULL && clod_checkpoint_write(open, "restart", &self->state,
+                                                          &contacts, NULL, 0, identity, status);
     clod_folder_close(&open);
     clod_memory_free(identity);
     return ok;
@@ -76,13 +78,16 @@ bool clod_sim_write_snapshot(clod_sim *self, const char *folder, bool contacts,
                              clod_status *status)
 {
     if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(folder, status) ||
-        !clod_sim_hold(self, status)) {
+        !clod_step_change(&self->step, status)) {
         return false;
     }
+    clod_step_reader reader;
+    const clod_contact_source from = clod_step_contacts(&self->step, &reader);
     clod_folder *open = clod_folder_open(folder, status);
     clod_snapshot_film film = {0};
-    const bool ok = open != NULL && clod_snapshot_write(open, "run", self->state.step,
-                                                        &self->state, contacts, &film, status);
+    const bool ok =
+        open != NULL && clod_snapshot_write(open, "run", self->state.step, &self->state, &from,
+                                            contacts, &film, status);
     clod_folder_close(&open);
     return ok;
 }

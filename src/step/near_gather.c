@@ -61,50 +61,30 @@ bool clod_near_gather_room(clod_near *self, clod_state *state, clod_status *stat
     return true;
 }
 
-static void copy_pairs(const clod_near *self, clod_state *state, int part, bool release)
+/** Copy the contacts of a part along one of the lists. */
+static void copy_list(const clod_near *self, const clod_near_blocks *list,
+                      const clod_wall_rows *walls, int part, bool release, clod_contact *to)
 {
-    if (self->gathered[part].pairs == 0) { // there may be no list at all
-        return;
-    }
-    clod_contact *to = &state->contacts[self->gathered[part].pair];
     size_t count = 0;
-    clod_near_cursor cursor = clod_near_cursor_begin(self, &self->pairs, part);
+    clod_near_cursor cursor = clod_near_cursor_begin(self, list, part);
     while (clod_near_cursor_next(&cursor)) {
-        const clod_contact_block *block = cursor.block;
-        const int lane = cursor.lane;
-        *to = (clod_contact){.i = block->i[lane], .j = block->j[lane], .shape = -1};
-        clod_history_get(&block->history, lane, to->history);
-        to++;
-        if (release && ++count % CLOD_NEAR_GIVE_BACK == 0) {
+        clod_near_cursor_copy(&cursor, walls, &to[count++]);
+        if (release && count % CLOD_NEAR_GIVE_BACK == 0) {
             clod_near_cursor_release(&cursor);
         }
-    }
-}
-
-static void copy_walls(const clod_near *self, clod_state *state, const clod_wall_rows *walls,
-                       int part)
-{
-    if (self->gathered[part].walls == 0) {
-        return;
-    }
-    clod_contact *to = &state->contacts[self->gathered[part].wall];
-    clod_near_cursor cursor = clod_near_cursor_begin(self, &self->walls, part);
-    while (clod_near_cursor_next(&cursor)) {
-        const clod_wall_block *block = cursor.block;
-        const int lane = cursor.lane;
-        const int32_t wall = block->wall[lane];
-        const int32_t shape = block->shape[lane] / CLOD_SHAPE_ROWS - walls->first_shape[wall];
-        *to = (clod_contact){.i = block->i[lane], .j = wall, .shape = shape};
-        clod_history_get(&block->history, lane, to->history);
-        to++;
     }
 }
 
 void clod_near_gather_copy(clod_near *self, clod_state *state, const clod_wall_rows *walls,
                            int part, bool release)
 {
-    copy_pairs(self, state, part, release);
-    copy_walls(self, state, walls, part);
+    const clod_near_range *range = &self->gathered[part];
+    if (range->pairs > 0) { // else there may be no list at all
+        copy_list(self, &self->pairs, walls, part, release, &state->contacts[range->pair]);
+    }
+    if (range->walls > 0) {
+        copy_list(self, &self->walls, walls, part, false, &state->contacts[range->wall]);
+    }
 }
 
 void clod_near_gather_end(clod_near *self, bool release)

@@ -11,9 +11,11 @@
 
 #include "law/law.h"
 #include "parallel/barrier.h"
+#include "state/contact_source.h"
 #include "state/state.h"
 #include "step/kernel.h"
 #include "step/near.h"
+#include "step/near_reader.h"
 
 /** Largest overlap the laws are meant for, as a fraction of the smaller radius. */
 #define CLOD_STEP_OVERLAP 0.2
@@ -130,6 +132,23 @@ clod_energies clod_step_energies(clod_step *self);
  * Errors  CLOD_FAILED.   Threads  one per state.   Test  tests/step/test_contact_identity.c
  */
 bool clod_step_export(clod_step *self, clod_status *status);
+
+/** Where the reading of a step's contacts is. */
+typedef struct clod_step_reader {
+    clod_step *step;
+    clod_near_reader blocks;
+    clod_contact_list list; ///< when the step has no list
+} clod_step_reader;
+
+/**
+ * All contacts that touch, with their histories of now, without a list of them: those that
+ * clod_step_export copies.
+ *
+ * @param reader  [out] borrowed as long as the source is used: until the next advance
+ * @return        source; one at a time of a step
+ * Errors  none.   Threads  one per state.   Test  tests/step/test_contact_reader.c
+ */
+clod_contact_source clod_step_contacts(clod_step *self, clod_step_reader *reader);
 
 /**
  * History of one contact of two grains now, by their ids.

@@ -11,6 +11,7 @@ import clod
 SHIM = os.path.join(os.path.dirname(os.path.abspath(clod.BINARY)), "io_faults.so")
 SHORT = 0  # a read or write that does half of its work
 KINDS = (errno.EIO, errno.ENOSPC, errno.EINTR, SHORT)
+WRITING = "write", "pwrite", "ftruncate"
 # Calls that may fail without harm: the number of the process in the lock file is only told to
 # other runs, what was only read needs no good close, and a checkpoint that the disk cannot read
 # when the next one is written is the one to be written over.
@@ -61,10 +62,10 @@ def is_harmless(calls, at):
         opened = at - 2
         while not (calls[opened].path == call.path and calls[opened].name.startswith("open")):
             opened -= 1
-        written = [c for c in calls[opened:at] if c.path == call.path and c.name == "write"]
+        written = [c for c in calls[opened:at] if c.path == call.path and c.name in WRITING]
         return not written
     return call.file.startswith("restart") and call.file.endswith(".h5") and \
-        call.name in ("openat", "read", "fstat")
+        call.name in ("openat", "pread", "fstat")
 
 
 class FaultCase(clod.Case):

@@ -73,7 +73,7 @@ class Run(faults.FaultCase):
         unsynced = set()  # paths with bytes that a loss of power would take
         renamed = 0
         for call in calls:
-            if call.name == "write":
+            if call.name in faults.WRITING:
                 unsynced.add(call.path)
             elif call.name in ("fsync", "fdatasync"):
                 unsynced.discard(call.path)
@@ -123,7 +123,7 @@ class Run(faults.FaultCase):
         self.stop_half_way()
         newest, older = clod.checkpoints(self.out, "run")
         self.record(self.command, self.put_stopped)
-        for call in ("openat", "fstat", "read"):
+        for call in ("openat", "fstat", "pread"):
             self.begin(self.put_stopped)
             done = faults.run(self.work, *self.command, at=1, only=(call, newest))
             self.assertEqual(done.returncode, 0, done.stderr)

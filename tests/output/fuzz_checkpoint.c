@@ -76,7 +76,7 @@ static void write_state(clod_contact *contacts, size_t of_walls)
     state.contacts = contacts;
     state.contact_count = CONTACTS;
     state.wall_contact_count = of_walls;
-    if (!clod_checkpoint_write(folder, "restart", &state, NULL, 0, NULL, &status)) {
+    if (!clod_checkpoint_write(folder, "restart", &state, NULL, NULL, 0, NULL, &status)) {
         abort();
     }
     clod_grains_fini(&state.grains);

@@ -15,7 +15,8 @@
 static bool write_empty(void **folder, clod_status *status)
 {
     const clod_state empty = {0};
-    return clod_checkpoint_write(temp_folder(folder), "restart", &empty, NULL, 0, NULL, status);
+    return clod_checkpoint_write(temp_folder(folder), "restart", &empty, NULL, NULL, 0, NULL,
+                                 status);
 }
 
 static void a_removed_folder_is_told(void **folder)
@@ -27,7 +28,8 @@ static void a_removed_folder_is_told(void **folder)
     assert_int_equal(mkdir(gone, 0777), 0);
     clod_folder *opened = clod_folder_look(gone, &status);
     assert_int_equal(rmdir(gone), 0);
-    assert_false(clod_checkpoint_write(opened, "restart", &empty, NULL, 0, NULL, &status));
+    assert_false(
+        clod_checkpoint_write(opened, "restart", &empty, NULL, NULL, 0, NULL, &status));
     snprintf(text, sizeof text,
              "Cannot write %s/restart_a.h5: No such file or directory. Does the folder exist?",
              gone);

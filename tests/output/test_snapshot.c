@@ -164,7 +164,7 @@ static void grains_are_vertices_with_the_arrays_people_look_for(void **folder)
 {
     clod_status status;
     clod_state state = sample_state();
-    assert_true(clod_snapshot_write(temp_folder(folder), "run", 123, &state, false,
+    assert_true(clod_snapshot_write(temp_folder(folder), "run", 123, &state, NULL, false,
                                     &(clod_snapshot_film){{0}}, &status));
     assert_false(temp_exists(folder, "contacts_000123.hdf"));
     const hid_t file = open_file(folder, "snap_000123.hdf");
@@ -210,7 +210,7 @@ static void contacts_are_lines_that_stay_together_over_a_periodic_border(void **
 {
     clod_status status;
     clod_state state = sample_state();
-    assert_true(clod_snapshot_write(temp_folder(folder), "seed1", 0, &state, true,
+    assert_true(clod_snapshot_write(temp_folder(folder), "seed1", 0, &state, NULL, true,
                                     &(clod_snapshot_film){{0}}, &status));
     const hid_t file = open_file(folder, "seed1_contacts_000000.hdf");
     check_head(file);
@@ -249,7 +249,7 @@ static void walls_are_triangles(void **folder)
 {
     clod_status status;
     clod_state state = sample_state();
-    assert_true(clod_snapshot_write(temp_folder(folder), "run", 1, &state, false,
+    assert_true(clod_snapshot_write(temp_folder(folder), "run", 1, &state, NULL, false,
                                     &(clod_snapshot_film){{0}}, &status));
     const hid_t file = open_file(folder, "walls_000001.hdf");
     check_head(file);
@@ -279,7 +279,7 @@ static void an_empty_state_makes_empty_pictures(void **folder)
 {
     clod_status status;
     const clod_state state = {0};
-    assert_true(clod_snapshot_write(temp_folder(folder), "run", 0, &state, true,
+    assert_true(clod_snapshot_write(temp_folder(folder), "run", 0, &state, NULL, true,
                                     &(clod_snapshot_film){{0}}, &status));
     const char *const names[] = {"snap_000000.hdf", "walls_000000.hdf", "contacts_000000.hdf"};
     for (int n = 0; n < 3; n++) {
@@ -316,8 +316,8 @@ static void write_numbers(void **folder, clod_state *state, clod_snapshot_film *
     clod_status status;
     for (int n = first; n <= last; n++) {
         state->time = 0.1 * n;
-        assert_true(
-            clod_snapshot_write(temp_folder(folder), "run", n, state, true, film, &status));
+        assert_true(clod_snapshot_write(temp_folder(folder), "run", n, state, NULL, true, film,
+                                        &status));
     }
 }
 
@@ -366,7 +366,7 @@ static void an_index_that_was_changed_is_refused(void **folder)
     assert_false(clod_snapshot_check(temp_folder(folder), "run", 0.2, &film, &status));
     assert_non_null(strstr(status.text, "run_walls.hdf.series was changed, or is damaged"));
     assert_false(
-        clod_snapshot_write(temp_folder(folder), "run", 3, &state, true, &film, &status));
+        clod_snapshot_write(temp_folder(folder), "run", 3, &state, NULL, true, &film, &status));
     assert_int_equal(unlink(temp_path(path, folder, INDEX)), 0); // as the text says
     assert_true(clod_snapshot_check(temp_folder(folder), "run", 0.2, &film, &status));
     write_numbers(folder, &state, &film, 3, 3);
@@ -380,11 +380,11 @@ static void the_same_state_gives_the_same_bytes(void **folder)
     clod_status status;
     size_t size_1, size_2;
     clod_state state = sample_state();
-    assert_true(clod_snapshot_write(temp_folder(folder), "run", 0, &state, false,
+    assert_true(clod_snapshot_write(temp_folder(folder), "run", 0, &state, NULL, false,
                                     &(clod_snapshot_film){{0}}, &status));
     char *first = temp_read(folder, "snap_000000.hdf", &size_1);
     sleep(1); // no time stamps
-    assert_true(clod_snapshot_write(temp_folder(folder), "run", 0, &state, false,
+    assert_true(clod_snapshot_write(temp_folder(folder), "run", 0, &state, NULL, false,
                                     &(clod_snapshot_film){{0}}, &status));
     char *second = temp_read(folder, "snap_000000.hdf", &size_2);
     assert_int_equal(size_1, size_2);
@@ -411,7 +411,7 @@ static void failures_are_told(void **folder)
     const char *const bad[] = {"", "[]", "{\"files\": [{\"name\": 1}]}", "{\"files\": "};
     for (size_t b = 0; b < sizeof bad / sizeof *bad; b++) {
         temp_write(folder, "run.hdf.series", bad[b], strlen(bad[b]));
-        assert_false(clod_snapshot_write(temp_folder(folder), "run", 0, &state, false,
+        assert_false(clod_snapshot_write(temp_folder(folder), "run", 0, &state, NULL, false,
                                          &(clod_snapshot_film){{0}}, &status));
         snprintf(text, sizeof text,
                  "%s/run.hdf.series is not a list of snapshots. Put back the file as the run "

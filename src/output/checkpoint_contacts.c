@@ -1,0 +1,169 @@
+#include "output/checkpoint_contacts.h"
+
+#include "base/assert.h"
+#include "base/memory.h"
+#include "output/checkpoint_columns.h"
+#include "state/ids.h"
+
+/** Contacts on their way. */
+typedef struct slab {
+    clod_contact *contacts;  ///< [CLOD_HDF_SLAB] at most
+    uint64_t (*partners)[2]; ///< of each: ids of grains, or of a grain and the wall's number
+} slab;
+
+static void slab_fini(slab *self)
+{
+    clod_memory_free(self->contacts);
+    clod_memory_free(self->partners);
+}
+
+static bool fail_without_memory(const clod_state *state, clod_status *status)
+{
+    return clod_status_fail(status, CLOD_FAILED, "No memory for a checkpoint of %zu grains.",
+                            state->grains.count);
+}
+
+/** Room for this many rows of the partners, and of the contacts when they are on their way too.
+ */
+static bool slab_init(slab *self, size_t rows, bool contacts)
+{
+    self->partners = clod_memory_alloc(rows + 1, sizeof *self->partners);
+    self->contacts = contacts ? clod_memory_alloc(rows + 1, sizeof *self->contacts) : NULL;
+    return self->partners != NULL && (self->contacts != NULL || !contacts);
+}
+
+static size_t slab_rows(size_t total)
+{
+    return total < CLOD_HDF_SLAB ? total : CLOD_HDF_SLAB;
+}
+
+/** Whom each contact is between; the first `pairs` are between two grains. */
+static void note_partners(const slab *self, const clod_state *state, size_t pairs, size_t count)
+{
+    for (size_t c = 0; c < count; c++) {
+        const clod_contact *contact = &self->contacts[c];
+        self->partners[c][0] = state->grains.id[contact->i];
+        self->partners[c][1] = c < pairs ? state->grains.id[contact->j] : (uint64_t)contact->j;
+    }
+}
+
+/** Datasets for so many contacts. */
+static void make_columns(clod_hdf *hdf, const slab *self, size_t total)
+{
+    clod_checkpoint_columns columns;
+    clod_checkpoint_columns_of_contacts(&columns, self->contacts,
+                                        (const uint64_t(*)[2])self->partners, total);
+    for (size_t c = 0; c < columns.count; c++) {
+        clod_hdf_make(hdf, &columns.column[c]);
+    }
+}
+
+static void put_slab(clod_hdf *hdf, const slab *self, size_t first, size_t count)
+{
+    clod_checkpoint_columns columns;
+    clod_checkpoint_columns_of_contacts(&columns, self->contacts,
+                                        (const uint64_t(*)[2])self->partners, count);
+    for (size_t c = 0; c < columns.count; c++) {
+        clod_hdf_put_rows(hdf, &columns.column[c], first);
+    }
+}
+
+bool clod_checkpoint_contacts_put(clod_hdf *hdf, const clod_state *state,
+                                  const clod_contact_source *source, clod_status *status)
+{
+    clod_contact_list list;
+    const clod_contact_source own = clod_contact_source_of(&list, state);
+    const clod_contact_source *from = source != NULL ? source : &own;
+    size_t pairs, walls;
+    from->begin(from->context, &pairs, &walls);
+    const clod_hdf_column wall_count = clod_checkpoint_columns_wall_count(&walls);
+    clod_hdf_put(hdf, &wall_count);
+    const size_t total = pairs + walls;
+    slab some;
+    const bool good = slab_init(&some, slab_rows(total), true);
+    if (good) {
+        make_columns(hdf, &some, total);
+    }
+    for (size_t first = 0; good && first < total;) {
+        const size_t count = from->next(from->context, some.contacts, slab_rows(total));
+        CLOD_ASSERT(count > 0);
+        note_partners(&some, state, first < pairs ? pairs - first : 0, count);
+        put_slab(hdf, &some, first, count);
+        first += count;
+    }
+    slab_fini(&some);
+    return good || fail_without_memory(state, status);
+}
+
+/** Rows of a contact from its partners; false: they are not there. */
+static bool find_contact(const clod_state *state, const clod_ids *ids, size_t c,
+                         const uint64_t partners[2])
+{
+    clod_contact *contact = &state->contacts[c];
+    const bool pair = c < state->contact_count - state->wall_contact_count;
+    const int64_t i = clod_ids_row(ids, partners[0]);
+    if (!pair) {
+        const bool there = partners[1] < (uint64_t)state->walls.count;
+        const int32_t wall = there ? (int32_t)partners[1] : 0;
+        contact->i = (int32_t)i;
+        contact->j = wall;
+        return i >= 0 && there && contact->shape >= 0 &&
+               contact->shape < state->walls.wall[wall].shape_count;
+    }
+    const int64_t j = clod_ids_row(ids, partners[1]);
+    contact->i = (int32_t)i;
+    contact->j = (int32_t)j;
+    if (i >= 0 && j >= 0 && i > j) { // rows stand in another order than they did
+        clod_contact_turn(contact);
+    }
+    return i >= 0 && j >= 0 && i != j && contact->shape == -1;
+}
+
+/** Read a slab of contacts from row `first` on, and find their rows. */
+static bool get_slab(clod_hdf *hdf, clod_state *state, const slab *self, const clod_ids *ids,
+                     size_t first)
+{
+    const size_t total = state->contact_count;
+    const size_t count = slab_rows(total - first);
+    clod_checkpoint_columns columns;
+    clod_checkpoint_columns_of_contacts(&columns, &state->contacts[first],
+                                        (const uint64_t(*)[2])self->partners, count);
+    for (size_t c = 0; c < columns.count; c++) {
+        clod_hdf_get_rows(hdf, &columns.column[c], first, total);
+    }
+    bool fit = true;
+    for (size_t c = 0; fit && c < count && !clod_hdf_has_failed(hdf); c++) {
+        fit = find_contact(state, ids, first + c, self->partners[c]);
+    }
+    return fit;
+}
+
+bool clod_checkpoint_contacts_get(clod_hdf *hdf, clod_state *state, const char *path,
+                                  clod_status *status)
+{
+    const clod_hdf_column wall_count =
+        clod_checkpoint_columns_wall_count(&state->wall_contact_count);
+    clod_hdf_get(hdf, &wall_count);
+    slab some;
+    clod_ids ids;
+    if (!slab_init(&some, slab_rows(state->contact_count), false)) {
+        slab_fini(&some);
+        return fail_without_memory(state, status);
+    }
+    if (!clod_ids_init(&ids, state->grains.id, state->grains.count, status)) {
+        slab_fini(&some);
+        return false;
+    }
+    const bool failed = clod_hdf_has_failed(hdf); // then there are no ids to compare with
+    bool fit = failed || (state->wall_contact_count <= state->contact_count &&
+                          clod_ids_are_different(&ids));
+    for (size_t c = 0; fit && c < state->contact_count; c += CLOD_HDF_SLAB) {
+        fit = get_slab(hdf, state, &some, &ids, c);
+    }
+    clod_ids_fini(&ids);
+    slab_fini(&some);
+    return fit || clod_status_fail(status, CLOD_FAILED,
+                                   "%s holds two grains of one id, or contacts of grains or "
+                                   "walls that it does not have. Start over with --fresh.",
+                                   path);
+}

@@ -1,0 +1,37 @@
+#pragma once
+/**
+ * @file contact_source.h
+ * All contacts of a state, one after the other, wherever they are kept: in the state's list, or
+ * in the blocks of a step. Who writes or measures them needs no list of all.
+ */
+
+#include "state/state.h"
+
+typedef struct clod_contact_source {
+    void *context; ///< of the two functions, borrowed
+
+    /** Go before the first contact; how many there are of two grains and with walls. */
+    void (*begin)(void *context, size_t *pairs, size_t *walls);
+
+    /**
+     * Copy the next contacts, ascending: pairs by (i, j), then walls by (i, wall, shape).
+     *
+     * @param to    [out] [room]
+     * @return      how many there were, fewer than `room` only at the end
+     */
+    size_t (*next)(void *context, clod_contact *to, size_t room);
+} clod_contact_source;
+
+/** A place in a state's own list of contacts. */
+typedef struct clod_contact_list {
+    const clod_state *state; ///< borrowed
+    size_t at;
+} clod_contact_list;
+
+/**
+ * The contacts of a state that no step has.
+ *
+ * @param self  [out] borrowed as long as the source is used
+ * Test  tests/step/test_contact_reader.c
+ */
+clod_contact_source clod_contact_source_of(clod_contact_list *self, const clod_state *state);
