@@ -75,9 +75,9 @@ clod_cells_grid clod_cells_grid_of(const clod_neighbour *self, const clod_state 
 }
 
 /** Grains by cell, in ascending order within each (a counting sort is stable). */
-static bool fill_cells(clod_neighbour *self, const clod_state *state,
-                       const clod_cells_grid *grid)
+bool clod_cells_fill(clod_neighbour *self, const clod_state *state)
 {
+    const clod_cells_grid *grid = &self->grid;
     const size_t grains = state->grains.count;
     const size_t cells = (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
     if (cells + 1 > self->cell_capacity) {
@@ -132,8 +132,8 @@ static int around(const clod_cells_grid *grid, int axis, int32_t c, int32_t out[
 }
 
 /** Later partners of i in one cell. */
-static bool search_cell(clod_neighbour *self, const clod_state *state, size_t i, int32_t cell,
-                        size_t cells)
+static bool search_cell(const clod_neighbour *self, const clod_state *state, size_t i,
+                        int32_t cell, size_t cells, clod_pairs *to)
 {
     const int32_t begin = self->cell_start[cell + 1];
     const int32_t end =
@@ -142,7 +142,7 @@ static bool search_cell(clod_neighbour *self, const clod_state *state, size_t i,
         const size_t j = (size_t)self->cell_item[k];
         if (j > i &&
             within_skin(state, state->build_place[i], state->build_place[j], self->skin) &&
-            !clod_neighbour_add(&self->pairs, j)) {
+            !clod_neighbour_add(to, j)) {
             return false;
         }
     }
@@ -163,34 +163,27 @@ static void order_tail(clod_pairs *self, size_t first)
     }
 }
 
-bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state)
+bool clod_cells_find_pairs(const clod_neighbour *self, const clod_state *state, size_t begin,
+                           size_t end, clod_pairs *to)
 {
-    if (state->grains.count == 0) {
-        self->pairs.start[0] = 0;
-        return true;
-    }
-    const clod_cells_grid grid = clod_cells_grid_of(self, state);
-    if (!fill_cells(self, state, &grid)) {
-        return false;
-    }
-    const size_t cells = (size_t)grid.n[0] * (size_t)grid.n[1] * (size_t)grid.n[2];
-    for (size_t i = 0; i < state->grains.count; i++) {
-        const size_t first = self->pairs.count;
-        self->pairs.start[i] = (uint32_t)first;
+    const clod_cells_grid *grid = &self->grid;
+    const size_t cells = (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
+    for (size_t i = begin; i < end; i++) {
+        const size_t first = to->count;
+        to->start[i] = (uint32_t)first;
         int32_t x[3], y[3], z[3];
         const double *p = state->build_place[i];
-        const int nx = around(&grid, 0, clod_cells_along(&grid, 0, p[0]), x);
-        const int ny = around(&grid, 1, clod_cells_along(&grid, 1, p[1]), y);
-        const int nz = around(&grid, 2, clod_cells_along(&grid, 2, p[2]), z);
+        const int nx = around(grid, 0, clod_cells_along(grid, 0, p[0]), x);
+        const int ny = around(grid, 1, clod_cells_along(grid, 1, p[1]), y);
+        const int nz = around(grid, 2, clod_cells_along(grid, 2, p[2]), z);
         for (int c = 0; c < nx * ny * nz; c++) {
             const int32_t cell =
-                (z[c / (nx * ny)] * grid.n[1] + y[c / nx % ny]) * grid.n[0] + x[c % nx];
-            if (!search_cell(self, state, i, cell, cells)) {
+                (z[c / (nx * ny)] * grid->n[1] + y[c / nx % ny]) * grid->n[0] + x[c % nx];
+            if (!search_cell(self, state, i, cell, cells, to)) {
                 return false;
             }
         }
-        order_tail(&self->pairs, first);
+        order_tail(to, first);
     }
-    self->pairs.start[state->grains.count] = (uint32_t)self->pairs.count;
     return true;
 }

@@ -7,13 +7,6 @@
 
 #include "step/neighbour.h"
 
-/** A grid of cells at least one reach wide, over the grains' bounding box or the period. */
-typedef struct clod_cells_grid {
-    double min[3], inverse_width[3]; ///< m, 1/m; 0 where all grains are at one place
-    int32_t n[3];
-    bool periodic[3];
-} clod_cells_grid;
-
 /** Grid for the grains at the last rebuild; there is at least one grain. */
 clod_cells_grid clod_cells_grid_of(const clod_neighbour *self, const clod_state *state);
 
@@ -29,8 +22,18 @@ static inline int32_t clod_cells_along(const clod_cells_grid *grid, int axis, do
  */
 double clod_cells_most(size_t grains);
 
-/** Fill self->pairs in ascending (i, j); false without memory. */
-bool clod_cells_find_pairs(clod_neighbour *self, const clod_state *state);
+/** Grains by cell of self->grid, for the search; false without memory. */
+bool clod_cells_fill(clod_neighbour *self, const clod_state *state);
+
+/**
+ * Later partners of grains [begin, end), in ascending (i, j), behind those that are in `to`;
+ * to->start of each is where its own begin.
+ *
+ * @return  false when there is no more room in `to`
+ * Threads  several, each with a `to` of its own and other grains
+ */
+bool clod_cells_find_pairs(const clod_neighbour *self, const clod_state *state, size_t begin,
+                           size_t end, clod_pairs *to);
 
 /** The same by looking at every pair. */
 bool clod_cells_all_pairs(clod_neighbour *self, const clod_state *state);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "parallel/threads.h"
 #include "state/limits.h"
 #include "step/cells.h"
 #include "step/layers.h"
@@ -42,8 +43,10 @@ static void reserve_pairs(clod_pairs *self, size_t count)
 
 bool clod_neighbour_add(clod_pairs *self, size_t j)
 {
-    if (self->count == CLOD_LIMITS_PAIRS || // start could not tell where they are
-        !clod_room_for_one(&self->item, &self->capacity, self->count, sizeof *self->item)) {
+    const bool room = !self->fixed ? clod_room_for_one(&self->item, &self->capacity,
+                                                       self->count, sizeof *self->item)
+                                   : self->count < self->capacity;
+    if (self->count == CLOD_LIMITS_PAIRS || !room) { // start could not tell where they are
         return false;
     }
     self->item[self->count++] = (clod_partner){(uint32_t)j & 0x7fffffff, 0};
@@ -109,19 +112,89 @@ bool clod_neighbour_fail_to_add(const clod_neighbour *self, size_t grains, clod_
                             "no memory for the contact candidates of %zu grains", grains);
 }
 
-bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
-                          clod_status *status)
+bool clod_neighbour_build_begin(clod_neighbour *self, const clod_state *state,
+                                const clod_laws *laws, int parts, clod_status *status)
 {
+    const size_t grains = state->grains.count;
     self->pairs.count = 0;
+    self->parts = parts;
     self->lead = lead_of(self, state);
     if (self->pairs.capacity == 0) { // memory that is never used costs nothing (base/memory.c)
-        reserve_pairs(&self->pairs, LIKELY_PAIRS * state->grains.count);
+        reserve_pairs(&self->pairs, LIKELY_PAIRS * grains);
     }
-    if (!walls_at_rebuild(self, state) ||
-        !(self->brute_force
-              ? clod_wall_cells_find_all(self, state, laws) && clod_cells_all_pairs(self, state)
-              : clod_wall_cells_find(self, state, laws) &&
-                    clod_cells_find_pairs(self, state))) {
+    bool good =
+        walls_at_rebuild(self, state) &&
+        clod_room_for(&self->found, &self->found_capacity, (size_t)parts, sizeof *self->found);
+    if (self->brute_force) {
+        good = good && clod_wall_cells_find_all(self, state, laws);
+    } else if (grains > 0) {
+        self->grid = clod_cells_grid_of(self, state);
+        good = good && clod_wall_cells_find(self, state, laws) && clod_cells_fill(self, state);
+    }
+    return good || clod_neighbour_fail_to_add(self, grains, status);
+}
+
+void clod_neighbour_build_part(clod_neighbour *self, const clod_state *state, int part)
+{
+    if (self->brute_force || self->parts == 1) { // with room to grow, in the end
+        return;
+    }
+    const clod_chunk grains = clod_threads_chunk(state->grains.count, part, self->parts);
+    const clod_chunk room = clod_threads_chunk(self->pairs.capacity, part, self->parts);
+    clod_pairs *found = &self->found[part];
+    *found = (clod_pairs){.start = self->pairs.start,
+                          .item = self->pairs.item + room.begin,
+                          .capacity = room.end - room.begin,
+                          .fixed = true};
+    if (!clod_cells_find_pairs(self, state, grains.begin, grains.end, found)) {
+        found->item = NULL; // too little room
+    }
+}
+
+/** What the parts have found, one behind the other; false when a part had too little room. */
+static bool join(clod_neighbour *self, const clod_state *state)
+{
+    clod_pairs *pairs = &self->pairs;
+    bool all = self->parts > 1;
+    for (int p = 0; all && p < self->parts; p++) {
+        all = self->found[p].item != NULL;
+    }
+    pairs->count = 0;
+    for (int p = 0; all && p < self->parts; p++) {
+        const clod_pairs *found = &self->found[p];
+        const clod_chunk grains = clod_threads_chunk(state->grains.count, p, self->parts);
+        for (size_t i = grains.begin; i < grains.end; i++) {
+            pairs->start[i] += (uint32_t)pairs->count;
+        }
+        memmove(pairs->item + pairs->count, found->item, found->count * sizeof *found->item);
+        pairs->count += found->count;
+    }
+    const size_t size = sizeof *pairs->item;
+    if (all) { // the parts' room was wider than what is left
+        clod_memory_give_back(pairs->item + pairs->count,
+                              (pairs->capacity - pairs->count) * size, pairs->capacity * size);
+    }
+    return all;
+}
+
+/** All pairs there are, in ascending order; false without memory. */
+static bool find_all_pairs(clod_neighbour *self, const clod_state *state)
+{
+    if (self->brute_force) {
+        return clod_cells_all_pairs(self, state);
+    }
+    if (!join(self, state) &&
+        !clod_cells_find_pairs(self, state, 0, state->grains.count, &self->pairs)) {
+        return false;
+    }
+    self->pairs.start[state->grains.count] = (uint32_t)self->pairs.count;
+    return true;
+}
+
+bool clod_neighbour_build_end(clod_neighbour *self, const clod_state *state,
+                              clod_status *status)
+{
+    if (!find_all_pairs(self, state)) {
         return clod_neighbour_fail_to_add(self, state->grains.count, status);
     }
     const size_t pairs = state->contact_count - state->wall_contact_count;
@@ -138,6 +211,13 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
                                 (long long)state->step, (unsigned long long)grain, state->dt);
     }
     return true;
+}
+
+bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
+                          clod_status *status)
+{
+    return clod_neighbour_build_begin(self, state, laws, 1, status) &&
+           clod_neighbour_build_end(self, state, status);
 }
 
 void clod_neighbour_give_back(clod_neighbour *self)
@@ -157,6 +237,7 @@ void clod_neighbour_fini(clod_neighbour *self)
 {
     clod_memory_free(self->pairs.start);
     clod_memory_free(self->pairs.item);
+    clod_memory_free(self->found);
     clod_memory_free(self->walls.item);
     clod_wall_rows_fini(&self->build_rows);
     clod_wall_cells_fini(&self->wall_cells);

@@ -26,7 +26,15 @@ typedef struct clod_pairs {
     uint32_t *start;    ///< [grains + 1] first partner of each grain
     clod_partner *item; ///< [count], in ascending (i, j)
     size_t count, capacity;
+    bool fixed; ///< part of another array: it cannot grow
 } clod_pairs;
+
+/** A grid of cells at least one reach wide, over the grains' bounding box or the period. */
+typedef struct clod_cells_grid {
+    double min[3], inverse_width[3]; ///< m, 1/m; 0 where all grains are at one place
+    int32_t n[3];
+    bool periodic[3];
+} clod_cells_grid;
 
 /** A grain and a shape of a wall that may touch. */
 typedef struct clod_wall_candidate {
@@ -63,6 +71,10 @@ typedef struct clod_neighbour {
     clod_wall_candidates walls;
     clod_wall_rows build_rows; ///< of the walls at the last rebuild
     clod_wall_cells wall_cells;
+    clod_cells_grid grid; ///< of the search that is going on
+    clod_pairs *found;    ///< scratch [parts]: what each part has found
+    int parts;            ///< of the search that is going on
+    size_t found_capacity;
     // scratch, kept between rebuilds
     int32_t *cell_of, *cell_item; ///< [grains]; cell_of also counts contacts by grain
     int32_t *cell_start;          ///< [cells + 1]
@@ -105,14 +117,24 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
  */
 bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_status *status);
 
-/** Candidates from state->build_place and build_walls; every contact must be among them. */
+/**
+ * Candidates from state->build_place and build_walls; every contact must be among them. In
+ * steps: the first and the last once, the middle one by each of the parts, at the same time.
+ */
+bool clod_neighbour_build_begin(clod_neighbour *self, const clod_state *state,
+                                const clod_laws *laws, int parts, clod_status *status);
+void clod_neighbour_build_part(clod_neighbour *self, const clod_state *state, int part);
+bool clod_neighbour_build_end(clod_neighbour *self, const clod_state *state,
+                              clod_status *status);
+
+/** All of that by one thread. */
 bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
                           clod_status *status);
 
 /** Room for the grains there are in the arrays of the search; false without memory. */
 bool clod_neighbour_reserve(clod_neighbour *self, const clod_state *state, clod_status *status);
 
-/** Add a pair at the end of the candidates; false without memory, and beyond the limit. */
+/** Add a pair at the end of the candidates; false without room, and beyond the limit. */
 bool clod_neighbour_add(clod_pairs *self, size_t j);
 
 /** Say why no more candidates could be added: beyond a limit, or without memory; false. */

@@ -60,8 +60,8 @@ static void copy_old(clod_step *self, int part)
     clod_near_gather_copy(&self->near, self->state, &self->walls, part, true);
 }
 
-/** The near list is no more; at a rebuild the candidates are found anew. */
-static void search(clod_step *self, int part)
+/** The near list is no more; at a rebuild the grains are sorted. */
+static void sort(clod_step *self, int part)
 {
     (void)part;
     clod_state *state = self->state;
@@ -70,9 +70,25 @@ static void search(clod_step *self, int part)
         clod_state_drop_grains(state, self->neighbour.rank);
         clod_neighbour_size(&self->neighbour, state);
     }
+    self->failed =
+        self->remake.again && (!clod_neighbour_sort(&self->neighbour, state, &self->status) ||
+                               !clod_neighbour_build_begin(&self->neighbour, state, self->laws,
+                                                           self->near.parts, &self->status));
+}
+
+/** At a rebuild the candidates are found anew. */
+static void search(clod_step *self, int part)
+{
+    if (self->remake.again) {
+        clod_neighbour_build_part(&self->neighbour, self->state, part);
+    }
+}
+
+static void join(clod_step *self, int part)
+{
+    (void)part;
     self->failed = self->remake.again &&
-                   (!clod_neighbour_sort(&self->neighbour, state, &self->status) ||
-                    !clod_neighbour_build(&self->neighbour, state, self->laws, &self->status));
+                   !clod_neighbour_build_end(&self->neighbour, self->state, &self->status);
     if (!self->failed) {
         self->remake.job = job_of(self);
         self->failed = !clod_near_begin(&self->remake.job, &self->status);
@@ -146,8 +162,8 @@ typedef struct list_phase {
 } list_phase;
 
 static const list_phase PHASES[] = {
-    {begin, false},      {count_old, true}, {make_room, false}, {copy_old, true},
-    {place_walls, true}, {search, false},   {mark, true},       {cut, false},
+    {begin, false},      {count_old, true}, {make_room, false}, {copy_old, true}, {sort, false},
+    {place_walls, true}, {search, true},    {join, false},      {mark, true},     {cut, false},
     {count_new, true},   {layout, false},   {place, true},      {end, false},
 };
 #define PHASE_COUNT ((int)(sizeof PHASES / sizeof *PHASES))
