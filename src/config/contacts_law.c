@@ -66,7 +66,7 @@ void clod_contacts_check_law(clod_loader *loader, const clod_contacts_pair *self
     if (keys->k2 != NULL) {
         check_k2(loader, self, contact);
     }
-    if (keys->pulls && contact->surface_energy > 0.0 && contact->k_adh > 0.0) {
+    if (keys->surface_energy && contact->surface_energy > 0.0 && contact->k_adh > 0.0) {
         clod_contacts_fail(loader, self, "surface_energy",
                            "takes the place of k_adh: the pull follows from one of the two; "
                            "give the other as 0, or remove it");
@@ -154,8 +154,10 @@ void clod_contacts_complete(clod_case_contact *contact)
     if (keys->plasticity_depth == NULL) {
         contact->plasticity_depth = 0.0;
     }
-    if (!keys->pulls) {
+    if (!keys->pull_off_force) {
         contact->pull_off_force = 0.0;
+    }
+    if (!keys->surface_energy) {
         contact->surface_energy = 0.0;
     }
     if (contact->rolling == CLOD_ROLLING_NONE) {

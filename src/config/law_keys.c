@@ -19,7 +19,11 @@ static const clod_law_keys LAWS[CLOD_LAW_KINDS] = {
                          .plasticity_depth = "0.05",
                          .k_adh = true,
                          .k2_above = true},
-    [CLOD_LAW_EEPA] = {.k1 = "4.75e8", .k2 = "2.37e9", .k_adh = true, .pulls = true},
+    [CLOD_LAW_EEPA] = {.k1 = "4.75e8",
+                       .k2 = "2.37e9",
+                       .k_adh = true,
+                       .pull_off_force = true,
+                       .surface_energy = true},
 };
 
 const clod_law_keys *clod_law_keys_of(int law)

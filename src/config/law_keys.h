@@ -14,7 +14,8 @@ typedef struct clod_law_keys {
     const char *k1, *k2;          ///< N/m^n, examples; NULL: the law refuses the key
     const char *plasticity_depth; ///< example; NULL: the law refuses the key
     bool k_adh;                   ///< has the key k_adh
-    bool pulls;                   ///< has pull_off_force, and surface_energy in place of k_adh
+    bool pull_off_force;          ///< has this key
+    bool surface_energy;          ///< has this key, in place of k_adh
     bool k2_above;                ///< k2 is more than k1; else it may be the same
     bool elastic_moduli; ///< stiffness from youngs_modulus and poissons_ratio of the materials
 } clod_law_keys;

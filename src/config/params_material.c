@@ -83,10 +83,16 @@ static bool has_depth(const clod_case *whole, const void *self)
     return keys_of(self)->plasticity_depth != NULL && ((const C *)self)->plasticity_depth > 0.0;
 }
 
-static bool has_pulls(const clod_case *whole, const void *self)
+static bool has_pull(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return keys_of(self)->pulls;
+    return keys_of(self)->pull_off_force;
+}
+
+static bool has_surface_energy(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return keys_of(self)->surface_energy;
 }
 
 static bool has_ratio(const clod_case *whole, const void *self)
@@ -196,7 +202,7 @@ static const clod_param CONTACT[] = {
      .fallback = "0 N",
      .example = "2 mN",
      CLOD_AT(C, pull_off_force),
-     .used = has_pulls,
+     .used = has_pull,
      .unused = ONLY_EEPA,
      .help = "Force -f0 with which grains pull at each other as soon as they touch, whatever "
              "their past; eepa only.",
@@ -209,7 +215,7 @@ static const clod_param CONTACT[] = {
      .fallback = "0 J/m2",
      .example = "0.5 J/m2",
      CLOD_AT(C, surface_energy),
-     .used = has_pulls,
+     .used = has_surface_energy,
      .unused = ONLY_EEPA,
      .help =
          "Surface energy gamma: the largest pull beyond pull_off_force is 3/2 pi gamma times "

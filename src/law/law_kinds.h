@@ -17,7 +17,7 @@ typedef struct clod_law_kind_row {
     /** Numbers of the law from its keys; exponent, k1, k2 and tangent_ratio hold the keys. */
     void (*make)(clod_law *self, const clod_case_contact *contact, const clod_case_material *a,
                  const clod_case_material *b);
-    bool elastic;     ///< no plastic overlap and no adhesion; `tangential` does not count
+    bool elastic;     ///< remembers nothing of its normal force; `tangential` does not count
     bool root_radius; ///< k1 and k2 are times sqrt(R*)
     bool rayleigh;    ///< the automatic time step is a fraction of the Rayleigh time
     bool speed_free;  ///< restitution without dash-pot is the same at any speed
