@@ -21,6 +21,7 @@ typedef enum clod_law_kind {
     CLOD_LAW_HOOKE,
     CLOD_LAW_LUDING,
     CLOD_LAW_EEPA,
+    CLOD_LAW_KINDS, ///< how many there are
 } clod_law_kind;
 
 /** What the Coulomb limit multiplies the friction with (docs/theory/tangential.md). */

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "config/check.h"
 #include "config/contacts_law.h"
+#include "config/law_keys.h"
 #include "config/suggest.h"
 
 #define PAIR_NAME 256 ///< keys of YAML are at most 128 long
@@ -69,14 +70,16 @@ static clod_node *merge(clod_loader *loader, const clod_node *own, const clod_no
         }
     }
     const char *law = text_of(whole, "law");
-    const bool linear =
-        law != NULL && (strcmp(law, "hooke") == 0 || strcmp(law, "luding") == 0);
-    if (linear && clod_tree_find(whole, "exponent") == NULL) {
-        clod_node *one = clod_tree_scalar(loader->arena, "1");
-        if (one != NULL) {
-            one->key = "exponent";
+    const double fixed = law != NULL ? clod_law_keys_exponent(law) : 0.0;
+    if (fixed != 0.0 && clod_tree_find(whole, "exponent") == NULL) {
+        char text[32];
+        snprintf(text, sizeof text, "%.10g", fixed);
+        const char *kept = clod_arena_text(loader->arena, text, strlen(text));
+        clod_node *exponent = kept != NULL ? clod_tree_scalar(loader->arena, kept) : NULL;
+        if (exponent != NULL) {
+            exponent->key = "exponent";
         }
-        if (!add(loader, whole, one)) {
+        if (!add(loader, whole, exponent)) {
             return NULL;
         }
     }

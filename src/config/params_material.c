@@ -3,6 +3,7 @@
  * Tables of materials and of the contact law of a pair of materials.
  */
 
+#include "config/law_keys.h"
 #include "config/param.h"
 
 #define M clod_case_material
@@ -41,9 +42,6 @@ static const clod_param MATERIAL[] = {
 const clod_table CLOD_TABLE_MATERIAL = {
     .title = "Materials of grains and walls, by name.", CLOD_ROWS(MATERIAL), .size = sizeof(M)};
 
-static const char *const LAWS[] = {
-    [CLOD_LAW_MEPA] = "mepa",     [CLOD_LAW_HERTZ] = "hertz", [CLOD_LAW_HOOKE] = "hooke",
-    [CLOD_LAW_LUDING] = "luding", [CLOD_LAW_EEPA] = "eepa",   NULL};
 static const char *const COULOMB[] = {[CLOD_COULOMB_ADHESIVE] = "adhesive",
                                       [CLOD_COULOMB_FORCE] = "force",
                                       [CLOD_COULOMB_PAPER] = "paper",
@@ -56,43 +54,52 @@ static const char *const ROLLING[] = {[CLOD_ROLLING_NONE] = "none",
                                       [CLOD_ROLLING_EPSD2] = "epsd2",
                                       NULL};
 
+static const clod_law_keys *keys_of(const void *self)
+{
+    return clod_law_keys_of(((const C *)self)->law);
+}
+
 static bool has_k1(const clod_case *whole, const void *self)
 {
     (void)whole;
-    const C *contact = self;
-    return contact->law != CLOD_LAW_HERTZ && contact->k1 > 0.0;
-}
-
-static bool is_plastic(const clod_case *whole, const void *self)
-{
-    (void)whole;
-    const C *contact = self;
-    return contact->law != CLOD_LAW_HERTZ && contact->law != CLOD_LAW_HOOKE;
+    return keys_of(self)->k1 != NULL && ((const C *)self)->k1 > 0.0;
 }
 
 static bool has_k2(const clod_case *whole, const void *self)
 {
-    return is_plastic(whole, self) && ((const C *)self)->k2 > 0.0;
+    (void)whole;
+    return keys_of(self)->k2 != NULL && ((const C *)self)->k2 > 0.0;
+}
+
+static bool has_k_adh(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return keys_of(self)->k_adh;
 }
 
 static bool has_depth(const clod_case *whole, const void *self)
 {
     (void)whole;
-    const C *contact = self;
-    return contact->law == CLOD_LAW_LUDING && contact->plasticity_depth > 0.0;
+    return keys_of(self)->plasticity_depth != NULL && ((const C *)self)->plasticity_depth > 0.0;
 }
 
-static bool is_eepa(const clod_case *whole, const void *self)
+static bool has_pull(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return ((const C *)self)->law == CLOD_LAW_EEPA;
+    return keys_of(self)->pull_off_force;
+}
+
+static bool has_surface_energy(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return keys_of(self)->surface_energy;
 }
 
 static bool has_ratio(const clod_case *whole, const void *self)
 {
     (void)whole;
-    const C *contact = self;
-    return contact->law != CLOD_LAW_HERTZ && contact->tangential == CLOD_TANGENTIAL_TANGENT;
+    return !keys_of(self)->elastic_moduli &&
+           ((const C *)self)->tangential == CLOD_TANGENTIAL_TANGENT;
 }
 
 static bool has_rolling(const clod_case *whole, const void *self)
@@ -116,7 +123,7 @@ static const clod_param CONTACT[] = {
     {.key = "law",
      .kind = CLOD_PARAM_CHOICE,
      .need = CLOD_PARAM_OPTIONAL,
-     .choices = LAWS,
+     .choices = CLOD_LAW_NAMES,
      .fallback = "mepa",
      CLOD_AT(C, law),
      .help =
@@ -171,7 +178,7 @@ static const clod_param CONTACT[] = {
      .example = "3.56e8 N/m^1.5",
      CLOD_AT(C, k_adh),
      .exponent = offsetof(C, exponent),
-     .used = is_plastic,
+     .used = has_k_adh,
      .unused = ONLY_PLASTIC,
      .help = "Stiffness of the adhesive branch of mepa, eepa and luding; 0 is dry.",
      .source = "eq. (3)"},
@@ -195,7 +202,7 @@ static const clod_param CONTACT[] = {
      .fallback = "0 N",
      .example = "2 mN",
      CLOD_AT(C, pull_off_force),
-     .used = is_eepa,
+     .used = has_pull,
      .unused = ONLY_EEPA,
      .help = "Force -f0 with which grains pull at each other as soon as they touch, whatever "
              "their past; eepa only.",
@@ -208,7 +215,7 @@ static const clod_param CONTACT[] = {
      .fallback = "0 J/m2",
      .example = "0.5 J/m2",
      CLOD_AT(C, surface_energy),
-     .used = is_eepa,
+     .used = has_surface_energy,
      .unused = ONLY_EEPA,
      .help =
          "Surface energy gamma: the largest pull beyond pull_off_force is 3/2 pi gamma times "

@@ -4,6 +4,7 @@
  */
 
 #include "config/check.h"
+#include "config/law_keys.h"
 #include "config/param.h"
 
 #define C clod_case
@@ -59,13 +60,14 @@ static const clod_param DOMAIN_ROWS[] = {
 const clod_table CLOD_TABLE_DOMAIN = {.title = "The space in which grains may be.",
                                       CLOD_ROWS(DOMAIN_ROWS)};
 
-/** Whether a pair that can meet follows hertz, or one that follows another law. */
-static bool has_law(const clod_case *whole, bool hertz)
+/** Whether a pair that can meet is elastic with the moduli of its materials, or one is not. */
+static bool has_law(const clod_case *whole, bool elastic_moduli)
 {
     const int n = (int)whole->material_count;
     for (int i = 0; i < n * n; i++) {
         if (clod_check_pair_needed(whole, i / n, i % n) &&
-            (clod_case_pair(whole, i / n, i % n)->law == CLOD_LAW_HERTZ) == hertz) {
+            clod_law_keys_of(clod_case_pair(whole, i / n, i % n)->law)->elastic_moduli ==
+                elastic_moduli) {
             return true;
         }
     }

@@ -64,8 +64,12 @@ clod_law clod_law_make(const clod_case_contact *contact, const clod_case_materia
 /** Set k_adh and eepa's pulls to a fraction of their final values; histories stay. */
 void clod_law_set_adhesion(clod_law *self, double fraction);
 
-/** Loading tangent dk = n k1 d^(n-1) [N/m] at overlap d [m]; R* [m] counts for hertz only. */
+/** Loading tangent dk = n k1 d^(n-1) [N/m] at overlap d [m]; R* [m] counts for laws with
+ *  root_radius (law_kinds.h) only. */
 double clod_law_tangent(const clod_law *self, double overlap, double r_star);
+
+/** Stiffest tangent [N/m] of any branch up to overlap d [m]: what limits the time step. */
+double clod_law_stiffest(const clod_law *self, double overlap, double r_star);
 
 /** All laws of a case: one for each unordered pair of materials. */
 typedef struct clod_laws {

@@ -2,18 +2,21 @@
 
 #include <math.h>
 
+#include "law/law_kinds.h"
+
 /** Newton steps of the impact with a first pull: each halves what is too much, or better. */
 #define IMPACT_STEPS 60
 
 double clod_law_cycle_virgin(const clod_law *law, double r_star)
 {
-    return law->k1 * (law->kind == CLOD_LAW_HERTZ ? sqrt(r_star) : 1.0);
+    return law->k1 * (clod_law_kinds_row(law->kind)->root_radius ? sqrt(r_star) : 1.0);
 }
 
-/** Overlap from which luding loads on its limit branch; no end for the other laws. */
+/** Overlap from which virgin loading follows k2; most laws have none. */
 static double flow_overlap(const clod_law *law, double r_star)
 {
-    return law->kind == CLOD_LAW_LUDING ? law->flow * r_star : HUGE_VAL;
+    const clod_law_kind_row *row = clod_law_kinds_row(law->kind);
+    return row->flow != NULL ? row->flow(law, r_star) : HUGE_VAL;
 }
 
 double clod_law_cycle_force(const clod_law *law, double r_star, double overlap)
@@ -73,26 +76,7 @@ double clod_law_cycle_impact(const clod_law *law, double r_star, double energy)
     return flow + 2.0 * left / (force + sqrt(force * force + 2.0 * law->k2 * left));
 }
 
-static clod_law_pull luding_pull(const clod_law *law, double r_star, double overlap)
-{
-    const double most = fmin(overlap, law->flow * r_star);
-    const double rise = law->hardening * most / r_star;
-    const double least = rise * most / (law->k1 + rise + law->k_adh);
-    return (clod_law_pull){least, law->k_adh * least};
-}
-
 clod_law_pull clod_law_cycle_pull(const clod_law *law, double r_star, double overlap)
 {
-    if (law->kind == CLOD_LAW_LUDING) {
-        return luding_pull(law, r_star, overlap);
-    }
-    const double n = law->exponent;
-    const double plastic = law->virgin * pow(overlap, n);
-    double x = plastic / law->pull_off;
-    double pull = law->k_adh * x; // hertz has none
-    if (law->patch > 0.0) {
-        pull = fmin(law->patch * sqrt(r_star * pow(plastic, 1.0 / n)), 0.5 * law->k2 * plastic);
-        x = plastic - pull / law->k2;
-    }
-    return (clod_law_pull){pow(x, 1.0 / n), pull + law->touch};
+    return clod_law_kinds_row(law->kind)->pull(law, r_star, overlap);
 }

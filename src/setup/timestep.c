@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "law/law_cycle.h"
+#include "law/law_kinds.h"
 #include "setup/collision.h"
 
 /** Overlap assumed at least, as a fraction of the radius: a bed without load is not soft. */
@@ -50,7 +50,7 @@ double clod_timestep_impact(const clod_law *law, double r_star, double m_star, d
 
 double clod_timestep_unloading(const clod_law *law, double r_star, double overlap)
 {
-    return clod_law_tangent(law, overlap, r_star) * law->k2 / law->k1;
+    return clod_law_stiffest(law, overlap, r_star);
 }
 
 double clod_timestep_period(double mass, double stiffness)
@@ -194,7 +194,7 @@ static void meet(const clod_case *from, const clod_timestep_grains *grains, int 
     }
     double step = from->time.safety * period / M_PI;
     clod_timestep_reason reason = spring.reason;
-    if (pair.law.kind == CLOD_LAW_HERTZ) {
+    if (clod_law_kinds_row(pair.law.kind)->rayleigh) {
         step = from->time.rayleigh_limit * pair_rayleigh(from, &pair, a, b);
         reason = CLOD_TIMESTEP_RAYLEIGH;
     }

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "clod/case.h"
-#include "law/law_cycle.h"
+#include "law/law_kinds.h"
 
 #define LARGE_STEP 0.25 ///< of the critical step: six steps for half a swing
 #define GOOD_STEP 0.1   ///< as time.safety
@@ -136,7 +136,8 @@ static double critical_step(const deep_contact *deep)
                                   ? law->literal_stiffness
                                   : law->tangent_ratio * loading;
     const double slip = law->friction > 0.0 ? 3.5 * tangential : 0.0; // on 2/7 of the mass
-    return 2.0 * sqrt(deep->m_star / fmax(loading * law->k2 / law->k1, slip));
+    const double press = clod_law_stiffest(law, deep->overlap, deep->r_star);
+    return 2.0 * sqrt(deep->m_star / fmax(press, slip));
 }
 
 /** What to do about the deepest contact: where it is new, where the step is too large for it,
@@ -162,7 +163,7 @@ static void advise(const clod_step *self, const worst_overlap *worst, char *text
                  "it is too soft for its load, some %.3g N. Raise %s, lower the load or the "
                  "speed%s",
                  dt / critical, clod_law_cycle_force(deep.law, deep.r_star, deep.overlap),
-                 deep.law->kind == CLOD_LAW_HERTZ ? "youngs_modulus" : "its k1 (and k2)",
+                 clod_law_kinds_row(deep.law->kind)->stiffness_keys,
                  in_range ? ", or, if so deep a contact is meant, raise time.overlap_limit"
                           : "");
     }

@@ -6,7 +6,7 @@
 
 #include "base/assert.h"
 #include "law/law_contact.h"
-#include "law/law_cycle.h"
+#include "law/law_kinds.h"
 
 /** Steps of an impact that last one radian of the contact's oscillation. */
 #define IMPACT_STEPS 20000
@@ -133,7 +133,7 @@ static clod_law_motion contact_motion(const bench *self, const pace *speed, doub
 static clod_contact_branch branch_of(const clod_law *law, clod_law_stiffness s,
                                      clod_law_normal normal, double plastic)
 {
-    if (law->kind == CLOD_LAW_LUDING) {
+    if (clod_law_kinds_row(law->kind)->remembers == CLOD_LAW_REMEMBERS_LARGEST) {
         return normal.force <= -normal.pull ? CLOD_BRANCH_ADHESIVE
                : plastic == s.overlap       ? CLOD_BRANCH_LOADING
                                             : CLOD_BRANCH_UNLOADING;
@@ -144,16 +144,6 @@ static clod_contact_branch branch_of(const clod_law *law, clod_law_stiffness s,
     const double most =
         law->patch > 0.0 ? clod_law_patch_bound(law, s) : law->pull_off * s.power;
     return plastic < most ? CLOD_BRANCH_UNLOADING : CLOD_BRANCH_ADHESIVE;
-}
-
-/** Plastic overlap [m]: where the line of unloading that the contact is on has its zero. */
-static double plastic_overlap(const clod_law *law, double r_star, double plastic)
-{
-    if (law->kind == CLOD_LAW_LUDING) { // d0 = (1 - k1/k2) d_max
-        const double rise = law->hardening * plastic / r_star;
-        return rise / (law->k1 + rise) * plastic;
-    }
-    return pow(plastic, 1.0 / law->exponent);
 }
 
 /** One step of the law; what it did goes into the row, which has its kinematics already. */
@@ -181,7 +171,7 @@ static void advance(bench *self, const pace *speed, clod_contact_bench_row *row)
     row->roll_torque[0] = result.roll.x;
     row->roll_torque[1] = result.roll.y;
     row->branch = branch_of(law, s, normal, m->plastic);
-    row->plastic = plastic_overlap(law, motion.r_star, m->plastic);
+    row->plastic = clod_law_kinds_row(law->kind)->plastic(law, motion.r_star, m->plastic);
     row->spring[0] = m->spring.x;
     row->spring[1] = m->spring.y;
     row->roll_spring[0] = m->roll.x;
@@ -237,7 +227,7 @@ static double closed_restitution(const clod_law *law)
 
 double clod_contact_bench_restitution(const clod_law *law, double r_star, double d_max)
 {
-    if (law->kind != CLOD_LAW_LUDING && law->kind != CLOD_LAW_EEPA) {
+    if (clod_law_kinds_row(law->kind)->speed_free) {
         return closed_restitution(law);
     }
     clod_law bare = *law;

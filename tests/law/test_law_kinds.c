@@ -1,0 +1,154 @@
+// The two tables of laws: a row in both for every clod_law_kind, a page of theory, and the
+// stiffest tangent of the row against the law's force.
+
+#include "law/law_kinds.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "config/law_keys.h"
+#include "support/dice.h"
+#include "support/law_ledger.h"
+
+#define R_STAR 1.5e-3 // m
+#define DEEPEST 3e-5  // m; beyond d* of luding's law in ledger_law, 15 um
+#define SPANS 60
+#define POINTS 400
+
+static void every_law_has_its_keys(void **state)
+{
+    (void)state;
+    assert_null(CLOD_LAW_NAMES[CLOD_LAW_KINDS]);
+    for (int law = 0; law < CLOD_LAW_KINDS; law++) {
+        assert_non_null(CLOD_LAW_NAMES[law]);
+        const clod_law_keys *keys = clod_law_keys_of(law);
+        assert_true(keys->k1 != NULL || keys->elastic_moduli); // it is stiff by something
+        assert_true(keys->k1 == NULL || !keys->elastic_moduli);
+        assert_true(keys->k1 != NULL || keys->k2 == NULL);
+        assert_true(clod_law_keys_exponent(CLOD_LAW_NAMES[law]) == keys->exponent);
+        for (int other = 0; other < law; other++) {
+            assert_string_not_equal(CLOD_LAW_NAMES[law], CLOD_LAW_NAMES[other]);
+        }
+    }
+    assert_true(clod_law_keys_exponent("no law") == 0.0);
+}
+
+static void every_law_has_a_page_of_theory(void **state)
+{
+    (void)state;
+    for (int law = 0; law < CLOD_LAW_KINDS; law++) {
+        char path[512];
+        snprintf(path, sizeof path, "%s/docs/theory/%s.md", CLOD_SOURCE_DIR,
+                 CLOD_LAW_NAMES[law]);
+        FILE *page = fopen(path, "r");
+        if (page == NULL) {
+            fail_msg("law %s has no page %s", CLOD_LAW_NAMES[law], path);
+        }
+        fclose(page);
+    }
+}
+
+static void every_law_has_its_numbers(void **state)
+{
+    (void)state;
+    for (int law = 0; law < CLOD_LAW_KINDS; law++) {
+        const clod_law_kind_row *row = clod_law_kinds_row((clod_law_kind)law);
+        assert_non_null(row->make);
+        assert_non_null(row->stiffest);
+        assert_non_null(row->pull);
+        assert_non_null(row->plastic);
+        assert_non_null(row->stiffness_keys);
+    }
+}
+
+/** What both tables say of a law is the same. */
+static void the_tables_agree(void **state)
+{
+    (void)state;
+    bool seen[CLOD_LAW_KINDS] = {false};
+    for (int k = 0; k < LEDGER_LAWS; k++) {
+        clod_case_contact contact = ledger_law(k);
+        const clod_law_keys *keys = clod_law_keys_of(contact.law);
+        const clod_law_kind_row *row = clod_law_kinds_row((clod_law_kind)contact.law);
+        seen[contact.law] = true;
+        const clod_law law = clod_law_make(&contact, &ORE, &ORE);
+        if (keys->exponent != 0.0) {
+            assert_true(law.exponent == keys->exponent);
+        }
+        assert_true(row->rayleigh == keys->elastic_moduli);
+        assert_true(row->root_radius == keys->elastic_moduli);
+        assert_true((strcmp(row->stiffness_keys, "youngs_modulus") == 0) ==
+                    keys->elastic_moduli);
+        assert_true(row->elastic == (keys->k2 == NULL));
+        assert_true((row->flow != NULL) == (keys->plasticity_depth != NULL));
+        assert_true((law.k_adh > 0.0) == (keys->k_adh && contact.k_adh > 0.0));
+    }
+    for (int law = 0; law < CLOD_LAW_KINDS; law++) {
+        assert_true(seen[law]); // a new law goes into ledger_law too
+    }
+}
+
+/** Force at an overlap of a contact with this memory, which stays. */
+static double force_at(const clod_law *law, double overlap, double memory)
+{
+    const clod_law_stiffness s = clod_law_stiffness_at(law, overlap, R_STAR);
+    return clod_law_normal_force(law, s, &memory).force;
+}
+
+/**
+ * Slope df/dd of the force about an overlap of a contact, over the stiffest tangent; the force
+ * of a falling branch swings nothing and is not bounded by it.
+ */
+static double steepness(const clod_law *law, double overlap, double memory)
+{
+    const double h = 1e-5 * overlap;
+    const double here = force_at(law, overlap, memory);
+    const double up = (force_at(law, overlap + h, memory) - here) / h;
+    const double down = (here - force_at(law, overlap - h, memory)) / h;
+    return fmax(up, down) / clod_law_stiffest(law, overlap, R_STAR);
+}
+
+/** The largest steepness on a path of loading and unloading, all of it closed. */
+static double steepest(const clod_law *law, dice *d)
+{
+    double worst = 0.0;
+    double memory = 0.0;
+    double overlap = 1e-8;
+    for (int span = 0; span < SPANS; span++) {
+        const double to = DEEPEST * pow(10.0, dice_real(d, -2.0, 0.0));
+        const double step = (to - overlap) / POINTS;
+        for (int p = 0; p < POINTS; p++) {
+            overlap += step;
+            const clod_law_stiffness s = clod_law_stiffness_at(law, overlap, R_STAR);
+            (void)clod_law_normal_force(law, s, &memory);
+            worst = fmax(worst, steepness(law, overlap, memory));
+        }
+    }
+    return worst;
+}
+
+/** The bound holds, and the law comes up to it: a step from it is not too small either. */
+static void the_stiffest_tangent_bounds_the_slope(void **state)
+{
+    (void)state;
+    dice d = {41};
+    for (int k = 0; k < LEDGER_LAWS; k++) {
+        const clod_case_contact contact = ledger_law(k);
+        const clod_law law = clod_law_make(&contact, &ORE, &ORE);
+        const double worst = steepest(&law, &d);
+        check_at_most(worst, 1.0 + 2e-5); // n >= 1: beyond by up to (n - 1) h/d
+        check_at_most(1.0 - worst, 1e-3);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_law_has_its_keys),
+        cmocka_unit_test(every_law_has_a_page_of_theory),
+        cmocka_unit_test(every_law_has_its_numbers),
+        cmocka_unit_test(the_tables_agree),
+        cmocka_unit_test(the_stiffest_tangent_bounds_the_slope),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
