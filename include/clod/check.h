@@ -113,8 +113,8 @@ typedef struct clod_check_report {
  * @param report  [out]
  * Errors  CLOD_USAGE: a case that cannot be built, an unknown instruction set; CLOD_FAILED: one
  *         whose first steps go wrong.
- * Threads one per report.   Source  docs/theory/mepa.md, time-step.md, ring-shear.md.   Test
- * tests/sim/test_check.c
+ * Threads one per report.   Source  docs/theory/mepa.md, time-step.md, ring-shear.md.
+ * Test    tests/sim/test_check.c
  */
 bool clod_check_report_make(const clod_case *from, const clod_check_options *options,
                             clod_check_report *report, clod_status *status);

@@ -255,8 +255,8 @@ CLOD_LAW_PASS void clod_law_return_springs(const clod_law *law, vreal k_t, vreal
  * @param memory   [in,out] turned springs, and the tangent of the step before; becomes the
  *                 history after, meaningful in closed lanes only
  * @param trial    [in,out] from clod_law_press; gets limit, cap, friction and roll
- * Errors  none.   Threads  pure.   Source  docs/theory/tangential.md, rolling.md.   Test
- * tests/law/
+ * Errors  none.   Threads  pure.   Source  docs/theory/tangential.md, rolling.md.
+ * Test    tests/law/
  */
 CLOD_LAW_PASS void clod_law_carry(const clod_law *law, const clod_law_touch *touch, double dt,
                                   const clod_law_inverses *inverses, clod_law_memory *memory,
@@ -312,8 +312,8 @@ CLOD_LAW_PASS clod_law_cuts clod_law_limit_begin(const clod_law *law,
  * @param trial   from clod_law_carry
  * @param cuts    from clod_law_limit_begin
  * @return        force and torques, zero where the contact is open
- * Errors  none.   Threads  pure.   Source  docs/theory/tangential.md, rolling.md.   Test
- * tests/law/
+ * Errors  none.   Threads  pure.   Source  docs/theory/tangential.md, rolling.md.
+ * Test    tests/law/
  */
 CLOD_LAW_PASS clod_law_result clod_law_limit(const clod_law *law, const clod_law_touch *touch,
                                              const clod_law_trial *trial,

@@ -168,8 +168,8 @@ static inline vreal clod_law_rolling_soften(const clod_law *law,
  * @param stiffness  k_r [N m/rad]
  * @param inertia    reduced moment of inertia about the contact [kg m2], for epsd
  * @param roll       rolling spring, shortened to its cap [rad]
- * Source  Ai, Chen, Rotter, Ooi 2011; docs/theory/rolling.md.   Test
- * tests/law/test_law_rolling.c
+ * Source  Ai, Chen, Rotter, Ooi 2011; docs/theory/rolling.md.
+ * Test    tests/law/test_law_rolling.c
  */
 static inline vreal3 clod_law_rolling_torque(const clod_law *law, vreal3 rolling,
                                              vreal stiffness, vreal inertia, vreal3 roll)

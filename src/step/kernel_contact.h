@@ -2,6 +2,29 @@
 /**
  * @file kernel_contact.h
  * Grain-grain contacts: rows in, law, rows out. Included by kernel.c only.
+ *
+ * A contact's way, 8 (or CLOD_WIDTH) contacts a vector, 4 blocks a batch:
+ *
+ *   view->place, motion, turning          block: i, j         block->history
+ *   (rows of grains i and j)                  |              P  tangent  spring  roll
+ *          |                                  |              |     |       |      |
+ *   move   +--> kernel_contact_motion <-------+              |     |       |      |
+ *          |    overlap, normal, arms, slip, rolling         |     |       |      |
+ *          |    -> batch->meeting[k]                         |     |       |      |
+ *          v                                                 v     |       |      |
+ *   press  clod_law_press: f_n, stiffnesses, dash-pots  <--> P     |       |      |
+ *          |    springs turned with the contact   <----------------|-----> s <--> r
+ *          |    -> batch->trial[k]                                 v       |      |
+ *   carry  clod_law_carry: springs plus slip, held to limits <--> tangent <-> s <-> r
+ *          |    trial force and torque -> batch->trial[k]
+ *          v
+ *   limit  clod_law_limit: spring and dash-pot together held to them -> clod_law_result
+ *          |
+ *          +--> view->load[j] -= force, then view->load[i] += force    (or i's share apart,
+ *               with the torques of force and rolling                  between two parts)
+ *
+ * Each pass begins with the roots and divisions of the next vector before it ends this one
+ * (docs/adr/0021); why passes at all: docs/adr/step.md.
  */
 
 #include <stddef.h>

@@ -17,8 +17,8 @@
  *
  * @param d_max  D [m]
  * @return  e; 0 when the contact keeps more than it gives back, so that the grains stick
- * Errors  none.   Threads  pure.   Source  docs/theory/mepa.md.   Test
- * tests/tester/test_contact_bench.c
+ * Errors  none.   Threads  pure.   Source  docs/theory/mepa.md.
+ * Test    tests/tester/test_contact_bench.c
  */
 double clod_contact_bench_restitution(const clod_law *law, double r_star, double d_max);
 
