@@ -390,6 +390,17 @@ int clod_case_material_index(const clod_case *self, const char *name);
 /** Contact law of materials a and b; symmetric. */
 const clod_case_contact *clod_case_pair(const clod_case *self, int a, int b);
 
+/** What makes the grains, walls and stages of a case: the case itself, or its tester. */
+typedef enum clod_case_kind {
+    CLOD_CASE_FREE,
+    CLOD_CASE_RING_SHEAR,
+    CLOD_CASE_JENIKE,
+    CLOD_CASE_UNIAXIAL,
+    CLOD_CASE_KINDS
+} clod_case_kind;
+
+clod_case_kind clod_case_kind_of(const clod_case *self);
+
 /** Key of the tester that makes its own grains, walls and stages in this case, or NULL. */
 const char *clod_case_tester(const clod_case *self);
 

@@ -140,29 +140,3 @@ const clod_case_contact *clod_case_pair(const clod_case *self, int a, int b)
                 (size_t)b < self->material_count);
     return &self->pairs[(size_t)a * self->material_count + (size_t)b];
 }
-
-const char *clod_case_tester(const clod_case *self)
-{
-    return self->ring_shear.present ? "ring_shear"
-           : self->jenike.present   ? "jenike"
-           : self->uniaxial.present ? "uniaxial"
-                                    : NULL;
-}
-
-const clod_case_programme *clod_case_shear(const clod_case *self)
-{
-    return self->ring_shear.present ? &self->ring_shear.programme
-           : self->jenike.present   ? &self->jenike.programme
-                                    : NULL;
-}
-
-double clod_case_tester_stress(const clod_case *self)
-{
-    const clod_case_programme *shear = clod_case_shear(self);
-    double stress = shear != NULL ? shear->preshear_stress : 0.0;
-    for (size_t k = 0; k < self->uniaxial.consolidation_stress_count; k++) {
-        const double other = self->uniaxial.consolidation_stresses[k];
-        stress = other > stress ? other : stress;
-    }
-    return stress;
-}

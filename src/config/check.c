@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "config/suggest.h"
+#include "config/testers.h"
 
 void clod_check_fail(clod_loader *loader, const char *path, const char *format, ...)
 {
@@ -79,26 +80,11 @@ static bool is(const char *name, const char *material)
     return name != NULL && strcmp(name, material) == 0;
 }
 
-/** Materials of the case's tester: grains, side, base, lid; NULL without one. */
-typedef struct tester_materials {
-    const char *grain, *wall[3];
-} tester_materials;
-
-static tester_materials materials_of(const clod_case *self)
+/** Materials of the case's tester; all NULL without one. */
+static clod_tester_materials materials_of(const clod_case *self)
 {
-    const clod_case_ring_shear *r = &self->ring_shear;
-    const clod_case_jenike *j = &self->jenike;
-    const clod_case_uniaxial *u = &self->uniaxial;
-    if (r->present) {
-        return (tester_materials){r->grain_material,
-                                  {r->side_material, r->base_material, r->lid_material}};
-    }
-    if (j->present) {
-        return (tester_materials){j->grain_material,
-                                  {j->side_material, j->base_material, j->lid_material}};
-    }
-    return (tester_materials){u->grain_material,
-                              {u->side_material, u->base_material, u->lid_material}};
+    const clod_config_tester *tester = clod_config_tester_of(self);
+    return tester->key != NULL ? tester->materials(self) : (clod_tester_materials){0};
 }
 
 /** Whether grains are of a material; grains from a file may be of any, and only some are. */
@@ -126,7 +112,7 @@ static bool is_wall(const clod_case *self, const char *material)
             }
         }
     }
-    const tester_materials tester = materials_of(self);
+    const clod_tester_materials tester = materials_of(self);
     return is(tester.wall[0], material) || is(tester.wall[1], material) ||
            is(tester.wall[2], material) ||
            (self->contact_bench.present && is(self->contact_bench.material_2, material));
@@ -156,13 +142,12 @@ static void check_kind(clod_loader *loader, const clod_case *self)
                             FREE[i], tester);
         }
     }
-    if (self->uniaxial.present && strcmp(tester, "uniaxial") != 0) {
-        clod_check_fail(loader, "uniaxial", "a case has one tester; remove uniaxial, or %s",
-                        tester);
-    }
-    if (self->jenike.present && strcmp(tester, "jenike") != 0) {
-        clod_check_fail(loader, "jenike", "a case has one tester; remove jenike, or %s",
-                        tester);
+    for (int k = CLOD_CASE_KINDS; k-- > (int)clod_case_kind_of(self) + 1;) {
+        const clod_config_tester *other = &CLOD_CONFIG_TESTER[k];
+        if (tester != NULL && other->present(self)) {
+            clod_check_fail(loader, other->key, "a case has one tester; remove %s, or %s",
+                            other->key, tester);
+        }
     }
     if (tester == NULL && grains && !stages) {
         clod_check_fail(

@@ -22,6 +22,11 @@ typedef struct clod_check_above {
 void clod_check_programme(clod_loader *loader, const char *section,
                           const clod_case_programme *programme, const clod_check_above *above);
 
+/** Checks of the section of one tester (check_tester.c); rows in testers.c. */
+void clod_check_ring_shear(clod_loader *loader, const clod_case *self);
+void clod_check_jenike(clod_loader *loader, const clod_case *self);
+void clod_check_uniaxial(clod_loader *loader, const clod_case *self);
+
 /** Checks of grains, walls, stages and domain (check_run.c). */
 void clod_check_run(clod_loader *loader, clod_case *self);
 

@@ -4,6 +4,7 @@
 
 #include "base/plural.h"
 #include "config/check.h"
+#include "config/testers.h"
 
 #define PI 3.14159265358979323846
 
@@ -86,7 +87,7 @@ static void check_gravity(clod_loader *loader, const clod_case *self, const char
     }
 }
 
-static void check_ring(clod_loader *loader, const clod_case *self)
+void clod_check_ring_shear(clod_loader *loader, const clod_case *self)
 {
     const clod_case_ring_shear *ring = &self->ring_shear;
     clod_check_material(loader, self, "ring_shear.grain_material", ring->grain_material);
@@ -134,7 +135,7 @@ static void check_rings(clod_loader *loader, const clod_case_jenike *test)
     }
 }
 
-static void check_jenike(clod_loader *loader, const clod_case *self)
+void clod_check_jenike(clod_loader *loader, const clod_case *self)
 {
     const clod_case_jenike *test = &self->jenike;
     clod_check_material(loader, self, "jenike.grain_material", test->grain_material);
@@ -189,7 +190,7 @@ static void check_consolidations(clod_loader *loader, const clod_case_uniaxial *
                      "both give the same point of the flow function");
 }
 
-static void check_uniaxial(clod_loader *loader, const clod_case *self)
+void clod_check_uniaxial(clod_loader *loader, const clod_case *self)
 {
     const clod_case_uniaxial *test = &self->uniaxial;
     clod_check_material(loader, self, "uniaxial.grain_material", test->grain_material);
@@ -231,14 +232,11 @@ static void check_bench(clod_loader *loader, const clod_case *self)
 
 void clod_check_tester(clod_loader *loader, clod_case *self)
 {
-    if (self->ring_shear.present) {
-        check_ring(loader, self);
-    }
-    if (self->jenike.present) {
-        check_jenike(loader, self);
-    }
-    if (self->uniaxial.present) {
-        check_uniaxial(loader, self);
+    for (int k = 0; k < CLOD_CASE_KINDS; k++) {
+        const clod_config_tester *tester = &CLOD_CONFIG_TESTER[k];
+        if (tester->key != NULL && tester->present(self)) {
+            tester->check(loader, self);
+        }
     }
     if (self->contact_bench.present) {
         check_bench(loader, self);

@@ -10,39 +10,36 @@
 #include "setup/state.h"
 #include "setup/uniaxial_cell.h"
 
+/** What a case begins with: one row for each kind of case. */
+typedef struct cell {
+    bool (*make)(const clod_case *from, int64_t seed, clod_state *state, clod_status *status);
+    /** Sizes and amount of a tester's grains. */
+    bool (*amount)(const clod_case *from, clod_sizes *sizes, clod_amount *amount,
+                   clod_status *status);
+} cell;
+
+static const cell CELL[CLOD_CASE_KINDS] = {
+    [CLOD_CASE_FREE] = {clod_setup_state, NULL},
+    [CLOD_CASE_RING_SHEAR] = {clod_setup_ring_cell, clod_ring_cell_amount},
+    [CLOD_CASE_JENIKE] = {clod_setup_jenike_cell, clod_jenike_cell_amount},
+    [CLOD_CASE_UNIAXIAL] = {clod_setup_uniaxial_cell, clod_uniaxial_cell_amount},
+};
+
 bool clod_begin_state(const clod_case *from, int64_t seed, clod_state *state,
                       clod_status *status)
 {
-    if (from->ring_shear.present) {
-        return clod_setup_ring_cell(from, seed, state, status);
-    }
-    if (from->jenike.present) {
-        return clod_setup_jenike_cell(from, seed, state, status);
-    }
-    if (from->uniaxial.present) {
-        return clod_setup_uniaxial_cell(from, seed, state, status);
-    }
-    return clod_setup_state(from, seed, state, status);
-}
-
-static bool cell_amount(const clod_case *from, clod_sizes *sizes, clod_amount *amount,
-                        clod_status *status)
-{
-    if (from->ring_shear.present) {
-        return clod_ring_cell_amount(from, sizes, amount, status);
-    }
-    return from->jenike.present ? clod_jenike_cell_amount(from, sizes, amount, status)
-                                : clod_uniaxial_cell_amount(from, sizes, amount, status);
+    return CELL[clod_case_kind_of(from)].make(from, seed, state, status);
 }
 
 bool clod_begin_expect(const clod_case *from, double *grains, clod_status *status)
 {
-    if (clod_case_tester(from) == NULL) {
+    const cell *row = &CELL[clod_case_kind_of(from)];
+    if (row->amount == NULL) {
         return clod_setup_grains_expect(from, grains, status);
     }
     clod_sizes sizes;
     clod_amount amount;
-    if (!cell_amount(from, &sizes, &amount, status)) {
+    if (!row->amount(from, &sizes, &amount, status)) {
         return false;
     }
     *grains = clod_amount_expect(&amount);
@@ -53,7 +50,7 @@ bool clod_begin_fill(const clod_case *from, double *grains, clod_status *status)
 {
     clod_sizes sizes;
     clod_amount amount;
-    if (!cell_amount(from, &sizes, &amount, status)) {
+    if (!CELL[clod_case_kind_of(from)].amount(from, &sizes, &amount, status)) {
         return false;
     }
     amount.count = 0;

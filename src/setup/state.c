@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "config/testers.h"
 #include "geometry/wall_gap.h"
 #include "setup/domain.h"
 #include "setup/grains.h"
@@ -183,9 +184,7 @@ static double damping_fraction(const clod_case *from, const clod_wall *wall)
             return from->walls[w].damping;
         }
     }
-    return from->ring_shear.present ? from->ring_shear.lid_damping
-           : from->jenike.present   ? from->jenike.lid_damping
-                                    : from->uniaxial.lid_damping;
+    return clod_config_tester_of(from)->lid_damping(from); // no other wall has a load
 }
 
 void clod_setup_damping(const clod_case *from, clod_state *state, const clod_timestep *timestep)

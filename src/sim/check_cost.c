@@ -126,31 +126,43 @@ static batch stages(const clod_case *from)
     return all;
 }
 
-/** The batches of a run, each after the one before; returns how many. */
-static int plan_parts(const clod_case *from, bool most, batch all[BATCHES_MAX])
+static int plan_free(const clod_case *from, bool most, batch all[BATCHES_MAX])
 {
-    const clod_case_programme *shear = clod_case_shear(from);
-    if (shear != NULL) {
-        const clod_shear_cell cell = clod_shear_cell_of(from);
-        all[0] = preparations(&cell, twisting(&from->jenike), most);
-        all[1] = reversals(shear, most);
-        all[2] = points(&cell, most);
-        return 3;
-    }
-    if (from->uniaxial.present) {
-        all[0] = filling(&from->uniaxial, most);
-        all[1] = crushings(&from->uniaxial, most);
-        return 2;
-    }
+    (void)most;
     all[0] = stages(from);
     return 1;
 }
+
+static int plan_shear(const clod_case *from, bool most, batch all[BATCHES_MAX])
+{
+    const clod_shear_cell cell = clod_shear_cell_of(from);
+    all[0] = preparations(&cell, twisting(&from->jenike), most);
+    all[1] = reversals(cell.programme, most);
+    all[2] = points(&cell, most);
+    return 3;
+}
+
+static int plan_uniaxial(const clod_case *from, bool most, batch all[BATCHES_MAX])
+{
+    all[0] = filling(&from->uniaxial, most);
+    all[1] = crushings(&from->uniaxial, most);
+    return 2;
+}
+
+/** The batches of a run of each kind, each after the one before; they return how many. */
+static int (*const PLAN[CLOD_CASE_KINDS])(const clod_case *from, bool most,
+                                          batch all[BATCHES_MAX]) = {
+    [CLOD_CASE_FREE] = plan_free,
+    [CLOD_CASE_RING_SHEAR] = plan_shear,
+    [CLOD_CASE_JENIKE] = plan_shear,
+    [CLOD_CASE_UNIAXIAL] = plan_uniaxial,
+};
 
 static void plan_run(const clod_case *from, clod_check_report *report)
 {
     for (int most = 0; most < 2; most++) {
         batch all[BATCHES_MAX];
-        const int batches = plan_parts(from, most != 0, all);
+        const int batches = PLAN[clod_case_kind_of(from)](from, most != 0, all);
         int count = 0;
         double time = 0.0;
         double clock = 0.0;
@@ -189,7 +201,7 @@ static void plan_disk(const clod_check_subject *subject, clod_check_report *repo
     double columns = FREE_COLUMNS + WALL_COLUMNS * (double)subject->state.walls.count;
     if (clod_case_tester(from) != NULL) {
         batch all[BATCHES_MAX];
-        const int batches = plan_parts(from, true, all);
+        const int batches = PLAN[clod_case_kind_of(from)](from, true, all);
         parts = 0.0;
         for (int b = 0; b < batches; b++) {
             parts += all[b].count;

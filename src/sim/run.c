@@ -30,17 +30,30 @@ static bool fill_folder(clod_job_shared *sim, const char *complete, clod_status 
     return sim->log != NULL;
 }
 
+/** Whether a free run can begin with what the other one has. */
+static bool free_try_origin(const clod_job_shared *sim, clod_status *status)
+{
+    return clod_origin_try(sim->origin, sim->from, sim->options, status);
+}
+
+/** How each kind of case is run, and what it takes from another run. */
+static const struct {
+    bool (*run)(const clod_job_shared *sim, char **report, clod_status *status);
+    bool (*try_origin)(const clod_job_shared *sim, clod_status *status);
+} PROCEDURE[CLOD_CASE_KINDS] = {
+    [CLOD_CASE_FREE] = {clod_free_run, free_try_origin},
+    [CLOD_CASE_RING_SHEAR] = {clod_ring_run, clod_ring_try_origin},
+    [CLOD_CASE_JENIKE] = {clod_ring_run, clod_ring_try_origin},
+    [CLOD_CASE_UNIAXIAL] = {clod_uniaxial_run, clod_uniaxial_try_origin},
+};
+
 static bool run_case(const clod_job_shared *sim, char **report, clod_status *status)
 {
     clod_eventlog_write(sim->log, "start", "{s:s, s:s, s:s, s:i}", "version",
                         clod_version_text(), "case", sim->from->path, "title",
                         sim->from->title != NULL ? sim->from->title : "", "threads",
                         sim->options->threads);
-    if (sim->from->uniaxial.present) {
-        return clod_uniaxial_run(sim, report, status);
-    }
-    return clod_case_shear(sim->from) != NULL ? clod_ring_run(sim, report, status)
-                                              : clod_free_run(sim, report, status);
+    return PROCEDURE[clod_case_kind_of(sim->from)].run(sim, report, status);
 }
 
 /** What can be told before anything is written. */
@@ -117,17 +130,6 @@ static clod_run_options fit_threads(const clod_run_options *wanted)
     return options;
 }
 
-/** Whether this run can begin with what the other one has. */
-static bool try_origin(const clod_job_shared *sim, clod_status *status)
-{
-    if (sim->from->uniaxial.present) {
-        return clod_uniaxial_try_origin(sim, status);
-    }
-    return clod_case_shear(sim->from) != NULL
-               ? clod_ring_try_origin(sim, status)
-               : clod_origin_try(sim->origin, sim->from, sim->options, status);
-}
-
 /**
  * The run that this one begins from, which is tried before anything is written, unless this
  * one has begun already and only goes on.
@@ -144,7 +146,8 @@ static bool open_origin(clod_job_shared *sim, clod_origin *origin, clod_status *
         (!options->fresh && !clod_earlier_has_checkpoints(sim->directory, &begun, status))) {
         return false;
     }
-    return begun || (clod_origin_open(origin, sim, status) && try_origin(sim, status));
+    return begun || (clod_origin_open(origin, sim, status) &&
+                     PROCEDURE[clod_case_kind_of(sim->from)].try_origin(sim, status));
 }
 
 bool clod_run(const clod_case *self, const clod_run_options *wanted, char **report,

@@ -17,12 +17,8 @@ static clod_shear_cell jenike_cell(const clod_case_jenike *cell)
                              .settle_max = cell->settle_max};
 }
 
-clod_shear_cell clod_shear_cell_of(const clod_case *from)
+static clod_shear_cell ring_cell(const clod_case_ring_shear *ring)
 {
-    const clod_case_ring_shear *ring = &from->ring_shear;
-    if (!ring->present) {
-        return jenike_cell(&from->jenike);
-    }
     return (clod_shear_cell){.key = "ring_shear",
                              .programme = &ring->programme,
                              .grain_material = ring->grain_material,
@@ -33,4 +29,10 @@ clod_shear_cell clod_shear_cell_of(const clod_case *from)
                              .lid_mass = ring->lid_mass,
                              .fill_max = ring->fill_max,
                              .settle_max = ring->settle_max};
+}
+
+clod_shear_cell clod_shear_cell_of(const clod_case *from)
+{
+    return clod_case_kind_of(from) == CLOD_CASE_JENIKE ? jenike_cell(&from->jenike)
+                                                       : ring_cell(&from->ring_shear);
 }

@@ -7,6 +7,7 @@
 //   CLOD_FAULT_ONLY   a line of the log: only such calls are numbered for CLOD_FAULT_AT
 //   CLOD_FAULT_ERROR  errno value it fails with; 0: a read or write that does half of its work
 //   CLOD_FAULT_ON     1: every counted call from there on fails
+//   CLOD_FAULT_HANG   1: it does not come back, in place of failing
 //
 // A close that fails has closed, as on Linux. EINTR is only given to calls that may say so.
 
@@ -109,6 +110,9 @@ static int fault(const char *call, int descriptor, const char *name, bool may_in
     if (at == 0 || (number != at && !later) ||
         (error == EINTR && (in_stream || !may_interrupt))) {
         return 0;
+    }
+    while (number_of("CLOD_FAULT_HANG", 0) != 0) {
+        pause(); // until a signal ends the program
     }
     return error != 0 ? error : may_be_short ? SHORT : 0;
 }

@@ -315,7 +315,7 @@ static void check_closest(const vocabulary *v)
                 in[c][l] = any_coordinate(&roll);
             }
         }
-        v->closest(form, in, out);
+        v->closest((int)form, in, out);
         for (int l = 0; l < 8; l++) {
             const clod_vec3 p = {in[16][l], in[17][l], in[18][l]};
             const clod_gap gap = clod_wall_gap_rows((const double(*)[4])row[l], p);

@@ -1,0 +1,147 @@
+#include "config/testers.h"
+
+#include <math.h>
+
+#include "config/check.h"
+
+// ---- ring_shear
+
+static bool has_ring_shear(const clod_case *from)
+{
+    return from->ring_shear.present;
+}
+
+static clod_tester_materials ring_shear_materials(const clod_case *from)
+{
+    const clod_case_ring_shear *cell = &from->ring_shear;
+    return (clod_tester_materials){
+        cell->grain_material, {cell->side_material, cell->base_material, cell->lid_material}};
+}
+
+static const clod_case_programme *ring_shear_programme(const clod_case *from)
+{
+    return &from->ring_shear.programme;
+}
+
+static double ring_shear_damping(const clod_case *from)
+{
+    return from->ring_shear.lid_damping;
+}
+
+static double ring_shear_stress(const clod_case *from)
+{
+    return from->ring_shear.programme.preshear_stress;
+}
+
+// ---- jenike
+
+static bool has_jenike(const clod_case *from)
+{
+    return from->jenike.present;
+}
+
+static clod_tester_materials jenike_materials(const clod_case *from)
+{
+    const clod_case_jenike *cell = &from->jenike;
+    return (clod_tester_materials){
+        cell->grain_material, {cell->side_material, cell->base_material, cell->lid_material}};
+}
+
+static const clod_case_programme *jenike_programme(const clod_case *from)
+{
+    return &from->jenike.programme;
+}
+
+static double jenike_damping(const clod_case *from)
+{
+    return from->jenike.lid_damping;
+}
+
+static double jenike_stress(const clod_case *from)
+{
+    return from->jenike.programme.preshear_stress;
+}
+
+// ---- uniaxial
+
+static bool has_uniaxial(const clod_case *from)
+{
+    return from->uniaxial.present;
+}
+
+static clod_tester_materials uniaxial_materials(const clod_case *from)
+{
+    const clod_case_uniaxial *cell = &from->uniaxial;
+    return (clod_tester_materials){
+        cell->grain_material, {cell->side_material, cell->base_material, cell->lid_material}};
+}
+
+static double uniaxial_damping(const clod_case *from)
+{
+    return from->uniaxial.lid_damping;
+}
+
+static double uniaxial_stress(const clod_case *from)
+{
+    double stress = 0.0;
+    for (size_t k = 0; k < from->uniaxial.consolidation_stress_count; k++) {
+        stress = fmax(stress, from->uniaxial.consolidation_stresses[k]);
+    }
+    return stress;
+}
+
+const clod_config_tester CLOD_CONFIG_TESTER[CLOD_CASE_KINDS] = {
+    [CLOD_CASE_RING_SHEAR] = {.key = "ring_shear",
+                              .present = has_ring_shear,
+                              .materials = ring_shear_materials,
+                              .programme = ring_shear_programme,
+                              .stress = ring_shear_stress,
+                              .lid_damping = ring_shear_damping,
+                              .check = clod_check_ring_shear},
+    [CLOD_CASE_JENIKE] = {.key = "jenike",
+                          .present = has_jenike,
+                          .materials = jenike_materials,
+                          .programme = jenike_programme,
+                          .stress = jenike_stress,
+                          .lid_damping = jenike_damping,
+                          .check = clod_check_jenike},
+    [CLOD_CASE_UNIAXIAL] = {.key = "uniaxial",
+                            .present = has_uniaxial,
+                            .materials = uniaxial_materials,
+                            .stress = uniaxial_stress,
+                            .lid_damping = uniaxial_damping,
+                            .check = clod_check_uniaxial},
+};
+
+clod_case_kind clod_case_kind_of(const clod_case *self)
+{
+    for (int k = 0; k < CLOD_CASE_KINDS; k++) {
+        const clod_config_tester *row = &CLOD_CONFIG_TESTER[k];
+        if (row->key != NULL && row->present(self)) {
+            return (clod_case_kind)k;
+        }
+    }
+    return CLOD_CASE_FREE;
+}
+
+const clod_config_tester *clod_config_tester_of(const clod_case *from)
+{
+    return &CLOD_CONFIG_TESTER[clod_case_kind_of(from)];
+}
+
+const char *clod_case_tester(const clod_case *self)
+{
+    return clod_config_tester_of(self)->key;
+}
+
+const clod_case_programme *clod_case_shear(const clod_case *self)
+{
+    const clod_config_tester *tester = clod_config_tester_of(self);
+    return tester->programme != NULL ? tester->programme(self) : NULL;
+}
+
+double clod_case_tester_stress(const clod_case *self)
+{
+    const clod_config_tester *tester = clod_config_tester_of(self);
+    return tester->stress != NULL ? tester->stress(self) : 0.0;
+}
