@@ -112,13 +112,15 @@ static bool run_walls(clod_step *self, int part, int32_t l, clod_wall_form form)
     const clod_near_blocks *walls = &self->near.walls;
     const size_t group = clod_near_wall_group(&self->near, part, l, form);
     const size_t begin = walls->group_start[group];
-    clod_wall_block *blocks = (clod_wall_block *)walls->block + begin;
-    clod_spent_block *spent = walls->spent + begin;
-    bool excess = false;
-    for (size_t b = 0; self->near.ledger && b < walls->group_start[group + 1] - begin; b++) {
-        self->kernel->wall_spend(&self->view, law, form, &blocks[b], &spent[b]);
-    }
     const size_t contacts = walls->group_count[group];
+    if (contacts == 0) { // there may be no blocks at all
+        return false;
+    }
+    clod_wall_block *blocks = (clod_wall_block *)walls->block + begin;
+    bool excess = false;
+    for (size_t b = begin; self->near.ledger && b < walls->group_start[group + 1]; b++) {
+        self->kernel->wall_spend(&self->view, law, form, &blocks[b - begin], &walls->spent[b]);
+    }
     for (size_t first = 0; first < contacts; first += CLOD_FIXED_ADDENDS) {
         const size_t left = contacts - first;
         excess |= self->kernel->wall(&self->view, law, form, &blocks[first / CLOD_LANES],

@@ -53,7 +53,8 @@ static void make_state(clod_state *state, clod_wall *wall)
     static const double REST[3] = {0.0, 0.0, 0.0};
     clod_status status;
     *state = (clod_state){.dt = 1e-6, .time = 1e-3, .step = 1000, .adhesion = 1.0};
-    *wall = (clod_wall){.name = "floor", .shape_count = 1};
+    static clod_shape shape;
+    *wall = (clod_wall){.name = "floor", .shape_count = 1, .shapes = &shape};
     state->walls = (clod_walls){.count = 1, .wall = wall};
     for (uint64_t g = 0; g < 3; g++) {
         const double row[4] = {(double)g, 0.0, 0.0, 0.6};

@@ -52,6 +52,7 @@ static inline void random_wall(random_source *source, clod_wall *wall)
     random_reals(source, &wall->spin_point, 3);
     random_reals(source, &wall->shift, 3);
     random_reals(source, &wall->angle, 1);
+    random_reals(source, &wall->orientation, 4);
     random_reals(source, &wall->travel, 3);
     random_reals(source, &wall->turned, 1);
     wall->load = (clod_load_kind)(random_int(source) & 1) + CLOD_LOAD_FORCE;
@@ -64,6 +65,7 @@ static inline void random_wall(random_source *source, clod_wall *wall)
     random_reals(source, &wall->force, 3);
     random_reals(source, &wall->torque, 3);
     random_reals(source, &wall->power, 1);
+    random_reals(source, &wall->belt_power, 1);
     wall->sum_steps = random_int(source);
     random_reals(source, &wall->sum_force, 3);
     random_reals(source, &wall->sum_torque, 3);
@@ -112,8 +114,9 @@ static inline clod_state random_state(uint64_t seed)
     for (int w = 0; w < RANDOM_STATE_WALLS; w++) {
         random_wall(&source, &state.walls.wall[w]);
     }
-    state.build_walls = clod_memory_alloc((size_t)4 * RANDOM_STATE_WALLS, sizeof(double));
-    random_reals(&source, state.build_walls, (size_t)4 * RANDOM_STATE_WALLS);
+    state.build_walls = clod_memory_alloc(RANDOM_STATE_WALLS, sizeof *state.build_walls);
+    random_reals(&source, state.build_walls,
+                 (size_t)CLOD_WALL_POSE_NUMBERS * RANDOM_STATE_WALLS);
     random_reals(&source, state.domain.min, 3);
     random_reals(&source, state.domain.max, 3);
     state.domain.periodic[1] = true;
@@ -168,7 +171,7 @@ static inline void assert_states_equal(const clod_state *a, const clod_state *b)
     assert_memory_equal(a->grains.material, b->grains.material, n * sizeof(uint16_t));
     assert_memory_equal(a->build_place, b->build_place, n * sizeof *a->build_place);
     assert_memory_equal(a->build_walls, b->build_walls,
-                        4 * RANDOM_STATE_WALLS * sizeof(double));
+                        RANDOM_STATE_WALLS * sizeof *a->build_walls);
     assert_memory_equal(&a->exchange, &b->exchange, sizeof a->exchange);
     assert_memory_equal(&a->ledger, &b->ledger, sizeof a->ledger);
     assert_int_equal(a->domain.removes, b->domain.removes);

@@ -50,7 +50,7 @@ static void a_copy_is_deep(void **state)
     check_same_bits(&copy, &s.state);
     const size_t n = copy.grains.count;
     assert_memory_equal(copy.build_place, s.state.build_place, n * sizeof *copy.build_place);
-    assert_memory_equal(copy.build_walls, s.state.build_walls, 12 * sizeof(double));
+    assert_memory_equal(copy.build_walls, s.state.build_walls, 3 * sizeof *copy.build_walls);
     assert_string_equal(copy.walls.wall[2].name, "lid");
     assert_int_equal(copy.walls.wall[1].shape_count, 2);
     assert_true(copy.walls.wall[1].shapes != s.state.walls.wall[1].shapes);
