@@ -141,6 +141,47 @@ static void the_stiffest_tangent_bounds_the_slope(void **state)
     }
 }
 
+/** Overlap at which a contact with this memory has no force but the constant pull, by halving.
+ */
+static double overlap_without_force(const clod_law *law, double deepest, double memory)
+{
+    double low = 0.0, high = deepest;
+    for (int k = 0; k < 200; k++) {
+        const double middle = 0.5 * (low + high);
+        if (force_at(law, middle, memory) + law->touch > 0.0) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    return high;
+}
+
+/** The plastic overlap of a row is where the unloading branch comes to nothing. */
+static void plastic_overlap_is_where_unloading_ends(void **state)
+{
+    (void)state;
+    int plastic = 0;
+    for (int k = 0; k < LEDGER_LAWS; k++) {
+        const clod_case_contact contact = ledger_law(k);
+        const clod_law law = clod_law_make(&contact, &ORE, &ORE);
+        const clod_law_kind_row *row = clod_law_kinds_row(law.kind);
+        check_close(row->plastic(&law, R_STAR, 0.0), 0.0, 0.0);
+        for (int share = 1; share <= 3; share++) {
+            const double deepest = 0.1 * share * DEEPEST;
+            const clod_law_stiffness s = clod_law_stiffness_at(&law, deepest, R_STAR);
+            double memory = 0.0;
+            (void)clod_law_normal_force(&law, s, &memory);
+            if (memory > 0.0) {
+                check_relative(row->plastic(&law, R_STAR, memory),
+                               overlap_without_force(&law, deepest, memory), 1e-9);
+                plastic++;
+            }
+        }
+    }
+    assert_true(plastic >= 9); // mepa, luding, eepa
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -149,6 +190,7 @@ int main(void)
         cmocka_unit_test(every_law_has_its_numbers),
         cmocka_unit_test(the_tables_agree),
         cmocka_unit_test(the_stiffest_tangent_bounds_the_slope),
+        cmocka_unit_test(plastic_overlap_is_where_unloading_ends),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
