@@ -1,6 +1,6 @@
 /**
  * @file check.c
- * clod check CASE: what a case will be like and what it will cost, without running it.
+ * clod check CASE: step, overlap, inertial number and cost of a case, without running it.
  */
 
 #include <argp.h>
@@ -24,9 +24,9 @@ typedef struct request {
 } request;
 
 static const struct argp_option OPTIONS[] = {
-    {"output", 'o', "DIR", 0, "results folder meant for the run: its disk is looked at", 0},
-    {"threads", 't', "N", 0,
-     "threads meant for the run; unless given those that run would take", 0},
+    {"output", 'o', "DIR", 0,
+     "results folder of the run: the free space of its disk is checked", 0},
+    {"threads", 't', "N", 0, "threads of the run (default: as clod run chooses)", 0},
     CLOD_ONE_CASE_SET,
     {"json", KEY_JSON, NULL, 0, "print one JSON object instead of text", 0},
     {0},
@@ -92,19 +92,19 @@ int clod_app_check(int argc, char **argv)
         .parser = parse,
         .args_doc = "CASE",
         .doc =
-            "Check CASE and tell what it will be like and what it will cost; nothing is "
-            "written. Grains are put and the first 100 steps are tried as a run does them; the "
-            "step is timed for a moment on a small packing of its own."
+            "Check CASE; print time step, overlap, inertial number, and the run time, memory "
+            "and disk space that the run will need. The check inserts the grains, simulates "
+            "the first 100 steps, and times the step on a small packing of its own. It writes "
+            "no files."
             "\vThe overlap is that of two mean grains under the target stress. The Bond number "
-            "is the largest pull of a contact that was pressed by that stress, over the weight "
-            "of a mean grain. The inertial number I = (shear rate) d sqrt(density/stress) "
-            "should stay near 1e-3 or below; cohesive specimens settle higher than "
-            "fill_fraction "
-            "says, and I is lower then. \"Likely\" times are those of copper ore, \"at "
-            "most\" is what the limits of the case allow. Warnings do not change the exit "
-            "status: 0 for a good case, 2 for a wrong one, 1 for one whose first steps go "
-            "wrong. Of a case with more than 300000 grains only a sample is made and nothing "
-            "is tried; a note says so.",
+            "is the largest adhesive force of a contact after that stress, over the weight of "
+            "a mean grain. The inertial number I = (shear rate) d sqrt(density/stress) should "
+            "be about 1e-3 or below. Cohesive specimens settle to a larger height than "
+            "fill_fraction gives, and I is then lower. \"Likely\" times are those of copper "
+            "ore; \"at most\" follows from the limits in the case. Exit status: 0 for a valid "
+            "case, with or without warnings; 2 for an invalid one; 1 when the first steps "
+            "fail. Of a case with more than 300000 grains the check inserts only a sample and "
+            "simulates no steps; a note says so.",
     };
     clod_status status = {CLOD_OK, ""};
     request self = {.of = {.example = "clod new"}};

@@ -25,7 +25,7 @@ typedef struct request {
 
 static const struct argp_option OPTIONS[] = {
     {"output", 'o', "FILE", 0, "write the table to FILE instead of standard output", 0},
-    {"summary", 's', NULL, 0, "print the summary alone, to standard output", 0},
+    {"summary", 's', NULL, 0, "print only the summary, to standard output", 0},
     CLOD_ONE_CASE_SET,
     {0},
 };
@@ -146,13 +146,13 @@ int clod_app_contact(int argc, char **argv)
         .parser = parse,
         .args_doc = "CASE",
         .doc =
-            "Drive one contact along the path of contact_bench in CASE, with the very law of "
-            "the simulations, and print a table (CSV, units in the header); a summary beside "
-            "the closed forms goes to standard error."
-            "\vA leg's duration sets the speeds, and the speeds the dash-pots: on slow legs "
-            "(the default, 1 s) damping vanishes and the law alone is left. The branch is "
-            "loading (f1), unloading (f2), adhesive (f3) or open, as in eq. (4). "
-            "Restitutions do not depend on the speed of the impact.",
+            "Drive one contact along the path of contact_bench in CASE with the contact law of "
+            "the simulations. Print a table (CSV, units in the header) to standard output, and "
+            "a summary with the closed forms to standard error."
+            "\vThe duration of a leg sets its speed, and the speed sets the damping forces. On "
+            "slow legs (the default, 1 s) damping is negligible. The branch is loading (f1), "
+            "unloading (f2), adhesive (f3) or open, as in eq. (4). The restitutions do not "
+            "depend on the impact speed.",
     };
     clod_status status = {CLOD_OK, ""};
     request self = {.of = {.example = "clod new contact-bench"}};

@@ -62,10 +62,9 @@ int clod_app_explain(int argc, char **argv)
         .options = OPTIONS,
         .parser = parse,
         .args_doc = "[KEY...]",
-        .doc =
-            "Tell what keys of a case file mean: kind, unit, range, default, source. KEY is a "
-            "path such as ring_shear.depth or its last part, such as k_adh; without one all "
-            "keys are listed.",
+        .doc = "Explain keys of a case file: kind, unit, range, default, source. KEY is a path "
+               "such as ring_shear.depth, or the last part of one, such as k_adh. Without KEY, "
+               "list all keys.",
     };
     request self = {.first = argc};
     if (!clod_arguments_parse(&argp, argc, argv, ARGP_IN_ORDER, &self)) {

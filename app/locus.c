@@ -26,11 +26,11 @@ typedef struct request {
 static const struct argp_option OPTIONS[] = {
     {"json", KEY_JSON, NULL, 0, "print everything as JSON", 0},
     {"csv", KEY_CSV, NULL, 0,
-     "print one row per consolidation stress as CSV, warnings to standard error", 0},
+     "print one row per preshear stress as CSV; warnings go to standard error", 0},
     {"output", 'o', "FILE", 0, "write to FILE; - is standard output", 0},
-    {"sigma-pre", KEY_SIGMA, "STRESS", 0, "preshear normal stress of rows without, e.g. 10kPa",
-     0},
-    {"tau-pre", KEY_TAU, "STRESS", 0, "preshear shear stress of rows without", 0},
+    {"sigma-pre", KEY_SIGMA, "STRESS", 0,
+     "preshear normal stress of rows without one, e.g. 10kPa", 0},
+    {"tau-pre", KEY_TAU, "STRESS", 0, "preshear shear stress of rows without one", 0},
     {0},
 };
 
@@ -63,7 +63,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         return 0;
     case ARGP_KEY_END:
         if (self->json && self->csv) {
-            argp_error(state, "--json and --csv are two forms of the result; give one of them");
+            argp_error(state, "give either --json or --csv, not both");
         }
         return 0;
     case ARGP_KEY_NO_ARGS:

@@ -24,13 +24,13 @@ typedef struct verb {
 
 static const verb VERBS[] = {
     {"new", clod_app_new, "write an example case to start from"},
-    {"run", clod_app_run, "run a case, or go on with one that was interrupted"},
-    {"check", clod_app_check, "tell what a case will be like and what it will cost"},
+    {"run", clod_app_run, "run a case, or continue an interrupted run"},
+    {"check", clod_app_check, "check a case and estimate its run time, memory and disk space"},
     {"contact", clod_app_contact, "drive one contact along a path and print force and history"},
     {"locus", clod_app_locus, "evaluate shear points, simulated or measured, as a yield locus"},
-    {"explain", clod_app_explain, "tell what a key of a case file means"},
+    {"explain", clod_app_explain, "explain a key of a case file"},
     {"schema", clod_app_schema, "print the JSON Schema of case files, for editors"},
-    {"verify", clod_app_verify, "run the verification suite: known results, expected and got"},
+    {"verify", clod_app_verify, "run the verification suite: computed against known results"},
 };
 
 #define VERB_COUNT (sizeof VERBS / sizeof VERBS[0])
@@ -42,7 +42,7 @@ static void print_version(FILE *out, struct argp_state *state)
 }
 
 #define LIST_BEGIN "Verbs:\n"
-#define LIST_END "\nclod VERB --help tells more about one of them."
+#define LIST_END "\nclod VERB --help explains one of them."
 #define LIST_ROOM 16 ///< name and blanks of a line
 
 /** The list of verbs, in place of the options at the end of --help; argp frees it. */

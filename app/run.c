@@ -91,16 +91,17 @@ static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0, "results folder (run/NAME for NAME.yaml and for NAME/case.yaml)",
      0},
     {"threads", 't', "N", 0,
-     "threads, at most one a processor; unless given all, but one for 500 grains. Results "
-     "do not depend on it",
+     "number of threads, at most one per processor (default: all processors, but at least "
+     "500 grains per thread). Results do not depend on it",
      0},
     {"set", 'S', "KEY=VALUE", 0,
-     "change a key of the case, for instance ring_shear.speed='10 mm/s'; may be given often",
+     "change a key of the case, for instance ring_shear.speed='10 mm/s'; repeat for more keys",
      0},
-    {"fresh", 'f', NULL, 0, "forget earlier results of the folder instead of going on", 0},
+    {"fresh", 'f', NULL, 0, "remove earlier results in the folder and start over", 0},
     {"from", 'F', "DIR[@SECONDS]", 0,
-     "begin with the grains and histories of the run in another results folder, or of a moment "
-     "of it that SIGUSR1 kept: a free run with its own stages, a test with its own points",
+     "start from the grains and contact histories of another run: of a free run from its last "
+     "checkpoint, or the one that SIGUSR1 wrote at SECONDS; of a test from its finished "
+     "preparation",
      0},
     {"simd", 'i', "SET", 0,
      "instruction set: scalar, avx2, avx512, neon (this machine's best); results do not depend "
@@ -242,12 +243,13 @@ int clod_app_run(int argc, char **argv)
         .doc =
             "Run a case file: a free run, a ring shear or Jenike shear test up to the yield "
             "locus, or a uniaxial test up to the flow function.\v"
-            "The same command goes on from the last checkpoint after an interruption; "
-            "Ctrl-C, SIGTERM and a hang-up write one first (exit status 130, 143 and 129); "
-            "a second Ctrl-C ends the run at once. SIGUSR1 writes a checkpoint, which is kept, "
-            "and a snapshot of each part that is running, and the run goes on. Results and the "
-            "log are in the results "
-            "folder; the result table goes to standard output.",
+            "After an interruption, the same command continues from the last checkpoint. "
+            "Ctrl-C, SIGTERM and SIGHUP stop the run with a checkpoint (exit status 130, 143 "
+            "and 129); a second Ctrl-C stops it at once, without one. On SIGUSR1 the run "
+            "writes "
+            "a snapshot and a permanent checkpoint of each active part, and continues. The "
+            "results folder holds results and log; the result table also goes to standard "
+            "output.",
     };
     request self = {.of.example = "clod new ring-shear"};
     if (!clod_one_case_init(&self.of, argc, argv)) {

@@ -26,7 +26,8 @@ enum { KEY_SLOW = 256 };
 static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0, "folder for the report, curves and cases (run/verify)", 0},
     {"list", 'l', NULL, 0, "list the tests", 0},
-    {"slow", KEY_SLOW, NULL, 0, "run the slow tests, of bulk solids: validation.md", 0},
+    {"slow", KEY_SLOW, NULL, 0, "run the slow tests of bulk solids; they write validation.md",
+     0},
     {0},
 };
 
@@ -149,14 +150,14 @@ int clod_app_verify(int argc, char **argv)
         .parser = parse,
         .args_doc = "[NAME ...]",
         .doc =
-            "Run the verification suite, or those of its tests that are named: small cases "
-            "whose result is known from a closed form or from the literature. With --slow: "
-            "whole beds of grains beside laws of bulk solids, which takes long.\v"
-            "DIR gets verification.md (with --slow validation.md) with every quantity, "
-            "expected and obtained, a CSV file of each curve, and the cases, which clod run "
-            "takes as well. The exit status is 0 when every quantity is within its tolerance "
-            "and 1 when one is not. Recorded misses are known, with the reason in the report: "
-            "they count when they pass.",
+            "Run the verification suite, or only the tests NAME: small cases whose result is "
+            "known from a closed form or from the literature. With --slow, run whole beds of "
+            "grains and compare them with laws of bulk solids; this takes long.\v"
+            "The run writes to DIR: verification.md (with --slow validation.md) with every "
+            "quantity, expected and obtained; a CSV file of each curve; and the cases, which "
+            "clod run can run too. Exit status: 0 when every quantity is within its tolerance, "
+            "else 1. A recorded miss is a known deviation, with its reason in the report; it "
+            "fails the suite only when it passes.",
     };
     request self = {.directory = "run/verify", .names = calloc((size_t)argc, sizeof(char *))};
     if (self.names == NULL) {

@@ -71,7 +71,7 @@ typedef struct clod_check_report {
     // shear tests; the uniaxial test has all but those of preshear and points; bars: ring
     size_t full_grains;       ///< that fill depth or height with fill_fraction
     double height_aimed;      ///< m, of the specimen when it settles to fill_fraction
-    double height_loose;      ///< m, as loose as it is filled in: it only gets lower
+    double height_loose;      ///< m, when filled, before it settles
     double inertial_preshear; ///< inertial number at height_aimed
     double inertial_loose;    ///< at height_loose
     double inertial_lowest, lowest_stress; ///< at the lowest stress of the test, Pa

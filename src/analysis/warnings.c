@@ -96,7 +96,7 @@ static void check_error(clod_locus *locus)
         }
         clod_warnings_add(
             locus,
-            "phi_lin = %.1f%s deg, r2 = %.3f: the points are no good line (at most "
+            "phi_lin = %.1f%s deg, r2 = %.3f: the points do not lie on a line (at most "
             "+- %.0f deg, r2 at least %.2f); c, sigma_c and ffc are of little use. "
             "Add points or repeats.",
             locus->phi_lin.value * DEGREES, bar, locus->r_squared, PHI_ERROR_MOST, R2_LEAST);

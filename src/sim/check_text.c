@@ -84,16 +84,17 @@ static void write_step(page *to, const clod_check_report *r)
     line(to, "stiffest contact", "%.4g N/m on %.4g kg: critical step %.4g s", r->stiffness,
          r->spring_mass, r->critical);
     line(to, "collision",
-         "of these two: %.3g steps; restitution %.3g comes back as %.4g to %.4g",
-         r->collision_steps, r->restitution, r->restitution_least, r->restitution_most);
+         "of these two: %.3g steps; restitution %.4g to %.4g where the case asks for %.3g",
+         r->collision_steps, r->restitution_least, r->restitution_most, r->restitution);
     if (r->rayleigh > 0.0) {
         line(to, "Rayleigh time", "%.4g s; the step is %.3g %% of it%s", r->rayleigh,
              100.0 * r->rayleigh_fraction,
              r->rayleigh_imposed ? ""
-                                 : " (for comparison: stiffness is given, E does not enter)");
+                                 : " (for comparison: the stiffness is given, E is not used)");
     }
     if (r->servo_period > 0.0) {
-        line(to, "loaded wall", "swings on the bed in about %.3g s, %.3g time steps",
+        line(to, "loaded wall",
+             "oscillates on the bed with a period of about %.3g s, %.3g time steps",
              r->servo_period, r->servo_period / r->step);
     }
 }
@@ -118,7 +119,7 @@ static void write_contact(page *to, const clod_check_report *r)
         line(to, "largest load", "%.4g N on a contact, as under %.4g kPa", r->contact_force,
              1e-3 * r->stress);
     }
-    line(to, "overlap", "%.4g um there, %.3g %% of the radius", 1e6 * r->overlap,
+    line(to, "overlap", "%.4g um under this force, %.3g %% of the radius", 1e6 * r->overlap,
          100.0 * r->overlap_ratio);
     if (r->weight > 0.0) {
         line(to, "Bond number", "%.4g (largest pull %.4g N over a grain's weight)", r->bond,
@@ -129,11 +130,12 @@ static void write_contact(page *to, const clod_check_report *r)
 static void write_shear(page *to, const clod_check_report *r)
 {
     line(to, "inertial number",
-         "%.3g if the specimen settles to %.3g mm, as fill_fraction says;",
+         "%.3g if the specimen settles to %.3g mm, the height that fill_fraction aims at;",
          r->inertial_preshear, 1e3 * r->height_aimed);
-    line(to, "", "%.3g as loose as filled in, %.3g mm; cohesive solids stay between",
+    line(to, "", "%.3g at the filling height, %.3g mm; a cohesive bed ends between the two",
          r->inertial_loose, 1e3 * r->height_loose);
-    line(to, "", "the lowest point, %.4g kPa, is sheared with %.3g mm/s: the same number",
+    line(to, "",
+         "the lowest point, %.4g kPa, is sheared at %.3g mm/s: the same inertial number",
          1e-3 * r->lowest_stress, 1e3 * r->lowest_speed);
     if (r->kind == CLOD_CHECK_JENIKE) {
         line(to, "cell", "%.1f grain diameters wide, %.1f deep", r->across_width,
@@ -147,9 +149,9 @@ static void write_shear(page *to, const clod_check_report *r)
 static void write_uniaxial(page *to, const clod_check_report *r)
 {
     line(to, "inertial number",
-         "%.3g if crushed at %.4g kPa, the lowest consolidation stress, and %.3g mm high;",
+         "%.3g at %.4g kPa, the lowest consolidation stress, and a height of %.3g mm;",
          r->inertial_lowest, 1e-3 * r->lowest_stress, 1e3 * r->height_aimed);
-    line(to, "", "%.3g mm high as loose as filled in; cohesive solids stay between",
+    line(to, "", "the filling height is %.3g mm; a cohesive bed ends between the two",
          1e3 * r->height_loose);
     line(to, "mould", "%.1f grain diameters wide, %.1f high", r->across_width, r->across_depth);
 }
@@ -165,20 +167,21 @@ static void write_rate(page *to, const clod_check_report *r)
          r->rate, r->threads, clod_plural(r->threads), r->simd, r->timed_grains);
     line(to, "", "the slowest of five measurements gave %.3g)", r->rate_slowest);
     if (r->threads > 1) {
-        line(to, "", "%.3g with one", r->rate_one);
+        line(to, "", "%.3g with 1 thread", r->rate_one);
     }
     if (r->busy) {
-        line(to, "",
-             "other programs are at work: one thread had %.0f %% of a processor. The rates are "
-             "those of a quiet machine;",
-             100.0 * r->processor_share);
+        line(
+            to, "",
+            "other programs are running: one thread got %.0f %% of a processor. The rates hold "
+            "for an idle machine;",
+            100.0 * r->processor_share);
         if (r->threads > 1) {
             line(to, "",
-                 "what %d threads gain is partly assumed. Beside these programs threads wait "
-                 "for each other: --threads 1 may be several times faster",
+                 "the gain of %d threads is partly assumed. While these programs run, threads "
+                 "wait for each other: --threads 1 may be several times faster",
                  r->threads);
         } else {
-            line(to, "", "a run beside these programs takes %.1f times as long",
+            line(to, "", "while these programs run, it takes %.1f times as long",
                  1.0 / r->processor_share);
         }
     }

@@ -55,8 +55,8 @@ static void warn_step(clod_check_report *r)
     }
     if (r->servo_period > 0.0 && r->servo_period < SERVO_STEPS * r->step) {
         warn(r,
-             "a loaded wall swings on the bed in %.3g s, that is %.1f steps: its servo may not "
-             "be stable. Raise its mass or lower time.step",
+             "a loaded wall oscillates on the bed with a period of %.3g s, %.1f steps: its "
+             "servo may be unstable. Raise its mass or lower time.step",
              r->servo_period, r->servo_period / r->step);
     }
 }
@@ -80,8 +80,8 @@ static void warn_contact(const clod_case *from, clod_check_report *r)
     } else if (r->overlap_ratio > CLOD_LIMITS_OVERLAP_MEAN) {
         warn(r,
              "grains may overlap by %.2f %% of their radius: under weight and wall loads, or "
-             "where two meet with all the speed there can be, whatever its direction. Below "
-             "%.0f %% density and contacts are those of spheres. If they do, raise the "
+             "in a head-on collision at the highest speed of the case. Below %.0f %% density "
+             "and contacts are those of spheres. If they do overlap so far, raise the "
              "stiffness",
              100.0 * r->overlap_ratio, 100.0 * CLOD_LIMITS_OVERLAP_MEAN);
     }
@@ -97,7 +97,7 @@ static void warn_inertia(const clod_shear_cell *cell, clod_check_report *r)
         warn(r,
              "inertial number %.3g%s: the grains' inertia adds to the shear stress (%.2g is "
              "quasi-static). Lower %s.speed to %.2g mm/s",
-             number, cohesive ? " even as loose as filled in" : "", CLOD_LIMITS_INERTIA_GOOD,
+             number, cohesive ? " even at the filling height" : "", CLOD_LIMITS_INERTIA_GOOD,
              cell->key, 1e3 * speed * CLOD_LIMITS_INERTIA_GOOD / number);
     } else if (r->inertial_preshear > CLOD_LIMITS_INERTIA) {
         const double height = // the number goes with 1/height
@@ -105,7 +105,7 @@ static void warn_inertia(const clod_shear_cell *cell, clod_check_report *r)
         clod_check_note(
             r,
             "%.3g mm/s may be too fast if the bed settles below %.3g mm (inertial number above "
-            "%.2g): the results tell the height and warn of it. %.2g mm/s is slow enough at "
+            "%.2g): the results state the height and warn if so. %.2g mm/s is slow enough at "
             "any height",
             1e3 * speed, 1e3 * height, CLOD_LIMITS_INERTIA,
             1e3 * speed * CLOD_LIMITS_INERTIA_GOOD / r->inertial_preshear);
@@ -142,11 +142,12 @@ static void warn_points(const clod_shear_cell *cell, clod_check_report *r)
 {
     const clod_case_programme *shear = cell->programme;
     if (r->lowest_stress < WEAK_STRESS * shear->preshear_stress) {
-        warn(r,
-             "the lowest shear point is %.1f %% of the preshear stress: it is hard to hold and "
-             "bends the yield locus. 20 to 80 %% is usual: raise or remove it in "
-             "%s.shear_stresses",
-             100.0 * r->lowest_stress / shear->preshear_stress, cell->key);
+        warn(
+            r,
+            "the lowest shear point is %.1f %% of the preshear stress: so low a stress is hard "
+            "to hold and bends the yield locus. 20 to 80 %% is usual: raise or remove it in "
+            "%s.shear_stresses",
+            100.0 * r->lowest_stress / shear->preshear_stress, cell->key);
     }
     if (shear->shear_stress_count < 3) {
         warn(r,
@@ -166,8 +167,8 @@ static void note_lid(const clod_check_subject *subject, const clod_shear_cell *c
         clod_check_note(r,
                         "a lid of this mass would press with %.3g kPa by its weight, more than "
                         "the lowest shear point, %.3g kPa: the run holds that stress all the "
-                        "same, but in a laboratory the lid needs a counterweight. A lower "
-                        "%s.lid_mass does without",
+                        "same, but in a laboratory the lid needs a counterweight. With a lower "
+                        "%s.lid_mass it needs none",
                         1e-3 * weight, 1e-3 * r->lowest_stress, cell->key);
     }
 }
@@ -218,7 +219,7 @@ static void warn_machine(const clod_check_subject *subject, clod_check_report *r
              1e-9 * r->disk, 1e-9 * r->disk_free);
     }
     if (subject->options->threads > r->processors) {
-        warn(r, "%d threads on %d processor%s slow each other down: a run takes %d",
+        warn(r, "%d threads on %d processor%s slow each other down: a run uses %d",
              subject->options->threads, r->processors, clod_plural(r->processors), r->threads);
     }
     const double grains = (double)r->grains * r->side_by_side;
@@ -245,9 +246,9 @@ static void note_sample(clod_check_report *r)
 {
     if (r->sampled > 0) {
         clod_check_note(r,
-                        "%zu grains are too many to put them for an estimate: sizes and time "
-                        "step are those of %zu of them, and the start was not tried. Only the "
-                        "run will tell whether all find room",
+                        "%zu grains are too many to insert for an estimate: sizes and time "
+                        "step are those of %zu of them, and no step was tried. Only the run "
+                        "will show whether all of them fit",
                         r->grains, r->sampled);
     }
 }

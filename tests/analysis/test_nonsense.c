@@ -88,7 +88,7 @@ static void error_of_an_angle_above_90_deg_is_none(void **state)
     clod_locus locus = evaluate(points, 4);
     assert_true(isnan(locus.phi_lin.error));
     assert_true(isfinite(locus.phi_sf.error) && locus.phi_sf.error < PI / 2.0);
-    assert_true(has_warning(&locus, "the points are no good line"));
+    assert_true(has_warning(&locus, "the points do not lie on a line"));
     clod_locus_fini(&locus);
 }
 

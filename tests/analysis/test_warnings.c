@@ -183,8 +183,8 @@ static void points_of_no_line(void **state)
     assert_true(has_warning(&locus,
                             "The shear stress falls from 51.750 to 46.010 kPa while the "
                             "normal stress rises from 32.880 to 43.840 kPa: at least"));
-    assert_true(has_warning(&locus, "phi_lin = 29.4 +- 13.1 deg, r2 = 0.635: the points are no "
-                                    "good line"));
+    assert_true(has_warning(&locus, "phi_lin = 29.4 +- 13.1 deg, r2 = 0.635: the points do not "
+                                    "lie on a line"));
     assert_true(has_warning(&locus, "No point of this line lies between the circles"));
     assert_true(has_warning(&locus, "sigma_c is a rough estimate."));
     assert_false(has_warning(&locus, "shear at higher"));
@@ -228,7 +228,7 @@ static void points_far_from_a_flat_line(void **state)
         }
         clod_locus locus = evaluate(points, 5);
         assert_true(locus.phi_lin.error < 1.0 * DEG);
-        assert_true(has_warning(&locus, "the points are no good line") == (turn == 1));
+        assert_true(has_warning(&locus, "the points do not lie on a line") == (turn == 1));
         clod_locus_fini(&locus);
     }
 }

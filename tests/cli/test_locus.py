@@ -67,7 +67,7 @@ class Locus(clod.Case):
         for form in (["--json", "--csv"], ["--csv", "--json"]):
             done = self.locus("points.csv", *form, code=2)
             self.assertEqual(done.stdout, "")
-            self.assertIn("--json and --csv are two forms of the result; give one", done.stderr)
+            self.assertIn("give either --json or --csv, not both", done.stderr)
 
     def test_option_beside_a_full_column(self):
         self.write("points.csv", GOOD)

@@ -237,7 +237,7 @@ static void a_good_case_has_no_warning(void **state)
 static void each_fault_has_its_warning(void **state)
 {
     warns(state, RING, "time.step=3e-6 s", "above the safe step");
-    warns(state, RING, "ring_shear.speed=900 mm/s", "even as loose as filled in: the grains'");
+    warns(state, RING, "ring_shear.speed=900 mm/s", "even at the filling height: the grains'");
     warns(state, RING, "ring_shear.grain_count=2000",
           "2000 grains are 42 % of those that fill the depth (4");
     warns(state, RING, "ring_shear.grain_count=2000", "some 16.7 mm high, not 40 mm");
@@ -248,7 +248,7 @@ static void each_fault_has_its_warning(void **state)
     warns(state, RING, "ring_shear.outer_radius=75 mm", "diameters across the width");
     warns(state, RING, "ring_shear.bar_height=3 mm", "0.50 grain diameters high");
     warns(state, RING, "ring_shear.bar_count=0", "bar_count is 0");
-    warns(state, RING, "ring_shear.lid_mass=1e-6 kg", "may not be stable");
+    warns(state, RING, "ring_shear.lid_mass=1e-6 kg", "may be unstable");
     warns(state, RING, "ring_shear.shear_stresses=[4 kPa, 10 kPa, 20 kPa]", "8.0 %");
     warns(state, RING, "ring_shear.shear_stresses=[20 kPa, 30 kPa]", "three or more");
     warns(state, FREE, "output.series_interval=1e-13 s", "every step is written");

@@ -68,7 +68,7 @@ static void a_powder_is_estimated_from_a_sample(void **state)
     check_relative(report.across_width, 50.0 / 0.4, 1e-3);
     assert_true(report.height_loose > 60e-3 && report.height_loose < 120e-3);
     assert_true(report.rate > 0.0 && report.clock_most > 0.0 && report.memory > 1e9);
-    assert_non_null(strstr(report.note[report.note_count - 1], "the start was not tried"));
+    assert_non_null(strstr(report.note[report.note_count - 1], "no step was tried"));
     assert_true(clock() - begin < 10 * CLOCKS_PER_SEC);
 }
 
