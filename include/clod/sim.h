@@ -302,7 +302,6 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
  * Ask for a wall to come or go, as clod_sim_add_grain.
  *
  * @param wall  as in a case (clod/case.h), with a name of its own and without a load; borrowed.
- *              A checkpoint of a simulation with such walls cannot be read again.
  * Errors  CLOD_USAGE: an unknown material, a load, a plane that would turn out of itself; a
  * name that is taken or unknown: by what does the changes.   Test  tests/sim/test_sim_change.c
  */

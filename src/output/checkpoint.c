@@ -10,30 +10,10 @@
 #include "output/checkpoint_columns.h"
 #include "output/checkpoint_contacts.h"
 #include "output/checkpoint_file.h"
+#include "output/checkpoint_walls.h"
 #include "output/folder_files.h"
 #include "output/hdf.h"
-#include "state/alter.h"
 #include "state/limits.h"
-
-/** The identity of a wall: stored to be compared, never read back. */
-static void wall_identity(const clod_state *state, clod_hdf_column identity[2])
-{
-    const clod_wall *wall = state->walls.wall;
-    const size_t rows = wall == NULL ? 0 : (size_t)state->walls.count;
-    identity[0] = (clod_hdf_column){.name = "walls/name",
-                                    .type = CLOD_HDF_TEXT,
-                                    .components = sizeof wall->name,
-                                    .rows = rows,
-                                    .data = rows == 0 ? NULL : wall->name,
-                                    .stride = sizeof *wall};
-    identity[1] = (clod_hdf_column){.name = "walls/shape_count",
-                                    .units = "1",
-                                    .type = CLOD_HDF_I32,
-                                    .components = 1,
-                                    .rows = rows,
-                                    .data = rows == 0 ? NULL : &wall->shape_count,
-                                    .stride = sizeof *wall};
-}
 
 static clod_hdf_column part_column(const clod_checkpoint_part *part, char name[NAME_MAX])
 {
@@ -53,10 +33,6 @@ static void put_columns(clod_hdf *hdf, const clod_state *state)
     for (size_t c = 0; c < columns.count; c++) {
         clod_hdf_put(hdf, &columns.column[c]);
     }
-    clod_hdf_column identity[2];
-    wall_identity(state, identity);
-    clod_hdf_put(hdf, &identity[0]);
-    clod_hdf_put(hdf, &identity[1]);
 }
 
 static void put_attributes(clod_hdf *hdf, const clod_state *state)
@@ -122,7 +98,8 @@ bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const cl
     if (good) {
         put_attributes(hdf, state);
         put_columns(hdf, state);
-        good = clod_checkpoint_contacts_put(hdf, state, contacts, status);
+        good = clod_checkpoint_walls_put(hdf, &state->walls, status) &&
+               clod_checkpoint_contacts_put(hdf, state, contacts, status);
         put_parts(hdf, parts, part_count);
         put_case(hdf, case_text);
         clod_status finishing; // an error before it is the one to tell
@@ -130,67 +107,6 @@ bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const cl
     }
     good = good && clod_checkpoint_file_seal(&draft, &head, status);
     return clod_folder_draft_end(&draft, good, status);
-}
-
-/** Names and numbers of shapes of the file's walls into `found`. */
-static void read_walls(clod_hdf *hdf, clod_wall *found, size_t stored)
-{
-    if (stored > 0) {
-        const clod_state other = {.walls = {.count = (int32_t)stored, .wall = found}};
-        clod_hdf_column identity[2];
-        wall_identity(&other, identity);
-        clod_hdf_get(hdf, &identity[0]);
-        clod_hdf_get(hdf, &identity[1]);
-    }
-}
-
-/** Walls of the case that the file knows to have been removed go; whether the others are its.
- */
-static bool match_walls(clod_state *state, const clod_wall *found, size_t stored,
-                        int64_t removed)
-{
-    size_t w = 0;
-    while (w < (size_t)state->walls.count) {
-        const clod_wall *wall = &state->walls.wall[w];
-        if (w < stored && strncmp(found[w].name, wall->name, sizeof wall->name) == 0 &&
-            found[w].shape_count == wall->shape_count) {
-            w++;
-        } else if (removed-- > 0) {
-            clod_state_drop_wall(state, (int32_t)w);
-        } else {
-            return false;
-        }
-    }
-    return w == stored && removed == 0;
-}
-
-/** Whether the walls of the case are those of the file; those that were removed go. */
-static bool check_walls(clod_hdf *hdf, clod_state *state, const char *path, clod_status *status)
-{
-    const size_t stored = clod_hdf_rows(hdf, "walls/name");
-    int64_t removed = 0;
-    const clod_hdf_column column = {.name = "state/walls_removed",
-                                    .type = CLOD_HDF_I64,
-                                    .components = 1,
-                                    .rows = 1,
-                                    .data = &removed,
-                                    .stride = sizeof removed};
-    clod_hdf_get(hdf, &column);
-    clod_wall *found = clod_memory_alloc(stored + 1, sizeof *found);
-    if (found == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
-    }
-    read_walls(hdf, found, stored);
-    const bool unread = clod_hdf_fails_outside(hdf); // what was not read looks different
-    const bool same = !unread && match_walls(state, found, stored, removed);
-    clod_memory_free(found);
-    if (unread) {
-        return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
-    }
-    return same || clod_status_fail(status, CLOD_FAILED,
-                                    "%s was written with other walls than the case has now. "
-                                    "Start over with --fresh.",
-                                    path);
 }
 
 /** Make room for the rows of the file and set the counts. */
@@ -275,14 +191,12 @@ static bool restore(const clod_folder *folder, const clod_checkpoint_file *file,
     if (hdf == NULL) {
         return false;
     }
-    bool good = check_walls(hdf, state, file->path, status) && make_room(hdf, state, status);
+    bool good = clod_checkpoint_walls_get(hdf, &state->walls, file->path, status) &&
+                make_room(hdf, state, status);
     if (good) {
         get_columns(hdf, state, parts, part_count);
         good = clod_checkpoint_contacts_get(hdf, state, file->path, status);
         clod_grains_pad(&state->grains);
-        for (int32_t w = 0; w < state->walls.count; w++) { // it follows from axis and pose
-            clod_wall_find_symmetry(&state->walls.wall[w]);
-        }
     }
     clod_status reading;
     const bool read = end_reading(&hdf, file->path, &reading);

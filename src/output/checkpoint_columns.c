@@ -87,22 +87,46 @@ static void add_grains(clod_checkpoint_columns *self, const clod_state *state)
     }
 }
 
-static void add_walls(clod_checkpoint_columns *self, const clod_state *state)
+/** Where the walls were when the lists were made. */
+static void add_build(clod_checkpoint_columns *self, const clod_state *state)
 {
-    const clod_rows walls = {state->walls.wall, (size_t)state->walls.count, sizeof(clod_wall)};
+    if (state->build_walls != NULL && state->walls.count > 0) {
+        const clod_rows build = {state->build_walls, (size_t)state->walls.count,
+                                 sizeof *state->build_walls};
+        add(self, build, 0, "walls/build_shift", "m", CLOD_HDF_F64, 3);
+        add(self, build, 3 * sizeof(double), "walls/build_angle", "rad", CLOD_HDF_F64, 1);
+        add(self, build, 4 * sizeof(double), "walls/build_orientation", "1", CLOD_HDF_F64, 4);
+    }
+}
+
+void clod_checkpoint_columns_of_walls(clod_checkpoint_columns *self, const clod_wall *walls,
+                                      size_t rows)
+{
+    const clod_rows all = {walls, rows, sizeof *walls};
+    self->count = 0;
+    add(self, all, offsetof(clod_wall, name), "walls/name", NULL, CLOD_HDF_TEXT,
+        sizeof walls->name);
 #define ADD(field, units, type, n)                                                             \
-    add(self, walls, offsetof(clod_wall, field), "walls/" #field, units, CLOD_HDF_##type, n)
+    add(self, all, offsetof(clod_wall, field), "walls/" #field, units, CLOD_HDF_##type, n)
     ADD(material, "1", U16, 1);
+    ADD(shape_count, "1", I32, 1);
     ADD(velocity, "m s-1", F64, 3);
     ADD(surface_velocity, "m s-1", F64, 3);
     ADD(spin, "rad s-1", F64, 1);
     ADD(spin_axis, "1", F64, 3);
     ADD(spin_point, "m", F64, 3);
+    ADD(orientation, "1", F64, 4);
     ADD(shift, "m", F64, 3);
     ADD(angle, "rad", F64, 1);
-    ADD(orientation, "1", F64, 4);
+    ADD(oscillation.direction, "1", F64, 3);
+    ADD(oscillation.amplitude, "m", F64, 1);
+    ADD(oscillation.angle, "rad", F64, 1);
+    ADD(oscillation.frequency, "Hz", F64, 1);
+    ADD(oscillation.phase, "rad", F64, 1);
     ADD(travel, "m", F64, 3);
     ADD(turned, "rad", F64, 1);
+    ADD(sway_velocity, "m s-1", F64, 3);
+    ADD(sway_spin, "rad s-1", F64, 1);
     ADD(load, "1", I32, 1);
     ADD(load_axis, "1", F64, 3);
     ADD(load_force, "N", F64, 1);
@@ -119,13 +143,30 @@ static void add_walls(clod_checkpoint_columns *self, const clod_state *state)
     ADD(sum_torque, "N m", F64, 3);
     ADD(sum_power, "W", F64, 1);
 #undef ADD
-    if (state->build_walls != NULL && state->walls.count > 0) {
-        const clod_rows build = {state->build_walls, (size_t)state->walls.count,
-                                 sizeof *state->build_walls};
-        add(self, build, 0, "walls/build_shift", "m", CLOD_HDF_F64, 3);
-        add(self, build, 3 * sizeof(double), "walls/build_angle", "rad", CLOD_HDF_F64, 1);
-        add(self, build, 4 * sizeof(double), "walls/build_orientation", "1", CLOD_HDF_F64, 4);
-    }
+}
+
+void clod_checkpoint_columns_of_shapes(clod_checkpoint_columns *self, const clod_shape *shapes,
+                                       size_t rows)
+{
+    const clod_rows all = {shapes, rows, sizeof *shapes};
+    self->count = 0;
+#define ADD(field, units, type, n)                                                             \
+    add(self, all, offsetof(clod_shape, field), "shapes/" #field, units, CLOD_HDF_##type, n)
+    ADD(kind, "1", I32, 1);
+    ADD(material, "1", I32, 1);
+    ADD(center, "m", F64, 3);
+    ADD(axis, "1", F64, 9);
+    ADD(inner, "m", F64, 1);
+    ADD(outer, "m", F64, 1);
+    ADD(half, "m", F64, 3);
+    ADD(side, "1", I32, 1);
+    ADD(belt.velocity, "m s-1", F64, 3);
+    ADD(belt.direction, "1", F64, 3);
+    ADD(belt.speed, "m s-1", F64, 1);
+    ADD(belt.spin, "rad s-1", F64, 1);
+    ADD(belt.spin_axis, "1", F64, 3);
+    ADD(belt.spin_point, "m", F64, 3);
+#undef ADD
 }
 
 void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state)
@@ -133,7 +174,7 @@ void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_stat
     self->count = 0;
     add_state(self, state);
     add_grains(self, state);
-    add_walls(self, state);
+    add_build(self, state);
 }
 
 void clod_checkpoint_columns_of_contacts(clod_checkpoint_columns *self,

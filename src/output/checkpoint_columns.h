@@ -17,8 +17,7 @@ typedef struct clod_checkpoint_columns {
 } clod_checkpoint_columns;
 
 /**
- * List every column of the state, but for its contacts and for what makes up a wall's identity
- * (name, shapes).
+ * List every column of the state but those of its contacts, walls and their shapes.
  *
  * The pointers are borrowed from the state: list again when its arrays have moved. Arrays that
  * the state does not have or that have no rows (build_place, build_walls) are not listed.
@@ -35,6 +34,15 @@ void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_stat
 void clod_checkpoint_columns_of_contacts(clod_checkpoint_columns *self,
                                          const clod_contact *contacts,
                                          const uint64_t (*partners)[2], size_t rows);
+
+/** List the columns of walls: all of them but for their shapes. */
+void clod_checkpoint_columns_of_walls(clod_checkpoint_columns *self, const clod_wall *walls,
+                                      size_t rows);
+
+/** List the columns of shapes, those of the first wall first; `symmetric` follows from the
+ * rest. */
+void clod_checkpoint_columns_of_shapes(clod_checkpoint_columns *self, const clod_shape *shapes,
+                                       size_t rows);
 
 /** How many of the contacts, the last ones, are with walls. */
 clod_hdf_column clod_checkpoint_columns_wall_count(const size_t *count);

@@ -29,8 +29,7 @@ static bool read_other(moving *self, clod_status *status)
     char notice[1024] = "";
     const clod_origin *origin = self->origin;
     self->other = (clod_state){.build_motion = -1.0};
-    if (!clod_setup_walls(origin->from, &self->other.walls, status) ||
-        !clod_checkpoint_read(origin->shelf, origin->stem, &self->other, NULL, 0, NULL, notice,
+    if (!clod_checkpoint_read(origin->shelf, origin->stem, &self->other, NULL, 0, NULL, notice,
                               sizeof notice, status)) {
         return clod_origin_fail(origin, status);
     }

@@ -46,10 +46,8 @@ static bool read_state(const clod_sim *self, const char *folder, const char *ste
     char notice[1024];
     char *identity = make_identity(self->from, status);
     clod_folder *open = identity != NULL ? clod_folder_look(folder, status) : NULL;
-    const bool ok = open != NULL &&
-                    clod_walls_copy(&state->walls, &self->state.walls, status) &&
-                    clod_checkpoint_read(open, stem, state, NULL, 0, identity, notice,
-                                         sizeof notice, status);
+    const bool ok = open != NULL && clod_checkpoint_read(open, stem, state, NULL, 0, identity,
+                                                         notice, sizeof notice, status);
     clod_folder_close(&open);
     clod_memory_free(identity);
     return ok;

@@ -48,13 +48,14 @@ static void remove_folder(void)
 }
 
 /** A state of three grains that touch each other and a wall. */
-static void make_state(clod_state *state, clod_wall *wall)
+static void make_state(clod_state *state)
 {
     static const double REST[3] = {0.0, 0.0, 0.0};
     clod_status status;
     *state = (clod_state){.dt = 1e-6, .time = 1e-3, .step = 1000, .adhesion = 1.0};
-    static clod_shape shape;
-    *wall = (clod_wall){.name = "floor", .shape_count = 1, .shapes = &shape};
+    clod_wall *wall = clod_memory_alloc(1, sizeof *wall);
+    *wall = (clod_wall){
+        .name = "floor", .shape_count = 1, .shapes = clod_memory_alloc(1, sizeof(clod_shape))};
     state->walls = (clod_walls){.count = 1, .wall = wall};
     for (uint64_t g = 0; g < 3; g++) {
         const double row[4] = {(double)g, 0.0, 0.0, 0.6};
@@ -69,9 +70,8 @@ static void make_state(clod_state *state, clod_wall *wall)
 static void write_state(clod_contact *contacts, size_t of_walls)
 {
     clod_state state;
-    clod_wall wall;
     clod_status status;
-    make_state(&state, &wall);
+    make_state(&state);
     state.grains.id[3] = 100;
     state.grains.id[4] = UINT64_MAX;
     state.contacts = contacts;
@@ -81,6 +81,7 @@ static void write_state(clod_contact *contacts, size_t of_walls)
         abort();
     }
     clod_grains_fini(&state.grains);
+    clod_walls_fini(&state.walls);
 }
 
 static void start(void)
@@ -124,18 +125,14 @@ static bool read_back(void)
     static clod_status status;
     char notice[512];
     clod_state state;
-    clod_wall wall;
-    make_state(&state, &wall);
+    make_state(&state);
     status.text[0] = '\0';
     const bool good = clod_checkpoint_read(folder, "restart", &state, NULL, 0, NULL, notice,
                                            sizeof notice, &status);
     if (!good && status.text[0] == '\0') {
         abort();
     }
-    clod_grains_fini(&state.grains);
-    clod_memory_free(state.contacts);
-    clod_memory_free(state.build_place);
-    clod_memory_free(state.build_walls);
+    clod_state_fini(&state);
     return good;
 }
 

@@ -41,7 +41,26 @@ static inline void random_reals(random_source *source, void *to, size_t count)
     }
 }
 
-/** Everything of a wall but its name and shapes. */
+/** Everything of a shape; kinds and sides are numbers that there are. */
+static inline void random_shape(random_source *source, clod_shape *shape)
+{
+    shape->kind = (clod_shape_kind)(abs(random_int(source)) % 7);
+    shape->side = (clod_side)(abs(random_int(source)) % 2);
+    shape->material = random_int(source);
+    random_reals(source, &shape->center, 3);
+    random_reals(source, shape->axis, 9);
+    random_reals(source, &shape->inner, 1);
+    random_reals(source, &shape->outer, 1);
+    random_reals(source, shape->half, 3);
+    random_reals(source, &shape->belt.velocity, 3);
+    random_reals(source, &shape->belt.direction, 3);
+    random_reals(source, &shape->belt.speed, 1);
+    random_reals(source, &shape->belt.spin, 1);
+    random_reals(source, &shape->belt.spin_axis, 3);
+    random_reals(source, &shape->belt.spin_point, 3);
+}
+
+/** Everything of a wall but its name. */
 static inline void random_wall(random_source *source, clod_wall *wall)
 {
     wall->material = (uint16_t)random_int(source);
@@ -70,6 +89,13 @@ static inline void random_wall(random_source *source, clod_wall *wall)
     random_reals(source, &wall->sum_force, 3);
     random_reals(source, &wall->sum_torque, 3);
     random_reals(source, &wall->sum_power, 1);
+    random_reals(source, &wall->oscillation, sizeof wall->oscillation / sizeof(double));
+    random_reals(source, &wall->sway_velocity, 3);
+    random_reals(source, &wall->sway_spin, 1);
+    for (int32_t s = 0; s < wall->shape_count; s++) {
+        random_shape(source, &wall->shapes[s]);
+    }
+    clod_wall_find_symmetry(wall);
 }
 
 static inline void random_grain(random_source *source, clod_grains *grains, size_t g)
@@ -83,7 +109,7 @@ static inline void random_grain(random_source *source, clod_grains *grains, size
     grains->material[g] = (uint16_t)random_int(source);
 }
 
-/** Walls as a case gives them: names and shapes, nothing else. */
+/** Walls with names and room for shapes, nothing else. */
 static inline void random_state_walls(clod_state *state)
 {
     state->walls.count = RANDOM_STATE_WALLS;
@@ -158,6 +184,19 @@ static inline clod_state random_state(uint64_t seed)
     return state;
 }
 
+/** Compare two shapes bit for bit but for their padding. */
+static inline void assert_shapes_equal(const clod_shape *x, const clod_shape *y)
+{
+    assert_int_equal(x->kind, y->kind);
+    assert_int_equal(x->material, y->material);
+    assert_int_equal(x->symmetric, y->symmetric);
+    assert_int_equal(x->side, y->side);
+    assert_memory_equal(&x->belt, &y->belt, sizeof x->belt);
+    const size_t numbers = offsetof(clod_shape, center);
+    assert_memory_equal((const char *)x + numbers, (const char *)y + numbers,
+                        offsetof(clod_shape, side) - numbers);
+}
+
 /** Compare bit for bit; clod_contact and clod_wall are compared without their padding. */
 static inline void assert_states_equal(const clod_state *a, const clod_state *b)
 {
@@ -189,6 +228,9 @@ static inline void assert_states_equal(const clod_state *a, const clod_state *b)
         const size_t load = offsetof(clod_wall, load_axis);
         assert_memory_equal((const char *)x + load, (const char *)y + load,
                             sizeof(clod_wall) - load);
+        for (int32_t s = 0; s < x->shape_count; s++) {
+            assert_shapes_equal(&x->shapes[s], &y->shapes[s]);
+        }
     }
     assert_memory_equal(&a->domain, &b->domain, offsetof(clod_domain, periodic) + 3);
     assert_memory_equal(a->gravity, b->gravity, sizeof a->gravity);
@@ -208,7 +250,7 @@ static inline void assert_states_equal(const clod_state *a, const clod_state *b)
     }
 }
 
-/** A state as set-up leaves it before reading: walls with names and shapes only. */
+/** A state with walls of its own, which reading replaces. */
 static inline clod_state bare_state(void)
 {
     clod_state state = {0};

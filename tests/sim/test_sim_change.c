@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "clod/sim.h"
+#include "output/temp_folder.h"
 #include "support/check.h"
 
 static const char CASE[] =
@@ -120,6 +121,41 @@ static void walls_come_and_go(void **state)
     clod_sim_destroy(&sim);
 }
 
+/** A checkpoint knows the walls that came and went: going on from it changes no bit. */
+static void changed_walls_are_in_checkpoints(void **temporary)
+{
+    const char *folder = *temporary;
+    clod_sim *sim = make();
+    CHECK(clod_sim_advance(sim, 20000, &status));
+    CHECK(clod_sim_remove_wall(sim, "floor", &status));
+    clod_case_shape disc = {.kind = CLOD_SHAPE_DISC,
+                            .point = {0.0, 0.0, -0.002},
+                            .normal = {0.05, 0.0, 1.0},
+                            .radius = 0.03,
+                            .surface = {.velocity = {0.01, 0.0, 0.0}}};
+    const clod_case_wall slope = {
+        .name = "slope", .material = "ore", .shapes = &disc, .shape_count = 1};
+    CHECK(clod_sim_add_wall(sim, &slope, &status));
+    CHECK(clod_sim_advance(sim, 3000, &status));
+    CHECK(clod_sim_write_checkpoint(sim, folder, &status));
+    clod_sim *again = make();
+    CHECK(clod_sim_read_checkpoint(again, folder, NULL, &status));
+    assert_int_equal(clod_sim_wall_count(again), 2);
+    assert_int_equal(clod_sim_wall_index(again, "floor"), -1);
+    CHECK(clod_sim_advance(sim, 2000, &status));
+    CHECK(clod_sim_advance(again, 2000, &status));
+    clod_sim_wall view, other;
+    CHECK(clod_sim_wall_look(sim, clod_sim_wall_index(sim, "slope"), &view, &status));
+    CHECK(clod_sim_wall_look(again, clod_sim_wall_index(again, "slope"), &other, &status));
+    assert_true(view.force[2] < 0.0);
+    assert_memory_equal(view.force, other.force, sizeof view.force);
+    for (uint64_t id = 1; id <= 30; id++) {
+        assert_memory_equal(numbers(sim, "position", id), numbers(again, "position", id), 24);
+    }
+    clod_sim_destroy(&sim);
+    clod_sim_destroy(&again);
+}
+
 static void expect_refused(bool done, const char *text)
 {
     assert_false(done);
@@ -166,6 +202,8 @@ int main(void)
         cmocka_unit_test(a_new_grain_flies_as_it_should),
         cmocka_unit_test(a_grain_that_went_is_gone),
         cmocka_unit_test(walls_come_and_go),
+        cmocka_unit_test_setup_teardown(changed_walls_are_in_checkpoints, temp_folder_make,
+                                        temp_folder_remove),
         cmocka_unit_test(wrong_requests_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

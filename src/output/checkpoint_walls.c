@@ -1,0 +1,135 @@
+#include "output/checkpoint_walls.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+#include "output/checkpoint_columns.h"
+
+static size_t count_shapes(const clod_walls *walls)
+{
+    size_t count = 0;
+    for (int32_t w = 0; w < walls->count; w++) {
+        count += (size_t)walls->wall[w].shape_count;
+    }
+    return count;
+}
+
+bool clod_checkpoint_walls_put(clod_hdf *hdf, const clod_walls *walls, clod_status *status)
+{
+    const size_t count = count_shapes(walls);
+    clod_shape *shapes = clod_memory_alloc(count + 1, sizeof *shapes);
+    if (shapes == NULL) {
+        return clod_status_fail(status, CLOD_FAILED,
+                                "No memory for a checkpoint of %zu shapes.", count);
+    }
+    size_t at = 0;
+    for (int32_t w = 0; w < walls->count; w++) {
+        for (int32_t s = 0; s < walls->wall[w].shape_count; s++) {
+            shapes[at++] = walls->wall[w].shapes[s];
+        }
+    }
+    clod_checkpoint_columns columns;
+    clod_checkpoint_columns_of_walls(&columns, walls->wall, (size_t)walls->count);
+    for (size_t c = 0; c < columns.count; c++) {
+        clod_hdf_put(hdf, &columns.column[c]);
+    }
+    clod_checkpoint_columns_of_shapes(&columns, shapes, count);
+    for (size_t c = 0; c < columns.count; c++) {
+        clod_hdf_put(hdf, &columns.column[c]);
+    }
+    clod_memory_free(shapes);
+    return true;
+}
+
+/** Read the columns of walls and shapes. */
+static void read_columns(clod_hdf *hdf, const clod_walls *walls, clod_shape *shapes,
+                         size_t shape_count)
+{
+    clod_checkpoint_columns columns;
+    clod_checkpoint_columns_of_walls(&columns, walls->wall, (size_t)walls->count);
+    for (size_t c = 0; c < columns.count; c++) {
+        clod_hdf_get(hdf, &columns.column[c]);
+    }
+    clod_checkpoint_columns_of_shapes(&columns, shapes, shape_count);
+    for (size_t c = 0; c < columns.count; c++) {
+        clod_hdf_get(hdf, &columns.column[c]);
+    }
+}
+
+/** Whether every wall has a name that ends, and shapes that are in the file and are known. */
+static bool fit(const clod_walls *walls, const clod_shape *shapes, size_t shape_count)
+{
+    size_t left = shape_count;
+    for (int32_t w = 0; w < walls->count; w++) {
+        const clod_wall *wall = &walls->wall[w];
+        if (wall->shape_count < 0 || (size_t)wall->shape_count > left ||
+            memchr(wall->name, '\0', sizeof wall->name) == NULL) {
+            return false;
+        }
+        left -= (size_t)wall->shape_count;
+    }
+    bool known = left == 0;
+    for (size_t s = 0; known && s < shape_count; s++) {
+        const int32_t kind = (int32_t)shapes[s].kind, side = (int32_t)shapes[s].side;
+        known = kind >= CLOD_SHAPE_PLANE && kind <= CLOD_SHAPE_BAR &&
+                side >= CLOD_SIDE_INSIDE && side <= CLOD_SIDE_OUTSIDE;
+    }
+    return known;
+}
+
+/** Give each wall its own shapes; false without memory. */
+static bool share_out(clod_walls *walls, const clod_shape *shapes)
+{
+    for (int32_t w = 0; w < walls->count; w++) {
+        clod_wall *wall = &walls->wall[w];
+        const size_t count = (size_t)wall->shape_count;
+        wall->shapes = clod_memory_alloc(count, sizeof *wall->shapes);
+        if (wall->shapes == NULL && count > 0) {
+            return false;
+        }
+        for (size_t s = 0; s < count; s++) {
+            wall->shapes[s] = *shapes++;
+        }
+        clod_wall_find_symmetry(wall);
+    }
+    return true;
+}
+
+/** Walls of the file into `walls`, which has room for them. */
+static bool read_walls(clod_hdf *hdf, clod_walls *walls, const char *path, clod_status *status)
+{
+    const size_t count = clod_hdf_rows(hdf, "shapes/kind");
+    clod_shape *shapes = clod_memory_alloc(count + 1, sizeof *shapes);
+    bool memory = shapes != NULL, good = memory;
+    if (good) {
+        read_columns(hdf, walls, shapes, count);
+        good = clod_hdf_has_failed(hdf) || fit(walls, shapes, count);
+        memory = !good || clod_hdf_has_failed(hdf) || share_out(walls, shapes);
+    }
+    clod_memory_free(shapes);
+    if (!memory) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
+    }
+    return good ||
+           clod_status_fail(status, CLOD_FAILED,
+                            "%s holds walls whose shapes clod does not know. Start over "
+                            "with --fresh.",
+                            path);
+}
+
+bool clod_checkpoint_walls_get(clod_hdf *hdf, clod_walls *walls, const char *path,
+                               clod_status *status)
+{
+    clod_walls_fini(walls);
+    const size_t count = clod_hdf_rows(hdf, "walls/name");
+    walls->wall = clod_memory_alloc(count + 1, sizeof *walls->wall);
+    if (walls->wall == NULL || count > INT32_MAX) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
+    }
+    walls->count = (int32_t)count;
+    const bool good = read_walls(hdf, walls, path, status);
+    if (!good || clod_hdf_has_failed(hdf)) {
+        clod_walls_fini(walls);
+    }
+    return good;
+}
