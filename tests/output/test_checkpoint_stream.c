@@ -5,6 +5,7 @@
 #include "output/hdf.h"
 #include "support/bed.h"
 #include "support/bits.h"
+#include "support/sanitized.h"
 #include "support/shuffled.h"
 
 #include "temp_folder.h"
@@ -133,7 +134,7 @@ static long memory(const char *line)
 
 static void writing_takes_no_memory_for_the_grains(void **folder)
 {
-    if (getenv("CLOD_SANITIZED") != NULL) {
+    if (sanitized()) {
         skip(); // what is free again stays with it
     }
     clod_status status;

@@ -1,0 +1,15 @@
+#pragma once
+/**
+ * @file sanitized.h
+ * Under the sanitizers a test is ten times slower, and its numbers are those of the normal tree:
+ * there it may do fewer steps of the same kind.
+ */
+
+#include <stdbool.h>
+#include <stdlib.h>
+
+/** Whether the program was built with a sanitizer (ctest says so). */
+static inline bool sanitized(void)
+{
+    return getenv("CLOD_SANITIZED") != NULL;
+}
