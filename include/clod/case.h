@@ -116,6 +116,7 @@ typedef enum clod_shape_kind {
     CLOD_SHAPE_CONE,
     CLOD_SHAPE_BOX,
     CLOD_SHAPE_BAR,
+    CLOD_SHAPE_KINDS, ///< how many there are
 } clod_shape_kind;
 
 typedef enum clod_side { CLOD_SIDE_INSIDE, CLOD_SIDE_OUTSIDE } clod_side;

@@ -186,18 +186,23 @@ static void check_grains(clod_loader *loader, const clod_case *self, size_t inde
     }
 }
 
-static void check_shape(clod_loader *loader, const char *path, const clod_case_shape *shape)
+static void check_annulus(clod_loader *loader, const char *path, const clod_case_shape *shape)
 {
-    if (shape->kind == CLOD_SHAPE_ANNULUS && shape->inner_radius >= shape->outer_radius) {
+    if (shape->inner_radius >= shape->outer_radius) {
         fail(loader, path, "annulus.inner_radius", "must be smaller than outer_radius");
     }
-    if (shape->kind == CLOD_SHAPE_CONE && shape->foot_radius == shape->top_radius) {
+}
+
+static void check_cone(clod_loader *loader, const char *path, const clod_case_shape *shape)
+{
+    if (shape->foot_radius == shape->top_radius) {
         fail(loader, path, "cone.top_radius",
              "is the same as foot_radius; write a cylinder, or change one of them");
     }
-    if (shape->kind != CLOD_SHAPE_BAR) {
-        return;
-    }
+}
+
+static void check_bar(clod_loader *loader, const char *path, const clod_case_shape *shape)
+{
     const double *a = shape->from;
     const double *b = shape->to;
     const double along[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
@@ -213,6 +218,14 @@ static void check_shape(clod_loader *loader, const char *path, const clod_case_s
         fail(loader, path, "bar.up", "points along the bar; choose a direction across it");
     }
 }
+
+/** Rules between the keys of a shape; NULL: none. */
+static void (*const CHECK_SHAPE[CLOD_SHAPE_KINDS])(clod_loader *loader, const char *path,
+                                                   const clod_case_shape *shape) = {
+    [CLOD_SHAPE_ANNULUS] = check_annulus,
+    [CLOD_SHAPE_CONE] = check_cone,
+    [CLOD_SHAPE_BAR] = check_bar,
+};
 
 static void check_load(clod_loader *loader, const char *path, clod_case_wall *wall)
 {
@@ -277,7 +290,9 @@ static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
     }
     for (size_t i = 0; i < wall->shape_count; i++) {
         snprintf(key, sizeof key, "%s.shapes.%zu", path, i);
-        check_shape(loader, key, &wall->shapes[i]);
+        if (CHECK_SHAPE[wall->shapes[i].kind] != NULL) {
+            CHECK_SHAPE[wall->shapes[i].kind](loader, key, &wall->shapes[i]);
+        }
         check_surface(loader, self, key, &wall->shapes[i]);
     }
     if (has(loader, path, "load")) {

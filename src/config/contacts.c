@@ -19,24 +19,24 @@ static const char *text_of(const clod_node *section, const char *key)
     return node != NULL && node->kind == CLOD_NODE_SCALAR ? node->text : NULL;
 }
 
-static bool same(const char *own, const char *common, const char *fallback)
+/** Whether a section gives a key another value than `default`, or than the table's default. */
+static bool differs(const clod_node *own, const clod_node *common, const char *key)
 {
-    return strcmp(own, common != NULL ? common : fallback) == 0;
+    const char *mine = text_of(own, key);
+    const char *theirs = text_of(common, key);
+    const char *fallback = clod_param_find(&CLOD_TABLE_CONTACT, key)->fallback;
+    return mine != NULL && strcmp(mine, theirs != NULL ? theirs : fallback) != 0;
 }
 
 /** Whether a key of `default` goes on to a section with its own law or exponent. */
 static bool inherits(const clod_node *own, const clod_node *common, const char *key)
 {
-    const char *law = text_of(own, "law");
-    const char *exponent = text_of(own, "exponent");
-    const bool stiffness = key[0] == 'k';
-    const bool other_law = law != NULL && !same(law, text_of(common, "law"), "mepa");
+    const bool other_law = differs(own, common, "law");
     if (strcmp(key, "exponent") == 0) {
         return !other_law;
     }
-    const bool other_exponent =
-        exponent != NULL && !same(exponent, text_of(common, "exponent"), "1.5");
-    return !stiffness || (!other_law && !other_exponent);
+    const bool stiffness = key[0] == 'k';
+    return !stiffness || (!other_law && !differs(own, common, "exponent"));
 }
 
 static bool add(clod_loader *loader, clod_node *to, clod_node *item)
@@ -108,7 +108,7 @@ static void check_own_unused(clod_loader *loader, const clod_case *whole, const 
         const clod_param *row = &CLOD_TABLE_CONTACT.params[i];
         if (row->unused != NULL && clod_tree_find(self->own, row->key) != NULL &&
             !row->used(whole, contact)) {
-            clod_contacts_fail(loader, self, row->key, row->unused);
+            clod_contacts_fail_unused(loader, self, row);
         }
     }
 }
@@ -266,7 +266,7 @@ static void check_default_unused(clod_loader *loader, const clod_case *self,
         const clod_param *row = &CLOD_TABLE_CONTACT.params[i];
         if (row->unused != NULL && clod_tree_find(common, row->key) != NULL &&
             !row->used(self, contact) && !is_inherited(self, contacts, row)) {
-            clod_contacts_fail(loader, &alone, row->key, row->unused);
+            clod_contacts_fail_unused(loader, &alone, row);
         }
     }
 }

@@ -13,6 +13,21 @@ void clod_contacts_fail(clod_loader *loader, const clod_contacts_pair *self, con
     clod_check_fail(loader, path, "%s", message);
 }
 
+void clod_contacts_fail_unused(clod_loader *loader, const clod_contacts_pair *self,
+                               const clod_param *row)
+{
+    char laws[CLOD_LAW_KEYS_TEXT];
+    char message[CLOD_LAW_KEYS_TEXT + 192];
+    if (row->law_has == NULL) {
+        clod_contacts_fail(loader, self, row->key, row->unused);
+        return;
+    }
+    const bool one = clod_law_keys_list(row->law_has, laws) == 1;
+    snprintf(message, sizeof message, "only %s %s this key%s; remove it, or choose %s", laws,
+             one ? "has" : "have", row->unused, one ? laws : "one of them");
+    clod_contacts_fail(loader, self, row->key, message);
+}
+
 /** Exponent and tangential stiffness of a law that does not leave them open. */
 static void check_fixed(clod_loader *loader, const clod_contacts_pair *self,
                         const clod_case_contact *contact)

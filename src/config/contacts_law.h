@@ -21,6 +21,10 @@ typedef struct clod_contacts_pair {
 void clod_contacts_fail(clod_loader *loader, const clod_contacts_pair *self, const char *key,
                         const char *message);
 
+/** Complain about a key of the section that is written but has no effect. */
+void clod_contacts_fail_unused(clod_loader *loader, const clod_contacts_pair *self,
+                               const clod_param *row);
+
 /** Values that do not go with the law or with each other. */
 void clod_contacts_check_law(clod_loader *loader, const clod_contacts_pair *self,
                              const clod_case_contact *contact);

@@ -54,8 +54,8 @@ static const char *default_of(const clod_param *param)
 
 static void print_row(FILE *out, const char *path, const clod_param *param)
 {
-    char text[256];
-    fprintf(out, "%s\n  %s\n", path, param->help);
+    char text[512];
+    fprintf(out, "%s\n  %s\n", path, clod_param_help(param, text, sizeof text));
     fprintf(out, "  kind     %s\n", clod_param_kind_text(param, text, sizeof text));
     if (clod_param_range_text(param, text, sizeof text)[0] != '\0') {
         fprintf(out, "  allowed  %s\n", text);
@@ -69,7 +69,8 @@ static void print_row(FILE *out, const char *path, const clod_param *param)
     fprintf(out, "  source   %s\n", param->source);
     for (size_t i = 0; param->table != NULL && i < param->table->count; i++) {
         const clod_param *row = &param->table->params[i];
-        fprintf(out, "%s%-18s  %s\n", i == 0 ? "  keys\n    " : "    ", row->key, row->help);
+        fprintf(out, "%s%-18s  %s\n", i == 0 ? "  keys\n    " : "    ", row->key,
+                clod_param_help(row, text, sizeof text));
     }
 }
 
@@ -96,10 +97,12 @@ static void look(void *context, const char *path, const clod_param *param)
 
 static void list_row(void *context, const char *path, const clod_param *param)
 {
+    char text[512];
+    const char *help = clod_param_help(param, text, sizeof text);
     if (!clod_param_is_group(param)) {
-        fprintf(context, "  %-42s %s\n", path, param->help);
+        fprintf(context, "  %-42s %s\n", path, help);
     } else {
-        fprintf(context, "%s: %s\n", path, param->help);
+        fprintf(context, "%s: %s\n", path, help);
     }
 }
 
@@ -167,7 +170,7 @@ static void print_cell(FILE *out, const char *text)
 
 static void manual_row(FILE *out, const clod_param *param)
 {
-    char text[256];
+    char text[512];
     fprintf(out, "| `%s` |", param->key);
     print_cell(out, clod_param_kind_text(param, text, sizeof text));
     print_cell(out, clod_param_is_group(param)
@@ -175,7 +178,7 @@ static void manual_row(FILE *out, const clod_param *param)
                         : default_of(param));
     print_cell(out, clod_param_range_text(param, text, sizeof text));
     print_cell(out, param->example != NULL ? param->example : "");
-    print_cell(out, param->help);
+    print_cell(out, clod_param_help(param, text, sizeof text));
     print_cell(out, param->source);
     fputc('\n', out);
 }

@@ -1,5 +1,6 @@
 #include "config/law_keys.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "base/assert.h"
@@ -30,6 +31,24 @@ const clod_law_keys *clod_law_keys_of(int law)
 {
     CLOD_ASSERT(law >= 0 && law < CLOD_LAW_KINDS);
     return &LAWS[law];
+}
+
+int clod_law_keys_list(bool (*has)(const clod_law_keys *law), char text[CLOD_LAW_KEYS_TEXT])
+{
+    int count = 0;
+    for (int law = 0; law < CLOD_LAW_KINDS; law++) {
+        count += has(&LAWS[law]);
+    }
+    int used = snprintf(text, CLOD_LAW_KEYS_TEXT, count == 1 ? "law" : "the laws");
+    for (int law = 0, named = 0; law < CLOD_LAW_KINDS; law++) {
+        if (has(&LAWS[law])) {
+            named++;
+            const char *before = named == 1 ? " " : named == count ? " and " : ", ";
+            used += snprintf(text + used, CLOD_LAW_KEYS_TEXT - (size_t)used, "%s%s", before,
+                             CLOD_LAW_NAMES[law]);
+        }
+    }
+    return count;
 }
 
 double clod_law_keys_exponent(const char *name)

@@ -32,5 +32,17 @@ extern const char *const CLOD_LAW_NAMES[CLOD_LAW_KINDS + 1];
  */
 const clod_law_keys *clod_law_keys_of(int law);
 
+#define CLOD_LAW_KEYS_TEXT 128
+
+/**
+ * Names of the laws that have a key, as "law eepa" or "the laws mepa, luding and eepa".
+ *
+ * @param has   whether the law of a row has the key
+ * @param text  [out]
+ * @return      how many have it
+ * Errors  none.   Threads  pure.   Test  tests/config/test_wrong.c
+ */
+int clod_law_keys_list(bool (*has)(const clod_law_keys *law), char text[CLOD_LAW_KEYS_TEXT]);
+
 /** Exponent that the law of this name always has; 0 when it is free or there is no such law. */
 double clod_law_keys_exponent(const char *name);

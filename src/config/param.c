@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "config/law_keys.h"
 #include "config/unit.h"
 
 const clod_param *clod_param_find(const clod_table *table, const char *key)
@@ -18,6 +19,18 @@ const clod_param *clod_param_find(const clod_table *table, const char *key)
 bool clod_param_is_group(const clod_param *param)
 {
     return param->table != NULL;
+}
+
+const char *clod_param_help(const clod_param *param, char *buffer, size_t size)
+{
+    if (param->law_has == NULL) {
+        return param->help;
+    }
+    char laws[CLOD_LAW_KEYS_TEXT];
+    clod_law_keys_list(param->law_has, laws);
+    snprintf(buffer, size, param->fallback == NULL ? "%s Needed by %s." : "%s Only for %s.",
+             param->help, laws);
+    return buffer;
 }
 
 static const char *kind_name(clod_param_kind kind)

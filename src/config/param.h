@@ -11,6 +11,8 @@
 
 #include "clod/case.h"
 
+struct clod_law_keys;
+
 typedef enum clod_param_kind {
     CLOD_PARAM_REAL,      ///< double; number with unit
     CLOD_PARAM_STIFFNESS, ///< double; N/m^n with n at `exponent`
@@ -57,6 +59,9 @@ typedef struct clod_param {
     /** Whether the value has any effect, and so whether the echo writes it; NULL: always. */
     bool (*used)(const clod_case *whole, const void *self);
     const char *unused; ///< error for a key that is written but not used; NULL: told elsewhere
+    /** Whether a contact law has the key; NULL: all do. Help and error name those that have it,
+     * and `unused` says why the others do not: ": a reason", or "". */
+    bool (*law_has)(const struct clod_law_keys *law);
 } clod_param;
 
 typedef struct clod_table {
@@ -88,6 +93,9 @@ const clod_param *clod_param_find(const clod_table *table, const char *key);
 
 /** True for sections, lists, maps and pairs: rows with a table below. */
 bool clod_param_is_group(const clod_param *param);
+
+/** Help of a row; of a key that not all contact laws have, with the names of those that do. */
+const char *clod_param_help(const clod_param *param, char *buffer, size_t size);
 
 /** Short text of a row's kind and unit, for instance "pressure [Pa]". */
 const char *clod_param_kind_text(const clod_param *param, char *buffer, size_t size);

@@ -59,40 +59,70 @@ static const clod_law_keys *keys_of(const void *self)
     return clod_law_keys_of(((const C *)self)->law);
 }
 
+static bool k1_in(const clod_law_keys *law)
+{
+    return law->k1 != NULL;
+}
+
 static bool has_k1(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return keys_of(self)->k1 != NULL && ((const C *)self)->k1 > 0.0;
+    return k1_in(keys_of(self)) && ((const C *)self)->k1 > 0.0;
+}
+
+static bool k2_in(const clod_law_keys *law)
+{
+    return law->k2 != NULL;
 }
 
 static bool has_k2(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return keys_of(self)->k2 != NULL && ((const C *)self)->k2 > 0.0;
+    return k2_in(keys_of(self)) && ((const C *)self)->k2 > 0.0;
+}
+
+static bool k_adh_in(const clod_law_keys *law)
+{
+    return law->k_adh;
 }
 
 static bool has_k_adh(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return keys_of(self)->k_adh;
+    return k_adh_in(keys_of(self));
+}
+
+static bool depth_in(const clod_law_keys *law)
+{
+    return law->plasticity_depth != NULL;
 }
 
 static bool has_depth(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return keys_of(self)->plasticity_depth != NULL && ((const C *)self)->plasticity_depth > 0.0;
+    return depth_in(keys_of(self)) && ((const C *)self)->plasticity_depth > 0.0;
+}
+
+static bool pull_in(const clod_law_keys *law)
+{
+    return law->pull_off_force;
 }
 
 static bool has_pull(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return keys_of(self)->pull_off_force;
+    return pull_in(keys_of(self));
+}
+
+static bool surface_energy_in(const clod_law_keys *law)
+{
+    return law->surface_energy;
 }
 
 static bool has_surface_energy(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return keys_of(self)->surface_energy;
+    return surface_energy_in(keys_of(self));
 }
 
 static bool has_ratio(const clod_case *whole, const void *self)
@@ -113,11 +143,6 @@ static bool has_rolling_damping(const clod_case *whole, const void *self)
     (void)whole;
     return ((const C *)self)->rolling == CLOD_ROLLING_EPSD;
 }
-
-#define ONLY_PLASTIC                                                                           \
-    "only the laws mepa, luding and eepa have this key: hooke is elastic with k1, hertz with " \
-    "youngs_modulus; remove it, or choose one of them"
-#define ONLY_EEPA "only law eepa has this key; remove it, or choose law eepa"
 
 static const clod_param CONTACT[] = {
     {.key = "law",
@@ -150,10 +175,9 @@ static const clod_param CONTACT[] = {
      CLOD_AT(C, k1),
      .exponent = offsetof(C, exponent),
      .used = has_k1,
-     .unused =
-         "law hertz takes its stiffness from youngs_modulus of the materials; remove this "
-         "key, or choose another law",
-     .help = "Stiffness of virgin loading; needed by all laws but hertz.",
+     .law_has = k1_in,
+     .unused = ": the others take their stiffness from youngs_modulus of the materials",
+     .help = "Stiffness of virgin loading.",
      .source = "eq. (1)"},
     {.key = "k2",
      .kind = CLOD_PARAM_STIFFNESS,
@@ -164,10 +188,10 @@ static const clod_param CONTACT[] = {
      CLOD_AT(C, k2),
      .exponent = offsetof(C, exponent),
      .used = has_k2,
-     .unused = ONLY_PLASTIC,
+     .law_has = k2_in,
+     .unused = ": the others are elastic",
      .help = "Stiffness of unloading and reloading, k1 or more; with luding its largest value, "
-             "more "
-             "than k1. Needed by mepa, eepa and luding.",
+             "more than k1.",
      .source = "eq. (2)"},
     {.key = "k_adh",
      .kind = CLOD_PARAM_STIFFNESS,
@@ -179,8 +203,9 @@ static const clod_param CONTACT[] = {
      CLOD_AT(C, k_adh),
      .exponent = offsetof(C, exponent),
      .used = has_k_adh,
-     .unused = ONLY_PLASTIC,
-     .help = "Stiffness of the adhesive branch of mepa, eepa and luding; 0 is dry.",
+     .law_has = k_adh_in,
+     .unused = ": the others are elastic",
+     .help = "Stiffness of the adhesive branch; 0 is dry.",
      .source = "eq. (3)"},
     {.key = "plasticity_depth",
      .kind = CLOD_PARAM_REAL,
@@ -190,9 +215,10 @@ static const clod_param CONTACT[] = {
      .example = "0.05",
      CLOD_AT(C, plasticity_depth),
      .used = has_depth,
-     .unused = "only law luding has this key; remove it, or choose law luding",
+     .law_has = depth_in,
+     .unused = "",
      .help = "phi_f of luding: the plastic overlap at which k2 is reached, over the reduced "
-             "diameter 2 Ri Rj/(Ri + Rj). Needed by luding.",
+             "diameter 2 Ri Rj/(Ri + Rj).",
      .source = "Luding 2008; docs/theory/luding.md"},
     {.key = "pull_off_force",
      .kind = CLOD_PARAM_REAL,
@@ -203,9 +229,10 @@ static const clod_param CONTACT[] = {
      .example = "2 mN",
      CLOD_AT(C, pull_off_force),
      .used = has_pull,
-     .unused = ONLY_EEPA,
+     .law_has = pull_in,
+     .unused = "",
      .help = "Force -f0 with which grains pull at each other as soon as they touch, whatever "
-             "their past; eepa only.",
+             "their past.",
      .source = "Thakur et al. 2014, eq. (5); docs/theory/eepa.md"},
     {.key = "surface_energy",
      .kind = CLOD_PARAM_REAL,
@@ -216,10 +243,11 @@ static const clod_param CONTACT[] = {
      .example = "0.5 J/m2",
      CLOD_AT(C, surface_energy),
      .used = has_surface_energy,
-     .unused = ONLY_EEPA,
+     .law_has = surface_energy_in,
+     .unused = "",
      .help =
          "Surface energy gamma: the largest pull beyond pull_off_force is 3/2 pi gamma times "
-         "the radius of the plastic contact patch. Takes the place of k_adh; eepa only.",
+         "the radius of the plastic contact patch. Takes the place of k_adh.",
      .source = "Morrissey 2013; docs/theory/eepa.md"},
     {.key = "restitution",
      .kind = CLOD_PARAM_REAL,

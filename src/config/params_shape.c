@@ -236,15 +236,15 @@ static const clod_table BAR_TABLE = {.title = "A straight bar with four sides an
         .help = field_help, .source = "convention"                                             \
     }
 
-// in the order of clod_shape_kind
-static const clod_param SHAPES[] = {
-    SHAPE("plane", PLANE_TABLE, "An endless plane."),
-    SHAPE("disc", DISC_TABLE, "A flat disc."),
-    SHAPE("annulus", ANNULUS_TABLE, "A flat ring."),
-    SHAPE("cylinder", CYLINDER_TABLE, "The shell of a cylinder."),
-    SHAPE("cone", CONE_TABLE, "The shell of a cone, whole or cut off: a hopper."),
-    SHAPE("box", BOX_TABLE, "A solid box along x, y, z."),
-    SHAPE("bar", BAR_TABLE, "A straight bar."),
+static const clod_param SHAPES[CLOD_SHAPE_KINDS] = {
+    [CLOD_SHAPE_PLANE] = SHAPE("plane", PLANE_TABLE, "An endless plane."),
+    [CLOD_SHAPE_DISC] = SHAPE("disc", DISC_TABLE, "A flat disc."),
+    [CLOD_SHAPE_ANNULUS] = SHAPE("annulus", ANNULUS_TABLE, "A flat ring."),
+    [CLOD_SHAPE_CYLINDER] = SHAPE("cylinder", CYLINDER_TABLE, "The shell of a cylinder."),
+    [CLOD_SHAPE_CONE] =
+        SHAPE("cone", CONE_TABLE, "The shell of a cone, whole or cut off: a hopper."),
+    [CLOD_SHAPE_BOX] = SHAPE("box", BOX_TABLE, "A solid box along x, y, z."),
+    [CLOD_SHAPE_BAR] = SHAPE("bar", BAR_TABLE, "A straight bar."),
 };
 const clod_table CLOD_TABLE_SHAPE = {.title = "One surface: one of these.",
                                      CLOD_ROWS(SHAPES),

@@ -184,9 +184,10 @@ static json_t *value_schema(const clod_param *param)
 static void describe(json_t *object, const clod_param *param)
 {
     char text[640];
+    char help[512];
     char range[128];
     clod_param_range_text(param, range, sizeof range);
-    snprintf(text, sizeof text, "%s%s%s%s%s%s%s%s", param->help,
+    snprintf(text, sizeof text, "%s%s%s%s%s%s%s%s", clod_param_help(param, help, sizeof help),
              range[0] == '\0' ? "" : " Allowed: ", range, range[0] == '\0' ? "" : ".",
              param->fallback == NULL ? "" : " Default: ",
              param->fallback == NULL ? "" : param->fallback, param->fallback == NULL ? "" : ".",

@@ -36,10 +36,8 @@ static inline void clod_wall_shape_row(double row[4], clod_vec3 v, double last)
 /** The line that makes a shell when it is turned about its axis, as row 3 of wall_closest.h. */
 static inline void clod_wall_shape_line(const clod_shape *s, double row[4])
 {
-    const bool flat = s->kind == CLOD_SHAPE_DISC || s->kind == CLOD_SHAPE_ANNULUS;
-    const bool cone = s->kind == CLOD_SHAPE_CONE;
-    const double widening = flat || cone ? s->inner - s->outer : 0.0;
-    const double rise = flat ? 0.0 : 2.0 * s->half[2];
+    const double widening = clod_shape_end_radius(s) - s->outer;
+    const double rise = clod_shape_kinds_row(s->kind)->flat ? 0.0 : 2.0 * s->half[2];
     const double slant = sqrt(widening * widening + rise * rise);
     const bool ring = slant == 0.0; // a line of no length: any slope will do
     const double line[4] = {s->outer, ring ? 0.0 : widening / slant, ring ? 1.0 : rise / slant,
@@ -52,18 +50,16 @@ static inline void clod_wall_shape_line(const clod_shape *s, double row[4])
 /** A shape as the rows of wall_closest.h; disc and annulus go from the outer rim inwards. */
 static inline void clod_wall_shape_rows(const clod_shape *s, double (*row)[4])
 {
-    const bool plane = s->kind == CLOD_SHAPE_PLANE;
-    const bool box = s->kind == CLOD_SHAPE_BOX || s->kind == CLOD_SHAPE_BAR;
-    const bool shell = s->kind == CLOD_SHAPE_CYLINDER || s->kind == CLOD_SHAPE_CONE;
-    const double side = shell && s->side == CLOD_SIDE_INSIDE ? -1.0 : 1.0;
+    const clod_shape_kind_row *kind = clod_shape_kinds_row(s->kind);
+    const double side = kind->shell && s->side == CLOD_SIDE_INSIDE ? -1.0 : 1.0;
     clod_wall_shape_row(row[0], s->center,
-                        plane ? CLOD_WALL_PLANE
-                        : box ? CLOD_WALL_BOX
-                              : side);
+                        kind->endless ? CLOD_WALL_PLANE
+                        : kind->solid ? CLOD_WALL_BOX
+                                      : side);
     clod_wall_shape_row(row[1], s->axis[0], s->half[0]);
     clod_wall_shape_row(row[2], s->axis[2], s->half[2]);
     clod_wall_shape_row(row[3], s->axis[1], s->half[1]);
-    if (!plane && !box) {
+    if (kind->flat || kind->shell) {
         clod_wall_shape_line(s, row[3]);
     }
 }

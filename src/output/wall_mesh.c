@@ -12,32 +12,8 @@ typedef struct clod_mesh_pen {
     const clod_wall *wall;
     const clod_shape *shape;
     int32_t number; ///< of the wall
+    const clod_domain *domain;
 } clod_mesh_pen;
-
-/** Whether a round shape ends in a point, and its quads are triangles. */
-static bool has_tip(const clod_shape *shape)
-{
-    return shape->kind == CLOD_SHAPE_CONE && fmin(shape->inner, shape->outer) == 0.0;
-}
-
-static size_t shape_triangles(const clod_shape *shape)
-{
-    switch (shape->kind) {
-    case CLOD_SHAPE_PLANE:
-        return 2;
-    case CLOD_SHAPE_DISC:
-        return SEGMENTS;
-    case CLOD_SHAPE_ANNULUS:
-    case CLOD_SHAPE_CYLINDER:
-        return (size_t)2 * SEGMENTS;
-    case CLOD_SHAPE_CONE:
-        return (size_t)(has_tip(shape) ? 1 : 2) * SEGMENTS;
-    case CLOD_SHAPE_BOX:
-    case CLOD_SHAPE_BAR:
-        return 12;
-    }
-    return 0;
-}
 
 /** A point of the wall's frame, in space. */
 static clod_vec3 to_space(const clod_wall *wall, clod_vec3 point)
@@ -85,9 +61,10 @@ static void draw_quad(clod_mesh_pen *pen, const clod_vec3 q[4])
 }
 
 /** A square in the plane, around the point next to the middle of the domain. */
-static void draw_plane(clod_mesh_pen *pen, const clod_domain *domain)
+static void draw_plane(clod_mesh_pen *pen)
 {
     const clod_shape *shape = pen->shape;
+    const clod_domain *domain = pen->domain;
     const clod_vec3 middle = {0.5 * (domain->min[0] + domain->max[0]),
                               0.5 * (domain->min[1] + domain->max[1]),
                               0.5 * (domain->min[2] + domain->max[2])};
@@ -111,22 +88,21 @@ static clod_vec3 circle_point(const clod_shape *shape, double radius, int corner
     return shape_point(shape, radius * cos(angle), radius * sin(angle), height);
 }
 
-/** Disc, annulus, cylinder and cone: a ring between two circles. */
+/** A flat shape or a shell: a ring between two circles, of which one may be a point. */
 static void draw_round(clod_mesh_pen *pen)
 {
     const clod_shape *shape = pen->shape;
-    const bool cylinder = shape->kind == CLOD_SHAPE_CYLINDER;
-    const double inner = cylinder ? shape->outer : shape->inner;
+    const double inner = clod_shape_end_radius(shape);
     const double height = 2.0 * shape->half[2]; // 0 for discs and annuli
     for (int s = 0; s < SEGMENTS; s++) {
         const clod_vec3 q[4] = {circle_point(shape, shape->outer, s, 0.0),
                                 circle_point(shape, shape->outer, s + 1, 0.0),
                                 circle_point(shape, inner, s + 1, height),
                                 circle_point(shape, inner, s, height)};
-        if (shape->kind == CLOD_SHAPE_DISC) {
-            draw(pen, q[0], q[1], shape->center);
-        } else if (has_tip(shape)) {
-            draw(pen, q[0], q[shape->outer > 0.0 ? 1 : 2], q[shape->outer > 0.0 ? 2 : 3]);
+        if (inner == 0.0) {
+            draw(pen, q[0], q[1], q[2]);
+        } else if (shape->outer == 0.0) {
+            draw(pen, q[0], q[2], q[3]);
         } else {
             draw_quad(pen, q);
         }
@@ -153,24 +129,19 @@ static void draw_box(clod_mesh_pen *pen)
     }
 }
 
-static void draw_shape(clod_mesh_pen *pen, const clod_domain *domain)
-{
-    switch (pen->shape->kind) {
-    case CLOD_SHAPE_PLANE:
-        draw_plane(pen, domain);
-        break;
-    case CLOD_SHAPE_DISC:
-    case CLOD_SHAPE_ANNULUS:
-    case CLOD_SHAPE_CYLINDER:
-    case CLOD_SHAPE_CONE:
-        draw_round(pen);
-        break;
-    case CLOD_SHAPE_BOX:
-    case CLOD_SHAPE_BAR:
-        draw_box(pen);
-        break;
-    }
-}
+/** How a shape is drawn, and with how many triangles at most. */
+static const struct {
+    size_t triangles;
+    void (*draw)(clod_mesh_pen *pen);
+} SHAPES[CLOD_SHAPE_KINDS] = {
+    [CLOD_SHAPE_PLANE] = {2, draw_plane},
+    [CLOD_SHAPE_DISC] = {SEGMENTS, draw_round},
+    [CLOD_SHAPE_ANNULUS] = {2 * SEGMENTS, draw_round},
+    [CLOD_SHAPE_CYLINDER] = {2 * SEGMENTS, draw_round},
+    [CLOD_SHAPE_CONE] = {2 * SEGMENTS, draw_round}, // with a tip half of them
+    [CLOD_SHAPE_BOX] = {12, draw_box},
+    [CLOD_SHAPE_BAR] = {12, draw_box},
+};
 
 bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_status *status)
 {
@@ -178,7 +149,7 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            triangles += shape_triangles(&wall->shapes[s]);
+            triangles += SHAPES[wall->shapes[s].kind].triangles;
         }
     }
     *self = (clod_wall_mesh){
@@ -194,8 +165,8 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            clod_mesh_pen pen = {self, wall, &wall->shapes[s], w};
-            draw_shape(&pen, &state->domain);
+            clod_mesh_pen pen = {self, wall, &wall->shapes[s], w, &state->domain};
+            SHAPES[wall->shapes[s].kind].draw(&pen);
         }
     }
     return true;

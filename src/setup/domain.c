@@ -11,14 +11,11 @@ static double half_extent(const clod_shape *shape, int axis)
         const double v[3] = {shape->axis[a].x, shape->axis[a].y, shape->axis[a].z};
         e[a] = fabs(v[axis]);
     }
-    switch (shape->kind) {
-    case CLOD_SHAPE_BOX:
-    case CLOD_SHAPE_BAR:
+    if (clod_shape_kinds_row(shape->kind)->solid) {
         return e[0] * shape->half[0] + e[1] * shape->half[1] + e[2] * shape->half[2];
-    default: // half[2] is 0 for discs and annuli
-        return fmax(shape->inner, shape->outer) * sqrt(fmax(0.0, 1.0 - e[2] * e[2])) +
-               e[2] * shape->half[2];
-    }
+    } // half[2] is 0 for discs and annuli
+    return fmax(shape->inner, shape->outer) * sqrt(fmax(0.0, 1.0 - e[2] * e[2])) +
+           e[2] * shape->half[2];
 }
 
 static void include(double x, double reach, double *low, double *high)
@@ -31,11 +28,12 @@ static void include_wall(const clod_wall *wall, double low[3], double high[3])
 {
     for (int32_t s = 0; s < wall->shape_count; s++) {
         const clod_shape *shape = &wall->shapes[s];
-        if (shape->kind == CLOD_SHAPE_PLANE) {
+        const clod_shape_kind_row *kind = clod_shape_kinds_row(shape->kind);
+        if (kind->endless) {
             continue;
         }
         clod_vec3 middle = shape->center;
-        if (shape->kind == CLOD_SHAPE_CYLINDER || shape->kind == CLOD_SHAPE_CONE) {
+        if (kind->shell) {
             middle = clod_vec3_axpy(middle, shape->half[2], shape->axis[2]);
         }
         const double at[3] = {middle.x, middle.y, middle.z};

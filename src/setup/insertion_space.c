@@ -87,8 +87,7 @@ static bool inside(const clod_insertion_space *self, const double place[4])
 /** Whether a point beside a shell is on the side where the grains belong. */
 static bool right_side(const clod_wall *wall, const clod_shape *shape, const double place[4])
 {
-    const bool cone = shape->kind == CLOD_SHAPE_CONE;
-    if (shape->kind != CLOD_SHAPE_CYLINDER && !cone) {
+    if (!clod_shape_kinds_row(shape->kind)->shell) {
         return true;
     }
     const clod_wall_pose pose = clod_wall_pose_now(wall);
@@ -97,7 +96,7 @@ static bool right_side(const clod_wall *wall, const clod_shape *shape, const dou
     const double height = clod_vec3_dot(r, shape->axis[2]);
     const double rho = clod_vec3_length(clod_vec3_axpy(r, -height, shape->axis[2]));
     const double length = 2.0 * shape->half[2];
-    const double widening = cone ? shape->inner - shape->outer : 0.0;
+    const double widening = clod_shape_end_radius(shape) - shape->outer;
     const double radius = shape->outer + widening * (height / length);
     const bool beside = height >= 0.0 && height <= length;
     return !beside || (rho < radius) == (shape->side == CLOD_SIDE_INSIDE);

@@ -103,7 +103,7 @@ static double fall_height(const clod_state *state)
         for (int32_t s = 0; s < wall->shape_count; s++) {
             const clod_shape *shape = &wall->shapes[s];
             const double facing = -clod_vec3_dot(shape->axis[2], down);
-            if (shape->kind != CLOD_SHAPE_PLANE || facing < 0.1) {
+            if (!clod_shape_kinds_row(shape->kind)->endless || facing < 0.1) {
                 continue;
             }
             for (size_t i = 0; i < state->grains.count; i++) {

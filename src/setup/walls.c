@@ -49,40 +49,50 @@ static void make_box(const clod_case_shape *from, clod_shape *shape)
     }
 }
 
+/** A disc; or a plane, which has no radius. */
+static void make_disc(const clod_case_shape *from, clod_shape *shape)
+{
+    shape->axis[2] = clod_vec3_unit(vector(from->normal));
+    shape->outer = from->radius;
+}
+
+static void make_annulus(const clod_case_shape *from, clod_shape *shape)
+{
+    shape->axis[2] = clod_vec3_unit(vector(from->normal));
+    shape->inner = from->inner_radius;
+    shape->outer = from->outer_radius;
+}
+
+static void make_cylinder(const clod_case_shape *from, clod_shape *shape)
+{
+    shape->axis[2] = clod_vec3_unit(vector(from->axis));
+    shape->outer = from->radius;
+    shape->half[2] = 0.5 * from->length;
+    shape->side = (clod_side)from->side;
+}
+
+static void make_cone(const clod_case_shape *from, clod_shape *shape)
+{
+    make_cylinder(from, shape);
+    shape->outer = from->foot_radius;
+    shape->inner = from->top_radius;
+}
+
+/** Sizes of a shape and its axes, of round ones the third only. */
+static void (*const MAKE[CLOD_SHAPE_KINDS])(const clod_case_shape *from, clod_shape *shape) = {
+    [CLOD_SHAPE_PLANE] = make_disc,      [CLOD_SHAPE_DISC] = make_disc,
+    [CLOD_SHAPE_ANNULUS] = make_annulus, [CLOD_SHAPE_CYLINDER] = make_cylinder,
+    [CLOD_SHAPE_CONE] = make_cone,       [CLOD_SHAPE_BOX] = make_box,
+    [CLOD_SHAPE_BAR] = make_bar,
+};
+
 static clod_shape make_shape(const clod_case_shape *from)
 {
     clod_shape shape = {.kind = (clod_shape_kind)from->kind, .center = vector(from->point)};
-    switch (shape.kind) {
-    case CLOD_SHAPE_BOX:
-        make_box(from, &shape);
-        return shape;
-    case CLOD_SHAPE_BAR:
-        make_bar(from, &shape);
-        return shape;
-    case CLOD_SHAPE_CYLINDER:
-        shape.axis[2] = clod_vec3_unit(vector(from->axis));
-        shape.outer = from->radius;
-        shape.half[2] = 0.5 * from->length;
-        shape.side = (clod_side)from->side;
-        break;
-    case CLOD_SHAPE_CONE:
-        shape.axis[2] = clod_vec3_unit(vector(from->axis));
-        shape.outer = from->foot_radius;
-        shape.inner = from->top_radius;
-        shape.half[2] = 0.5 * from->length;
-        shape.side = (clod_side)from->side;
-        break;
-    case CLOD_SHAPE_ANNULUS:
-        shape.axis[2] = clod_vec3_unit(vector(from->normal));
-        shape.inner = from->inner_radius;
-        shape.outer = from->outer_radius;
-        break;
-    default: // plane and disc
-        shape.axis[2] = clod_vec3_unit(vector(from->normal));
-        shape.outer = from->radius;
-        break;
+    MAKE[shape.kind](from, &shape);
+    if (!clod_shape_kinds_row(shape.kind)->solid) {
+        complete_frame(shape.axis);
     }
-    complete_frame(shape.axis);
     return shape;
 }
 
@@ -107,7 +117,7 @@ static double facing_area(const clod_wall *wall)
     double area = 0.0;
     for (int32_t s = 0; s < wall->shape_count; s++) {
         const clod_shape *shape = &wall->shapes[s];
-        if (shape->kind == CLOD_SHAPE_DISC || shape->kind == CLOD_SHAPE_ANNULUS) {
+        if (clod_shape_kinds_row(shape->kind)->flat) {
             const double ring = shape->outer * shape->outer - shape->inner * shape->inner;
             area += M_PI * ring * fabs(clod_vec3_dot(shape->axis[2], wall->load_axis));
         }

@@ -117,18 +117,16 @@ static double inertial_number(const clod_check_subject *subject, double diameter
     return rate * diameter * sqrt(density / stress);
 }
 
-/** Between these heights the specimen settles, how far nobody knows before it is tried. */
-static bool find_heights(const clod_check_subject *subject, clod_check_report *report,
-                         clod_status *status)
+/** Between these heights the specimen settles, how far nobody knows before it is tried. It
+ * aims at filling `depth` over `area` [m, m2]. */
+static bool find_heights(const clod_check_subject *subject, double depth, double area,
+                         clod_check_report *report, clod_status *status)
 {
-    const clod_case *from = subject->from;
     const clod_grains *grains = &subject->state.grains;
     double full;
-    if (!clod_begin_fill(from, &full, status)) {
+    if (!clod_begin_fill(subject->from, &full, status)) {
         return false;
     }
-    const bool shear = report->kind != CLOD_CHECK_UNIAXIAL;
-    const double depth = shear ? clod_shear_cell_of(from).height : from->uniaxial.height;
     report->full_grains = (size_t)full;
     report->height_aimed = depth * (double)report->grains / full;
     for (size_t g = 0; g < grains->count; g++) {
@@ -136,8 +134,6 @@ static bool find_heights(const clod_check_subject *subject, clod_check_report *r
         report->height_loose = fmax(report->height_loose, place[2] + place[3]);
     }
     if (report->sampled > 0) {
-        const double area =
-            shear ? clod_shear_cell_of(from).area : clod_uniaxial_cell_area(&from->uniaxial);
         report->height_loose = report->solid_volume / (LOOSE_FRACTION * area);
     }
     report->across_depth = report->height_aimed / (2.0 * report->radius_mean);
@@ -149,7 +145,8 @@ static bool look_at_uniaxial(const clod_check_subject *subject, clod_check_repor
                              clod_status *status)
 {
     const clod_case_uniaxial *test = &subject->from->uniaxial;
-    if (!find_heights(subject, report, status)) {
+    const double area = clod_uniaxial_cell_area(test);
+    if (!find_heights(subject, test->height, area, report, status)) {
         return false;
     }
     const double diameter = 2.0 * report->radius_mean;
@@ -170,7 +167,7 @@ static bool look_at_shear(const clod_check_subject *subject, clod_check_report *
 {
     const clod_shear_cell cell = clod_shear_cell_of(subject->from);
     const clod_case_programme *shear = cell.programme;
-    if (!find_heights(subject, report, status)) {
+    if (!find_heights(subject, cell.height, cell.area, report, status)) {
         return false;
     }
     const double diameter = 2.0 * report->radius_mean;

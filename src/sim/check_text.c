@@ -1,11 +1,6 @@
-#include <jansson.h>
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <string.h>
 
-#include "base/json.h"
-#include "base/memory.h"
 #include "base/plural.h"
 #include "sim/check.h"
 
@@ -99,34 +94,6 @@ static void write_step(page *to, const clod_check_report *r)
     }
 }
 
-static bool is_shear(const clod_check_report *r)
-{
-    return r->kind == CLOD_CHECK_RING_SHEAR || r->kind == CLOD_CHECK_JENIKE;
-}
-
-/** A test of several parts, whose length is a guess. */
-static bool is_test(const clod_check_report *r)
-{
-    return is_shear(r) || r->kind == CLOD_CHECK_UNIAXIAL;
-}
-
-static void write_contact(page *to, const clod_check_report *r)
-{
-    if (is_test(r)) {
-        line(to, is_shear(r) ? "preshear stress" : "largest stress",
-             "%.4g kPa: %.4g N on a contact", 1e-3 * r->stress, r->contact_force);
-    } else {
-        line(to, "largest load", "%.4g N on a contact, as under %.4g kPa", r->contact_force,
-             1e-3 * r->stress);
-    }
-    line(to, "overlap", "%.4g um under this force, %.3g %% of the radius", 1e6 * r->overlap,
-         100.0 * r->overlap_ratio);
-    if (r->weight > 0.0) {
-        line(to, "Bond number", "%.4g (largest pull %.4g N over a grain's weight)", r->bond,
-             r->pull_off);
-    }
-}
-
 static void write_shear(page *to, const clod_check_report *r)
 {
     line(to, "inertial number",
@@ -137,13 +104,19 @@ static void write_shear(page *to, const clod_check_report *r)
     line(to, "",
          "the lowest point, %.4g kPa, is sheared at %.3g mm/s: the same inertial number",
          1e-3 * r->lowest_stress, 1e3 * r->lowest_speed);
-    if (r->kind == CLOD_CHECK_JENIKE) {
-        line(to, "cell", "%.1f grain diameters wide, %.1f deep", r->across_width,
-             r->across_depth);
-        return;
-    }
+}
+
+static void write_ring(page *to, const clod_check_report *r)
+{
+    write_shear(to, r);
     line(to, "cell", "%.1f grain diameters wide, %.1f deep; bars %.2f high", r->across_width,
          r->across_depth, r->bar_diameters);
+}
+
+static void write_jenike(page *to, const clod_check_report *r)
+{
+    write_shear(to, r);
+    line(to, "cell", "%.1f grain diameters wide, %.1f deep", r->across_width, r->across_depth);
 }
 
 static void write_uniaxial(page *to, const clod_check_report *r)
@@ -154,6 +127,40 @@ static void write_uniaxial(page *to, const clod_check_report *r)
     line(to, "", "the filling height is %.3g mm; a cohesive bed ends between the two",
          1e3 * r->height_loose);
     line(to, "mould", "%.1f grain diameters wide, %.1f high", r->across_width, r->across_depth);
+}
+
+/** What is written of each kind of test alone; NULL: no test. */
+static const struct {
+    const char *stress; ///< name of its largest
+    void (*write)(page *to, const clod_check_report *r);
+} TEST[] = {
+    [CLOD_CHECK_RING_SHEAR] = {"preshear stress", write_ring},
+    [CLOD_CHECK_JENIKE] = {"preshear stress", write_jenike},
+    [CLOD_CHECK_UNIAXIAL] = {"largest stress", write_uniaxial},
+    [CLOD_CHECK_CONTACT_BENCH] = {NULL, NULL},
+};
+
+/** A test of several parts, whose length is a guess. */
+static bool is_test(const clod_check_report *r)
+{
+    return TEST[r->kind].write != NULL;
+}
+
+static void write_contact(page *to, const clod_check_report *r)
+{
+    if (is_test(r)) {
+        line(to, TEST[r->kind].stress, "%.4g kPa: %.4g N on a contact", 1e-3 * r->stress,
+             r->contact_force);
+    } else {
+        line(to, "largest load", "%.4g N on a contact, as under %.4g kPa", r->contact_force,
+             1e-3 * r->stress);
+    }
+    line(to, "overlap", "%.4g um under this force, %.3g %% of the radius", 1e6 * r->overlap,
+         100.0 * r->overlap_ratio);
+    if (r->weight > 0.0) {
+        line(to, "Bond number", "%.4g (largest pull %.4g N over a grain's weight)", r->bond,
+             r->pull_off);
+    }
 }
 
 /** What was timed; nothing when that went wrong, which a note says. */
@@ -229,11 +236,8 @@ void clod_check_report_text(const clod_check_report *r, char text[CLOD_CHECK_TEX
     write_grains(&to, r);
     write_step(&to, r);
     write_contact(&to, r);
-    if (is_shear(r)) {
-        write_shear(&to, r);
-    }
-    if (r->kind == CLOD_CHECK_UNIAXIAL) {
-        write_uniaxial(&to, r);
+    if (is_test(r)) {
+        TEST[r->kind].write(&to, r);
     }
     write_cost(&to, r);
     for (size_t w = 0; w < r->warning_count; w++) {
@@ -245,162 +249,4 @@ void clod_check_report_text(const clod_check_report *r, char text[CLOD_CHECK_TEX
     for (size_t n = 0; n < r->note_count; n++) {
         line(&to, "note", "%s", r->note[n]);
     }
-}
-
-/** A number of the report and its key. */
-typedef struct entry {
-    const char *key;
-    size_t offset;
-} entry;
-
-#define REAL(key, field)                                                                       \
-    {                                                                                          \
-        key, offsetof(clod_check_report, field)                                                \
-    }
-
-static const entry REALS[] = {
-    REAL("radius_min_m", radius_min),
-    REAL("radius_mean_m", radius_mean),
-    REAL("radius_max_m", radius_max),
-    REAL("mass_kg", mass),
-    REAL("solid_volume_m3", solid_volume),
-    REAL("step_s", step),
-    REAL("step_auto_s", automatic),
-    REAL("step_critical_s", critical),
-    REAL("stiffest_radius_1_m", pair_radius_1),
-    REAL("stiffest_radius_2_m", pair_radius_2),
-    REAL("stiffness_N_per_m", stiffness),
-    REAL("spring_mass_kg", spring_mass),
-    REAL("collision_steps", collision_steps),
-    REAL("restitution", restitution),
-    REAL("restitution_least", restitution_least),
-    REAL("restitution_most", restitution_most),
-    REAL("rayleigh_time_s", rayleigh),
-    REAL("rayleigh_fraction", rayleigh_fraction),
-    REAL("stress_Pa", stress),
-    REAL("contact_force_N", contact_force),
-    REAL("overlap_m", overlap),
-    REAL("overlap_ratio", overlap_ratio),
-    REAL("pull_off_N", pull_off),
-    REAL("weight_N", weight),
-    REAL("bond_number", bond),
-    REAL("servo_period_s", servo_period),
-    REAL("time_likely_s", time_likely),
-    REAL("time_most_s", time_most),
-    REAL("steps_likely", steps_likely),
-    REAL("steps_most", steps_most),
-    REAL("rate_one_thread_per_s", rate_one),
-    REAL("rate_per_s", rate),
-    REAL("rate_slowest_per_s", rate_slowest),
-    REAL("processor_share", processor_share),
-    REAL("wall_clock_likely_s", clock_likely),
-    REAL("wall_clock_most_s", clock_most),
-    REAL("memory_bytes", memory),
-    REAL("rows_most", rows_most),
-    REAL("snapshots_most", snapshots_most),
-    REAL("disk_series_bytes", disk_series),
-    REAL("disk_snapshots_bytes", disk_snapshots),
-    REAL("disk_checkpoints_bytes", disk_checkpoints),
-    REAL("disk_bytes", disk),
-    REAL("disk_free_bytes", disk_free),
-};
-
-static const entry SHEAR_REALS[] = {
-    REAL("inertial_number_preshear", inertial_preshear),
-    REAL("inertial_number_loose", inertial_loose),
-    REAL("inertial_number_lowest", inertial_lowest),
-    REAL("height_aimed_m", height_aimed),
-    REAL("height_loose_m", height_loose),
-    REAL("lowest_stress_Pa", lowest_stress),
-    REAL("lowest_speed_m_per_s", lowest_speed),
-    REAL("diameters_across_width", across_width),
-    REAL("diameters_across_depth", across_depth),
-};
-
-static const entry RING_REALS[] = {REAL("bar_height_diameters", bar_diameters)};
-
-static const entry UNIAXIAL_REALS[] = {
-    REAL("inertial_number_lowest", inertial_lowest),
-    REAL("height_aimed_m", height_aimed),
-    REAL("height_loose_m", height_loose),
-    REAL("lowest_stress_Pa", lowest_stress),
-    REAL("diameters_across_width", across_width),
-    REAL("diameters_across_depth", across_depth),
-};
-
-static void put_reals(json_t *to, const clod_check_report *r, const entry *entries,
-                      size_t count)
-{
-    for (size_t e = 0; e < count; e++) {
-        double value;
-        memcpy(&value, (const char *)r + entries[e].offset, sizeof value);
-        json_object_set_new(to, entries[e].key,
-                            isfinite(value) ? json_real(value) : json_null());
-    }
-}
-
-static void put_text(json_t *to, const char *key, const char *text)
-{
-    json_object_set_new(to, key, text != NULL ? json_string(text) : json_null());
-}
-
-static void put_list(json_t *to, const char *key, const char (*texts)[CLOD_CHECK_WARNING_TEXT],
-                     size_t count)
-{
-    json_t *list = json_array();
-    for (size_t n = 0; n < count; n++) {
-        json_array_append_new(list, json_string(texts[n]));
-    }
-    json_object_set_new(to, key, list);
-}
-
-static json_t *make_json(const clod_check_report *r)
-{
-    static const char *const KINDS[] = {"free_run", "ring_shear", "jenike", "uniaxial",
-                                        "contact_bench"};
-    json_t *to = json_object();
-    put_text(to, "case", r->path);
-    put_text(to, "title", r->title);
-    put_text(to, "kind", KINDS[r->kind]);
-    if (r->kind == CLOD_CHECK_CONTACT_BENCH) {
-        return to;
-    }
-    json_object_set_new(to, "grains", json_integer((json_int_t)r->grains));
-    json_object_set_new(to, "grains_sampled", json_integer((json_int_t)r->sampled));
-    json_object_set_new(to, "step_given", json_boolean(r->step_given));
-    put_text(to, "step_reason", r->reason);
-    put_text(to, "stiffest_material_1", r->pair_1);
-    put_text(to, "stiffest_material_2", r->pair_2);
-    json_object_set_new(to, "stiffest_is_wall", json_boolean(r->pair_wall));
-    json_object_set_new(to, "rayleigh_imposed", json_boolean(r->rayleigh_imposed));
-    json_object_set_new(to, "machine_busy", json_boolean(r->busy));
-    json_object_set_new(to, "processors", json_integer(r->processors));
-    json_object_set_new(to, "threads", json_integer(r->threads));
-    json_object_set_new(to, "parts_side_by_side", json_integer(r->side_by_side));
-    put_text(to, "simd", r->simd);
-    put_reals(to, r, REALS, sizeof REALS / sizeof REALS[0]);
-    if (is_shear(r)) {
-        put_reals(to, r, SHEAR_REALS, sizeof SHEAR_REALS / sizeof SHEAR_REALS[0]);
-    }
-    if (r->kind == CLOD_CHECK_RING_SHEAR) {
-        put_reals(to, r, RING_REALS, sizeof RING_REALS / sizeof RING_REALS[0]);
-    }
-    if (r->kind == CLOD_CHECK_UNIAXIAL) {
-        put_reals(to, r, UNIAXIAL_REALS, sizeof UNIAXIAL_REALS / sizeof UNIAXIAL_REALS[0]);
-    }
-    put_list(to, "warnings", r->warning, r->warning_count);
-    put_list(to, "notes", r->note, r->note_count);
-    return to;
-}
-
-bool clod_check_report_json(const clod_check_report *r, char text[CLOD_CHECK_TEXT])
-{
-    json_t *json = make_json(r);
-    char *whole = clod_json_text(json, JSON_INDENT(2));
-    json_decref(json);
-    const size_t length = whole != NULL ? strlen(whole) : CLOD_CHECK_TEXT;
-    const bool good = length < CLOD_CHECK_TEXT;
-    memcpy(text, good ? whole : "", good ? length + 1 : 1);
-    clod_memory_free(whole);
-    return good;
 }

@@ -173,12 +173,11 @@ static void note_lid(const clod_check_subject *subject, const clod_shear_cell *c
     }
 }
 
-/** Of a ring or of a Jenike cell. */
-static void warn_shear(const clod_check_subject *subject, clod_check_report *r)
+/** Of the specimen in a ring or in a Jenike cell. */
+static void warn_specimen(const clod_shear_cell *cell, clod_check_report *r)
 {
-    const clod_shear_cell cell = clod_shear_cell_of(subject->from);
-    warn_inertia(&cell, r);
-    warn_count(&cell, r);
+    warn_inertia(cell, r);
+    warn_count(cell, r);
     const double across = fmin(r->across_width, r->across_depth);
     if (across < CLOD_LIMITS_GRAINS) {
         warn(r,
@@ -186,15 +185,28 @@ static void warn_shear(const clod_check_subject *subject, clod_check_report *r)
              "not the solid, set the strength. Use a larger cell or smaller grains",
              across, r->across_width < r->across_depth ? "width" : "depth", CLOD_LIMITS_GRAINS);
     }
-    if (r->kind == CLOD_CHECK_RING_SHEAR) {
-        warn_bars(&subject->from->ring_shear, r);
-    }
+}
+
+static void warn_ring(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_shear_cell cell = clod_shear_cell_of(subject->from);
+    warn_specimen(&cell, r);
+    warn_bars(&subject->from->ring_shear, r);
     warn_points(&cell, r);
     note_lid(subject, &cell, r);
 }
 
-static void warn_uniaxial(const clod_case_uniaxial *test, clod_check_report *r)
+static void warn_jenike(const clod_check_subject *subject, clod_check_report *r)
 {
+    const clod_shear_cell cell = clod_shear_cell_of(subject->from);
+    warn_specimen(&cell, r);
+    warn_points(&cell, r);
+    note_lid(subject, &cell, r);
+}
+
+static void warn_uniaxial(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_case_uniaxial *test = &subject->from->uniaxial;
     if (r->inertial_lowest > CLOD_LIMITS_INERTIA) {
         warn(r,
              "inertial number %.3g at %.4g kPa: the grains' inertia adds to the strength (%.2g "
@@ -261,16 +273,22 @@ static void warn_outputs(const clod_case *from, clod_check_report *r)
     }
 }
 
+/** What may go wrong with each kind of case alone; NULL: nothing. */
+static void (*const WARN[CLOD_CASE_KINDS])(const clod_check_subject *subject,
+                                           clod_check_report *r) = {
+    [CLOD_CASE_RING_SHEAR] = warn_ring,
+    [CLOD_CASE_JENIKE] = warn_jenike,
+    [CLOD_CASE_UNIAXIAL] = warn_uniaxial,
+};
+
 void clod_check_warn(const clod_check_subject *subject, clod_check_report *report)
 {
+    const clod_case_kind kind = clod_case_kind_of(subject->from);
     warn_outputs(subject->from, report);
     warn_step(report);
     warn_contact(subject->from, report);
-    if (report->kind == CLOD_CHECK_RING_SHEAR || report->kind == CLOD_CHECK_JENIKE) {
-        warn_shear(subject, report);
-    }
-    if (report->kind == CLOD_CHECK_UNIAXIAL) {
-        warn_uniaxial(&subject->from->uniaxial, report);
+    if (WARN[kind] != NULL) {
+        WARN[kind](subject, report);
     }
     warn_mass(subject, report);
     warn_machine(subject, report);

@@ -3,8 +3,9 @@
 #include "setup/jenike_cell.h"
 #include "setup/ring_cell.h"
 
-static clod_shear_cell jenike_cell(const clod_case_jenike *cell)
+static clod_shear_cell jenike_cell(const clod_case *from)
 {
+    const clod_case_jenike *cell = &from->jenike;
     return (clod_shear_cell){.key = "jenike",
                              .programme = &cell->programme,
                              .grain_material = cell->grain_material,
@@ -17,8 +18,9 @@ static clod_shear_cell jenike_cell(const clod_case_jenike *cell)
                              .settle_max = cell->settle_max};
 }
 
-static clod_shear_cell ring_cell(const clod_case_ring_shear *ring)
+static clod_shear_cell ring_cell(const clod_case *from)
 {
+    const clod_case_ring_shear *ring = &from->ring_shear;
     return (clod_shear_cell){.key = "ring_shear",
                              .programme = &ring->programme,
                              .grain_material = ring->grain_material,
@@ -31,8 +33,13 @@ static clod_shear_cell ring_cell(const clod_case_ring_shear *ring)
                              .settle_max = ring->settle_max};
 }
 
+/** The cell of each kind of case that has a shear test. */
+static clod_shear_cell (*const CELL[CLOD_CASE_KINDS])(const clod_case *from) = {
+    [CLOD_CASE_RING_SHEAR] = ring_cell,
+    [CLOD_CASE_JENIKE] = jenike_cell,
+};
+
 clod_shear_cell clod_shear_cell_of(const clod_case *from)
 {
-    return clod_case_kind_of(from) == CLOD_CASE_JENIKE ? jenike_cell(&from->jenike)
-                                                       : ring_cell(&from->ring_shear);
+    return CELL[clod_case_kind_of(from)](from);
 }

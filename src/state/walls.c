@@ -25,7 +25,8 @@ static double axis_distance(const clod_wall *self, clod_vec3 point)
 
 static bool is_symmetric(const clod_wall *self, const clod_shape *shape)
 {
-    if (shape->kind == CLOD_SHAPE_BOX || shape->kind == CLOD_SHAPE_BAR) {
+    const clod_shape_kind_row *kind = clod_shape_kinds_row(shape->kind);
+    if (kind->solid) {
         return false;
     }
     const clod_vec3 axis = oriented(self, shape->axis[2]);
@@ -33,8 +34,7 @@ static bool is_symmetric(const clod_wall *self, const clod_shape *shape)
         return false;
     }
     const double radius = fmax(shape->inner, shape->outer);
-    return shape->kind == CLOD_SHAPE_PLANE ||
-           axis_distance(self, shape->center) <= SAME_AXIS * radius;
+    return kind->endless || axis_distance(self, shape->center) <= SAME_AXIS * radius;
 }
 
 void clod_wall_find_symmetry(clod_wall *self)
@@ -47,7 +47,8 @@ void clod_wall_find_symmetry(clod_wall *self)
 int32_t clod_wall_plane_across(const clod_wall *self)
 {
     for (int32_t s = 0; s < self->shape_count; s++) {
-        if (self->shapes[s].kind == CLOD_SHAPE_PLANE && !self->shapes[s].symmetric) {
+        const clod_shape *shape = &self->shapes[s];
+        if (clod_shape_kinds_row(shape->kind)->endless && !shape->symmetric) {
             return s;
         }
     }
@@ -137,15 +138,15 @@ static double box_reach(const clod_wall *self, const clod_shape *shape)
 /** Upper bound of the distance of any point of a bounded shape from the spin axis [m]. */
 static double shape_reach(const clod_wall *self, const clod_shape *shape)
 {
-    if (shape->kind == CLOD_SHAPE_BOX || shape->kind == CLOD_SHAPE_BAR) {
+    const clod_shape_kind_row *kind = clod_shape_kinds_row(shape->kind);
+    if (kind->solid) {
         return box_reach(self, shape);
     }
     const double foot = axis_distance(self, shape->center) + shape->outer;
-    if (shape->kind == CLOD_SHAPE_CYLINDER || shape->kind == CLOD_SHAPE_CONE) {
+    if (kind->shell) {
         const clod_vec3 end =
             clod_vec3_axpy(shape->center, 2.0 * shape->half[2], shape->axis[2]);
-        const bool cone = shape->kind == CLOD_SHAPE_CONE;
-        return fmax(foot, axis_distance(self, end) + (cone ? shape->inner : shape->outer));
+        return fmax(foot, axis_distance(self, end) + clod_shape_end_radius(shape));
     }
     return foot;
 }
@@ -155,7 +156,7 @@ double clod_wall_reach(const clod_wall *self)
     double reach = 0.0;
     for (int32_t s = 0; s < self->shape_count; s++) {
         const clod_shape *shape = &self->shapes[s];
-        if (!shape->symmetric && shape->kind != CLOD_SHAPE_PLANE) {
+        if (!shape->symmetric && !clod_shape_kinds_row(shape->kind)->endless) {
             reach = fmax(reach, shape_reach(self, shape));
         }
     }

@@ -11,6 +11,7 @@
 #include "base/vec3.h"
 #include "clod/case.h"
 #include "clod/status.h"
+#include "state/shape_kinds.h"
 
 /**
  * How the material of a surface moves while the surface stays where it is, beside what its wall
@@ -42,6 +43,12 @@ typedef struct clod_shape {
     double half[3]; ///< m, box, bar: half sizes along axis[]; shells: half[2] = half length
     clod_side side;
 } clod_shape;
+
+/** Radius of a shell at its top, or of the hole of an annulus; 0 for a disc [m]. */
+static inline double clod_shape_end_radius(const clod_shape *self)
+{
+    return clod_shape_kinds_row(self->kind)->straight ? self->outer : self->inner;
+}
 
 /** Harmonic motion: displacement amplitude sin(2 pi frequency t + phase), along and about. */
 typedef struct clod_oscillation {

@@ -13,9 +13,11 @@ static double bars_volume(const clod_state *state)
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            const double *half = wall->shapes[s].half;
-            volume += wall->shapes[s].kind == CLOD_SHAPE_BAR ? 8.0 * half[0] * half[1] * half[2]
-                                                             : 0.0;
+            const clod_shape *shape = &wall->shapes[s];
+            const double *half = shape->half;
+            volume += clod_shape_kinds_row(shape->kind)->solid
+                          ? 8.0 * half[0] * half[1] * half[2]
+                          : 0.0;
         }
     }
     return volume;

@@ -1,0 +1,26 @@
+#pragma once
+/**
+ * @file shape_kinds.h
+ * Shapes of walls as others see them: one row for each clod_shape_kind. Others ask the row, not
+ * which kind it is. The keys of a shape are in src/config/params_shape.c.
+ */
+
+#include <stdbool.h>
+
+#include "clod/case.h"
+
+/** A shape is endless, solid, flat or a shell; all but solid ones are round about axis[2]. */
+typedef struct clod_shape_kind_row {
+    bool endless;  ///< one-sided, without an edge
+    bool solid;    ///< a box along axis[] with half sizes half[]
+    bool flat;     ///< across its axis, between the radii inner and outer
+    bool shell;    ///< along its axis, with the grains on one `side`
+    bool straight; ///< radius outer from foot to top; else inner at the top
+} clod_shape_kind_row;
+
+/**
+ * Row of a kind of shape.
+ *
+ * Errors  none.   Threads  pure.   Test  tests/state/test_shape_kinds.c
+ */
+const clod_shape_kind_row *clod_shape_kinds_row(clod_shape_kind kind);
