@@ -156,11 +156,11 @@ typedef enum clod_load_kind {
     CLOD_LOAD_STRESS
 } clod_load_kind;
 
-/** Harmonic motion of a wall about the place where it was given. */
+/** Harmonic motion of a wall about the pose in which it was given. */
 typedef struct clod_case_oscillation {
     double direction[3]; ///< of the translation
     double amplitude;    ///< m along direction; 0 = none
-    double angle;        ///< rad, amplitude of the turning about spin_axis; 0 = none
+    double angle;        ///< rad, amplitude of the rotation about spin_axis; 0 = none
     double frequency;    ///< Hz; 0 = the wall does not oscillate
     double phase;        ///< rad, at time 0
 } clod_case_oscillation;

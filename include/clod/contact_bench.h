@@ -7,7 +7,7 @@
  * grain 1 and stays where it is, as do the two tangents t1 and t2; t1 x t2 = normal. A leg of
  * the path is linear in time, so all speeds are constant on it:
  *   overlap  grain 1 comes nearer;
- *   slip     grain 1 moves across, without turning;
+ *   slip     grain 1 moves across, without rotation;
  *   roll     turns grain 1 against its partner about t2, without slip at the contact: two
  * grains turn in opposite directions, on a wall the grain moves along; twist    turns grain 1
  * about the normal while its partner is held. On slow legs the dash-pots vanish and what is

@@ -160,7 +160,7 @@ typedef struct clod_sim_grain {
  *
  * The time step stays that of the case: give it (time.step) when much smaller grains come.
  *
- * Errors  CLOD_USAGE: no such material. An id that is taken or unknown, a place outside of the
+ * Errors  CLOD_USAGE: no such material. An id that is taken or unknown, a position outside of the
  *         domain, numbers that are not finite: by what does the changes, which then does none.
  * Test    tests/sim/test_sim_change.c
  */
@@ -251,7 +251,7 @@ bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
 
 /**
  * Drive a wall from now on: velocity of the whole wall [m/s], velocity of its surface without
- * motion of the wall (belt) [m/s], turning about its spin axis [rad/s], force of its load [N].
+ * motion of the wall (belt) [m/s], rotation about its spin axis [rad/s], force of its load [N].
  *
  * Errors  CLOD_USAGE: no such wall, a number that is not finite, a plane that would turn out of
  *         itself, a load on a wall that has none in the case.   Test tests/sim/test_sim.c
@@ -280,7 +280,7 @@ bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double or
  *
  * A new axis or point costs a rebuild of the neighbour lists, another speed does not.
  *
- * @param velocity  [3] rad/s; 0 stops the turning and leaves the axis as it is
+ * @param velocity  [3] rad/s; 0 stops the rotation and leaves the axis as it is
  * @param point     [3] m, in space
  * Errors  CLOD_USAGE: no such wall, a number that is not finite, a plane that would turn out of
  *         itself, a wall that oscillates; nothing is changed.   Test  tests/sim/test_sim.c

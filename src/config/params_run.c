@@ -111,7 +111,7 @@ static const clod_param TIME_ROWS[] = {
      .fallback = "0.1",
      CLOD_AT(T, safety),
      .used = has_safety,
-     .unused = "only step: auto has a safety, and only for mepa and hooke; remove this key",
+     .unused = "only step: auto has a safety, and not for the law hertz; remove this key",
      .help = "Automatic step as a fraction of the critical step of the stiffest pair; not for "
              "hertz.",
      .source = "docs/theory/time-step.md"},
@@ -137,7 +137,7 @@ static const clod_param TIME_ROWS[] = {
      CLOD_AT(T, rayleigh_limit),
      .used = has_rayleigh,
      .unused =
-         "only step: auto has this limit, and only for the law hertz (mepa and hooke have "
+         "only step: auto has this limit, and only for the law hertz (the others have "
          "safety); remove this key",
      .help = "Largest fraction of the Rayleigh time that the automatic step takes; hertz only.",
      .source = "docs/theory/time-step.md"},

@@ -71,8 +71,8 @@ static bool fit(const clod_walls *walls, const clod_shape *shapes, size_t shape_
     bool known = left == 0;
     for (size_t s = 0; known && s < shape_count; s++) {
         const int32_t kind = (int32_t)shapes[s].kind, side = (int32_t)shapes[s].side;
-        known = kind >= CLOD_SHAPE_PLANE && kind <= CLOD_SHAPE_BAR &&
-                side >= CLOD_SIDE_INSIDE && side <= CLOD_SIDE_OUTSIDE;
+        known = kind >= 0 && kind < CLOD_SHAPE_KINDS && side >= CLOD_SIDE_INSIDE &&
+                side <= CLOD_SIDE_OUTSIDE;
     }
     return known;
 }

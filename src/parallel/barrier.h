@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file barrier.h
- * Meeting point of the threads of a step, several times per step.
+ * Barrier of the threads of a step, waited at several times per step.
  */
 
 #include "parallel/gate.h"

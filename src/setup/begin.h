@@ -29,7 +29,7 @@ bool clod_begin_sample(const clod_case *from, double expected, double most, clod
 /**
  * Build the cell of the case's tester, or the state of its free run.
  *
- * @param seed   of sizes and places
+ * @param seed   of sizes and positions
  * @param state  [out] owned by the caller (clod_state_fini), also after a failure
  * Errors  CLOD_USAGE: it cannot be built; CLOD_FAILED.   Threads  pure.
  * Test    tests/sim/test_check_uniaxial.c, tests/sim/test_check.c

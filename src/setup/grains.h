@@ -34,7 +34,7 @@ bool clod_setup_grains_say_off(const clod_case *from, const clod_grains *grains,
  *
  * Ids go from 1 upwards, group after group; a file may bring its own.
  *
- * @param seed   of sizes and places
+ * @param seed   of sizes and positions
  * Errors  CLOD_USAGE: grains that do not fit, an amount below one grain or beyond memory, a
  *         wrong file, a grain outside the domain, an id twice; CLOD_FAILED.
  * Threads pure.   Test  tests/setup/test_setup_state.c

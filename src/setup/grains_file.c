@@ -245,7 +245,7 @@ static bool read_row(reader *r, uint64_t *next_id, clod_grains *grains)
             return read_fail(r, r->fields[f], "a radius must be from 1 nm to 10 m");
         }
         if (c < COLUMN_RADIUS && !(fabs(value[c]) <= PLACE_MOST)) {
-            return read_fail(r, r->fields[f], "a place must be within 10 km of the origin");
+            return read_fail(r, r->fields[f], "a position must be within 10 km of the origin");
         }
         if (c == COLUMN_ID && !(value[c] >= 0.0 && value[c] < ID_MOST &&
                                 value[c] == (double)(uint64_t)value[c])) {

@@ -12,11 +12,11 @@
 
 /** Grains keep this fraction of their radius away from everything, against rounding. */
 #define CLEARANCE 1e-6
-/** Solid fraction above which random places are not tried. */
+/** Solid fraction above which random positions are not tried. */
 #define RANDOM_LIMIT 0.33
-/** Random places that are tried for one grain. */
+/** Random positions that are tried for one grain. */
 #define TRIES 4000
-/** Random places that are tried in a column before its filling front rises. */
+/** Random positions that are tried in a column before its filling front rises. */
 #define COLUMN_TRIES 500
 /** Solid fraction that a column reaches at the very least. */
 #define COLUMN_LEAST 0.1
@@ -29,7 +29,7 @@ typedef struct clod_insertion_batch {
     double (*place)[4]; ///< [count] radius set, centre to be found; owned
     double largest;     ///< m, largest radius with its clearance
     double volume;      ///< m3, of all grains
-    size_t reached;     ///< grains that found a place
+    size_t reached;     ///< grains that found a position
 } clod_insertion_batch;
 
 static bool batch_init(clod_insertion_batch *self, const clod_insertion *what, size_t grains,
@@ -88,7 +88,7 @@ static bool try_place(clod_insertion_batch *batch, clod_insertion_space *space, 
     return clod_insertion_space_take(space, place, status);
 }
 
-/** Try random places between two heights for grain g, with draws [first, first + tries). */
+/** Try random positions between two heights for grain g, with draws [first, first + tries). */
 static bool try_random(clod_insertion_batch *batch, clod_insertion_space *space, size_t g,
                        const double range[2], uint64_t first, uint64_t tries, bool *put,
                        clod_status *status)
@@ -108,7 +108,7 @@ static bool try_random(clod_insertion_batch *batch, clod_insertion_space *space,
     return true;
 }
 
-/** All grains at random places, large ones first; stops at the first that finds none. */
+/** All grains at random positions, large ones first; stops at the first that finds none. */
 static bool fill_random(clod_insertion_batch *batch, clod_insertion_space *space,
                         clod_status *status)
 {
@@ -274,7 +274,7 @@ bool clod_insert_region(clod_state *state, const clod_insertion *what, clod_stat
     return good;
 }
 
-/** Grains in order of id between a bottom and a front that rises when places get rare. */
+/** Grains in order of id between a bottom and a front that rises when free positions get rare. */
 static bool fill_column(clod_insertion_batch *batch, clod_insertion_space *space,
                         double *height, clod_status *status)
 {

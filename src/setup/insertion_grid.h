@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file insertion_grid.h
- * Cells that tell which spheres are near a place. A sphere is noted in every cell it touches,
+ * Cells that tell which spheres are near a position. A sphere is noted in every cell it touches,
  * so that large and small spheres mix well.
  */
 
@@ -33,7 +33,7 @@ typedef struct clod_insertion_grid {
 /**
  * An empty grid.
  *
- * @param low, high  [3] bounding box of the places that will be asked for [m]
+ * @param low, high  [3] bounding box of the positions that will be looked at [m]
  * @param period     [3] m; 0 where space is open
  * @param largest    radius of the largest sphere that will be asked about [m]
  * @param spheres    how many are expected: about one cell each

@@ -39,7 +39,7 @@ bool clod_insertion_space_take(clod_insertion_space *self, const double place[4]
                                clod_status *status);
 
 /**
- * A random place for a sphere in the region between two heights, uniform in volume.
+ * A random position for a sphere in the region between two heights, uniform in volume.
  *
  * @param place   [in,out] place[3] is the radius [m]; the centre is written
  * @param bottom, top  m, between which the whole sphere is

@@ -38,7 +38,7 @@ size_t clod_jenike_cell_count(const clod_case *from, int64_t seed, clod_status *
  * has its mass, area and damping, its load is of kind CLOD_LOAD_STRESS with no force yet. Time
  * step, gravity and domain are set; adhesion is fill_adhesion.
  *
- * @param seed   of sizes and places; repeats use seed, seed + 1, ...
+ * @param seed   of sizes and positions; repeats use seed, seed + 1, ...
  * @param state  [out] owned by the caller (clod_state_fini), also after a failure
  * Errors  CLOD_USAGE: a cell that cannot be filled.   Threads  pure.
  * Test    tests/setup/test_setup_jenike_cell.c

@@ -32,12 +32,12 @@ size_t clod_ring_cell_count(const clod_case *from, int64_t seed, clod_status *st
 /**
  * Build the cell at rest, filled with a loose column of grains, the lid hanging above them.
  *
- * Grains are at random places from the base up, clear of the bars; the lid's bars end above
+ * Grains are at random positions from the base up, clear of the bars; the lid's bars end above
  * the highest grain and the sides reach up to the lid. The lid has its mass, area and damping,
  * its load is of kind CLOD_LOAD_STRESS with no force yet, and nothing turns. Time step, gravity
  * and domain are set; adhesion is fill_adhesion.
  *
- * @param seed   of sizes and places; repeats use seed, seed + 1, ...
+ * @param seed   of sizes and positions; repeats use seed, seed + 1, ...
  * @param state  [out] owned by the caller (clod_state_fini), also after a failure
  * Errors  CLOD_USAGE: a cell that cannot be built or filled.   Threads  pure.
  * Test    tests/setup/test_setup_ring_cell.c

@@ -12,7 +12,7 @@
  * Build the state of a free run: walls, domain, grains, gravity, time step, and the k_adh of
  * the first stage. Loaded walls get their damping from the bed's estimated stiffness.
  *
- * @param seed   of sizes and places
+ * @param seed   of sizes and positions
  * @param state  [out] owned by the caller (clod_state_fini), also after a failure
  * Errors  CLOD_USAGE for a case or a file that cannot be built, CLOD_FAILED without memory.
  * Threads pure.   Test  tests/setup/test_setup_state.c

@@ -36,7 +36,7 @@ size_t clod_uniaxial_cell_count(const clod_case *from, int64_t seed, clod_status
  * CLOD_LOAD_STRESS with no force yet. Time step, gravity and domain are set; adhesion is
  * fill_adhesion.
  *
- * @param seed   of sizes and places
+ * @param seed   of sizes and positions
  * @param state  [out] owned by the caller (clod_state_fini), also after a failure
  * Errors  CLOD_USAGE: a mould that cannot be filled.   Threads  pure.
  * Test    tests/setup/test_setup_uniaxial_cell.c

@@ -4,12 +4,12 @@
 #include "step/near_between.h"
 #include "step/step.h"
 
-/** Memory of a group from which it pays to ask for its rows ahead [bytes]: less lies in the
+/** Memory of a group from which it pays to prefetch its rows [bytes]: less lies in the
  * caches. */
 #define LARGE_GROUP ((size_t)4 << 20)
 
-/** The row behind the last of a part, up to which rows are asked for; 0: none are. */
-static size_t ask_until(const clod_step *self, int part, size_t blocks)
+/** The row behind the last of a part, up to which rows are prefetched; 0: none are. */
+static size_t prefetch_until(const clod_step *self, int part, size_t blocks)
 {
     const clod_grains *grains = &self->state->grains;
     const size_t end = self->near.part_start[part + 1];
@@ -52,7 +52,7 @@ static bool run_within(clod_step *self, int part, int32_t law)
 {
     const size_t *start = self->near.pairs.group_start;
     const size_t group = clod_near_group(&self->near, part, law);
-    return run_group(self, group, law, ask_until(self, part, start[group + 1] - start[group]),
+    return run_group(self, group, law, prefetch_until(self, part, start[group + 1] - start[group]),
                      NULL);
 }
 

@@ -22,7 +22,7 @@ typedef struct clod_kernel_view {
     double (*load)[8];         ///< where contacts add their force and torque on each grain
     clod_fixed *wall_sum;      ///< of what walls feel: columns below
     const double (*shape)[4];  ///< rows of the walls' shapes (geometry/wall_rows.h)
-    size_t lead;               ///< rows by which memory is asked for before it is needed
+    size_t lead;               ///< rows by which memory is prefetched
     double dt;                 ///< s
     double overlap_limit;      ///< fraction of the smaller radius
     double period[3];          ///< m; 0 where the domain is open
@@ -60,8 +60,8 @@ typedef struct clod_kernel {
      * Force of `contacts` contacts of one law, added to the loads in their order; true when an
      * overlap is beyond the limit.
      *
-     * @param end    row behind the last one to ask for ahead: that of the part; 0 asks for no
-     *               rows; histories are always asked for
+     * @param end    row behind the last one to prefetch: that of the part; 0: no rows are;
+     *               histories always are
      * @param apart  NULL, or rows [contacts, whole blocks] that take i's shares instead of the
      *               loads; j's go into the loads
      */

@@ -14,7 +14,7 @@
 /** Blocks whose contacts go through each pass together. */
 #define KERNEL_BATCH 4
 
-/** Blocks by which histories are asked for ahead, into the second cache (docs/adr/0021). */
+/** Blocks by which histories are prefetched into the second cache (docs/adr/0021). */
 #define KERNEL_AHEAD 32
 
 /** Where blocks of a kind have their histories [bytes]. */
@@ -90,7 +90,7 @@ static inline void kernel_springs_store(const clod_law *law, clod_history *histo
     }
 }
 
-/** Ask for the block of a vector's that comes KERNEL_AHEAD later. */
+/** Prefetch the block that comes KERNEL_AHEAD behind that of a vector. */
 static inline void kernel_prefetch_block(const kernel_batch *batch, kernel_layout layout, int k)
 {
     const char *block = (const char *)kernel_block(batch, layout, k);

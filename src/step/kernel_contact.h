@@ -164,7 +164,7 @@ CLOD_LAW_PASS vreal kernel_contact_limit(const clod_kernel_view *view, const clo
 }
 
 /**
- * Ask for the rows up to view->lead behind a grain, in their order, beginning with row `from`:
+ * Prefetch the rows up to view->lead behind a grain, in their order, beginning with row `from`:
  * partners come from several lines at once, in no order that a processor could foresee. Rows
  * from `end` on may be another thread's and are left alone, but for at most the first.
  */

@@ -44,7 +44,7 @@ static inline void random_reals(random_source *source, void *to, size_t count)
 /** Everything of a shape; kinds and sides are numbers that there are. */
 static inline void random_shape(random_source *source, clod_shape *shape)
 {
-    shape->kind = (clod_shape_kind)(abs(random_int(source)) % 7);
+    shape->kind = (clod_shape_kind)(abs(random_int(source)) % CLOD_SHAPE_KINDS);
     shape->side = (clod_side)(abs(random_int(source)) % 2);
     shape->material = random_int(source);
     random_reals(source, &shape->center, 3);

@@ -66,7 +66,7 @@ static void nonsense_is_refused(void **folder)
     clod_state state = random_state(1);
     clod_shape *shape = &state.walls.wall[2].shapes[2];
     const clod_shape good = *shape;
-    shape->kind = (clod_shape_kind)(CLOD_SHAPE_BAR + 1);
+    shape->kind = (clod_shape_kind)CLOD_SHAPE_KINDS;
     expect_refused(folder, &state.walls);
     shape->kind = (clod_shape_kind)-1;
     expect_refused(folder, &state.walls);

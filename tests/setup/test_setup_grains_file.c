@@ -112,7 +112,7 @@ static void errors_say_line_and_column(void **state)
     check_refused("x [m],y [m],z [m],radius [m]\n1,2,3,1e-300\n", "ore",
                   "2:7: \"1e-300\": a radius must be from 1 nm to 10 m");
     check_refused("x [m],y [m],z [m],radius [m]\n1,1e300,3,1\n", "ore",
-                  "2:3: \"1e300\": a place must be within 10 km of the origin");
+                  "2:3: \"1e300\": a position must be within 10 km of the origin");
     check_refused("x [m],y [m],z [m],radius [m],id\n1,2,3,4,1.5\n", "ore",
                   "2:9: \"1.5\": an id must be a whole number, 0 or more");
     check_refused("x [m],y [m],z [m],radius [m],material\n1,2,3,4,iron\n", "ore",
