@@ -69,7 +69,7 @@ check-arm: setup-arm build ## see that clod gives the same bits on 64-bit ARM, i
 format: setup-test ## put all sources into the house format
 	clang-format-14 -i $$(find src include app tests bench examples -name '*.[ch]')
 
-package: build ## make a Debian package in build/release
+package: build ## make the Debian packages clod and python3-clod in build/release
 	cd $(RELEASE) && cpack -G DEB
 
 install: ## install what was built into PREFIX

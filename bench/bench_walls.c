@@ -52,7 +52,7 @@ static double largest_radius(const clod_grains *grains)
 {
     double most = 0.0;
     for (size_t g = 0; g < grains->count; g++) {
-        most = fmax(most, grains->place[g][3]);
+        most = fmax(most, grains->position[g][3]);
     }
     return most;
 }
@@ -61,7 +61,7 @@ static double largest_radius(const clod_grains *grains)
 static bool is_pore(const clod_state *state, const double p[3], double room)
 {
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double *at = state->grains.place[g];
+        const double *at = state->grains.position[g];
         double apart2 = 0.0;
         for (int a = 0; a < 3; a++) {
             apart2 += (p[a] - at[a]) * (p[a] - at[a]);

@@ -160,9 +160,9 @@ typedef struct clod_sim_grain {
  *
  * The time step stays that of the case: give it (time.step) when much smaller grains come.
  *
- * Errors  CLOD_USAGE: no such material. An id that is taken or unknown, a position outside of the
- *         domain, numbers that are not finite: by what does the changes, which then does none.
- * Test    tests/sim/test_sim_change.c
+ * Errors  CLOD_USAGE: no such material. An id that is taken or unknown, a position outside of
+ * the domain, numbers that are not finite: by what does the changes, which then does none. Test
+ * tests/sim/test_sim_change.c
  */
 bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status *status);
 bool clod_sim_remove_grain(clod_sim *self, uint64_t id, clod_status *status);

@@ -136,9 +136,8 @@ static const clod_param TIME_ROWS[] = {
      .fallback = "0.15",
      CLOD_AT(T, rayleigh_limit),
      .used = has_rayleigh,
-     .unused =
-         "only step: auto has this limit, and only for the law hertz (the others have "
-         "safety); remove this key",
+     .unused = "only step: auto has this limit, and only for the law hertz (the others have "
+               "safety); remove this key",
      .help = "Largest fraction of the Rayleigh time that the automatic step takes; hertz only.",
      .source = "docs/theory/time-step.md"},
     {.key = "overlap_limit",

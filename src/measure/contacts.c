@@ -20,8 +20,8 @@ static double pair_distance(const clod_state *state, const double a[4], const do
 static void add_contact(clod_measure_contacts *self, clod_exact *sum, const clod_state *state,
                         const clod_contact *contact)
 {
-    const double *a = state->grains.place[contact->i];
-    const double *b = state->grains.place[contact->j];
+    const double *a = state->grains.position[contact->i];
+    const double *b = state->grains.position[contact->j];
     const double overlap = (a[3] + b[3] - pair_distance(state, a, b)) / fmin(a[3], b[3]);
     self->max_overlap = fmax(self->max_overlap, overlap);
     clod_exact_add(sum, overlap);
@@ -58,7 +58,7 @@ size_t clod_measure_loaded_grains(const clod_state *state)
     size_t loaded = 0;
     for (size_t g = 0; g < state->grains.count; g++) {
         const double *load = state->grains.load[g];
-        const double mass = state->grains.motion[g][3];
+        const double mass = state->grains.velocity[g][3];
         bool free = true;
         for (int a = 0; a < 3; a++) { // a sum to which nothing was added is the weight itself
             free = free && load[a] == mass * state->gravity[a];
@@ -72,8 +72,8 @@ double clod_measure_kinetic_energy(const clod_state *state)
 {
     clod_exact sum = {0};
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double *v = state->grains.motion[g];
-        const double *w = state->grains.turning[g];
+        const double *v = state->grains.velocity[g];
+        const double *w = state->grains.angular_velocity[g];
         clod_exact_add(&sum, 0.5 * v[3] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
         clod_exact_add(&sum, 0.5 / w[3] * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
     }
@@ -84,7 +84,7 @@ double clod_measure_max_speed(const clod_state *state)
 {
     double most = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double *v = state->grains.motion[g];
+        const double *v = state->grains.velocity[g];
         most = fmax(most, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }
     return sqrt(most);

@@ -118,20 +118,20 @@ static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
         !clod_grains_reserve(&state->grains, grains, status)) {
         return false;
     }
-    clod_memory_free(state->build_place);
+    clod_memory_free(state->build_position);
     clod_memory_free(state->build_walls);
     clod_memory_free(state->contacts);
-    state->build_place = NULL;
+    state->build_position = NULL;
     state->build_walls = NULL;
     state->contacts = NULL;
     state->grains.count = grains;
     state->contact_count = contacts;
     state->contact_capacity = contacts;
     bool good = true;
-    if (clod_hdf_rows(hdf, "grains/build_place") > 0) {
-        state->build_place =
-            clod_memory_alloc(state->grains.capacity, sizeof *state->build_place);
-        good = state->build_place != NULL;
+    if (clod_hdf_rows(hdf, "grains/build_position") > 0) {
+        state->build_position =
+            clod_memory_alloc(state->grains.capacity, sizeof *state->build_position);
+        good = state->build_position != NULL;
     }
     if (clod_hdf_rows(hdf, "walls/build_angle") > 0) {
         state->build_walls =

@@ -67,9 +67,9 @@ static void add_grains(clod_checkpoint_columns *self, const clod_state *state)
     const size_t real = sizeof(double);
     const clod_rows id = {grains->id, n, sizeof *grains->id};
     const clod_rows material = {grains->material, n, sizeof *grains->material};
-    const clod_rows place = {grains->place, n, sizeof *grains->place};
-    const clod_rows motion = {grains->motion, n, sizeof *grains->motion};
-    const clod_rows turning = {grains->turning, n, sizeof *grains->turning};
+    const clod_rows place = {grains->position, n, sizeof *grains->position};
+    const clod_rows motion = {grains->velocity, n, sizeof *grains->velocity};
+    const clod_rows turning = {grains->angular_velocity, n, sizeof *grains->angular_velocity};
     const clod_rows load = {grains->load, n, sizeof *grains->load};
     add(self, id, 0, "grains/id", "1", CLOD_HDF_U64, 1);
     add(self, material, 0, "grains/material", "1", CLOD_HDF_U16, 1);
@@ -81,9 +81,9 @@ static void add_grains(clod_checkpoint_columns *self, const clod_state *state)
     add(self, turning, 3 * real, "grains/inverse_inertia", "kg-1 m-2", CLOD_HDF_F64, 1);
     add(self, load, 0, "grains/force", "N", CLOD_HDF_F64, 3);
     add(self, load, 4 * real, "grains/torque", "N m", CLOD_HDF_F64, 3);
-    if (state->build_place != NULL && n > 0) {
-        const clod_rows build = {state->build_place, n, sizeof *state->build_place};
-        add(self, build, 0, "grains/build_place", "m", CLOD_HDF_F64, 4);
+    if (state->build_position != NULL && n > 0) {
+        const clod_rows build = {state->build_position, n, sizeof *state->build_position};
+        add(self, build, 0, "grains/build_position", "m", CLOD_HDF_F64, 4);
     }
 }
 

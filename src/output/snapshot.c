@@ -105,18 +105,19 @@ static bool put_grains(clod_hdf *hdf, const clod_state *state, const clod_contac
     if (contacts == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "No memory for a snapshot.");
     }
-    const size_t row = sizeof *grains->place;
+    const size_t row = sizeof *grains->position;
     const bool some = n > 0;
-    const double *radius = some ? &grains->place[0][3] : NULL;
-    const double *mass = some ? &grains->motion[0][3] : NULL;
+    const double *radius = some ? &grains->position[0][3] : NULL;
+    const double *mass = some ? &grains->velocity[0][3] : NULL;
     const clod_hdf_column columns[] = {
-        {"VTKHDF/Points", "m", CLOD_HDF_F64, 3, n, grains->place, row},
+        {"VTKHDF/Points", "m", CLOD_HDF_F64, 3, n, grains->position, row},
         {"VTKHDF/PointData/id", "1", CLOD_HDF_I64, 1, n, grains->id, sizeof *grains->id},
         {"VTKHDF/PointData/type", "1", CLOD_HDF_U16, 1, n, grains->material,
          sizeof *grains->material},
         {"VTKHDF/PointData/radius", "m", CLOD_HDF_F64, 1, n, radius, row},
-        {"VTKHDF/PointData/velocity", "m s-1", CLOD_HDF_F64, 3, n, grains->motion, row},
-        {"VTKHDF/PointData/omega", "rad s-1", CLOD_HDF_F64, 3, n, grains->turning, row},
+        {"VTKHDF/PointData/velocity", "m s-1", CLOD_HDF_F64, 3, n, grains->velocity, row},
+        {"VTKHDF/PointData/omega", "rad s-1", CLOD_HDF_F64, 3, n, grains->angular_velocity,
+         row},
         {"VTKHDF/PointData/force", "N", CLOD_HDF_F64, 3, n, grains->load, sizeof *grains->load},
         {"VTKHDF/PointData/mass", "kg", CLOD_HDF_F64, 1, n, mass, row},
         {"VTKHDF/PointData/coordination", "1", CLOD_HDF_I32, 1, n, contacts, sizeof *contacts},
@@ -157,8 +158,8 @@ typedef struct clod_contact_line {
 
 static clod_contact_line contact_line(const clod_state *state, const clod_contact *contact)
 {
-    const double *a = state->grains.place[contact->i];
-    const double *b = state->grains.place[contact->j];
+    const double *a = state->grains.position[contact->i];
+    const double *b = state->grains.position[contact->j];
     clod_contact_line line = {
         .id = {state->grains.id[contact->i], state->grains.id[contact->j]}};
     double square = 0.0;

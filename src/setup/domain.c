@@ -50,7 +50,7 @@ bool clod_setup_bounds(const clod_state *state, double low[3], double high[3])
         high[a] = -HUGE_VAL;
     }
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double *place = state->grains.place[g];
+        const double *place = state->grains.position[g];
         for (int a = 0; a < 3; a++) {
             include(place[a], place[3], &low[a], &high[a]);
         }

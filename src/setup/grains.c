@@ -87,7 +87,7 @@ bool clod_setup_grains_say_off(const clod_case *from, const clod_grains *grains,
     const double asked = clod_setup_grains_mass(from);
     double mass = 0.0;
     for (size_t g = 0; g < grains->count; g++) {
-        mass += grains->motion[g][3];
+        mass += grains->velocity[g][3];
     }
     if (!(asked > 0.0) || !(fabs(mass - asked) > MASS_OFF * asked)) {
         return false;
@@ -138,12 +138,12 @@ static bool check_places(const clod_case *from, const clod_state *state, clod_st
     const clod_grains *grains = &state->grains;
     double diameter = 0.0;
     for (size_t g = 0; g < grains->count; g++) {
-        diameter = fmax(diameter, 2.0 * grains->place[g][3]);
+        diameter = fmax(diameter, 2.0 * grains->position[g][3]);
     }
     for (size_t g = 0; from->has_domain && g < grains->count; g++) {
         for (int a = 0; a < 3; a++) {
             const double beyond = from->periodic[a] ? diameter : 0.0;
-            const double x = grains->place[g][a];
+            const double x = grains->position[g][a];
             if (!(x >= from->domain_min[a] - beyond && x <= from->domain_max[a] + beyond)) {
                 return clod_status_fail(
                     status, CLOD_USAGE,
@@ -216,18 +216,18 @@ bool clod_setup_worst_overlap(const clod_state *state, clod_setup_overlap *worst
             state->domain.periodic[a] ? state->domain.max[a] - state->domain.min[a] : 0.0;
     }
     for (size_t g = 0; g < grains->count; g++) {
-        largest = fmax(largest, grains->place[g][3]);
+        largest = fmax(largest, grains->position[g][3]);
     }
     clod_insertion_grid grid;
     bool good =
         clod_insertion_grid_init(&grid, low, high, period, largest, grains->count, status);
     for (size_t g = 0; good && g < grains->count; g++) {
-        const double *place = grains->place[g];
+        const double *place = grains->position[g];
         size_t other = 0;
         const double overlap = clod_insertion_grid_overlap(&grid, place, &other);
         if (overlap > worst->overlap) {
             *worst = (clod_setup_overlap){grains->id[other], grains->id[g], overlap,
-                                          overlap / fmin(place[3], grains->place[other][3])};
+                                          overlap / fmin(place[3], grains->position[other][3])};
         }
         good = clod_insertion_grid_add(&grid, place, status);
     }

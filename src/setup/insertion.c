@@ -274,7 +274,8 @@ bool clod_insert_region(clod_state *state, const clod_insertion *what, clod_stat
     return good;
 }
 
-/** Grains in order of id between a bottom and a front that rises when free positions get rare. */
+/** Grains in order of id between a bottom and a front that rises when free positions get rare.
+ */
 static bool fill_column(clod_insertion_batch *batch, clod_insertion_space *space,
                         double *height, clod_status *status)
 {

@@ -22,9 +22,9 @@ typedef struct clod_insertion {
 } clod_insertion;
 
 /**
- * Put grains at random positions in a region, the largest first. When they are too many for that
- * (a solid fraction above about 0.3), they are put in loose layers from the bottom up, each
- * grain at a random position in its cell (box) or of its part of a ring (annulus).
+ * Put grains at random positions in a region, the largest first. When they are too many for
+ * that (a solid fraction above about 0.3), they are put in loose layers from the bottom up,
+ * each grain at a random position in its cell (box) or of its part of a ring (annulus).
  *
  * The grains are inside the region and clear of each other, of the walls of the state and of
  * the grains that are in it; beside the shell of a cylinder they are on its side.

@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file insertion_grid.h
- * Cells that tell which spheres are near a position. A sphere is noted in every cell it touches,
- * so that large and small spheres mix well.
+ * Cells that tell which spheres are near a position. A sphere is noted in every cell it
+ * touches, so that large and small spheres mix well.
  */
 
 #include <stdbool.h>

@@ -25,7 +25,7 @@ static bool note_grains(clod_insertion_space *self, clod_status *status)
 {
     const clod_grains *grains = &self->state->grains;
     for (size_t g = 0; g < grains->count; g++) {
-        if (!clod_insertion_grid_add(&self->grid, grains->place[g], status)) {
+        if (!clod_insertion_grid_add(&self->grid, grains->position[g], status)) {
             return false;
         }
     }

@@ -44,16 +44,16 @@ static clod_setup_bed measure_bed(const clod_state *state)
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double *place = state->grains.place[g];
+        const double *place = state->grains.position[g];
         const double r = place[3];
         for (int a = 0; a < 3; a++) {
             low[a] = fmin(low[a], place[a] - r);
             high[a] = fmax(high[a], place[a] + r);
         }
         bed.radius_mean += r / (double)state->grains.count;
-        bed.mass += state->grains.motion[g][3];
+        bed.mass += state->grains.velocity[g][3];
         bed.volume += 4.0 / 3.0 * M_PI * r * r * r;
-        bed.speed = fmax(bed.speed, length3(state->grains.motion[g]));
+        bed.speed = fmax(bed.speed, length3(state->grains.velocity[g]));
     }
     bed.area = state->grains.count > 0 ? shadow(low, high, state->gravity) : 0.0;
     return bed;
@@ -107,7 +107,7 @@ static double fall_height(const clod_state *state)
                 continue;
             }
             for (size_t i = 0; i < state->grains.count; i++) {
-                const double *p = state->grains.place[i];
+                const double *p = state->grains.position[i];
                 const clod_gap gap = clod_wall_gap(shape, (clod_vec3){p[0], p[1], p[2]});
                 height = fmax(height, gap.distance / facing);
             }
@@ -138,7 +138,7 @@ static void meet_bed(const clod_case *from, const clod_state *state, clod_timest
                      bool *is_wall, clod_timestep_grains *grains)
 {
     for (size_t g = 0; g < state->grains.count; g++) {
-        clod_timestep_add(&sizes[state->grains.material[g]], 1.0, state->grains.place[g][3]);
+        clod_timestep_add(&sizes[state->grains.material[g]], 1.0, state->grains.position[g][3]);
     }
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];

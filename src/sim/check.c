@@ -31,11 +31,11 @@ static void look_at_grains(const clod_check_subject *subject, clod_check_report 
     const clod_grains *grains = &subject->state.grains;
     report->radius_min = HUGE_VAL;
     for (size_t g = 0; g < grains->count; g++) {
-        const double r = grains->place[g][3];
+        const double r = grains->position[g][3];
         report->radius_min = fmin(report->radius_min, r);
         report->radius_max = fmax(report->radius_max, r);
         report->radius_mean += r / (double)grains->count;
-        report->mass += grains->motion[g][3];
+        report->mass += grains->velocity[g][3];
         report->solid_volume += 4.0 / 3.0 * M_PI * r * r * r;
     }
     report->grains = grains->count;
@@ -130,7 +130,7 @@ static bool find_heights(const clod_check_subject *subject, double depth, double
     report->full_grains = (size_t)full;
     report->height_aimed = depth * (double)report->grains / full;
     for (size_t g = 0; g < grains->count; g++) {
-        const double *place = grains->place[g];
+        const double *place = grains->position[g];
         report->height_loose = fmax(report->height_loose, place[2] + place[3]);
     }
     if (report->sampled > 0) {

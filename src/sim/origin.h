@@ -4,8 +4,8 @@
  * Another run from whose grains and histories this one begins (clod run CASE --from FOLDER).
  *
  * A test takes over its finished preparation and goes on with its own points; its case may
- * differ in what comes after. A free run takes grains, histories and the positions of walls of the
- * same name and shapes, and begins its own stages there.
+ * differ in what comes after. A free run takes grains, histories and the positions of walls of
+ * the same name and shapes, and begins its own stages there.
  */
 
 #include <limits.h>

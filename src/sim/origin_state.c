@@ -59,8 +59,8 @@ static bool map_materials(moving *self, clod_status *status)
         }
         const double density = self->from->materials[now].density;
         if (density != before->density) {
-            grains->motion[g][3] *= density / before->density;
-            grains->turning[g][3] *= before->density / density;
+            grains->velocity[g][3] *= density / before->density;
+            grains->angular_velocity[g][3] *= before->density / density;
         }
     }
     return true;
@@ -174,8 +174,8 @@ static bool keeps_history(const moving *self, int a, int b)
 /** Whether two grains that did touch still do: another domain may have other images. */
 static bool still_touch(const clod_state *state, const clod_contact *contact)
 {
-    const double *a = state->grains.place[contact->i];
-    const double *b = state->grains.place[contact->j];
+    const double *a = state->grains.position[contact->i];
+    const double *b = state->grains.position[contact->j];
     double square = 0.0;
     for (int axis = 0; axis < 3; axis++) {
         const double s = clod_domain_separation(&state->domain, axis, a[axis], b[axis]);
@@ -278,7 +278,7 @@ static bool check_domain(const moving *self, clod_status *status)
     const clod_state *state = self->state;
     for (size_t g = 0; g < state->grains.count; g++) {
         for (int a = 0; a < 3; a++) {
-            const double x = state->grains.place[g][a];
+            const double x = state->grains.position[g][a];
             if (!(x >= state->domain.min[a] && x <= state->domain.max[a])) {
                 return clod_status_fail(status, CLOD_USAGE,
                                         "--from %s: its grain %llu at %c = %.6g m is outside "
@@ -330,20 +330,21 @@ static bool set_build(moving *self, clod_status *status)
     clod_state *other = &self->other;
     const size_t walls = (size_t)state->walls.count;
     if (self->same_walls && self->origin->same_domain && other->build_motion >= 0.0) {
-        state->build_place = other->build_place;
+        state->build_position = other->build_position;
         state->build_walls = other->build_walls;
         state->build_motion = other->build_motion;
-        other->build_place = NULL;
+        other->build_position = NULL;
         other->build_walls = NULL;
         return true;
     }
-    state->build_place = clod_memory_alloc(state->grains.capacity, sizeof *state->build_place);
+    state->build_position =
+        clod_memory_alloc(state->grains.capacity, sizeof *state->build_position);
     state->build_walls = clod_memory_alloc(walls + 1, sizeof *state->build_walls);
-    if (state->build_place == NULL || state->build_walls == NULL) {
+    if (state->build_position == NULL || state->build_walls == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the grains");
     }
-    memcpy(state->build_place, state->grains.place,
-           state->grains.count * sizeof *state->build_place);
+    memcpy(state->build_position, state->grains.position,
+           state->grains.count * sizeof *state->build_position);
     for (size_t w = 0; w < walls; w++) {
         clod_wall_pose_get(&state->walls.wall[w], state->build_walls[w]);
     }

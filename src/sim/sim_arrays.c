@@ -22,12 +22,12 @@ typedef struct field {
 static const field FIELDS[] = {
     // clang-format off
     // name,              unit,         type,         numbers, rows,         offset,    writable
-    {"position",          "m",          CLOD_SIM_F64, 3, GRAINS(place),    NUMBER(0), true},
-    {"radius",            "m",          CLOD_SIM_F64, 1, GRAINS(place),    NUMBER(3), false},
-    {"velocity",          "m/s",        CLOD_SIM_F64, 3, GRAINS(motion),   NUMBER(0), true},
-    {"mass",              "kg",         CLOD_SIM_F64, 1, GRAINS(motion),   NUMBER(3), false},
-    {"angular_velocity",  "rad/s",      CLOD_SIM_F64, 3, GRAINS(turning),  NUMBER(0), true},
-    {"inverse_inertia",   "1/(kg m2)",  CLOD_SIM_F64, 1, GRAINS(turning),  NUMBER(3), false},
+    {"position",          "m",          CLOD_SIM_F64, 3, GRAINS(position),    NUMBER(0), true},
+    {"radius",            "m",          CLOD_SIM_F64, 1, GRAINS(position),    NUMBER(3), false},
+    {"velocity",          "m/s",        CLOD_SIM_F64, 3, GRAINS(velocity),   NUMBER(0), true},
+    {"mass",              "kg",         CLOD_SIM_F64, 1, GRAINS(velocity),   NUMBER(3), false},
+    {"angular_velocity",  "rad/s",      CLOD_SIM_F64, 3, GRAINS(angular_velocity),  NUMBER(0), true},
+    {"inverse_inertia",   "1/(kg m2)",  CLOD_SIM_F64, 1, GRAINS(angular_velocity),  NUMBER(3), false},
     {"force",             "N",          CLOD_SIM_F64, 3, GRAINS(load),     NUMBER(0), true},
     {"torque",            "N m",        CLOD_SIM_F64, 3, GRAINS(load),     NUMBER(4), true},
     {"id",                "1",          CLOD_SIM_U64, 1, GRAINS(id),       0,         false},
@@ -111,7 +111,7 @@ bool clod_sim_positions_changed(clod_sim *self, clod_status *status)
         char name[64];
         snprintf(name, sizeof name, "position of grain %llu",
                  (unsigned long long)self->state.grains.id[g]);
-        if (!clod_sim_finite(self->state.grains.place[g], __func__, name, status)) {
+        if (!clod_sim_finite(self->state.grains.position[g], __func__, name, status)) {
             return false;
         }
     }

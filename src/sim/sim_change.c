@@ -23,8 +23,8 @@ bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status
     clod_new_grain fresh = {.id = grain->id,
                             .density = self->from->materials[grain->material].density,
                             .material = (uint16_t)grain->material};
-    memcpy(fresh.place, grain->position, sizeof grain->position);
-    fresh.place[3] = grain->radius;
+    memcpy(fresh.position, grain->position, sizeof grain->position);
+    fresh.position[3] = grain->radius;
     memcpy(fresh.velocity, grain->velocity, sizeof fresh.velocity);
     memcpy(fresh.angular, grain->angular_velocity, sizeof fresh.angular);
     clod_changes_add_grain(&self->state.changes, &fresh);

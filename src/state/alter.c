@@ -39,9 +39,9 @@ void clod_state_drop_grains(clod_state *self, const int32_t *rank)
     clod_grains *grains = &self->grains;
     const size_t n = grains->count;
     drop_contacts(self, rank);
-    drop_rows(grains->place, n, sizeof *grains->place, rank);
-    drop_rows(grains->motion, n, sizeof *grains->motion, rank);
-    drop_rows(grains->turning, n, sizeof *grains->turning, rank);
+    drop_rows(grains->position, n, sizeof *grains->position, rank);
+    drop_rows(grains->velocity, n, sizeof *grains->velocity, rank);
+    drop_rows(grains->angular_velocity, n, sizeof *grains->angular_velocity, rank);
     drop_rows(grains->load, n, sizeof *grains->load, rank);
     drop_rows(grains->before, n, sizeof *grains->before, rank);
     drop_rows(grains->id, n, sizeof *grains->id, rank);

@@ -30,15 +30,16 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
     const size_t old = self->capacity;
     // a file, a checkpoint or a copy asks for all of its grains at first
     const size_t rows = old == 0 ? capacity : capacity + capacity / 4;
-    void *place = clod_memory_grow(self->place, old, rows, sizeof *self->place);
-    void *motion = clod_memory_grow(self->motion, old, rows, sizeof *self->motion);
-    void *turning = clod_memory_grow(self->turning, old, rows, sizeof *self->turning);
+    void *place = clod_memory_grow(self->position, old, rows, sizeof *self->position);
+    void *motion = clod_memory_grow(self->velocity, old, rows, sizeof *self->velocity);
+    void *turning =
+        clod_memory_grow(self->angular_velocity, old, rows, sizeof *self->angular_velocity);
     void *load = clod_memory_grow(self->load, old, rows, sizeof *self->load);
     void *id = clod_memory_grow(self->id, old, rows, sizeof *self->id);
     void *material = clod_memory_grow(self->material, old, rows, sizeof *self->material);
-    self->place = place != NULL ? place : self->place;
-    self->motion = motion != NULL ? motion : self->motion;
-    self->turning = turning != NULL ? turning : self->turning;
+    self->position = place != NULL ? place : self->position;
+    self->velocity = motion != NULL ? motion : self->velocity;
+    self->angular_velocity = turning != NULL ? turning : self->angular_velocity;
     self->load = load != NULL ? load : self->load;
     self->id = id != NULL ? id : self->id;
     self->material = material != NULL ? material : self->material;
@@ -68,12 +69,12 @@ bool clod_grains_add(clod_grains *self, const double place[4], const double spee
     const size_t g = self->count++;
     const double radius = place[3];
     const double mass = density * (4.0 / 3.0) * M_PI * radius * radius * radius;
-    memcpy(self->place[g], place, sizeof self->place[g]);
-    memcpy(self->motion[g], speed, 3 * sizeof(double));
-    memcpy(self->turning[g], spin, 3 * sizeof(double));
+    memcpy(self->position[g], place, sizeof self->position[g]);
+    memcpy(self->velocity[g], speed, 3 * sizeof(double));
+    memcpy(self->angular_velocity[g], spin, 3 * sizeof(double));
     memset(self->load[g], 0, sizeof self->load[g]);
-    self->motion[g][3] = mass;
-    self->turning[g][3] = 1.0 / (0.4 * mass * radius * radius);
+    self->velocity[g][3] = mass;
+    self->angular_velocity[g][3] = 1.0 / (0.4 * mass * radius * radius);
     self->id[g] = id;
     self->material[g] = material;
     clod_grains_pad(self);
@@ -84,9 +85,10 @@ void clod_grains_pad(clod_grains *self)
 {
     for (size_t g = self->count; g < self->count + PADDING; g++) {
         const double x = (double)(g - self->count);
-        memcpy(self->place[g], (double[4]){x, 0.0, 0.0, -1.0}, sizeof self->place[g]);
-        memcpy(self->motion[g], (double[4]){0.0, 0.0, 0.0, 1.0}, sizeof self->motion[g]);
-        memcpy(self->turning[g], (double[4]){0.0, 0.0, 0.0, 1.0}, sizeof self->turning[g]);
+        memcpy(self->position[g], (double[4]){x, 0.0, 0.0, -1.0}, sizeof self->position[g]);
+        memcpy(self->velocity[g], (double[4]){0.0, 0.0, 0.0, 1.0}, sizeof self->velocity[g]);
+        memcpy(self->angular_velocity[g], (double[4]){0.0, 0.0, 0.0, 1.0},
+               sizeof self->angular_velocity[g]);
         memset(self->load[g], 0, sizeof self->load[g]);
         self->material[g] = 0;
     }
@@ -102,9 +104,9 @@ bool clod_grains_copy(clod_grains *self, const clod_grains *from, clod_status *s
         return true;
     }
     self->count = n;
-    memcpy(self->place, from->place, n * sizeof *self->place);
-    memcpy(self->motion, from->motion, n * sizeof *self->motion);
-    memcpy(self->turning, from->turning, n * sizeof *self->turning);
+    memcpy(self->position, from->position, n * sizeof *self->position);
+    memcpy(self->velocity, from->velocity, n * sizeof *self->velocity);
+    memcpy(self->angular_velocity, from->angular_velocity, n * sizeof *self->angular_velocity);
     memcpy(self->load, from->load, n * sizeof *self->load);
     memcpy(self->id, from->id, n * sizeof *self->id);
     memcpy(self->material, from->material, n * sizeof *self->material);
@@ -114,9 +116,9 @@ bool clod_grains_copy(clod_grains *self, const clod_grains *from, clod_status *s
 
 void clod_grains_fini(clod_grains *self)
 {
-    clod_memory_free(self->place);
-    clod_memory_free(self->motion);
-    clod_memory_free(self->turning);
+    clod_memory_free(self->position);
+    clod_memory_free(self->velocity);
+    clod_memory_free(self->angular_velocity);
     clod_memory_free(self->load);
     clod_memory_free(self->before);
     clod_memory_free(self->id);

@@ -13,14 +13,14 @@
 
 typedef struct clod_grains {
     size_t count;
-    size_t capacity;      ///< rows allocated, at least count + 2
-    double (*place)[4];   ///< x, y, z [m], radius [m]
-    double (*motion)[4];  ///< vx, vy, vz [m/s], mass [kg]
-    double (*turning)[4]; ///< wx, wy, wz [rad/s], 1/moment of inertia [1/(kg m2)]
-    double (*load)[8];    ///< Fx, Fy, Fz [N], 0, Tx, Ty, Tz [N m], 0: sums of the last step
-    double (*before)[8];  ///< while a step adds up loads, those of the step before; NULL unless
-                          ///< somebody asked for it (the energy ledger)
-    uint64_t *id;         ///< global, never changes
+    size_t capacity;               ///< rows allocated, at least count + 2
+    double (*position)[4];         ///< x, y, z [m], radius [m]
+    double (*velocity)[4];         ///< vx, vy, vz [m/s], mass [kg]
+    double (*angular_velocity)[4]; ///< wx, wy, wz [rad/s], 1/moment of inertia [1/(kg m2)]
+    double (*load)[8];   ///< Fx, Fy, Fz [N], 0, Tx, Ty, Tz [N m], 0: sums of the last step
+    double (*before)[8]; ///< while a step adds up loads, those of the step before; NULL unless
+                         ///< somebody asked for it (the energy ledger)
+    uint64_t *id;        ///< global, never changes
     uint16_t *material;
 } clod_grains;
 
@@ -30,11 +30,11 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status);
 /**
  * Append one grain; mass and inertia follow from radius and density.
  *
- * @param place  [4] x, y, z, radius [m]
+ * @param position  [4] x, y, z, radius [m]
  * @param speed  [3] m/s
  * @param spin   [3] rad/s
  */
-bool clod_grains_add(clod_grains *self, const double place[4], const double speed[3],
+bool clod_grains_add(clod_grains *self, const double position[4], const double speed[3],
                      const double spin[3], double density, uint16_t material, uint64_t id,
                      clod_status *status);
 

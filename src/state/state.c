@@ -24,7 +24,7 @@ bool clod_state_copy(clod_state *self, const clod_state *from, clod_status *stat
     *self = *from;
     self->grains = (clod_grains){0};
     self->walls = (clod_walls){0};
-    self->build_place = NULL;
+    self->build_position = NULL;
     self->build_walls = NULL;
     self->contacts = NULL;
     self->changes = (clod_changes){0};
@@ -33,13 +33,14 @@ bool clod_state_copy(clod_state *self, const clod_state *from, clod_status *stat
         !clod_walls_copy(&self->walls, &from->walls, status)) {
         return false;
     }
-    if (from->build_place != NULL) {
-        self->build_place = clod_memory_alloc(self->grains.capacity, sizeof *self->build_place);
-        if (self->build_place == NULL) {
+    if (from->build_position != NULL) {
+        self->build_position =
+            clod_memory_alloc(self->grains.capacity, sizeof *self->build_position);
+        if (self->build_position == NULL) {
             return clod_status_fail(status, CLOD_FAILED, "no memory to copy the state");
         }
-        memcpy(self->build_place, from->build_place,
-               from->grains.count * sizeof *self->build_place);
+        memcpy(self->build_position, from->build_position,
+               from->grains.count * sizeof *self->build_position);
     }
     if (!copy_items(&self->build_walls, from->build_walls, (size_t)from->walls.count,
                     sizeof *self->build_walls) ||
@@ -54,7 +55,7 @@ void clod_state_fini(clod_state *self)
 {
     clod_grains_fini(&self->grains);
     clod_walls_fini(&self->walls);
-    clod_memory_free(self->build_place);
+    clod_memory_free(self->build_position);
     clod_memory_free(self->build_walls);
     clod_memory_free(self->contacts);
     clod_changes_fini(&self->changes);

@@ -20,7 +20,8 @@ bool clod_cells_all_pairs(clod_neighbour *self, const clod_state *state)
     for (size_t i = 0; i < state->grains.count; i++) {
         self->pairs.start[i] = (uint32_t)self->pairs.count;
         for (size_t j = i + 1; j < state->grains.count; j++) {
-            if (within_skin(state, state->build_place[i], state->build_place[j], self->skin) &&
+            if (within_skin(state, state->build_position[i], state->build_position[j],
+                            self->skin) &&
                 !clod_neighbour_add(&self->pairs, j)) {
                 return false;
             }
@@ -41,8 +42,8 @@ static void extent(const clod_state *state, int axis, double *min, double *max)
     *min = INFINITY;
     *max = -INFINITY;
     for (size_t g = 0; g < state->grains.count; g++) {
-        *min = fmin(*min, state->build_place[g][axis]);
-        *max = fmax(*max, state->build_place[g][axis]);
+        *min = fmin(*min, state->build_position[g][axis]);
+        *max = fmax(*max, state->build_position[g][axis]);
     }
 }
 
@@ -91,7 +92,7 @@ bool clod_cells_fill(clod_neighbour *self, const clod_state *state)
     }
     memset(self->cell_start, 0, (cells + 1) * sizeof *self->cell_start);
     for (size_t g = 0; g < grains; g++) {
-        const double *p = state->build_place[g];
+        const double *p = state->build_position[g];
         const int32_t x = clod_cells_along(grid, 0, p[0]);
         const int32_t y = clod_cells_along(grid, 1, p[1]);
         const int32_t z = clod_cells_along(grid, 2, p[2]);
@@ -141,7 +142,8 @@ static bool search_cell(const clod_neighbour *self, const clod_state *state, siz
     for (int32_t k = begin; k < end; k++) {
         const size_t j = (size_t)self->cell_item[k];
         if (j > i &&
-            within_skin(state, state->build_place[i], state->build_place[j], self->skin) &&
+            within_skin(state, state->build_position[i], state->build_position[j],
+                        self->skin) &&
             !clod_neighbour_add(to, j)) {
             return false;
         }
@@ -172,7 +174,7 @@ bool clod_cells_find_pairs(const clod_neighbour *self, const clod_state *state, 
         const size_t first = to->count;
         to->start[i] = (uint32_t)first;
         int32_t x[3], y[3], z[3];
-        const double *p = state->build_place[i];
+        const double *p = state->build_position[i];
         const int nx = around(grid, 0, clod_cells_along(grid, 0, p[0]), x);
         const int ny = around(grid, 1, clod_cells_along(grid, 1, p[1]), y);
         const int nz = around(grid, 2, clod_cells_along(grid, 2, p[2]), z);

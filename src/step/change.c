@@ -23,26 +23,27 @@ double clod_change_balance(clod_step *self)
 // ---- grains that cross an open side
 
 /** The open side that a position is beyond, or -1. */
-static int face_beyond(const clod_domain *domain, const double *place)
+static int face_beyond(const clod_domain *domain, const double *position)
 {
     for (int a = 0; a < 3; a++) {
-        if (!domain->periodic[a] && place[a] < domain->min[a]) {
+        if (!domain->periodic[a] && position[a] < domain->min[a]) {
             return 2 * a;
         }
-        if (!domain->periodic[a] && place[a] > domain->max[a]) {
+        if (!domain->periodic[a] && position[a] > domain->max[a]) {
             return 2 * a + 1;
         }
     }
     return -1;
 }
 
-static double kinetic(const double *velocity, double mass, const double *turning)
+static double kinetic(const double *velocity, double mass, const double *angular_velocity)
 {
     const double v2 =
         velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2];
-    const double w2 =
-        turning[0] * turning[0] + turning[1] * turning[1] + turning[2] * turning[2];
-    return 0.5 * mass * v2 + 0.5 / turning[3] * w2;
+    const double w2 = angular_velocity[0] * angular_velocity[0] +
+                      angular_velocity[1] * angular_velocity[1] +
+                      angular_velocity[2] * angular_velocity[2];
+    return 0.5 * mass * v2 + 0.5 / angular_velocity[3] * w2;
 }
 
 /**
@@ -51,8 +52,8 @@ static double kinetic(const double *velocity, double mass, const double *turning
  */
 static void count_leaver(clod_state *state, size_t row, int face)
 {
-    const double *v = state->grains.motion[row];
-    const double *w = state->grains.turning[row];
+    const double *v = state->grains.velocity[row];
+    const double *w = state->grains.angular_velocity[row];
     double whole[3];
     for (int a = 0; a < 3; a++) {
         whole[a] = v[a] + 0.5 * state->dt * state->gravity[a];
@@ -73,7 +74,7 @@ size_t clod_change_find_leavers(clod_step *self)
     size_t leavers = 0;
     int32_t next = 0;
     for (size_t g = 0; state->domain.removes && g < state->grains.count; g++) {
-        const int face = face_beyond(&state->domain, state->grains.place[g]);
+        const int face = face_beyond(&state->domain, state->grains.position[g]);
         rank[g] = face < 0 ? next++ : GOES;
         if (face >= 0) {
             count_leaver(state, g, face);
@@ -120,16 +121,16 @@ static bool mark_lost(clod_step *self, const clod_ids *index, clod_status *statu
 
 static bool number_is_good(const clod_new_grain *g)
 {
-    bool good =
-        g->place[3] > 0.0 && isfinite(g->place[3]) && g->density > 0.0 && isfinite(g->density);
+    bool good = g->position[3] > 0.0 && isfinite(g->position[3]) && g->density > 0.0 &&
+                isfinite(g->density);
     for (int a = 0; a < 3; a++) {
-        good = good && isfinite(g->place[a]) && isfinite(g->velocity[a]) &&
+        good = good && isfinite(g->position[a]) && isfinite(g->velocity[a]) &&
                isfinite(g->angular[a]);
     }
     return good;
 }
 
-/** One grain that is to come: its numbers, its material, its place and its id. */
+/** One grain that is to come: its numbers, its material, its position and its id. */
 static bool check_new(const clod_step *self, const clod_ids *index, size_t k,
                       clod_status *status)
 {
@@ -140,7 +141,7 @@ static bool check_new(const clod_step *self, const clod_ids *index, size_t k,
         return clod_status_fail(status, CLOD_USAGE,
                                 "grain %llu cannot be added: position and velocities must be "
                                 "finite, radius (%g m) and density (%g kg/m3) positive",
-                                id, grain->place[3], grain->density);
+                                id, grain->position[3], grain->density);
     }
     if (grain->material >= self->laws->materials) {
         return clod_status_fail(status, CLOD_USAGE,
@@ -148,11 +149,11 @@ static bool check_new(const clod_step *self, const clod_ids *index, size_t k,
                                 "%d",
                                 id, grain->material, self->laws->materials);
     }
-    if (face_beyond(&state->domain, grain->place) >= 0) {
+    if (face_beyond(&state->domain, grain->position) >= 0) {
         return clod_status_fail(status, CLOD_USAGE,
                                 "grain %llu cannot be added: (%g, %g, %g) m is outside of the "
                                 "domain",
-                                id, grain->place[0], grain->place[1], grain->place[2]);
+                                id, grain->position[0], grain->position[1], grain->position[2]);
     }
     bool known = clod_ids_row(index, grain->id) >= 0;
     for (size_t before = 0; before < k && !known; before++) {
@@ -223,11 +224,11 @@ static bool check(clod_step *self, clod_status *status)
 static bool touches(const clod_step *self, const clod_contact *contact)
 {
     const clod_state *state = self->state;
-    const double *a = state->grains.place[contact->i];
+    const double *a = state->grains.position[contact->i];
     if (contact->shape >= 0) {
         return clod_wall_rows_gap(&self->walls, contact->j, contact->shape, a).distance < a[3];
     }
-    const double *b = state->grains.place[contact->j];
+    const double *b = state->grains.position[contact->j];
     double square = 0.0;
     for (int c = 0; c < 3; c++) {
         const double s = clod_domain_separation(&state->domain, c, a[c], b[c]);
@@ -262,7 +263,7 @@ static void drop(clod_step *self)
     for (size_t g = 0; g < state->grains.count; g++) {
         if (self->neighbour.rank[g] == GOES) {
             state->exchange.removed++;
-            state->exchange.removed_mass += state->grains.motion[g][3];
+            state->exchange.removed_mass += state->grains.velocity[g][3];
         }
     }
     if (changes->lost_grains > 0) {
@@ -284,12 +285,12 @@ static bool add(clod_step *self, clod_status *status)
     clod_changes *changes = &state->changes;
     for (size_t k = 0; k < changes->new_grains; k++) {
         const clod_new_grain *grain = &changes->new_grain[k];
-        if (!clod_grains_add(&state->grains, grain->place, grain->velocity, grain->angular,
+        if (!clod_grains_add(&state->grains, grain->position, grain->velocity, grain->angular,
                              grain->density, grain->material, grain->id, status)) {
             return false;
         }
         const size_t row = state->grains.count - 1;
-        const double mass = state->grains.motion[row][3];
+        const double mass = state->grains.velocity[row][3];
         for (int a = 0; a < 3; a++) {
             state->grains.load[row][a] = mass * state->gravity[a];
         }
@@ -304,9 +305,9 @@ static bool add(clod_step *self, clod_status *status)
 static bool rebuild(clod_step *self, clod_status *status)
 {
     clod_state *state = self->state;
-    clod_memory_free(state->build_place); // for other numbers of grains and walls
+    clod_memory_free(state->build_position); // for other numbers of grains and walls
     clod_memory_free(state->build_walls);
-    state->build_place = NULL;
+    state->build_position = NULL;
     state->build_walls = NULL;
     self->rebuilds++;
     self->thread[0].near_motion = 0.0;

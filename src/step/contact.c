@@ -13,8 +13,8 @@ static size_t prefetch_until(const clod_step *self, int part, size_t blocks)
 {
     const clod_grains *grains = &self->state->grains;
     const size_t end = self->near.part_start[part + 1];
-    const size_t row = sizeof *grains->place + sizeof *grains->motion +
-                       sizeof *grains->turning + sizeof *grains->load;
+    const size_t row = sizeof *grains->position + sizeof *grains->velocity +
+                       sizeof *grains->angular_velocity + sizeof *grains->load;
     const size_t memory =
         (end - self->near.part_start[part]) * row + blocks * sizeof(clod_contact_block);
     return memory < LARGE_GROUP ? 0 : end;
@@ -52,8 +52,8 @@ static bool run_within(clod_step *self, int part, int32_t law)
 {
     const size_t *start = self->near.pairs.group_start;
     const size_t group = clod_near_group(&self->near, part, law);
-    return run_group(self, group, law, prefetch_until(self, part, start[group + 1] - start[group]),
-                     NULL);
+    return run_group(self, group, law,
+                     prefetch_until(self, part, start[group + 1] - start[group]), NULL);
 }
 
 /** What the grains of a part get from contacts of one law that later parts have computed. */

@@ -9,7 +9,7 @@ static double fastest(const clod_state *state)
 {
     double speed2 = 0.0, walls = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double *v = state->grains.motion[g];
+        const double *v = state->grains.velocity[g];
         speed2 = fmax(speed2, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }
     for (int32_t w = 0; w < state->walls.count; w++) {
@@ -39,16 +39,17 @@ static bool periods_are_long_enough(const clod_step *self, clod_status *status)
 static void look(clod_step *self)
 {
     const clod_grains *grains = &self->state->grains;
-    self->view = (clod_kernel_view){.place = (const double(*)[4])grains->place,
-                                    .motion = (const double(*)[4])grains->motion,
-                                    .turning = (const double(*)[4])grains->turning,
-                                    .before = (const double(*)[8])grains->before,
-                                    .load = grains->load,
-                                    .wall_sum = self->near.wall_sum,
-                                    .shape = (const double(*)[4])self->walls.shape,
-                                    .lead = self->neighbour.lead,
-                                    .dt = self->view.dt,
-                                    .overlap_limit = self->view.overlap_limit};
+    self->view =
+        (clod_kernel_view){.position = (const double(*)[4])grains->position,
+                           .velocity = (const double(*)[4])grains->velocity,
+                           .angular_velocity = (const double(*)[4])grains->angular_velocity,
+                           .before = (const double(*)[8])grains->before,
+                           .load = grains->load,
+                           .wall_sum = self->near.wall_sum,
+                           .shape = (const double(*)[4])self->walls.shape,
+                           .lead = self->neighbour.lead,
+                           .dt = self->view.dt,
+                           .overlap_limit = self->view.overlap_limit};
     for (int a = 0; a < 3; a++) {
         const clod_domain *domain = &self->state->domain;
         if (domain->periodic[a]) {

@@ -15,9 +15,9 @@
 
 /** Arrays and numbers the contact loops read; rows as in state/grains.h. */
 typedef struct clod_kernel_view {
-    const double (*place)[4];
-    const double (*motion)[4];
-    const double (*turning)[4];
+    const double (*position)[4];
+    const double (*velocity)[4];
+    const double (*angular_velocity)[4];
     const double (*before)[8]; ///< loads of the last step, with the ledger
     double (*load)[8];         ///< where contacts add their force and torque on each grain
     clod_fixed *wall_sum;      ///< of what walls feel: columns below
@@ -93,11 +93,11 @@ typedef struct clod_kernel {
      * @param gravity  NULL, or [3] m/s2: before that the weight and the half kick that the step
      *                 before has left to this one
      */
-    clod_kernel_speed (*drift)(double (*place)[4], double (*motion)[4], double (*turning)[4],
-                               double (*load)[8], const double gravity[3], double dt,
-                               size_t begin, size_t end);
+    clod_kernel_speed (*drift)(double (*position)[4], double (*velocity)[4],
+                               double (*angular_velocity)[4], double (*load)[8],
+                               const double gravity[3], double dt, size_t begin, size_t end);
     /** Weight onto the loads of grains [begin, end), and their second half kick. */
-    void (*kick)(double (*motion)[4], double (*turning)[4], double (*load)[8],
+    void (*kick)(double (*velocity)[4], double (*angular_velocity)[4], double (*load)[8],
                  const double gravity[3], double dt, size_t begin, size_t end);
 } clod_kernel;
 

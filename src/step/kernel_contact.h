@@ -5,7 +5,7 @@
  *
  * A contact's way, 8 (or CLOD_WIDTH) contacts a vector, 4 blocks a batch:
  *
- *   view->place, motion, turning          block: i, j         block->history
+ *   view->position, velocity, ...      block: i, j         block->history
  *   (rows of grains i and j)                  |              P  tangent  spring  roll
  *          |                                  |              |     |       |      |
  *   move   +--> kernel_contact_motion <-------+              |     |       |      |
@@ -53,7 +53,7 @@ static inline vreal3 kernel_separation(const clod_kernel_view *view, const vreal
     return s;
 }
 
-/** Moment of inertia about the contact point: I + m R^2, I = 1/turning[3]. */
+/** Moment of inertia about the contact point: I + m R^2, I = 1/angular_velocity[3]. */
 static inline vreal kernel_contact_inertia(vreal mass, vreal radius, vreal inverse_inertia)
 {
     return 1.0 / inverse_inertia + mass * radius * radius;
@@ -65,21 +65,21 @@ CLOD_LAW_PASS clod_law_motion kernel_contact_motion(const clod_kernel_view *view
                                                     const int32_t *j)
 {
     vreal pi[4], pj[4], vi[4], vj[4], wi[4], wj[4];
-    vreal_load_rows(pi, view->place, i);
-    vreal_load_rows(pj, view->place, j);
+    vreal_load_rows(pi, view->position, i);
+    vreal_load_rows(pj, view->position, j);
     const vreal3 apart = kernel_separation(view, pi, pj);
     const vreal square = vreal3_dot(apart, apart);
     const vreal distance = vreal_sqrt(square);
     const vreal radii = pi[3] + pj[3];
     const vreal overlap = radii - distance;
-    vreal_load_rows(vi, view->motion, i); // only now: more rows than registers
-    vreal_load_rows(vj, view->motion, j);
+    vreal_load_rows(vi, view->velocity, i); // only now: more rows than registers
+    vreal_load_rows(vj, view->velocity, j);
     const vreal masses = vi[3] + vj[3];
     vreal per_square = vreal_max(square, vreal_set(CLOD_LAW_NOTHING)); // one place for both
     vreal per_radii = radii, per_masses = masses;
     vreal_invert3(&per_square, &per_radii, &per_masses); // grains: far from over- or underflow
-    vreal_load_rows(wi, view->turning, i);
-    vreal_load_rows(wj, view->turning, j);
+    vreal_load_rows(wi, view->angular_velocity, i);
+    vreal_load_rows(wj, view->angular_velocity, j);
     clod_law_motion motion = {
         .overlap = overlap,
         .normal = vreal3_scale(apart, distance * per_square),
@@ -174,9 +174,9 @@ static inline size_t kernel_prefetch_rows(const clod_kernel_view *view, size_t f
     const size_t wanted = (size_t)grain + view->lead;
     const size_t to = wanted < end ? wanted : end;
     for (; from < to; from += 2) { // two rows of four in a line
-        __builtin_prefetch(view->place[from], 0, 2);
-        __builtin_prefetch(view->motion[from], 0, 2);
-        __builtin_prefetch(view->turning[from], 0, 2);
+        __builtin_prefetch(view->position[from], 0, 2);
+        __builtin_prefetch(view->velocity[from], 0, 2);
+        __builtin_prefetch(view->angular_velocity[from], 0, 2);
         __builtin_prefetch(view->load[from], 1, 2);
         __builtin_prefetch(view->load[from + 1], 1, 2); // at the end of a part one row too far
     }

@@ -21,8 +21,8 @@ static inline kernel_earlier kernel_earlier_of(const clod_kernel_view *view, con
         force[l] = 2 * i[l];
         torque[l] = 2 * i[l] + 1;
     }
-    vreal_load_rows(v, view->motion, i);
-    vreal_load_rows(w, view->turning, i);
+    vreal_load_rows(v, view->velocity, i);
+    vreal_load_rows(w, view->angular_velocity, i);
     vreal_load_rows(f, (const double(*)[4])view->before, force);
     vreal_load_rows(t, (const double(*)[4])view->before, torque);
     const vreal push = view->dt / v[3];

@@ -19,9 +19,9 @@ typedef int64_t kernel_pair_mask __attribute__((vector_size(16)));
 
 /** v2 and w2 of a grain. */
 __attribute__((always_inline)) static inline kernel_pair
-kernel_squares(const kernel_row *motion, const kernel_row *turning)
+kernel_squares(const kernel_row *velocity, const kernel_row *angular_velocity)
 {
-    const kernel_row v2 = *motion * *motion, w2 = *turning * *turning;
+    const kernel_row v2 = *velocity * *velocity, w2 = *angular_velocity * *angular_velocity;
     const kernel_row xz = __builtin_shufflevector(v2, w2, 0, 4, 2, 6);
     const kernel_row y = __builtin_shufflevector(v2, w2, 1, 5, 3, 7);
     return __builtin_shufflevector(xz, xz, 0, 1) + __builtin_shufflevector(y, y, 0, 1) +
@@ -30,8 +30,8 @@ kernel_squares(const kernel_row *motion, const kernel_row *turning)
 
 /** The loop of kernel_drift; whether `gravity` is NULL is known where it is called. */
 __attribute__((always_inline)) static inline clod_kernel_speed
-kernel_drift_rows(double (*restrict place)[4], double (*restrict motion)[4],
-                  double (*restrict turning)[4], double (*restrict load)[8],
+kernel_drift_rows(double (*restrict position)[4], double (*restrict velocity)[4],
+                  double (*restrict angular_velocity)[4], double (*restrict load)[8],
                   const double *gravity, double dt, size_t begin, size_t end)
 {
     const kernel_row zero = {0.0, 0.0, 0.0, 0.0};
@@ -45,15 +45,15 @@ kernel_drift_rows(double (*restrict place)[4], double (*restrict motion)[4],
     kernel_pair most = {0.0, 0.0};
     kernel_pair_mask finite = {-1, -1};
     for (size_t g = begin; g < end; g++) {
-        kernel_row *const v = (kernel_row *)motion[g];
-        kernel_row *const w = (kernel_row *)turning[g];
-        kernel_row *const p = (kernel_row *)place[g];
+        kernel_row *const v = (kernel_row *)velocity[g];
+        kernel_row *const w = (kernel_row *)angular_velocity[g];
+        kernel_row *const p = (kernel_row *)position[g];
         kernel_row *const f = (kernel_row *)load[g];
         if (gravity != NULL) {
-            f[0] += motion[g][3] * fall;
+            f[0] += velocity[g][3] * fall;
         }
-        const kernel_row push = half / motion[g][3] * f[0];
-        const kernel_row twist = half * turning[g][3] * f[1];
+        const kernel_row push = half / velocity[g][3] * f[0];
+        const kernel_row twist = half * angular_velocity[g][3] * f[1];
         if (gravity != NULL) { // the second half kick of the step before
             *v += push;
             *w += twist;
@@ -71,18 +71,21 @@ kernel_drift_rows(double (*restrict place)[4], double (*restrict motion)[4],
     return (clod_kernel_speed){most[0], (finite[0] & finite[1]) != 0};
 }
 
-static clod_kernel_speed kernel_drift(double (*restrict place)[4], double (*restrict motion)[4],
-                                      double (*restrict turning)[4], double (*restrict load)[8],
-                                      const double gravity[3], double dt, size_t begin,
-                                      size_t end)
+static clod_kernel_speed kernel_drift(double (*restrict position)[4],
+                                      double (*restrict velocity)[4],
+                                      double (*restrict angular_velocity)[4],
+                                      double (*restrict load)[8], const double gravity[3],
+                                      double dt, size_t begin, size_t end)
 {
     if (gravity == NULL) {
-        return kernel_drift_rows(place, motion, turning, load, NULL, dt, begin, end);
+        return kernel_drift_rows(position, velocity, angular_velocity, load, NULL, dt, begin,
+                                 end);
     }
-    return kernel_drift_rows(place, motion, turning, load, gravity, dt, begin, end);
+    return kernel_drift_rows(position, velocity, angular_velocity, load, gravity, dt, begin,
+                             end);
 }
 
-static void kernel_kick(double (*restrict motion)[4], double (*restrict turning)[4],
+static void kernel_kick(double (*restrict velocity)[4], double (*restrict angular_velocity)[4],
                         double (*restrict load)[8], const double gravity[3], double dt,
                         size_t begin, size_t end)
 {
@@ -90,8 +93,8 @@ static void kernel_kick(double (*restrict motion)[4], double (*restrict turning)
     const double half = 0.5 * dt;
     for (size_t g = begin; g < end; g++) {
         kernel_row *const f = (kernel_row *)load[g];
-        f[0] += motion[g][3] * fall;
-        *(kernel_row *)motion[g] += half / motion[g][3] * f[0];
-        *(kernel_row *)turning[g] += half * turning[g][3] * f[1];
+        f[0] += velocity[g][3] * fall;
+        *(kernel_row *)velocity[g] += half / velocity[g][3] * f[0];
+        *(kernel_row *)angular_velocity[g] += half * angular_velocity[g][3] * f[1];
     }
 }

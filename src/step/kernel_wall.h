@@ -57,9 +57,9 @@ static inline kernel_wall_meeting kernel_wall_meet(const clod_kernel_view *view,
                                                    const clod_wall_block *block, int lane)
 {
     vreal p[4], v[4], w[4], s[4][4], moves[4], turns[4], origin[4];
-    vreal_load_rows(p, view->place, &block->i[lane]);
-    vreal_load_rows(v, view->motion, &block->i[lane]);
-    vreal_load_rows(w, view->turning, &block->i[lane]);
+    vreal_load_rows(p, view->position, &block->i[lane]);
+    vreal_load_rows(v, view->velocity, &block->i[lane]);
+    vreal_load_rows(w, view->angular_velocity, &block->i[lane]);
     for (int k = 0; k < 4; k++) {
         vreal_load_rows(s[k], view->shape + k, &block->shape[lane]);
     }

@@ -2,10 +2,10 @@
 
 #include <math.h>
 
-// Bits of the key for layer or line, and for the place in a line; the strip has the 7 that are
-// left.
+// Bits of the key for layer or line, and for the position in a line; the strip has the 7 that
+// are left.
 #define BITS 18
-#define PLACE_BITS 21
+#define POSITION_BITS 21
 #define STEPS(bits) ((double)((1 << (bits)) - 1))
 #define MOST_STRIPS 127.0
 #define FULL_LAYER 5000.0 ///< grains: their rows take 0.8 MB (docs/adr/0017)
@@ -22,18 +22,18 @@ static void order_axes(clod_layers *self, const double extent[3])
     }
 }
 
-clod_layers clod_layers_of(const double (*place)[4], size_t count)
+clod_layers clod_layers_of(const double (*position)[4], size_t count)
 {
     clod_layers self = {.axis = {0, 1, 2}, .strips = 1.0};
     double min[3] = {INFINITY, INFINITY, INFINITY}, max[3] = {-INFINITY, -INFINITY, -INFINITY};
     double least = INFINITY, largest = 0.0; // radii: not their sum, which has an order
     for (size_t g = 0; g < count; g++) {
         for (int a = 0; a < 3; a++) {
-            min[a] = fmin(min[a], place[g][a]);
-            max[a] = fmax(max[a], place[g][a]);
+            min[a] = fmin(min[a], position[g][a]);
+            max[a] = fmax(max[a], position[g][a]);
         }
-        least = fmin(least, place[g][3]);
-        largest = fmax(largest, place[g][3]);
+        least = fmin(least, position[g][3]);
+        largest = fmax(largest, position[g][3]);
     }
     if (count == 0) {
         return self;
@@ -42,7 +42,7 @@ clod_layers clod_layers_of(const double (*place)[4], size_t count)
     order_axes(&self, extent);
     for (int k = 0; k < 3; k++) {
         const double length = extent[self.axis[k]];
-        const double finest = length > 0.0 ? STEPS(k < 2 ? BITS : PLACE_BITS) / length : 0.0;
+        const double finest = length > 0.0 ? STEPS(k < 2 ? BITS : POSITION_BITS) / length : 0.0;
         self.min[k] = min[self.axis[k]];
         self.scale[k] = k < 2 ? fmin(1.0 / (least + largest), finest) : finest;
     }
@@ -55,29 +55,30 @@ clod_layers clod_layers_of(const double (*place)[4], size_t count)
     return self;
 }
 
-static uint64_t part_of_key(const clod_layers *self, const double place[4], int k)
+static uint64_t part_of_key(const clod_layers *self, const double position[4], int k)
 {
-    return (uint64_t)((place[self->axis[k]] - self->min[k]) * self->scale[k]);
+    return (uint64_t)((position[self->axis[k]] - self->min[k]) * self->scale[k]);
 }
 
 /** Strip and layer. */
-static uint64_t layer_of(const clod_layers *self, const double place[4])
+static uint64_t layer_of(const clod_layers *self, const double position[4])
 {
-    const double strip = (place[self->axis[1]] - self->min[1]) * self->strip_scale;
-    return (uint64_t)fmin(strip, self->strips - 1.0) << BITS | part_of_key(self, place, 0);
+    const double strip = (position[self->axis[1]] - self->min[1]) * self->strip_scale;
+    return (uint64_t)fmin(strip, self->strips - 1.0) << BITS | part_of_key(self, position, 0);
 }
 
-uint64_t clod_layers_key(const clod_layers *self, const double place[4])
+uint64_t clod_layers_key(const clod_layers *self, const double position[4])
 {
-    return (layer_of(self, place) << BITS | part_of_key(self, place, 1)) << PLACE_BITS |
-           part_of_key(self, place, 2);
+    return (layer_of(self, position) << BITS | part_of_key(self, position, 1))
+               << POSITION_BITS |
+           part_of_key(self, position, 2);
 }
 
-size_t clod_layers_fullest(const clod_layers *self, const double (*place)[4], size_t count)
+size_t clod_layers_fullest(const clod_layers *self, const double (*position)[4], size_t count)
 {
     size_t fullest = 0, begin = 0;
     for (size_t g = 0; g < count; g++) {
-        if (layer_of(self, place[g]) != layer_of(self, place[begin])) {
+        if (layer_of(self, position[g]) != layer_of(self, position[begin])) {
             begin = g;
         }
         fullest = g + 1 - begin > fullest ? g + 1 - begin : fullest;

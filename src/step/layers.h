@@ -3,7 +3,7 @@
  * @file layers.h
  * The order in which grains lie in memory: layers across the longest side of the bed, lines
  * across its next one in each layer, each as wide as the smallest and the largest radius
- * together, and along the lines by place. So the partners of a grain are at most about one
+ * together, and along the lines by position. So the partners of a grain are at most about one
  * layer behind it, two for the largest of very different grains, however large the bed is; but
  * for those across a periodic longest side.
  *
@@ -25,13 +25,13 @@ typedef struct clod_layers {
 /**
  * Layers of a bed.
  *
- * @param place  [count] x, y, z, radius [m]
+ * @param position  [count] x, y, z, radius [m]
  * Errors  none.   Threads  pure.   Test  tests/step/test_layers.c
  */
-clod_layers clod_layers_of(const double (*place)[4], size_t count);
+clod_layers clod_layers_of(const double (*position)[4], size_t count);
 
-/** Where a grain of the bed belongs: keys ascend by strip, layer, line and place. */
-uint64_t clod_layers_key(const clod_layers *self, const double place[4]);
+/** Where a grain of the bed belongs: keys ascend by strip, layer, line and position. */
+uint64_t clod_layers_key(const clod_layers *self, const double position[4]);
 
 /** Rows of the fullest layer of a strip of a bed in this order. */
-size_t clod_layers_fullest(const clod_layers *self, const double (*place)[4], size_t count);
+size_t clod_layers_fullest(const clod_layers *self, const double (*position)[4], size_t count);

@@ -63,9 +63,9 @@ static void add_grains(const clod_state *state, clod_energies *e)
     clod_exact rotation = {0};
     clod_exact potential = {0};
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double *p = state->grains.place[g];
-        const double *v = state->grains.motion[g];
-        const double *w = state->grains.turning[g];
+        const double *p = state->grains.position[g];
+        const double *v = state->grains.velocity[g];
+        const double *w = state->grains.angular_velocity[g];
         clod_exact_add(&translation, 0.5 * v[3] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
         clod_exact_add(&rotation, 0.5 / w[3] * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
         clod_exact_add(&potential,

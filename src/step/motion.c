@@ -52,7 +52,7 @@ void clod_step_drift(clod_step *self, int part)
                (c.end - c.begin) * sizeof *grains->load);
     }
     const clod_kernel_speed seen = self->kernel->drift(
-        grains->place, grains->motion, grains->turning, grains->load,
+        grains->position, grains->velocity, grains->angular_velocity, grains->load,
         mine->owed ? self->state->gravity : NULL, self->state->dt, c.begin, c.end);
     mine->owed = true; // this step's second half kick, when its forces are there
     mine->max_speed2 = seen.max_speed2;
@@ -68,8 +68,8 @@ void clod_step_settle(clod_step *self, int part)
     clod_grains *grains = &self->state->grains;
     const clod_chunk c = my_grains(self, part);
     if (self->thread[part].owed) {
-        self->kernel->kick(grains->motion, grains->turning, grains->load, self->state->gravity,
-                           self->state->dt, c.begin, c.end);
+        self->kernel->kick(grains->velocity, grains->angular_velocity, grains->load,
+                           self->state->gravity, self->state->dt, c.begin, c.end);
     }
     self->thread[part].owed = false;
 }

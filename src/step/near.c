@@ -15,8 +15,8 @@
 
 static bool pair_is_near(const clod_state *state, size_t i, size_t j, double skin)
 {
-    const double *a = state->grains.place[i];
-    const double *b = state->grains.place[j];
+    const double *a = state->grains.position[i];
+    const double *b = state->grains.position[j];
     const double x = clod_domain_separation(&state->domain, 0, a[0], b[0]);
     const double y = clod_domain_separation(&state->domain, 1, a[1], b[1]);
     const double z = clod_domain_separation(&state->domain, 2, a[2], b[2]);
@@ -27,7 +27,7 @@ static bool pair_is_near(const clod_state *state, size_t i, size_t j, double ski
 static bool wall_is_near(const clod_state *state, const clod_wall_candidate *c,
                          const clod_wall_rows *walls, double skin)
 {
-    const double *p = state->grains.place[c->i];
+    const double *p = state->grains.position[c->i];
     return clod_wall_rows_gap(walls, c->wall, c->shape, p).distance < p[3] + skin;
 }
 

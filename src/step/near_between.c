@@ -137,9 +137,9 @@ void clod_near_between_bring_back(const clod_near *self, int part, const clod_gr
         const size_t k = (size_t)law * (size_t)self->parts + (size_t)part;
         for (size_t r = self->between.run_start[k]; r < self->between.run_start[k + 1]; r++) {
             const clod_near_run *run = &self->between.run[r];
-            store_same(grains->place, blocks_of(self, run, law), run);
-            store_same(grains->motion, blocks_of(self, run, law), run);
-            store_same(grains->turning, blocks_of(self, run, law), run);
+            store_same(grains->position, blocks_of(self, run, law), run);
+            store_same(grains->velocity, blocks_of(self, run, law), run);
+            store_same(grains->angular_velocity, blocks_of(self, run, law), run);
         }
     }
 }

@@ -27,7 +27,7 @@ void clod_neighbour_size(clod_neighbour *self, const clod_state *state)
     self->radius_min = INFINITY;
     self->radius_max = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double radius = state->grains.place[g][3];
+        const double radius = state->grains.position[g][3];
         self->radius_min = fmin(self->radius_min, radius);
         self->radius_max = fmax(self->radius_max, radius);
     }
@@ -70,9 +70,9 @@ static bool walls_at_rebuild(clod_neighbour *self, const clod_state *state)
 /** A layer of the largest grains, and something for what is uneven. */
 static size_t lead_of(const clod_neighbour *self, const clod_state *state)
 {
-    const double(*place)[4] = (const double(*)[4])state->build_place;
-    const clod_layers layers = clod_layers_of(place, state->grains.count);
-    const size_t fullest = clod_layers_fullest(&layers, place, state->grains.count);
+    const double(*position)[4] = (const double(*)[4])state->build_position;
+    const clod_layers layers = clod_layers_of(position, state->grains.count);
+    const size_t fullest = clod_layers_fullest(&layers, position, state->grains.count);
     const double reach = 2.0 * self->radius_max / (self->radius_min + self->radius_max);
     return (size_t)((reach + 0.0625) * (double)fullest) + 64;
 }

@@ -4,8 +4,8 @@
  * Who may touch whom: all pairs within a wide skin, found with cells and rebuilt rarely. At a
  * rebuild the grains are sorted by layers (layers.h), which fixes the order of sums.
  *
- * The candidates are a function of the positions at the rebuild (state->build_place) alone, so
- * a checkpoint restores exactly the same list and the same moment of the next rebuild.
+ * The candidates are a function of the positions at the rebuild (state->build_position) alone,
+ * so a checkpoint restores exactly the same list and the same moment of the next rebuild.
  */
 
 #include <stdbool.h>
@@ -110,7 +110,7 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
 
 /**
  * Put a state that nobody steps back into the order of its last rebuild, which follows from
- * state->build_place and the ids: whatever the order of its rows and contacts, the order of
+ * state->build_position and the ids: whatever the order of its rows and contacts, the order of
  * forces is the same.
  *
  * @return  false without memory.   Test  tests/step/test_any_order.c
@@ -118,7 +118,7 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
 bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_status *status);
 
 /**
- * Candidates from state->build_place and build_walls; every contact must be among them. In
+ * Candidates from state->build_position and build_walls; every contact must be among them. In
  * steps: the first and the last once, the middle one by each of the parts, at the same time.
  */
 bool clod_neighbour_build_begin(clod_neighbour *self, const clod_state *state,

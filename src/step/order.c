@@ -57,7 +57,7 @@ static bool wrap(clod_state *state, clod_status *status)
     static const char AXIS[] = "xyz";
     for (size_t g = 0; g < state->grains.count; g++) {
         for (int a = 0; a < 3; a++) {
-            double *x = &state->grains.place[g][a];
+            double *x = &state->grains.position[g][a];
             const double min = state->domain.min[a];
             const double max = state->domain.max[a];
             if (state->domain.periodic[a]) {
@@ -79,11 +79,11 @@ static bool wrap(clod_state *state, clod_status *status)
 
 /** The order of grains that are, or were, at these places. */
 static void sort_by_layers(clod_neighbour *self, const clod_grains *grains,
-                           const double (*place)[4])
+                           const double (*position)[4])
 {
-    const clod_layers layers = clod_layers_of(place, grains->count);
+    const clod_layers layers = clod_layers_of(position, grains->count);
     for (size_t g = 0; g < grains->count; g++) {
-        self->sort[g] = (clod_sort_item){clod_layers_key(&layers, place[g]), g};
+        self->sort[g] = (clod_sort_item){clod_layers_key(&layers, position[g]), g};
     }
     clod_sort(self->sort, self->sort_scratch, grains->count);
     for (size_t k = 1; k < grains->count; k++) { // equal keys are rare: by id
@@ -125,9 +125,10 @@ static void permute_loads(const clod_neighbour *self, double (*loads)[8], size_t
 static void permute_grains(const clod_neighbour *self, clod_grains *grains)
 {
     const size_t n = grains->count;
-    permute(self, grains->place, n, sizeof *grains->place, sizeof *grains->place);
-    permute(self, grains->motion, n, sizeof *grains->motion, sizeof *grains->motion);
-    permute(self, grains->turning, n, sizeof *grains->turning, sizeof *grains->turning);
+    permute(self, grains->position, n, sizeof *grains->position, sizeof *grains->position);
+    permute(self, grains->velocity, n, sizeof *grains->velocity, sizeof *grains->velocity);
+    permute(self, grains->angular_velocity, n, sizeof *grains->angular_velocity,
+            sizeof *grains->angular_velocity);
     permute_loads(self, grains->load, n);
     permute_loads(self, grains->before, n);
     permute(self, grains->id, n, sizeof *grains->id, sizeof *grains->id);
@@ -222,14 +223,14 @@ bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_
         return false;
     }
     const size_t count = state->grains.count;
-    sort_by_layers(self, &state->grains, (const double(*)[4])state->build_place);
+    sort_by_layers(self, &state->grains, (const double(*)[4])state->build_position);
     bool sorted = true;
     for (size_t g = 0; g < count; g++) {
         sorted = sorted && self->sort[g].index == g;
     }
     if (!sorted) {
-        const size_t row = sizeof *state->build_place;
-        permute(self, state->build_place, count, row, row);
+        const size_t row = sizeof *state->build_position;
+        permute(self, state->build_position, count, row, row);
         apply_order(self, state);
     }
     return sort_lists(self, state, status);
@@ -239,15 +240,16 @@ bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_
 static bool note_rebuild(clod_state *state)
 {
     clod_grains *grains = &state->grains;
-    if (state->build_place == NULL) {
-        state->build_place = clod_memory_alloc(grains->capacity, sizeof *state->build_place);
+    if (state->build_position == NULL) {
+        state->build_position =
+            clod_memory_alloc(grains->capacity, sizeof *state->build_position);
         state->build_walls =
             clod_memory_alloc((size_t)state->walls.count + 1, sizeof *state->build_walls);
-        if (state->build_place == NULL || state->build_walls == NULL) {
+        if (state->build_position == NULL || state->build_walls == NULL) {
             return false;
         }
     }
-    memcpy(state->build_place, grains->place, grains->count * sizeof *grains->place);
+    memcpy(state->build_position, grains->position, grains->count * sizeof *grains->position);
     for (int32_t w = 0; w < state->walls.count; w++) {
         clod_wall_pose_get(&state->walls.wall[w], state->build_walls[w]);
     }
@@ -260,9 +262,9 @@ static void give_back_old(const clod_neighbour *self, const clod_state *state)
 {
     const size_t pairs = self->pairs.capacity * sizeof *self->pairs.item;
     clod_memory_give_back(self->pairs.item, pairs, pairs);
-    if (state->build_place != NULL) {
-        const size_t places = state->grains.capacity * sizeof *state->build_place;
-        clod_memory_give_back(state->build_place, places, places);
+    if (state->build_position != NULL) {
+        const size_t places = state->grains.capacity * sizeof *state->build_position;
+        clod_memory_give_back(state->build_position, places, places);
     }
 }
 
@@ -276,7 +278,7 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
         return false;
     }
     give_back_old(self, state);
-    sort_by_layers(self, grains, (const double(*)[4])grains->place);
+    sort_by_layers(self, grains, (const double(*)[4])grains->position);
     apply_order(self, state);
     if (!sort_lists(self, state, status)) {
         return false;

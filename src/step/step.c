@@ -143,7 +143,7 @@ static bool first_forces(clod_step *self, clod_status *status)
     }
     for (size_t g = 0; g < grains->count; g++) {
         for (int a = 0; a < 3; a++) {
-            grains->load[g][a] += grains->motion[g][3] * self->state->gravity[a];
+            grains->load[g][a] += grains->velocity[g][3] * self->state->gravity[a];
         }
     }
     clod_step_servo(self, 0);
@@ -174,7 +174,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
     }
     self->view.overlap_limit =
         options->overlap_limit > 0.0 ? options->overlap_limit : CLOD_STEP_OVERLAP;
-    const bool fresh = state->build_motion < 0.0 || state->build_place == NULL;
+    const bool fresh = state->build_motion < 0.0 || state->build_position == NULL;
     if (fresh) { // nobody has touched yet
         state->contact_count = state->wall_contact_count = 0;
     }

@@ -22,9 +22,9 @@ static bool row_is_finite(const double *row, int count)
 static bool report_not_finite(const clod_state *state, clod_status *status)
 {
     for (size_t g = 0; g < state->grains.count; g++) {
-        if (!row_is_finite(state->grains.place[g], 3) ||
-            !row_is_finite(state->grains.motion[g], 3) ||
-            !row_is_finite(state->grains.turning[g], 3)) {
+        if (!row_is_finite(state->grains.position[g], 3) ||
+            !row_is_finite(state->grains.velocity[g], 3) ||
+            !row_is_finite(state->grains.angular_velocity[g], 3)) {
             return clod_status_fail(
                 status, CLOD_FAILED,
                 "step %lld: position, velocity or spin of grain %llu is not a finite number; "
@@ -51,8 +51,8 @@ static bool report_not_finite(const clod_state *state, clod_status *status)
 /** Overlap of two grains as a fraction of the smaller radius. */
 static double overlap_fraction(const clod_step *self, int32_t i, int32_t j)
 {
-    const double *a = self->state->grains.place[i];
-    const double *b = self->state->grains.place[j];
+    const double *a = self->state->grains.position[i];
+    const double *b = self->state->grains.position[j];
     double s2 = 0.0;
     for (int c = 0; c < 3; c++) {
         const double s = clod_domain_separation(&self->state->domain, c, a[c], b[c]);
@@ -63,7 +63,7 @@ static double overlap_fraction(const clod_step *self, int32_t i, int32_t j)
 
 static double wall_overlap_fraction(const clod_step *self, const clod_wall_candidate *c)
 {
-    const double *p = self->state->grains.place[c->i];
+    const double *p = self->state->grains.position[c->i];
     return (p[3] - clod_wall_rows_gap(&self->walls, c->wall, c->shape, p).distance) / p[3];
 }
 
@@ -107,8 +107,8 @@ typedef struct deep_contact {
 static deep_contact describe(const clod_step *self, const worst_overlap *worst)
 {
     const clod_grains *grains = &self->state->grains;
-    const double a = grains->place[worst->i][3];
-    const double mass = grains->motion[worst->i][3];
+    const double a = grains->position[worst->i][3];
+    const double mass = grains->velocity[worst->i][3];
     const bool wall = worst->j < 0;
     const int32_t material =
         wall ? clod_wall_material(&self->state->walls.wall[worst->wall], worst->shape)
@@ -117,8 +117,8 @@ static deep_contact describe(const clod_step *self, const worst_overlap *worst)
     deep_contact deep = {.law = &self->laws->law[law], .r_star = a, .m_star = mass};
     deep.overlap = worst->fraction * a;
     if (!wall) {
-        const double b = grains->place[worst->j][3];
-        const double other = grains->motion[worst->j][3];
+        const double b = grains->position[worst->j][3];
+        const double other = grains->velocity[worst->j][3];
         deep.overlap = worst->fraction * fmin(a, b);
         deep.r_star = a * b / (a + b);
         deep.m_star = mass * other / (mass + other);

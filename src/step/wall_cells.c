@@ -116,7 +116,7 @@ static bool fill(clod_wall_cells *self, const clod_walls *walls, const clod_wall
 static bool try_shape(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
                       size_t g, const clod_wall_entry *shape)
 {
-    const double *p = state->build_place[g];
+    const double *p = state->build_position[g];
     const double reach = p[3] + self->skin;
     const clod_wall_rows *rows = &self->build_rows;
     if (clod_wall_rows_is_far(rows, shape->wall, shape->shape, p, reach) ||
@@ -148,7 +148,7 @@ bool clod_wall_cells_find(clod_neighbour *self, const clod_state *state, const c
         return false;
     }
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double *p = state->build_place[g];
+        const double *p = state->build_position[g];
         const int32_t x = clod_cells_along(&grid, 0, p[0]);
         const int32_t y = clod_cells_along(&grid, 1, p[1]);
         const int32_t z = clod_cells_along(&grid, 2, p[2]);

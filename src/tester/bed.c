@@ -27,7 +27,7 @@ double clod_bed_mass(const clod_state *state)
 {
     clod_exact mass = {0};
     for (size_t g = 0; g < state->grains.count; g++) {
-        clod_exact_add(&mass, state->grains.motion[g][3]);
+        clod_exact_add(&mass, state->grains.velocity[g][3]);
     }
     return clod_exact_value(&mass);
 }
@@ -36,7 +36,7 @@ double clod_bed_largest(const clod_state *state)
 {
     double largest = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
-        largest = fmax(largest, state->grains.place[g][3]);
+        largest = fmax(largest, state->grains.position[g][3]);
     }
     return largest;
 }
@@ -45,7 +45,7 @@ double clod_bed_rms_speed(const clod_state *state)
 {
     clod_exact sum = {0};
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double *v = state->grains.motion[g];
+        const double *v = state->grains.velocity[g];
         clod_exact_add(&sum, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }
     return sqrt(clod_exact_value(&sum) / (double)state->grains.count);
@@ -55,7 +55,7 @@ double clod_bed_top(const clod_state *state)
 {
     double top = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
-        top = fmax(top, state->grains.place[g][2] + state->grains.place[g][3]);
+        top = fmax(top, state->grains.position[g][2] + state->grains.position[g][3]);
     }
     return top;
 }

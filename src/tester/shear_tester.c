@@ -53,7 +53,7 @@ double clod_shear_tester_solid_above(const clod_ring_shear *self, const clod_sta
     const double plane = clod_shear_tester_of(self)->shear_plane(self, lid);
     double mass = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
-        mass += state->grains.place[g][2] > plane ? state->grains.motion[g][3] : 0.0;
+        mass += state->grains.position[g][2] > plane ? state->grains.velocity[g][3] : 0.0;
     }
     return -mass * state->gravity[2] / self->area;
 }

@@ -64,7 +64,7 @@ void clod_uniaxial_begin(clod_uniaxial *self, const clod_case *from, clod_state 
         .settle_max = cell->settle_max,
     };
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double r = state->grains.place[g][3];
+        const double r = state->grains.position[g][3];
         self->solid_volume += 4.0 / 3.0 * M_PI * r * r * r;
     }
     clod_bed_wall(state, "lid")->load = CLOD_LOAD_NONE;

@@ -132,8 +132,8 @@ static double bulk_density(const clod_grains *grains, double radius)
 {
     double mass = 0.0;
     for (size_t g = 0; g < grains->count; g++) {
-        const double z = grains->place[g][2];
-        mass += z >= SLAB_LOW && z < SLAB_HIGH ? grains->motion[g][3] : 0.0;
+        const double z = grains->position[g][2];
+        mass += z >= SLAB_LOW && z < SLAB_HIGH ? grains->velocity[g][3] : 0.0;
     }
     return mass / (M_PI * radius * radius * (SLAB_HIGH - SLAB_LOW));
 }
@@ -145,9 +145,9 @@ static void follow(discharge *self, const clod_state *state)
     for (size_t g = 0; g < grains->count; g++) {
         double *last = &self->height[grains->id[g]];
         const double now =
-            *last + clod_domain_separation(&state->domain, 2, grains->place[g][2], *last);
-        self->gone += *last > LEFT && now <= LEFT ? grains->motion[g][3] : 0.0;
-        *last = grains->place[g][2];
+            *last + clod_domain_separation(&state->domain, 2, grains->position[g][2], *last);
+        self->gone += *last > LEFT && now <= LEFT ? grains->velocity[g][3] : 0.0;
+        *last = grains->position[g][2];
     }
 }
 
@@ -157,7 +157,7 @@ static bool look(void *context, clod_verify_bed *now, clod_status *status)
     const clod_grains *grains = &now->state.grains;
     if (now->state.step == 0) {
         for (size_t g = 0; g < grains->count; g++) {
-            self->height[grains->id[g]] = grains->place[g][2];
+            self->height[grains->id[g]] = grains->position[g][2];
         }
     }
     follow(self, &now->state);

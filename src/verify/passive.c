@@ -100,9 +100,9 @@ static body body_of(const clod_verify_play *now, int grain)
                  .force = clod_verify_play_force(now, grain),
                  .torque = clod_verify_play_torque(now, grain)};
     self.velocity = clod_vec3_axpy(clod_verify_play_velocity(now, grain),
-                                   -half / now->state.grains.motion[row][3], self.force);
+                                   -half / now->state.grains.velocity[row][3], self.force);
     self.spin = clod_vec3_axpy(clod_verify_play_spin(now, grain),
-                               -half * now->state.grains.turning[row][3], self.torque);
+                               -half * now->state.grains.angular_velocity[row][3], self.torque);
     return self;
 }
 
@@ -174,8 +174,9 @@ static void see_motion(const clod_verify_play *now, impact *self)
         const size_t row = now->row[grains[k]];
         const clod_vec3 v = clod_verify_play_velocity(now, grains[k]);
         const clod_vec3 w = clod_verify_play_spin(now, grains[k]);
-        const double mass = now->state.grains.motion[row][3];
-        const double turning = 0.5 * clod_vec3_dot(w, w) / now->state.grains.turning[row][3];
+        const double mass = now->state.grains.velocity[row][3];
+        const double turning =
+            0.5 * clod_vec3_dot(w, w) / now->state.grains.angular_velocity[row][3];
         self->after += 0.5 * mass * clod_vec3_dot(v, v) + turning;
         self->tangential_after += 0.5 * mass * (v.x * v.x + v.y * v.y) + turning;
     }

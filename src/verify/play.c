@@ -97,17 +97,17 @@ static clod_vec3 local(const clod_verify_play *self, const double *row)
 
 clod_vec3 clod_verify_play_place(const clod_verify_play *self, int grain)
 {
-    return local(self, self->state.grains.place[self->row[grain]]);
+    return local(self, self->state.grains.position[self->row[grain]]);
 }
 
 clod_vec3 clod_verify_play_velocity(const clod_verify_play *self, int grain)
 {
-    return local(self, self->state.grains.motion[self->row[grain]]);
+    return local(self, self->state.grains.velocity[self->row[grain]]);
 }
 
 clod_vec3 clod_verify_play_spin(const clod_verify_play *self, int grain)
 {
-    return local(self, self->state.grains.turning[self->row[grain]]);
+    return local(self, self->state.grains.angular_velocity[self->row[grain]]);
 }
 
 clod_vec3 clod_verify_play_force(const clod_verify_play *self, int grain)

@@ -145,7 +145,7 @@ static bool look(void *context, clod_verify_bed *now, clod_status *status)
     if (!clod_verify_bed_is_in(now, "rest")) {
         return true;
     }
-    clod_verify_profile_find(&profile, (const double(*)[4])grains->place, grains->count);
+    clod_verify_profile_find(&profile, (const double(*)[4])grains->position, grains->count);
     memmove(self->angle + 1, self->angle, (LOOKS - 1) * sizeof *self->angle);
     self->angle[0] = clod_verify_profile_angle(&profile, LEAST, &error);
     const bool ok = clod_step_export(&now->step, status);

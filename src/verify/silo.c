@@ -73,10 +73,10 @@ static void add_grains(clod_verify_silo *self, const clod_state *state)
 {
     double weight[SHELLS] = {0.0};
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double *place = state->grains.place[g];
+        const double *place = state->grains.position[g];
         const int shell = shell_of(place[2]);
         const double overlap = hypot(place[0], place[1]) + place[3] - 0.5 * DIAMETER;
-        weight[shell] -= state->grains.motion[g][3] * state->gravity[2];
+        weight[shell] -= state->grains.velocity[g][3] * state->gravity[2];
         self->normal[shell] += STIFFNESS * fmax(overlap, 0.0);
     }
     double above = 0.0;
@@ -91,7 +91,7 @@ static double momentum_of(const clod_state *state)
 {
     double sum = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
-        sum += state->grains.motion[g][2] * state->grains.motion[g][3];
+        sum += state->grains.velocity[g][2] * state->grains.velocity[g][3];
     }
     return sum;
 }

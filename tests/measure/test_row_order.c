@@ -29,9 +29,9 @@ static void reverse_rows(clod_state *state)
     const size_t count = state->grains.count;
     for (size_t a = 0; a < count / 2; a++) {
         const size_t b = count - 1 - a;
-        swap_doubles(state->grains.place[a], state->grains.place[b], 4);
-        swap_doubles(state->grains.motion[a], state->grains.motion[b], 4);
-        swap_doubles(state->grains.turning[a], state->grains.turning[b], 4);
+        swap_doubles(state->grains.position[a], state->grains.position[b], 4);
+        swap_doubles(state->grains.velocity[a], state->grains.velocity[b], 4);
+        swap_doubles(state->grains.angular_velocity[a], state->grains.angular_velocity[b], 4);
     }
     const size_t pairs = state->contact_count - state->wall_contact_count;
     for (size_t c = 0; c < pairs / 2; c++) {

@@ -100,9 +100,9 @@ static inline void random_wall(random_source *source, clod_wall *wall)
 
 static inline void random_grain(random_source *source, clod_grains *grains, size_t g)
 {
-    random_reals(source, grains->place[g], 4);
-    random_reals(source, grains->motion[g], 4);
-    random_reals(source, grains->turning[g], 4);
+    random_reals(source, grains->position[g], 4);
+    random_reals(source, grains->velocity[g], 4);
+    random_reals(source, grains->angular_velocity[g], 4);
     random_reals(source, grains->load[g], 3);
     random_reals(source, grains->load[g] + 4, 3);
     grains->id[g] = (uint64_t)1 << 60 | (uint64_t)random_int(source);
@@ -131,10 +131,11 @@ static inline clod_state random_state(uint64_t seed)
     random_state_walls(&state);
     assert_true(clod_grains_reserve(&state.grains, RANDOM_STATE_GRAINS, &status));
     state.grains.count = RANDOM_STATE_GRAINS;
-    state.build_place = clod_memory_alloc(state.grains.capacity, sizeof *state.build_place);
+    state.build_position =
+        clod_memory_alloc(state.grains.capacity, sizeof *state.build_position);
     for (size_t g = 0; g < state.grains.count; g++) {
         random_grain(&source, &state.grains, g);
-        random_reals(&source, state.build_place[g], 4);
+        random_reals(&source, state.build_position[g], 4);
     }
     clod_grains_pad(&state.grains);
     for (int w = 0; w < RANDOM_STATE_WALLS; w++) {
@@ -178,8 +179,8 @@ static inline clod_state random_state(uint64_t seed)
         random_reals(&source, contact->history, 8);
     }
     // values that only an exact copy keeps
-    state.grains.motion[0][0] = -0.0;
-    state.grains.motion[1][0] = 4.9406564584124654e-324; // smallest number above zero
+    state.grains.velocity[0][0] = -0.0;
+    state.grains.velocity[1][0] = 4.9406564584124654e-324; // smallest number above zero
     state.grains.load[0][0] = -HUGE_VAL;
     return state;
 }
@@ -202,13 +203,14 @@ static inline void assert_states_equal(const clod_state *a, const clod_state *b)
 {
     const size_t n = a->grains.count;
     assert_int_equal(n, b->grains.count);
-    assert_memory_equal(a->grains.place, b->grains.place, n * sizeof *a->grains.place);
-    assert_memory_equal(a->grains.motion, b->grains.motion, n * sizeof *a->grains.motion);
-    assert_memory_equal(a->grains.turning, b->grains.turning, n * sizeof *a->grains.turning);
+    assert_memory_equal(a->grains.position, b->grains.position, n * sizeof *a->grains.position);
+    assert_memory_equal(a->grains.velocity, b->grains.velocity, n * sizeof *a->grains.velocity);
+    assert_memory_equal(a->grains.angular_velocity, b->grains.angular_velocity,
+                        n * sizeof *a->grains.angular_velocity);
     assert_memory_equal(a->grains.load, b->grains.load, n * sizeof *a->grains.load);
     assert_memory_equal(a->grains.id, b->grains.id, n * sizeof *a->grains.id);
     assert_memory_equal(a->grains.material, b->grains.material, n * sizeof(uint16_t));
-    assert_memory_equal(a->build_place, b->build_place, n * sizeof *a->build_place);
+    assert_memory_equal(a->build_position, b->build_position, n * sizeof *a->build_position);
     assert_memory_equal(a->build_walls, b->build_walls,
                         RANDOM_STATE_WALLS * sizeof *a->build_walls);
     assert_memory_equal(&a->exchange, &b->exchange, sizeof a->exchange);
@@ -236,7 +238,7 @@ static inline void assert_states_equal(const clod_state *a, const clod_state *b)
     assert_memory_equal(a->gravity, b->gravity, sizeof a->gravity);
     const size_t scalars = offsetof(clod_state, dt);
     assert_memory_equal((const char *)a + scalars, (const char *)b + scalars,
-                        offsetof(clod_state, build_place) - scalars);
+                        offsetof(clod_state, build_position) - scalars);
     assert_memory_equal(&a->build_motion, &b->build_motion, sizeof a->build_motion);
     assert_int_equal(a->contact_count, b->contact_count);
     assert_int_equal(a->wall_contact_count, b->wall_contact_count);

@@ -109,7 +109,7 @@ static void an_empty_state_comes_back_empty(void **folder)
     assert_int_equal(found.step, 5);
     assert_int_equal(found.grains.count, 0);
     assert_int_equal(found.contact_count, 0);
-    assert_null(found.build_place);
+    assert_null(found.build_position);
     assert_null(found.build_walls);
     clod_state_fini(&found);
 }
@@ -164,7 +164,7 @@ static void expect_older(void **folder, const char *reason)
     assert_string_equal(notice, expected);
     clod_state_fini(&(clod_state){.grains = older.grains,
                                   .walls = older.walls,
-                                  .build_place = older.build_place,
+                                  .build_position = older.build_position,
                                   .build_walls = older.build_walls,
                                   .contacts = older.contacts});
 }

@@ -20,8 +20,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 static void check_grains(const clod_grains *grains, const clod_case *from)
 {
     for (size_t g = 0; g < grains->count; g++) {
-        if (!(grains->place[g][3] > 0.0) || grains->material[g] >= from->material_count ||
-            !isfinite(grains->place[g][0]) || !isfinite(grains->motion[g][0])) {
+        if (!(grains->position[g][3] > 0.0) || grains->material[g] >= from->material_count ||
+            !isfinite(grains->position[g][0]) || !isfinite(grains->velocity[g][0])) {
             abort();
         }
     }

@@ -50,8 +50,8 @@ static double really(double exponent, double restitution, double steps, double p
     scene_move(&s, b, 0.0, 0.0, -speed);
     scene_start(&s);
     scene_run(&s, (int)(4.0 * steps) + 10);
-    const double v =
-        s.state.grains.motion[scene_row(&s, 1)][2] - s.state.grains.motion[scene_row(&s, 0)][2];
+    const double v = s.state.grains.velocity[scene_row(&s, 1)][2] -
+                     s.state.grains.velocity[scene_row(&s, 0)][2];
     scene_end(&s);
     return v / speed;
 }

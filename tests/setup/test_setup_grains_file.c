@@ -64,9 +64,9 @@ static void si_units_are_taken_as_they_are(void **state)
     assert_int_equal(r.grains.id[1], 5);
     assert_int_equal(r.next_id, 8);
     const double place[4] = {0.4, 0.5, 0.6, 0.005};
-    assert_memory_equal(r.grains.place[1], place, sizeof place);
-    assert_true(r.grains.motion[1][0] == -1.0 && r.grains.motion[1][2] == -3.0);
-    check_relative(r.grains.motion[0][3], 2500.0 * 4.0 / 3.0 * M_PI * 6.4e-8, 1e-14);
+    assert_memory_equal(r.grains.position[1], place, sizeof place);
+    assert_true(r.grains.velocity[1][0] == -1.0 && r.grains.velocity[1][2] == -3.0);
+    check_relative(r.grains.velocity[0][3], 2500.0 * 4.0 / 3.0 * M_PI * 6.4e-8, 1e-14);
     clod_grains_fini(&r.grains);
 }
 
@@ -85,12 +85,13 @@ static void columns_in_any_order_with_units_and_materials(void **state)
     assert_int_equal(r.grains.material[1], 0);
     assert_int_equal(r.grains.id[0], 1);
     assert_int_equal(r.grains.id[1], 2);
-    check_close(r.grains.place[0][0], 5.0, 1e-15);
-    check_close(r.grains.place[0][1], 4e-3, 1e-17);
-    check_close(r.grains.place[0][2], 3e-2, 1e-17);
-    check_close(r.grains.place[0][3], 2e-3, 1e-17);
-    check_close(r.grains.motion[0][0], 7e-3, 1e-17);
-    check_close(r.grains.turning[0][2], 2.0 * M_PI, 1e-14); // 60 rpm is one turn per second
+    check_close(r.grains.position[0][0], 5.0, 1e-15);
+    check_close(r.grains.position[0][1], 4e-3, 1e-17);
+    check_close(r.grains.position[0][2], 3e-2, 1e-17);
+    check_close(r.grains.position[0][3], 2e-3, 1e-17);
+    check_close(r.grains.velocity[0][0], 7e-3, 1e-17);
+    check_close(r.grains.angular_velocity[0][2], 2.0 * M_PI,
+                1e-14); // 60 rpm is one turn per second
     clod_grains_fini(&r.grains);
 }
 
@@ -197,7 +198,7 @@ static void long_file_is_read_whole(void **state)
     reading r = read_bytes(text, length, "ore");
     assert_true(r.good);
     assert_int_equal(r.grains.count, ROWS);
-    assert_true(r.grains.place[ROWS - 1][0] == 9999.0);
+    assert_true(r.grains.position[ROWS - 1][0] == 9999.0);
     clod_grains_fini(&r.grains);
     free(text);
 }
@@ -220,7 +221,7 @@ static void byte_order_mark_is_skipped(void **state)
     reading r = read_text("\xEF\xBB\xBFx [m],y [m],z [m],r [m]\n1,2,3,4\n", "ore");
     assert_true(r.good);
     assert_int_equal(r.grains.count, 1);
-    assert_true(r.grains.place[0][0] == 1.0);
+    assert_true(r.grains.position[0][0] == 1.0);
     clod_grains_fini(&r.grains);
     check_refused("\xEF\xBB\xBFx [kg],y [m],z [m],r [m]\n", "ore",
                   "1:1: \"x [kg]\": 1 kg is not a length; use a unit such as mm");

@@ -55,10 +55,11 @@ static void assert_apart(const clod_state *state)
         for (size_t j = i + 1; j < g->count; j++) {
             double square = 0.0;
             for (int a = 0; a < 3; a++) {
-                const double d = shortest(&state->domain, a, g->place[i][a] - g->place[j][a]);
+                const double d =
+                    shortest(&state->domain, a, g->position[i][a] - g->position[j][a]);
                 square += d * d;
             }
-            const double reach = g->place[i][3] + g->place[j][3];
+            const double reach = g->position[i][3] + g->position[j][3];
             assert_true(square >= reach * reach);
         }
     }
@@ -67,7 +68,7 @@ static void assert_apart(const clod_state *state)
 static void assert_in_box(const scene *s)
 {
     for (size_t i = 0; i < s->state.grains.count; i++) {
-        const double *p = s->state.grains.place[i];
+        const double *p = s->state.grains.position[i];
         for (int a = 0; a < 3; a++) {
             const double r = s->state.domain.periodic[a] ? 0.0 : p[3];
             assert_true(p[a] - r >= s->region.min[a] && p[a] + r <= s->region.max[a]);
@@ -95,8 +96,8 @@ static void box_holds_all_grains_apart(void **state)
     const clod_grains *g = &s.state.grains;
     for (size_t i = 0; i < g->count; i++) { // in order of id, with the radius of the id
         assert_int_equal(g->id[i], i + 1);
-        assert_true(g->place[i][3] == clod_sizes_radius(&s.sizes, 1, i + 1));
-        assert_true(g->motion[i][2] == -0.5);
+        assert_true(g->position[i][3] == clod_sizes_radius(&s.sizes, 1, i + 1));
+        assert_true(g->velocity[i][2] == -0.5);
     }
     clod_state_fini(&s.state);
 }
@@ -113,7 +114,7 @@ static void places_are_uniform(void **state)
     for (int a = 0; a < 3; a++) {
         double mean = 0.0;
         for (size_t i = 0; i < 2000; i++) {
-            mean += s.state.grains.place[i][a] / 2000.0;
+            mean += s.state.grains.position[i][a] / 2000.0;
         }
         const double width = s.region.max[a];
         check_close(mean, 0.5 * width, 4.0 * width / sqrt(12.0 * 2000.0));
@@ -131,9 +132,9 @@ static void same_seed_gives_the_same_bits_and_another_does_not(void **state)
         s[k].what.seed = k < 2 ? 11 : 12;
         assert_put(&s[k]);
     }
-    const size_t bytes = 500 * sizeof *s[0].state.grains.place;
-    assert_memory_equal(s[0].state.grains.place, s[1].state.grains.place, bytes);
-    assert_true(memcmp(s[0].state.grains.place, s[2].state.grains.place, bytes) != 0);
+    const size_t bytes = 500 * sizeof *s[0].state.grains.position;
+    assert_memory_equal(s[0].state.grains.position, s[1].state.grains.position, bytes);
+    assert_true(memcmp(s[0].state.grains.position, s[2].state.grains.position, bytes) != 0);
     for (int k = 0; k < 3; k++) {
         clod_state_fini(&s[k].state);
     }
@@ -152,7 +153,7 @@ static void periodic_box_uses_the_room_at_its_border(void **state)
     assert_in_box(&s);
     int at_border = 0;
     for (size_t i = 0; i < 600; i++) {
-        at_border += s.state.grains.place[i][0] < s.state.grains.place[i][3];
+        at_border += s.state.grains.position[i][0] < s.state.grains.position[i][3];
     }
     assert_true(at_border > 10);
     clod_state_fini(&s.state);
@@ -185,7 +186,7 @@ static void dense_cylinder_and_annulus_are_filled_in_layers(void **state)
         assert_put(&s);
         assert_apart(&s.state);
         for (size_t i = 0; i < s.what.count; i++) {
-            const double *p = s.state.grains.place[i];
+            const double *p = s.state.grains.position[i];
             const double rho = hypot(p[0] - 1e-3, p[1] - 2e-3);
             assert_true(rho + p[3] <= 12e-3 && (!hole || rho - p[3] >= 4e-3));
             assert_true(p[2] - p[3] >= 3e-3 && p[2] + p[3] <= 27e-3);
@@ -230,7 +231,7 @@ static void grains_stay_on_their_side_of_a_cone(void **state)
         assert_int_equal(s.state.grains.count, 200);
         const double outwards = side == CLOD_SIDE_INSIDE ? -1.0 : 1.0;
         for (size_t i = 0; i < 200; i++) {
-            const double *p = s.state.grains.place[i];
+            const double *p = s.state.grains.position[i];
             const double rho = hypot(p[0] - 20e-3, p[1] - 20e-3);
             const double across = (rho - 8e-3 - 0.5 * p[2]) / sqrt(1.25);
             assert_true(outwards * across >= p[3] - 1e-15);
@@ -268,7 +269,7 @@ static void groups_keep_clear_of_walls_and_of_each_other(void **state)
     assert_int_equal(s.state.grains.count, 800);
     assert_apart(&s.state);
     for (size_t i = 0; i < 800; i++) {
-        const double *p = s.state.grains.place[i];
+        const double *p = s.state.grains.position[i];
         const clod_vec3 at = {p[0], p[1], p[2]};
         assert_true(clod_wall_gap(&shapes[0], at).distance >= p[3]);
         assert_true(hypot(p[0] - 20e-3, p[1] - 20e-3) + p[3] <= 18e-3);
@@ -310,7 +311,7 @@ static void column_rises_until_all_grains_are_in(void **state)
     double top = 0.0;
     double volume = 0.0;
     for (size_t i = 0; i < 3000; i++) {
-        const double *p = s.state.grains.place[i];
+        const double *p = s.state.grains.position[i];
         const double rho = hypot(p[0], p[1]);
         assert_true(rho - p[3] >= 50e-3 && rho + p[3] <= 100e-3 && p[2] >= p[3]);
         top = fmax(top, p[2] + p[3]);

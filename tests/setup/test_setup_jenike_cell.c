@@ -107,7 +107,7 @@ static void grains_are_in_the_cell_and_touch_nothing(void **state)
     cell_check_nothing_touches(&s);
     const clod_grains *g = &s.grains;
     for (size_t i = 0; i < g->count; i++) {
-        const double *p = g->place[i];
+        const double *p = g->position[i];
         // inside both cylinders and between floor and lid
         check_at_most(hypot(p[0], p[1]) + p[3], 0.04);
         check_at_most(hypot(p[0] + 0.004, p[1]) + p[3], 0.04);
@@ -151,7 +151,7 @@ static void heights_give_the_number_of_grains(void **state)
     check_close((double)s.grains.count, 784.0, 11.0);
     double volume = 0.0;
     for (size_t i = 0; i < s.grains.count; i++) {
-        volume += s.grains.motion[i][3] / 2481.3;
+        volume += s.grains.velocity[i][3] / 2481.3;
     }
     check_relative(volume, 1.05558e-4, 1e-3); // half a grain is 6e-4
     cell_end(from, &s);

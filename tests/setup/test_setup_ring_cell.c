@@ -104,7 +104,7 @@ static void grains_touch_nothing(void **state)
     cell_check_nothing_touches(&s);
     const clod_grains *g = &s.grains;
     for (size_t i = 0; i < g->count; i++) {
-        const double *p = g->place[i];
+        const double *p = g->position[i];
         for (int a = 0; a < 3; a++) {
             assert_true(p[a] > s.domain.min[a] && p[a] < s.domain.max[a]);
         }
@@ -129,7 +129,7 @@ static void depth_and_bars_give_the_number_of_grains(void **state)
     assert_int_equal(s.grains.count, count);
     double volume = 0.0;
     for (size_t i = 0; i < count; i++) {
-        volume += s.grains.motion[i][3] / 2481.3;
+        volume += s.grains.velocity[i][3] / 2481.3;
     }
     check_relative(volume, 5.42887e-4, 1.5e-4); // half a grain is 1.2e-4
     cell_end(from, &s);
@@ -164,9 +164,9 @@ static void seed_decides_every_bit(void **state)
     for (int k = 0; k < 3; k++) {
         build(from, k < 2 ? 3 : 4, &s[k]);
     }
-    const size_t bytes = 500 * sizeof *s[0].grains.place;
-    assert_memory_equal(s[0].grains.place, s[1].grains.place, bytes);
-    assert_true(memcmp(s[0].grains.place, s[2].grains.place, bytes) != 0);
+    const size_t bytes = 500 * sizeof *s[0].grains.position;
+    assert_memory_equal(s[0].grains.position, s[1].grains.position, bytes);
+    assert_true(memcmp(s[0].grains.position, s[2].grains.position, bytes) != 0);
     for (int k = 0; k < 3; k++) {
         clod_state_fini(&s[k]);
     }

@@ -58,8 +58,8 @@ static void groups_by_count_mass_and_fill_height(void **state)
     assert_int_equal(s.grains.count, 7 + 119 + 859);
     for (size_t g = 0; g < s.grains.count; g++) {
         assert_int_equal(s.grains.id[g], g + 1);
-        check_relative(s.grains.motion[g][3], 8.37758e-6, 1e-6);
-        assert_true(s.grains.motion[g][2] == (g < 126 ? 0.0 : -1.0));
+        check_relative(s.grains.velocity[g][3], 8.37758e-6, 1e-6);
+        assert_true(s.grains.velocity[g][2] == (g < 126 ? 0.0 : -1.0));
     }
     assert_true(s.adhesion == 0.1);
     clod_setup_overlap worst;

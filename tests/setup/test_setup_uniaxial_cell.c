@@ -75,7 +75,7 @@ static void grains_are_in_the_mould_and_touch_nothing(void **state)
     cell_check_nothing_touches(&s);
     const clod_grains *g = &s.grains;
     for (size_t i = 0; i < g->count; i++) {
-        const double *p = g->place[i];
+        const double *p = g->position[i];
         assert_true(hypot(p[0], p[1]) < 0.03);
     }
     // room for rubble on the whole pan
@@ -97,7 +97,7 @@ static void height_gives_the_number_of_grains(void **state)
     check_close((double)s.grains.count, 630.0, 10.0);
     double volume = 0.0;
     for (size_t i = 0; i < s.grains.count; i++) {
-        volume += s.grains.motion[i][3] / 2481.3;
+        volume += s.grains.velocity[i][3] / 2481.3;
     }
     check_relative(volume, 8.4823e-5, 1e-3); // half a grain is 8e-4
     cell_end(from, &s);

@@ -75,7 +75,7 @@ static void nothing_is_allocated_for_too_many(void **state)
     assert_false(clod_insert_region(&bed, &what, &status));
     assert_non_null(strstr(status.text, "1073741823 grains are too many"));
     assert_int_equal(clod_memory_count(), before);
-    assert_null(grains.place);
+    assert_null(grains.position);
 }
 
 /** A list that is full says so, not that memory is short. */

@@ -17,21 +17,24 @@ static void grains_grow_and_stay(void **state)
                                     (double[3]){2.0 * x, 1.0, 3.0}, (double[3]){x, 5.0, 6.0},
                                     1000.0, (uint16_t)(k % 7), 1000 + k, &status));
         assert_true(g.capacity >= g.count + 2);
-        assert_int_equal((uintptr_t)g.place % 32, 0);
+        assert_int_equal((uintptr_t)g.position % 32, 0);
         for (size_t p = g.count; p < g.count + 2; p++) {
-            assert_true(g.place[p][3] < 0.0 && g.motion[p][3] > 0.0 && g.turning[p][3] > 0.0);
+            assert_true(g.position[p][3] < 0.0 && g.velocity[p][3] > 0.0 &&
+                        g.angular_velocity[p][3] > 0.0);
         }
-        assert_true(g.place[g.count][0] != g.place[g.count + 1][0]); // no distance of zero
+        assert_true(g.position[g.count][0] !=
+                    g.position[g.count + 1][0]); // no distance of zero
     }
     for (size_t k = 0; k < 1000; k++) {
         const double x = (double)k;
-        assert_true(g.place[k][0] == x && g.place[k][1] == x + 0.25 && g.place[k][2] == -x);
-        assert_true(g.motion[k][0] == 2.0 * x && g.turning[k][0] == x);
+        assert_true(g.position[k][0] == x && g.position[k][1] == x + 0.25 &&
+                    g.position[k][2] == -x);
+        assert_true(g.velocity[k][0] == 2.0 * x && g.angular_velocity[k][0] == x);
         assert_true(g.id[k] == 1000 + k && g.material[k] == k % 7);
-        check_relative(g.motion[k][3], 1000.0 * M_PI / 6.0, 1e-15); // sphere of 1 m
+        check_relative(g.velocity[k][3], 1000.0 * M_PI / 6.0, 1e-15); // sphere of 1 m
     }
     clod_grains_fini(&g);
-    assert_null(g.place);
+    assert_null(g.position);
     assert_int_equal(g.count, 0);
 }
 
@@ -49,18 +52,19 @@ static void a_copy_is_deep(void **state)
     assert_true(clod_state_copy(&copy, &s.state, &status));
     check_same_bits(&copy, &s.state);
     const size_t n = copy.grains.count;
-    assert_memory_equal(copy.build_place, s.state.build_place, n * sizeof *copy.build_place);
+    assert_memory_equal(copy.build_position, s.state.build_position,
+                        n * sizeof *copy.build_position);
     assert_memory_equal(copy.build_walls, s.state.build_walls, 3 * sizeof *copy.build_walls);
     assert_string_equal(copy.walls.wall[2].name, "lid");
     assert_int_equal(copy.walls.wall[1].shape_count, 2);
     assert_true(copy.walls.wall[1].shapes != s.state.walls.wall[1].shapes);
     assert_memory_equal(copy.walls.wall[1].shapes, s.state.walls.wall[1].shapes,
                         2 * sizeof(clod_shape));
-    const double x = copy.grains.place[3][0];
+    const double x = copy.grains.position[3][0];
     scene_run(&s, 500); // the original goes on, the copy stays
-    assert_true(copy.grains.place[3][0] == x && copy.step == 1500);
+    assert_true(copy.grains.position[3][0] == x && copy.step == 1500);
     scene_end(&s);
-    assert_true(copy.grains.place[3][0] == x);
+    assert_true(copy.grains.position[3][0] == x);
     clod_state_fini(&copy);
 }
 

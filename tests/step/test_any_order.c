@@ -24,8 +24,8 @@ static void rows_and_contacts_may_stand_in_any_order(void **state)
             scene_start_with(&now, (clod_step_options){.threads = (int)seed});
             assert_true(clod_step_export(&now.step, &now.step.status));
             check_same_bits(&whole.state, &now.state); // back in order
-            assert_memory_equal(now.state.build_place, whole.state.build_place,
-                                whole.state.grains.count * sizeof *whole.state.build_place);
+            assert_memory_equal(now.state.build_position, whole.state.build_position,
+                                whole.state.grains.count * sizeof *whole.state.build_position);
             scene_run(&now, STEPS);
             assert_true(clod_step_export(&now.step, &now.step.status));
             scene other;

@@ -11,7 +11,7 @@
 static clod_new_grain new_grain(uint64_t id, double x, double y, double z, double radius)
 {
     return (clod_new_grain){
-        .id = id, .place = {x, y, z, radius}, .density = ORE.density, .material = 0};
+        .id = id, .position = {x, y, z, radius}, .density = ORE.density, .material = 0};
 }
 
 static void change(scene *s)
@@ -72,7 +72,7 @@ static void added_and_removed_is_as_if_made_so(void **state)
     finish(&added, STEPS);
     check_same_bits(&made.state, &added.state);
     assert_int_equal(added.state.exchange.added, 2);
-    check_relative(added.state.exchange.added_mass, 2.0 * made.state.grains.motion[0][3],
+    check_relative(added.state.exchange.added_mass, 2.0 * made.state.grains.velocity[0][3],
                    1e-15);
 
     lattice(&removed, 5, -1, -1);
@@ -112,7 +112,7 @@ static void ask(scene *s, bool backwards)
     for (size_t n = 0; n < LOST_COUNT; n++) {
         const size_t k = backwards ? LOST_COUNT - 1 - n : n;
         clod_changes_remove_grain(&s->state.changes, LOST[k]);
-        const double *at = s->state.grains.place[row_of(s, LOST[k])];
+        const double *at = s->state.grains.position[row_of(s, LOST[k])];
         const clod_new_grain grain = new_grain(5000 + k, at[0], at[1], at[2], 1e-3);
         if (k > 1) {
             clod_changes_add_grain(&s->state.changes, &grain);

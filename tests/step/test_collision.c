@@ -35,7 +35,7 @@ static double restitution_of(const clod_case_contact *contact, double speed, dou
     }
     scene_start(&s);
     scene_run(&s, 40000);
-    const double v = s.state.grains.motion[scene_row(&s, 0)][2];
+    const double v = s.state.grains.velocity[scene_row(&s, 0)][2];
     assert_true(clod_step_export(&s.step, &s.step.status));
     const bool apart = s.state.contact_count == 0;
     scene_end(&s);
@@ -128,15 +128,15 @@ static double energy_of(const scene *s, double k, double half)
     double energy = 0.0;
     const clod_grains *g = &s->state.grains;
     for (size_t i = 0; i < g->count; i++) {
-        const double *v = g->motion[i];
-        const double *p = g->place[i];
+        const double *v = g->velocity[i];
+        const double *p = g->position[i];
         energy += 0.5 * v[3] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) + v[3] * 9.81 * p[2];
         for (int a = 0; a < 3; a++) {
             const double d = p[3] - (half - fabs(p[a]));
             energy += d > 0.0 ? k * pow(d, 2.5) / 2.5 : 0.0;
         }
         for (size_t j = i + 1; j < g->count; j++) {
-            const double *q = g->place[j];
+            const double *q = g->position[j];
             const double d =
                 p[3] + q[3] -
                 sqrt(pow(p[0] - q[0], 2.0) + pow(p[1] - q[1], 2.0) + pow(p[2] - q[2], 2.0));
@@ -201,7 +201,7 @@ static double height_after(double dt)
     scene_move(&s, g, 0.0, 0.0, 2e-3);
     scene_start(&s);
     scene_run(&s, (int64_t)(2e-3 / dt + 0.5));
-    const double height = s.state.grains.place[0][2];
+    const double height = s.state.grains.position[0][2];
     scene_end(&s);
     return height;
 }

@@ -28,7 +28,7 @@ static void a_grain_rests_on_a_cone(void **state)
     check_relative(wall->force.z, -0.6 * weight, 1e-8);
     check_close(wall->force.y, 0.0, 1e-15);
     check_relative(wall->torque.y, (0.02 * 0.8 + 0.025 * 0.6) * weight, 1e-8); // r x F
-    check_close(s.state.grains.place[0][0], 0.025 - 0.8 * off, 1e-13);
+    check_close(s.state.grains.position[0][0], 0.025 - 0.8 * off, 1e-13);
     scene_end(&s);
 }
 
@@ -53,15 +53,16 @@ static void a_grain_rests_in_the_tip(void **state)
     scene_run(&s, 100000);
     check_relative(wall->sum_force.z / 1e5, -MASS * G, 1e-5);
     check_close(wall->sum_force.x / 1e5, 0.0, 1e-3 * MASS * G);
-    check_close(s.state.grains.place[0][2], height, 1e-3 * R);
-    check_close(hypot(s.state.grains.place[0][0], s.state.grains.place[0][1]), 0.0, 1e-3 * R);
+    check_close(s.state.grains.position[0][2], height, 1e-3 * R);
+    check_close(hypot(s.state.grains.position[0][0], s.state.grains.position[0][1]), 0.0,
+                1e-3 * R);
     scene_end(&s);
 }
 
 static double energy(const clod_state *state)
 {
-    const double *x = state->grains.place[0];
-    const double *v = state->grains.motion[0];
+    const double *x = state->grains.position[0];
+    const double *v = state->grains.velocity[0];
     const double *g = state->gravity;
     return MASS * (0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) -
                    (g[0] * x[0] + g[1] * x[1] + g[2] * x[2]));
@@ -69,8 +70,8 @@ static double energy(const clod_state *state)
 
 static double angular_momentum(const clod_state *state)
 {
-    const double *x = state->grains.place[0];
-    const double *v = state->grains.motion[0];
+    const double *x = state->grains.position[0];
+    const double *v = state->grains.velocity[0];
     return x[0] * v[1] - x[1] * v[0];
 }
 
@@ -153,7 +154,7 @@ static passage pass(const junction *from)
     const double e0 = energy(&two.state);
     clod_vec3 before = clod_vec3_add(wall[0].force, wall[1].force);
     for (int64_t k = 0; k < from->steps; k++) {
-        const double *v = two.state.grains.motion[0];
+        const double *v = two.state.grains.velocity[0];
         const double way = DT * (sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) + G * DT);
         scene_run(&two, 1);
         scene_run(&one, 1);
@@ -167,8 +168,8 @@ static passage pass(const junction *from)
         seen.largest = fmax(seen.largest, force);
         seen.together = fmax(seen.together, fmin(a, b));
         before = now;
-        assert_memory_equal(two.state.grains.place[0], one.state.grains.place[0], 32);
-        assert_memory_equal(two.state.grains.motion[0], one.state.grains.motion[0], 32);
+        assert_memory_equal(two.state.grains.position[0], one.state.grains.position[0], 32);
+        assert_memory_equal(two.state.grains.velocity[0], one.state.grains.velocity[0], 32);
     }
     const double stored = seen.largest * seen.largest / K; // at most, in the springs
     check_close(energy(&two.state), e0, stored);

@@ -17,15 +17,15 @@ static void a_thrown_grain_follows_the_parabola(void **state)
     scene_start(&s);
     scene_run(&s, 10000);
     const double t = 1.0;
-    const double *p = s.state.grains.place[0];
-    const double *v = s.state.grains.motion[0];
+    const double *p = s.state.grains.position[0];
+    const double *v = s.state.grains.velocity[0];
     check_close(p[0], 0.1 + 1.0 * t + 0.25 * t * t, 1e-11);
     check_close(p[1], -0.2 + 2.0 * t - 0.5 * t * t, 1e-11);
     check_close(p[2], 0.3 + 4.0 * t - 4.905 * t * t, 1e-11);
     check_close(v[0], 1.5, 1e-11);
     check_close(v[1], 1.0, 1e-11);
     check_close(v[2], 4.0 - 9.81, 1e-11);
-    const double *w = s.state.grains.turning[0];
+    const double *w = s.state.grains.angular_velocity[0];
     assert_true(w[0] == 10.0 && w[1] == -20.0 && w[2] == 30.0); // exactly: nothing turns it
     check_close(p[3], 3e-3, 0.0);
     assert_int_equal(s.state.step, 10000);
@@ -42,8 +42,8 @@ static void a_grain_has_the_inertia_of_a_solid_sphere(void **state)
     scene_init(&s, 1e-4, &contact);
     scene_grain(&s, 0.0, 0.0, 0.0, 3e-3);
     const double mass = 2481.3 * 4.1887902047863905 * 27e-9;
-    check_relative(s.state.grains.motion[0][3], mass, 1e-14);
-    check_relative(s.state.grains.turning[0][3], 2.5 / (mass * 9e-6), 1e-14);
+    check_relative(s.state.grains.velocity[0][3], mass, 1e-14);
+    check_relative(s.state.grains.angular_velocity[0][3], 2.5 / (mass * 9e-6), 1e-14);
     clod_state_fini(&s.state);
 }
 
@@ -56,9 +56,9 @@ static balance balance_of(const clod_state *state)
 {
     balance b = {{0.0}, {0.0}, 0.0};
     for (size_t g = 0; g < state->grains.count; g++) {
-        const double *x = state->grains.place[g];
-        const double *v = state->grains.motion[g];
-        const double *w = state->grains.turning[g];
+        const double *x = state->grains.position[g];
+        const double *v = state->grains.velocity[g];
+        const double *w = state->grains.angular_velocity[g];
         for (int c = 0; c < 3; c++) {
             const int d = (c + 1) % 3;
             const int e = (c + 2) % 3;
@@ -87,7 +87,7 @@ static void a_free_cluster_keeps_its_momenta(void **state)
             const double a = 0.0075;
             const size_t g = scene_grain(&s, a * (k % 4), a * (k / 4 % 4), a * (k / 16),
                                          dice_real(&roll, 2.7e-3, 3.7e-3));
-            double *x = s.state.grains.place[g];
+            double *x = s.state.grains.position[g];
             scene_move(&s, g, -20.0 * (x[0] - 0.011) + dice_real(&roll, -0.1, 0.1),
                        -20.0 * (x[1] - 0.011) + dice_real(&roll, -0.1, 0.1),
                        -20.0 * (x[2] - 0.011) + dice_real(&roll, -0.1, 0.1));
@@ -135,11 +135,11 @@ static void periodic_images_touch(void **state)
             for (size_t g = 0; g < 2; g++) {
                 for (int a = 0; a < 3; a++) {
                     // wrapped at the last rebuild; between two only the skin's motion is added
-                    check_at_least(s.state.grains.place[g][a], -0.02 - 1e-3);
-                    check_at_most(s.state.grains.place[g][a], 0.03 + 1e-3);
+                    check_at_least(s.state.grains.position[g][a], -0.02 - 1e-3);
+                    check_at_most(s.state.grains.position[g][a], 0.03 + 1e-3);
                 }
             }
-            const double moved = s.state.grains.place[scene_row(&s, 0)][axis] - one[axis];
+            const double moved = s.state.grains.position[scene_row(&s, 0)][axis] - one[axis];
             place[shifted] = moved - 0.05 * nearbyint(moved / 0.05);
             assert_true(fabs(place[shifted]) > 0.0);
             scene_end(&s);

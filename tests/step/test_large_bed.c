@@ -31,7 +31,7 @@ static void large_init(scene *self)
     }
     const double middle = 0.5 * SPACING * SIDE;
     scene_grain(self, middle, middle, SPACING * SIDE + LARGEST, LARGEST);
-    const double(*place)[4] = (const double(*)[4])self->state.grains.place;
+    const double(*place)[4] = (const double(*)[4])self->state.grains.position;
     assert_true(clod_layers_of(place, self->state.grains.count).strips > 1.0);
 }
 

@@ -15,7 +15,7 @@ static void a_falling_grain_takes_its_energy_away(void **state)
     scene_init(&s, 1e-5, &ore);
     s.state.gravity[2] = -9.81;
     scene_grain(&s, 0.0, 0.0, 0.4, 1e-3);
-    const double mass = s.state.grains.motion[0][3];
+    const double mass = s.state.grains.velocity[0][3];
     s.state.domain.removes = true;
     s.state.domain.min[2] = 0.1;
     scene_start(&s);
@@ -54,7 +54,7 @@ static void every_grain_is_counted_once(void **state)
     const size_t grains = one.state.grains.count;
     double mass = 0.0;
     for (size_t g = 0; g < grains; g++) {
-        mass += one.state.grains.motion[g][3];
+        mass += one.state.grains.velocity[g][3];
     }
     scene_run(&one, 30000);
     const size_t middle = one.state.grains.count;
@@ -128,7 +128,7 @@ static void wrong_requests_change_nothing(void **state)
     scene_run(&plain, 3000);
     clod_changes *changes = &s.state.changes;
     const clod_new_grain good = {
-        .id = 900, .place = {0.0, 0.0, 0.09, 1e-3}, .density = 2000.0, .material = 1};
+        .id = 900, .position = {0.0, 0.0, 0.09, 1e-3}, .density = 2000.0, .material = 1};
     clod_new_grain bad = good;
 
     clod_changes_remove_grain(changes, 4);
@@ -153,15 +153,15 @@ static void wrong_requests_change_nothing(void **state)
     clod_changes_add_grain(changes, &bad);
     refuse(&s, "material 3 is unknown");
     bad = good;
-    bad.place[1] = NAN;
+    bad.position[1] = NAN;
     clod_changes_add_grain(changes, &bad);
     refuse(&s, "must be finite");
     bad = good;
-    bad.place[3] = 0.0;
+    bad.position[3] = 0.0;
     clod_changes_add_grain(changes, &bad);
     refuse(&s, "radius (0 m)");
     bad = good;
-    bad.place[2] = 10.5;
+    bad.position[2] = 10.5;
     clod_changes_add_grain(changes, &bad);
     refuse(&s, "(0, 0, 10.5) m is outside of the domain");
 

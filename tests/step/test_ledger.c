@@ -171,7 +171,7 @@ static void a_lifted_grain_takes_momentum_and_weight(void **state)
     scene_init(&s, DT, &c);
     s.state.gravity[2] = -9.81;
     const size_t g = scene_grain(&s, 0.0, 0.0, 3e-3, 3e-3);
-    const double mass = s.state.grains.motion[g][3];
+    const double mass = s.state.grains.velocity[g][3];
     clod_wall *floor = scene_wall(&s, "floor", shape_floor(0.0));
     scene_start(&s);
     scene_open_ledger(&s);

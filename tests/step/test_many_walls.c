@@ -124,7 +124,7 @@ static void specks_beyond_the_corners_are_found(void **state)
     specks->shapes = clod_memory_grow(specks->shapes, 1, GRAINS, sizeof *specks->shapes);
     specks->shape_count = GRAINS;
     for (int g = 0; g < GRAINS; g++) {
-        double *at = s.state.grains.place[g];
+        double *at = s.state.grains.position[g];
         double speck[3];
         for (int a = 0; a < 3; a++) {
             const int cell = dice_pick(&roll, grid.n[a]), up = dice_pick(&roll, 2);

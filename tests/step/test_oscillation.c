@@ -60,8 +60,8 @@ static void work_of_an_oscillating_wall_is_the_energy_won(void **state)
     const size_t row = scene_grain(&s, 0.03, 0.0, 0.02, R);
     scene_start(&s);
     double hits[2] = {0.0, 0.0};
-    const double *x = s.state.grains.place[row];
-    const double *v = s.state.grains.motion[row];
+    const double *x = s.state.grains.position[row];
+    const double *v = s.state.grains.velocity[row];
     const double start = MASS * G * x[2];
     for (int k = 0; k < 5000; k++) {
         scene_run(&s, 200);
@@ -72,7 +72,7 @@ static void work_of_an_oscillating_wall_is_the_energy_won(void **state)
         scene_run(&s, 1);
     }
     assert_true(hits[0] > 5.0 && hits[1] > 5.0);
-    const double *w = s.state.grains.turning[row];
+    const double *w = s.state.grains.angular_velocity[row];
     const double kinetic = 0.5 * MASS * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
                            0.5 * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) / w[3];
     const double won = kinetic + MASS * G * x[2] - start;

@@ -38,12 +38,12 @@ static void sliding_turns_into_rolling_at_five_sevenths(void **state)
     scene_start(&s);
     scene_run(&s, 2000);
     // while it slides: v = v0 - mu g t
-    const double *v = s.state.grains.motion[0];
+    const double *v = s.state.grains.velocity[0];
     check_relative(hypot(v[0], v[1]), 1.0 - 0.6 * G * 0.02, 1e-3);
     scene_run(&s, 40000);
     check_relative(v[0], 0.6 * 5.0 / 7.0, 1e-4);
     check_relative(v[1], 0.8 * 5.0 / 7.0, 1e-4);
-    const double *w = s.state.grains.turning[0];
+    const double *w = s.state.grains.angular_velocity[0];
     check_relative(w[1], v[0] / R, 1e-4); // rolls: v = w x (R n)
     check_relative(w[0], -v[1] / R, 1e-4);
     check_close(v[2], 0.0, 1e-9);
@@ -60,7 +60,7 @@ static void a_projectile_with_spin_runs_off_at_two_sevenths(void **state)
     scene_turn(&s, 0, 0.0, 300.0, 0.0);
     scene_start(&s);
     scene_run(&s, 40000);
-    check_relative(s.state.grains.motion[0][0], 300.0 * R * 2.0 / 7.0, 1e-4);
+    check_relative(s.state.grains.velocity[0][0], 300.0 * R * 2.0 / 7.0, 1e-4);
     scene_end(&s);
 }
 
@@ -77,9 +77,9 @@ static double path_on_slope(clod_rolling rolling, double slope)
         s.state.gravity[2] = -G * cos(alpha);
         scene_run(&s, 40);
     }
-    const double begin = s.state.grains.place[0][0];
+    const double begin = s.state.grains.position[0][0];
     scene_run(&s, 10000);
-    const double path = s.state.grains.place[0][0] - begin;
+    const double path = s.state.grains.position[0][0] - begin;
     scene_end(&s);
     return path;
 }
@@ -112,9 +112,9 @@ static void rolling_slows_down_at_five_sevenths_mu_g(void **state)
         scene_turn(&s, 0, 0.0, 0.5 / R, 0.0);
         scene_start(&s);
         scene_run(&s, 2000);
-        const double before = s.state.grains.motion[0][0];
+        const double before = s.state.grains.velocity[0][0];
         scene_run(&s, 20000);
-        const double after = s.state.grains.motion[0][0];
+        const double after = s.state.grains.velocity[0][0];
         check_relative((before - after) / 0.2, 5.0 / 7.0 * 0.1 * G, 2e-3);
         scene_end(&s);
     }
@@ -132,7 +132,7 @@ static void without_resistance_any_incline_rolls(void **state)
     s.state.gravity[2] = -G * cos(0.1);
     scene_start(&s);
     scene_run(&s, 30000);
-    check_relative(s.state.grains.place[0][0], 0.5 * 5.0 / 7.0 * G * sin(0.1) * 0.09, 1e-3);
+    check_relative(s.state.grains.position[0][0], 0.5 * 5.0 / 7.0 * G * sin(0.1) * 0.09, 1e-3);
     scene_end(&s);
 }
 
@@ -149,7 +149,7 @@ static double spin_left(clod_rolling rolling)
     double most = 0.0;
     for (int k = 0; k < 100; k++) {
         scene_run(&s, 1);
-        most = fmax(most, fabs(s.state.grains.turning[0][1]));
+        most = fmax(most, fabs(s.state.grains.angular_velocity[0][1]));
     }
     scene_end(&s);
     return most;

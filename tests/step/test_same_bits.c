@@ -248,7 +248,7 @@ static void the_order_of_the_input_does_not_matter(void **state)
     for (size_t k = 0; k < g->count / 2; k++) {
         const size_t other = g->count - 1 - k;
         double row[3][4];
-        double(*rows[3])[4] = {g->place, g->motion, g->turning};
+        double(*rows[3])[4] = {g->position, g->velocity, g->angular_velocity};
         for (int r = 0; r < 3; r++) {
             memcpy(row[r], rows[r][k], sizeof row[r]);
             memcpy(rows[r][k], rows[r][other], sizeof row[r]);
@@ -321,7 +321,7 @@ static size_t run_neighbour(scene *s, int k, const char *simd)
     const clod_case_contact law = neighbour_law(k);
     bed_init(s, BED_CLUSTER, 1);
     for (size_t g = 0; g < s->state.grains.count; g++) {
-        s->state.grains.place[g][3] = 3.2005e-3; // the lattice has 6.4 mm: they touch
+        s->state.grains.position[g][3] = 3.2005e-3; // the lattice has 6.4 mm: they touch
     }
     for (int a = 0; a < 3; a++) {
         for (int b = a; b < 3; b++) {

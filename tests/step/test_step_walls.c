@@ -64,9 +64,9 @@ static motion motion_of(const clod_grains *g)
 {
     motion m = {{0.0}, {0.0}, 0.0};
     for (size_t k = 0; k < g->count; k++) {
-        const double *x = g->place[k];
-        const double *v = g->motion[k];
-        const double *w = g->turning[k];
+        const double *x = g->position[k];
+        const double *v = g->velocity[k];
+        const double *w = g->angular_velocity[k];
         for (int c = 0; c < 3; c++) {
             const int d = (c + 1) % 3;
             const int e = (c + 2) % 3;
@@ -194,7 +194,7 @@ static void a_belt_carries_grains(void **state)
         check_relative(belt->power, 0.7 * 0.5 * MASS * G, 1e-3);
         scene_run(&s, 58000);
         const double expected = rolling == 0 ? 0.2 : 0.7;
-        check_relative(s.state.grains.motion[0][0], expected, 1e-3);
+        check_relative(s.state.grains.velocity[0][0], expected, 1e-3);
         check_close(belt->shift.x, 0.0, 0.0); // the belt itself stays where it is
         scene_end(&s);
     }

@@ -57,7 +57,7 @@ static void a_belt_carries_a_grain(void **state)
         check_relative(wall->power, 0.7 * 0.5 * MASS * G, 1e-3);
         check_close(wall->power, wall->belt_power, 1e-12);
         scene_run(&s, 58000);
-        check_relative(s.state.grains.motion[0][0], 0.7 * share(), 1e-4);
+        check_relative(s.state.grains.velocity[0][0], 0.7 * share(), 1e-4);
         check_close(wall->shift.x, 0.0, 0.0);
         const clod_energies now = clod_step_energies(&s.step);
         const double work = s.state.ledger.wall_work;
@@ -171,7 +171,7 @@ static void a_ball_circles_on_a_turntable(void **state)
         const double radius = speed / rate;
         const int64_t half = (int64_t)(M_PI / rate / DT);
         scene_run(&s, half);
-        const double *p = s.state.grains.place[0];
+        const double *p = s.state.grains.position[0];
         const double left = M_PI - rate * DT * (double)half; // of the half circle
         check_close(p[0], start - radius * (1.0 + cos(left)), 2e-4 * radius);
         check_close(p[1], radius * sin(left), 2e-4 * radius);
@@ -204,8 +204,8 @@ static void shapes_have_their_own_materials(void **state)
     scene_start(&s);
     scene_run(&s, 2000);
     const double time = 2000 * DT;
-    check_relative(1.0 - s.state.grains.motion[scene_row(&s, 0)][1], 0.5 * G * time, 1e-2);
-    check_relative(1.0 - s.state.grains.motion[scene_row(&s, 1)][1], 0.1 * G * time, 1e-2);
+    check_relative(1.0 - s.state.grains.velocity[scene_row(&s, 0)][1], 0.5 * G * time, 1e-2);
+    check_relative(1.0 - s.state.grains.velocity[scene_row(&s, 1)][1], 0.1 * G * time, 1e-2);
     scene_end(&s);
 }
 
@@ -229,7 +229,7 @@ static void a_belt_turns_with_its_wall(void **state)
     scene_grain(&s, at.x, at.y, at.z, R);
     scene_start(&s);
     scene_run(&s, 60000);
-    const double *v = s.state.grains.motion[0];
+    const double *v = s.state.grains.velocity[0];
     check_close(v[0], 0.7 * share() * along.x, 1e-4);
     check_close(v[2], 0.7 * share() * along.z, 1e-4);
     scene_end(&s);

@@ -79,7 +79,7 @@ static void a_position_that_is_not_a_number(void **state)
         scene s;
         two_grains(&s, 0.01);
         s.state.domain.periodic[0] = periodic == 1;
-        s.state.grains.place[1][0] = NAN;
+        s.state.grains.position[1][0] = NAN;
         expect_at_start(
             &s, (clod_step_options){.threads = 1}, CLOD_FAILED,
             "step 0: grain 1 has left the domain: x = nan m, allowed -10 to 10 m; "
@@ -168,7 +168,7 @@ static void the_limit_is_of_the_smaller_radius(void **state)
             scene_wall(&s, "the floor", shape_floor(overlap - 1e-3));
         }
         const clod_step_options options = {.threads = 1, .simd = set, .overlap_limit = limit};
-        s.state.grains.place[1][2] = wall ? 0.01 : 0.0;
+        s.state.grains.position[1][2] = wall ? 0.01 : 0.0;
         assert_int_equal(clod_step_init(&s.step, &s.state, &s.laws, &options, &status),
                          !beyond);
         char share[32];
@@ -214,7 +214,8 @@ static void every_number_that_is_not_finite_is_seen(void **state)
         two_grains(&s, 0.01);
         scene_start_with(&s, (clod_step_options){.threads = 1, .simd = set});
         scene_run(&s, 1); // nothing is wrong yet
-        double *row = spin ? s.state.grains.turning[grain] : s.state.grains.motion[grain];
+        double *row =
+            spin ? s.state.grains.angular_velocity[grain] : s.state.grains.velocity[grain];
         row[axis] = bad[k % 4];
         clod_status status = {0};
         assert_false(clod_step_advance(&s.step, 1, &status));
@@ -305,7 +306,7 @@ static void a_velocity_that_is_not_a_number(void **state)
     for (int threads = 1; threads <= 2; threads++) {
         scene s;
         two_grains(&s, 0.01);
-        s.state.grains.motion[1][2] = NAN;
+        s.state.grains.velocity[1][2] = NAN;
         s.state.step = 41;
         scene_start_with(&s, (clod_step_options){.threads = threads});
         expect(

@@ -39,9 +39,9 @@ static void bench_init(bench *self, dice *roll)
         block->sum[g % CLOD_LANES] = g; // a sum for each contact
     }
     self->view = (clod_kernel_view){.overlap_limit = CLOD_STEP_OVERLAP,
-                                    .place = (const double(*)[4])self->place,
-                                    .motion = (const double(*)[4])self->motion,
-                                    .turning = (const double(*)[4])self->turning,
+                                    .position = (const double(*)[4])self->place,
+                                    .velocity = (const double(*)[4])self->motion,
+                                    .angular_velocity = (const double(*)[4])self->turning,
                                     .load = self->load,
                                     .wall_sum = self->sum,
                                     .shape = (const double(*)[4])self->shape,

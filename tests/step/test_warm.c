@@ -11,9 +11,10 @@ static void rewind_to(scene *s, const clod_state *start)
     clod_status status = {0};
     clod_grains *g = &s->state.grains;
     const size_t n = g->count;
-    memcpy(g->place, start->grains.place, n * sizeof *g->place);
-    memcpy(g->motion, start->grains.motion, n * sizeof *g->motion);
-    memcpy(g->turning, start->grains.turning, n * sizeof *g->turning);
+    memcpy(g->position, start->grains.position, n * sizeof *g->position);
+    memcpy(g->velocity, start->grains.velocity, n * sizeof *g->velocity);
+    memcpy(g->angular_velocity, start->grains.angular_velocity,
+           n * sizeof *g->angular_velocity);
     memcpy(g->load, start->grains.load, n * sizeof *g->load);
     memcpy(g->id, start->grains.id, n * sizeof *g->id);
     memcpy(g->material, start->grains.material, n * sizeof *g->material);

@@ -13,9 +13,10 @@
 static inline bool bits_same_grains(const clod_grains *a, const clod_grains *b)
 {
     const size_t n = a->count;
-    return n == b->count && memcmp(a->place, b->place, n * sizeof *a->place) == 0 &&
-           memcmp(a->motion, b->motion, n * sizeof *a->motion) == 0 &&
-           memcmp(a->turning, b->turning, n * sizeof *a->turning) == 0 &&
+    return n == b->count && memcmp(a->position, b->position, n * sizeof *a->position) == 0 &&
+           memcmp(a->velocity, b->velocity, n * sizeof *a->velocity) == 0 &&
+           memcmp(a->angular_velocity, b->angular_velocity, n * sizeof *a->angular_velocity) ==
+               0 &&
            memcmp(a->load, b->load, n * sizeof *a->load) == 0 &&
            memcmp(a->id, b->id, n * sizeof *a->id) == 0 &&
            memcmp(a->material, b->material, n * sizeof *a->material) == 0;

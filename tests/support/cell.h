@@ -33,7 +33,7 @@ static inline void cell_check_nothing_touches(const clod_state *state)
 {
     const clod_grains *g = &state->grains;
     for (size_t i = 0; i < g->count; i++) {
-        const double *p = g->place[i];
+        const double *p = g->position[i];
         for (int w = 0; w < (int)state->walls.count; w++) {
             const clod_wall *wall = &state->walls.wall[w];
             for (int k = 0; k < wall->shape_count; k++) {
@@ -43,7 +43,7 @@ static inline void cell_check_nothing_touches(const clod_state *state)
             }
         }
         for (size_t j = i + 1; j < g->count; j++) {
-            const double *q = g->place[j];
+            const double *q = g->position[j];
             const double reach = p[3] + q[3];
             const double square = (p[0] - q[0]) * (p[0] - q[0]) +
                                   (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]);

@@ -67,8 +67,8 @@ static inline int make_cell(void **context)
     now.wall[2].load = CLOD_LOAD_STRESS;
     now.state.walls.wall = now.wall;
     now.state.walls.count = 3;
-    now.state.grains.place = now.place;
-    now.state.grains.motion = now.motion;
+    now.state.grains.position = now.place;
+    now.state.grains.velocity = now.motion;
     now.state.grains.count = 4;
     for (int g = 0; g < 4; g++) {
         now.place[g][2] = g < 3 ? 0.01 : 0.036; // the lid comes to 0.045 with tips at 0.039

@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file sanitized.h
- * Under the sanitizers a test is ten times slower, and its numbers are those of the normal tree:
- * there it may do fewer steps of the same kind.
+ * Under the sanitizers a test is ten times slower, and its numbers are those of the normal
+ * tree: there it may do fewer steps of the same kind.
  */
 
 #include <stdbool.h>

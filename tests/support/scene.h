@@ -60,12 +60,13 @@ static inline size_t scene_grain(scene *self, double x, double y, double z, doub
 
 static inline void scene_move(scene *self, size_t row, double vx, double vy, double vz)
 {
-    memcpy(self->state.grains.motion[row], (double[3]){vx, vy, vz}, 3 * sizeof(double));
+    memcpy(self->state.grains.velocity[row], (double[3]){vx, vy, vz}, 3 * sizeof(double));
 }
 
 static inline void scene_turn(scene *self, size_t row, double wx, double wy, double wz)
 {
-    memcpy(self->state.grains.turning[row], (double[3]){wx, wy, wz}, 3 * sizeof(double));
+    memcpy(self->state.grains.angular_velocity[row], (double[3]){wx, wy, wz},
+           3 * sizeof(double));
 }
 
 /** Add a wall of one shape. The pointer holds until the scene ends. */

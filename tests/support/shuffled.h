@@ -59,13 +59,15 @@ static inline clod_state shuffled(const clod_state *from, uint64_t seed)
     assert_true(clod_state_copy(&copy, from, &status));
     shuffled_order(to, n, &roll);
     const clod_grains *g = &from->grains;
-    shuffled_rows(copy.grains.place, g->place, n, sizeof *g->place, to);
-    shuffled_rows(copy.grains.motion, g->motion, n, sizeof *g->motion, to);
-    shuffled_rows(copy.grains.turning, g->turning, n, sizeof *g->turning, to);
+    shuffled_rows(copy.grains.position, g->position, n, sizeof *g->position, to);
+    shuffled_rows(copy.grains.velocity, g->velocity, n, sizeof *g->velocity, to);
+    shuffled_rows(copy.grains.angular_velocity, g->angular_velocity, n,
+                  sizeof *g->angular_velocity, to);
     shuffled_rows(copy.grains.load, g->load, n, sizeof *g->load, to);
     shuffled_rows(copy.grains.id, g->id, n, sizeof *g->id, to);
     shuffled_rows(copy.grains.material, g->material, n, sizeof *g->material, to);
-    shuffled_rows(copy.build_place, from->build_place, n, sizeof *from->build_place, to);
+    shuffled_rows(copy.build_position, from->build_position, n, sizeof *from->build_position,
+                  to);
     const size_t walls = from->wall_contact_count, pairs = from->contact_count - walls;
     shuffled_contacts(copy.contacts, pairs, to, false, &roll);
     shuffled_contacts(copy.contacts + pairs, walls, to, true, &roll);

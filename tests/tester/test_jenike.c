@@ -71,8 +71,8 @@ static void make(int64_t twists)
     now.wall[LID].load = CLOD_LOAD_STRESS;
     now.state.walls.wall = now.wall;
     now.state.walls.count = WALLS;
-    now.state.grains.place = now.place;
-    now.state.grains.motion = now.motion;
+    now.state.grains.position = now.place;
+    now.state.grains.velocity = now.motion;
     now.state.grains.count = 4;
     for (int g = 0; g < 4; g++) {
         now.place[g][2] = g < 3 ? 0.01 : 0.027;

@@ -143,7 +143,7 @@ static void check_inside(const bed *b)
     const double top = lid->shapes[0].center.z + lid->shift.z;
     assert_true(lid->shift.x == ring->shift.x);
     for (size_t g = 0; g < b->state.grains.count; g++) {
-        const double *p = b->state.grains.place[g];
+        const double *p = b->state.grains.position[g];
         const double height = p[2] - 10e-3; // above the shear plane
         const double in_base = hypot(p[0], p[1]);
         const double in_ring = hypot(p[0] + 4e-3 - ring->shift.x, p[1]);

@@ -47,7 +47,7 @@ static void solid_above_the_shear_plane_is_counted(void **state)
     double place[4][4] = {{0, 0, 0.015}, {0, 0, 0.025}, {0, 0, 0.036}, {0, 0, 0.050}};
     double motion[4][4] = {{0, 0, 0, 1}, {0, 0, 0, 2}, {0, 0, 0, 4}, {0, 0, 0, 8}};
     clod_wall lid = {.name = "lid", .shift.z = -0.005};
-    const clod_state now = {.grains = {.place = place, .motion = motion, .count = 4},
+    const clod_state now = {.grains = {.position = place, .velocity = motion, .count = 4},
                             .walls = {.wall = &lid, .count = 1},
                             .gravity = {0.0, 0.0, -10.0}};
     clod_ring_shear test = {
