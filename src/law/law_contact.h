@@ -109,8 +109,8 @@ static inline void clod_law_touch_of(const clod_law *law, const clod_law_motion 
 /**
  * What is found out about a contact on its way through three passes: pressed, carried, limited.
  * Each begins with what takes long, roots and a division. The contact loop takes several
- * contacts through one pass before the next (docs/adr/0019), and begins a pass for one contact
- * before it ends it for the one before (docs/adr/0021).
+ * contacts through one pass before the next (docs/adr/0019), and begins the second and third
+ * pass for one contact before it ends it for the one before (docs/adr/0021).
  */
 typedef struct clod_law_trial {
     vreal push;                       ///< normal force with its dash-pot [N]
@@ -124,42 +124,27 @@ typedef struct clod_law_trial {
     vreal3 roll;                      ///< torque of rolling spring and dash-pot [N m]
 } clod_law_trial;
 
-/** Beginning of the first pass: what takes roots. */
-typedef struct clod_law_roots {
-    clod_law_stiffness stiffness;
-    vreal damping; ///< gamma_n [N s/m]
-} clod_law_roots;
-
-/** Stiffness and dash-pot at the overlap of now (docs/theory/mepa.md, damping.md). */
-CLOD_LAW_PASS clod_law_roots clod_law_press_begin(const clod_law *law,
-                                                  const clod_law_touch *touch)
-{
-    const vreal overlap = vreal_max(touch->overlap, vreal_set(0.0));
-    const clod_law_stiffness s = clod_law_stiffness_at(law, overlap, touch->r_star);
-    return (clod_law_roots){s, clod_law_damping(law, s, touch->m_star)};
-}
-
 /**
  * First pass: the normal force, and the springs turned into today's tangent plane.
  *
  * @param law     the pair's law
  * @param touch   kinematics, one contact per lane
  * @param dt      time step [s]
- * @param roots   from clod_law_press_begin
  * @param memory  [in,out] history before; its P is that after, its springs are turned and not
  *                of their old length
  * @param trial   [out] push to roll_square
  * Errors  none.   Threads  pure.   Source  docs/theory.   Test  tests/law/
  */
 CLOD_LAW_PASS void clod_law_press(const clod_law *law, const clod_law_touch *touch, double dt,
-                                  const clod_law_roots *roots, clod_law_memory *memory,
-                                  clod_law_trial *trial)
+                                  clod_law_memory *memory, clod_law_trial *trial)
 {
-    const clod_law_stiffness s = roots->stiffness;
+    const vreal overlap = vreal_max(touch->overlap, vreal_set(0.0));
+    const clod_law_stiffness s = clod_law_stiffness_at(law, overlap, touch->r_star);
+    const vreal damping = clod_law_damping(law, s, touch->m_star);
     const clod_law_normal normal = clod_law_normal_force(law, s, &memory->plastic);
-    trial->push = normal.force - roots->damping * touch->normal_velocity;
+    trial->push = normal.force - damping * touch->normal_velocity;
     trial->measure = clod_law_normal_measure(law, normal);
-    trial->dash_pot = clod_law_tangential_damping(law, roots->damping, touch->m_star);
+    trial->dash_pot = clod_law_tangential_damping(law, damping, touch->m_star);
     trial->stiffness = s.tangent;
 
     const clod_law_frame frame = {touch->normal, 0.5 * dt * touch->pair_spin};
@@ -344,8 +329,7 @@ CLOD_LAW_PASS clod_law_result clod_law_contact(const clod_law *law,
     clod_law_touch touch = {.rolling = motion->spin_i}; // zeros: no field is without a value
     clod_law_trial trial = {.push = motion->overlap};
     clod_law_touch_of(law, motion, &touch);
-    const clod_law_roots roots = clod_law_press_begin(law, &touch);
-    clod_law_press(law, &touch, dt, &roots, memory, &trial);
+    clod_law_press(law, &touch, dt, memory, &trial);
     const clod_law_inverses inverses = clod_law_carry_begin(law, &trial, memory);
     clod_law_carry(law, &touch, dt, &inverses, memory, &trial);
     const clod_law_cuts cuts = clod_law_limit_begin(law, &trial);

@@ -286,8 +286,7 @@ static inline clod_law_memory clod_law_carried(const clod_law *law, const clod_l
     clod_law_trial trial = {.push = now->overlap};
     clod_law_memory carried = *memory;
     clod_law_touch_of(law, now, &touch);
-    const clod_law_roots roots = clod_law_press_begin(law, &touch);
-    clod_law_press(law, &touch, dt, &roots, &carried, &trial);
+    clod_law_press(law, &touch, dt, &carried, &trial);
     const clod_law_inverses inverses = clod_law_carry_begin(law, &trial, &carried);
     clod_law_carry_springs(law, &touch, dt, &inverses, &trial, &carried);
     return carried;

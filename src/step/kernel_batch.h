@@ -105,17 +105,12 @@ static inline void kernel_prefetch_block(const kernel_batch *batch, kernel_layou
 CLOD_LAW_PASS void kernel_batch_press(const clod_law *law, double dt, kernel_layout layout,
                                       kernel_batch *batch)
 {
-    clod_law_roots roots = clod_law_press_begin(law, &batch->meeting[0].touch);
     for (int k = 0; k < batch->vectors; k++) {
-        const clod_law_roots now = roots;
-        if (k + 1 < batch->vectors) {
-            roots = clod_law_press_begin(law, &batch->meeting[k + 1].touch);
-        }
         kernel_prefetch_block(batch, layout, k);
         clod_history *history = kernel_history(batch, layout, k);
         const int lane = kernel_lane(k);
         clod_law_memory memory = kernel_memory(batch, layout, k);
-        clod_law_press(law, &batch->meeting[k].touch, dt, &now, &memory, &batch->trial[k]);
+        clod_law_press(law, &batch->meeting[k].touch, dt, &memory, &batch->trial[k]);
         const vmask closed = vmask_less(vreal_set(0.0), batch->meeting[k].touch.overlap);
         vreal_store(&history->plastic[lane],
                     vreal_select(closed, memory.plastic, vreal_set(0.0)));

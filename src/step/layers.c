@@ -29,11 +29,13 @@ clod_layers clod_layers_of(const double (*position)[4], size_t count)
     double least = INFINITY, largest = 0.0; // radii: not their sum, which has an order
     for (size_t g = 0; g < count; g++) {
         for (int a = 0; a < 3; a++) {
-            min[a] = fmin(min[a], position[g][a]);
-            max[a] = fmax(max[a], position[g][a]);
+            const double x = position[g][a]; // finite: no need of fmin
+            min[a] = x < min[a] ? x : min[a];
+            max[a] = x > max[a] ? x : max[a];
         }
-        least = fmin(least, position[g][3]);
-        largest = fmax(largest, position[g][3]);
+        const double radius = position[g][3];
+        least = radius < least ? radius : least;
+        largest = radius > largest ? radius : largest;
     }
     if (count == 0) {
         return self;
