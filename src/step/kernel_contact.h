@@ -23,8 +23,8 @@
  *          +--> view->load[j] -= force, then view->load[i] += force    (or i's share apart,
  *               with the torques of force and rolling                  between two parts)
  *
- * Carry and limit begin with the roots and divisions of the next vector before they end this one
- * (docs/adr/0021); why passes at all: docs/adr/step.md.
+ * Carry and limit begin with the roots and divisions of the next vector before they end this
+ * one (docs/adr/0021); why passes at all: docs/adr/step.md.
  */
 
 #include <stddef.h>

@@ -158,6 +158,10 @@ void clod_near_gather_copy(clod_near *self, clod_state *state, const clod_wall_r
                            int part, bool release);
 void clod_near_gather_end(clod_near *self, bool release);
 
+/** Room in the state for so many contacts of pairs and with walls; false without memory. */
+bool clod_near_gather_reserve(const clod_near *self, clod_state *state, size_t pairs,
+                              size_t walls, clod_status *status);
+
 /** All of that by one thread. */
 bool clod_near_gather(clod_near *self, clod_state *state, const clod_wall_rows *walls,
                       bool release, clod_status *status);

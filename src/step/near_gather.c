@@ -42,6 +42,17 @@ void clod_near_gather_count(clod_near *self, int part)
     self->gathered[part] = range;
 }
 
+bool clod_near_gather_reserve(const clod_near *self, clod_state *state, size_t pairs,
+                              size_t walls, clod_status *status)
+{
+    if (!reserve_contacts(self, state, status)) {
+        return false;
+    }
+    state->contact_count = pairs + walls;
+    state->wall_contact_count = walls;
+    return true;
+}
+
 bool clod_near_gather_room(clod_near *self, clod_state *state, clod_status *status)
 {
     size_t pairs = 0, walls = 0;
@@ -53,12 +64,7 @@ bool clod_near_gather_room(clod_near *self, clod_state *state, clod_status *stat
         self->gathered[p].wall = pairs + walls;
         walls += self->gathered[p].walls;
     }
-    if (!reserve_contacts(self, state, status)) {
-        return false;
-    }
-    state->contact_count = pairs + walls;
-    state->wall_contact_count = walls;
-    return true;
+    return clod_near_gather_reserve(self, state, pairs, walls, status);
 }
 
 /** Copy the contacts of a part along one of the lists. */

@@ -14,6 +14,7 @@
 #include "base/sort.h"
 #include "geometry/wall_rows.h"
 #include "law/law.h"
+#include "parallel/threads.h"
 #include "state/state.h"
 
 /** A later grain that a grain may touch before the next rebuild. */
@@ -107,6 +108,31 @@ void clod_neighbour_size(clod_neighbour *self, const clod_state *state);
  * @return  false: a grain has left an open domain (the text names it), or no memory
  */
 bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status);
+
+/** The same in steps (reorder.h): the order alone, in `sort` and `rank`; and the note. */
+bool clod_neighbour_order(clod_neighbour *self, clod_state *state, clod_status *status);
+bool clod_neighbour_note(clod_state *state, clod_status *status);
+
+/** Rows of an array that go with the grains; `size` bytes of each, `stride` apart. */
+typedef struct clod_row_column {
+    char *array;
+    size_t stride, size;
+} clod_row_column;
+
+#define CLOD_ROW_COLUMNS 9
+
+/** All that goes with the grains; how many columns there are. */
+int clod_neighbour_columns(const clod_grains *grains,
+                           clod_row_column columns[CLOD_ROW_COLUMNS]);
+
+/** Bring rows of a column into the order that was found: all of them out, then all back. */
+void clod_neighbour_rows_out(const clod_neighbour *self, const clod_row_column *column,
+                             clod_chunk rows);
+void clod_neighbour_rows_back(const clod_neighbour *self, const clod_row_column *column,
+                              clod_chunk rows);
+
+/** Rename the grains of a contact; when their order turns, the contact is met the other way. */
+void clod_neighbour_rename(const clod_neighbour *self, clod_contact *c);
 
 /**
  * Put a state that nobody steps back into the order of its last rebuild, which follows from

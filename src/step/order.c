@@ -96,47 +96,70 @@ static void sort_by_layers(clod_neighbour *self, const clod_grains *grains,
         }
         self->sort[at] = moving;
     }
+    for (size_t g = 0; g < grains->count; g++) {
+        self->rank[self->sort[g].index] = (int32_t)g;
+    }
 }
 
-/** Bring `size` bytes of each row of an array into the new order; its rows are `stride` apart.
- */
-static void permute(const clod_neighbour *self, void *array, size_t count, size_t stride,
-                    size_t size)
+void clod_neighbour_rows_out(const clod_neighbour *self, const clod_row_column *column,
+                             clod_chunk rows)
 {
     char *to = (char *)clod_neighbour_rows(self);
-    char *from = array;
-    for (size_t g = 0; g < count; g++) {
-        memcpy(to + g * size, from + self->sort[g].index * stride, size);
-    }
-    for (size_t g = 0; g < count; g++) {
-        memcpy(from + g * stride, to + g * size, size);
+    for (size_t g = rows.begin; g < rows.end; g++) {
+        memcpy(to + g * column->size, column->array + self->sort[g].index * column->stride,
+               column->size);
     }
 }
 
-/** Rows of eight numbers, in two halves: the scratch has room for rows of four. */
-static void permute_loads(const clod_neighbour *self, double (*loads)[8], size_t count)
+void clod_neighbour_rows_back(const clod_neighbour *self, const clod_row_column *column,
+                              clod_chunk rows)
 {
-    for (size_t half = 0; loads != NULL && half < 2; half++) {
-        permute(self, &loads[0][4 * half], count, sizeof *loads, sizeof *loads / 2);
+    const char *from = (const char *)clod_neighbour_rows(self);
+    for (size_t g = rows.begin; g < rows.end; g++) {
+        memcpy(column->array + g * column->stride, from + g * column->size, column->size);
     }
+}
+
+/** Bring all rows of an array into the new order. */
+static void permute(const clod_neighbour *self, clod_row_column column, size_t count)
+{
+    clod_neighbour_rows_out(self, &column, (clod_chunk){0, count});
+    clod_neighbour_rows_back(self, &column, (clod_chunk){0, count});
+}
+
+int clod_neighbour_columns(const clod_grains *grains, clod_row_column columns[CLOD_ROW_COLUMNS])
+{
+    int count = 0;
+#define ADD(rows, first, bytes)                                                                \
+    columns[count++] = (clod_row_column){(char *)(rows) + (first), sizeof *(rows), bytes}
+    ADD(grains->position, 0, sizeof *grains->position);
+    ADD(grains->velocity, 0, sizeof *grains->velocity);
+    ADD(grains->angular_velocity, 0, sizeof *grains->angular_velocity);
+    const size_t half =
+        sizeof *grains->load / 2; // the scratch has room for rows of four numbers
+    ADD(grains->load, 0, half);
+    ADD(grains->load, half, half);
+    if (grains->before != NULL) {
+        ADD(grains->before, 0, half);
+        ADD(grains->before, half, half);
+    }
+    ADD(grains->id, 0, sizeof *grains->id);
+    ADD(grains->material, 0, sizeof *grains->material);
+#undef ADD
+    return count;
 }
 
 /** The rows of all grains, and what belongs to them. */
-static void permute_grains(const clod_neighbour *self, clod_grains *grains)
+static void permute_grains(const clod_neighbour *self, const clod_grains *grains)
 {
-    const size_t n = grains->count;
-    permute(self, grains->position, n, sizeof *grains->position, sizeof *grains->position);
-    permute(self, grains->velocity, n, sizeof *grains->velocity, sizeof *grains->velocity);
-    permute(self, grains->angular_velocity, n, sizeof *grains->angular_velocity,
-            sizeof *grains->angular_velocity);
-    permute_loads(self, grains->load, n);
-    permute_loads(self, grains->before, n);
-    permute(self, grains->id, n, sizeof *grains->id, sizeof *grains->id);
-    permute(self, grains->material, n, sizeof *grains->material, sizeof *grains->material);
+    clod_row_column columns[CLOD_ROW_COLUMNS];
+    const int count = clod_neighbour_columns(grains, columns);
+    for (int k = 0; k < count; k++) {
+        permute(self, columns[k], grains->count);
+    }
 }
 
-/** Rename the grains of a contact; when their order turns, the contact is met the other way. */
-static void rename_contact(const clod_neighbour *self, clod_contact *c)
+void clod_neighbour_rename(const clod_neighbour *self, clod_contact *c)
 {
     c->i = self->rank[c->i];
     if (c->shape >= 0) {
@@ -192,11 +215,8 @@ static void sort_contacts(clod_neighbour *self, clod_contact *contacts, size_t c
 static void apply_order(clod_neighbour *self, clod_state *state)
 {
     permute_grains(self, &state->grains);
-    for (size_t g = 0; g < state->grains.count; g++) {
-        self->rank[self->sort[g].index] = (int32_t)g;
-    }
     for (size_t k = 0; k < state->contact_count; k++) {
-        rename_contact(self, &state->contacts[k]);
+        clod_neighbour_rename(self, &state->contacts[k]);
     }
 }
 
@@ -230,7 +250,7 @@ bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_
     }
     if (!sorted) {
         const size_t row = sizeof *state->build_position;
-        permute(self, state->build_position, count, row, row);
+        permute(self, (clod_row_column){(char *)state->build_position, row, row}, count);
         apply_order(self, state);
     }
     return sort_lists(self, state, status);
@@ -268,21 +288,28 @@ static void give_back_old(const clod_neighbour *self, const clod_state *state)
     }
 }
 
-bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status)
+bool clod_neighbour_order(clod_neighbour *self, clod_state *state, clod_status *status)
 {
-    clod_grains *grains = &state->grains;
-    if (!wrap(state, status)) {
-        return false;
-    }
-    if (!clod_neighbour_reserve(self, state, status)) {
+    if (!wrap(state, status) || !clod_neighbour_reserve(self, state, status)) {
         return false;
     }
     give_back_old(self, state);
-    sort_by_layers(self, grains, (const double(*)[4])grains->position);
-    apply_order(self, state);
-    if (!sort_lists(self, state, status)) {
+    sort_by_layers(self, &state->grains, (const double(*)[4])state->grains.position);
+    return true;
+}
+
+bool clod_neighbour_note(clod_state *state, clod_status *status)
+{
+    return note_rebuild(state) ||
+           clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu grains",
+                            state->grains.count);
+}
+
+bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status)
+{
+    if (!clod_neighbour_order(self, state, status)) {
         return false;
     }
-    return note_rebuild(state) ||
-           clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu grains", grains->count);
+    apply_order(self, state);
+    return sort_lists(self, state, status) && clod_neighbour_note(state, status);
 }

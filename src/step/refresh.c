@@ -5,6 +5,7 @@
 #include "parallel/threads.h"
 #include "state/alter.h"
 #include "step/change.h"
+#include "step/reorder.h"
 
 /**
  * What a near list costs, over what the pairs within a skin of one smallest radius cost in a
@@ -35,45 +36,100 @@ static clod_near_job job_of(clod_step *self)
 
 // ---- the phases, in the order of the table below
 
-/** Grains that leave through an open side are marked. */
+/** Whether contacts go straight to their new order: at a rebuild, unless grains leave. */
+static bool reorders(const clod_step *self)
+{
+    return self->remake.again && self->remake.leavers == 0;
+}
+
+/** Grains that leave through an open side are marked; else the new order is found. */
 static void begin(clod_step *self, int part)
 {
     (void)part;
     self->remake.leavers = self->remake.again ? clod_change_find_leavers(self) : 0;
     self->remake.before = self->remake.leavers > 0 ? clod_change_balance(self) : 0.0;
+    if (reorders(self)) {
+        self->failed = !clod_neighbour_order(&self->neighbour, self->state, &self->status);
+        if (!self->failed) {
+            clod_reorder_begin(&self->neighbour, self->state->grains.count);
+        }
+    }
 }
 
 static void count_old(clod_step *self, int part)
 {
-    clod_near_gather_count(&self->near, part);
+    if (reorders(self)) {
+        clod_reorder_count(&self->neighbour, &self->near, part);
+    } else {
+        clod_near_gather_count(&self->near, part);
+    }
 }
 
 static void make_room(clod_step *self, int part)
 {
     (void)part;
-    self->failed = !clod_near_gather_room(&self->near, self->state, &self->status);
+    self->failed =
+        reorders(self)
+            ? !clod_reorder_room(&self->neighbour, &self->near, self->state, &self->status)
+            : !clod_near_gather_room(&self->near, self->state, &self->status);
 }
 
 /** Histories into the state. */
 static void copy_old(clod_step *self, int part)
 {
-    clod_near_gather_copy(&self->near, self->state, &self->walls, part, true);
+    if (reorders(self)) {
+        clod_reorder_copy(&self->neighbour, &self->near, self->state, &self->walls, part);
+    } else {
+        clod_near_gather_copy(&self->near, self->state, &self->walls, part, true);
+    }
 }
 
-/** The near list is no more; at a rebuild the grains are sorted. */
-static void sort(clod_step *self, int part)
+/** Contacts and rows of grains into the new order. */
+static void reorder(clod_step *self, clod_chunk parts)
+{
+    clod_state *state = self->state;
+    clod_row_column columns[CLOD_ROW_COLUMNS];
+    const int count = clod_neighbour_columns(&state->grains, columns);
+    for (int k = -1; reorders(self) && k < count; k++) {
+        for (size_t p = parts.begin; p < parts.end; p++) {
+            const clod_chunk rows =
+                clod_threads_chunk(state->grains.count, (int)p, self->near.parts);
+            if (k < 0) {
+                clod_reorder_ascend(&self->neighbour, state, rows);
+            } else {
+                clod_neighbour_rows_out(&self->neighbour, &columns[k], rows);
+            }
+        }
+        clod_barrier_wait(&self->barrier);
+        for (size_t p = parts.begin; k >= 0 && p < parts.end; p++) {
+            clod_neighbour_rows_back(
+                &self->neighbour, &columns[k],
+                clod_threads_chunk(state->grains.count, (int)p, self->near.parts));
+        }
+        clod_barrier_wait(&self->barrier);
+    }
+}
+
+/** The near list is no more; at a rebuild the search begins. */
+static void begin_search(clod_step *self, int part)
 {
     (void)part;
     clod_state *state = self->state;
     clod_near_gather_end(&self->near, true);
+    if (!self->remake.again) {
+        return;
+    }
+    bool good;
     if (self->remake.leavers > 0) { // with what they carried
         clod_state_drop_grains(state, self->neighbour.rank);
         clod_neighbour_size(&self->neighbour, state);
+        good = clod_neighbour_sort(&self->neighbour, state, &self->status);
+    } else {
+        clod_neighbour_give_back(&self->neighbour);
+        good = clod_neighbour_note(state, &self->status);
     }
-    self->failed =
-        self->remake.again && (!clod_neighbour_sort(&self->neighbour, state, &self->status) ||
-                               !clod_neighbour_build_begin(&self->neighbour, state, self->laws,
-                                                           self->near.parts, &self->status));
+    self->failed = !good || !clod_neighbour_build_begin(&self->neighbour, state, self->laws,
+                                                        self->near.parts, &self->status);
 }
 
 /** At a rebuild the candidates are found anew. */
@@ -159,12 +215,25 @@ static void end(clod_step *self, int part)
 typedef struct list_phase {
     void (*run)(clod_step *self, int part);
     bool all; ///< by every thread for its parts; else by thread 0 alone
+    void (*together)(clod_step *self, clod_chunk parts); ///< in place of run, with barriers
 } list_phase;
 
 static const list_phase PHASES[] = {
-    {begin, false},      {count_old, true}, {make_room, false}, {copy_old, true}, {sort, false},
-    {place_walls, true}, {search, true},    {join, false},      {mark, true},     {cut, false},
-    {count_new, true},   {layout, false},   {place, true},      {end, false},
+    {.run = begin},
+    {.run = count_old, .all = true},
+    {.run = make_room},
+    {.run = copy_old, .all = true},
+    {.together = reorder},
+    {.run = begin_search},
+    {.run = place_walls, .all = true},
+    {.run = search, .all = true},
+    {.run = join},
+    {.run = mark, .all = true},
+    {.run = cut},
+    {.run = count_new, .all = true},
+    {.run = layout},
+    {.run = place, .all = true},
+    {.run = end},
 };
 #define PHASE_COUNT ((int)(sizeof PHASES / sizeof *PHASES))
 
@@ -179,7 +248,9 @@ static void remake_lists(clod_step *self, int part)
         for (size_t p = mine.begin; PHASES[k].all && p < mine.end; p++) {
             PHASES[k].run(self, (int)p);
         }
-        if (!PHASES[k].all && part == 0) {
+        if (PHASES[k].together != NULL) {
+            PHASES[k].together(self, mine);
+        } else if (!PHASES[k].all && part == 0) {
             PHASES[k].run(self, 0);
             if (self->failed) {
                 atomic_store(&self->remake.failed, k);
