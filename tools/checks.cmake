@@ -50,7 +50,7 @@ set_tests_properties(sanitize/tsan PROPERTIES FIXTURES_REQUIRED tsan_tree)
 set_tests_properties(build/asan build/tsan lint/tidy sanitize/asan sanitize/tsan lint/cppcheck
   PROPERTIES PROCESSORS 2)
 
-# Every sign and factor of the laws broken in turn (two minutes on two cores that are free).
+# Every sign and factor of the laws broken in turn (260 s of the processor, on two cores).
 clod_add_check(mutation/law 3600 tools/mutate-law $<TARGET_FILE:clod_core>)
 set_tests_properties(mutation/law PROPERTIES PROCESSORS 2)
 

@@ -52,7 +52,7 @@ typedef struct clod_hdf_column {
 
 /** How numbers lie in the file. */
 typedef enum clod_hdf_storage {
-    CLOD_HDF_EXACT,  ///< as in memory, each chunk with its Fletcher checksum
+    CLOD_HDF_EXACT,  ///< as in memory; what has chunks, each with its Fletcher checksum
     CLOD_HDF_PICTURE ///< F64 stored as float32, compressed (shuffle, deflate 1)
 } clod_hdf_storage;
 

@@ -51,6 +51,14 @@ static int column_dimensions(const clod_hdf_column *column, hsize_t dimensions[2
     return column->components == 1 || column->type == CLOD_HDF_TEXT ? 1 : 2;
 }
 
+static size_t row_size(const clod_hdf_column *column)
+{
+    return column->components * type_size(column->type);
+}
+
+/** Bytes up to which a dataset lies in its header, without chunks: most columns of walls. */
+#define COMPACT 4096
+
 /** Owned creation properties (H5Pclose) of a column's dataset. */
 static hid_t dataset_properties(const clod_hdf *self, const clod_hdf_column *column)
 {
@@ -58,7 +66,9 @@ static hid_t dataset_properties(const clod_hdf *self, const clod_hdf_column *col
     const int rank = column_dimensions(column, chunk);
     const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_obj_track_times(properties, false); // the same data give the same bytes
-    if (column->rows > 0) {
+    if (self->storage == CLOD_HDF_EXACT && column->rows * row_size(column) <= COMPACT) {
+        H5Pset_layout(properties, H5D_COMPACT);
+    } else if (column->rows > 0) {
         chunk[0] = chunk[0] < CLOD_HDF_SLAB ? chunk[0] : CLOD_HDF_SLAB;
         H5Pset_chunk(properties, rank, chunk);
         if (self->storage == CLOD_HDF_PICTURE) {
@@ -79,11 +89,6 @@ typedef struct slab {
     char *packed; ///< the rows without the gaps between them
     size_t first; ///< row of the dataset that the column's first row is
 } slab;
-
-static size_t row_size(const clod_hdf_column *column)
-{
-    return column->components * type_size(column->type);
-}
 
 /** Move `count` rows of the column, from its row `at` on, between packed rows and file. */
 static bool move_packed(const slab *self, size_t at, size_t count, bool write)

@@ -23,8 +23,12 @@ static H5FD_t *open_disk(const char *name, unsigned flags, hid_t access, haddr_t
     (void)flags; // the descriptor was opened for what is to be done
     (void)most;
     clod_hdf_disk *const *disk = H5Pget_driver_info(access);
-    open_file *self = disk == NULL ? NULL : clod_memory_alloc(1, sizeof *self);
+    if (disk == NULL) {
+        return NULL;
+    }
+    open_file *self = clod_memory_alloc(1, sizeof *self);
     if (self == NULL) {
+        (*disk)->error = ENOMEM;
         return NULL;
     }
     self->disk = *disk;

@@ -68,6 +68,13 @@ def is_harmless(calls, at):
         call.name in ("openat", "pread", "fstat")
 
 
+def ends_of_rows(calls):
+    """Numbers of the calls; of equal calls on one file in a row the first and the last only."""
+    kinds = [None, *((call.name, call.path) for call in calls), None]
+    return [at for at in range(1, len(calls) + 1)
+            if not kinds[at - 1] == kinds[at] == kinds[at + 1]]
+
+
 class FaultCase(clod.Case):
     """Tests that run the same command with one fault after the other."""
 
@@ -137,11 +144,15 @@ class FaultCase(clod.Case):
         self.assert_whole(parts, what)
 
     def sweep(self, arguments, prepare, parts=(), every=1, kinds=KINDS):
-        """Faults at every so many calls, each kind at others; returns how many."""
+        """Faults at every so many calls, each kind at others; returns how many.
+
+        Of calls in a row (the pieces of a checkpoint) a sample takes the ends only.
+        """
         calls = self.record(arguments, prepare)
+        numbers = ends_of_rows(calls) if every > 1 else range(1, len(calls) + 1)
         count = 0
         for k, error in enumerate(kinds):
-            for at in range(1 + k * every // len(kinds), len(calls) + 1, every):
+            for at in numbers[k * every // len(kinds)::every]:
                 self.fail_at(arguments, prepare, at, error, parts)
                 count += 1
         self.assertGreater(count, 0)
