@@ -26,10 +26,10 @@ static const char CASE[] =
     "    radius: {distribution: uniform, min: 1.8 mm, max: 2.2 mm}\n"
     "    region: {box: {min: [0 mm, 0 mm, 0 mm], max: [20 mm, 20 mm, 40 mm]}}\n"
     "walls:\n"
-    "  floor: {material: glass, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, "
-    "1]}}]}\n"
-    "  lid: {material: glass, shapes: [{plane: {point: [0 mm, 0 mm, 40 mm], normal: [0, 0, "
-    "-1]}}]}\n";
+    "  floor: {material: glass, shapes: [\n"
+    "    {plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, 1]}}]}\n"
+    "  lid: {material: glass, shapes: [\n"
+    "    {plane: {point: [0 mm, 0 mm, 40 mm], normal: [0, 0, -1]}}]}\n";
 
 /** Down while the bed pushes less than the target, up while it pushes more. */
 static bool servo(clod_sim *sim, int32_t lid, clod_status *status)

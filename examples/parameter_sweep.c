@@ -22,8 +22,8 @@ static const char CASE[] =
     "    region: {box: {min: [0 mm, 0 mm, 0 mm], max: [20 mm, 20 mm, 20 mm]}}\n"
     "    velocity: [0 m/s, 0 m/s, -1 m/s]\n"
     "walls:\n"
-    "  plate: {material: glass, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, "
-    "1]}}]}\n";
+    "  plate: {material: glass, shapes: [\n"
+    "    {plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, 1]}}]}\n";
 
 #define POINTS 4
 

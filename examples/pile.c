@@ -18,8 +18,8 @@ static const char CASE[] =
     "    radius: {distribution: uniform, min: 1.8 mm, max: 2.2 mm}\n"
     "    region: {box: {min: [0 mm, 0 mm, 0 mm], max: [20 mm, 20 mm, 60 mm]}}\n"
     "walls:\n"
-    "  floor: {material: glass, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, "
-    "1]}}]}\n";
+    "  floor: {material: glass, shapes: [\n"
+    "    {plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, 1]}}]}\n";
 
 static bool settle(clod_sim *sim, double *weight, double *carried, clod_status *status)
 {

@@ -145,7 +145,7 @@ size_t clod_sim_row_of_id(const clod_sim *self, uint64_t id);
 
 /** A grain that is to come. */
 typedef struct clod_sim_grain {
-    uint64_t id;                ///< no other grain of the run has or had it
+    uint64_t id;                ///< no other grain has it
     double position[3];         ///< m
     double radius;              ///< m
     double velocity[3];         ///< m/s
@@ -156,13 +156,14 @@ typedef struct clod_sim_grain {
 /**
  * Ask for a grain to come, or for one to go. All that was asked for, of grains and walls, is
  * done together before the next step, energies, contacts or file, or by clod_sim_change; what
- * goes goes first. The order of requests changes no bit.
+ * goes goes first. The order of requests changes no bit. When one of them is wrong, none is done
+ * and all are dropped.
  *
  * The time step stays that of the case: give it (time.step) when much smaller grains come.
  *
  * Errors  CLOD_USAGE: no such material. An id that is taken or unknown, a position outside of
- * the domain, numbers that are not finite: by what does the changes, which then does none. Test
- * tests/sim/test_sim_change.c
+ *         the domain, numbers that are not finite: by what does the changes, which then does none.
+ * Test    tests/sim/test_sim_change.c
  */
 bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status *status);
 bool clod_sim_remove_grain(clod_sim *self, uint64_t id, clod_status *status);
@@ -270,7 +271,7 @@ bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_sta
  *
  * @param orientation  [4]; made to length 1
  * Errors  CLOD_USAGE: no such wall, numbers that are not finite or all 0, a wall that
- *         oscillates; nothing is changed.   Test  tests/sim/test_sim.c
+ *         oscillates; nothing is changed.   Test  tests/sim/test_sim_walls.c
  */
 bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double orientation[4],
                                    clod_status *status);
@@ -283,7 +284,7 @@ bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double or
  * @param velocity  [3] rad/s; 0 stops the rotation and leaves the axis as it is
  * @param point     [3] m, in space
  * Errors  CLOD_USAGE: no such wall, a number that is not finite, a plane that would turn out of
- *         itself, a wall that oscillates; nothing is changed.   Test  tests/sim/test_sim.c
+ *         itself, a wall that oscillates; nothing is changed.   Test  tests/sim/test_sim_walls.c
  */
 bool clod_sim_set_wall_angular_velocity(clod_sim *self, int32_t wall, const double velocity[3],
                                         const double point[3], clod_status *status);
@@ -301,9 +302,10 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
 /**
  * Ask for a wall to come or go, as clod_sim_add_grain.
  *
- * @param wall  as in a case (clod/case.h), with a name of its own and without a load; borrowed.
+ * @param wall  as in a case (clod/case.h), with a name of its own and without a load; borrowed
  * Errors  CLOD_USAGE: an unknown material, a load, a plane that would turn out of itself; a
- * name that is taken or unknown: by what does the changes.   Test  tests/sim/test_sim_change.c
+ *         name that is taken or unknown: by what does the changes.
+ * Test    tests/sim/test_sim_change.c
  */
 bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *status);
 bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status);
@@ -339,8 +341,9 @@ bool clod_sim_measure(clod_sim *self, clod_sim_bed *bed, clod_status *status);
  * Write a checkpoint into a results folder (docs/results-folder.md), the older of two in turn.
  *
  * @param folder  made if need be; one that another run is writing into, or with files of
- * others, is refused Errors  CLOD_USAGE: the folder; CLOD_FAILED: disk, memory; checkpoints of
- * before are untouched. Test    tests/sim/test_sim.c
+ *                others, is refused
+ * Errors  CLOD_USAGE: the folder; CLOD_FAILED: disk, memory; checkpoints of before are untouched.
+ * Test    tests/sim/test_sim.c
  */
 bool clod_sim_write_checkpoint(clod_sim *self, const char *folder, clod_status *status);
 

@@ -54,8 +54,10 @@ class Results:
         return pandas.DataFrame(self.series(name))
 
     def snapshots(self, kind="snap"):
-        """Paths of the snapshots, in the order of time; kind: snap, walls or contacts."""
-        return sorted(glob.glob(os.path.join(self.folder, f"*{kind}_[0-9]*.hdf")))
+        """Paths of the snapshots, part by part in the order of time; kind: snap, walls or contacts."""
+        paths = glob.glob(os.path.join(self.folder, f"*{kind}_[0-9]*.hdf"))
+        split = {path: os.path.basename(path)[:-4].rsplit("_", 1) for path in paths}
+        return sorted(paths, key=lambda path: (split[path][0], int(split[path][1])))
 
     def snapshot(self, number=-1, kind="snap"):
         """Fields of one snapshot by name, `position` among them, and `time`; needs h5py."""

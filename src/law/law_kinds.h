@@ -22,8 +22,7 @@ typedef struct clod_law_kind_row {
     bool rayleigh;    ///< the automatic time step is a fraction of the Rayleigh time
     bool speed_free;  ///< restitution without dash-pot is the same at any speed
     clod_law_memory_kind remembers;
-    /** Steepest rise df/dd [N/m] of a contact that was never pressed beyond this overlap [m].
-     */
+    /** Steepest rise df/dd [N/m] of a contact that was never pressed beyond this overlap [m]. */
     double (*stiffest)(const clod_law *self, double overlap, double r_star);
     /** Overlap [m] from which on virgin loading follows k2; NULL: none. */
     double (*flow)(const clod_law *self, double r_star);

@@ -1,6 +1,7 @@
 #include "step/change.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -96,6 +97,28 @@ static int32_t wall_of(const clod_state *state, const char *name)
     return -1;
 }
 
+static int by_id(const void *a, const void *b)
+{
+    const uint64_t x = ((const clod_new_grain *)a)->id, y = ((const clod_new_grain *)b)->id;
+    return (x > y) - (x < y);
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const clod_wall *)a)->name, ((const clod_wall *)b)->name);
+}
+
+/** What comes, by id and by name: the order of requests changes no bit. */
+static void sort_requests(clod_changes *changes)
+{
+    if (changes->new_grains > 1) {
+        qsort(changes->new_grain, changes->new_grains, sizeof *changes->new_grain, by_id);
+    }
+    if (changes->new_walls > 1) {
+        qsort(changes->new_wall, changes->new_walls, sizeof *changes->new_wall, by_name);
+    }
+}
+
 /** Mark the grains that go, each once. */
 static bool mark_lost(clod_step *self, const clod_ids *index, clod_status *status)
 {
@@ -155,14 +178,10 @@ static bool check_new(const clod_step *self, const clod_ids *index, size_t k,
                                 "domain",
                                 id, grain->position[0], grain->position[1], grain->position[2]);
     }
-    bool known = clod_ids_row(index, grain->id) >= 0;
-    for (size_t before = 0; before < k && !known; before++) {
-        known = state->changes.new_grain[before].id == grain->id;
-    }
-    return !known || clod_status_fail(status, CLOD_USAGE,
-                                      "grain %llu cannot be added: another one has this id; "
-                                      "an id is used once in a run",
-                                      id);
+    const bool twice = k > 0 && state->changes.new_grain[k - 1].id == grain->id; // they ascend
+    return (!twice && clod_ids_row(index, grain->id) < 0) ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "grain %llu cannot be added: another one has this id", id);
 }
 
 /** Whether a wall has the name of the queue's new wall `k`, and stays; or one before it. */
@@ -174,10 +193,8 @@ static bool name_is_taken(const clod_state *state, size_t k)
     for (size_t w = 0; w < changes->lost_walls; w++) {
         taken = taken && strcmp(changes->lost_wall[w], name) != 0;
     }
-    for (size_t w = 0; w < k; w++) {
-        taken = taken || strcmp(changes->new_wall[w].name, name) == 0;
-    }
-    return taken;
+    const bool twice = k > 0 && strcmp(changes->new_wall[k - 1].name, name) == 0; // they ascend
+    return taken || twice;
 }
 
 /** Walls of the queue: what goes is there, what comes is not. */
@@ -324,6 +341,7 @@ bool clod_step_change(clod_step *self, clod_status *status)
         *status = self->status;
         return false;
     }
+    sort_requests(&state->changes);
     bool good = check(self, status);
     if (good) {
         const double before = clod_change_balance(self);
@@ -342,6 +360,9 @@ bool clod_step_change(clod_step *self, clod_status *status)
             self->status = *status;
         }
     }
+    const bool moved =
+        !good && state->changes.moved; // still true when the requests are dropped
     clod_changes_fini(&state->changes);
+    state->changes.moved = moved;
     return good;
 }

@@ -121,6 +121,21 @@ static void walls_come_and_go(void **state)
     clod_sim_destroy(&sim);
 }
 
+/** A wrong request does not make clod forget that positions were written. */
+static void moved_grains_are_seen_after_a_wrong_request(void **state)
+{
+    (void)state;
+    clod_sim *sim = make();
+    CHECK(clod_sim_advance(sim, 10, &status)); // all of them fall freely, above 4 mm
+    numbers(sim, "position", 7)[2] = 0.0019;   // 0.1 mm into the floor
+    CHECK(clod_sim_positions_changed(sim, &status));
+    CHECK(clod_sim_remove_grain(sim, 999, &status));
+    assert_false(clod_sim_advance(sim, 1, &status));
+    CHECK(clod_sim_advance(sim, 1, &status));
+    assert_true(numbers(sim, "force", 7)[2] > 0.5 * 1e4 * 1e-4); // k1 times overlap: 1 N
+    clod_sim_destroy(&sim);
+}
+
 /** A checkpoint knows the walls that came and went: going on from it changes no bit. */
 static void changed_walls_are_in_checkpoints(void **temporary)
 {
@@ -202,6 +217,7 @@ int main(void)
         cmocka_unit_test(a_new_grain_flies_as_it_should),
         cmocka_unit_test(a_grain_that_went_is_gone),
         cmocka_unit_test(walls_come_and_go),
+        cmocka_unit_test(moved_grains_are_seen_after_a_wrong_request),
         cmocka_unit_test_setup_teardown(changed_walls_are_in_checkpoints, temp_folder_make,
                                         temp_folder_remove),
         cmocka_unit_test(wrong_requests_are_refused),
