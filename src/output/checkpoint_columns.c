@@ -67,18 +67,20 @@ static void add_grains(clod_checkpoint_columns *self, const clod_state *state)
     const size_t real = sizeof(double);
     const clod_rows id = {grains->id, n, sizeof *grains->id};
     const clod_rows material = {grains->material, n, sizeof *grains->material};
-    const clod_rows place = {grains->position, n, sizeof *grains->position};
-    const clod_rows motion = {grains->velocity, n, sizeof *grains->velocity};
-    const clod_rows turning = {grains->angular_velocity, n, sizeof *grains->angular_velocity};
+    const clod_rows position = {grains->position, n, sizeof *grains->position};
+    const clod_rows velocity = {grains->velocity, n, sizeof *grains->velocity};
+    const clod_rows angular_velocity = {grains->angular_velocity, n,
+                                        sizeof *grains->angular_velocity};
     const clod_rows load = {grains->load, n, sizeof *grains->load};
     add(self, id, 0, "grains/id", "1", CLOD_HDF_U64, 1);
     add(self, material, 0, "grains/material", "1", CLOD_HDF_U16, 1);
-    add(self, place, 0, "grains/position", "m", CLOD_HDF_F64, 3);
-    add(self, place, 3 * real, "grains/radius", "m", CLOD_HDF_F64, 1);
-    add(self, motion, 0, "grains/velocity", "m s-1", CLOD_HDF_F64, 3);
-    add(self, motion, 3 * real, "grains/mass", "kg", CLOD_HDF_F64, 1);
-    add(self, turning, 0, "grains/omega", "rad s-1", CLOD_HDF_F64, 3);
-    add(self, turning, 3 * real, "grains/inverse_inertia", "kg-1 m-2", CLOD_HDF_F64, 1);
+    add(self, position, 0, "grains/position", "m", CLOD_HDF_F64, 3);
+    add(self, position, 3 * real, "grains/radius", "m", CLOD_HDF_F64, 1);
+    add(self, velocity, 0, "grains/velocity", "m s-1", CLOD_HDF_F64, 3);
+    add(self, velocity, 3 * real, "grains/mass", "kg", CLOD_HDF_F64, 1);
+    add(self, angular_velocity, 0, "grains/angular_velocity", "rad s-1", CLOD_HDF_F64, 3);
+    add(self, angular_velocity, 3 * real, "grains/inverse_inertia", "kg-1 m-2", CLOD_HDF_F64,
+        1);
     add(self, load, 0, "grains/force", "N", CLOD_HDF_F64, 3);
     add(self, load, 4 * real, "grains/torque", "N m", CLOD_HDF_F64, 3);
     if (state->build_position != NULL && n > 0) {

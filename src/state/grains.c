@@ -30,21 +30,22 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
     const size_t old = self->capacity;
     // a file, a checkpoint or a copy asks for all of its grains at first
     const size_t rows = old == 0 ? capacity : capacity + capacity / 4;
-    void *place = clod_memory_grow(self->position, old, rows, sizeof *self->position);
-    void *motion = clod_memory_grow(self->velocity, old, rows, sizeof *self->velocity);
-    void *turning =
+    void *position = clod_memory_grow(self->position, old, rows, sizeof *self->position);
+    void *velocity = clod_memory_grow(self->velocity, old, rows, sizeof *self->velocity);
+    void *angular_velocity =
         clod_memory_grow(self->angular_velocity, old, rows, sizeof *self->angular_velocity);
     void *load = clod_memory_grow(self->load, old, rows, sizeof *self->load);
     void *id = clod_memory_grow(self->id, old, rows, sizeof *self->id);
     void *material = clod_memory_grow(self->material, old, rows, sizeof *self->material);
-    self->position = place != NULL ? place : self->position;
-    self->velocity = motion != NULL ? motion : self->velocity;
-    self->angular_velocity = turning != NULL ? turning : self->angular_velocity;
+    self->position = position != NULL ? position : self->position;
+    self->velocity = velocity != NULL ? velocity : self->velocity;
+    self->angular_velocity =
+        angular_velocity != NULL ? angular_velocity : self->angular_velocity;
     self->load = load != NULL ? load : self->load;
     self->id = id != NULL ? id : self->id;
     self->material = material != NULL ? material : self->material;
-    if (place == NULL || motion == NULL || turning == NULL || load == NULL || id == NULL ||
-        material == NULL) {
+    if (position == NULL || velocity == NULL || angular_velocity == NULL || load == NULL ||
+        id == NULL || material == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", count);
     }
     if (self->before != NULL) {
