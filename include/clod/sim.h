@@ -353,8 +353,9 @@ bool clod_sim_write_checkpoint(clod_sim *self, const char *folder, clod_status *
  *
  * @param part  of a test whose checkpoint it is, such as "fill"; NULL: of a free run or of
  *              clod_sim_write_checkpoint
- * Errors  CLOD_USAGE: another case; CLOD_FAILED: no whole checkpoint, memory; the simulation is
- *         as it was.   Test  tests/sim/test_sim.c
+ * Errors  CLOD_USAGE: another case; CLOD_FAILED: no whole checkpoint; the simulation is as it
+ *         was. CLOD_FAILED without memory for the lists: it can only be destroyed.
+ * Test    tests/sim/test_sim.c
  */
 bool clod_sim_read_checkpoint(clod_sim *self, const char *folder, const char *part,
                               clod_status *status);

@@ -52,9 +52,7 @@ void clod_sim_moved(clod_sim *self)
 bool clod_sim_take_up(clod_sim *self, clod_status *status)
 {
     clod_laws_set_adhesion(&self->laws, self->state.adhesion);
-    self->ready =
-        clod_step_init(&self->step, &self->state, &self->laws, &self->options, status);
-    return self->ready;
+    return clod_step_init(&self->step, &self->state, &self->laws, &self->options, status);
 }
 
 static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *status)

@@ -17,7 +17,6 @@ struct clod_sim {
     clod_state state;
     clod_laws laws;
     clod_step step;
-    bool ready;                 ///< state and step are whole; always but for a failed read
     clod_sim_contact *contacts; ///< [contact_capacity] lent by clod_sim_contacts
     size_t contact_capacity;
 };
