@@ -106,6 +106,6 @@ def clod(folder, grains, law, steps, dt):
     with h5py.File(max(filter(os.path.exists, paths), key=_sequence), "r") as file:
         if file["state/step"][0] != steps:
             raise ProgramError(f"clod made {file['state/step'][0]} steps instead of {steps}")
-        names = ("force", "torque", "position", "velocity", "omega")
+        names = ("force", "torque", "position", "velocity", "angular_velocity")
         columns = [file[f"grains/{name}"][:].reshape(-1, 3) for name in names]
         return State(numpy.hstack([file["grains/id"][:].reshape(-1, 1), *columns]))
