@@ -2,7 +2,9 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdint.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/memory.h"
@@ -24,11 +26,11 @@ static bool fail(const char *name, const char *action, int error, clod_status *s
 }
 
 /** Open to read, again after signals. */
-static int open_again(const char *path)
+static int open_again(const char *path, int flags)
 {
     int descriptor;
     do {
-        descriptor = open(path, O_RDONLY | O_CLOEXEC);
+        descriptor = open(path, O_RDONLY | O_CLOEXEC | flags);
     } while (descriptor < 0 && errno == EINTR);
     return descriptor;
 }
@@ -71,7 +73,7 @@ bool clod_input_read(const char *path, size_t most, char **text, size_t *length,
     const char *name = path != NULL ? path : CLOD_INPUT_STANDARD;
     *text = NULL;
     *length = 0;
-    const int descriptor = path != NULL ? open_again(path) : STDIN_FILENO;
+    const int descriptor = path != NULL ? open_again(path, 0) : STDIN_FILENO;
     if (descriptor < 0) {
         return fail(name, "opened", errno, status);
     }
@@ -84,6 +86,74 @@ bool clod_input_read(const char *path, size_t most, char **text, size_t *length,
         clod_memory_free(*text);
         *text = NULL;
         return fail(name, "read", error, status);
+    }
+    return true;
+}
+
+/** Read at most `room` bytes; false with errno set. */
+static bool fill(int descriptor, size_t room, char *text, size_t *length)
+{
+    while (*length < room) {
+        const ssize_t got = read(descriptor, text + *length, room - *length);
+        if (got == 0) {
+            return true;
+        }
+        if (got > 0) {
+            *length += (size_t)got;
+        } else if (errno != EINTR) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** Whether an open file is regular and not too large. */
+static bool is_readable(const char *path, const struct stat *about, size_t most,
+                        clod_status *status)
+{
+    if (!S_ISREG(about->st_mode) && !S_ISDIR(about->st_mode)) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s: it is no regular file, so its size is not known before it "
+                                "is read; copy its content into a file",
+                                path);
+    }
+    if (S_ISREG(about->st_mode) && (uintmax_t)about->st_size > most) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s: the file has %.3g GB; %.3g GB are read at most", path,
+                                (double)about->st_size * 1e-9, (double)most * 1e-9);
+    }
+    return true;
+}
+
+bool clod_input_read_regular(const char *path, size_t most, char **text, size_t *length,
+                             clod_status *status)
+{
+    *text = NULL;
+    *length = 0;
+    const int descriptor =
+        open_again(path, O_NONBLOCK); // a pipe without a writer waits for one
+    if (descriptor < 0) {
+        return fail(path, "opened", errno, status);
+    }
+    struct stat about;
+    bool done = fstat(descriptor, &about) == 0;
+    if (done && !is_readable(path, &about, most, status)) {
+        close(descriptor);
+        return false;
+    }
+    const size_t size = done && S_ISREG(about.st_mode) ? (size_t)about.st_size : 1;
+    *text = done ? clod_memory_alloc(size + 1, 1) : NULL;
+    if (done && *text == NULL) {
+        errno = ENOMEM;
+        done = false;
+    }
+    done = done && fill(descriptor, size, *text, length);
+    const int error = errno;
+    close(descriptor); // nothing was written
+    if (!done) {
+        clod_memory_free(*text);
+        *text = NULL;
+        return fail(path, "read", error, status);
     }
     return true;
 }

@@ -28,5 +28,19 @@
 bool clod_input_read(const char *path, size_t most, char **text, size_t *length,
                      clod_status *status);
 
+/**
+ * Read a regular file. Anything else that can be opened (a pipe, a device) may never end and is
+ * refused, as is a file that is too large; both before memory is taken.
+ *
+ * @param path    the file
+ * @param most    bytes of the largest file that is read
+ * @param text    [out] owned (clod_memory_free), a zero byte behind its end
+ * @param length  [out] without that zero byte
+ * Errors  CLOD_USAGE: as clod_input_read, no regular file, too large; CLOD_FAILED: the disk,
+ *         memory.   Threads  safe.   Test  tests/base/test_input.c
+ */
+bool clod_input_read_regular(const char *path, size_t most, char **text, size_t *length,
+                             clod_status *status);
+
 /** Bytes of the byte order mark at the start of a text, 0 without one. */
 size_t clod_input_mark(const char *text);
