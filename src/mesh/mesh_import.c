@@ -1,0 +1,193 @@
+#include "mesh/mesh_import.h"
+
+#include <assimp/cfileio.h>
+#include <assimp/cimport.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+/** A file that Assimp has opened: the content in memory. */
+typedef struct stream {
+    struct aiFile file; ///< first, so that its address is that of the stream
+    const char *bytes;
+    size_t length, at;
+} stream;
+
+/** Assimp's last error is one for the whole program. */
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+
+static size_t stream_read(struct aiFile *file, char *buffer, size_t size, size_t count)
+{
+    stream *self = (stream *)file;
+    const size_t left = self->length - self->at;
+    const size_t items = size == 0 ? 0 : (left / size < count ? left / size : count);
+    memcpy(buffer, self->bytes + self->at, items * size);
+    self->at += items * size;
+    return items;
+}
+
+static size_t stream_write(struct aiFile *file, const char *buffer, size_t size, size_t count)
+{
+    (void)file, (void)buffer, (void)size, (void)count;
+    return 0;
+}
+
+static size_t stream_tell(struct aiFile *file)
+{
+    return ((stream *)file)->at;
+}
+
+static size_t stream_size(struct aiFile *file)
+{
+    return ((stream *)file)->length;
+}
+
+static enum aiReturn stream_seek(struct aiFile *file, size_t offset, enum aiOrigin origin)
+{
+    stream *self = (stream *)file;
+    const size_t base = origin == aiOrigin_SET   ? 0
+                        : origin == aiOrigin_CUR ? self->at
+                                                 : self->length;
+    if (offset > self->length - base) {
+        return aiReturn_FAILURE;
+    }
+    self->at = base + offset;
+    return aiReturn_SUCCESS;
+}
+
+static void stream_flush(struct aiFile *file)
+{
+    (void)file;
+}
+
+/** Name under which Assimp finds the content, and nothing else. */
+#define NAME "mesh"
+
+static struct aiFile *open_stream(struct aiFileIO *io, const char *name, const char *mode)
+{
+    const clod_mesh_source *source = (const clod_mesh_source *)(const void *)io->UserData;
+    const bool ours = strncmp(name, NAME ".", sizeof NAME) == 0 &&
+                      strcmp(name + sizeof NAME, source->extension) == 0 && mode[0] == 'r';
+    stream *self = ours ? clod_memory_alloc(1, sizeof *self) : NULL;
+    if (self == NULL) {
+        return NULL;
+    }
+    *self = (stream){.file = {.ReadProc = stream_read,
+                              .WriteProc = stream_write,
+                              .TellProc = stream_tell,
+                              .FileSizeProc = stream_size,
+                              .SeekProc = stream_seek,
+                              .FlushProc = stream_flush},
+                     .bytes = source->bytes + source->begin,
+                     .length = source->length - source->begin};
+    return &self->file;
+}
+
+static void close_stream(struct aiFileIO *io, struct aiFile *file)
+{
+    (void)io;
+    clod_memory_free(file);
+}
+
+/** Triangles of a scene, whatever they are; the number of faces with other than three corners. */
+static size_t count_triangles(const struct aiScene *scene, size_t *others)
+{
+    size_t count = 0;
+    *others = 0;
+    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
+        const struct aiMesh *mesh = scene->mMeshes[m];
+        for (unsigned f = 0; f < mesh->mNumFaces; f++) {
+            *others += mesh->mFaces[f].mNumIndices != 3;
+        }
+        count += mesh->mNumFaces;
+    }
+    return count;
+}
+
+static bool check_corner(const clod_mesh_source *source, size_t facet, int corner,
+                         const float place[3], clod_status *status)
+{
+    return (isfinite(place[0]) && isfinite(place[1]) && isfinite(place[2])) ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "%s: facet %zu: corner %d is (%g, %g, %g); a coordinate must be "
+                            "finite and below 3e38: export the mesh again",
+                            source->path, facet + 1, corner + 1, (double)place[0],
+                            (double)place[1], (double)place[2]);
+}
+
+static bool copy(const struct aiScene *scene, const clod_mesh_source *source,
+                 float (*corners)[3][3], clod_status *status)
+{
+    size_t facet = 0;
+    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
+        const struct aiMesh *mesh = scene->mMeshes[m];
+        for (unsigned f = 0; f < mesh->mNumFaces; f++, facet++) {
+            for (int c = 0; c < 3; c++) {
+                const struct aiVector3D *at = &mesh->mVertices[mesh->mFaces[f].mIndices[c]];
+                float *to = corners[facet][c];
+                to[0] = (float)at->x;
+                to[1] = (float)at->y;
+                to[2] = (float)at->z;
+                if (!check_corner(source, facet, c, to, status)) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+static bool take(const struct aiScene *scene, const clod_mesh_source *source,
+                 float (**corners)[3][3], clod_status *status)
+{
+    size_t others = 0;
+    const size_t found = count_triangles(scene, &others);
+    if (found != source->facets || others > 0) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s: the polygons of the file should make %zu triangles, but "
+                                "%zu came out of them; one has no area or crosses itself: "
+                                "export triangles",
+                                source->path, source->facets, found - others);
+    }
+    *corners = clod_memory_alloc(found, sizeof **corners);
+    if (*corners == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "%s: no memory for %zu facets",
+                                source->path, found);
+    }
+    if (!copy(scene, source, *corners, status)) {
+        clod_memory_free(*corners);
+        *corners = NULL;
+        return false;
+    }
+    return true;
+}
+
+bool clod_mesh_import(clod_mesh_source *source, float (**corners)[3][3], clod_status *status)
+{
+    struct aiFileIO io = {open_stream, close_stream, (aiUserData)(void *)source};
+    char name[16];
+    *corners = NULL;
+    snprintf(name, sizeof name, NAME ".%s", source->extension);
+    pthread_mutex_lock(&lock);
+    const struct aiScene *scene = aiImportFileEx(name, aiProcess_Triangulate, &io);
+    if (scene == NULL) {
+        const char *reason = aiGetErrorString();
+        const bool memory =
+            reason == NULL || reason[0] == '\0' || strstr(reason, "alloc") != NULL;
+        clod_status_fail(
+            status, memory ? CLOD_FAILED : CLOD_USAGE, "%s: %s%s", source->path,
+            memory ? "no memory to read it" : "Assimp cannot read it: ", memory ? "" : reason);
+    }
+    pthread_mutex_unlock(&lock);
+    if (scene == NULL) {
+        return false;
+    }
+    const bool done = take(scene, source, corners, status);
+    aiReleaseImport(scene);
+    return done;
+}
