@@ -15,7 +15,7 @@ SMALL = clod.source("tests/support/small.yaml")
 VERIFY = ["verify", "chung-ooi-2", "-o", "verify"]
 RUN = ["run", SMALL, "-o", "run", "--threads", "1"]
 
-VERBS = ["new", "run", "check", "contact", "locus", "explain", "schema", "verify"]
+VERBS = ["new", "run", "check", "contact", "locus", "mesh", "explain", "schema", "verify"]
 SPEAKING = [["--help"], ["--version"], *([verb, "--help"] for verb in VERBS), ["new"],
             ["new", "free-run", "new.yaml"], ["contact", BENCH], ["contact", "-s", BENCH],
             ["locus", POINTS], ["locus", "--json", POINTS], ["locus", "--csv", POINTS],

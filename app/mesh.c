@@ -1,0 +1,117 @@
+/**
+ * @file mesh.c
+ * clod mesh FILE: what a triangle mesh is, what is wrong with it, and what clod does about it.
+ */
+
+#include <argp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "app.h"
+#include "arguments.h"
+#include "clod/mesh.h"
+#include "output.h"
+
+enum { KEY_JSON = 256, KEY_UNIT, KEY_RADIUS };
+
+typedef struct request {
+    const char *path, *unit, *radius;
+    char *(*write)(const clod_mesh *mesh, const clod_mesh_report *report);
+} request;
+
+static const struct argp_option OPTIONS[] = {
+    {"unit", KEY_UNIT, "UNIT", 0,
+     "unit of the numbers in the file: m, mm, cm, in, ft ...; required, since no mesh file says",
+     0},
+    {"grain-radius", KEY_RADIUS, "LENGTH", 0,
+     "radius of the grains that will touch the mesh, e.g. 3mm: compares facets and size", 0},
+    {"json", KEY_JSON, NULL, 0, "print everything as JSON", 0},
+    {0},
+};
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+    request *self = state->input;
+    switch (key) {
+    case KEY_JSON:
+        self->write = clod_mesh_json;
+        return 0;
+    case KEY_UNIT:
+        self->unit = argument;
+        return 0;
+    case KEY_RADIUS:
+        self->radius = argument;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (self->path != NULL) {
+            argp_error(state, "one mesh at a time");
+        }
+        self->path = argument;
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        argp_error(state, "which mesh file?");
+        return 0;
+    case ARGP_KEY_END:
+        if (self->unit == NULL) {
+            argp_error(state, "which unit do the numbers have? No mesh file says: --unit mm, "
+                              "--unit m, --unit in ...");
+        }
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static bool put(const request *self, const clod_mesh *mesh, double radius, clod_status *status)
+{
+    clod_mesh_report report;
+    if (!clod_mesh_examine(mesh, radius, &report, status)) {
+        return false;
+    }
+    char *text = self->write(mesh, &report);
+    if (text == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
+    }
+    clod_output_put(text);
+    clod_output_put(self->write == clod_mesh_json ? "\n" : "");
+    clod_mesh_free(text);
+    return true;
+}
+
+static bool run(const request *self, clod_status *status)
+{
+    clod_mesh_placing placing = {.scale = 1.0};
+    double radius = 0.0;
+    if (!clod_mesh_unit(self->unit, &placing.unit, status) ||
+        (self->radius != NULL && !clod_mesh_unit(self->radius, &radius, status))) {
+        return false;
+    }
+    clod_mesh *mesh = clod_mesh_read(self->path, &placing, status);
+    const bool done = mesh != NULL && put(self, mesh, radius, status);
+    clod_mesh_destroy(&mesh);
+    return done;
+}
+
+int clod_app_mesh(int argc, char **argv)
+{
+    const struct argp argp = {
+        .options = OPTIONS,
+        .parser = parse,
+        .args_doc = "FILE",
+        .doc =
+            "Check a triangle mesh: FILE is .stl (text or binary), .obj or .ply. Prints box, "
+            "area, volume, parts and edges; what is wrong with the mesh, the facets "
+            "concerned, and what clod does about it; whether unit and facets fit the "
+            "grains.\vdocs/meshes.md explains each finding.",
+    };
+    request self = {.write = clod_mesh_text};
+    if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
+        return CLOD_FAILED;
+    }
+    clod_status status = {CLOD_OK, ""};
+    if (!run(&self, &status)) {
+        fprintf(stderr, "clod mesh: %s\n", status.text);
+        return (int)status.code;
+    }
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,130 @@
+"""The mesh doctor as a user meets it: text and JSON, options, files that are wrong or endless."""
+
+import json
+import os
+import resource
+import struct
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+CORNERS = [(x, y, z) for z in (0, 250) for x, y in ((0, 0), (1000, 0), (1000, 500), (0, 500))]
+FACETS = [(0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7), (0, 1, 5), (0, 5, 4),
+          (1, 2, 6), (1, 6, 5), (2, 3, 7), (2, 7, 6), (3, 0, 4), (3, 4, 7)]
+
+
+def stl(facets, solid="box"):
+    lines = [f"solid {solid}"]
+    for facet in facets:
+        lines += ["facet normal 0 0 0", "outer loop"]
+        lines += ["vertex {} {} {}".format(*CORNERS[corner]) for corner in facet]
+        lines += ["endloop", "endfacet"]
+    return "\n".join([*lines, f"endsolid {solid}"]) + "\n"
+
+
+class Mesh(clod.Case):
+
+    def mesh(self, *arguments, code=0, **more):
+        done = clod.run("mesh", *arguments, cwd=self.folder, **more)
+        self.assertEqual(done.returncode, code, done.stderr)
+        if code != 0:
+            self.assertEqual(done.stdout, "")
+            self.assertTrue(done.stderr.startswith("clod mesh: "), done.stderr)
+        return done.stderr if code != 0 else done.stdout
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content.encode() if isinstance(content, str) else content)
+
+    def test_a_box(self):
+        """1 m by 0.5 m by 0.25 m, in numbers of mm."""
+        self.write("box.stl", stl(FACETS, "hood and spoon"))
+        said = self.mesh("box.stl", "--unit", "mm")
+        for text in ("box.stl: 12 facets, 8 vertices, 1 unconnected piece, closed",
+                     "area     1.75 m2", "volume   0.125 m3", "6 flat, 12 convex, 0 concave",
+                     "12  hood and spoon", "nothing that clod changes"):
+            self.assertIn(text, said)
+        self.assertRegex(said, r"x +0 +1 +1 +1000\n")
+        self.assertNotIn("Warnings", said)
+
+    def test_json(self):
+        """The second side is missing, a facet comes twice."""
+        self.write("box.stl", stl([*FACETS[:2], *FACETS[4:], FACETS[7]]))
+        told = json.loads(self.mesh("box.stl", "--unit", "in", "--grain-radius=5 mm", "--json"))
+        self.assertAlmostEqual(told["box_max_m"][0], 25.4, places=12)
+        self.assertIsNone(told["volume_m3"])
+        self.assertEqual((told["facets_read"], told["facets"], told["closed"]), (11, 10, False))
+        self.assertEqual(told["edges"], {"flat": 5, "convex": 8, "concave": 0, "open": 4, "t": 0,
+                                         "nonmanifold": 0})
+        kinds = {found["kind"]: found for found in told["findings"]}
+        self.assertEqual(sorted(kinds), ["duplicate_facets", "open_edges"])
+        self.assertEqual(kinds["duplicate_facets"]["action"], "dropped")
+        self.assertEqual(kinds["duplicate_facets"]["first"][0]["facet"], 11)
+        self.assertEqual(kinds["duplicate_facets"]["first"][0]["part"], "box")
+        self.assertEqual(kinds["open_edges"]["count"], 4)
+        self.assertEqual(told["parts"], [{"name": "box", "facets": 10}])
+        self.assertEqual(len(told["warnings"]), 1)
+        # 25.4 m; diameters of 10 mm: 10 to 1000 of them are 0.1 to 10 m
+        self.assertIn("2.54e+03 grain diameters", told["warnings"][0])
+        self.assertIn("plausible in: cm, mm.", told["warnings"][0])
+
+    def test_facets_against_grains(self):
+        self.write("box.stl", stl(FACETS))
+        said = self.mesh("box.stl", "--unit=mm", "--grain-radius=0.6 m")
+        self.assertIn("grain    of radius 600 mm: 4 facets are smaller than it", said)
+        self.assertIn("4 of 12 facets are smaller than the radius of a grain", said)
+
+    def test_what_the_options_say(self):
+        self.write("box.stl", stl(FACETS))
+        self.assertIn("which unit do the numbers have?",
+                      clod.run("mesh", "box.stl", cwd=self.folder).stderr)
+        self.assertIn("which mesh file?", clod.run("mesh", "--unit=mm").stderr)
+        self.assertIn("one mesh at a time", clod.run("mesh", "a.stl", "b.stl").stderr)
+        self.assertIn("clod mesh: kg: ", self.mesh("box.stl", "--unit=kg", code=2))
+        self.assertIn("clod mesh: 3: ", self.mesh("box.stl", "--unit=mm", "--grain-radius=3",
+                                                  code=2))
+
+    def test_files_that_are_wrong(self):
+        self.write("cut.stl", b"\0" * 80 + struct.pack("<I", 12) + b"\0" * 500)
+        self.assertIn("cut.stl: the header announces 12 facets",
+                      self.mesh("cut.stl", "--unit=mm", code=2))
+        self.write("nan.obj", "v 0 0 nan\n")
+        self.assertIn('nan.obj:1: "nan"', self.mesh("nan.obj", "--unit=mm", code=2))
+        self.write("empty.ply", "")
+        self.assertIn("empty.ply: the file is empty", self.mesh("empty.ply", "--unit=mm", code=2))
+        os.mkdir(self.path("folder.stl"))
+        self.assertIn("folder.stl: cannot be read: Is a directory",
+                      self.mesh("folder.stl", "--unit=mm", code=2))
+        self.assertIn("none.stl: cannot be opened: No such file",
+                      self.mesh("none.stl", "--unit=mm", code=2))
+        if os.geteuid() != 0:
+            self.write("closed.stl", stl(FACETS))
+            os.chmod(self.path("closed.stl"), 0)
+            self.assertIn("you have no right to read it",
+                          self.mesh("closed.stl", "--unit=mm", code=2))
+
+    def test_no_memory_goes_into_what_is_refused(self):
+        """With 300 MB of address space: an endless file, a huge one, one that promises much."""
+        if clod.SANITIZED:
+            self.skipTest("the sanitizers need more address space than that")
+        with open(self.path("huge.stl"), "wb") as file:
+            file.truncate(5 * 10**9)
+        os.symlink("/dev/zero", self.path("endless.stl"))
+        os.mkfifo(self.path("pipe.obj"))
+        self.write("promise.ply", "ply\nformat binary_little_endian 1.0\n"
+                   "element vertex 2000000000\nproperty float x\nproperty float y\n"
+                   "property float z\nelement face 2000000000\n"
+                   "property list uchar int vertex_indices\nend_header\n")
+        for name, text in (("huge.stl", "the file has 5 GB; 2 GB are read at most"),
+                           ("endless.stl", "it is no regular file"),
+                           ("pipe.obj", "it is no regular file"),
+                           ("promise.ply", "this cannot be how many there are")):
+            said = self.mesh(name, "--unit=mm", code=2, timeout=60, preexec_fn=lambda:
+                             resource.setrlimit(resource.RLIMIT_AS, (300 << 20, 300 << 20)))
+            self.assertIn(text, said)
+
+
+if __name__ == "__main__":
+    clod.main()
