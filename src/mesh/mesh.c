@@ -50,6 +50,11 @@ clod_mesh_triangle clod_mesh_measure(const clod_mesh *self, uint32_t facet)
     };
 }
 
+static bool is_finite(const double at[3])
+{
+    return isfinite(at[0]) && isfinite(at[1]) && isfinite(at[2]);
+}
+
 static bool check_placing(const char *path, const clod_mesh_placing *placing,
                           clod_status *status)
 {
@@ -66,7 +71,12 @@ static bool check_placing(const char *path, const clod_mesh_placing *placing,
                                 "%s: a scale of %g; it must be above 0 and at most 1e6", path,
                                 placing->scale);
     }
-    if (turn->angle != 0.0 && !(length > 0.0 && isfinite(length) && isfinite(turn->angle))) {
+    if (!is_finite(placing->move) || !is_finite(turn->axis) || !is_finite(turn->point) ||
+        !isfinite(turn->angle)) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s: rotate and move must be finite numbers", path);
+    }
+    if (turn->angle != 0.0 && !(length > 0.0 && isfinite(length))) {
         return clod_status_fail(status, CLOD_USAGE,
                                 "%s: the axis of rotate is (%g, %g, %g); it must not be zero",
                                 path, turn->axis[0], turn->axis[1], turn->axis[2]);

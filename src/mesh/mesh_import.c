@@ -18,6 +18,12 @@ typedef struct stream {
     size_t length, at;
 } stream;
 
+/** What Assimp may open. */
+typedef struct library {
+    const clod_mesh_source *source;
+    bool lost; ///< there was no memory for a stream
+} library;
+
 /** Assimp's last error is one for the whole program. */
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 
@@ -70,22 +76,27 @@ static void stream_flush(struct aiFile *file)
 
 static struct aiFile *open_stream(struct aiFileIO *io, const char *name, const char *mode)
 {
-    const clod_mesh_source *source = (const clod_mesh_source *)(const void *)io->UserData;
+    library *self = (library *)(void *)io->UserData;
+    const clod_mesh_source *source = self->source;
     const bool ours = strncmp(name, NAME ".", sizeof NAME) == 0 &&
                       strcmp(name + sizeof NAME, source->extension) == 0 && mode[0] == 'r';
-    stream *self = ours ? clod_memory_alloc(1, sizeof *self) : NULL;
-    if (self == NULL) {
+    if (!ours) {
         return NULL;
     }
-    *self = (stream){.file = {.ReadProc = stream_read,
-                              .WriteProc = stream_write,
-                              .TellProc = stream_tell,
-                              .FileSizeProc = stream_size,
-                              .SeekProc = stream_seek,
-                              .FlushProc = stream_flush},
-                     .bytes = source->bytes + source->begin,
-                     .length = source->length - source->begin};
-    return &self->file;
+    stream *opened = clod_memory_alloc(1, sizeof *opened);
+    if (opened == NULL) {
+        self->lost = true;
+        return NULL;
+    }
+    *opened = (stream){.file = {.ReadProc = stream_read,
+                                .WriteProc = stream_write,
+                                .TellProc = stream_tell,
+                                .FileSizeProc = stream_size,
+                                .SeekProc = stream_seek,
+                                .FlushProc = stream_flush},
+                       .bytes = source->bytes + source->begin,
+                       .length = source->length - source->begin};
+    return &opened->file;
 }
 
 static void close_stream(struct aiFileIO *io, struct aiFile *file)
@@ -167,21 +178,31 @@ static bool take(const struct aiScene *scene, const clod_mesh_source *source,
     return true;
 }
 
-bool clod_mesh_import(clod_mesh_source *source, float (**corners)[3][3], clod_status *status)
+/** Why Assimp gave nothing. */
+static void fail(const library *from, const char *reason, clod_status *status)
 {
-    struct aiFileIO io = {open_stream, close_stream, (aiUserData)(void *)source};
+    const bool memory = from->lost || reason == NULL || reason[0] == '\0' ||
+                        strstr(reason, "bad_alloc") != NULL;
+    if (memory) {
+        clod_status_fail(status, CLOD_FAILED, "%s: no memory to read it", from->source->path);
+    } else {
+        clod_status_fail(status, CLOD_USAGE, "%s: Assimp cannot read it: %s",
+                         from->source->path, reason);
+    }
+}
+
+bool clod_mesh_import(const clod_mesh_source *source, float (**corners)[3][3],
+                      clod_status *status)
+{
+    library from = {.source = source};
+    struct aiFileIO io = {open_stream, close_stream, (aiUserData)(void *)&from};
     char name[16];
     *corners = NULL;
     snprintf(name, sizeof name, NAME ".%s", source->extension);
     pthread_mutex_lock(&lock);
     const struct aiScene *scene = aiImportFileEx(name, aiProcess_Triangulate, &io);
     if (scene == NULL) {
-        const char *reason = aiGetErrorString();
-        const bool memory =
-            reason == NULL || reason[0] == '\0' || strstr(reason, "alloc") != NULL;
-        clod_status_fail(
-            status, memory ? CLOD_FAILED : CLOD_USAGE, "%s: %s%s", source->path,
-            memory ? "no memory to read it" : "Assimp cannot read it: ", memory ? "" : reason);
+        fail(&from, aiGetErrorString(), status);
     }
     pthread_mutex_unlock(&lock);
     if (scene == NULL) {

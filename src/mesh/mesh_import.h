@@ -15,4 +15,5 @@
  * Errors  CLOD_USAGE: Assimp refuses it, a coordinate is not finite; CLOD_FAILED: memory.
  * Threads safe: one at a time.   Test  tests/mesh/test_mesh_read.c
  */
-bool clod_mesh_import(clod_mesh_source *source, float (**corners)[3][3], clod_status *status);
+bool clod_mesh_import(const clod_mesh_source *source, float (**corners)[3][3],
+                      clod_status *status);

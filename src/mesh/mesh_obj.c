@@ -80,9 +80,9 @@ static bool skip_rest_of_vertex(reader *r)
 
 static bool read_vertex(reader *r)
 {
-    if (r->vertices == UINT32_MAX) {
+    if (r->vertices == CLOD_MESH_VERTICES_MOST) {
         return fail(r, (clod_mesh_word){r->at.at, 0},
-                    "too many vertices; export a coarser mesh");
+                    "too many vertices, 15 million are read; export a coarser mesh");
     }
     *r->out++ = 'v';
     for (int c = 0; c < 3; c++) {

@@ -3,76 +3,56 @@
  * PLY, text and binary: one list of vertices, then one of faces.
  */
 
+#include "mesh/mesh_ply.h"
+
 #include "base/memory.h"
-#include "mesh/mesh_source.h"
-#include "mesh/mesh_words.h"
-
-#define PROPERTIES_MOST 64
-
-typedef enum form { FORM_TEXT, FORM_LITTLE, FORM_BIG } form;
-
-typedef struct property {
-    int size;    ///< bytes; of a list: of one item
-    bool whole;  ///< an integer
-    int counter; ///< bytes of the number of items; 0 = no list
-} property;
-
-typedef struct element {
-    int64_t count;
-    bool known;
-    property properties[PROPERTIES_MOST];
-    size_t property_count;
-    int coordinates, lists; ///< how many of its properties are x, y or z, and lists
-} element;
-
-enum { VERTEX, FACE, ELEMENTS };
-
-typedef struct reader {
-    clod_mesh_source *source;
-    clod_mesh_cursor at;
-    form form;
-    element elements[ELEMENTS];
-    element *open; ///< that properties belong to
-    clod_status *status;
-} reader;
 
 static const struct {
     const char *name;
     int size;
-    bool whole;
+    bool whole, negative; ///< an integer; one that may be below 0
 } TYPES[] = {
-    {"char", 1, true},   {"int8", 1, true},     {"uchar", 1, true},   {"uint8", 1, true},
-    {"short", 2, true},  {"int16", 2, true},    {"ushort", 2, true},  {"uint16", 2, true},
-    {"int", 4, true},    {"int32", 4, true},    {"uint", 4, true},    {"uint32", 4, true},
-    {"float", 4, false}, {"float32", 4, false}, {"double", 8, false}, {"float64", 8, false},
+    {"char", 1, true, true},      {"int8", 1, true, true},      {"uchar", 1, true, false},
+    {"uint8", 1, true, false},    {"short", 2, true, true},     {"int16", 2, true, true},
+    {"ushort", 2, true, false},   {"uint16", 2, true, false},   {"int", 4, true, true},
+    {"int32", 4, true, true},     {"uint", 4, true, false},     {"uint32", 4, true, false},
+    {"float", 4, false, false},   {"float32", 4, false, false}, {"double", 8, false, false},
+    {"float64", 8, false, false},
 };
 
-static bool fail(const reader *r, clod_mesh_word word, const char *problem)
+static bool fail(const clod_mesh_ply *r, clod_mesh_word word, const char *problem)
 {
+    if (word.length == 0) {
+        return clod_status_fail(r->status, CLOD_USAGE, "%s:%zu: the line ends too early: %s",
+                                r->source->path, r->at.line, problem);
+    }
     return clod_status_fail(r->status, CLOD_USAGE, "%s:%zu: \"%.*s\": %s", r->source->path,
                             r->at.line, clod_mesh_words_shown(word), word.text, problem);
 }
 
-static bool read_format(reader *r)
+static bool read_format(clod_mesh_ply *r)
 {
     static const char *const FORMS[] = {"ascii", "binary_little_endian", "binary_big_endian"};
     const clod_mesh_word word = clod_mesh_words_in_line(&r->at);
-    for (form f = FORM_TEXT; f <= FORM_BIG; f++) {
-        if (clod_mesh_words_is(word, FORMS[f])) {
+    for (clod_mesh_ply_form f = CLOD_MESH_PLY_TEXT; f <= CLOD_MESH_PLY_BIG; f++) {
+        if (clod_mesh_words_same(word, FORMS[f])) {
             r->form = f;
+            clod_mesh_words_in_line(&r->at); // the version, 1.0
             return true;
         }
     }
     return fail(r, word, "the format must be ascii, binary_little_endian or binary_big_endian");
 }
 
-static bool read_element(reader *r)
+static bool read_element(clod_mesh_ply *r)
 {
     static const char *const NAMES[] = {"vertex", "face"};
     const clod_mesh_word name = clod_mesh_words_in_line(&r->at);
-    const int which = clod_mesh_words_is(name, NAMES[VERTEX]) ? VERTEX : FACE;
-    if (!clod_mesh_words_is(name, NAMES[which]) || r->elements[which].known ||
-        (which == FACE && !r->elements[VERTEX].known)) {
+    const int which = clod_mesh_words_same(name, NAMES[CLOD_MESH_PLY_VERTEX])
+                          ? CLOD_MESH_PLY_VERTEX
+                          : CLOD_MESH_PLY_FACE;
+    if (!clod_mesh_words_same(name, NAMES[which]) || r->elements[which].known ||
+        (which == CLOD_MESH_PLY_FACE && !r->elements[CLOD_MESH_PLY_VERTEX].known)) {
         return fail(r, name,
                     "only vertices, and then faces, are read, each once; export without edges, "
                     "materials and other elements");
@@ -86,95 +66,135 @@ static bool read_element(reader *r)
                     "this cannot be how many there are: each takes some bytes of the "
                     "file");
     }
+    if (r->open->count > CLOD_MESH_VERTICES_MOST) {
+        return fail(r, count, "too many; at most 15 million vertices are read");
+    }
     return true;
 }
 
-/** Size of a type and whether it is whole; false for an unknown one. */
-static bool read_type(reader *r, int *size, bool *whole)
+/** Look up a type; false for an unknown one. */
+static bool read_type(clod_mesh_ply *r, int *size, bool *whole, bool *negative)
 {
     const clod_mesh_word word = clod_mesh_words_in_line(&r->at);
     for (size_t t = 0; t < sizeof TYPES / sizeof TYPES[0]; t++) {
-        if (clod_mesh_words_is(word, TYPES[t].name)) {
+        if (clod_mesh_words_same(word, TYPES[t].name)) {
             *size = TYPES[t].size;
             *whole = TYPES[t].whole;
+            *negative = TYPES[t].negative;
             return true;
         }
     }
     return fail(r, word, "unknown type of a property");
 }
 
-static bool read_property(reader *r)
+/** A list: of corners, and of a face, or it is refused. */
+static bool read_list(clod_mesh_ply *r, clod_mesh_ply_property *p)
 {
-    const char *start = r->at.at;
-    const clod_mesh_word kind = clod_mesh_words_in_line(&r->at);
-    if (r->open == NULL || r->open->property_count == PROPERTIES_MOST) {
-        return fail(r, kind, "a property belongs below an element, and 64 of them at most");
-    }
-    property *p = &r->open->properties[r->open->property_count++];
-    const bool list = clod_mesh_words_is(kind, "list");
-    bool whole = true;
-    if (!list) {
-        r->at.at = (char *)start;
-    }
-    if ((list && !read_type(r, &p->counter, &whole)) || !read_type(r, &p->size, &p->whole)) {
+    bool whole = false, negative = false;
+    if (!read_type(r, &p->counter, &whole, &negative) ||
+        !read_type(r, &p->size, &p->whole, &p->negative)) {
         return false;
     }
     const clod_mesh_word name = clod_mesh_words_in_line(&r->at);
-    const bool corners =
-        clod_mesh_words_is(name, "vertex_indices") || clod_mesh_words_is(name, "vertex_index");
-    if (list && (r->open != &r->elements[FACE] || !corners || !whole || !p->whole)) {
+    const bool corners = clod_mesh_words_same(name, "vertex_indices") ||
+                         clod_mesh_words_same(name, "vertex_index");
+    if (r->open != &r->elements[CLOD_MESH_PLY_FACE] || !corners || !whole || !p->whole) {
         return fail(r, name,
                     "the only list that is read is vertex_indices of a face, of whole numbers; "
                     "export without textures");
     }
-    if (!list && corners) {
+    r->open->lists++;
+    return true;
+}
+
+static bool read_property(clod_mesh_ply *r)
+{
+    char *start = r->at.at;
+    const clod_mesh_word kind = clod_mesh_words_in_line(&r->at);
+    if (r->open == NULL || r->open->property_count == CLOD_MESH_PLY_PROPERTIES) {
+        return fail(r, kind, "a property belongs below an element, and 64 of them at most");
+    }
+    clod_mesh_ply_property *p = &r->open->properties[r->open->property_count++];
+    p->axis = -1;
+    if (clod_mesh_words_same(kind, "list")) {
+        return read_list(r, p);
+    }
+    r->at.at = start;
+    if (!read_type(r, &p->size, &p->whole, &p->negative)) {
+        return false;
+    }
+    const clod_mesh_word name = clod_mesh_words_in_line(&r->at);
+    if (clod_mesh_words_same(name, "vertex_indices") ||
+        clod_mesh_words_same(name, "vertex_index")) {
         return fail(r, name, "the corners of a face must be a list");
     }
-    r->open->lists += list;
-    for (int c = 0; c < 3 && !list; c++) {
-        r->open->coordinates += name.length == 1 && name.text[0] == "xyz"[c];
+    for (int c = 0; c < 3; c++) {
+        if (name.length == 1 && name.text[0] == "xyz"[c]) {
+            p->axis = c;
+            r->open->axes[c]++;
+        }
     }
     return true;
 }
 
-static bool read_header(reader *r)
+/** A remark; Assimp gets it without its text. */
+static bool read_remark(clod_mesh_ply *r, clod_mesh_word keyword)
 {
-    if (!clod_mesh_words_is(clod_mesh_words_in_line(&r->at), "ply")) {
+    const clod_mesh_word rest = clod_mesh_words_rest(&r->at);
+    memset(keyword.text, ' ', keyword.length);
+    memcpy(keyword.text, "comment", 7); // no longer than obj_info
+    memset(rest.text, ' ', rest.length);
+    return true;
+}
+
+static bool read_header_line(clod_mesh_ply *r, clod_mesh_word word)
+{
+    if (clod_mesh_words_same(word, "comment") || clod_mesh_words_same(word, "obj_info")) {
+        return read_remark(r, word);
+    }
+    const bool good = clod_mesh_words_same(word, "format")    ? read_format(r)
+                      : clod_mesh_words_same(word, "element") ? read_element(r)
+                      : clod_mesh_words_same(word, "property")
+                          ? read_property(r)
+                          : fail(r, word, "this is no line of a PLY header");
+    if (!good) {
+        return false;
+    }
+    const clod_mesh_word more = clod_mesh_words_in_line(&r->at);
+    return more.length == 0 || fail(r, more, "there is one word too many in this line");
+}
+
+static bool read_header(clod_mesh_ply *r)
+{
+    if (!clod_mesh_words_same(clod_mesh_words_in_line(&r->at), "ply")) {
         return clod_status_fail(r->status, CLOD_USAGE,
                                 "%s: this is no PLY file: it does not begin with ply",
                                 r->source->path);
     }
     bool formed = false;
     for (;;) {
-        clod_mesh_words_rest(&r->at);
         const clod_mesh_word word = clod_mesh_words_next(&r->at);
         if (word.length == 0) {
             return clod_status_fail(r->status, CLOD_USAGE,
                                     "%s:%zu: the file ends before end_header; it was cut off",
                                     r->source->path, r->at.line);
         }
-        if (clod_mesh_words_is(word, "end_header")) {
+        if (clod_mesh_words_same(word, "end_header")) {
             return formed || fail(r, word, "there is no line that begins with format");
         }
-        const bool is_format = clod_mesh_words_is(word, "format");
-        const bool good =
-            is_format                              ? read_format(r)
-            : clod_mesh_words_is(word, "element")  ? read_element(r)
-            : clod_mesh_words_is(word, "property") ? read_property(r)
-            : clod_mesh_words_is(word, "comment") || clod_mesh_words_is(word, "obj_info")
-                ? true
-                : fail(r, word, "this is no line of a PLY header");
-        if (!good) {
+        formed = formed || clod_mesh_words_same(word, "format");
+        if (!read_header_line(r, word)) {
             return false;
         }
-        formed = formed || is_format;
     }
 }
 
-static bool check_elements(const reader *r)
+static bool check_elements(const clod_mesh_ply *r)
 {
-    const element *vertex = &r->elements[VERTEX], *face = &r->elements[FACE];
-    if (vertex->coordinates != 3 || face->lists != 1) {
+    const clod_mesh_ply_element *vertex = &r->elements[CLOD_MESH_PLY_VERTEX],
+                                *face = &r->elements[CLOD_MESH_PLY_FACE];
+    if (vertex->axes[0] != 1 || vertex->axes[1] != 1 || vertex->axes[2] != 1 ||
+        face->lists != 1) {
         return clod_status_fail(r->status, CLOD_USAGE,
                                 "%s: the header must give vertices x, y and z, once each, and "
                                 "faces one list vertex_indices",
@@ -183,7 +203,8 @@ static bool check_elements(const reader *r)
     return true;
 }
 
-static bool fail_end(const reader *r, const char *what, int64_t number, int64_t count)
+bool clod_mesh_ply_fail_end(const clod_mesh_ply *r, const char *what, int64_t number,
+                            int64_t count)
 {
     return clod_status_fail(r->status, CLOD_USAGE,
                             "%s: the file ends in %s %lld of %lld; it was cut off: export or "
@@ -191,8 +212,7 @@ static bool fail_end(const reader *r, const char *what, int64_t number, int64_t 
                             r->source->path, what, (long long)number, (long long)count);
 }
 
-/** Corners of a face: how many, and each a vertex that there is. */
-static bool check_count(const reader *r, int64_t face, uint64_t corners)
+bool clod_mesh_ply_check_count(const clod_mesh_ply *r, int64_t face, uint64_t corners)
 {
     return (corners >= 3 && corners <= CLOD_MESH_CORNERS_MOST) ||
            clod_status_fail(r->status, CLOD_USAGE,
@@ -202,17 +222,17 @@ static bool check_count(const reader *r, int64_t face, uint64_t corners)
                             CLOD_MESH_CORNERS_MOST);
 }
 
-static bool check_corner(const reader *r, int64_t face, uint64_t vertex)
+bool clod_mesh_ply_check_corner(const clod_mesh_ply *r, int64_t face, uint64_t vertex)
 {
-    return vertex < (uint64_t)r->elements[VERTEX].count ||
+    return vertex < (uint64_t)r->elements[CLOD_MESH_PLY_VERTEX].count ||
            clod_status_fail(r->status, CLOD_USAGE,
                             "%s: face %lld: there is no vertex %llu; there are %lld, the first "
                             "has number 0",
                             r->source->path, (long long)face, (unsigned long long)vertex,
-                            (long long)r->elements[VERTEX].count);
+                            (long long)r->elements[CLOD_MESH_PLY_VERTEX].count);
 }
 
-static bool read_whole(reader *r, clod_mesh_word word, uint64_t *value)
+static bool read_whole(clod_mesh_ply *r, clod_mesh_word word, uint64_t *value)
 {
     int64_t number = -1;
     if (!clod_mesh_words_whole(word, &number) || number < 0) {
@@ -222,45 +242,70 @@ static bool read_whole(reader *r, clod_mesh_word word, uint64_t *value)
     return true;
 }
 
-/** One line of a text: a value of each property. */
-static bool check_text_line(reader *r, const element *kind, int64_t number)
+/** The next line of a text; Assimp wants no empty one between two. */
+static bool next_line(clod_mesh_ply *r)
 {
-    const bool face = kind == &r->elements[FACE];
-    clod_mesh_word word = clod_mesh_words_next(&r->at);
-    for (size_t p = 0; p < kind->property_count; p++) {
-        uint64_t items = 1;
-        const bool list = kind->properties[p].counter > 0;
-        if (list) {
-            if (word.length == 0) {
-                return fail_end(r, "face", number, kind->count);
-            }
-            if (!read_whole(r, word, &items) || !check_count(r, number, items) ||
-                !clod_mesh_source_add(r->source, items - 2, r->status)) {
-                return false;
-            }
-            word = clod_mesh_words_in_line(&r->at);
-        }
-        for (uint64_t i = 0; i < items; i++) {
-            uint64_t vertex = 0;
-            if (word.length == 0) {
-                return fail_end(r, face ? "face" : "vertex", number, kind->count);
-            }
-            if (list ? !read_whole(r, word, &vertex) || !check_corner(r, number, vertex)
-                     : !clod_mesh_words_number(word) &&
-                           !fail(r, word,
-                                 "a finite number is expected; export the mesh again")) {
-                return false;
-            }
-            word = clod_mesh_words_in_line(&r->at);
-        }
+    clod_mesh_words_in_line(&r->at);
+    if (r->at.at < r->at.end) {
+        r->at.at++;
+        r->at.line++;
     }
-    return word.length == 0 ||
-           fail(r, word, "there are more values in this line than the header has properties");
+    return r->at.at < r->at.end;
 }
 
-static bool check_text(reader *r)
+/** A value of a text that is no corner. */
+static bool check_value(clod_mesh_ply *r, const clod_mesh_ply_property *own,
+                        clod_mesh_word word)
 {
-    for (int e = VERTEX; e < ELEMENTS; e++) {
+    int64_t whole = 0;
+    return (own->whole ? clod_mesh_words_whole(word, &whole) : clod_mesh_words_number(word)) ||
+           fail(r, word,
+                own->whole ? "a whole number is expected"
+                           : "a finite number is expected; export the mesh again");
+}
+
+/** A list of corners in a text. */
+static bool check_list(clod_mesh_ply *r, int64_t face)
+{
+    uint64_t corners = 0;
+    if (!read_whole(r, clod_mesh_words_in_line(&r->at), &corners) ||
+        !clod_mesh_ply_check_count(r, face, corners)) {
+        return false;
+    }
+    for (uint64_t c = 0; c < corners; c++) {
+        uint64_t vertex = 0;
+        if (!read_whole(r, clod_mesh_words_in_line(&r->at), &vertex) ||
+            !clod_mesh_ply_check_corner(r, face, vertex)) {
+            return false;
+        }
+    }
+    return clod_mesh_source_add(r->source, corners - 2, r->status);
+}
+
+/** One line of a text: a value of each property. */
+static bool check_text_line(clod_mesh_ply *r, const clod_mesh_ply_element *kind, int64_t number)
+{
+    if (!next_line(r)) {
+        return clod_mesh_ply_fail_end(
+            r, kind == &r->elements[CLOD_MESH_PLY_FACE] ? "face" : "vertex", number,
+            kind->count);
+    }
+    for (size_t p = 0; p < kind->property_count; p++) {
+        const clod_mesh_ply_property *own = &kind->properties[p];
+        const bool list = own->counter > 0;
+        if (list ? !check_list(r, number)
+                 : !check_value(r, own, clod_mesh_words_in_line(&r->at))) {
+            return false;
+        }
+    }
+    const clod_mesh_word more = clod_mesh_words_in_line(&r->at);
+    return more.length == 0 ||
+           fail(r, more, "there are more values in this line than the header has properties");
+}
+
+static bool check_text(clod_mesh_ply *r)
+{
+    for (int e = CLOD_MESH_PLY_VERTEX; e < CLOD_MESH_PLY_ELEMENTS; e++) {
         for (int64_t k = 1; k <= r->elements[e].count; k++) {
             if (!check_text_line(r, &r->elements[e], k)) {
                 return false;
@@ -273,77 +318,9 @@ static bool check_text(reader *r)
                                     "announces; export the mesh again");
 }
 
-static uint64_t number_at(const reader *r, const char *bytes, int size)
-{
-    uint64_t value = 0;
-    for (int b = 0; b < size; b++) {
-        const int at = r->form == FORM_BIG ? b : size - 1 - b;
-        value = value << 8 | (unsigned char)bytes[at];
-    }
-    return value;
-}
-
-static bool check_face(reader *r, char **at, const char *end, int64_t number)
-{
-    const element *face = &r->elements[FACE];
-    for (size_t p = 0; p < face->property_count; p++) {
-        const property *own = &face->properties[p];
-        uint64_t items = 1;
-        if (end - *at < own->counter) {
-            return fail_end(r, "face", number, face->count);
-        }
-        if (own->counter > 0) {
-            items = number_at(r, *at, own->counter);
-            if (!check_count(r, number, items) ||
-                !clod_mesh_source_add(r->source, items - 2, r->status)) {
-                return false;
-            }
-            *at += own->counter;
-        }
-        if ((uint64_t)(end - *at) < items * (uint64_t)own->size) {
-            return fail_end(r, "face", number, face->count);
-        }
-        for (uint64_t i = 0; i < items && own->counter > 0; i++) {
-            if (!check_corner(r, number,
-                              number_at(r, *at + i * (uint64_t)own->size, own->size))) {
-                return false;
-            }
-        }
-        *at += items * (uint64_t)own->size;
-    }
-    return true;
-}
-
-static bool check_binary(reader *r)
-{
-    const element *vertex = &r->elements[VERTEX];
-    char *at = r->at.at;
-    char *end = r->at.end;
-    size_t bytes = 0;
-    for (size_t p = 0; p < vertex->property_count; p++) {
-        bytes += (size_t)vertex->properties[p].size;
-    }
-    // x, y and z have some bytes (check_elements)
-    const int64_t whole = bytes > 0 ? (int64_t)((size_t)(end - at) / bytes) : 0;
-    if (whole < vertex->count) {
-        return fail_end(r, "vertex", whole + 1, vertex->count);
-    }
-    at += bytes * (size_t)vertex->count;
-    for (int64_t k = 1; k <= r->elements[FACE].count; k++) {
-        if (!check_face(r, &at, end, k)) {
-            return false;
-        }
-    }
-    return at == end ||
-           clod_status_fail(r->status, CLOD_USAGE,
-                            "%s: %td bytes follow the last face that the header announces; "
-                            "export the mesh again",
-                            r->source->path, end - at);
-}
-
 bool clod_mesh_ply_check(clod_mesh_source *self, clod_status *status)
 {
-    reader *r = clod_memory_alloc(1, sizeof *r);
+    clod_mesh_ply *r = clod_memory_alloc(1, sizeof *r);
     if (r == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "%s: no memory for the mesh", self->path);
     }
@@ -351,12 +328,12 @@ bool clod_mesh_ply_check(clod_mesh_source *self, clod_status *status)
     r->at = (clod_mesh_cursor){self->bytes, self->bytes + self->length, 1};
     r->status = status;
     bool good = read_header(r) && check_elements(r);
-    if (good && r->form == FORM_TEXT) {
+    if (good && r->form == CLOD_MESH_PLY_TEXT) {
         good = check_text(r);
     } else if (good) {
         clod_mesh_words_rest(&r->at);
         r->at.at += r->at.at < r->at.end; // the end of the line
-        good = check_binary(r);
+        good = clod_mesh_ply_binary_check(r);
     }
     clod_memory_free(r);
     return good;

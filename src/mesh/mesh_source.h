@@ -14,7 +14,10 @@
 #include "clod/mesh.h"
 
 /** Corners of a polygon that is cut into triangles; Assimp's time grows with their square. */
-#define CLOD_MESH_CORNERS_MOST 256
+#define CLOD_MESH_CORNERS_MOST 255
+
+/** Vertices of a file: all that facets can have. */
+#define CLOD_MESH_VERTICES_MOST (3 * CLOD_MESH_FACETS_MOST)
 
 /** Triangles of one part that follow each other. */
 typedef struct clod_mesh_run {

@@ -55,10 +55,16 @@ static bool fail_size(const clod_mesh_source *self, clod_status *status)
 static bool fail_word(const clod_mesh_source *self, const clod_mesh_cursor *at,
                       clod_mesh_word found, const char *expected, clod_status *status)
 {
-    if (found.length == 0) {
+    if (found.length == 0 && at->at == at->end) {
         return clod_status_fail(status, CLOD_USAGE,
                                 "%s:%zu: the file ends in facet %zu, where \"%s\" is expected; "
                                 "it was cut off: export or copy it again",
+                                self->path, at->line, self->facets + 1, expected);
+    }
+    if (found.length == 0) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s:%zu: facet %zu: the line ends where \"%s\" is expected; "
+                                "export the mesh again",
                                 self->path, at->line, self->facets + 1, expected);
     }
     return clod_status_fail(status, CLOD_USAGE,
@@ -68,16 +74,22 @@ static bool fail_word(const clod_mesh_source *self, const clod_mesh_cursor *at,
                             clod_mesh_words_shown(found), found.text, expected);
 }
 
-/** The next word must be this keyword; it is written in small letters for Assimp. */
-static bool expect(const clod_mesh_source *self, clod_mesh_cursor *at, const char *keyword,
-                   clod_status *status)
+/** A word must be this keyword; it is written in small letters for Assimp. */
+static bool accept(const clod_mesh_source *self, const clod_mesh_cursor *at,
+                   clod_mesh_word word, const char *keyword, clod_status *status)
 {
-    const clod_mesh_word word = clod_mesh_words_next(at);
     if (!clod_mesh_words_is(word, keyword)) {
         return fail_word(self, at, word, keyword, status);
     }
     memcpy(word.text, keyword, word.length);
     return true;
+}
+
+/** The next word, in this line or below, must be this keyword. */
+static bool expect(const clod_mesh_source *self, clod_mesh_cursor *at, const char *keyword,
+                   clod_status *status)
+{
+    return accept(self, at, clod_mesh_words_next(at), keyword, status);
 }
 
 static bool check_vertex(const clod_mesh_source *self, clod_mesh_cursor *at,
@@ -87,7 +99,7 @@ static bool check_vertex(const clod_mesh_source *self, clod_mesh_cursor *at,
         return false;
     }
     for (int c = 0; c < 3; c++) {
-        const clod_mesh_word word = clod_mesh_words_next(at);
+        const clod_mesh_word word = clod_mesh_words_in_line(at);
         if (word.length == 0) {
             return fail_word(self, at, word, "coordinate", status);
         }
@@ -105,11 +117,11 @@ static bool check_vertex(const clod_mesh_source *self, clod_mesh_cursor *at,
 /** The rest of a facet; its normal is not used, whatever it is. */
 static bool check_facet(clod_mesh_source *self, clod_mesh_cursor *at, clod_status *status)
 {
-    if (!expect(self, at, "normal", status)) {
+    if (!accept(self, at, clod_mesh_words_in_line(at), "normal", status)) {
         return false;
     }
     for (int c = 0; c < 3; c++) {
-        const clod_mesh_word word = clod_mesh_words_next(at);
+        const clod_mesh_word word = clod_mesh_words_in_line(at);
         if (word.length == 0) {
             return fail_word(self, at, word, "normal", status);
         }

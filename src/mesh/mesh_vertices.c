@@ -7,9 +7,10 @@
 #include "base/memory.h"
 #include "base/sort.h"
 
-#define STEPS 4.0        ///< of a float, up to which vertices are one
-#define SEEN 0x80000000u ///< bit of a vertex that was noted; no mesh has so many
-#define FARTHEST 1e7     ///< m; no plant on Earth is larger
+#define STEPS 4.0            ///< of a float, up to which vertices are one
+#define SEEN 0x80000000u     ///< bit of a vertex that was noted; no mesh has so many
+#define DOUBLE_STEPS 0x1p-50 ///< four steps of a double
+#define FARTHEST 1e7         ///< m; no plant on Earth is larger
 #define CELL_PER_WELD                                                                          \
     4.0 ///< a vertex looks into one cell of the grid mostly, never more than 8
 
@@ -239,6 +240,7 @@ bool clod_mesh_vertices_place(clod_mesh *self, const clod_mesh_placing *placing,
         self->vertices[v][2] = at.z;
     }
     const double farthest = farthest_coordinate(self);
+    self->weld = fmax(self->weld, DOUBLE_STEPS * farthest); // moved far away
     return farthest <= FARTHEST ||
            clod_status_fail(
                status, CLOD_USAGE,

@@ -35,11 +35,11 @@ static inline bool clod_mesh_words_blank(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/** The next word of this line. */
+/** The next word of this line. What separates words becomes blanks, as Assimp knows them. */
 static inline clod_mesh_word clod_mesh_words_in_line(clod_mesh_cursor *self)
 {
     while (self->at < self->end && clod_mesh_words_blank(*self->at)) {
-        self->at++;
+        *self->at++ = ' ';
     }
     clod_mesh_word word = {self->at, 0};
     while (self->at < self->end && *self->at != '\n' && !clod_mesh_words_blank(*self->at)) {
@@ -81,6 +81,12 @@ static inline clod_mesh_word clod_mesh_words_rest(clod_mesh_cursor *self)
 static inline bool clod_mesh_words_is(clod_mesh_word word, const char *keyword)
 {
     return strlen(keyword) == word.length && strncasecmp(word.text, keyword, word.length) == 0;
+}
+
+/** Whether a word is a keyword of a format that knows small letters only. */
+static inline bool clod_mesh_words_same(clod_mesh_word word, const char *keyword)
+{
+    return strlen(keyword) == word.length && memcmp(word.text, keyword, word.length) == 0;
 }
 
 /** Digits from `at` on; how many. */

@@ -11,6 +11,7 @@ import clod
 
 POINTS = clod.source("tests/analysis/seeds/two_groups.csv")
 BENCH = clod.source("cases/contact-bench/case.yaml")
+MESH = clod.source("tests/mesh/seeds/faults.stl")
 SMALL = clod.source("tests/support/small.yaml")
 VERIFY = ["verify", "chung-ooi-2", "-o", "verify"]
 RUN = ["run", SMALL, "-o", "run", "--threads", "1"]
@@ -19,6 +20,7 @@ VERBS = ["new", "run", "check", "contact", "locus", "mesh", "explain", "schema",
 SPEAKING = [["--help"], ["--version"], *([verb, "--help"] for verb in VERBS), ["new"],
             ["new", "free-run", "new.yaml"], ["contact", BENCH], ["contact", "-s", BENCH],
             ["locus", POINTS], ["locus", "--json", POINTS], ["locus", "--csv", POINTS],
+            ["mesh", MESH, "--unit=mm"], ["mesh", MESH, "--unit=mm", "--json"],
             ["explain"], ["explain", "--manual"], ["explain", "k1"], ["schema"],
             ["verify", "--list"], ["check", SMALL], ["check", "--json", SMALL], RUN, VERIFY]
 

@@ -22,6 +22,7 @@ SHIM = os.path.join(os.path.dirname(clod.BINARY), "alloc_faults.so")
 SMALL = clod.source("tests/support/small.yaml")
 BENCH = clod.source("cases/contact-bench/case.yaml")
 POINTS = clod.source("tests/analysis/seeds/two_groups.csv")
+MESH = clod.source("tests/mesh/seeds/faults.stl")
 RUN = ["run", SMALL, "-o", "run", "-t", "1"]
 RING = ["run", clod.source("tests/faults/ring.yaml"), "-o", "run", "-t", "1"]
 UNIAXIAL = ["run", clod.source("tests/faults/uniaxial.yaml"), "-o", "run", "-t", "1"]
@@ -64,6 +65,8 @@ VERBS = {
     "locus of standard input": ["locus", "-"],
     "locus as JSON": ["locus", "--json", POINTS, "-o", "locus.json"],
     "locus as CSV": ["locus", "--csv", POINTS, "-o", "locus.csv"],
+    "mesh": ["mesh", MESH, "--unit=mm", "--grain-radius=3mm"],
+    "mesh as JSON": ["mesh", MESH, "--unit=mm", "--json"],
     "verify": ["verify", "chung-ooi-2", "-o", "verify"],
     "wrong case": ["run", SMALL, "--set", "sede=1", "--set", "gravty=2"],
 }

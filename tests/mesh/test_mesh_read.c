@@ -250,9 +250,13 @@ static void placings_that_make_no_sense_are_refused(void **state)
     maker *made = maker_new();
     maker_box(made, (const float[3]){0, 0, 0}, (const float[3]){2, 3, 5});
     const clod_mesh_placing wrong[] = {
-        {.unit = 0.0, .scale = 1.0},  {.unit = NAN, .scale = 1.0},
-        {.unit = 1.0, .scale = -1.0}, {.unit = 1.0, .scale = 1.0, .rotate = {.angle = 1.0}},
-        {.unit = 1e6, .scale = 1e6},  {.unit = 1.0, .scale = 1.0, .move = {NAN, 0.0, 0.0}},
+        {.unit = 0.0, .scale = 1.0},
+        {.unit = NAN, .scale = 1.0},
+        {.unit = 1.0, .scale = -1.0},
+        {.unit = 1.0, .scale = 1.0, .rotate = {.angle = 1.0}},
+        {.unit = 1e6, .scale = 1e6},
+        {.unit = 1.0, .scale = 1.0, .move = {NAN, 0.0, 0.0}},
+        {.unit = 1e-12, .scale = 1e-6, .move = {1e6, 0.0, 0.0}}, // nothing left of its size
     };
     for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
         clod_status status = {CLOD_OK, ""};
@@ -260,6 +264,37 @@ static void placings_that_make_no_sense_are_refused(void **state)
             clod_mesh_parse("a.stl", made->bytes, maker_length(made), &wrong[k], &status));
         assert_int_equal(status.code, CLOD_USAGE);
     }
+}
+
+// Numbers of any type; a line feed as the first byte of the data, which Assimp would swallow.
+static void ply_binary_of_any_type(void **state)
+{
+    (void)state;
+    static const char HEADER[] = "ply\r\nformat binary_little_endian 1.0\r\n"
+                                 "element vertex 4\r\nproperty char x\r\nproperty ushort y\r\n"
+                                 "property int z\r\nelement face 1\r\nproperty uint id\r\n"
+                                 "property list char ushort vertex_indices\r\nend_header\r\n";
+    static const char DATA[] = "\n\n\n\n\n\n\n"               // 10, 2570, 168430090
+                               "\xFE\x00\x80\xFF\xFF\xFF\xFF" // -2, 32768, -1
+                               "\x7F\xFF\xFF\x00\x00\x00\x80" // 127, 65535, -2^31
+                               "\x80\x01\x00\x00\x01\x00\x00" // -128, 1, 256
+                               "\r\n\r\n\x03\x00\x00\x01\x00\x02\x00";
+    static const double PLACES[3][3] = {
+        {10.0, 2570.0, 168430090.0}, {-2.0, 32768.0, -1.0}, {127.0, 65535.0, -2147483648.0}};
+    static text out;
+    out.length = 0;
+    put_bytes(&out, HEADER, sizeof HEADER - 1);
+    put_bytes(&out, DATA, sizeof DATA - 1);
+    const clod_mesh_placing placing = {.unit = 1e-3, .scale = 1.0};
+    clod_mesh *mesh = parse("a.ply", &out, &placing);
+    const clod_mesh_view *view = clod_mesh_look(mesh);
+    assert_int_equal(view->vertex_count, 3);
+    for (int v = 0; v < 3; v++) {
+        for (int k = 0; k < 3; k++) {
+            check_relative(view->vertices[v][k], 1e-3 * PLACES[v][k], 6e-8); // rounded to float
+        }
+    }
+    clod_mesh_destroy(&mesh);
 }
 
 int main(void)
@@ -270,6 +305,7 @@ int main(void)
         cmocka_unit_test(obj_files),
         cmocka_unit_test(ply_text),
         cmocka_unit_test(ply_binary),
+        cmocka_unit_test(ply_binary_of_any_type),
         cmocka_unit_test(a_mesh_is_placed),
         cmocka_unit_test(placings_that_make_no_sense_are_refused),
     };

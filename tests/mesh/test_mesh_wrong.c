@@ -48,6 +48,8 @@ static void stl_texts(void **state)
         {"solid a\nfacet normal 0 0 1 outer loop\nvertex 0 0 1,5\n", "coordinate z is \"1,5\""},
         {"solid a\nfacet normal 0 0 1 outer loop\nvertex 0 0 12345678901234567890\n",
          "coordinate z is \"12345678901234567890\""},
+        {"solid a\nfacet normal 0 0 1 outer loop\nvertex 0 0\n1\n",
+         "a.stl:3: facet 1: the line ends where \"coordinate\" is expected"},
         {"solid a\n" FACET "endloop\nendfacet\nendsolid a\nrubbish", "a.stl:10: facet 2: "
                                                                      "\"rubbish\""},
         {"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1e39 0 0\n"
@@ -102,7 +104,7 @@ static void obj_files(void **state)
     for (int k = 0; k < 257; k++) {
         strcat(many, " 1 2 3");
     }
-    refuse("a.obj", many, strlen(many), "a.obj:5: facet 1 has 771 corners; from 3 to 256");
+    refuse("a.obj", many, strlen(many), "a.obj:5: facet 1 has 771 corners; from 3 to 255");
 }
 
 #define VERTICES "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -123,6 +125,11 @@ static void ply_files(void **state)
         {"ply\nformat ebcdic 1.0\n", "a.ply:2: \"ebcdic\": the format must be"},
         {"ply\nformat ascii 1.0\nelement vertex 4000000000\n", "a.ply:3: \"4000000000\": this "
                                                                "cannot be how many"},
+        {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float x\n"
+         "property float y\nelement face 1\nproperty list uchar int vertex_indices\n"
+         "end_header\n",
+         "vertices x, y and z, once each"},
+        {"ply\nformat ascii 1.0 z\n", "a.ply:2: \"z\": there is one word too many"},
         {"ply\nformat ascii 1.0\nelement edge 1\n", "a.ply:3: \"edge\": only vertices"},
         {"ply\nformat ascii 1.0\nelement face 1\n",
          "a.ply:3: \"face\": only vertices, and then"},
@@ -134,6 +141,10 @@ static void ply_files(void **state)
         {HEADER "0 0 0\n1 0 0\n", "a.ply: the file ends in vertex 3 of 3"},
         {HEADER "0 0 0\n1 0 0\n0 1 0\n", "a.ply: the file ends in face 1 of 1"},
         {HEADER "0 0 0\n1 0 0 0\n0 1 0\n3 0 1 2\n", "a.ply:11: \"0\": there are more values"},
+        {HEADER "0 0 0\n1 0\n0 1 0\n3 0 1 2\n",
+         "a.ply:11: the line ends too early: a finite number"},
+        {HEADER "0 0 0\n\n1 0 0\n0 1 0\n3 0 1 2\n",
+         "a.ply:11: the line ends too early: a finite number"},
         {HEADER "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n", "a.ply:11: \"nan\": a finite number"},
         {HEADER "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.ply: face 1: there is no vertex 3"},
         {HEADER "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "a.ply:13: \"-1\": a whole number"},
@@ -157,6 +168,10 @@ static void ply_files(void **state)
     refuse("a.ply", bytes, header + 49, "a.ply: face 1: there is no vertex 256");
     bytes[header + 36] = 0;
     refuse("a.ply", bytes, header + 49, "a.ply: face 1 has 0 corners");
+    bytes[header + 36] = 3;
+    bytes[header + 42] = 0;
+    memset(bytes + header + 16, 0xFF, 4); // NaN
+    refuse("a.ply", bytes, header + 49, "a.ply: vertex 2: coordinate y is -nan");
 }
 
 static void names_tell_the_format(void **state)

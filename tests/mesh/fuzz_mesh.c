@@ -1,0 +1,77 @@
+/**
+ * libFuzzer target: no STL, OBJ or PLY file may crash the reader (Assimp within it), and what is
+ * refused is refused with a message. The content tells the format: seeds begin as files do.
+ */
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "clod/mesh.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+/** What was read: places that are numbers, corners, neighbours and parts that there are. */
+static void check_mesh(const clod_mesh *mesh)
+{
+    const clod_mesh_view *view = clod_mesh_look(mesh);
+    for (size_t v = 0; v < view->vertex_count; v++) {
+        if (!isfinite(view->vertices[v][0] + view->vertices[v][1] + view->vertices[v][2])) {
+            abort();
+        }
+    }
+    for (size_t f = 0; f < view->facet_count; f++) {
+        for (int e = 0; e < 3; e++) {
+            const uint32_t neighbour = view->neighbours[f][e];
+            const bool open = view->edges[f][e] == CLOD_MESH_EDGE_OPEN;
+            if (view->facets[f][e] >= view->vertex_count ||
+                (neighbour != CLOD_MESH_NONE && neighbour >= view->facet_count) ||
+                (open && neighbour != CLOD_MESH_NONE) ||
+                (neighbour == CLOD_MESH_NONE && !open &&
+                 view->edges[f][e] != CLOD_MESH_EDGE_T)) {
+                abort();
+            }
+        }
+        if (view->part[f] >= view->part_count || view->shell[f] >= view->shell_count) {
+            abort();
+        }
+    }
+}
+
+static void report(const clod_mesh *mesh)
+{
+    static clod_status status;
+    clod_mesh_report found;
+    if (!clod_mesh_examine(mesh, 0.003, &found, &status)) {
+        abort();
+    }
+    char *texts[] = {clod_mesh_text(mesh, &found), clod_mesh_json(mesh, &found)};
+    for (int k = 0; k < 2; k++) {
+        if (texts[k] == NULL) {
+            abort();
+        }
+        clod_mesh_free(texts[k]);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static clod_status status;
+    const clod_mesh_placing placing = {.unit = 1e-3, .scale = 1.0};
+    const bool ply = size > 3 && memcmp(data, "ply", 3) == 0;
+    const bool solid = size > 5 && memcmp(data, "solid", 5) == 0;
+    const bool binary = size > 84 && data[83] == 0;
+    const char *name = ply ? "fuzz.ply" : solid || binary ? "fuzz.stl" : "fuzz.obj";
+    status.text[0] = '\0';
+    clod_mesh *mesh = clod_mesh_parse(name, (const char *)data, size, &placing, &status);
+    if (mesh != NULL) {
+        check_mesh(mesh);
+        report(mesh);
+    } else if (status.text[0] == '\0') {
+        abort();
+    }
+    clod_mesh_destroy(&mesh);
+    return 0;
+}
