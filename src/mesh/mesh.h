@@ -19,7 +19,6 @@ struct clod_mesh {
     uint8_t (*edges)[3];
     clod_mesh_part *parts;
     size_t read_facets; ///< of the file
-    size_t gaps;        ///< T edges of which a piece has no partner
     double weld;        ///< m, distance up to which vertices are one: four steps of a float
     clod_mesh_finding findings[CLOD_MESH_KINDS];
 };

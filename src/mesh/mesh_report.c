@@ -86,7 +86,7 @@ static void measure_facets(const clod_mesh *self, clod_mesh_report *report)
     }
     report->closed = self->findings[CLOD_MESH_OPEN].count == 0 &&
                      self->findings[CLOD_MESH_NONMANIFOLD].count == 0 &&
-                     self->findings[CLOD_MESH_TWISTED].count == 0 && self->gaps == 0;
+                     self->findings[CLOD_MESH_TWISTED].count == 0;
     report->volume = report->closed ? six / 6.0 : (double)NAN;
 }
 

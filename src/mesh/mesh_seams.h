@@ -8,10 +8,11 @@
 #include "mesh/mesh.h"
 
 /**
- * Among open edges, find those with vertices of other open edges inside, within rounding
- * (self->weld), and the short edges along them; all become CLOD_MESH_EDGE_T, the long one's
- * neighbour a short one's facet and the reverse. Long edges that short ones do not cover count
- * in self->gaps.
+ * Cut open edges at vertices of open edges that lie inside them, within rounding (self->weld).
+ * Edges that were cut, or have a piece in common with another, become CLOD_MESH_EDGE_T; those
+ * with a piece in common are neighbours, the first such piece deciding. So both sides of a line
+ * may be divided as they like. Pieces that an edge has for itself are noted as open, those that
+ * more than two share as non-manifold.
  *
  * Errors  CLOD_FAILED: memory.   Threads pure.   Test  tests/mesh/test_mesh_seams.c
  */

@@ -185,18 +185,21 @@ static void facets_without_area_are_dropped(void **state)
     (void)state;
     static const float POINTS[5][3] = {
         {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5f, 0.5f, 0}, {9, 9, 9}};
-    static const int WITHOUT[3][3] = {{0, 0, 1}, {0, 2, 3}, {4, 4, 4}}; // the second on a line
+    // the second and third on a line, the fourth again
+    static const int WITHOUT[4][3] = {{0, 0, 1}, {0, 2, 3}, {4, 4, 4}, {3, 2, 0}};
     clod_mesh *mesh;
     maker *made = maker_new();
-    maker_add_all(made, POINTS, WITHOUT, 3);
+    maker_add_all(made, POINTS, WITHOUT, 4);
+    // beside a line by less than four steps of a float at 9, 4.3e-6: no area but for rounding
+    maker_add(made, POINTS[0], POINTS[2], (const float[3]){0.25f, 0.250002f, 0});
     maker_box(made, ORIGIN, UNITS);
     const clod_mesh_report report = maker_finish(made, &mesh);
-    assert_int_equal(report.findings[CLOD_MESH_DEGENERATE].count, 3);
+    assert_int_equal(report.findings[CLOD_MESH_DEGENERATE].count, 5);
     assert_int_equal(report.findings[CLOD_MESH_DEGENERATE].places[1].number, 2);
-    assert_int_equal(maker_found(&report), 3);
+    assert_int_equal(maker_found(&report), 5);
     const clod_mesh_view *view = clod_mesh_look(mesh);
     assert_int_equal(view->vertex_count, 8); // those that only dropped facets had are gone
-    assert_int_equal(view->number[0], 4);
+    assert_int_equal(view->number[0], 6);
     assert_true(report.box[1][0] == 1.0);
     clod_mesh_destroy(&mesh);
 }
@@ -254,6 +257,80 @@ static void a_moebius_strip_is_told(void **state)
     assert_int_equal(report.findings[CLOD_MESH_OPEN].count, 2 * N);
     assert_false(report.closed);
     assert_true(isnan(report.volume));
+    clod_mesh_destroy(&mesh);
+}
+
+/** Convex for one facet is so for its neighbour, but concave where their normals disagree. */
+static void check_classes(const clod_mesh_view *view)
+{
+    size_t mirrored = 0;
+    for (uint32_t f = 0; f < view->facet_count; f++) {
+        for (int e = 0; e < 3; e++) {
+            const uint32_t *own = view->facets[f], other = view->neighbours[f][e];
+            const uint32_t *there = view->facets[other];
+            for (int k = 0; k < 3; k++) {
+                const uint32_t from = there[k], to = there[(k + 1) % 3];
+                if (from == own[(e + 1) % 3] && to == own[e]) {
+                    assert_int_equal(view->edges[other][k], view->edges[f][e]);
+                } else if (from == own[e] && to == own[(e + 1) % 3]) {
+                    assert_int_equal(view->edges[other][k] + view->edges[f][e],
+                                     CLOD_MESH_EDGE_CONVEX + CLOD_MESH_EDGE_CONCAVE);
+                    mirrored++;
+                }
+            }
+        }
+    }
+    assert_true(mirrored > 0);
+}
+
+// The projective plane on six vertices: every edge has two facets, and yet it has no inside.
+static void a_closed_surface_without_inside_has_no_volume(void **state)
+{
+    (void)state;
+    static const float POINTS[6][3] = {{0, 0, 1},        {1, 0, 0.3f},         {0.3f, 1, 0},
+                                       {-0.8f, 0.6f, 0}, {-0.8f, -0.6f, 0.1f}, {0.3f, -1, 0}};
+    static const int FACETS[10][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
+                                      {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
+    clod_mesh *mesh;
+    maker *made = maker_new();
+    maker_add_all(made, POINTS, FACETS, 10);
+    const clod_mesh_report report = maker_finish(made, &mesh);
+    assert_int_equal(report.findings[CLOD_MESH_OPEN].count, 0);
+    assert_true(report.findings[CLOD_MESH_TWISTED].count > 0);
+    assert_false(report.closed);
+    check_classes(clod_mesh_look(mesh));
+    clod_mesh_destroy(&mesh);
+}
+
+// 0 and -0 are one place; of two vertices within reach the first in the file is taken.
+static void the_first_vertex_in_reach_is_taken(void **state)
+{
+    (void)state;
+    const float step = 0x1p-23f; // at 1; four of them are in reach
+    const float far_off[3] = {-1, 0, 0}, up[3] = {0, 1, 0}, down[3] = {0, -1, 0};
+    const float places[3][3] = {
+        {1 - 3 * step, 0, 0}, {1 + 3 * step, 0, 0}, {1, -0.0f, 0}}; // 6, 3 and 3 steps apart
+    clod_mesh *mesh;
+    maker *made = maker_new();
+    maker_add(made, places[0], up, far_off);
+    maker_add(made, places[1], down, up);
+    maker_add(made, places[2], far_off, down);
+    const clod_mesh_report report = maker_finish(made, &mesh);
+    assert_int_equal(report.findings[CLOD_MESH_WELDED].count, 1);
+    const clod_mesh_view *view = clod_mesh_look(mesh);
+    assert_int_equal(view->vertex_count, 5);
+    uint32_t turned = 0;
+    for (uint32_t f = 0; f < 3; f++) {
+        turned += view->facets[f][0] == view->facets[0][0];
+    }
+    assert_int_equal(turned, 2); // the first and the third facet
+    clod_mesh_destroy(&mesh);
+    made = maker_new();
+    maker_add(made, (const float[3]){0.0f, 1, 0}, up, far_off);
+    maker_add(made, (const float[3]){-0.0f, 1, -0.0f}, down, far_off);
+    maker_add(made, (const float[3]){1, 0, 0}, down, far_off);
+    const clod_mesh_report zeros = maker_finish(made, &mesh);
+    assert_int_equal(zeros.findings[CLOD_MESH_WELDED].count, 0);
     clod_mesh_destroy(&mesh);
 }
 
@@ -321,6 +398,8 @@ int main(void)
         cmocka_unit_test(facets_without_area_are_dropped),
         cmocka_unit_test(flipped_facets_are_turned),
         cmocka_unit_test(a_moebius_strip_is_told),
+        cmocka_unit_test(a_closed_surface_without_inside_has_no_volume),
+        cmocka_unit_test(the_first_vertex_in_reach_is_taken),
         cmocka_unit_test(needles_and_slivers_are_told_apart),
         cmocka_unit_test(unconnected_pieces_are_numbered),
         cmocka_unit_test(a_mesh_without_area_is_refused),

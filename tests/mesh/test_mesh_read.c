@@ -91,7 +91,7 @@ static void stl_texts(void **state)
         put_solid(&out, "empty at first", 0, 0, words);
         put_solid(&out, "floor and lid", 0, 2, words);
         put_solid(&out, "", 0, 0, words);
-        put_solid(&out, "sides \xC3\xA4", 2, 5, words);
+        put_solid(&out, "sides \xC3\xA4 facet normal 1 2 3", 2, 5, words);
         put_solid(&out, "floor and lid", 5, 6, words); // a name again: one part
         out.length -= variant == 0 ? 1 : 0;            // no end of the last line
         check_box("box.stl", &out);
@@ -100,7 +100,7 @@ static void stl_texts(void **state)
         assert_int_equal(view->part_count, 4);
         assert_string_equal(view->parts[1].name, "floor and lid");
         assert_int_equal(view->parts[1].facets, 6);
-        assert_string_equal(view->parts[3].name, "sides \xC3\xA4");
+        assert_string_equal(view->parts[3].name, "sides \xC3\xA4 facet normal 1 2 3");
         assert_int_equal(view->parts[3].facets, 6);
         assert_int_equal(view->parts[0].facets + view->parts[2].facets, 0);
         for (uint32_t f = 0; f < 12; f++) {
@@ -249,20 +249,27 @@ static void placings_that_make_no_sense_are_refused(void **state)
     (void)state;
     maker *made = maker_new();
     maker_box(made, (const float[3]){0, 0, 0}, (const float[3]){2, 3, 5});
-    const clod_mesh_placing wrong[] = {
-        {.unit = 0.0, .scale = 1.0},
-        {.unit = NAN, .scale = 1.0},
-        {.unit = 1.0, .scale = -1.0},
-        {.unit = 1.0, .scale = 1.0, .rotate = {.angle = 1.0}},
-        {.unit = 1e6, .scale = 1e6},
-        {.unit = 1.0, .scale = 1.0, .move = {NAN, 0.0, 0.0}},
-        {.unit = 1e-12, .scale = 1e-6, .move = {1e6, 0.0, 0.0}}, // nothing left of its size
+    const struct {
+        clod_mesh_placing placing;
+        const char *said;
+    } wrong[] = {
+        {{.unit = 0.0, .scale = 1.0}, "a.stl: a unit of 0 m"},
+        {{.unit = NAN, .scale = 1.0}, "a.stl: a unit of nan m"},
+        {{.unit = 1.0, .scale = -1.0}, "a.stl: a scale of -1"},
+        {{.unit = 1.0, .scale = 1.0, .rotate = {.angle = 1.0}},
+         "the axis of rotate is (0, 0, 0)"},
+        {{.unit = 1.0, .scale = 1.0, .rotate = {.axis = {1, 0, 0}, .angle = NAN}},
+         "finite numbers"},
+        {{.unit = 1e6, .scale = 1e6}, "a vertex is 5e+12 m from the origin"},
+        {{.unit = 1.0, .scale = 1.0, .move = {NAN, 0.0, 0.0}}, "finite numbers"},
+        {{.unit = 1e-12, .scale = 1e-6, .move = {1e6, 0.0, 0.0}}, "none of the 12 facets"},
     };
     for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
         clod_status status = {CLOD_OK, ""};
-        assert_null(
-            clod_mesh_parse("a.stl", made->bytes, maker_length(made), &wrong[k], &status));
+        assert_null(clod_mesh_parse("a.stl", made->bytes, maker_length(made), &wrong[k].placing,
+                                    &status));
         assert_int_equal(status.code, CLOD_USAGE);
+        assert_non_null(strstr(status.text, wrong[k].said));
     }
 }
 

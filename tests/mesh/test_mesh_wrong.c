@@ -96,6 +96,9 @@ static void obj_files(void **state)
         {"v 0 0\nf 1 1 1\n", "a.obj:1: vertex 1 has 2 coordinates"},
         {"v 0 0 inf\n", "a.obj:1: \"inf\": a coordinate must be a finite number"},
         {"v 0 0 0 0.5\n", "a.obj:1: \"0.5\": a vertex with a weight"},
+        {"v 4 1 0\nv 2 1 0\nv 0 2 0\nv 0 3 0\nv 3 4 0\nv 1 4 0\nv 3 3 0\nv 4 3 0\n"
+         "f 1 2 3 4 5 6 7 8\n", // its fourth and sixth side cross
+         "a.obj: the polygons of the file should make 6 triangles, but 4 came out of them"},
         {SQUARE "surf 0 1 0 1 1 2 3 4\n", "a.obj:5: \"surf\": curved surfaces"},
     };
     REFUSE_ALL("a.obj", FILES);
@@ -128,6 +131,10 @@ static void ply_files(void **state)
         {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float x\n"
          "property float y\nelement face 1\nproperty list uchar int vertex_indices\n"
          "end_header\n",
+         "vertices x, y and z, once each"},
+        {"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float x\n"
+         "property float y\nproperty float z\nelement face 1\n"
+         "property list uchar int vertex_indices\nend_header\n",
          "vertices x, y and z, once each"},
         {"ply\nformat ascii 1.0 z\n", "a.ply:2: \"z\": there is one word too many"},
         {"ply\nformat ascii 1.0\nelement edge 1\n", "a.ply:3: \"edge\": only vertices"},
