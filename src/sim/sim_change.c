@@ -26,7 +26,7 @@ bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status
     memcpy(fresh.position, grain->position, sizeof grain->position);
     fresh.position[3] = grain->radius;
     memcpy(fresh.velocity, grain->velocity, sizeof fresh.velocity);
-    memcpy(fresh.angular, grain->angular_velocity, sizeof fresh.angular);
+    memcpy(fresh.angular_velocity, grain->angular_velocity, sizeof fresh.angular_velocity);
     clod_changes_add_grain(&self->state.changes, &fresh);
     return true;
 }

@@ -4,8 +4,7 @@
 
 #include "base/memory.h"
 
-/** Speed of the fastest grain, or of the fastest point of a wall [m/s]. */
-static double fastest(const clod_state *state)
+double clod_step_fastest(const clod_state *state)
 {
     double speed2 = 0.0, walls = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
@@ -35,8 +34,7 @@ static bool periods_are_long_enough(const clod_step *self, clod_status *status)
     return true;
 }
 
-/** Rows and periods for the kernels. */
-static void look(clod_step *self)
+void clod_step_look(clod_step *self)
 {
     const clod_grains *grains = &self->state->grains;
     self->view =
@@ -100,12 +98,12 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
                                .state = state,
                                .laws = self->laws,
                                .walls = &self->walls,
-                               .skin = clod_step_thin_skin(self, fastest(state))};
+                               .skin = clod_step_thin_skin(self, clod_step_fastest(state))};
     if (!clod_near_make(&job, status)) {
         return false;
     }
     clod_step_list_moving(self);
     clod_step_list_feeling(self);
-    look(self);
+    clod_step_look(self);
     return true;
 }

@@ -1,12 +1,12 @@
 #include "step/step.h"
 
-#include <omp.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "parallel/threads.h"
 #include "step/equip.h"
 #include "step/stages.h"
+#include "step/team.h"
 #include "step/trouble.h"
 
 #define POSITION CLOD_STAGE_POSITION
@@ -45,10 +45,10 @@ static bool has_trouble(const clod_step *self, int part)
 }
 
 /** The steps as one thread sees them. */
-static void advance_part(clod_step *self, int64_t steps, int part)
+static void advance_part(clod_step *self, int part)
 {
     const int64_t first = self->state->step;
-    for (int64_t s = 0; s < steps; s++) {
+    for (int64_t s = 0; s < self->steps; s++) {
         for (int k = 0; k < CLOD_STAGES; k++) {
             CLOD_STAGE[k].run(self, part);
             if (CLOD_STAGE[k].wait) {
@@ -66,23 +66,6 @@ static void advance_part(clod_step *self, int64_t steps, int part)
         }
     }
     clod_step_settle(self, part);
-}
-
-/** All threads at once; alone when the run-time library does not give as many. */
-static void advance_all(clod_step *self, int64_t steps)
-{
-    bool alone = false;
-#pragma omp parallel num_threads(self->threads)
-    if (omp_get_num_threads() == self->threads) {
-        advance_part(self, steps, omp_get_thread_num());
-    } else if (omp_get_thread_num() == 0) {
-        alone = true;
-    }
-    if (alone) {
-        self->threads = 1;
-        clod_barrier_init(&self->barrier, 1);
-        advance_part(self, steps, 0);
-    }
 }
 
 bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
@@ -103,7 +86,8 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     const int64_t first = self->state->step;
     clod_step_list_moving(self);
     clod_step_list_feeling(self); // a load may have been put on
-    advance_all(self, steps);
+    self->steps = steps;
+    clod_team_run(self, advance_part);
     clod_step_count_steps(self, self->state->step - first);
     self->state->build_motion = self->thread[0].build_motion;
     self->state->time = (double)self->state->step * self->state->dt;
@@ -187,7 +171,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
 
 bool clod_step_export(clod_step *self, clod_status *status)
 {
-    return clod_near_gather(&self->near, self->state, &self->walls, false, status);
+    return clod_near_gather(&self->near, self->state, &self->walls, status);
 }
 
 void clod_step_fini(clod_step *self)

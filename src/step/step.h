@@ -16,6 +16,7 @@
 #include "step/kernel.h"
 #include "step/near.h"
 #include "step/near_reader.h"
+#include "step/reorder.h"
 
 /** Largest overlap the laws are meant for, as a fraction of the smaller radius. */
 #define CLOD_STEP_OVERLAP 0.2
@@ -38,13 +39,16 @@ typedef struct clod_step_thread {
     bool owed;                      ///< its grains' second half kick is still to be done
 } clod_step_thread;
 
-/** What goes through the making of lists within a step. */
+/** What goes through the making of lists (remake.h). */
 typedef struct clod_step_remake {
-    bool again;         ///< the candidates too: a rebuild
-    double speed;       ///< m/s, of the fastest point now
-    size_t leavers;     ///< grains that leave through an open side
-    double before;      ///< J, energy with them
-    _Atomic int failed; ///< the phase that did, or one behind the last
+    bool again;               ///< the candidates too: a rebuild
+    bool changes;             ///< what state->changes asks for is done in it
+    double speed;             ///< m/s, of the fastest point now
+    size_t going;             ///< grains that go
+    const int32_t *wall_rank; ///< [walls] new numbers, -1: it goes; NULL: all stay; borrowed
+    double before;            ///< J, energy before anything came or went
+    _Atomic int failed;       ///< the phase that did, or one behind the last
+    clod_reorder reorder;
     clod_near_job job;
 } clod_step_remake;
 
@@ -75,6 +79,7 @@ typedef struct clod_step {
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
     clod_step_remake remake;
     int64_t begin; ///< step of the state when it was taken
+    int64_t steps; ///< that the advance going on is to make
     bool failed;   ///< a rebuild went wrong; status says why
     clod_status status;
     // for reports

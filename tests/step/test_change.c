@@ -1,7 +1,6 @@
 // Grains and walls come and go at one point: what stays keeps its bits, its contacts and their
 // history; every grain and joule is accounted for; and nothing depends on the order of
 // requests, on threads or on a cut.
-#include "state/alter.h"
 #include "support/bed.h"
 #include "support/bits.h"
 #include "support/sanitized.h"

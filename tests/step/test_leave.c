@@ -33,6 +33,38 @@ static void a_falling_grain_takes_its_energy_away(void **state)
     scene_end(&s);
 }
 
+/** A grain that is beyond an open side already when others are asked for leaves then. */
+static void a_change_lets_go_what_is_beyond_a_side(void **state)
+{
+    (void)state;
+    const clod_case_contact ore = contact_ore();
+    const clod_new_grain comes = {
+        .id = 7, .position = {0.01, 0.0, 0.3, 1e-3}, .density = 2000.0, .material = 0};
+    scene s;
+    scene_init(&s, 1e-5, &ore);
+    s.state.gravity[2] = -9.81;
+    const size_t g = scene_grain(&s, 0.0, 0.0, 0.4, 1e-3);
+    const double mass = s.state.grains.velocity[g][3];
+    s.state.domain.removes = true;
+    s.state.domain.min[2] = 0.1;
+    scene_start(&s);
+    scene_open_ledger(&s);
+    while (s.state.grains.position[0][2] >= 0.1) {
+        scene_run(&s, 1);
+    }
+    assert_int_equal(s.state.grains.count, 1); // beyond, and not noticed yet
+    const double fallen = 0.4 - s.state.grains.position[0][2];
+    clod_changes_add_grain(&s.state.changes, &comes);
+    assert_true(clod_step_change(&s.step, &s.step.status));
+    assert_int_equal(s.state.grains.count, 1);
+    assert_int_equal(s.state.grains.id[0], 7);
+    assert_int_equal(s.state.exchange.left[4], 1);
+    check_relative(s.state.exchange.left_energy[4], mass * 9.81 * fallen, 1e-10);
+    const clod_energies now = clod_step_energies(&s.step);
+    check_close(clod_ledger_residual(&s.state.ledger, &now), 0.0, 1e-12 * mass);
+    scene_end(&s);
+}
+
 /** A bed that bursts apart in an open domain, until nobody is left. */
 static void burst_with(scene *s, int threads)
 {
@@ -179,6 +211,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_falling_grain_takes_its_energy_away),
+        cmocka_unit_test(a_change_lets_go_what_is_beyond_a_side),
         cmocka_unit_test(every_grain_is_counted_once),
         cmocka_unit_test(leaving_has_the_same_bits),
         cmocka_unit_test(wrong_requests_change_nothing),
