@@ -11,6 +11,7 @@
 
 #include "law/law.h"
 #include "parallel/barrier.h"
+#include "parallel/exact.h"
 #include "state/contact_source.h"
 #include "state/state.h"
 #include "step/kernel.h"
@@ -28,6 +29,11 @@ typedef struct clod_step_options {
     double overlap_limit; ///< of the smaller radius, at which to stop; 0 = CLOD_STEP_OVERLAP
 } clod_step_options;
 
+/** What contacts turned into heat in one step [J]. */
+typedef struct clod_step_heat {
+    clod_exact plastic, dash_pot, friction, rolling, lag;
+} clod_step_heat;
+
 /** What one thread keeps to itself, on its own cache lines; motions are the same in all. */
 typedef struct clod_step_thread {
     _Alignas(64) double max_speed2; ///< m2/s2, of its grains (and of the walls: thread 0)
@@ -37,6 +43,7 @@ typedef struct clod_step_thread {
     bool all_finite;                ///< those of all threads in this step
     bool excess;                    ///< an overlap beyond the laws' range
     bool owed;                      ///< its grains' second half kick is still to be done
+    clod_step_heat spent;           ///< by its contacts in this step, with the ledger
 } clod_step_thread;
 
 /** What goes through the making of lists (remake.h). */
@@ -84,6 +91,7 @@ typedef struct clod_step {
     clod_status status;
     // for reports
     int64_t rebuilds, refreshes;
+    void (*after_stage)(int part, int stage); ///< called by every thread; NULL: nobody asks
 } clod_step;
 
 /**
@@ -203,6 +211,7 @@ void clod_step_place(clod_step *self, int part);
 void clod_step_near(clod_step *self, int part);
 void clod_step_contact(clod_step *self, int part);
 void clod_step_wall(clod_step *self, int part);
+void clod_step_spent(clod_step *self, int part);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);
 
