@@ -22,12 +22,12 @@ void clod_contact_turn(clod_contact *self)
     }
 }
 
-void clod_contacts_ascend(clod_contact *contacts, size_t count)
+void clod_contacts_ascend(clod_contact *contacts, size_t begin, size_t end)
 {
-    for (size_t k = 1; k < count; k++) {
+    for (size_t k = begin + 1; k < end; k++) {
         const clod_contact moving = contacts[k];
         size_t at = k;
-        for (; at > 0 && clod_contact_compare(&contacts[at - 1], &moving) > 0; at--) {
+        for (; at > begin && clod_contact_compare(&contacts[at - 1], &moving) > 0; at--) {
             contacts[at] = contacts[at - 1];
         }
         contacts[at] = moving;

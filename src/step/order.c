@@ -229,7 +229,7 @@ static void sort_contacts(clod_neighbour *self, clod_contact *contacts, size_t c
             place[to] = (int32_t)to;
         }
     }
-    clod_contacts_ascend(contacts, count);
+    clod_contacts_ascend(contacts, 0, count);
 }
 
 /** Rows and contacts of the state into the order that was found. */

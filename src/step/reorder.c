@@ -128,7 +128,7 @@ void clod_reorder_ascend(const clod_reorder *self, int part)
         const size_t base = list == 0 ? 0 : state->contact_count - state->wall_contact_count;
         for (size_t g = mine.begin; g < mine.end; g++) {
             const size_t begin = g == 0 ? base : (size_t)end[g - 1];
-            clod_contacts_ascend(&state->contacts[begin], (size_t)end[g] - begin);
+            clod_contacts_ascend(state->contacts, begin, (size_t)end[g]);
         }
     }
 }
