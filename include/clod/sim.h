@@ -159,9 +159,11 @@ typedef struct clod_sim_grain {
  * goes goes first. The order of requests changes no bit. When one of them is wrong, none is done
  * and all are dropped.
  *
- * The time step stays that of the case: give it (time.step) when much smaller grains come.
+ * The time step stays that of the case. What comes and would make it unstable is refused: give
+ * time.step in the case when much smaller grains or stiffer walls come.
  *
- * Errors  CLOD_USAGE: no such material. An id that is taken or unknown, a position outside of
+ * Errors  CLOD_USAGE: no such material; a time step beyond the critical one with this grain, under
+ *         the load that the case began with. An id that is taken or unknown, a position outside of
  *         the domain, numbers that are not finite: by what does the changes, which then does none.
  * Test    tests/sim/test_sim_change.c
  */
@@ -303,8 +305,8 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
  * Ask for a wall to come or go, as clod_sim_add_grain.
  *
  * @param wall  as in a case (clod/case.h), with a name of its own and without a load; borrowed
- * Errors  CLOD_USAGE: an unknown material, a load, a plane that would turn out of itself; a
- *         name that is taken or unknown: by what does the changes.
+ * Errors  CLOD_USAGE: an unknown material, a load, a plane that would turn out of itself, a
+ *         time step beyond the critical one with its material; a name that is taken or unknown: by what does the changes.
  * Test    tests/sim/test_sim_change.c
  */
 bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *status);

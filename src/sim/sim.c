@@ -52,6 +52,7 @@ void clod_sim_moved(clod_sim *self)
 bool clod_sim_take_up(clod_sim *self, clod_status *status)
 {
     clod_laws_set_adhesion(&self->laws, self->state.adhesion);
+    clod_setup_bound_fini(&self->bound); // it is another state
     return clod_step_init(&self->step, &self->state, &self->laws, &self->options, status);
 }
 
@@ -135,6 +136,7 @@ void clod_sim_destroy(clod_sim **self)
     clod_state_fini(&(*self)->state);
     clod_laws_fini(&(*self)->laws);
     clod_memory_free((*self)->contacts);
+    clod_setup_bound_fini(&(*self)->bound);
     clod_case_destroy(&(*self)->owned);
     clod_memory_free(*self);
     *self = NULL;

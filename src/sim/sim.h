@@ -7,6 +7,7 @@
 
 #include "clod/sim.h"
 #include "law/law.h"
+#include "setup/state.h"
 #include "state/state.h"
 #include "step/step.h"
 
@@ -19,6 +20,7 @@ struct clod_sim {
     clod_step step;
     clod_sim_contact *contacts; ///< [contact_capacity] lent by clod_sim_contacts
     size_t contact_capacity;
+    clod_setup_bound bound; ///< of the time step; made when something first comes
 };
 
 /** Stop the program, naming both, when an argument is NULL: for functions without a status. */

@@ -1,4 +1,6 @@
 // Grains and walls of a simulation that come and go.
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -8,6 +10,72 @@
 bool clod_sim_change(clod_sim *self, clod_status *status)
 {
     return CLOD_SIM_GIVEN(self, status) && clod_step_change(&self->step, status);
+}
+
+/** Bound of the time step with what there is and was asked for by now. */
+static bool know_bound(clod_sim *self, clod_status *status)
+{
+    return self->bound.sizes != NULL ||
+           clod_setup_bound_init(&self->bound, self->from, &self->state, status);
+}
+
+/**
+ * Whether the step of the case is stable with the bound as it is now; else say what must be.
+ *
+ * @param what  comes: "grain 7", "wall 'lid'"
+ */
+static bool step_is_stable(const clod_sim *self, const char *function, const char *what,
+                           clod_status *status)
+{
+    const clod_timestep t = clod_setup_bound_timestep(&self->bound, self->from);
+    return !(t.limit > 0.0) || self->state.dt <= t.limit ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "%s: with %s the time step of %.4g s is beyond the critical one, "
+               "%.4g s under %.4g N between %s and %s: the run would blow up. Give "
+               "time.step in the case, %.4g s or less",
+               function, what, self->state.dt, t.limit, t.limit_force, t.limit_a, t.limit_b,
+               t.automatic);
+}
+
+static bool grain_fits_step(clod_sim *self, const clod_sim_grain *grain, const char *function,
+                            clod_status *status)
+{
+    if (!(grain->radius > 0.0 && isfinite(grain->radius))) {
+        return true; // clod_step_change says what is wrong with it
+    }
+    if (!know_bound(self, status)) {
+        return false;
+    }
+    clod_timestep_sizes *sizes = &self->bound.sizes[grain->material];
+    const clod_timestep_sizes before = *sizes;
+    char what[32];
+    snprintf(what, sizeof what, "grain %llu", (unsigned long long)grain->id);
+    clod_timestep_add(sizes, 1.0, grain->radius);
+    const bool stable = step_is_stable(self, function, what, status);
+    if (!stable) {
+        *sizes = before;
+    }
+    return stable;
+}
+
+static bool wall_fits_step(clod_sim *self, const clod_wall *wall, const char *function,
+                           clod_status *status)
+{
+    if (!know_bound(self, status)) {
+        return false;
+    }
+    bool stable = true;
+    for (int32_t s = 0; stable && s < wall->shape_count; s++) {
+        bool *is_wall = &self->bound.is_wall[clod_wall_material(wall, s)];
+        const bool before = *is_wall;
+        char what[48];
+        snprintf(what, sizeof what, "wall '%s'", wall->name);
+        *is_wall = true;
+        stable = before || step_is_stable(self, function, what, status);
+        *is_wall = stable;
+    }
+    return stable;
 }
 
 bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status *status)
@@ -27,6 +95,9 @@ bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status
     fresh.position[3] = grain->radius;
     memcpy(fresh.velocity, grain->velocity, sizeof fresh.velocity);
     memcpy(fresh.angular_velocity, grain->angular_velocity, sizeof fresh.angular_velocity);
+    if (!grain_fits_step(self, grain, __func__, status)) {
+        return false;
+    }
     clod_changes_add_grain(&self->state.changes, &fresh);
     return true;
 }
@@ -64,7 +135,8 @@ bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *
         given.spin_axis[2] = 1.0; // as in a case that does not say
     }
     clod_wall made = {0};
-    const bool good = clod_setup_wall(self->from, &given, &made, status);
+    const bool good = clod_setup_wall(self->from, &given, &made, status) &&
+                      wall_fits_step(self, &made, __func__, status);
     if (good) {
         clod_changes_add_wall(&self->state.changes, &made);
     }
