@@ -244,38 +244,26 @@ static bool make_subject(const clod_case *from, const clod_check_options *option
     return true;
 }
 
-/** What is looked at of each kind of case. */
-static const struct {
-    clod_check_kind kind;
-    bool (*look)(const clod_check_subject *subject, clod_check_report *report,
-                 clod_status *status); ///< NULL: nothing but what all have
-} LOOK[CLOD_CASE_KINDS] = {
-    [CLOD_CASE_FREE] = {CLOD_CHECK_FREE_RUN, NULL},
-    [CLOD_CASE_RING_SHEAR] = {CLOD_CHECK_RING_SHEAR, look_at_shear},
-    [CLOD_CASE_JENIKE] = {CLOD_CHECK_JENIKE, look_at_shear},
-    [CLOD_CASE_UNIAXIAL] = {CLOD_CHECK_UNIAXIAL, look_at_uniaxial},
+/** What is looked at of each kind of case alone; NULL: nothing. */
+static bool (*const LOOK[CLOD_CASE_KINDS])(const clod_check_subject *subject,
+                                           clod_check_report *report, clod_status *status) = {
+    [CLOD_CASE_RING_SHEAR] = look_at_shear,
+    [CLOD_CASE_JENIKE] = look_at_shear,
+    [CLOD_CASE_UNIAXIAL] = look_at_uniaxial,
 };
-
-static clod_check_kind kind_of(const clod_case *from)
-{
-    const clod_case_kind kind = clod_case_kind_of(from);
-    return kind == CLOD_CASE_FREE && from->grains_count == 0 ? CLOD_CHECK_CONTACT_BENCH
-                                                             : LOOK[kind].kind;
-}
 
 static bool look_at_tester(const clod_check_subject *subject, clod_check_report *report,
                            clod_status *status)
 {
-    const clod_case_kind kind = clod_case_kind_of(subject->from);
-    return LOOK[kind].look == NULL || LOOK[kind].look(subject, report, status);
+    return LOOK[report->kind] == NULL || LOOK[report->kind](subject, report, status);
 }
 
 bool clod_check_report_make(const clod_case *from, const clod_check_options *options,
                             clod_check_report *report, clod_status *status)
 {
-    *report =
-        (clod_check_report){.kind = kind_of(from), .path = from->path, .title = from->title};
-    if (report->kind == CLOD_CHECK_CONTACT_BENCH) {
+    *report = (clod_check_report){
+        .kind = clod_case_kind_of(from), .path = from->path, .title = from->title};
+    if (report->kind == CLOD_CASE_CONTACT_BENCH) {
         return true;
     }
     clod_check_subject subject;

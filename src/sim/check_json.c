@@ -119,11 +119,11 @@ static const struct {
     const char *name;
     void (*put)(json_t *to, const clod_check_report *r);
 } KIND[] = {
-    [CLOD_CHECK_FREE_RUN] = {"free_run", NULL},
-    [CLOD_CHECK_RING_SHEAR] = {"ring_shear", put_ring},
-    [CLOD_CHECK_JENIKE] = {"jenike", put_shear},
-    [CLOD_CHECK_UNIAXIAL] = {"uniaxial", put_uniaxial},
-    [CLOD_CHECK_CONTACT_BENCH] = {"contact_bench", NULL},
+    [CLOD_CASE_FREE] = {"free_run", NULL},
+    [CLOD_CASE_RING_SHEAR] = {"ring_shear", put_ring},
+    [CLOD_CASE_JENIKE] = {"jenike", put_shear},
+    [CLOD_CASE_UNIAXIAL] = {"uniaxial", put_uniaxial},
+    [CLOD_CASE_CONTACT_BENCH] = {"contact_bench", NULL},
 };
 
 static void put_text(json_t *to, const char *key, const char *text)
@@ -147,7 +147,7 @@ static json_t *make_json(const clod_check_report *r)
     put_text(to, "case", r->path);
     put_text(to, "title", r->title);
     put_text(to, "kind", KIND[r->kind].name);
-    if (r->kind == CLOD_CHECK_CONTACT_BENCH) {
+    if (r->kind == CLOD_CASE_CONTACT_BENCH) {
         return to;
     }
     json_object_set_new(to, "grains", json_integer((json_int_t)r->grains));

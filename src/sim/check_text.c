@@ -134,10 +134,10 @@ static const struct {
     const char *stress; ///< name of its largest
     void (*write)(page *to, const clod_check_report *r);
 } TEST[] = {
-    [CLOD_CHECK_RING_SHEAR] = {"preshear stress", write_ring},
-    [CLOD_CHECK_JENIKE] = {"preshear stress", write_jenike},
-    [CLOD_CHECK_UNIAXIAL] = {"largest stress", write_uniaxial},
-    [CLOD_CHECK_CONTACT_BENCH] = {NULL, NULL},
+    [CLOD_CASE_RING_SHEAR] = {"preshear stress", write_ring},
+    [CLOD_CASE_JENIKE] = {"preshear stress", write_jenike},
+    [CLOD_CASE_UNIAXIAL] = {"largest stress", write_uniaxial},
+    [CLOD_CASE_CONTACT_BENCH] = {NULL, NULL},
 };
 
 /** A test of several parts, whose length is a guess. */
@@ -229,7 +229,7 @@ void clod_check_report_text(const clod_check_report *r, char text[CLOD_CHECK_TEX
     if (r->title != NULL) {
         line(&to, "", "%s", r->title);
     }
-    if (r->kind == CLOD_CHECK_CONTACT_BENCH) {
+    if (r->kind == CLOD_CASE_CONTACT_BENCH) {
         line(&to, "contact bench", "nothing to estimate; clod contact runs it at once");
         return;
     }
