@@ -27,7 +27,7 @@ typedef struct clod_config_tester {
 /** Rows in the order of clod_case_kind; that of CLOD_CASE_FREE is empty. */
 extern const clod_config_tester CLOD_CONFIG_TESTER[CLOD_CASE_KINDS];
 
-/** Row of a case's tester; empty for a free run. Threads: pure. Test tests/config/test_testers.c
+/** Row of a case's tester; empty for a free run. Threads: pure. Test tests/config/test_config_testers.c
  */
 const clod_config_tester *clod_config_tester_of(const clod_case *from);
 
