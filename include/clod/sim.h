@@ -87,6 +87,7 @@ typedef enum clod_sim_type {
     CLOD_SIM_F64, ///< double
     CLOD_SIM_U64, ///< uint64_t
     CLOD_SIM_U16, ///< uint16_t
+    CLOD_SIM_I32, ///< int32_t
 } clod_sim_type;
 
 /** A property of all grains, where it lies in memory: no copy is made. */
@@ -211,6 +212,29 @@ typedef struct clod_sim_contact {
  */
 bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t *count,
                        clod_status *status);
+
+/** A member of clod_sim_contact, for programs that do not know the struct. */
+typedef struct clod_sim_contact_field {
+    const char *name; ///< static
+    const char *unit; ///< static; "1" for a plain number
+    clod_sim_type type;
+    size_t components; ///< numbers, side by side
+    size_t offset;     ///< bytes from the beginning of the struct
+    bool turns;        ///< changes its sign when the grains are named in the other order
+} clod_sim_contact_field;
+
+/** Number of members. */
+size_t clod_sim_contact_field_count(void);
+
+/**
+ * Look at a member: those that say which contact it is, then all that a contact remembers.
+ *
+ * @param index  0 to clod_sim_contact_field_count() - 1
+ * @param field  [out]
+ * Errors  CLOD_USAGE: no such member.   Threads  safe.   Test  tests/sim/test_sim_contacts.c
+ */
+bool clod_sim_contact_field_look(size_t index, clod_sim_contact_field *field,
+                                 clod_status *status);
 
 // ---- measures
 

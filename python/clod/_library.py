@@ -22,10 +22,8 @@ def _load():
 
 
 lib = _load()
-TYPES = {lib.CLOD_SIM_F64: "<f8", lib.CLOD_SIM_U64: "<u8", lib.CLOD_SIM_U16: "<u2"}
-CONTACT = numpy.dtype([("id_1", "u8"), ("id_2", "u8"), ("wall", "i4"), ("shape", "i4"),
-                       ("plastic", "f8"), ("tangent", "f8"), ("spring", "f8", 3),
-                       ("roll", "f8", 3)])
+TYPES = {lib.CLOD_SIM_F64: "<f8", lib.CLOD_SIM_U64: "<u8", lib.CLOD_SIM_U16: "<u2",
+         lib.CLOD_SIM_I32: "<i4"}
 
 
 class Error(RuntimeError):
@@ -34,6 +32,25 @@ class Error(RuntimeError):
     def __init__(self, status):
         super().__init__(ffi.string(status.text).decode())
         self.usage = status.code == lib.CLOD_USAGE
+
+
+def _contact_type():
+    """clod_sim_contact as NumPy sees it, and the units of its fields by name."""
+    names, formats, offsets, units = [], [], [], {}
+    field, status = ffi.new("clod_sim_contact_field *"), ffi.new("clod_status *")
+    for index in range(lib.clod_sim_contact_field_count()):
+        if not lib.clod_sim_contact_field_look(index, field, status):
+            raise Error(status)
+        names.append(ffi.string(field.name).decode())
+        formats.append((TYPES[field.type], field.components) if field.components > 1
+                       else TYPES[field.type])
+        offsets.append(field.offset)
+        units[names[-1]] = ffi.string(field.unit).decode()
+    return numpy.dtype({"names": names, "formats": formats, "offsets": offsets,
+                        "itemsize": ffi.sizeof("clod_sim_contact")}), units
+
+
+CONTACT, CONTACT_UNITS = _contact_type()
 
 
 class _View:
@@ -254,21 +271,15 @@ class Simulation:
     def contacts(self):
         """Copy of all closed contacts with their history; a structured array.
 
-        Fields: id_1, id_2 (of grains; with a wall id_2 is 0), wall and shape (-1 without),
-        plastic [m^n], tangent [N/m], spring [m], roll [rad].
+        Fields: id_1, id_2 (of grains; with a wall id_2 is 0), row_1, row_2 (of the moment), wall
+        and shape (-1 without), then what a contact remembers: plastic [m^n], tangent [N/m],
+        spring [m], roll [rad] (clod.CONTACT_UNITS).
         """
         first, count = ffi.new("clod_sim_contact **"), ffi.new("size_t *")
         self._call(lib.clod_sim_contacts, first, count)
-        size = ffi.sizeof("clod_sim_contact")
-        raw = numpy.frombuffer(ffi.buffer(first[0], count[0] * size), "u1").reshape(-1, size) \
-            if count[0] > 0 else numpy.empty((0, size), "u1")
-        made = numpy.empty(count[0], CONTACT)
-        for name in CONTACT.names:
-            kind = CONTACT.fields[name][0]
-            begin = ffi.offsetof("clod_sim_contact", name)
-            field = numpy.ascontiguousarray(raw[:, begin:begin + kind.itemsize])
-            made[name] = field.view(kind.base).reshape((-1,) + kind.shape)
-        return made
+        size = count[0] * CONTACT.itemsize
+        return numpy.frombuffer(ffi.buffer(first[0], size), CONTACT).copy() if size > 0 \
+            else numpy.empty(0, CONTACT)
 
     @property
     def walls(self):

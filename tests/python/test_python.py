@@ -84,6 +84,27 @@ class Python(program.Case):
             self.assertAlmostEqual(energy["translation"] /
                                    (0.5 * (sim.mass * (v * v).sum(1)).sum()), 1, delta=1e-12)
 
+    def test_contacts_have_the_fields_of_the_library(self):
+        """The dtype is made from the library's list; here against the struct as the header has it."""
+        from clod import _library
+        with make() as sim:
+            sim.advance(60000)
+            contacts = sim.contacts()
+            first, count = _library.ffi.new("clod_sim_contact **"), _library.ffi.new("size_t *")
+            sim._call(_library.lib.clod_sim_contacts, first, count)
+            self.assertEqual(len(contacts), count[0])
+            self.assertGreater(count[0], 20)
+            fields = _library.ffi.typeof("clod_sim_contact").fields
+            self.assertEqual(contacts.dtype.names, tuple(name for name, _ in fields))
+            self.assertEqual(tuple(clod.CONTACT_UNITS), contacts.dtype.names)
+            for name, _ in fields:
+                for k in range(count[0]):
+                    value = getattr(first[0][k], name)
+                    value = list(value) if name in ("spring", "roll") else value
+                    numpy.testing.assert_array_equal(contacts[name][k], value)
+            self.assertGreater(abs(contacts["spring"]).max(), 0)
+            self.assertEqual(clod.CONTACT_UNITS["spring"], "m")
+
     def test_walls_are_driven(self):
         with make() as sim:
             floor = sim.walls["floor"]
