@@ -113,7 +113,7 @@ size_t clod_sim_grain_count(const clod_sim *self);
  *   id [1] (uint64_t, never changes), material [1] (uint16_t, index in the case)
  *
  * A view and the numbers of the rows are valid until the next clod_sim_advance, change,
- * energies, contacts, measure, file or destruction: the neighbour search sorts the rows. A
+ * energies, contacts, contact_of, measure, file or destruction: the neighbour search sorts the rows. A
  * grain is told by its id. Positions may lie outside a periodic domain by less than a period.
  *
  * Velocities count from the next step on, without more ado. After writing positions call
@@ -154,7 +154,7 @@ typedef struct clod_sim_grain {
 
 /**
  * Ask for a grain to come, or for one to go. All that was asked for, of grains and walls, is
- * done together before the next step, energies, contacts or file, or by clod_sim_change; what
+ * done together before the next step, energies, contacts, contact_of or file, or by clod_sim_change; what
  * goes goes first. The order of requests changes no bit. When one of them is wrong, none is done
  * and all are dropped.
  *
@@ -212,6 +212,37 @@ typedef struct clod_sim_contact {
  */
 bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t *count,
                        clod_status *status);
+
+/**
+ * Find the contact of two grains by their ids.
+ *
+ * The contact is as met by id_1 against id_2: spring and roll are those of grain id_1, row_1 is
+ * its row. Asked for in the other order they change their signs, plastic and tangent do not
+ * (clod_sim_contact_field.turns). clod_sim_contacts names each contact in one order only, which
+ * may change when the rows are sorted.
+ *
+ * @param id_1, id_2  of the grains, in any order
+ * @param contact     [out] unchanged when there is none
+ * @param found       [out] false: the grains do not touch, are the same, or one of them is not
+ *                    there (any more); this is no error
+ * Cost    a walk over all grains.
+ * Errors  a request that is wrong, as clod_sim_change.   Test  tests/sim/test_sim_contacts.c
+ */
+bool clod_sim_contact_of(clod_sim *self, uint64_t id_1, uint64_t id_2,
+                         clod_sim_contact *contact, bool *found, clod_status *status);
+
+/**
+ * Find the contact of a grain with a shape of a wall.
+ *
+ * @param wall     index, 0 to clod_sim_wall_count - 1
+ * @param shape    number in the wall, from 0
+ * @param contact  [out] unchanged when there is none
+ * @param found    [out] false: they do not touch, or there is no such grain (any more)
+ * Errors  CLOD_USAGE: no such wall or shape; as clod_sim_contact_of.
+ * Test    tests/sim/test_sim_contacts.c
+ */
+bool clod_sim_wall_contact_of(clod_sim *self, uint64_t id, int32_t wall, int32_t shape,
+                              clod_sim_contact *contact, bool *found, clod_status *status);
 
 /** A member of clod_sim_contact, for programs that do not know the struct. */
 typedef struct clod_sim_contact_field {

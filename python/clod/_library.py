@@ -281,6 +281,25 @@ class Simulation:
         return numpy.frombuffer(ffi.buffer(first[0], size), CONTACT).copy() if size > 0 \
             else numpy.empty(0, CONTACT)
 
+    def _found(self, function, *which):
+        contact, found = ffi.new("clod_sim_contact *"), ffi.new("bool *")
+        self._call(function, *which, contact, found)
+        if not found[0]:
+            return None
+        return numpy.frombuffer(ffi.buffer(contact), CONTACT).copy()[0]
+
+    def contact_of(self, id_1, id_2):
+        """The contact of two grains, by their ids; None: there is none.
+
+        spring and roll are those of grain id_1: in the other order they change their signs.
+        """
+        return self._found(lib.clod_sim_contact_of, int(id_1), int(id_2))
+
+    def wall_contact_of(self, id, wall, shape=0):
+        """The contact of a grain, by its id, with a shape of a wall, by its name; None: there is none."""
+        return self._found(lib.clod_sim_wall_contact_of, int(id), Wall(self, wall)._index(),
+                           int(shape))
+
     @property
     def walls(self):
         """Walls by name."""

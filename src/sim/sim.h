@@ -34,6 +34,14 @@ bool clod_sim_given(const void *argument, const char *function, const char *name
 bool clod_sim_finite(const double numbers[3], const char *function, const char *name,
                      clod_status *status);
 
+/** Whether there is a wall with this index; else CLOD_USAGE. */
+bool clod_sim_has_wall(const clod_sim *self, int32_t wall, const char *function,
+                       clod_status *status);
+
+/** Whether there is such a wall, and it has a shape with this number; else CLOD_USAGE. */
+bool clod_sim_has_shape(const clod_sim *self, int32_t wall, int32_t shape, const char *function,
+                        clod_status *status);
+
 /** Changes that were asked for are made, and all contacts copied into the state. */
 bool clod_sim_hold(clod_sim *self, clod_status *status);
 

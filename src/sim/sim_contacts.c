@@ -103,3 +103,44 @@ bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t
     *count = needed;
     return true;
 }
+
+/** Whether the contacts can be asked: what was asked for is done, and the step has its list. */
+static bool can_ask(clod_sim *self, clod_status *status)
+{
+    if (self->step.failed) {
+        *status = self->step.status;
+        return false;
+    }
+    return clod_step_change(&self->step, status);
+}
+
+bool clod_sim_contact_of(clod_sim *self, uint64_t id_1, uint64_t id_2,
+                         clod_sim_contact *contact, bool *found, clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(contact, status) ||
+        !CLOD_SIM_GIVEN(found, status) || !can_ask(self, status)) {
+        return false;
+    }
+    clod_contact there;
+    *found = clod_step_contact_of(&self->step, (const uint64_t[2]){id_1, id_2}, &there);
+    if (*found) {
+        *contact = make(&self->state.grains, &there);
+    }
+    return true;
+}
+
+bool clod_sim_wall_contact_of(clod_sim *self, uint64_t id, int32_t wall, int32_t shape,
+                              clod_sim_contact *contact, bool *found, clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(contact, status) ||
+        !CLOD_SIM_GIVEN(found, status) || !can_ask(self, status) ||
+        !clod_sim_has_shape(self, wall, shape, __func__, status)) {
+        return false;
+    }
+    clod_contact there;
+    *found = clod_step_wall_contact_of(&self->step, id, wall, shape, &there);
+    if (*found) {
+        *contact = make(&self->state.grains, &there);
+    }
+    return true;
+}

@@ -105,6 +105,28 @@ class Python(program.Case):
             self.assertGreater(abs(contacts["spring"]).max(), 0)
             self.assertEqual(clod.CONTACT_UNITS["spring"], "m")
 
+    def test_a_contact_by_its_identity(self):
+        with make() as sim:
+            sim.advance(60000)
+            contacts = sim.contacts()
+            self.assertGreater((contacts["wall"] < 0).sum(), 20)
+            self.assertGreater((contacts["wall"] >= 0).sum(), 5)
+            for there in contacts:
+                if there["wall"] >= 0:
+                    found = sim.wall_contact_of(there["id_1"], "floor", there["shape"])
+                    self.assertEqual(found, there)
+                    continue
+                self.assertEqual(sim.contact_of(there["id_1"], there["id_2"]), there)
+                turned = sim.contact_of(there["id_2"], there["id_1"])
+                numpy.testing.assert_array_equal(turned["spring"], -there["spring"])
+                self.assertEqual(turned["plastic"], there["plastic"])
+            self.assertIsNone(sim.contact_of(contacts["id_1"][0], 999999))
+            self.assertIsNone(sim.wall_contact_of(999999, "floor"))
+            with self.assertRaises(KeyError):
+                sim.wall_contact_of(1, "roof")
+            with self.assertRaisesRegex(clod.Error, "no shape 1; it has 1"):
+                sim.wall_contact_of(1, "floor", 1)
+
     def test_walls_are_driven(self):
         with make() as sim:
             floor = sim.walls["floor"]
