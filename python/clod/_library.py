@@ -5,7 +5,7 @@ import os
 import cffi
 import numpy
 
-from ._cdef import CDEF
+from ._cdef import CDEF, LIBRARY
 
 ffi = cffi.FFI()
 ffi.cdef(CDEF)
@@ -13,7 +13,7 @@ ffi.cdef(CDEF)
 
 def _load():
     """The library that CLOD_LIBRARY names, or the installed one."""
-    name = os.environ.get("CLOD_LIBRARY", "libclod.so.0.1")
+    name = os.environ.get("CLOD_LIBRARY", LIBRARY)
     try:
         return ffi.dlopen(name)
     except OSError as error:

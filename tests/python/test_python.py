@@ -2,6 +2,7 @@
 
 import gc
 import os
+import subprocess
 import sys
 import unittest
 
@@ -165,6 +166,17 @@ class Python(program.Case):
             return
         self.assertEqual(run.snapshot()["position"].shape, (60, 3))
         self.assertIn("plastic", run.snapshot(kind="contacts"))
+
+    def test_the_library_is_found_by_its_name(self):
+        """Without CLOD_LIBRARY the loader looks for the name that the build gave the library."""
+        folder = os.path.dirname(os.environ["CLOD_LIBRARY"])
+        environment = {**os.environ, "LD_LIBRARY_PATH": folder, "PYTHONPATH": os.environ["CLOD_PYTHON"]}
+        del environment["CLOD_LIBRARY"]
+        script = "import clod; print(open('/proc/self/maps').read())"
+        done = subprocess.run([sys.executable, "-B", "-c", script], env=environment, text=True,
+                              capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(os.path.realpath(os.environ["CLOD_LIBRARY"]), done.stdout)
 
     def test_errors(self):
         with self.assertRaises(clod.Error) as caught:
