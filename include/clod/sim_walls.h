@@ -24,11 +24,12 @@ typedef struct clod_sim_wall {
     double position[3];    ///< m, moved from where the case puts it
     double orientation[4]; ///< w, x, y, z: from the frame in which it was given to space
     double angle;          ///< rad, turned about its spin axis since that axis was set
-    double velocity[3]; ///< m/s, of the wall's material: motion, load servo, oscillation, belt
-    double spin;        ///< rad/s about its spin axis
-    double force[3];    ///< N, last step
-    double torque[3];   ///< N m about the spin point, last step
-    double power;       ///< W done by the wall on the grains, last step
+    double
+        velocity[3];  ///< m/s, of the wall's material: motion, load servo, oscillation, surface
+    double spin;      ///< rad/s about its spin axis
+    double force[3];  ///< N, last step
+    double torque[3]; ///< N m about the spin point, last step
+    double power;     ///< W done by the wall on the grains, last step
     double mean_force[3];  ///< N, mean over the steps since clod_sim_reset_wall_means
     double mean_torque[3]; ///< N m, likewise
     double mean_power;     ///< W, likewise
@@ -65,6 +66,36 @@ bool clod_sim_set_wall_surface_velocity(clod_sim *self, int32_t wall, const doub
                                         clod_status *status);
 bool clod_sim_set_wall_spin(clod_sim *self, int32_t wall, double spin, clod_status *status);
 bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_status *status);
+
+/**
+ * How the material of a shape moves while the shape stays where it is: a belt, on top of the
+ * motion of its wall and of the wall's surface velocity. Vectors are in the frame in which the
+ * wall was given (after rotate and move of a case) and turn with the wall. All zero: none.
+ */
+typedef struct clod_sim_belt {
+    double velocity[3];   ///< m/s, the same everywhere
+    double speed;         ///< m/s along the projection of `direction` onto the surface
+    double direction[3];  ///< made to length 1; not zero when there is a speed
+    double spin;          ///< rad/s about spin_axis through spin_point
+    double spin_axis[3];  ///< made to length 1; not zero when there is a spin
+    double spin_point[3]; ///< m
+} clod_sim_belt;
+
+/**
+ * Drive the belt of one shape from now on; the case may give the shape one to begin with.
+ *
+ * @param shape  number in the wall, from 0
+ * @param belt   what is normal to the surface moves nothing
+ * Errors  CLOD_USAGE: no such wall or shape, a number that is not finite, a speed without
+ *         direction, a spin without axis; nothing is changed.
+ * Source  docs/theory/walls.md.   Test  tests/sim/test_sim_belts.c
+ */
+bool clod_sim_set_belt(clod_sim *self, int32_t wall, int32_t shape, const clod_sim_belt *belt,
+                       clod_status *status);
+
+/** Look at the belt of a shape; directions have length 1 or are zero. Errors as above. */
+bool clod_sim_belt_look(const clod_sim *self, int32_t wall, int32_t shape, clod_sim_belt *belt,
+                        clod_status *status);
 
 /**
  * Turn a wall at once to an orientation: the unit quaternion w, x, y, z (Hamilton) from the

@@ -120,6 +120,25 @@ class Wall:
         self._simulation._call(lib.clod_sim_set_wall_surface_velocity, self._index(),
                                ffi.new("double[3]", list(value)))
 
+    def set_belt(self, shape=0, velocity=(0, 0, 0), speed=0, direction=(0, 0, 0), spin=0,
+                 spin_axis=(0, 0, 0), spin_point=(0, 0, 0)):
+        """Drive the belt of one shape; all zero stops it.
+
+        velocity [m/s]; speed [m/s] along the projection of direction onto the surface; spin [rad/s]
+        about spin_axis through spin_point [m]; in the frame in which the wall was given.
+        """
+        belt = ffi.new("clod_sim_belt *")
+        belt.velocity, belt.speed, belt.direction = list(velocity), speed, list(direction)
+        belt.spin, belt.spin_axis, belt.spin_point = spin, list(spin_axis), list(spin_point)
+        self._simulation._call(lib.clod_sim_set_belt, self._index(), int(shape), belt)
+
+    def belt(self, shape=0):
+        """The belt of one shape; keyword arguments of set_belt."""
+        belt = ffi.new("clod_sim_belt *")
+        self._simulation._call(lib.clod_sim_belt_look, self._index(), int(shape), belt)
+        return {name: getattr(belt, name) if name in ("speed", "spin")
+                else list(getattr(belt, name)) for name, _ in ffi.typeof("clod_sim_belt").fields}
+
     @property
     def spin(self):
         """rad/s about its spin axis; may be set."""

@@ -140,6 +140,24 @@ class Python(program.Case):
             with self.assertRaises(KeyError):
                 floor.force
 
+    def test_a_belt_carries_what_lies_on_it(self):
+        with make() as sim:
+            floor = sim.walls["floor"]
+            sim.advance(60000)
+            self.assertLess(abs(sim.velocity[:, 0].mean()), 0.01)
+            floor.set_belt(speed=0.2, direction=[2, 0, 0])
+            self.assertEqual(floor.belt()["direction"], [1, 0, 0])
+            sim.advance(5000)
+            self.assertGreater(sim.velocity[:, 0].mean(), 0.01)
+            floor.set_belt(**{**floor.belt(), "speed": -0.2})
+            self.assertEqual(floor.belt(0)["speed"], -0.2)
+            sim.advance(1000)
+            self.assertLess(floor.force[0] * -1, 0)  # now it is dragged the other way
+            with self.assertRaisesRegex(clod.Error, "has no direction"):
+                floor.set_belt(speed=1)
+            with self.assertRaisesRegex(clod.Error, "no shape 1"):
+                floor.belt(1)
+
     def test_the_bits_of_a_run(self):
         """clod run and Python end with the same bits; the results folder into arrays."""
         with open(self.path("case.yaml"), "w") as file:
