@@ -78,7 +78,10 @@ double clod_sim_time(const clod_sim *self);  ///< s simulated
 double clod_sim_dt(const clod_sim *self);    ///< s, time step
 int64_t clod_sim_step(const clod_sim *self); ///< steps done since the case began
 
-/** Adhesion (k_adh and other pulls) as a fraction of the case's value, 0 to 1, from now on. */
+/**
+ * Adhesion (k_adh and other pulls) as a fraction of the case's value, 0 to 1, from now on. What
+ * this does to the energy that contacts store is booked as exchanged in an open ledger.
+ */
 bool clod_sim_set_adhesion(clod_sim *self, double fraction, clod_status *status);
 
 // ---- grains
@@ -288,6 +291,74 @@ typedef struct clod_sim_bed {
 
 /** Errors  CLOD_FAILED: memory.   Test  tests/sim/test_sim.c */
 bool clod_sim_measure(clod_sim *self, clod_sim_bed *bed, clod_status *status);
+
+/** Grains that left through one side of the domain (domain.open: delete). */
+typedef struct clod_sim_left {
+    int64_t grains;
+    double mass;   ///< kg
+    double energy; ///< J, kinetic, of rotation included
+} clod_sim_left;
+
+/** Sides of the domain. */
+typedef enum clod_sim_side {
+    CLOD_SIM_X_MIN,
+    CLOD_SIM_X_MAX,
+    CLOD_SIM_Y_MIN,
+    CLOD_SIM_Y_MAX,
+    CLOD_SIM_Z_MIN,
+    CLOD_SIM_Z_MAX,
+    CLOD_SIM_SIDES ///< how many there are
+} clod_sim_side;
+
+/** What has come and gone since the case began; requests count when they are done. */
+typedef struct clod_sim_exchange {
+    int64_t added, removed; ///< grains, by requests
+    double added_mass;      ///< kg
+    double removed_mass;    ///< kg
+    int64_t walls_removed;
+    clod_sim_left left[CLOD_SIM_SIDES]; ///< by clod_sim_side
+} clod_sim_exchange;
+
+/**
+ * Look at what has come and gone: the numbers of `left` in summary.json.
+ *
+ * @param exchange  [out]
+ * Errors  CLOD_USAGE: NULL.   Test  tests/sim/test_sim_ledger.c
+ */
+bool clod_sim_exchange_look(const clod_sim *self, clod_sim_exchange *exchange,
+                            clod_status *status);
+
+/** The energy ledger: what has gone since it was opened [J] (docs/theory/energy.md). */
+typedef struct clod_sim_ledger {
+    double plastic;   ///< lost by plasticity and adhesion
+    double dash_pot;  ///< lost in dash-pots
+    double friction;  ///< lost by sliding
+    double rolling;   ///< lost by rolling resistance
+    double lag;       ///< work beyond that of forces with an earlier velocity; either sign
+    double wall_work; ///< done by the walls on the grains
+    double exchanged; ///< brought in by what came, was put elsewhere or changed, less what left
+    double residual;  ///< appeared from nowhere: 0 is right
+} clod_sim_ledger;
+
+/**
+ * Open the energy ledger now, or begin it anew. It is open from the start when the case has
+ * output.energy, and goes through checkpoints; a step takes longer with it.
+ *
+ * What the library does is booked: requests, adhesion, walls put elsewhere. What the caller
+ * writes into arrays is not: it shows up in the residual.
+ *
+ * Errors  CLOD_USAGE: gravity along a periodic direction, in which potential energy has no
+ *         value; CLOD_FAILED: memory.   Test  tests/sim/test_sim_ledger.c
+ */
+bool clod_sim_open_ledger(clod_sim *self, clod_status *status);
+
+/**
+ * Look at the ledger now: the numbers of energy.csv.
+ *
+ * @param ledger  [out]
+ * Errors  CLOD_USAGE: it is not open; as clod_sim_energies.   Test  tests/sim/test_sim_ledger.c
+ */
+bool clod_sim_ledger_look(clod_sim *self, clod_sim_ledger *ledger, clod_status *status);
 
 // ---- files
 

@@ -1,5 +1,6 @@
 """libclod's clod_sim (include/clod/sim.h) as an object; cffi calls it, nothing is compiled."""
 
+import itertools
 import os
 
 import cffi
@@ -346,6 +347,30 @@ class Simulation:
     def measure(self):
         """Numbers of contacts, coordination, overlaps (fractions), largest speed [m/s]."""
         return self._numbers(lib.clod_sim_measure, "clod_sim_bed")
+
+    def left(self):
+        """Grains that left through each side of a domain with open: delete.
+
+        By side (x_min, x_max, y_min ...): grains, mass [kg], energy [J, kinetic].
+        """
+        made = ffi.new("clod_sim_exchange *")
+        self._call(lib.clod_sim_exchange_look, made)
+        return {f"{axis}_{end}": {"grains": side.grains, "mass": side.mass, "energy": side.energy}
+                for (axis, end), side in zip(itertools.product("xyz", ("min", "max")), made.left)}
+
+    def exchange(self):
+        """Grains added and removed by requests, their masses [kg], and walls removed."""
+        made = self._numbers(lib.clod_sim_exchange_look, "clod_sim_exchange")
+        del made["left"]
+        return made
+
+    def open_ledger(self):
+        """Open the energy ledger now; it is open from the start with output: {energy: true}."""
+        self._call(lib.clod_sim_open_ledger)
+
+    def ledger(self):
+        """J since it was opened: plastic, dash_pot, friction, rolling, lag, wall_work, exchanged, residual."""
+        return self._numbers(lib.clod_sim_ledger_look, "clod_sim_ledger")
 
     # ---- files
 

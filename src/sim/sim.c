@@ -68,7 +68,8 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
     self->options.threads = self->options.threads > 0
                                 ? threads
                                 : clod_threads_worth(threads, self->state.grains.count);
-    return clod_sim_take_up(self, status);
+    return clod_sim_take_up(self, status) &&
+           (!self->from->output.energy || clod_sim_open_ledger(self, status));
 }
 
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
@@ -179,8 +180,10 @@ bool clod_sim_set_adhesion(clod_sim *self, double fraction, clod_status *status)
         return clod_status_fail(status, CLOD_USAGE, "%s: fraction is %g; give 0 to 1", __func__,
                                 fraction);
     }
+    const double before = clod_sim_balance(self);
     self->state.adhesion = fraction;
     clod_laws_set_adhesion(&self->laws, fraction);
+    clod_sim_book(self, before);
     return true;
 }
 

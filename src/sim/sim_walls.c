@@ -160,10 +160,12 @@ bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double or
             "with finite numbers that are not all 0",
             __func__, orientation[0], orientation[1], orientation[2], orientation[3]);
     }
+    const double before = clod_sim_balance(self);
     clod_sim_moved(self);
     clod_wall_set_orientation(
         &self->state.walls.wall[wall],
         (clod_quat){orientation[0], orientation[1], orientation[2], orientation[3]});
+    clod_sim_book(self, before);
     return true;
 }
 
@@ -226,8 +228,10 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
         !clod_sim_finite(position, __func__, "position", status)) {
         return false;
     }
+    const double before = clod_sim_balance(self);
     clod_sim_moved(self);
     self->state.walls.wall[wall].shift = (clod_vec3){position[0], position[1], position[2]};
+    clod_sim_book(self, before);
     return true;
 }
 

@@ -185,6 +185,48 @@ class Python(program.Case):
         self.assertEqual(run.snapshot()["position"].shape, (60, 3))
         self.assertIn("plastic", run.snapshot(kind="contacts"))
 
+    def test_what_left_and_the_ledger_of_a_run(self):
+        """summary.json and energy.csv of clod run, to the last digit that they have."""
+        case = CASE.replace("max: [20 mm, 20 mm, 100 mm], periodic: [true, true, false]}",
+                            "max: [20 mm, 20 mm, 100 mm], open: delete}")
+        case = case.replace("plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, 1]}",
+                            "disc: {center: [10 mm, 10 mm, 0 mm], radius: 7 mm}")
+        case = case.replace("0.02 s", "0.1 s").replace("contacts: true", "energy: true")
+        with open(self.path("case.yaml"), "w") as file:
+            file.write(case)
+        done = program.run("run", "case.yaml", "-o", "out", "-t", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        run = clod.results(self.path("out"))
+        with clod.Simulation(self.path("case.yaml"), threads=2) as sim:
+            sim.advance(run.summary["steps"])
+            left = sim.left()
+            self.assertEqual(list(left), list(run.summary["left"]))
+            for side, there in run.summary["left"].items():
+                self.assertEqual(left[side]["grains"], there["grains"])
+                self.assertEqual(left[side]["mass"], there["mass_kg"])
+                self.assertEqual(left[side]["energy"], there["kinetic_energy_J"])
+            gone = sum(side["grains"] for side in left.values())
+            self.assertEqual(gone + len(sim), 60)
+            self.assertGreater(left["z_min"]["grains"], 5)
+            ledger = sim.ledger()
+            columns = run.series("energy")
+            for name, value in ledger.items():
+                column = {"plastic": "lost_plastic", "dash_pot": "lost_dash_pot",
+                          "friction": "lost_friction", "rolling": "lost_rolling"}.get(name, name)
+                self.assertEqual(value, columns[column][-1], name)
+            self.assertGreater(ledger["dash_pot"], 0)
+            self.assertLess(ledger["exchanged"], 0)
+            self.assertLess(abs(ledger["residual"]), 0.01 * ledger["dash_pot"])
+            sim.remove_grain(sim.id[0])
+            sim.change()
+            self.assertEqual(sim.exchange()["removed"], 1)
+        with make() as sim:
+            with self.assertRaisesRegex(clod.Error, "is not open"):
+                sim.ledger()
+            sim.open_ledger()
+            sim.advance(100)
+            self.assertLess(abs(sim.ledger()["residual"]), 1e-12)
+
     def test_the_library_is_found_by_its_name(self):
         """Without CLOD_LIBRARY the loader looks for the name that the build gave the library."""
         folder = os.path.dirname(os.environ["CLOD_LIBRARY"])
