@@ -116,7 +116,7 @@ size_t clod_sim_grain_count(const clod_sim *self);
  *   id [1] (uint64_t, never changes), material [1] (uint16_t, index in the case)
  *
  * A view and the numbers of the rows are valid until the next clod_sim_advance, change,
- * energies, contacts, contact_of, measure, file or destruction: the neighbour search sorts the rows. A
+ * energies, contacts, contact_of, ledger, measure, file or destruction: the neighbour search sorts the rows. A
  * grain is told by its id. Positions may lie outside a periodic domain by less than a period.
  *
  * Velocities count from the next step on, without more ado. After writing positions call
@@ -157,7 +157,7 @@ typedef struct clod_sim_grain {
 
 /**
  * Ask for a grain to come, or for one to go. All that was asked for, of grains and walls, is
- * done together before the next step, energies, contacts, contact_of or file, or by clod_sim_change; what
+ * done together before the next step, energies, contacts, contact_of, ledger or file, or by clod_sim_change; what
  * goes goes first. The order of requests changes no bit. When one of them is wrong, none is done
  * and all are dropped.
  *

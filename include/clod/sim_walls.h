@@ -133,14 +133,29 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
                                 clod_status *status);
 
 /**
- * Ask for a wall to come or go, as clod_sim_add_grain.
+ * Ask for a wall to come, as clod_sim_add_grain.
  *
  * @param wall  as in a case (clod/case.h), with a name of its own and without a load; borrowed
- * Errors  CLOD_USAGE: an unknown material, a load, a plane that would turn out of itself; a
- *         name that is taken or unknown: by what does the changes.
+ * Errors  CLOD_USAGE: an unknown material, or one without a contact law for the grains; a load,
+ *         an oscillation, a plane that would turn out of itself; a name that is taken or
+ *         unknown: by what does the changes.
  * Test    tests/sim/test_sim_change.c
  */
 bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *status);
+
+/**
+ * The same from a text, read and checked as the wall of a case file.
+ *
+ * @param name  of the wall
+ * @param text  YAML (or JSON): what stands below the name of a wall in a case; ends with a zero
+ *              byte; not needed after the call
+ * Errors  CLOD_USAGE: all that is wrong in the text, by line and column; as clod_sim_add_wall.
+ * Test    tests/sim/test_sim_wall_text.c
+ */
+bool clod_sim_add_wall_from_text(clod_sim *self, const char *name, const char *text,
+                                 clod_status *status);
+
+/** Ask for a wall to go, as clod_sim_remove_grain; indices of the others change. */
 bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status);
 
 /** Begin the means of force, torque and power of all walls anew. */

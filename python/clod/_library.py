@@ -1,6 +1,7 @@
 """libclod's clod_sim (include/clod/sim.h) as an object; cffi calls it, nothing is compiled."""
 
 import itertools
+import json
 import os
 
 import cffi
@@ -277,6 +278,15 @@ class Simulation:
     def remove_grain(self, id):
         """Ask for a grain to go."""
         self._call(lib.clod_sim_remove_grain, int(id))
+
+    def add_wall(self, name, wall):
+        """Ask for a wall to come; wall: what stands below its name in a case, as a dict or as YAML.
+
+            sim.add_wall("chute", {"material": "steel", "shapes": [
+                {"box": {"center": "0 0 -5 mm", "size": "100 20 10 mm"}}]})
+        """
+        text = wall if isinstance(wall, str) else json.dumps(wall)
+        self._call(lib.clod_sim_add_wall_from_text, name.encode(), text.encode())
 
     def remove_wall(self, name):
         """Ask for a wall to go."""

@@ -5,6 +5,8 @@
  * caller.
  */
 
+#include <pthread.h>
+
 #include "clod/sim.h"
 #include "law/law.h"
 #include "state/state.h"
@@ -20,6 +22,9 @@ struct clod_sim {
     clod_sim_contact *contacts; ///< [contact_capacity] lent by clod_sim_contacts
     size_t contact_capacity;
 };
+
+/** Cases, and walls from a text, are read one at a time. */
+extern pthread_mutex_t clod_sim_case_lock;
 
 /** Stop the program, naming both, when an argument is NULL: for functions without a status. */
 void clod_sim_need(const void *argument, const char *function, const char *name);

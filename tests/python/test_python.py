@@ -140,6 +140,31 @@ class Python(program.Case):
             with self.assertRaises(KeyError):
                 floor.force
 
+    def test_walls_come_and_go(self):
+        """A disc below takes the place of the floor, as a dict and as YAML: it carries the weight."""
+        yaml = "material: ore\nshapes:\n  - plane: {point: [0 mm, 0 mm, -1 mm]}\n"
+        plane = {"material": "ore", "shapes": [{"plane": {"point": "0 0 -1 mm"}}]}
+        felt = []
+        for wall in (yaml, plane):
+            with make() as sim:
+                sim.advance(60000)
+                sim.remove_wall("floor")
+                sim.add_wall("lower", wall)
+                self.assertEqual(list(sim.walls), ["floor"])  # requests
+                sim.change()
+                self.assertEqual(list(sim.walls), ["lower"])
+                sim.advance(60000)
+                sim.reset_wall_means()
+                sim.advance(5000)
+                felt.append(sim.walls["lower"].mean_force)
+                self.assertAlmostEqual(-felt[-1][2] / (9.81 * sim.mass.sum()), 1, delta=0.05)
+                with self.assertRaisesRegex(clod.Error, "wall 'roof':1:3: walls.roof.colour: this key"):
+                    sim.add_wall("roof", {"colour": "red"})
+                sim.remove_wall("floor")
+                with self.assertRaisesRegex(clod.Error, "there is none of this name"):
+                    sim.change()
+        numpy.testing.assert_array_equal(*felt)
+
     def test_a_belt_carries_what_lies_on_it(self):
         with make() as sim:
             floor = sim.walls["floor"]
