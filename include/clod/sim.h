@@ -116,8 +116,9 @@ size_t clod_sim_grain_count(const clod_sim *self);
  *   id [1] (uint64_t, never changes), material [1] (uint16_t, index in the case)
  *
  * A view and the numbers of the rows are valid until the next clod_sim_advance, change,
- * energies, contacts, contact_of, ledger, measure, file or destruction: the neighbour search sorts the rows. A
- * grain is told by its id. Positions may lie outside a periodic domain by less than a period.
+ * energies, contacts, contact_of, ledger, measure, file or destruction: the neighbour search
+ * sorts the rows. A grain is told by its id. Positions may lie outside a periodic domain by less
+ * than a period.
  *
  * Velocities count from the next step on, without more ado. After writing positions call
  * clod_sim_positions_changed. What is written to force or torque acts in the first half of the
@@ -157,9 +158,9 @@ typedef struct clod_sim_grain {
 
 /**
  * Ask for a grain to come, or for one to go. All that was asked for, of grains and walls, is
- * done together before the next step, energies, contacts, contact_of, ledger or file, or by clod_sim_change; what
- * goes goes first. The order of requests changes no bit. When one of them is wrong, none is done
- * and all are dropped.
+ * done together before the next step, energies, contacts, contact_of, ledger or file, or by
+ * clod_sim_change; what goes goes first. The order of requests changes no bit. When one of them
+ * is wrong, none is done and all are dropped.
  *
  * The time step stays that of the case: give it (time.step) when much smaller grains come.
  *
