@@ -31,6 +31,9 @@ void clod_check_contact_bench(clod_loader *loader, const clod_case *self);
 /** Checks of grains, walls, stages and domain (check_run.c). */
 void clod_check_run(clod_loader *loader, clod_case *self);
 
+/** Checks of the walls alone (check_run.c). */
+void clod_check_walls(clod_loader *loader, const clod_case *self);
+
 /** Complain about keys that the table says have no effect in this case (check_unused.c). */
 void clod_check_unused(clod_loader *loader, const clod_case *self);
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "config/wall_text.h"
 #include "setup/walls.h"
 #include "sim/sim.h"
 
@@ -111,16 +112,48 @@ bool clod_sim_remove_grain(clod_sim *self, uint64_t id, clod_status *status)
     return true;
 }
 
+/** A material of a wall: the case has it, with a law for the grains that there are. */
+static bool has_laws(const clod_sim *self, const char *name, const char *function,
+                     clod_status *status)
+{
+    const int material = name != NULL ? clod_case_material_index(self->from, name) : -1;
+    if (material < 0) {
+        return clod_status_fail(status, CLOD_USAGE, "%s: the case has no material '%s'",
+                                function, name != NULL ? name : "");
+    }
+    const clod_grains *grains = &self->state.grains;
+    for (size_t g = 0; g < grains->count; g++) {
+        const int other = grains->material[g];
+        if (!(clod_case_pair(self->from, material, other)->exponent > 0.0)) {
+            const char *grain = self->from->materials[other].name;
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "%s: the case has no contact law for grains of '%s' with a "
+                                    "wall of '%s'; add the section %s-%s to its contacts",
+                                    function, grain, name, grain, name);
+        }
+    }
+    return true;
+}
+
+/** The materials of a wall and of its shapes. */
+static bool has_materials(const clod_sim *self, const clod_case_wall *wall,
+                          const char *function, clod_status *status)
+{
+    bool good = has_laws(self, wall->material, function, status);
+    for (size_t s = 0; good && s < wall->shape_count; s++) {
+        const char *own = wall->shapes[s].surface.material;
+        good = own == NULL || has_laws(self, own, function, status);
+    }
+    return good;
+}
+
 bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *status)
 {
     if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(wall, status) ||
         !clod_sim_given(wall->name, __func__, "wall->name", status) ||
-        !clod_sim_given(wall->shapes, __func__, "wall->shapes", status)) {
+        !clod_sim_given(wall->shapes, __func__, "wall->shapes", status) ||
+        !has_materials(self, wall, __func__, status)) {
         return false;
-    }
-    if (wall->material == NULL || clod_case_material_index(self->from, wall->material) < 0) {
-        return clod_status_fail(status, CLOD_USAGE, "%s: the case has no material '%s'",
-                                __func__, wall->material != NULL ? wall->material : "");
     }
     if (wall->load != CLOD_LOAD_NONE || wall->oscillation.frequency != 0.0) {
         return clod_status_fail(
@@ -141,6 +174,21 @@ bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *
         clod_changes_add_wall(&self->state.changes, &made);
     }
     clod_memory_free(made.shapes);
+    return good;
+}
+
+bool clod_sim_add_wall_from_text(clod_sim *self, const char *name, const char *text,
+                                 clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(name, status) ||
+        !CLOD_SIM_GIVEN(text, status)) {
+        return false;
+    }
+    pthread_mutex_lock(&clod_sim_case_lock);
+    clod_case_wall *wall = clod_wall_text_read(self->from, name, text, status);
+    pthread_mutex_unlock(&clod_sim_case_lock);
+    const bool good = wall != NULL && clod_sim_add_wall(self, wall, status);
+    clod_wall_text_destroy(&wall);
     return good;
 }
 
