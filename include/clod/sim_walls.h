@@ -20,7 +20,7 @@ typedef struct clod_sim clod_sim;
 
 /** A wall as it is now. Forces and torques are those of the grains on the wall. */
 typedef struct clod_sim_wall {
-    const char *name;      ///< valid as long as the simulation
+    const char *name;      ///< valid until a wall comes or goes
     double position[3];    ///< m, moved from where the case puts it
     double orientation[4]; ///< w, x, y, z: from the frame in which it was given to space
     double angle;          ///< rad, turned about its spin axis since that axis was set

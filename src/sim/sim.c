@@ -51,7 +51,13 @@ bool clod_sim_take_up(clod_sim *self, clod_status *status)
 {
     clod_laws_set_adhesion(&self->laws, self->state.adhesion);
     clod_setup_bound_fini(&self->bound); // it is another state
-    return clod_step_init(&self->step, &self->state, &self->laws, &self->options, status);
+    if (!clod_step_init(&self->step, &self->state, &self->laws, &self->options, status)) {
+        self->step.failed = true; // it says so from now on
+        self->step.status = *status;
+        return false;
+    }
+    self->options.simd = self->step.kernel->name; // the caller's text may go
+    return true;
 }
 
 static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *status)

@@ -197,6 +197,11 @@ bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status)
     if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(name, status)) {
         return false;
     }
+    if (strlen(name) >= sizeof self->state.walls.wall->name) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "wall '%s' cannot be removed: there is none of this name",
+                                name);
+    }
     clod_changes_remove_wall(&self->state.changes, name);
     return true;
 }

@@ -76,12 +76,12 @@ static bool rebuild(clod_step *self, const clod_requests *found, clod_status *st
 bool clod_step_change(clod_step *self, clod_status *status)
 {
     clod_state *state = self->state;
-    if (!clod_changes_any(&state->changes)) {
-        return true;
-    }
     if (self->failed) {
         *status = self->status;
         return false;
+    }
+    if (!clod_changes_any(&state->changes)) {
+        return true;
     }
     clod_requests found;
     const bool good =

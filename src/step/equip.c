@@ -17,23 +17,6 @@ double clod_step_fastest(const clod_state *state)
     return fmax(sqrt(speed2), walls);
 }
 
-static bool periods_are_long_enough(const clod_step *self, clod_status *status)
-{
-    const double least = 4.0 * self->neighbour.radius_max + 2.0 * self->neighbour.skin;
-    for (int a = 0; a < 3; a++) {
-        const clod_domain *domain = &self->state->domain;
-        const double period = domain->max[a] - domain->min[a];
-        if (domain->periodic[a] && !(period > least)) {
-            return clod_status_fail(
-                status, CLOD_USAGE,
-                "domain: the period along %c is %g m, but a grain would meet its own "
-                "neighbours twice; at least %g m is needed for these grains",
-                "xyz"[a], period, least);
-        }
-    }
-    return true;
-}
-
 void clod_step_look(clod_step *self)
 {
     const clod_grains *grains = &self->state->grains;
@@ -82,7 +65,7 @@ bool clod_step_equip(clod_step *self, clod_status *status)
         return clod_status_fail(status, CLOD_FAILED, "no memory for %d walls",
                                 (int)self->state->walls.count);
     }
-    return periods_are_long_enough(self, status);
+    return clod_neighbour_periods_fit(&self->state->domain, self->neighbour.radius_max, status);
 }
 
 bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)

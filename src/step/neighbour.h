@@ -105,6 +105,15 @@ void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool bru
 void clod_neighbour_size(clod_neighbour *self, const clod_state *state);
 
 /**
+ * Whether every period of a domain is long enough for grains up to a radius [m]: twice their
+ * reach, so that a grain meets no neighbour twice.
+ *
+ * Errors  CLOD_USAGE with the axis and the least period.   Threads  pure.
+ */
+bool clod_neighbour_periods_fit(const clod_domain *domain, double radius_max,
+                                clod_status *status);
+
+/**
  * Wrap the grains into the domain, sort them by layers, carry state->contacts over and
  * note positions as those of the rebuild.
  *

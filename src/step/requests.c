@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "state/ids.h"
 #include "step/leavers.h"
+#include "step/neighbour.h"
 
 // ---- the order of the queue
 
@@ -59,6 +60,23 @@ static bool find_lost(clod_requests *found, const clod_changes *queue, const clo
     return true;
 }
 
+/** Whether the grain of this id goes: then another may have the id. */
+static bool is_lost(const clod_changes *queue, uint64_t id)
+{
+    return queue->lost_grains > 0 && bsearch(&id, queue->lost_grain, queue->lost_grains,
+                                             sizeof *queue->lost_grain, by_number) != NULL;
+}
+
+/** Whether every period is long enough for the largest grain that comes. */
+static bool check_periods(const clod_state *state, clod_status *status)
+{
+    double largest = 0.0;
+    for (size_t k = 0; k < state->changes.new_grains; k++) {
+        largest = fmax(largest, state->changes.new_grain[k].position[3]);
+    }
+    return clod_neighbour_periods_fit(&state->domain, largest, status);
+}
+
 static bool numbers_are_good(const clod_new_grain *g)
 {
     bool good = g->position[3] > 0.0 && isfinite(g->position[3]) && g->density > 0.0 &&
@@ -95,7 +113,7 @@ static bool check_new(const clod_state *state, const clod_laws *laws, const clod
                                 id, grain->position[0], grain->position[1], grain->position[2]);
     }
     const bool twice = k > 0 && state->changes.new_grain[k - 1].id == grain->id; // they ascend
-    return (!twice && clod_ids_row(rows, grain->id) < 0) ||
+    return (!twice && (clod_ids_row(rows, id) < 0 || is_lost(&state->changes, grain->id))) ||
            clod_status_fail(status, CLOD_USAGE,
                             "grain %llu cannot be added: another one has this id", id);
 }
@@ -118,7 +136,7 @@ static bool check_grains(clod_requests *found, const clod_state *state, const cl
         good = check_new(state, laws, &rows, k, status);
     }
     clod_ids_fini(&rows);
-    return good;
+    return good && check_periods(state, status);
 }
 
 // ---- walls
