@@ -122,7 +122,7 @@ static bool work(const request *self, clod_status *status)
     if (from == NULL) {
         return false;
     }
-    bool good = from->contact_bench.present ||
+    bool good = clod_case_has(from, CLOD_CASE_CONTACT_BENCH) ||
                 clod_status_fail(status, CLOD_USAGE,
                                  "%s: there is no contact_bench in this case; clod new "
                                  "contact-bench writes an example",

@@ -8,8 +8,8 @@
  *   bench_step --version
  *
  * The packing and the laws (mepa, hertz, hertz-rolling) are those of bed.h. The clock runs over
- * `steps` after `warm` steps. --stages runs the stages one by one on one thread with a clock
- * around each. --peak makes all lists anew in one more step, behind the clock: the most memory
+ * `steps` after `warm` steps. --stages says what thread 0 spends in each stage, waiting for the
+ * others included. --peak makes all lists anew in one more step, behind the clock: the most memory
  * that a run takes while it steps. --checkpoint writes CHECKPOINTS of them into the folder
  * after that, as a run does, and tells the memory and the time of the last.
  */
@@ -116,9 +116,6 @@ static options read_options(int argc, char **argv)
     }
     if (argc - optind != 2) {
         give_up("usage: bench_step PACKING.csv PACKING.box [options], see bench/bench_step.c");
-    }
-    if (o.stages && o.step.threads != 1) {
-        give_up("--stages is for one thread");
     }
     o.csv = argv[optind];
     o.box = argv[optind + 1];

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file stages.h
- * The stages of the step one by one, with a clock around each.
+ * A clock behind each stage of the step.
  */
 
 #include "step/stages.h"
@@ -10,9 +10,10 @@
 double bench_now(void);
 
 /**
- * Advance a state of one thread that clod_step_advance has advanced before.
+ * Advance a state with a clock of thread 0 behind each stage and its barrier. One step at a time
+ * in a process.
  *
- * @param seconds  [out] spent in each stage, over all steps
+ * @param seconds  [out] of thread 0 in each stage, over all steps, waiting for others included
  * @return         false when the step failed
  */
 bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[CLOD_STAGES],

@@ -18,13 +18,15 @@ if(NOT CLOD_SANITIZE)
   target_link_libraries(clod_shared PRIVATE PkgConfig::FYAML PkgConfig::HDF5 PkgConfig::JANSSON
     PkgConfig::ZLIB PkgConfig::ASSIMP ${UDUNITS} OpenMP::OpenMP_C m)
 
-  # The Python package: its sources, and the declarations of the headers as cffi reads them.
+  # The Python package: its sources, and the declarations of the headers as cffi reads them, with the
+  # name under which the library is found.
   set(CLOD_PYTHON ${CMAKE_BINARY_DIR}/python/clod)
   file(GLOB CLOD_PYTHON_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/python/clod/*.py)
   add_custom_command(OUTPUT ${CLOD_PYTHON}/_cdef.py
     COMMAND ${CMAKE_COMMAND} -E make_directory ${CLOD_PYTHON}
     COMMAND ${CMAKE_COMMAND} -E copy ${CLOD_PYTHON_SOURCES} ${CLOD_PYTHON}
     COMMAND ${CMAKE_SOURCE_DIR}/tools/make-cdef ${CMAKE_C_COMPILER} ${CMAKE_SOURCE_DIR} ${CLOD_PYTHON}/_cdef.py
+      $<TARGET_SONAME_FILE_NAME:clod_shared>
     DEPENDS ${CLOD_PUBLIC_HEADERS} ${CLOD_PYTHON_SOURCES} ${CMAKE_SOURCE_DIR}/tools/make-cdef VERBATIM)
   add_custom_target(clod_python ALL DEPENDS ${CLOD_PYTHON}/_cdef.py)
 endif()

@@ -391,16 +391,23 @@ int clod_case_material_index(const clod_case *self, const char *name);
 /** Contact law of materials a and b; symmetric. */
 const clod_case_contact *clod_case_pair(const clod_case *self, int a, int b);
 
-/** What makes the grains, walls and stages of a case: the case itself, or its tester. */
+/** What a case is for: a free run has its own grains, walls and stages; a tester makes them;
+ *  the contact bench needs none. */
 typedef enum clod_case_kind {
     CLOD_CASE_FREE,
     CLOD_CASE_RING_SHEAR,
     CLOD_CASE_JENIKE,
     CLOD_CASE_UNIAXIAL,
-    CLOD_CASE_KINDS
+    CLOD_CASE_CONTACT_BENCH,
+    CLOD_CASE_KINDS ///< how many there are
 } clod_case_kind;
 
+/** The kind of a case: its tester if it has one; the contact bench if nothing else is there. */
 clod_case_kind clod_case_kind_of(const clod_case *self);
+
+/** Whether a case has the section of this kind, or grains of its own: a contact bench may stand
+ *  beside a run. */
+bool clod_case_has(const clod_case *self, clod_case_kind kind);
 
 /** Key of the tester that makes its own grains, walls and stages in this case, or NULL. */
 const char *clod_case_tester(const clod_case *self);

@@ -20,14 +20,6 @@ extern "C" {
 #define CLOD_CHECK_WARNING_TEXT 320 ///< of a note too
 #define CLOD_CHECK_TEXT 32768       ///< enough for either form of the report
 
-typedef enum clod_check_kind {
-    CLOD_CHECK_FREE_RUN,
-    CLOD_CHECK_RING_SHEAR,
-    CLOD_CHECK_JENIKE,
-    CLOD_CHECK_UNIAXIAL,
-    CLOD_CHECK_CONTACT_BENCH, ///< nothing to estimate: all numbers are 0
-} clod_check_kind;
-
 typedef struct clod_check_options {
     int threads;           ///< 0 = all processors
     const char *simd;      ///< instruction set; NULL = the best
@@ -36,7 +28,7 @@ typedef struct clod_check_options {
 
 /** Numbers in SI; 0 = not known or not meant for this kind of case. */
 typedef struct clod_check_report {
-    clod_check_kind kind;
+    clod_case_kind kind; ///< CLOD_CASE_CONTACT_BENCH: nothing to estimate, all numbers are 0
     const char *path, *title; ///< borrowed from the case; title may be NULL
     // grains
     size_t grains;

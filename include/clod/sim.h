@@ -17,14 +17,12 @@
 #include <stdint.h>
 
 #include "clod/case.h"
+#include "clod/sim_walls.h"
 #include "clod/status.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/** A simulation; its content is hidden. */
-typedef struct clod_sim clod_sim;
 
 typedef struct clod_sim_options {
     int threads;      ///< 0 = as many of all processors as pay
@@ -80,7 +78,10 @@ double clod_sim_time(const clod_sim *self);  ///< s simulated
 double clod_sim_dt(const clod_sim *self);    ///< s, time step
 int64_t clod_sim_step(const clod_sim *self); ///< steps done since the case began
 
-/** Adhesion (k_adh and other pulls) as a fraction of the case's value, 0 to 1, from now on. */
+/**
+ * Adhesion (k_adh and other pulls) as a fraction of the case's value, 0 to 1, from now on. What
+ * this does to the energy that contacts store is booked as exchanged in an open ledger.
+ */
 bool clod_sim_set_adhesion(clod_sim *self, double fraction, clod_status *status);
 
 // ---- grains
@@ -89,6 +90,7 @@ typedef enum clod_sim_type {
     CLOD_SIM_F64, ///< double
     CLOD_SIM_U64, ///< uint64_t
     CLOD_SIM_U16, ///< uint16_t
+    CLOD_SIM_I32, ///< int32_t
 } clod_sim_type;
 
 /** A property of all grains, where it lies in memory: no copy is made. */
@@ -114,8 +116,9 @@ size_t clod_sim_grain_count(const clod_sim *self);
  *   id [1] (uint64_t, never changes), material [1] (uint16_t, index in the case)
  *
  * A view and the numbers of the rows are valid until the next clod_sim_advance, change,
- * energies, contacts, measure, file or destruction: the neighbour search sorts the rows. A
- * grain is told by its id. Positions may lie outside a periodic domain by less than a period.
+ * energies, contacts, contact_of, ledger, measure, file or destruction: the neighbour search
+ * sorts the rows. A grain is told by its id. Positions may lie outside a periodic domain by less
+ * than a period.
  *
  * Velocities count from the next step on, without more ado. After writing positions call
  * clod_sim_positions_changed. What is written to force or torque acts in the first half of the
@@ -155,13 +158,15 @@ typedef struct clod_sim_grain {
 
 /**
  * Ask for a grain to come, or for one to go. All that was asked for, of grains and walls, is
- * done together before the next step, energies, contacts or file, or by clod_sim_change; what
- * goes goes first. The order of requests changes no bit. When one of them is wrong, none is done
- * and all are dropped.
+ * done together before the next step, energies, contacts, contact_of, ledger or file, or by
+ * clod_sim_change; what goes goes first. The order of requests changes no bit. When one of them
+ * is wrong, none is done and all are dropped.
  *
- * The time step stays that of the case: give it (time.step) when much smaller grains come.
+ * The time step stays that of the case. What comes and would make it unstable is refused: give
+ * time.step in the case when much smaller grains or stiffer walls come.
  *
- * Errors  CLOD_USAGE: no such material. An id that is taken or unknown, a position outside of
+ * Errors  CLOD_USAGE: no such material; a time step beyond the critical one with this grain, under
+ *         the load that the case began with. An id that is taken or unknown, a position outside of
  *         the domain, numbers that are not finite: by what does the changes, which then does none.
  * Test    tests/sim/test_sim_change.c
  */
@@ -214,104 +219,59 @@ typedef struct clod_sim_contact {
 bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t *count,
                        clod_status *status);
 
-// ---- walls
-
-/** A wall as it is now. Forces and torques are those of the grains on the wall. */
-typedef struct clod_sim_wall {
-    const char *name;      ///< valid as long as the simulation
-    double position[3];    ///< m, moved from where the case puts it
-    double orientation[4]; ///< w, x, y, z: from the frame in which it was given to space
-    double angle;          ///< rad, turned about its spin axis since that axis was set
-    double velocity[3]; ///< m/s, of the wall's material: motion, load servo, oscillation, belt
-    double spin;        ///< rad/s about its spin axis
-    double force[3];    ///< N, last step
-    double torque[3];   ///< N m about the spin point, last step
-    double power;       ///< W done by the wall on the grains, last step
-    double mean_force[3];  ///< N, mean over the steps since clod_sim_reset_wall_means
-    double mean_torque[3]; ///< N m, likewise
-    double mean_power;     ///< W, likewise
-    int64_t mean_steps;    ///< so many steps; 0: the means are 0
-    bool loaded;           ///< a load moves it (force or stress in the case)
-    double load;           ///< N that it aims at; 0 without
-} clod_sim_wall;
-
-int32_t clod_sim_wall_count(const clod_sim *self);
-
-/** Index of a wall by name, or -1; it stays the same as long as no wall comes or goes. */
-int32_t clod_sim_wall_index(const clod_sim *self, const char *name);
+/**
+ * Find the contact of two grains by their ids.
+ *
+ * The contact is as met by id_1 against id_2: spring and roll are those of grain id_1, row_1 is
+ * its row. Asked for in the other order they change their signs, plastic and tangent do not
+ * (clod_sim_contact_field.turns). clod_sim_contacts names each contact in one order only, which
+ * may change when the rows are sorted.
+ *
+ * @param id_1, id_2  of the grains, in any order
+ * @param contact     [out] unchanged when there is none
+ * @param found       [out] false: the grains do not touch, are the same, or one of them is not
+ *                    there (any more); this is no error
+ * Cost    a walk over all grains.
+ * Errors  a request that is wrong, as clod_sim_change.   Test  tests/sim/test_sim_contacts.c
+ */
+bool clod_sim_contact_of(clod_sim *self, uint64_t id_1, uint64_t id_2,
+                         clod_sim_contact *contact, bool *found, clod_status *status);
 
 /**
- * Look at a wall.
+ * Find the contact of a grain with a shape of a wall.
  *
- * @param wall  index, 0 to clod_sim_wall_count - 1
- * @param view  [out] copy of the moment
- * Errors  CLOD_USAGE: no such wall.   Test  tests/sim/test_sim.c
+ * @param wall     index, 0 to clod_sim_wall_count - 1
+ * @param shape    number in the wall, from 0
+ * @param contact  [out] unchanged when there is none
+ * @param found    [out] false: they do not touch, or there is no such grain (any more)
+ * Errors  CLOD_USAGE: no such wall or shape; as clod_sim_contact_of.
+ * Test    tests/sim/test_sim_contacts.c
  */
-bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
-                        clod_status *status);
+bool clod_sim_wall_contact_of(clod_sim *self, uint64_t id, int32_t wall, int32_t shape,
+                              clod_sim_contact *contact, bool *found, clod_status *status);
+
+/** A member of clod_sim_contact, for programs that do not know the struct. */
+typedef struct clod_sim_contact_field {
+    const char *name; ///< static
+    const char *unit; ///< static; "1" for a plain number
+    clod_sim_type type;
+    size_t components; ///< numbers, side by side
+    size_t offset;     ///< bytes from the beginning of the struct
+    bool turns;        ///< changes its sign when the grains are named in the other order
+} clod_sim_contact_field;
+
+/** Number of members. */
+size_t clod_sim_contact_field_count(void);
 
 /**
- * Drive a wall from now on: velocity of the whole wall [m/s], velocity of its surface without
- * motion of the wall (belt) [m/s], rotation about its spin axis [rad/s], force of its load [N].
+ * Look at a member: those that say which contact it is, then all that a contact remembers.
  *
- * Errors  CLOD_USAGE: no such wall, a number that is not finite, a plane that would turn out of
- *         itself, a load on a wall that has none in the case.   Test tests/sim/test_sim.c
+ * @param index  0 to clod_sim_contact_field_count() - 1
+ * @param field  [out]
+ * Errors  CLOD_USAGE: no such member.   Threads  safe.   Test  tests/sim/test_sim_contacts.c
  */
-bool clod_sim_set_wall_velocity(clod_sim *self, int32_t wall, const double velocity[3],
-                                clod_status *status);
-bool clod_sim_set_wall_surface_velocity(clod_sim *self, int32_t wall, const double velocity[3],
-                                        clod_status *status);
-bool clod_sim_set_wall_spin(clod_sim *self, int32_t wall, double spin, clod_status *status);
-bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_status *status);
-
-/**
- * Turn a wall at once to an orientation: the unit quaternion w, x, y, z (Hamilton) from the
- * frame in which its shapes were given to space, about the point of its spin axis (which moves
- * with the wall). With clod_sim_set_wall_position this is any pose.
- *
- * @param orientation  [4]; made to length 1
- * Errors  CLOD_USAGE: no such wall, numbers that are not finite or all 0, a wall that
- *         oscillates; nothing is changed.   Test  tests/sim/test_sim_walls.c
- */
-bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double orientation[4],
-                                   clod_status *status);
-
-/**
- * Let a wall turn with an angular velocity about a point from now on; it stays where it is.
- *
- * A new axis or point costs a rebuild of the neighbour lists, another speed does not.
- *
- * @param velocity  [3] rad/s; 0 stops the rotation and leaves the axis as it is
- * @param point     [3] m, in space
- * Errors  CLOD_USAGE: no such wall, a number that is not finite, a plane that would turn out of
- *         itself, a wall that oscillates; nothing is changed.   Test  tests/sim/test_sim_walls.c
- */
-bool clod_sim_set_wall_angular_velocity(clod_sim *self, int32_t wall, const double velocity[3],
-                                        const double point[3], clod_status *status);
-
-/**
- * Put a wall elsewhere at once; what it meets there it overlaps.
- *
- * @param position  m from where the case puts it
- * Errors  CLOD_USAGE: no such wall, a number that is not finite, a wall that oscillates;
- *         CLOD_FAILED: memory.   Test  tests/sim/test_sim.c
- */
-bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double position[3],
-                                clod_status *status);
-
-/**
- * Ask for a wall to come or go, as clod_sim_add_grain.
- *
- * @param wall  as in a case (clod/case.h), with a name of its own and without a load; borrowed
- * Errors  CLOD_USAGE: an unknown material, a load, a plane that would turn out of itself; a
- *         name that is taken or unknown: by what does the changes.
- * Test    tests/sim/test_sim_change.c
- */
-bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *status);
-bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status);
-
-/** Begin the means of force, torque and power of all walls anew. */
-void clod_sim_reset_wall_means(clod_sim *self);
+bool clod_sim_contact_field_look(size_t index, clod_sim_contact_field *field,
+                                 clod_status *status);
 
 // ---- measures
 
@@ -334,6 +294,74 @@ typedef struct clod_sim_bed {
 
 /** Errors  CLOD_FAILED: memory.   Test  tests/sim/test_sim.c */
 bool clod_sim_measure(clod_sim *self, clod_sim_bed *bed, clod_status *status);
+
+/** Grains that left through one side of the domain (domain.open: delete). */
+typedef struct clod_sim_left {
+    int64_t grains;
+    double mass;   ///< kg
+    double energy; ///< J, kinetic, of rotation included
+} clod_sim_left;
+
+/** Sides of the domain. */
+typedef enum clod_sim_side {
+    CLOD_SIM_X_MIN,
+    CLOD_SIM_X_MAX,
+    CLOD_SIM_Y_MIN,
+    CLOD_SIM_Y_MAX,
+    CLOD_SIM_Z_MIN,
+    CLOD_SIM_Z_MAX,
+    CLOD_SIM_SIDES ///< how many there are
+} clod_sim_side;
+
+/** What has come and gone since the case began; requests count when they are done. */
+typedef struct clod_sim_exchange {
+    int64_t added, removed; ///< grains, by requests
+    double added_mass;      ///< kg
+    double removed_mass;    ///< kg
+    int64_t walls_removed;
+    clod_sim_left left[CLOD_SIM_SIDES]; ///< by clod_sim_side
+} clod_sim_exchange;
+
+/**
+ * Look at what has come and gone: the numbers of `left` in summary.json.
+ *
+ * @param exchange  [out]
+ * Errors  CLOD_USAGE: NULL.   Test  tests/sim/test_sim_ledger.c
+ */
+bool clod_sim_exchange_look(const clod_sim *self, clod_sim_exchange *exchange,
+                            clod_status *status);
+
+/** The energy ledger: what has gone since it was opened [J] (docs/theory/energy.md). */
+typedef struct clod_sim_ledger {
+    double plastic;   ///< lost by plasticity and adhesion
+    double dash_pot;  ///< lost in dash-pots
+    double friction;  ///< lost by sliding
+    double rolling;   ///< lost by rolling resistance
+    double lag;       ///< work beyond that of forces with an earlier velocity; either sign
+    double wall_work; ///< done by the walls on the grains
+    double exchanged; ///< brought in by what came, was put elsewhere or changed, less what left
+    double residual;  ///< appeared from nowhere: 0 is right
+} clod_sim_ledger;
+
+/**
+ * Open the energy ledger now, or begin it anew. It is open from the start when the case has
+ * output.energy, and goes through checkpoints; a step takes longer with it.
+ *
+ * What the library does is booked: requests, adhesion, walls put elsewhere. What the caller
+ * writes into arrays is not: it shows up in the residual.
+ *
+ * Errors  CLOD_USAGE: gravity along a periodic direction, in which potential energy has no
+ *         value; CLOD_FAILED: memory.   Test  tests/sim/test_sim_ledger.c
+ */
+bool clod_sim_open_ledger(clod_sim *self, clod_status *status);
+
+/**
+ * Look at the ledger now: the numbers of energy.csv.
+ *
+ * @param ledger  [out]
+ * Errors  CLOD_USAGE: it is not open; as clod_sim_energies.   Test  tests/sim/test_sim_ledger.c
+ */
+bool clod_sim_ledger_look(clod_sim *self, clod_sim_ledger *ledger, clod_status *status);
 
 // ---- files
 

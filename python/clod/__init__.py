@@ -10,7 +10,7 @@
 SI units throughout. docs/python.md tells the rest.
 """
 
-from ._library import Error, Simulation, Wall
+from ._library import CONTACT_UNITS, Error, Simulation, Wall
 from ._results import Results, results
 
-__all__ = ["Error", "Results", "Simulation", "Wall", "results"]
+__all__ = ["CONTACT_UNITS", "Error", "Results", "Simulation", "Wall", "results"]

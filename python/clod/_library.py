@@ -1,11 +1,13 @@
 """libclod's clod_sim (include/clod/sim.h) as an object; cffi calls it, nothing is compiled."""
 
+import itertools
+import json
 import os
 
 import cffi
 import numpy
 
-from ._cdef import CDEF
+from ._cdef import CDEF, LIBRARY
 
 ffi = cffi.FFI()
 ffi.cdef(CDEF)
@@ -13,7 +15,7 @@ ffi.cdef(CDEF)
 
 def _load():
     """The library that CLOD_LIBRARY names, or the installed one."""
-    name = os.environ.get("CLOD_LIBRARY", "libclod.so.0.1")
+    name = os.environ.get("CLOD_LIBRARY", LIBRARY)
     try:
         return ffi.dlopen(name)
     except OSError as error:
@@ -22,10 +24,8 @@ def _load():
 
 
 lib = _load()
-TYPES = {lib.CLOD_SIM_F64: "<f8", lib.CLOD_SIM_U64: "<u8", lib.CLOD_SIM_U16: "<u2"}
-CONTACT = numpy.dtype([("id_1", "u8"), ("id_2", "u8"), ("wall", "i4"), ("shape", "i4"),
-                       ("plastic", "f8"), ("tangent", "f8"), ("spring", "f8", 3),
-                       ("roll", "f8", 3)])
+TYPES = {lib.CLOD_SIM_F64: "<f8", lib.CLOD_SIM_U64: "<u8", lib.CLOD_SIM_U16: "<u2",
+         lib.CLOD_SIM_I32: "<i4"}
 
 
 class Error(RuntimeError):
@@ -34,6 +34,25 @@ class Error(RuntimeError):
     def __init__(self, status):
         super().__init__(ffi.string(status.text).decode())
         self.usage = status.code == lib.CLOD_USAGE
+
+
+def _contact_type():
+    """clod_sim_contact as NumPy sees it, and the units of its fields by name."""
+    names, formats, offsets, units = [], [], [], {}
+    field, status = ffi.new("clod_sim_contact_field *"), ffi.new("clod_status *")
+    for index in range(lib.clod_sim_contact_field_count()):
+        if not lib.clod_sim_contact_field_look(index, field, status):
+            raise Error(status)
+        names.append(ffi.string(field.name).decode())
+        formats.append((TYPES[field.type], field.components) if field.components > 1
+                       else TYPES[field.type])
+        offsets.append(field.offset)
+        units[names[-1]] = ffi.string(field.unit).decode()
+    return numpy.dtype({"names": names, "formats": formats, "offsets": offsets,
+                        "itemsize": ffi.sizeof("clod_sim_contact")}), units
+
+
+CONTACT, CONTACT_UNITS = _contact_type()
 
 
 class _View:
@@ -102,6 +121,25 @@ class Wall:
         """m/s, of a belt: the wall stays where it is."""
         self._simulation._call(lib.clod_sim_set_wall_surface_velocity, self._index(),
                                ffi.new("double[3]", list(value)))
+
+    def set_belt(self, shape=0, velocity=(0, 0, 0), speed=0, direction=(0, 0, 0), spin=0,
+                 spin_axis=(0, 0, 0), spin_point=(0, 0, 0)):
+        """Drive the belt of one shape; all zero stops it.
+
+        velocity [m/s]; speed [m/s] along the projection of direction onto the surface; spin [rad/s]
+        about spin_axis through spin_point [m]; in the frame in which the wall was given.
+        """
+        belt = ffi.new("clod_sim_belt *")
+        belt.velocity, belt.speed, belt.direction = list(velocity), speed, list(direction)
+        belt.spin, belt.spin_axis, belt.spin_point = spin, list(spin_axis), list(spin_point)
+        self._simulation._call(lib.clod_sim_set_belt, self._index(), int(shape), belt)
+
+    def belt(self, shape=0):
+        """The belt of one shape; keyword arguments of set_belt."""
+        belt = ffi.new("clod_sim_belt *")
+        self._simulation._call(lib.clod_sim_belt_look, self._index(), int(shape), belt)
+        return {name: getattr(belt, name) if name in ("speed", "spin")
+                else list(getattr(belt, name)) for name, _ in ffi.typeof("clod_sim_belt").fields}
 
     @property
     def spin(self):
@@ -241,6 +279,15 @@ class Simulation:
         """Ask for a grain to go."""
         self._call(lib.clod_sim_remove_grain, int(id))
 
+    def add_wall(self, name, wall):
+        """Ask for a wall to come; wall: what stands below its name in a case, as a dict or as YAML.
+
+            sim.add_wall("chute", {"material": "steel", "shapes": [
+                {"box": {"center": "0 0 -5 mm", "size": "100 20 10 mm"}}]})
+        """
+        text = wall if isinstance(wall, str) else json.dumps(wall)
+        self._call(lib.clod_sim_add_wall_from_text, name.encode(), text.encode())
+
     def remove_wall(self, name):
         """Ask for a wall to go."""
         self._call(lib.clod_sim_remove_wall, name.encode())
@@ -254,21 +301,34 @@ class Simulation:
     def contacts(self):
         """Copy of all closed contacts with their history; a structured array.
 
-        Fields: id_1, id_2 (of grains; with a wall id_2 is 0), wall and shape (-1 without),
-        plastic [m^n], tangent [N/m], spring [m], roll [rad].
+        Fields: id_1, id_2 (of grains; with a wall id_2 is 0), row_1, row_2 (of the moment), wall
+        and shape (-1 without), then what a contact remembers: plastic [m^n], tangent [N/m],
+        spring [m], roll [rad] (clod.CONTACT_UNITS).
         """
         first, count = ffi.new("clod_sim_contact **"), ffi.new("size_t *")
         self._call(lib.clod_sim_contacts, first, count)
-        size = ffi.sizeof("clod_sim_contact")
-        raw = numpy.frombuffer(ffi.buffer(first[0], count[0] * size), "u1").reshape(-1, size) \
-            if count[0] > 0 else numpy.empty((0, size), "u1")
-        made = numpy.empty(count[0], CONTACT)
-        for name in CONTACT.names:
-            kind = CONTACT.fields[name][0]
-            begin = ffi.offsetof("clod_sim_contact", name)
-            field = numpy.ascontiguousarray(raw[:, begin:begin + kind.itemsize])
-            made[name] = field.view(kind.base).reshape((-1,) + kind.shape)
-        return made
+        size = count[0] * CONTACT.itemsize
+        return numpy.frombuffer(ffi.buffer(first[0], size), CONTACT).copy() if size > 0 \
+            else numpy.empty(0, CONTACT)
+
+    def _found(self, function, *which):
+        contact, found = ffi.new("clod_sim_contact *"), ffi.new("bool *")
+        self._call(function, *which, contact, found)
+        if not found[0]:
+            return None
+        return numpy.frombuffer(ffi.buffer(contact), CONTACT).copy()[0]
+
+    def contact_of(self, id_1, id_2):
+        """The contact of two grains, by their ids; None: there is none.
+
+        spring and roll are those of grain id_1: in the other order they change their signs.
+        """
+        return self._found(lib.clod_sim_contact_of, int(id_1), int(id_2))
+
+    def wall_contact_of(self, id, wall, shape=0):
+        """The contact of a grain, by its id, with a shape of a wall, by its name; None: there is none."""
+        return self._found(lib.clod_sim_wall_contact_of, int(id), Wall(self, wall)._index(),
+                           int(shape))
 
     @property
     def walls(self):
@@ -297,6 +357,30 @@ class Simulation:
     def measure(self):
         """Numbers of contacts, coordination, overlaps (fractions), largest speed [m/s]."""
         return self._numbers(lib.clod_sim_measure, "clod_sim_bed")
+
+    def left(self):
+        """Grains that left through each side of a domain with open: delete.
+
+        By side (x_min, x_max, y_min ...): grains, mass [kg], energy [J, kinetic].
+        """
+        made = ffi.new("clod_sim_exchange *")
+        self._call(lib.clod_sim_exchange_look, made)
+        return {f"{axis}_{end}": {"grains": side.grains, "mass": side.mass, "energy": side.energy}
+                for (axis, end), side in zip(itertools.product("xyz", ("min", "max")), made.left)}
+
+    def exchange(self):
+        """Grains added and removed by requests, their masses [kg], and walls removed."""
+        made = self._numbers(lib.clod_sim_exchange_look, "clod_sim_exchange")
+        del made["left"]
+        return made
+
+    def open_ledger(self):
+        """Open the energy ledger now; it is open from the start with output: {energy: true}."""
+        self._call(lib.clod_sim_open_ledger)
+
+    def ledger(self):
+        """J since it was opened: plastic, dash_pot, friction, rolling, lag, wall_work, exchanged, residual."""
+        return self._numbers(lib.clod_sim_ledger_look, "clod_sim_ledger")
 
     # ---- files
 

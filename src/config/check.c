@@ -80,11 +80,12 @@ static bool is(const char *name, const char *material)
     return name != NULL && strcmp(name, material) == 0;
 }
 
-/** Materials of the case's tester; all NULL without one. */
-static clod_tester_materials materials_of(const clod_case *self)
+/** Materials of a tester; all NULL when it is not in the case. */
+static clod_tester_materials materials_of(const clod_case *self, int kind)
 {
-    const clod_config_tester *tester = clod_config_tester_of(self);
-    return tester->key != NULL ? tester->materials(self) : (clod_tester_materials){0};
+    const clod_config_tester *tester = &CLOD_CONFIG_TESTER[kind];
+    return tester->key != NULL && tester->present(self) ? tester->materials(self)
+                                                        : (clod_tester_materials){0};
 }
 
 /** Whether grains are of a material; grains from a file may be of any, and only some are. */
@@ -96,8 +97,12 @@ static bool is_grain(const clod_case *self, const char *material, bool from_file
             return true;
         }
     }
-    return is(materials_of(self).grain, material) ||
-           (self->contact_bench.present && is(self->contact_bench.material_1, material));
+    for (int kind = 0; kind < CLOD_CASE_KINDS; kind++) {
+        if (is(materials_of(self, kind).grain, material)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /** Whether walls, or the partner on the contact bench, are of a material. */
@@ -112,10 +117,14 @@ static bool is_wall(const clod_case *self, const char *material)
             }
         }
     }
-    const clod_tester_materials tester = materials_of(self);
-    return is(tester.wall[0], material) || is(tester.wall[1], material) ||
-           is(tester.wall[2], material) ||
-           (self->contact_bench.present && is(self->contact_bench.material_2, material));
+    for (int kind = 0; kind < CLOD_CASE_KINDS; kind++) {
+        const clod_tester_materials tester = materials_of(self, kind);
+        if (is(tester.wall[0], material) || is(tester.wall[1], material) ||
+            is(tester.wall[2], material)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 bool clod_check_pair_needed(const clod_case *self, int a, int b)
@@ -127,7 +136,7 @@ bool clod_check_pair_needed(const clod_case *self, int a, int b)
     return (grain_a && (grain_b || is_wall(self, second))) || (grain_b && is_wall(self, first));
 }
 
-/** Which of the three kinds of case this is, and what does not go together. */
+/** Which kind of case this is, and what does not go together. */
 static void check_kind(clod_loader *loader, const clod_case *self)
 {
     static const char *const FREE[] = {"grains", "walls", "stages", "domain"};
@@ -144,7 +153,7 @@ static void check_kind(clod_loader *loader, const clod_case *self)
     }
     for (int k = CLOD_CASE_KINDS; k-- > (int)clod_case_kind_of(self) + 1;) {
         const clod_config_tester *other = &CLOD_CONFIG_TESTER[k];
-        if (tester != NULL && other->present(self)) {
+        if (tester != NULL && other->cell && other->present(self)) {
             clod_check_fail(loader, other->key, "a case has one tester; remove %s, or %s",
                             other->key, tester);
         }
@@ -158,8 +167,8 @@ static void check_kind(clod_loader *loader, const clod_case *self)
     if (tester == NULL && stages && !grains) {
         clod_check_fail(loader, "stages", "stages need grains");
     }
-    const bool nothing = tester == NULL && !grains && !stages && !self->contact_bench.present;
-    const bool bench = tester == NULL && !grains && !stages && self->contact_bench.present;
+    const bool run = tester != NULL || grains || stages;
+    const bool bench = !run && clod_case_kind_of(self) == CLOD_CASE_CONTACT_BENCH;
     for (size_t i = 0; bench && i < sizeof RUN / sizeof RUN[0]; i++) {
         if (clod_check_has(loader, RUN[i])) {
             clod_check_fail(loader, RUN[i],
@@ -167,11 +176,13 @@ static void check_kind(clod_loader *loader, const clod_case *self)
                             RUN[i]);
         }
     }
-    if (nothing && loader->report->count == 0) {
-        clod_check_fail(
-            loader, "",
-            "nothing to simulate; a case has grains, walls and stages, or ring_shear, "
-            "jenike, uniaxial or contact_bench (clod new writes an example)");
+    if (!run && !bench && loader->report->count == 0) {
+        char testers[CLOD_CONFIG_TESTER_KEYS];
+        clod_config_tester_keys(testers);
+        clod_check_fail(loader, "",
+                        "nothing to simulate; a case has grains, walls and stages, or %s or "
+                        "contact_bench (clod new writes an example)",
+                        testers);
     }
 }
 

@@ -9,7 +9,7 @@
 /** Check a whole case whose keys have been read; complete what follows from them. */
 void clod_check_case(clod_loader *loader, clod_case *self);
 
-/** Checks of ring_shear, jenike, uniaxial and contact_bench (check_tester.c). */
+/** Checks of every tester that is there (check_tester.c). */
 void clod_check_tester(clod_loader *loader, clod_case *self);
 
 /** Weight of the solid above a shear plane [Pa], and in words where it is. */
@@ -26,9 +26,13 @@ void clod_check_programme(clod_loader *loader, const char *section,
 void clod_check_ring_shear(clod_loader *loader, const clod_case *self);
 void clod_check_jenike(clod_loader *loader, const clod_case *self);
 void clod_check_uniaxial(clod_loader *loader, const clod_case *self);
+void clod_check_contact_bench(clod_loader *loader, const clod_case *self);
 
 /** Checks of grains, walls, stages and domain (check_run.c). */
 void clod_check_run(clod_loader *loader, clod_case *self);
+
+/** Checks of the walls alone (check_run.c). */
+void clod_check_walls(clod_loader *loader, const clod_case *self);
 
 /** Complain about keys that the table says have no effect in this case (check_unused.c). */
 void clod_check_unused(clod_loader *loader, const clod_case *self);

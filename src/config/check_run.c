@@ -319,6 +319,14 @@ static void check_shape_count(clod_loader *loader, const clod_case *self)
     }
 }
 
+void clod_check_walls(clod_loader *loader, const clod_case *self)
+{
+    for (size_t i = 0; i < self->wall_count; i++) {
+        check_wall(loader, self, i);
+    }
+    check_shape_count(loader, self);
+}
+
 static const clod_case_wall *find_wall(const clod_case *self, const char *name)
 {
     for (size_t i = 0; i < self->wall_count; i++) {
@@ -409,10 +417,7 @@ void clod_check_run(clod_loader *loader, clod_case *self)
     for (size_t i = 0; i < self->grains_count; i++) {
         check_grains(loader, self, i);
     }
-    for (size_t i = 0; i < self->wall_count; i++) {
-        check_wall(loader, self, i);
-    }
-    check_shape_count(loader, self);
+    clod_check_walls(loader, self);
     clod_index stage_names = {0};
     for (size_t i = 0; i < self->stage_count; i++) {
         check_stage(loader, self, &stage_names, i);

@@ -203,7 +203,7 @@ void clod_check_uniaxial(clod_loader *loader, const clod_case *self)
     check_consolidations(loader, test);
 }
 
-static void check_bench(clod_loader *loader, const clod_case *self)
+void clod_check_contact_bench(clod_loader *loader, const clod_case *self)
 {
     const clod_case_contact_bench *bench = &self->contact_bench;
     clod_check_material(loader, self, "contact_bench.material_1", bench->material_1);
@@ -237,8 +237,5 @@ void clod_check_tester(clod_loader *loader, clod_case *self)
         if (tester->key != NULL && tester->present(self)) {
             tester->check(loader, self);
         }
-    }
-    if (self->contact_bench.present) {
-        check_bench(loader, self);
     }
 }

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "clod/schema.h"
 #include "config/suggest.h"
+#include "config/testers.h"
 #include "config/walk.h"
 
 /** What is looked for, and where the answer goes. */
@@ -221,9 +222,10 @@ static const char MANUAL_HEAD[] =
     "  is `default` or two materials `a-b`. `--set grains.0.count=500` changes a value for "
     "one\n"
     "  run.\n"
-    "- A case has grains, walls and stages (a free run), or ring_shear, jenike or uniaxial, "
-    "or contact_bench,\n"
-    "  which may also stand beside one of the others.\n";
+    "- A case has grains, walls and stages (a free run), or one tester (";
+static const char MANUAL_TESTERS[] = "),\n"
+                                     "  or contact_bench, which may also stand beside one of "
+                                     "the others.\n";
 
 char *clod_schema_manual(void)
 {
@@ -232,7 +234,9 @@ char *clod_schema_manual(void)
     if (out == NULL) {
         return NULL;
     }
-    fputs(MANUAL_HEAD, out);
+    char testers[CLOD_CONFIG_TESTER_KEYS];
+    clod_config_tester_keys(testers);
+    fprintf(out, "%s%s%s", MANUAL_HEAD, testers, MANUAL_TESTERS);
     manual_table(out, "The case", &CLOD_TABLE_CASE);
     clod_walk(&CLOD_TABLE_CASE, manual_group, out);
     return clod_text_close(&text);

@@ -1,6 +1,7 @@
 #include "config/testers.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "config/check.h"
 
@@ -90,8 +91,22 @@ static double uniaxial_stress(const clod_case *from)
     return stress;
 }
 
+// ---- contact_bench
+
+static bool has_contact_bench(const clod_case *from)
+{
+    return from->contact_bench.present;
+}
+
+static clod_tester_materials contact_bench_materials(const clod_case *from)
+{
+    return (clod_tester_materials){from->contact_bench.material_1,
+                                   {from->contact_bench.material_2}};
+}
+
 const clod_config_tester CLOD_CONFIG_TESTER[CLOD_CASE_KINDS] = {
     [CLOD_CASE_RING_SHEAR] = {.key = "ring_shear",
+                              .cell = true,
                               .present = has_ring_shear,
                               .materials = ring_shear_materials,
                               .programme = ring_shear_programme,
@@ -99,6 +114,7 @@ const clod_config_tester CLOD_CONFIG_TESTER[CLOD_CASE_KINDS] = {
                               .lid_damping = ring_shear_damping,
                               .check = clod_check_ring_shear},
     [CLOD_CASE_JENIKE] = {.key = "jenike",
+                          .cell = true,
                           .present = has_jenike,
                           .materials = jenike_materials,
                           .programme = jenike_programme,
@@ -106,22 +122,36 @@ const clod_config_tester CLOD_CONFIG_TESTER[CLOD_CASE_KINDS] = {
                           .lid_damping = jenike_damping,
                           .check = clod_check_jenike},
     [CLOD_CASE_UNIAXIAL] = {.key = "uniaxial",
+                            .cell = true,
                             .present = has_uniaxial,
                             .materials = uniaxial_materials,
                             .stress = uniaxial_stress,
                             .lid_damping = uniaxial_damping,
                             .check = clod_check_uniaxial},
+    [CLOD_CASE_CONTACT_BENCH] = {.key = "contact_bench",
+                                 .present = has_contact_bench,
+                                 .materials = contact_bench_materials,
+                                 .check = clod_check_contact_bench},
 };
+
+bool clod_case_has(const clod_case *self, clod_case_kind kind)
+{
+    const clod_config_tester *row = &CLOD_CONFIG_TESTER[kind];
+    return row->key != NULL ? row->present(self) : self->grains_count > 0;
+}
 
 clod_case_kind clod_case_kind_of(const clod_case *self)
 {
+    clod_case_kind beside = CLOD_CASE_FREE;
     for (int k = 0; k < CLOD_CASE_KINDS; k++) {
         const clod_config_tester *row = &CLOD_CONFIG_TESTER[k];
-        if (row->key != NULL && row->present(self)) {
+        const bool present = row->key != NULL && row->present(self);
+        if (present && row->cell) {
             return (clod_case_kind)k;
         }
+        beside = present ? (clod_case_kind)k : beside;
     }
-    return CLOD_CASE_FREE;
+    return self->grains_count > 0 ? CLOD_CASE_FREE : beside;
 }
 
 const clod_config_tester *clod_config_tester_of(const clod_case *from)
@@ -131,7 +161,8 @@ const clod_config_tester *clod_config_tester_of(const clod_case *from)
 
 const char *clod_case_tester(const clod_case *self)
 {
-    return clod_config_tester_of(self)->key;
+    const clod_config_tester *row = clod_config_tester_of(self);
+    return row->cell ? row->key : NULL;
 }
 
 const clod_case_programme *clod_case_shear(const clod_case *self)
@@ -144,4 +175,17 @@ double clod_case_tester_stress(const clod_case *self)
 {
     const clod_config_tester *tester = clod_config_tester_of(self);
     return tester->stress != NULL ? tester->stress(self) : 0.0;
+}
+
+void clod_config_tester_keys(char text[CLOD_CONFIG_TESTER_KEYS])
+{
+    int used = 0;
+    text[0] = '\0';
+    for (int k = 0; k < CLOD_CASE_KINDS; k++) {
+        const clod_config_tester *row = &CLOD_CONFIG_TESTER[k];
+        if (row->cell) {
+            used += snprintf(text + used, CLOD_CONFIG_TESTER_KEYS - (size_t)used, "%s%s",
+                             used > 0 ? ", " : "", row->key);
+        }
+    }
 }

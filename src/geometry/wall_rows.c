@@ -33,7 +33,7 @@ bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls)
     }
     for (int32_t w = 0; w < walls->count; w++) {
         self->first_shape[w + 1] = self->first_shape[w] + walls->wall[w].shape_count;
-        self->pose[w][0] = NAN; // nowhere yet
+        clod_wall_rows_forget(self, w); // nowhere yet
         self->reach[w] = clod_wall_reach(&walls->wall[w]);
         clod_wall_rows_place(self, w, &walls->wall[w]);
     }
@@ -142,6 +142,11 @@ static bool note(clod_wall_rows *self, int32_t w, const clod_wall *wall)
 void clod_wall_rows_note(clod_wall_rows *self, int32_t w, const clod_wall *wall)
 {
     note(self, w, wall);
+}
+
+void clod_wall_rows_forget(clod_wall_rows *self, int32_t w)
+{
+    self->pose[w][0] = NAN; // no pose is the same
 }
 
 void clod_wall_rows_place(clod_wall_rows *self, int32_t w, const clod_wall *wall)

@@ -65,6 +65,9 @@ void clod_wall_rows_place(clod_wall_rows *self, int32_t w, const clod_wall *wall
 void clod_wall_rows_place_shape(clod_wall_rows *self, int32_t w, const clod_wall_stand *stand,
                                 int32_t shape);
 
+/** Place wall `w` anew the next time: belts of its shapes have changed. */
+void clod_wall_rows_forget(clod_wall_rows *self, int32_t w);
+
 /** Note that all shapes of wall `w` have been placed where `wall` says it is. */
 void clod_wall_rows_note(clod_wall_rows *self, int32_t w, const clod_wall *wall);
 

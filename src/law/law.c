@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/memory.h"
+#include "law/law_forms.h"
 #include "law/law_kinds.h"
 
 /** z of docs/theory/damping.md: the damping ratio that gives restitution e. */
@@ -57,7 +58,7 @@ void clod_law_set_adhesion(clod_law *self, double fraction)
 
 double clod_law_tangent(const clod_law *self, double overlap, double r_star)
 {
-    const double scale = clod_law_kinds_row(self->kind)->root_radius ? sqrt(r_star) : 1.0;
+    const double scale = clod_law_root_radius(self) ? sqrt(r_star) : 1.0;
     return self->exponent * self->k1 * scale * pow(overlap, self->exponent - 1.0);
 }
 

@@ -65,7 +65,7 @@ clod_law clod_law_make(const clod_case_contact *contact, const clod_case_materia
 void clod_law_set_adhesion(clod_law *self, double fraction);
 
 /** Loading tangent dk = n k1 d^(n-1) [N/m] at overlap d [m]; R* [m] counts for laws with
- *  root_radius (law_kinds.h) only. */
+ *  clod_law_root_radius (law_forms.h) only. */
 double clod_law_tangent(const clod_law *self, double overlap, double r_star);
 
 /** Stiffest tangent [N/m] of any branch up to overlap d [m]: what limits the time step. */

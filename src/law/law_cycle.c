@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "law/law_forms.h"
 #include "law/law_kinds.h"
 
 /** Newton steps of the impact with a first pull: each halves what is too much, or better. */
@@ -9,7 +10,7 @@
 
 double clod_law_cycle_virgin(const clod_law *law, double r_star)
 {
-    return law->k1 * (clod_law_kinds_row(law->kind)->root_radius ? sqrt(r_star) : 1.0);
+    return law->k1 * (clod_law_root_radius(law) ? sqrt(r_star) : 1.0);
 }
 
 /** Overlap from which virgin loading follows k2; most laws have none. */

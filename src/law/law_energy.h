@@ -49,7 +49,7 @@ static inline vreal clod_law_normal_energy(const clod_law *law, clod_law_stiffne
                                            vreal plastic)
 {
     const vreal d = s.overlap;
-    if (law->kind == CLOD_LAW_LUDING) {
+    if (clod_law_rises(law)) {
         const vreal rise = clod_law_luding_rise(law, s, plastic);
         const vreal stiffness = law->k1 + rise;
         const vreal beyond = d - rise * plastic / stiffness;
@@ -71,7 +71,7 @@ static inline vreal clod_law_normal_energy(const clod_law *law, clod_law_stiffne
 static inline vreal clod_law_history_force(const clod_law *law, clod_law_stiffness s,
                                            vreal plastic)
 {
-    if (law->kind == CLOD_LAW_LUDING) {
+    if (clod_law_rises(law)) {
         const vreal rise = clod_law_luding_rise(law, s, plastic);
         const vreal stiffness = law->k1 + rise;
         const vreal beyond = s.overlap - rise * plastic / stiffness;
@@ -193,7 +193,7 @@ static inline vreal clod_law_history_loss(const clod_law *law, const clod_law_mo
     if (!vmask_any(changed)) {
         return zero;
     }
-    if (law->kind == CLOD_LAW_LUDING) {
+    if (clod_law_rises(law)) {
         return vreal_select(changed, clod_law_luding_loss(law, a, b), zero);
     }
     clod_law_stiffness start = b->s;
@@ -258,7 +258,7 @@ static inline vreal clod_law_overlap_before(const clod_law *law, const clod_law_
     vreal overlap = before->overlap;
     if (law->exponent_kind == CLOD_EXPONENT_THREE_HALVES) {
         vreal root = memory->tangent / vreal_set(1.5 * law->k1);
-        if (law->kind == CLOD_LAW_HERTZ) {
+        if (clod_law_root_radius(law)) {
             root = root / vreal_sqrt(before->r_star);
         }
         overlap = root * root;

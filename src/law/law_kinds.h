@@ -2,26 +2,19 @@
 /**
  * @file law_kinds.h
  * Contact laws as everything outside the hot loop sees them: one row for each clod_law_kind.
- * Which keys a law has is in src/config/law_keys.c; the force itself in law_normal.h.
+ * Which keys a law has is in src/config/law_keys.c; what the kernels ask of it in law_forms.h,
+ * the force itself in law_normal.h.
  */
 
 #include "law/law_cycle.h"
-
-/** What the number is that a contact remembers of its normal force. */
-typedef enum clod_law_memory_kind {
-    CLOD_LAW_REMEMBERS_PLASTIC, ///< plastic overlap^n [m^n]
-    CLOD_LAW_REMEMBERS_LARGEST, ///< largest overlap [m]
-} clod_law_memory_kind;
 
 typedef struct clod_law_kind_row {
     /** Numbers of the law from its keys; exponent, k1, k2 and tangent_ratio hold the keys. */
     void (*make)(clod_law *self, const clod_case_contact *contact, const clod_case_material *a,
                  const clod_case_material *b);
-    bool elastic;     ///< remembers nothing of its normal force; `tangential` does not count
-    bool root_radius; ///< k1 and k2 are times sqrt(R*)
-    bool rayleigh;    ///< the automatic time step is a fraction of the Rayleigh time
-    bool speed_free;  ///< restitution without dash-pot is the same at any speed
-    clod_law_memory_kind remembers;
+    bool elastic;    ///< remembers nothing of its normal force; `tangential` does not count
+    bool rayleigh;   ///< the automatic time step is a fraction of the Rayleigh time
+    bool speed_free; ///< restitution without dash-pot is the same at any speed
     /** Steepest rise df/dd [N/m] of a contact that was never pressed beyond this overlap [m]. */
     double (*stiffest)(const clod_law *self, double overlap, double r_star);
     /** Overlap [m] from which on virgin loading follows k2; NULL: none. */

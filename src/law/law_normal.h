@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-#include "law/law.h"
+#include "law/law_forms.h"
 #include "simd/simd.h"
 
 /** Overlap raised to the law's exponent, and the loading tangent, of each lane. */
@@ -55,7 +55,7 @@ static inline clod_law_stiffness clod_law_stiffness_at(const clod_law *law, vrea
         s.tangent = vreal_set(law->k1);
     } else if (law->exponent_kind == CLOD_EXPONENT_THREE_HALVES) {
         vreal square = overlap;
-        if (law->kind == CLOD_LAW_HERTZ) {
+        if (clod_law_root_radius(law)) {
             square = overlap * r_star;
         }
         const vreal root = vreal_sqrt(square);
@@ -167,7 +167,7 @@ static inline clod_law_normal clod_law_eepa(const clod_law *law, clod_law_stiffn
 /**
  * Normal force of one contact, without damping.
  *
- * @param law      stiffnesses of the pair; uniform branches on its kind
+ * @param law      stiffnesses of the pair; uniform branches on what law_forms.h says of it
  * @param s        from clod_law_stiffness_at
  * @param plastic  [in,out] plastic overlap^n of the contact [m^n], luding: d_max [m]; 0 for a
  *                 new contact
@@ -176,10 +176,10 @@ static inline clod_law_normal clod_law_eepa(const clod_law *law, clod_law_stiffn
 static inline clod_law_normal clod_law_normal_force(const clod_law *law, clod_law_stiffness s,
                                                     vreal *plastic)
 {
-    if (law->kind == CLOD_LAW_LUDING) {
+    if (clod_law_rises(law)) {
         return clod_law_luding(law, s, plastic);
     }
-    if (law->kind == CLOD_LAW_EEPA) {
+    if (clod_law_pulls(law)) {
         return clod_law_eepa(law, s, plastic);
     }
     const vreal bound = law->pull_off * s.power; // on k_adh: part of the past is forgotten

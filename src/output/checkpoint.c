@@ -30,9 +30,7 @@ static void put_columns(clod_hdf *hdf, const clod_state *state)
 {
     clod_checkpoint_columns columns;
     clod_checkpoint_columns_list(&columns, state);
-    for (size_t c = 0; c < columns.count; c++) {
-        clod_hdf_put(hdf, &columns.column[c]);
-    }
+    clod_checkpoint_columns_put(&columns, hdf);
 }
 
 static void put_attributes(clod_hdf *hdf, const clod_state *state)
@@ -152,9 +150,7 @@ static void get_columns(clod_hdf *hdf, const clod_state *state,
 {
     clod_checkpoint_columns columns;
     clod_checkpoint_columns_list(&columns, state);
-    for (size_t c = 0; c < columns.count; c++) {
-        clod_hdf_get(hdf, &columns.column[c]);
-    }
+    clod_checkpoint_columns_get(&columns, hdf);
     for (size_t p = 0; p < part_count; p++) {
         char name[NAME_MAX];
         const clod_hdf_column part = part_column(&parts[p], name);

@@ -198,6 +198,20 @@ void clod_checkpoint_columns_of_contacts(clod_checkpoint_columns *self,
     }
 }
 
+void clod_checkpoint_columns_put(const clod_checkpoint_columns *self, clod_hdf *hdf)
+{
+    for (size_t c = 0; c < self->count; c++) {
+        clod_hdf_put(hdf, &self->column[c]);
+    }
+}
+
+void clod_checkpoint_columns_get(const clod_checkpoint_columns *self, clod_hdf *hdf)
+{
+    for (size_t c = 0; c < self->count; c++) {
+        clod_hdf_get(hdf, &self->column[c]);
+    }
+}
+
 clod_hdf_column clod_checkpoint_columns_wall_count(const size_t *count)
 {
     return (clod_hdf_column){.name = "state/wall_contact_count",

@@ -44,5 +44,9 @@ void clod_checkpoint_columns_of_walls(clod_checkpoint_columns *self, const clod_
 void clod_checkpoint_columns_of_shapes(clod_checkpoint_columns *self, const clod_shape *shapes,
                                        size_t rows);
 
+/** Write all columns of a list, or read them into where they point; `hdf` notes failures. */
+void clod_checkpoint_columns_put(const clod_checkpoint_columns *self, clod_hdf *hdf);
+void clod_checkpoint_columns_get(const clod_checkpoint_columns *self, clod_hdf *hdf);
+
 /** How many of the contacts, the last ones, are with walls. */
 clod_hdf_column clod_checkpoint_columns_wall_count(const size_t *count);

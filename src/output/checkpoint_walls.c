@@ -30,13 +30,9 @@ bool clod_checkpoint_walls_put(clod_hdf *hdf, const clod_walls *walls, clod_stat
     }
     clod_checkpoint_columns columns;
     clod_checkpoint_columns_of_walls(&columns, walls->wall, (size_t)walls->count);
-    for (size_t c = 0; c < columns.count; c++) {
-        clod_hdf_put(hdf, &columns.column[c]);
-    }
+    clod_checkpoint_columns_put(&columns, hdf);
     clod_checkpoint_columns_of_shapes(&columns, shapes, count);
-    for (size_t c = 0; c < columns.count; c++) {
-        clod_hdf_put(hdf, &columns.column[c]);
-    }
+    clod_checkpoint_columns_put(&columns, hdf);
     clod_memory_free(shapes);
     return true;
 }
@@ -47,13 +43,9 @@ static void read_columns(clod_hdf *hdf, const clod_walls *walls, clod_shape *sha
 {
     clod_checkpoint_columns columns;
     clod_checkpoint_columns_of_walls(&columns, walls->wall, (size_t)walls->count);
-    for (size_t c = 0; c < columns.count; c++) {
-        clod_hdf_get(hdf, &columns.column[c]);
-    }
+    clod_checkpoint_columns_get(&columns, hdf);
     clod_checkpoint_columns_of_shapes(&columns, shapes, shape_count);
-    for (size_t c = 0; c < columns.count; c++) {
-        clod_hdf_get(hdf, &columns.column[c]);
-    }
+    clod_checkpoint_columns_get(&columns, hdf);
 }
 
 /** Whether every wall has a name that ends, and shapes that are in the file and are known. */

@@ -11,8 +11,8 @@
 /**
  * Write walls with their shapes.
  *
- * Errors  CLOD_FAILED: no memory for a second array of the shapes; those of the file go to
- * `hdf`. Threads pure.   Test  tests/output/test_checkpoint_walls.c
+ * Errors  CLOD_FAILED: no memory for a second array of the shapes; `hdf` notes those of the file.
+ * Threads  pure.   Test  tests/output/test_checkpoint_walls.c
  */
 bool clod_checkpoint_walls_put(clod_hdf *hdf, const clod_walls *walls, clod_status *status);
 

@@ -1,6 +1,7 @@
 #include "setup/begin.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -16,13 +17,18 @@ typedef struct cell {
     /** Sizes and amount of a tester's grains. */
     bool (*amount)(const clod_case *from, clod_sizes *sizes, clod_amount *amount,
                    clod_status *status);
+    size_t count; ///< where clod_case has the number of them
 } cell;
 
 static const cell CELL[CLOD_CASE_KINDS] = {
-    [CLOD_CASE_FREE] = {clod_setup_state, NULL},
-    [CLOD_CASE_RING_SHEAR] = {clod_setup_ring_cell, clod_ring_cell_amount},
-    [CLOD_CASE_JENIKE] = {clod_setup_jenike_cell, clod_jenike_cell_amount},
-    [CLOD_CASE_UNIAXIAL] = {clod_setup_uniaxial_cell, clod_uniaxial_cell_amount},
+    [CLOD_CASE_FREE] = {.make = clod_setup_state},
+    [CLOD_CASE_RING_SHEAR] = {clod_setup_ring_cell, clod_ring_cell_amount,
+                              offsetof(clod_case, ring_shear.grain_count)},
+    [CLOD_CASE_JENIKE] = {clod_setup_jenike_cell, clod_jenike_cell_amount,
+                          offsetof(clod_case, jenike.grain_count)},
+    [CLOD_CASE_UNIAXIAL] = {clod_setup_uniaxial_cell, clod_uniaxial_cell_amount,
+                            offsetof(clod_case, uniaxial.grain_count)},
+    [CLOD_CASE_CONTACT_BENCH] = {.make = clod_setup_state}, // as it is: no grains
 };
 
 bool clod_begin_state(const clod_case *from, int64_t seed, clod_state *state,
@@ -78,11 +84,12 @@ static bool thin_groups(clod_case *thin, double share, clod_status *status)
 bool clod_begin_sample(const clod_case *from, double expected, double most, clod_state *state,
                        clod_status *status)
 {
+    const cell *row = &CELL[clod_case_kind_of(from)];
     clod_case thin = *from;
     *state = (clod_state){0};
-    if (clod_case_tester(from) != NULL) {
-        thin.ring_shear.grain_count = thin.jenike.grain_count = thin.uniaxial.grain_count =
-            (int64_t)fmin(most, expected);
+    if (row->amount != NULL) {
+        const int64_t count = (int64_t)fmin(most, expected);
+        memcpy((char *)&thin + row->count, &count, sizeof count);
         return clod_begin_state(&thin, from->seed, state, status);
     }
     thin.grains = clod_memory_alloc(from->grains_count, sizeof *thin.grains);

@@ -118,62 +118,78 @@ static double fall_height(const clod_state *state)
 
 /** Stress and impact speed of a free run. */
 static void free_load(const clod_case *from, const clod_state *state, const clod_setup_bed *bed,
-                      clod_timestep_grains *grains)
+                      clod_setup_bound *bound)
 {
-    grains->stress = bed->area > 0.0 ? bed->mass * bed->gravity / bed->area : 0.0;
+    bound->stress = bed->area > 0.0 ? bed->mass * bed->gravity / bed->area : 0.0;
     double wall_speed = 0.0;
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         wall_speed = fmax(wall_speed, clod_wall_speed_bound(wall));
         if (wall->load != CLOD_LOAD_NONE && pressed_area(wall, bed) > 0.0) {
-            grains->stress = fmax(grains->stress, load_stress(from, wall, bed));
+            bound->stress = fmax(bound->stress, load_stress(from, wall, bed));
         }
     }
     const double fall = sqrt(2.0 * bed->gravity * fall_height(state));
-    grains->speed = bed->speed + fall + wall_speed;
+    bound->speed = bed->speed + fall + wall_speed;
 }
 
-/** The grains and walls that there are; stress and speed of the case or as they are now. */
-static void meet_bed(const clod_case *from, const clod_state *state, clod_timestep_sizes *sizes,
-                     bool *is_wall, clod_timestep_grains *grains)
+bool clod_setup_bound_init(clod_setup_bound *self, const clod_case *from,
+                           const clod_state *state, clod_status *status)
 {
+    *self = (clod_setup_bound){.stress = from->time.design_stress};
+    const size_t materials = from->material_count + 1; // never an array of none
+    self->sizes = clod_memory_alloc(materials, sizeof *self->sizes);
+    self->is_wall = clod_memory_alloc(materials, sizeof *self->is_wall);
+    if (self->sizes == NULL || self->is_wall == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the time step");
+    }
     for (size_t g = 0; g < state->grains.count; g++) {
-        clod_timestep_add(&sizes[state->grains.material[g]], 1.0, state->grains.position[g][3]);
+        clod_timestep_add(&self->sizes[state->grains.material[g]], 1.0,
+                          state->grains.position[g][3]);
     }
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            is_wall[clod_wall_material(wall, s)] = true;
+            self->is_wall[clod_wall_material(wall, s)] = true;
         }
     }
-    *grains = (clod_timestep_grains){
-        .sizes = sizes, .is_wall = is_wall, .stress = from->time.design_stress};
-    if (grains->stress == 0.0) {
-        grains->stress = clod_case_tester_stress(from);
+    if (self->stress == 0.0) {
+        self->stress = clod_case_tester_stress(from);
     }
-    if (grains->stress == 0.0) {
+    if (self->stress == 0.0) {
         const clod_setup_bed bed = measure_bed(state);
-        free_load(from, state, &bed, grains);
+        free_load(from, state, &bed, self);
     }
+    return true;
+}
+
+clod_timestep clod_setup_bound_timestep(const clod_setup_bound *self, const clod_case *from)
+{
+    const clod_timestep_grains grains = {.sizes = self->sizes,
+                                         .is_wall = self->is_wall,
+                                         .stress = self->stress,
+                                         .speed = self->speed};
+    return clod_timestep_choose(from, &grains);
+}
+
+void clod_setup_bound_fini(clod_setup_bound *self)
+{
+    clod_memory_free(self->sizes);
+    clod_memory_free(self->is_wall);
+    *self = (clod_setup_bound){0};
 }
 
 bool clod_setup_timestep(const clod_case *from, const clod_state *state, clod_timestep *result,
                          clod_status *status)
 {
     *result = (clod_timestep){0};
-    const size_t materials = from->material_count + 1; // never an array of none
-    clod_timestep_sizes *sizes = clod_memory_alloc(materials, sizeof *sizes);
-    bool *is_wall = clod_memory_alloc(materials, sizeof *is_wall);
-    const bool good = sizes != NULL && is_wall != NULL;
+    clod_setup_bound bound;
+    const bool good = clod_setup_bound_init(&bound, from, state, status);
     if (good) {
-        clod_timestep_grains grains;
-        meet_bed(from, state, sizes, is_wall, &grains);
-        *result = clod_timestep_choose(from, &grains);
+        *result = clod_setup_bound_timestep(&bound, from);
     }
-    clod_memory_free(sizes);
-    clod_memory_free(is_wall);
-    return good ? clod_timestep_accept(result, status)
-                : clod_status_fail(status, CLOD_FAILED, "no memory for the time step");
+    clod_setup_bound_fini(&bound);
+    return good && clod_timestep_accept(result, status);
 }
 
 /** Fraction of critical that the case asks for a wall's damping. */

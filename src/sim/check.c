@@ -6,13 +6,9 @@
 #include "setup/begin.h"
 #include "setup/collision.h"
 #include "setup/state.h"
-#include "setup/uniaxial_cell.h"
 #include "setup/walls.h"
-#include "sim/shear_cell.h"
+#include "sim/testers.h"
 #include "sim/trial.h"
-
-/** Solid fraction of a cell that is filled at random: copper ore's has 0.287. */
-#define LOOSE_FRACTION 0.29
 
 #define TRIED_STEPS 100       ///< of a run, before anything is said of it
 #define TRIED_GRAINS 300000.0 ///< grains above which a case is neither made nor tried
@@ -108,87 +104,6 @@ static void look_at_contact(const clod_check_subject *subject, clod_check_report
     report->bond = report->weight > 0.0 ? report->pull_off / report->weight : 0.0;
 }
 
-/** I = (shear rate) d sqrt(rho/sigma) with a rate that is the same everywhere
- * (docs/theory/time-step.md). */
-static double inertial_number(const clod_check_subject *subject, double diameter, double rate,
-                              double stress)
-{
-    const double density = subject->from->materials[subject->material].density;
-    return rate * diameter * sqrt(density / stress);
-}
-
-/** Between these heights the specimen settles, how far nobody knows before it is tried. It
- * aims at filling `depth` over `area` [m, m2]. */
-static bool find_heights(const clod_check_subject *subject, double depth, double area,
-                         clod_check_report *report, clod_status *status)
-{
-    const clod_grains *grains = &subject->state.grains;
-    double full;
-    if (!clod_begin_fill(subject->from, &full, status)) {
-        return false;
-    }
-    report->full_grains = (size_t)full;
-    report->height_aimed = depth * (double)report->grains / full;
-    for (size_t g = 0; g < grains->count; g++) {
-        const double *place = grains->position[g];
-        report->height_loose = fmax(report->height_loose, place[2] + place[3]);
-    }
-    if (report->sampled > 0) {
-        report->height_loose = report->solid_volume / (LOOSE_FRACTION * area);
-    }
-    report->across_depth = report->height_aimed / (2.0 * report->radius_mean);
-    return true;
-}
-
-/** Crushed at the lowest consolidation stress, as if the strength were as much. */
-static bool look_at_uniaxial(const clod_check_subject *subject, clod_check_report *report,
-                             clod_status *status)
-{
-    const clod_case_uniaxial *test = &subject->from->uniaxial;
-    const double area = clod_uniaxial_cell_area(test);
-    if (!find_heights(subject, test->height, area, report, status)) {
-        return false;
-    }
-    const double diameter = 2.0 * report->radius_mean;
-    double lowest = report->stress;
-    for (size_t s = 0; s < test->consolidation_stress_count; s++) {
-        lowest = fmin(lowest, test->consolidation_stresses[s]);
-    }
-    report->lowest_stress = lowest;
-    report->inertial_lowest =
-        inertial_number(subject, diameter, test->speed / report->height_aimed, lowest);
-    report->across_width = test->diameter / diameter;
-    return true;
-}
-
-/** Of a ring or of a Jenike cell. */
-static bool look_at_shear(const clod_check_subject *subject, clod_check_report *report,
-                          clod_status *status)
-{
-    const clod_shear_cell cell = clod_shear_cell_of(subject->from);
-    const clod_case_programme *shear = cell.programme;
-    if (!find_heights(subject, cell.height, cell.area, report, status)) {
-        return false;
-    }
-    const double diameter = 2.0 * report->radius_mean;
-    double lowest = shear->preshear_stress;
-    for (size_t s = 0; s < shear->shear_stress_count; s++) {
-        lowest = fmin(lowest, shear->shear_stresses[s]);
-    }
-    report->lowest_stress = lowest;
-    report->lowest_speed = shear->speed * sqrt(lowest / shear->preshear_stress);
-    report->inertial_preshear = inertial_number(
-        subject, diameter, shear->speed / report->height_aimed, shear->preshear_stress);
-    report->inertial_loose = inertial_number(
-        subject, diameter, shear->speed / report->height_loose, shear->preshear_stress);
-    report->inertial_lowest =
-        inertial_number(subject, diameter, report->lowest_speed / report->height_aimed, lowest);
-    report->across_width = cell.width / diameter;
-    const clod_case_ring_shear *ring = &subject->from->ring_shear;
-    report->bar_diameters = ring->bar_count > 0 ? ring->bar_height / diameter : 0.0;
-    return true;
-}
-
 /** Shortest period of a loaded wall on the stiffness of the bed under it. */
 static void look_at_servo(const clod_check_subject *subject, clod_check_report *report)
 {
@@ -244,38 +159,13 @@ static bool make_subject(const clod_case *from, const clod_check_options *option
     return true;
 }
 
-/** What is looked at of each kind of case. */
-static const struct {
-    clod_check_kind kind;
-    bool (*look)(const clod_check_subject *subject, clod_check_report *report,
-                 clod_status *status); ///< NULL: nothing but what all have
-} LOOK[CLOD_CASE_KINDS] = {
-    [CLOD_CASE_FREE] = {CLOD_CHECK_FREE_RUN, NULL},
-    [CLOD_CASE_RING_SHEAR] = {CLOD_CHECK_RING_SHEAR, look_at_shear},
-    [CLOD_CASE_JENIKE] = {CLOD_CHECK_JENIKE, look_at_shear},
-    [CLOD_CASE_UNIAXIAL] = {CLOD_CHECK_UNIAXIAL, look_at_uniaxial},
-};
-
-static clod_check_kind kind_of(const clod_case *from)
-{
-    const clod_case_kind kind = clod_case_kind_of(from);
-    return kind == CLOD_CASE_FREE && from->grains_count == 0 ? CLOD_CHECK_CONTACT_BENCH
-                                                             : LOOK[kind].kind;
-}
-
-static bool look_at_tester(const clod_check_subject *subject, clod_check_report *report,
-                           clod_status *status)
-{
-    const clod_case_kind kind = clod_case_kind_of(subject->from);
-    return LOOK[kind].look == NULL || LOOK[kind].look(subject, report, status);
-}
-
 bool clod_check_report_make(const clod_case *from, const clod_check_options *options,
                             clod_check_report *report, clod_status *status)
 {
-    *report =
-        (clod_check_report){.kind = kind_of(from), .path = from->path, .title = from->title};
-    if (report->kind == CLOD_CHECK_CONTACT_BENCH) {
+    *report = (clod_check_report){
+        .kind = clod_case_kind_of(from), .path = from->path, .title = from->title};
+    const clod_tester_row *tester = clod_testers_row(report->kind);
+    if (tester->run == NULL) {
         return true;
     }
     clod_check_subject subject;
@@ -286,7 +176,7 @@ bool clod_check_report_make(const clod_case *from, const clod_check_options *opt
         look_at_collision(&subject, report);
         look_at_contact(&subject, report);
         look_at_servo(&subject, report);
-        good = look_at_tester(&subject, report, status) &&
+        good = (tester->look == NULL || tester->look(&subject, report, status)) &&
                clod_check_cost(&subject, report, status);
     }
     if (good) {

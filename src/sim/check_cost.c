@@ -3,24 +3,12 @@
 #include "base/memory.h"
 #include "output/folder.h"
 #include "parallel/threads.h"
-#include "sim/check.h"
 #include "sim/energy_series.h"
 #include "sim/outputs.h"
-#include "sim/shear_cell.h"
+#include "sim/testers.h"
 #include "tester/limits.h"
 
 #define SAMPLE_EXCESS 1.3 ///< the timed lattice is faster than a random packing between walls
-
-// Duration of the phases of a ring shear test, besides preshear and shear: what copper ore
-// needs; their limits are those of the procedure (tester/limits.h).
-#define FILL_LIKELY 0.2     ///< s, with the lid's way down
-#define LOWER_MOST 6e-3     ///< m of the lid until it carries
-#define LOAD_LIKELY 0.06    ///< s, to consolidate or to reduce the load
-#define REVERSE_LIKELY 2e-4 ///< m
-#define PRESHEAR_LIKELY 5.0 ///< times the blocks that must agree
-#define PEAK_LIKELY 4e-3    ///< m of shear
-#define CRUSH_LIKELY 0.03   ///< strain at the peak of a uniaxial test
-#define ROW_COLUMNS 11.0
 
 #define NUMBER_BYTES 18.0 ///< of a number in a series
 #define FREE_COLUMNS 4.0  ///< columns of the series of a free run, and of each wall of it
@@ -33,16 +21,8 @@
 #define CONTACTS 3.0    ///< contacts for each grain
 #define PART_PHASES 6.0 ///< of a part of a test at most, each with a snapshot at its end
 
-#define BATCHES_MAX 3
-
-/** What the parts of a run ask for; parts of one batch run side by side. */
-typedef struct batch {
-    int count;
-    double time, longest; ///< s simulated: sum over the parts, and of the longest
-} batch;
-
 /** Clock time of a batch: as many workers as there are parts and threads, threads shared. */
-static double batch_clock(const clod_check_report *report, const batch *parts)
+static double batch_clock(const clod_check_report *report, const clod_check_batch *parts)
 {
     const int threads = report->threads;
     const int workers = parts->count < threads ? parts->count : threads;
@@ -54,71 +34,9 @@ static double batch_clock(const clod_check_report *report, const batch *parts)
     return rate > 0.0 ? work / rate : 0.0;
 }
 
-/** Preshears; `before` is what the tester does between consolidation and preshear [s]. */
-static batch preparations(const clod_shear_cell *cell, double before, bool most)
+static clod_check_batch stages(const clod_case *from)
 {
-    const clod_case_programme *test = cell->programme;
-    const double blocks = (double)test->steady_blocks * test->block_displacement;
-    const double likely = fmax(PRESHEAR_LIKELY * blocks, test->preshear_min);
-    const double shear = most ? test->preshear_max : fmin(likely, test->preshear_max);
-    const double time =
-        (most ? cell->fill_max + LOWER_MOST / CLOD_LIMITS_LOWER_SPEED + cell->settle_max
-              : FILL_LIKELY + LOAD_LIKELY) +
-        before + shear / test->speed;
-    return (batch){(int)test->seeds, (double)test->seeds * time, time};
-}
-
-static batch reversals(const clod_case_programme *test, bool most)
-{
-    const double time = (most ? CLOD_LIMITS_REVERSE_MAX : REVERSE_LIKELY) /
-                        (CLOD_LIMITS_REVERSE_FRACTION * test->speed);
-    return (batch){(int)test->seeds, (double)test->seeds * time, time};
-}
-
-static batch points(const clod_shear_cell *cell, bool most)
-{
-    const clod_case_programme *test = cell->programme;
-    batch all = {(int)(test->seeds * (int64_t)test->shear_stress_count), 0.0, 0.0};
-    const double peak = fmin(PEAK_LIKELY + test->beyond_peak, test->shear_max);
-    for (size_t s = 0; s < test->shear_stress_count; s++) {
-        const double speed =
-            test->speed * sqrt(test->shear_stresses[s] / test->preshear_stress);
-        const double time =
-            (most ? cell->settle_max : LOAD_LIKELY) + (most ? test->shear_max : peak) / speed;
-        all.time += (double)test->seeds * time;
-        all.longest = fmax(all.longest, time);
-    }
-    return all;
-}
-
-/** Time in which the lid of a Jenike cell is twisted: to each side and back, at its edge. */
-static double twisting(const clod_case_jenike *test)
-{
-    const double way = 4.0 * (double)test->twists * test->twist_angle * 0.5 * test->diameter;
-    return test->twists > 0 ? way / test->programme.speed : 0.0;
-}
-
-static batch filling(const clod_case_uniaxial *test, bool most)
-{
-    const double time = most ? test->fill_max : FILL_LIKELY;
-    return (batch){1, time, time};
-}
-
-/** Consolidations of a uniaxial test, each crushed. */
-static batch crushings(const clod_case_uniaxial *test, bool most)
-{
-    const double strain =
-        most ? test->crush_max : fmin(CRUSH_LIKELY + test->beyond_peak, test->crush_max);
-    const double rests = 2.0 * (most ? test->settle_max : LOAD_LIKELY);
-    const double time = (most ? test->height / CLOD_LIMITS_LOWER_SPEED : 0.0) + rests +
-                        strain * test->height / test->speed;
-    const int count = (int)test->consolidation_stress_count;
-    return (batch){count, count * time, time};
-}
-
-static batch stages(const clod_case *from)
-{
-    batch all = {1, 0.0, 0.0};
+    clod_check_batch all = {1, 0.0, 0.0};
     for (size_t s = 0; s < from->stage_count; s++) {
         all.time += from->stages[s].duration;
     }
@@ -126,43 +44,19 @@ static batch stages(const clod_case *from)
     return all;
 }
 
-static int plan_free(const clod_case *from, bool most, batch all[BATCHES_MAX])
+int clod_check_free_batches(const clod_case *from, bool most,
+                            clod_check_batch all[CLOD_CHECK_BATCHES])
 {
     (void)most;
     all[0] = stages(from);
     return 1;
 }
 
-static int plan_shear(const clod_case *from, bool most, batch all[BATCHES_MAX])
-{
-    const clod_shear_cell cell = clod_shear_cell_of(from);
-    all[0] = preparations(&cell, twisting(&from->jenike), most);
-    all[1] = reversals(cell.programme, most);
-    all[2] = points(&cell, most);
-    return 3;
-}
-
-static int plan_uniaxial(const clod_case *from, bool most, batch all[BATCHES_MAX])
-{
-    all[0] = filling(&from->uniaxial, most);
-    all[1] = crushings(&from->uniaxial, most);
-    return 2;
-}
-
-/** The batches of a run of each kind, each after the one before; they return how many. */
-static int (*const PLAN[CLOD_CASE_KINDS])(const clod_case *from, bool most,
-                                          batch all[BATCHES_MAX]) = {
-    [CLOD_CASE_FREE] = plan_free,
-    [CLOD_CASE_RING_SHEAR] = plan_shear,
-    [CLOD_CASE_JENIKE] = plan_shear,
-    [CLOD_CASE_UNIAXIAL] = plan_uniaxial,
-};
-
 static void plan_run(const clod_case *from, clod_check_report *report)
 {
     for (int most = 0; most < 2; most++) {
-        batch all[BATCHES_MAX];
-        const int batches = PLAN[clod_case_kind_of(from)](from, most != 0, all);
+        clod_check_batch all[CLOD_CHECK_BATCHES];
+        const int batches = clod_testers_of(from)->batches(from, most != 0, all);
         int count = 0;
         double time = 0.0;
         double clock = 0.0;
@@ -200,13 +94,14 @@ static void plan_disk(const clod_check_subject *subject, clod_check_report *repo
     double parts = 1.0;
     double columns = FREE_COLUMNS + WALL_COLUMNS * (double)subject->state.walls.count;
     if (clod_case_tester(from) != NULL) {
-        batch all[BATCHES_MAX];
-        const int batches = PLAN[clod_case_kind_of(from)](from, true, all);
+        clod_check_batch all[CLOD_CHECK_BATCHES];
+        const clod_tester_row *tester = clod_testers_of(from);
+        const int batches = tester->batches(from, true, all);
         parts = 0.0;
         for (int b = 0; b < batches; b++) {
             parts += all[b].count;
         }
-        columns = ROW_COLUMNS;
+        columns = (double)tester->first->procedure.column_count;
     }
     plan_outputs(from, parts, report);
     const double grains = (double)report->grains;

@@ -4,91 +4,59 @@
 
 #include "base/json.h"
 #include "base/memory.h"
-#include "sim/check.h"
+#include "config/testers.h"
+#include "sim/check_testers.h"
+#include "sim/testers.h"
 
-/** A number of the report and its key. */
-typedef struct entry {
-    const char *key;
-    size_t offset;
-} entry;
-
-#define REAL(key, field)                                                                       \
-    {                                                                                          \
-        key, offsetof(clod_check_report, field)                                                \
-    }
-
-static const entry REALS[] = {
-    REAL("radius_min_m", radius_min),
-    REAL("radius_mean_m", radius_mean),
-    REAL("radius_max_m", radius_max),
-    REAL("mass_kg", mass),
-    REAL("solid_volume_m3", solid_volume),
-    REAL("step_s", step),
-    REAL("step_auto_s", automatic),
-    REAL("step_critical_s", critical),
-    REAL("stiffest_radius_1_m", pair_radius_1),
-    REAL("stiffest_radius_2_m", pair_radius_2),
-    REAL("stiffness_N_per_m", stiffness),
-    REAL("spring_mass_kg", spring_mass),
-    REAL("collision_steps", collision_steps),
-    REAL("restitution", restitution),
-    REAL("restitution_least", restitution_least),
-    REAL("restitution_most", restitution_most),
-    REAL("rayleigh_time_s", rayleigh),
-    REAL("rayleigh_fraction", rayleigh_fraction),
-    REAL("stress_Pa", stress),
-    REAL("contact_force_N", contact_force),
-    REAL("overlap_m", overlap),
-    REAL("overlap_ratio", overlap_ratio),
-    REAL("pull_off_N", pull_off),
-    REAL("weight_N", weight),
-    REAL("bond_number", bond),
-    REAL("servo_period_s", servo_period),
-    REAL("time_likely_s", time_likely),
-    REAL("time_most_s", time_most),
-    REAL("steps_likely", steps_likely),
-    REAL("steps_most", steps_most),
-    REAL("rate_one_thread_per_s", rate_one),
-    REAL("rate_per_s", rate),
-    REAL("rate_slowest_per_s", rate_slowest),
-    REAL("processor_share", processor_share),
-    REAL("wall_clock_likely_s", clock_likely),
-    REAL("wall_clock_most_s", clock_most),
-    REAL("memory_bytes", memory),
-    REAL("rows_most", rows_most),
-    REAL("snapshots_most", snapshots_most),
-    REAL("disk_series_bytes", disk_series),
-    REAL("disk_snapshots_bytes", disk_snapshots),
-    REAL("disk_checkpoints_bytes", disk_checkpoints),
-    REAL("disk_bytes", disk),
-    REAL("disk_free_bytes", disk_free),
+static const clod_check_real REALS[] = {
+    CLOD_CHECK_REAL("radius_min_m", radius_min),
+    CLOD_CHECK_REAL("radius_mean_m", radius_mean),
+    CLOD_CHECK_REAL("radius_max_m", radius_max),
+    CLOD_CHECK_REAL("mass_kg", mass),
+    CLOD_CHECK_REAL("solid_volume_m3", solid_volume),
+    CLOD_CHECK_REAL("step_s", step),
+    CLOD_CHECK_REAL("step_auto_s", automatic),
+    CLOD_CHECK_REAL("step_critical_s", critical),
+    CLOD_CHECK_REAL("stiffest_radius_1_m", pair_radius_1),
+    CLOD_CHECK_REAL("stiffest_radius_2_m", pair_radius_2),
+    CLOD_CHECK_REAL("stiffness_N_per_m", stiffness),
+    CLOD_CHECK_REAL("spring_mass_kg", spring_mass),
+    CLOD_CHECK_REAL("collision_steps", collision_steps),
+    CLOD_CHECK_REAL("restitution", restitution),
+    CLOD_CHECK_REAL("restitution_least", restitution_least),
+    CLOD_CHECK_REAL("restitution_most", restitution_most),
+    CLOD_CHECK_REAL("rayleigh_time_s", rayleigh),
+    CLOD_CHECK_REAL("rayleigh_fraction", rayleigh_fraction),
+    CLOD_CHECK_REAL("stress_Pa", stress),
+    CLOD_CHECK_REAL("contact_force_N", contact_force),
+    CLOD_CHECK_REAL("overlap_m", overlap),
+    CLOD_CHECK_REAL("overlap_ratio", overlap_ratio),
+    CLOD_CHECK_REAL("pull_off_N", pull_off),
+    CLOD_CHECK_REAL("weight_N", weight),
+    CLOD_CHECK_REAL("bond_number", bond),
+    CLOD_CHECK_REAL("servo_period_s", servo_period),
+    CLOD_CHECK_REAL("time_likely_s", time_likely),
+    CLOD_CHECK_REAL("time_most_s", time_most),
+    CLOD_CHECK_REAL("steps_likely", steps_likely),
+    CLOD_CHECK_REAL("steps_most", steps_most),
+    CLOD_CHECK_REAL("rate_one_thread_per_s", rate_one),
+    CLOD_CHECK_REAL("rate_per_s", rate),
+    CLOD_CHECK_REAL("rate_slowest_per_s", rate_slowest),
+    CLOD_CHECK_REAL("processor_share", processor_share),
+    CLOD_CHECK_REAL("wall_clock_likely_s", clock_likely),
+    CLOD_CHECK_REAL("wall_clock_most_s", clock_most),
+    CLOD_CHECK_REAL("memory_bytes", memory),
+    CLOD_CHECK_REAL("rows_most", rows_most),
+    CLOD_CHECK_REAL("snapshots_most", snapshots_most),
+    CLOD_CHECK_REAL("disk_series_bytes", disk_series),
+    CLOD_CHECK_REAL("disk_snapshots_bytes", disk_snapshots),
+    CLOD_CHECK_REAL("disk_checkpoints_bytes", disk_checkpoints),
+    CLOD_CHECK_REAL("disk_bytes", disk),
+    CLOD_CHECK_REAL("disk_free_bytes", disk_free),
 };
 
-static const entry SHEAR_REALS[] = {
-    REAL("inertial_number_preshear", inertial_preshear),
-    REAL("inertial_number_loose", inertial_loose),
-    REAL("inertial_number_lowest", inertial_lowest),
-    REAL("height_aimed_m", height_aimed),
-    REAL("height_loose_m", height_loose),
-    REAL("lowest_stress_Pa", lowest_stress),
-    REAL("lowest_speed_m_per_s", lowest_speed),
-    REAL("diameters_across_width", across_width),
-    REAL("diameters_across_depth", across_depth),
-};
-
-static const entry RING_REALS[] = {REAL("bar_height_diameters", bar_diameters)};
-
-static const entry UNIAXIAL_REALS[] = {
-    REAL("inertial_number_lowest", inertial_lowest),
-    REAL("height_aimed_m", height_aimed),
-    REAL("height_loose_m", height_loose),
-    REAL("lowest_stress_Pa", lowest_stress),
-    REAL("diameters_across_width", across_width),
-    REAL("diameters_across_depth", across_depth),
-};
-
-static void put_reals(json_t *to, const clod_check_report *r, const entry *entries,
-                      size_t count)
+void clod_check_put(json_t *to, const clod_check_report *r, const clod_check_real *entries,
+                    size_t count)
 {
     for (size_t e = 0; e < count; e++) {
         double value;
@@ -97,34 +65,6 @@ static void put_reals(json_t *to, const clod_check_report *r, const entry *entri
                             isfinite(value) ? json_real(value) : json_null());
     }
 }
-
-static void put_shear(json_t *to, const clod_check_report *r)
-{
-    put_reals(to, r, SHEAR_REALS, sizeof SHEAR_REALS / sizeof SHEAR_REALS[0]);
-}
-
-static void put_ring(json_t *to, const clod_check_report *r)
-{
-    put_shear(to, r);
-    put_reals(to, r, RING_REALS, sizeof RING_REALS / sizeof RING_REALS[0]);
-}
-
-static void put_uniaxial(json_t *to, const clod_check_report *r)
-{
-    put_reals(to, r, UNIAXIAL_REALS, sizeof UNIAXIAL_REALS / sizeof UNIAXIAL_REALS[0]);
-}
-
-/** Name of each kind, and what it alone has; NULL: nothing. */
-static const struct {
-    const char *name;
-    void (*put)(json_t *to, const clod_check_report *r);
-} KIND[] = {
-    [CLOD_CHECK_FREE_RUN] = {"free_run", NULL},
-    [CLOD_CHECK_RING_SHEAR] = {"ring_shear", put_ring},
-    [CLOD_CHECK_JENIKE] = {"jenike", put_shear},
-    [CLOD_CHECK_UNIAXIAL] = {"uniaxial", put_uniaxial},
-    [CLOD_CHECK_CONTACT_BENCH] = {"contact_bench", NULL},
-};
 
 static void put_text(json_t *to, const char *key, const char *text)
 {
@@ -143,11 +83,13 @@ static void put_list(json_t *to, const char *key, const char (*texts)[CLOD_CHECK
 
 static json_t *make_json(const clod_check_report *r)
 {
+    const char *key = CLOD_CONFIG_TESTER[r->kind].key;
+    const clod_tester_row *tester = clod_testers_row(r->kind);
     json_t *to = json_object();
     put_text(to, "case", r->path);
     put_text(to, "title", r->title);
-    put_text(to, "kind", KIND[r->kind].name);
-    if (r->kind == CLOD_CHECK_CONTACT_BENCH) {
+    put_text(to, "kind", key != NULL ? key : "free_run");
+    if (tester->run == NULL) {
         return to;
     }
     json_object_set_new(to, "grains", json_integer((json_int_t)r->grains));
@@ -163,9 +105,9 @@ static json_t *make_json(const clod_check_report *r)
     json_object_set_new(to, "threads", json_integer(r->threads));
     json_object_set_new(to, "parts_side_by_side", json_integer(r->side_by_side));
     put_text(to, "simd", r->simd);
-    put_reals(to, r, REALS, sizeof REALS / sizeof REALS[0]);
-    if (KIND[r->kind].put != NULL) {
-        KIND[r->kind].put(to, r);
+    clod_check_put(to, r, REALS, sizeof REALS / sizeof REALS[0]);
+    if (tester->put != NULL) {
+        tester->put(to, r);
     }
     put_list(to, "warnings", r->warning, r->warning_count);
     put_list(to, "notes", r->note, r->note_count);

@@ -2,16 +2,10 @@
 #include <stdio.h>
 
 #include "base/plural.h"
-#include "sim/check.h"
+#include "sim/check_testers.h"
+#include "sim/testers.h"
 
-/** Text that grows in the caller's buffer. */
-typedef struct page {
-    char *text;
-    size_t used;
-} page;
-
-__attribute__((format(printf, 3, 4))) static void line(page *to, const char *name,
-                                                       const char *format, ...)
+void clod_check_line(clod_check_page *to, const char *name, const char *format, ...)
 {
     va_list args;
     char words[1024];
@@ -55,198 +49,164 @@ static const char *byte_words(double bytes, char words[32])
     return words;
 }
 
-static void write_grains(page *to, const clod_check_report *r)
+static void write_grains(clod_check_page *to, const clod_check_report *r)
 {
-    line(to, "grains", "%s%zu, radius %.4g .. %.4g mm, mean %.4g mm",
-         r->sampled > 0 ? "about " : "", r->grains, 1e3 * r->radius_min, 1e3 * r->radius_max,
-         1e3 * r->radius_mean);
-    line(to, "", "mass %.4g kg, solid volume %.4g cm3", r->mass, 1e6 * r->solid_volume);
+    clod_check_line(to, "grains", "%s%zu, radius %.4g .. %.4g mm, mean %.4g mm",
+                    r->sampled > 0 ? "about " : "", r->grains, 1e3 * r->radius_min,
+                    1e3 * r->radius_max, 1e3 * r->radius_mean);
+    clod_check_line(to, "", "mass %.4g kg, solid volume %.4g cm3", r->mass,
+                    1e6 * r->solid_volume);
 }
 
-static void write_step(page *to, const clod_check_report *r)
+static void write_step(clod_check_page *to, const clod_check_report *r)
 {
-    line(to, "time step", "%.4g s (%s)", r->step, r->step_given ? "given by the case" : "auto");
+    clod_check_line(to, "time step", "%.4g s (%s)", r->step,
+                    r->step_given ? "given by the case" : "auto");
     if (r->step_given) {
-        line(to, "", "auto would take %.4g s", r->automatic);
+        clod_check_line(to, "", "auto would take %.4g s", r->automatic);
     }
     if (r->pair_wall) {
-        line(to, "", "set by the %s between %s (radius %.4g mm) and %s (wall)", r->reason,
-             r->pair_1, 1e3 * r->pair_radius_1, r->pair_2);
+        clod_check_line(to, "", "set by the %s between %s (radius %.4g mm) and %s (wall)",
+                        r->reason, r->pair_1, 1e3 * r->pair_radius_1, r->pair_2);
     } else {
-        line(to, "", "set by the %s between %s (radius %.4g mm) and %s (radius %.4g mm)",
-             r->reason, r->pair_1, 1e3 * r->pair_radius_1, r->pair_2, 1e3 * r->pair_radius_2);
+        clod_check_line(
+            to, "", "set by the %s between %s (radius %.4g mm) and %s (radius %.4g mm)",
+            r->reason, r->pair_1, 1e3 * r->pair_radius_1, r->pair_2, 1e3 * r->pair_radius_2);
     }
-    line(to, "stiffest contact", "%.4g N/m on %.4g kg: critical step %.4g s", r->stiffness,
-         r->spring_mass, r->critical);
-    line(to, "collision",
-         "of these two: %.3g steps; restitution %.4g to %.4g where the case asks for %.3g",
-         r->collision_steps, r->restitution_least, r->restitution_most, r->restitution);
+    clod_check_line(to, "stiffest contact", "%.4g N/m on %.4g kg: critical step %.4g s",
+                    r->stiffness, r->spring_mass, r->critical);
+    clod_check_line(
+        to, "collision",
+        "of these two: %.3g steps; restitution %.4g to %.4g where the case asks for %.3g",
+        r->collision_steps, r->restitution_least, r->restitution_most, r->restitution);
     if (r->rayleigh > 0.0) {
-        line(to, "Rayleigh time", "%.4g s; the step is %.3g %% of it%s", r->rayleigh,
-             100.0 * r->rayleigh_fraction,
-             r->rayleigh_imposed ? ""
-                                 : " (for comparison: the stiffness is given, E is not used)");
+        clod_check_line(to, "Rayleigh time", "%.4g s; the step is %.3g %% of it%s", r->rayleigh,
+                        100.0 * r->rayleigh_fraction,
+                        r->rayleigh_imposed
+                            ? ""
+                            : " (for comparison: the stiffness is given, E is not used)");
     }
     if (r->servo_period > 0.0) {
-        line(to, "loaded wall",
-             "oscillates on the bed with a period of about %.3g s, %.3g time steps",
-             r->servo_period, r->servo_period / r->step);
+        clod_check_line(to, "loaded wall",
+                        "oscillates on the bed with a period of about %.3g s, %.3g time steps",
+                        r->servo_period, r->servo_period / r->step);
     }
 }
-
-static void write_shear(page *to, const clod_check_report *r)
-{
-    line(to, "inertial number",
-         "%.3g if the specimen settles to %.3g mm, the height that fill_fraction aims at;",
-         r->inertial_preshear, 1e3 * r->height_aimed);
-    line(to, "", "%.3g at the filling height, %.3g mm; a cohesive bed ends between the two",
-         r->inertial_loose, 1e3 * r->height_loose);
-    line(to, "",
-         "the lowest point, %.4g kPa, is sheared at %.3g mm/s: the same inertial number",
-         1e-3 * r->lowest_stress, 1e3 * r->lowest_speed);
-}
-
-static void write_ring(page *to, const clod_check_report *r)
-{
-    write_shear(to, r);
-    line(to, "cell", "%.1f grain diameters wide, %.1f deep; bars %.2f high", r->across_width,
-         r->across_depth, r->bar_diameters);
-}
-
-static void write_jenike(page *to, const clod_check_report *r)
-{
-    write_shear(to, r);
-    line(to, "cell", "%.1f grain diameters wide, %.1f deep", r->across_width, r->across_depth);
-}
-
-static void write_uniaxial(page *to, const clod_check_report *r)
-{
-    line(to, "inertial number",
-         "%.3g at %.4g kPa, the lowest consolidation stress, and a height of %.3g mm;",
-         r->inertial_lowest, 1e-3 * r->lowest_stress, 1e3 * r->height_aimed);
-    line(to, "", "the filling height is %.3g mm; a cohesive bed ends between the two",
-         1e3 * r->height_loose);
-    line(to, "mould", "%.1f grain diameters wide, %.1f high", r->across_width, r->across_depth);
-}
-
-/** What is written of each kind of test alone; NULL: no test. */
-static const struct {
-    const char *stress; ///< name of its largest
-    void (*write)(page *to, const clod_check_report *r);
-} TEST[] = {
-    [CLOD_CHECK_RING_SHEAR] = {"preshear stress", write_ring},
-    [CLOD_CHECK_JENIKE] = {"preshear stress", write_jenike},
-    [CLOD_CHECK_UNIAXIAL] = {"largest stress", write_uniaxial},
-    [CLOD_CHECK_CONTACT_BENCH] = {NULL, NULL},
-};
 
 /** A test of several parts, whose length is a guess. */
 static bool is_test(const clod_check_report *r)
 {
-    return TEST[r->kind].write != NULL;
+    return clod_testers_row(r->kind)->write != NULL;
 }
 
-static void write_contact(page *to, const clod_check_report *r)
+static void write_contact(clod_check_page *to, const clod_check_report *r)
 {
     if (is_test(r)) {
-        line(to, TEST[r->kind].stress, "%.4g kPa: %.4g N on a contact", 1e-3 * r->stress,
-             r->contact_force);
+        clod_check_line(to, clod_testers_row(r->kind)->stress, "%.4g kPa: %.4g N on a contact",
+                        1e-3 * r->stress, r->contact_force);
     } else {
-        line(to, "largest load", "%.4g N on a contact, as under %.4g kPa", r->contact_force,
-             1e-3 * r->stress);
+        clod_check_line(to, "largest load", "%.4g N on a contact, as under %.4g kPa",
+                        r->contact_force, 1e-3 * r->stress);
     }
-    line(to, "overlap", "%.4g um under this force, %.3g %% of the radius", 1e6 * r->overlap,
-         100.0 * r->overlap_ratio);
+    clod_check_line(to, "overlap", "%.4g um under this force, %.3g %% of the radius",
+                    1e6 * r->overlap, 100.0 * r->overlap_ratio);
     if (r->weight > 0.0) {
-        line(to, "Bond number", "%.4g (largest pull %.4g N over a grain's weight)", r->bond,
-             r->pull_off);
+        clod_check_line(to, "Bond number", "%.4g (largest pull %.4g N over a grain's weight)",
+                        r->bond, r->pull_off);
     }
 }
 
 /** What was timed; nothing when that went wrong, which a note says. */
-static void write_rate(page *to, const clod_check_report *r)
+static void write_rate(clod_check_page *to, const clod_check_report *r)
 {
     char a[32], b[32];
     if (!(r->rate > 0.0)) {
         return;
     }
-    line(to, "rate", "%.3g grain-steps/s with %d thread%s (%s, measured on %zu grains;",
-         r->rate, r->threads, clod_plural(r->threads), r->simd, r->timed_grains);
-    line(to, "", "the slowest of five measurements gave %.3g)", r->rate_slowest);
+    clod_check_line(to, "rate",
+                    "%.3g grain-steps/s with %d thread%s (%s, measured on %zu grains;", r->rate,
+                    r->threads, clod_plural(r->threads), r->simd, r->timed_grains);
+    clod_check_line(to, "", "the slowest of five measurements gave %.3g)", r->rate_slowest);
     if (r->threads > 1) {
-        line(to, "", "%.3g with 1 thread", r->rate_one);
+        clod_check_line(to, "", "%.3g with 1 thread", r->rate_one);
     }
     if (r->busy) {
-        line(
+        clod_check_line(
             to, "",
             "other programs are running: one thread got %.0f %% of a processor. The rates hold "
             "for an idle machine;",
             100.0 * r->processor_share);
         if (r->threads > 1) {
-            line(to, "",
-                 "the gain of %d threads is partly assumed. While these programs run, threads "
-                 "wait for each other: --threads 1 may be several times faster",
-                 r->threads);
+            clod_check_line(
+                to, "",
+                "the gain of %d threads is partly assumed. While these programs run, threads "
+                "wait for each other: --threads 1 may be several times faster",
+                r->threads);
         } else {
-            line(to, "", "while these programs run, it takes %.1f times as long",
-                 1.0 / r->processor_share);
+            clod_check_line(to, "", "while these programs run, it takes %.1f times as long",
+                            1.0 / r->processor_share);
         }
     }
     if (is_test(r)) {
-        line(to, "wall-clock", "likely %s, at most %s; up to %d part%s side by side",
-             clock_words(r->clock_likely, a), clock_words(r->clock_most, b), r->side_by_side,
-             clod_plural(r->side_by_side));
+        clod_check_line(to, "wall-clock", "likely %s, at most %s; up to %d part%s side by side",
+                        clock_words(r->clock_likely, a), clock_words(r->clock_most, b),
+                        r->side_by_side, clod_plural(r->side_by_side));
     } else {
-        line(to, "wall-clock", "%s at most", clock_words(r->clock_most, a));
+        clod_check_line(to, "wall-clock", "%s at most", clock_words(r->clock_most, a));
     }
-    line(to, "memory", "%s", byte_words(r->memory, a));
+    clod_check_line(to, "memory", "%s", byte_words(r->memory, a));
 }
 
-static void write_cost(page *to, const clod_check_report *r)
+static void write_cost(clod_check_page *to, const clod_check_report *r)
 {
     char a[32], b[32], c[32], d[32];
     if (is_test(r)) {
-        line(to, "simulated time", "likely %.3g s, at most %.3g s, all parts together",
-             r->time_likely, r->time_most);
-        line(to, "steps", "likely %.3g, at most %.3g", r->steps_likely, r->steps_most);
+        clod_check_line(to, "simulated time",
+                        "likely %.3g s, at most %.3g s, all parts together", r->time_likely,
+                        r->time_most);
+        clod_check_line(to, "steps", "likely %.3g, at most %.3g", r->steps_likely,
+                        r->steps_most);
     } else {
-        line(to, "simulated time", "%.3g s at most, %.3g steps", r->time_most, r->steps_most);
+        clod_check_line(to, "simulated time", "%.3g s at most, %.3g steps", r->time_most,
+                        r->steps_most);
     }
     write_rate(to, r);
-    line(to, "disk", "%s: series %s, snapshots %s, checkpoints %s", byte_words(r->disk, a),
-         byte_words(r->disk_series, b), byte_words(r->disk_snapshots, c),
-         byte_words(r->disk_checkpoints, d));
-    line(to, "", "%s free", byte_words(r->disk_free, a));
-    line(to, "outputs", "%.0f rows and %.0f snapshots%s", r->rows_most, r->snapshots_most,
-         is_test(r) ? " at most" : ", fewer when a stage ends early");
+    clod_check_line(to, "disk", "%s: series %s, snapshots %s, checkpoints %s",
+                    byte_words(r->disk, a), byte_words(r->disk_series, b),
+                    byte_words(r->disk_snapshots, c), byte_words(r->disk_checkpoints, d));
+    clod_check_line(to, "", "%s free", byte_words(r->disk_free, a));
+    clod_check_line(to, "outputs", "%.0f rows and %.0f snapshots%s", r->rows_most,
+                    r->snapshots_most,
+                    is_test(r) ? " at most" : ", fewer when a stage ends early");
 }
 
 void clod_check_report_text(const clod_check_report *r, char text[CLOD_CHECK_TEXT])
 {
-    page to = {text, 0};
+    clod_check_page to = {text, 0};
     text[0] = '\0';
-    line(&to, "case", "%s", r->path != NULL ? r->path : "");
+    clod_check_line(&to, "case", "%s", r->path != NULL ? r->path : "");
     if (r->title != NULL) {
-        line(&to, "", "%s", r->title);
+        clod_check_line(&to, "", "%s", r->title);
     }
-    if (r->kind == CLOD_CHECK_CONTACT_BENCH) {
-        line(&to, "contact bench", "nothing to estimate; clod contact runs it at once");
+    if (clod_testers_row(r->kind)->run == NULL) {
+        clod_check_line(&to, "contact bench",
+                        "nothing to estimate; clod contact runs it at once");
         return;
     }
     write_grains(&to, r);
     write_step(&to, r);
     write_contact(&to, r);
     if (is_test(r)) {
-        TEST[r->kind].write(&to, r);
+        clod_testers_row(r->kind)->write(&to, r);
     }
     write_cost(&to, r);
     for (size_t w = 0; w < r->warning_count; w++) {
-        line(&to, "WARNING", "%s", r->warning[w]);
+        clod_check_line(&to, "WARNING", "%s", r->warning[w]);
     }
     if (r->warning_count == 0) {
-        line(&to, "warnings", "none");
+        clod_check_line(&to, "warnings", "none");
     }
     for (size_t n = 0; n < r->note_count; n++) {
-        line(&to, "note", "%s", r->note[n]);
+        clod_check_line(&to, "note", "%s", r->note[n]);
     }
 }

@@ -86,6 +86,25 @@ static bool free_sample(void *data, const void *context, clod_state *state, doub
     return clod_free_stages_next(&self->at, context, state);
 }
 
+static void trial_begin(const clod_case *from, const clod_part *part, clod_state *state)
+{
+    free_data *self = part->test;
+    clod_free_stages_begin(&self->at, from, state);
+}
+
+static bool trial_sample(void *data, const void *context, clod_state *state, double *row)
+{
+    (void)row;
+    free_data *self = data;
+    return clod_free_stages_next(&self->at, context, state);
+}
+
+const clod_parts_tester CLOD_FREE_TRIAL = {.procedure = {.size = sizeof(free_data),
+                                                         .plan = free_plan,
+                                                         .look = free_look,
+                                                         .sample = trial_sample},
+                                           .begin = trial_begin};
+
 static const char *free_phase(const void *data, const void *context)
 {
     const free_data *self = data;
@@ -269,6 +288,11 @@ static bool run_stages(clod_job *job, clod_status *status)
         clod_free_stages_begin(&data->at, job->sim->from, &job->state);
     }
     return clod_job_run(job, status);
+}
+
+bool clod_free_try_origin(const clod_job_shared *sim, clod_status *status)
+{
+    return clod_origin_try(sim->origin, sim->from, sim->options, status);
 }
 
 bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *status)

@@ -11,6 +11,7 @@
 #include "measure/contacts.h"
 #include "output/folder_files.h"
 #include "parallel/threads.h"
+#include "setup/begin.h"
 #include "sim/job_store.h"
 
 /** Parts that may run side by side. */
@@ -89,7 +90,7 @@ static void run_part(void *context, int number)
     }
     clod_job job;
     init_job(batch, part, &job);
-    part->ok = batch->tester->setup(batch->sim->from, part->seed, &job.state, &part->status) &&
+    part->ok = clod_begin_state(batch->sim->from, part->seed, &job.state, &part->status) &&
                clod_job_resume(&job, &part->status) &&
                (job.resumed || begin(batch, part, &job, &part->status)) &&
                clod_job_run(&job, &part->status);
@@ -130,7 +131,7 @@ bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_job_share
     for (int p = 0; ok && p < count; p++) {
         clod_job job;
         init_job(&batch, &part[p], &job);
-        ok = tester->setup(sim->from, part[p].seed, &job.state, status) &&
+        ok = clod_begin_state(sim->from, part[p].seed, &job.state, status) &&
              clod_job_try_origin(&job, status);
         clod_job_fini(&job);
     }

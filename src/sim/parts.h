@@ -31,9 +31,8 @@ typedef struct clod_part {
 /** What the tester does. */
 typedef struct clod_parts_tester {
     clod_procedure procedure; ///< without data, which is each part's own
-    /** Build the cell, full and at rest. */
-    bool (*setup)(const clod_case *from, int64_t seed, clod_state *state, clod_status *status);
-    /** Begin with the cell, or with the end of the part before it. */
+    /** Begin with the cell (setup/begin.h), or with the end of the part before it; the part
+     *  with point -1 is the first. */
     void (*begin)(const clod_case *from, const clod_part *part, clod_state *state);
     /** The preparation is another run's: give it what this case says of all that follows. */
     void (*adopt)(const clod_case *from, const clod_part *part);

@@ -3,7 +3,6 @@
 #include <stdio.h>
 
 #include "base/memory.h"
-#include "setup/begin.h"
 #include "sim/ring_report.h"
 
 static int64_t ring_plan(const void *data, const void *context, const clod_state *state)
@@ -71,17 +70,17 @@ static void ring_adopt(const clod_case *from, const clod_part *part)
     clod_peak_init(&test->peak, programme->peak_window, programme->beyond_peak);
 }
 
-static const clod_parts_tester TESTER = {.procedure = {.size = sizeof(clod_ring_shear),
-                                                       .columns = clod_ring_shear_columns,
-                                                       .column_count = CLOD_RING_SHEAR_COLUMNS,
-                                                       .plan = ring_plan,
-                                                       .sample = ring_sample,
-                                                       .phase = ring_phase,
-                                                       .fraction = ring_fraction,
-                                                       .trouble = ring_trouble},
-                                         .setup = clod_begin_state,
-                                         .begin = ring_begin,
-                                         .adopt = ring_adopt};
+const clod_parts_tester CLOD_RING_TESTER = {
+    .procedure = {.size = sizeof(clod_ring_shear),
+                  .columns = clod_ring_shear_columns,
+                  .column_count = CLOD_RING_SHEAR_COLUMNS,
+                  .plan = ring_plan,
+                  .sample = ring_sample,
+                  .phase = ring_phase,
+                  .fraction = ring_fraction,
+                  .trouble = ring_trouble},
+    .begin = ring_begin,
+    .adopt = ring_adopt};
 
 /** Preshears first, then their reversals, then the points of each seed. */
 static void name_parts(const clod_case *from, clod_part *part, clod_ring_shear *test)
@@ -133,8 +132,9 @@ static void free_parts(ring_parts *self)
 bool clod_ring_try_origin(const clod_job_shared *sim, clod_status *status)
 {
     ring_parts parts;
-    const bool ok = make_parts(&parts, sim->from, status) &&
-                    clod_parts_try_origin(&TESTER, sim, parts.part, parts.preparations, status);
+    const bool ok =
+        make_parts(&parts, sim->from, status) &&
+        clod_parts_try_origin(&CLOD_RING_TESTER, sim, parts.part, parts.preparations, status);
     free_parts(&parts);
     return ok;
 }
@@ -144,10 +144,11 @@ static bool run_parts(const clod_job_shared *sim, const ring_parts *parts, char 
 {
     clod_part *part = parts->part;
     const int before = parts->preparations;
-    const bool ok = clod_parts_run(&TESTER, sim, part, before / 2, status) &&
-                    clod_parts_run(&TESTER, sim, part + before / 2, before / 2, status) &&
-                    clod_parts_run(&TESTER, sim, part + before, parts->points, status) &&
-                    clod_ring_report(sim, part, before, parts->points, report, status);
+    const bool ok =
+        clod_parts_run(&CLOD_RING_TESTER, sim, part, before / 2, status) &&
+        clod_parts_run(&CLOD_RING_TESTER, sim, part + before / 2, before / 2, status) &&
+        clod_parts_run(&CLOD_RING_TESTER, sim, part + before, parts->points, status) &&
+        clod_ring_report(sim, part, before, parts->points, report, status);
     if (!ok && status->code != CLOD_INTERRUPTED) { // that one goes on
         clod_ring_report_finished(sim, part, before, parts->points, status->text);
     }

@@ -12,6 +12,9 @@
 /** What stands in `point` of the parts (sim/parts.h) that prepare a specimen. */
 enum { CLOD_RING_PRESHEAR = -1, CLOD_RING_REVERSE = -2 };
 
+/** Its parts. */
+extern const clod_parts_tester CLOD_RING_TESTER;
+
 /** Run the test; the report is the result table with the warning box. */
 bool clod_ring_run(const clod_job_shared *sim, char **report, clod_status *status);
 

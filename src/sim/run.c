@@ -5,16 +5,15 @@
 
 #include "base/memory.h"
 #include "clod/version.h"
+#include "config/testers.h"
 #include "output/folder_files.h"
 #include "output/folder_names.h"
 #include "parallel/threads.h"
 #include "sim/earlier.h"
-#include "sim/free_run.h"
 #include "sim/identity.h"
 #include "sim/origin.h"
-#include "sim/ring_run.h"
+#include "sim/testers.h"
 #include "sim/trial.h"
-#include "sim/uniaxial_run.h"
 #include "step/kernel.h"
 
 /** Make the folder ready: clear it when asked, write the copies of the case, open the log. */
@@ -30,42 +29,27 @@ static bool fill_folder(clod_job_shared *sim, const char *complete, clod_status 
     return sim->log != NULL;
 }
 
-/** Whether a free run can begin with what the other one has. */
-static bool free_try_origin(const clod_job_shared *sim, clod_status *status)
-{
-    return clod_origin_try(sim->origin, sim->from, sim->options, status);
-}
-
-/** How each kind of case is run, and what it takes from another run. */
-static const struct {
-    bool (*run)(const clod_job_shared *sim, char **report, clod_status *status);
-    bool (*try_origin)(const clod_job_shared *sim, clod_status *status);
-} PROCEDURE[CLOD_CASE_KINDS] = {
-    [CLOD_CASE_FREE] = {clod_free_run, free_try_origin},
-    [CLOD_CASE_RING_SHEAR] = {clod_ring_run, clod_ring_try_origin},
-    [CLOD_CASE_JENIKE] = {clod_ring_run, clod_ring_try_origin},
-    [CLOD_CASE_UNIAXIAL] = {clod_uniaxial_run, clod_uniaxial_try_origin},
-};
-
 static bool run_case(const clod_job_shared *sim, char **report, clod_status *status)
 {
     clod_eventlog_write(sim->log, "start", "{s:s, s:s, s:s, s:i}", "version",
                         clod_version_text(), "case", sim->from->path, "title",
                         sim->from->title != NULL ? sim->from->title : "", "threads",
                         sim->options->threads);
-    return PROCEDURE[clod_case_kind_of(sim->from)].run(sim, report, status);
+    return clod_testers_of(sim->from)->run(sim, report, status);
 }
 
 /** What can be told before anything is written. */
 static bool check_request(const clod_case *from, const clod_run_options *options,
                           clod_status *status)
 {
-    if (clod_case_tester(from) == NULL && from->stage_count == 0) {
-        return clod_status_fail(
-            status, CLOD_USAGE,
-            "%s: nothing to run: a case needs ring_shear, jenike, uniaxial, or grains, "
-            "walls and stages (clod contact runs a contact_bench)",
-            from->path);
+    const bool stages = clod_case_tester(from) != NULL || from->stage_count > 0;
+    if (clod_testers_of(from)->run == NULL || !stages) {
+        char testers[CLOD_CONFIG_TESTER_KEYS];
+        clod_config_tester_keys(testers);
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s: nothing to run: a case needs %s, or grains, walls and "
+                                "stages (clod contact runs a contact_bench)",
+                                from->path, testers);
     }
     return clod_kernel_choose(options->simd) != NULL ||
            clod_status_fail(status, CLOD_USAGE,
@@ -147,7 +131,7 @@ static bool open_origin(clod_job_shared *sim, clod_origin *origin, clod_status *
         return false;
     }
     return begun || (clod_origin_open(origin, sim, status) &&
-                     PROCEDURE[clod_case_kind_of(sim->from)].try_origin(sim, status));
+                     clod_testers_of(sim->from)->try_origin(sim, status));
 }
 
 bool clod_run(const clod_case *self, const clod_run_options *wanted, char **report,

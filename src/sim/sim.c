@@ -1,7 +1,6 @@
 #include "sim/sim.h"
 
 #include <math.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -11,8 +10,7 @@
 #include "parallel/threads.h"
 #include "setup/begin.h"
 
-/** Cases are read one at a time. */
-static pthread_mutex_t case_lock = PTHREAD_MUTEX_INITIALIZER;
+pthread_mutex_t clod_sim_case_lock = PTHREAD_MUTEX_INITIALIZER;
 
 void clod_sim_need(const void *argument, const char *function, const char *name)
 {
@@ -52,7 +50,14 @@ void clod_sim_moved(clod_sim *self)
 bool clod_sim_take_up(clod_sim *self, clod_status *status)
 {
     clod_laws_set_adhesion(&self->laws, self->state.adhesion);
-    return clod_step_init(&self->step, &self->state, &self->laws, &self->options, status);
+    clod_setup_bound_fini(&self->bound); // it is another state
+    if (!clod_step_init(&self->step, &self->state, &self->laws, &self->options, status)) {
+        self->step.failed = true; // it says so from now on
+        self->step.status = *status;
+        return false;
+    }
+    self->options.simd = self->step.kernel->name; // the caller's text may go
+    return true;
 }
 
 static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *status)
@@ -68,7 +73,8 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
     self->options.threads = self->options.threads > 0
                                 ? threads
                                 : clod_threads_worth(threads, self->state.grains.count);
-    return clod_sim_take_up(self, status);
+    return clod_sim_take_up(self, status) &&
+           (!self->from->output.energy || clod_sim_open_ledger(self, status));
 }
 
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
@@ -108,9 +114,9 @@ clod_sim *clod_sim_create_from_file(const char *path, const clod_sim_options *op
     if (!CLOD_SIM_GIVEN(path, status)) {
         return NULL;
     }
-    pthread_mutex_lock(&case_lock);
+    pthread_mutex_lock(&clod_sim_case_lock);
     clod_case *from = clod_case_load(path, NULL, 0, status);
-    pthread_mutex_unlock(&case_lock);
+    pthread_mutex_unlock(&clod_sim_case_lock);
     return create_owning(from, options, status);
 }
 
@@ -120,9 +126,9 @@ clod_sim *clod_sim_create_from_text(const char *name, const char *text,
     if (!CLOD_SIM_GIVEN(name, status) || !CLOD_SIM_GIVEN(text, status)) {
         return NULL;
     }
-    pthread_mutex_lock(&case_lock);
+    pthread_mutex_lock(&clod_sim_case_lock);
     clod_case *from = clod_case_parse(name, text, strlen(text), NULL, 0, status);
-    pthread_mutex_unlock(&case_lock);
+    pthread_mutex_unlock(&clod_sim_case_lock);
     return create_owning(from, options, status);
 }
 
@@ -135,6 +141,7 @@ void clod_sim_destroy(clod_sim **self)
     clod_state_fini(&(*self)->state);
     clod_laws_fini(&(*self)->laws);
     clod_memory_free((*self)->contacts);
+    clod_setup_bound_fini(&(*self)->bound);
     clod_case_destroy(&(*self)->owned);
     clod_memory_free(*self);
     *self = NULL;
@@ -179,8 +186,10 @@ bool clod_sim_set_adhesion(clod_sim *self, double fraction, clod_status *status)
         return clod_status_fail(status, CLOD_USAGE, "%s: fraction is %g; give 0 to 1", __func__,
                                 fraction);
     }
+    const double before = clod_sim_balance(self);
     self->state.adhesion = fraction;
     clod_laws_set_adhesion(&self->laws, fraction);
+    clod_sim_book(self, before);
     return true;
 }
 

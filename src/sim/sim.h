@@ -5,8 +5,11 @@
  * caller.
  */
 
+#include <pthread.h>
+
 #include "clod/sim.h"
 #include "law/law.h"
+#include "setup/state.h"
 #include "state/state.h"
 #include "step/step.h"
 
@@ -19,7 +22,11 @@ struct clod_sim {
     clod_step step;
     clod_sim_contact *contacts; ///< [contact_capacity] lent by clod_sim_contacts
     size_t contact_capacity;
+    clod_setup_bound bound; ///< of the time step; made when something first comes
 };
+
+/** Cases, and walls from a text, are read one at a time. */
+extern pthread_mutex_t clod_sim_case_lock;
 
 /** Stop the program, naming both, when an argument is NULL: for functions without a status. */
 void clod_sim_need(const void *argument, const char *function, const char *name);
@@ -34,8 +41,22 @@ bool clod_sim_given(const void *argument, const char *function, const char *name
 bool clod_sim_finite(const double numbers[3], const char *function, const char *name,
                      clod_status *status);
 
+/** Whether there is a wall with this index; else CLOD_USAGE. */
+bool clod_sim_has_wall(const clod_sim *self, int32_t wall, const char *function,
+                       clod_status *status);
+
+/** Whether there is such a wall, and it has a shape with this number; else CLOD_USAGE. */
+bool clod_sim_has_shape(const clod_sim *self, int32_t wall, int32_t shape, const char *function,
+                        clod_status *status);
+
 /** Changes that were asked for are made, and all contacts copied into the state. */
 bool clod_sim_hold(clod_sim *self, clod_status *status);
+
+/** Energy now for the ledger [J]; 0 when it is not open. */
+double clod_sim_balance(clod_sim *self);
+
+/** The ledger books what the energy is now beyond `before` as exchanged, if it is open. */
+void clod_sim_book(clod_sim *self, double before);
 
 /** Something moved that the step did not move: neighbours are looked for anew before all else.
  */

@@ -1,8 +1,7 @@
-// Properties of the grains as views of their rows, and the closed contacts.
+// Properties of the grains as views of their rows.
 #include <stdio.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "sim/sim.h"
 
 /** A property: where its first number lies in the rows of clod_grains. */
@@ -116,48 +115,5 @@ bool clod_sim_positions_changed(clod_sim *self, clod_status *status)
         }
     }
     clod_sim_moved(self);
-    return true;
-}
-
-/** The one place that knows how contacts are kept: those of the state, histories in it. */
-static clod_sim_contact contact_of(const clod_state *state, size_t index)
-{
-    const clod_contact *from = &state->contacts[index];
-    const bool wall = from->shape >= 0;
-    const double *h = from->history;
-    return (clod_sim_contact){.id_1 = state->grains.id[from->i],
-                              .id_2 = wall ? 0 : state->grains.id[from->j],
-                              .row_1 = (size_t)from->i,
-                              .row_2 = wall ? 0 : (size_t)from->j,
-                              .wall = wall ? from->j : -1,
-                              .shape = from->shape,
-                              .plastic = h[0],
-                              .tangent = h[1],
-                              .spring = {h[2], h[3], h[4]},
-                              .roll = {h[5], h[6], h[7]}};
-}
-
-bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t *count,
-                       clod_status *status)
-{
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(contacts, status) ||
-        !CLOD_SIM_GIVEN(count, status) || !clod_sim_hold(self, status)) {
-        return false;
-    }
-    const size_t needed = self->state.contact_count;
-    if (needed > self->contact_capacity) {
-        clod_memory_free(self->contacts);
-        self->contact_capacity = 0;
-        self->contacts = clod_memory_alloc(needed, sizeof *self->contacts);
-        if (self->contacts == NULL) {
-            return clod_status_fail(status, CLOD_FAILED, "no memory for %zu contacts", needed);
-        }
-        self->contact_capacity = needed;
-    }
-    for (size_t c = 0; c < needed; c++) {
-        self->contacts[c] = contact_of(&self->state, c);
-    }
-    *contacts = self->contacts;
-    *count = needed;
     return true;
 }

@@ -1,13 +1,82 @@
 // Grains and walls of a simulation that come and go.
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
+#include "config/wall_text.h"
 #include "setup/walls.h"
 #include "sim/sim.h"
 
 bool clod_sim_change(clod_sim *self, clod_status *status)
 {
     return CLOD_SIM_GIVEN(self, status) && clod_step_change(&self->step, status);
+}
+
+/** Bound of the time step with what there is and was asked for by now. */
+static bool know_bound(clod_sim *self, clod_status *status)
+{
+    return self->bound.sizes != NULL ||
+           clod_setup_bound_init(&self->bound, self->from, &self->state, status);
+}
+
+/**
+ * Whether the step of the case is stable with the bound as it is now; else say what must be.
+ *
+ * @param what  comes: "grain 7", "wall 'lid'"
+ */
+static bool step_is_stable(const clod_sim *self, const char *function, const char *what,
+                           clod_status *status)
+{
+    const clod_timestep t = clod_setup_bound_timestep(&self->bound, self->from);
+    return !(t.limit > 0.0) || self->state.dt <= t.limit ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "%s: with %s the time step of %.4g s is beyond the critical one, "
+               "%.4g s under %.4g N between %s and %s: the run would blow up. Give "
+               "time.step in the case, %.4g s or less",
+               function, what, self->state.dt, t.limit, t.limit_force, t.limit_a, t.limit_b,
+               t.automatic);
+}
+
+static bool grain_fits_step(clod_sim *self, const clod_sim_grain *grain, const char *function,
+                            clod_status *status)
+{
+    if (!(grain->radius > 0.0 && isfinite(grain->radius))) {
+        return true; // clod_step_change says what is wrong with it
+    }
+    if (!know_bound(self, status)) {
+        return false;
+    }
+    clod_timestep_sizes *sizes = &self->bound.sizes[grain->material];
+    const clod_timestep_sizes before = *sizes;
+    char what[32];
+    snprintf(what, sizeof what, "grain %llu", (unsigned long long)grain->id);
+    clod_timestep_add(sizes, 1.0, grain->radius);
+    const bool stable = step_is_stable(self, function, what, status);
+    if (!stable) {
+        *sizes = before;
+    }
+    return stable;
+}
+
+static bool wall_fits_step(clod_sim *self, const clod_wall *wall, const char *function,
+                           clod_status *status)
+{
+    if (!know_bound(self, status)) {
+        return false;
+    }
+    bool stable = true;
+    for (int32_t s = 0; stable && s < wall->shape_count; s++) {
+        bool *is_wall = &self->bound.is_wall[clod_wall_material(wall, s)];
+        const bool before = *is_wall;
+        char what[48];
+        snprintf(what, sizeof what, "wall '%s'", wall->name);
+        *is_wall = true;
+        stable = before || step_is_stable(self, function, what, status);
+        *is_wall = stable;
+    }
+    return stable;
 }
 
 bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status *status)
@@ -26,7 +95,10 @@ bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status
     memcpy(fresh.position, grain->position, sizeof grain->position);
     fresh.position[3] = grain->radius;
     memcpy(fresh.velocity, grain->velocity, sizeof fresh.velocity);
-    memcpy(fresh.angular, grain->angular_velocity, sizeof fresh.angular);
+    memcpy(fresh.angular_velocity, grain->angular_velocity, sizeof fresh.angular_velocity);
+    if (!grain_fits_step(self, grain, __func__, status)) {
+        return false;
+    }
     clod_changes_add_grain(&self->state.changes, &fresh);
     return true;
 }
@@ -40,16 +112,48 @@ bool clod_sim_remove_grain(clod_sim *self, uint64_t id, clod_status *status)
     return true;
 }
 
+/** A material of a wall: the case has it, with a law for the grains that there are. */
+static bool has_laws(const clod_sim *self, const char *name, const char *function,
+                     clod_status *status)
+{
+    const int material = name != NULL ? clod_case_material_index(self->from, name) : -1;
+    if (material < 0) {
+        return clod_status_fail(status, CLOD_USAGE, "%s: the case has no material '%s'",
+                                function, name != NULL ? name : "");
+    }
+    const clod_grains *grains = &self->state.grains;
+    for (size_t g = 0; g < grains->count; g++) {
+        const int other = grains->material[g];
+        if (!(clod_case_pair(self->from, material, other)->exponent > 0.0)) {
+            const char *grain = self->from->materials[other].name;
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "%s: the case has no contact law for grains of '%s' with a "
+                                    "wall of '%s'; add the section %s-%s to its contacts",
+                                    function, grain, name, grain, name);
+        }
+    }
+    return true;
+}
+
+/** The materials of a wall and of its shapes. */
+static bool has_materials(const clod_sim *self, const clod_case_wall *wall,
+                          const char *function, clod_status *status)
+{
+    bool good = has_laws(self, wall->material, function, status);
+    for (size_t s = 0; good && s < wall->shape_count; s++) {
+        const char *own = wall->shapes[s].surface.material;
+        good = own == NULL || has_laws(self, own, function, status);
+    }
+    return good;
+}
+
 bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *status)
 {
     if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(wall, status) ||
         !clod_sim_given(wall->name, __func__, "wall->name", status) ||
-        !clod_sim_given(wall->shapes, __func__, "wall->shapes", status)) {
+        !clod_sim_given(wall->shapes, __func__, "wall->shapes", status) ||
+        !has_materials(self, wall, __func__, status)) {
         return false;
-    }
-    if (wall->material == NULL || clod_case_material_index(self->from, wall->material) < 0) {
-        return clod_status_fail(status, CLOD_USAGE, "%s: the case has no material '%s'",
-                                __func__, wall->material != NULL ? wall->material : "");
     }
     if (wall->load != CLOD_LOAD_NONE || wall->oscillation.frequency != 0.0) {
         return clod_status_fail(
@@ -64,7 +168,8 @@ bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *
         given.spin_axis[2] = 1.0; // as in a case that does not say
     }
     clod_wall made = {0};
-    const bool good = clod_setup_wall(self->from, &given, &made, status);
+    const bool good = clod_setup_wall(self->from, &given, &made, status) &&
+                      wall_fits_step(self, &made, __func__, status);
     if (good) {
         clod_changes_add_wall(&self->state.changes, &made);
     }
@@ -72,10 +177,30 @@ bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *
     return good;
 }
 
+bool clod_sim_add_wall_from_text(clod_sim *self, const char *name, const char *text,
+                                 clod_status *status)
+{
+    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(name, status) ||
+        !CLOD_SIM_GIVEN(text, status)) {
+        return false;
+    }
+    pthread_mutex_lock(&clod_sim_case_lock);
+    clod_case_wall *wall = clod_wall_text_read(self->from, name, text, status);
+    pthread_mutex_unlock(&clod_sim_case_lock);
+    const bool good = wall != NULL && clod_sim_add_wall(self, wall, status);
+    clod_wall_text_destroy(&wall);
+    return good;
+}
+
 bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status)
 {
     if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(name, status)) {
         return false;
+    }
+    if (strlen(name) >= sizeof self->state.walls.wall->name) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "wall '%s' cannot be removed: there is none of this name",
+                                name);
     }
     clod_changes_remove_wall(&self->state.changes, name);
     return true;

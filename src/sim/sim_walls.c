@@ -22,13 +22,25 @@ int32_t clod_sim_wall_index(const clod_sim *self, const char *name)
     return -1;
 }
 
-static bool has_wall(const clod_sim *self, int32_t wall, const char *function,
-                     clod_status *status)
+bool clod_sim_has_wall(const clod_sim *self, int32_t wall, const char *function,
+                       clod_status *status)
 {
     return clod_sim_given(self, function, "self", status) &&
            ((wall >= 0 && wall < self->state.walls.count) ||
             clod_status_fail(status, CLOD_USAGE, "%s: there is no wall %d; there are %d",
                              function, (int)wall, (int)self->state.walls.count));
+}
+
+bool clod_sim_has_shape(const clod_sim *self, int32_t wall, int32_t shape, const char *function,
+                        clod_status *status)
+{
+    if (!clod_sim_has_wall(self, wall, function, status)) {
+        return false;
+    }
+    const clod_wall *it = &self->state.walls.wall[wall];
+    return (shape >= 0 && shape < it->shape_count) ||
+           clod_status_fail(status, CLOD_USAGE, "%s: the wall '%s' has no shape %d; it has %d",
+                            function, it->name, (int)shape, (int)it->shape_count);
 }
 
 static void put(double to[3], clod_vec3 from)
@@ -41,7 +53,7 @@ static void put(double to[3], clod_vec3 from)
 bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
                         clod_status *status)
 {
-    if (!has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(view, status)) {
+    if (!clod_sim_has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(view, status)) {
         return false;
     }
     const clod_wall *from = &self->state.walls.wall[wall];
@@ -69,7 +81,7 @@ bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
 bool clod_sim_set_wall_velocity(clod_sim *self, int32_t wall, const double velocity[3],
                                 clod_status *status)
 {
-    if (!has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(velocity, status) ||
+    if (!clod_sim_has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(velocity, status) ||
         !clod_sim_finite(velocity, __func__, "velocity", status)) {
         return false;
     }
@@ -80,7 +92,7 @@ bool clod_sim_set_wall_velocity(clod_sim *self, int32_t wall, const double veloc
 bool clod_sim_set_wall_surface_velocity(clod_sim *self, int32_t wall, const double velocity[3],
                                         clod_status *status)
 {
-    if (!has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(velocity, status) ||
+    if (!clod_sim_has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(velocity, status) ||
         !clod_sim_finite(velocity, __func__, "velocity", status)) {
         return false;
     }
@@ -102,7 +114,7 @@ static bool would_tilt(const clod_wall *wall, const char *function, clod_status 
 
 bool clod_sim_set_wall_spin(clod_sim *self, int32_t wall, double spin, clod_status *status)
 {
-    if (!has_wall(self, wall, __func__, status)) {
+    if (!clod_sim_has_wall(self, wall, __func__, status)) {
         return false;
     }
     clod_wall *to = &self->state.walls.wall[wall];
@@ -121,7 +133,7 @@ bool clod_sim_set_wall_spin(clod_sim *self, int32_t wall, double spin, clod_stat
 static bool has_free_wall(const clod_sim *self, int32_t wall, const char *function,
                           clod_status *status)
 {
-    if (!has_wall(self, wall, function, status)) {
+    if (!clod_sim_has_wall(self, wall, function, status)) {
         return false;
     }
     const clod_wall *it = &self->state.walls.wall[wall];
@@ -148,10 +160,12 @@ bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double or
             "with finite numbers that are not all 0",
             __func__, orientation[0], orientation[1], orientation[2], orientation[3]);
     }
+    const double before = clod_sim_balance(self);
     clod_sim_moved(self);
     clod_wall_set_orientation(
         &self->state.walls.wall[wall],
         (clod_quat){orientation[0], orientation[1], orientation[2], orientation[3]});
+    clod_sim_book(self, before);
     return true;
 }
 
@@ -191,7 +205,7 @@ bool clod_sim_set_wall_angular_velocity(clod_sim *self, int32_t wall, const doub
 
 bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_status *status)
 {
-    if (!has_wall(self, wall, __func__, status)) {
+    if (!clod_sim_has_wall(self, wall, __func__, status)) {
         return false;
     }
     clod_wall *to = &self->state.walls.wall[wall];
@@ -214,8 +228,10 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
         !clod_sim_finite(position, __func__, "position", status)) {
         return false;
     }
+    const double before = clod_sim_balance(self);
     clod_sim_moved(self);
     self->state.walls.wall[wall].shift = (clod_vec3){position[0], position[1], position[2]};
+    clod_sim_book(self, before);
     return true;
 }
 

@@ -3,7 +3,6 @@
 #include <stdio.h>
 
 #include "base/memory.h"
-#include "setup/uniaxial_cell.h"
 #include "sim/uniaxial_report.h"
 
 static int64_t uniaxial_plan(const void *data, const void *context, const clod_state *state)
@@ -54,17 +53,17 @@ static void uniaxial_adopt(const clod_case *from, const clod_part *part)
     test->beyond_peak = from->uniaxial.beyond_peak;
 }
 
-static const clod_parts_tester TESTER = {.procedure = {.size = sizeof(clod_uniaxial),
-                                                       .columns = clod_uniaxial_columns,
-                                                       .column_count = CLOD_UNIAXIAL_COLUMNS,
-                                                       .plan = uniaxial_plan,
-                                                       .sample = uniaxial_sample,
-                                                       .phase = uniaxial_phase,
-                                                       .fraction = uniaxial_fraction,
-                                                       .trouble = uniaxial_trouble},
-                                         .setup = clod_setup_uniaxial_cell,
-                                         .begin = uniaxial_begin,
-                                         .adopt = uniaxial_adopt};
+const clod_parts_tester CLOD_UNIAXIAL_TESTER = {
+    .procedure = {.size = sizeof(clod_uniaxial),
+                  .columns = clod_uniaxial_columns,
+                  .column_count = CLOD_UNIAXIAL_COLUMNS,
+                  .plan = uniaxial_plan,
+                  .sample = uniaxial_sample,
+                  .phase = uniaxial_phase,
+                  .fraction = uniaxial_fraction,
+                  .trouble = uniaxial_trouble},
+    .begin = uniaxial_begin,
+    .adopt = uniaxial_adopt};
 
 /** Names: `fill`, then `stress-1` and so on in the order of the case. */
 static void name_parts(const clod_case *from, int parts, clod_part *part, clod_uniaxial *test)
@@ -83,7 +82,7 @@ bool clod_uniaxial_try_origin(const clod_job_shared *sim, clod_status *status)
     clod_part part = {0};
     clod_uniaxial test = {0};
     name_parts(sim->from, 1, &part, &test);
-    return clod_parts_try_origin(&TESTER, sim, &part, 1, status);
+    return clod_parts_try_origin(&CLOD_UNIAXIAL_TESTER, sim, &part, 1, status);
 }
 
 bool clod_uniaxial_run(const clod_job_shared *sim, char **report, clod_status *status)
@@ -96,8 +95,8 @@ bool clod_uniaxial_run(const clod_job_shared *sim, char **report, clod_status *s
         clod_status_fail(status, CLOD_FAILED, "no memory for the parts of the test");
     } else {
         name_parts(sim->from, points + 1, part, test);
-        ok = clod_parts_run(&TESTER, sim, part, 1, status) &&
-             clod_parts_run(&TESTER, sim, part + 1, points, status) &&
+        ok = clod_parts_run(&CLOD_UNIAXIAL_TESTER, sim, part, 1, status) &&
+             clod_parts_run(&CLOD_UNIAXIAL_TESTER, sim, part + 1, points, status) &&
              clod_uniaxial_report(sim, part, points, report, status);
         if (!ok && status->code != CLOD_INTERRUPTED) { // that one goes on
             clod_uniaxial_report_finished(sim, part, points, status->text);

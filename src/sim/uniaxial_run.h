@@ -8,6 +8,9 @@
 #include "sim/parts.h"
 #include "tester/uniaxial.h"
 
+/** Its parts. */
+extern const clod_parts_tester CLOD_UNIAXIAL_TESTER;
+
 /** Run the test; the report is the result table with the warning box. */
 bool clod_uniaxial_run(const clod_job_shared *sim, char **report, clod_status *status);
 

@@ -14,11 +14,11 @@
 
 /** A grain that is to come; mass and inertia follow from radius and density. */
 typedef struct clod_new_grain {
-    uint64_t id;        ///< no other grain has it
-    double position[4]; ///< x, y, z, radius [m]
-    double velocity[3]; ///< m/s
-    double angular[3];  ///< angular velocity [rad/s]
-    double density;     ///< kg/m3
+    uint64_t id;                ///< no other grain has it
+    double position[4];         ///< x, y, z, radius [m]
+    double velocity[3];         ///< m/s
+    double angular_velocity[3]; ///< rad/s
+    double density;             ///< kg/m3
     uint16_t material;
 } clod_new_grain;
 

@@ -21,3 +21,15 @@ void clod_contact_turn(clod_contact *self)
         }
     }
 }
+
+void clod_contacts_ascend(clod_contact *contacts, size_t begin, size_t end)
+{
+    for (size_t k = begin + 1; k < end; k++) {
+        const clod_contact moving = contacts[k];
+        size_t at = k;
+        for (; at > begin && clod_contact_compare(&contacts[at - 1], &moving) > 0; at--) {
+            contacts[at] = contacts[at - 1];
+        }
+        contacts[at] = moving;
+    }
+}

@@ -109,3 +109,6 @@ static inline int clod_contact_compare(const clod_contact *a, const clod_contact
     }
     return (a->shape > b->shape) - (a->shape < b->shape);
 }
+
+/** Put contacts [begin, end), which nearly ascend, into ascending order, by insertion. */
+void clod_contacts_ascend(clod_contact *contacts, size_t begin, size_t end);

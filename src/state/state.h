@@ -26,8 +26,7 @@ typedef struct clod_state {
     clod_exchange exchange; ///< grains that have come and gone
     clod_changes changes;   ///< asked for, not made yet: none at a checkpoint or in a copy
     // the neighbour search at its last rebuild; decides when the grains are sorted next
-    double (
-        *build_position)[4]; ///< [grains.capacity] rows at the last rebuild, in today's order
+    double (*build_position)[4]; ///< [grains.capacity] at the last rebuild, in today's order
     double (*build_walls)[CLOD_WALL_POSE_NUMBERS]; ///< [walls.count] poses at the last rebuild
     double build_motion; ///< m, bound of any point's motion since then; < 0: rebuild now
     // contacts with history (touching), sorted by (i, j) and by (i, wall, shape): those of a

@@ -4,8 +4,7 @@
 
 #include "base/memory.h"
 
-/** Speed of the fastest grain, or of the fastest point of a wall [m/s]. */
-static double fastest(const clod_state *state)
+double clod_step_fastest(const clod_state *state)
 {
     double speed2 = 0.0, walls = 0.0;
     for (size_t g = 0; g < state->grains.count; g++) {
@@ -18,25 +17,7 @@ static double fastest(const clod_state *state)
     return fmax(sqrt(speed2), walls);
 }
 
-static bool periods_are_long_enough(const clod_step *self, clod_status *status)
-{
-    const double least = 4.0 * self->neighbour.radius_max + 2.0 * self->neighbour.skin;
-    for (int a = 0; a < 3; a++) {
-        const clod_domain *domain = &self->state->domain;
-        const double period = domain->max[a] - domain->min[a];
-        if (domain->periodic[a] && !(period > least)) {
-            return clod_status_fail(
-                status, CLOD_USAGE,
-                "domain: the period along %c is %g m, but a grain would meet its own "
-                "neighbours twice; at least %g m is needed for these grains",
-                "xyz"[a], period, least);
-        }
-    }
-    return true;
-}
-
-/** Rows and periods for the kernels. */
-static void look(clod_step *self)
+void clod_step_look(clod_step *self)
 {
     const clod_grains *grains = &self->state->grains;
     self->view =
@@ -84,7 +65,7 @@ bool clod_step_equip(clod_step *self, clod_status *status)
         return clod_status_fail(status, CLOD_FAILED, "no memory for %d walls",
                                 (int)self->state->walls.count);
     }
-    return periods_are_long_enough(self, status);
+    return clod_neighbour_periods_fit(&self->state->domain, self->neighbour.radius_max, status);
 }
 
 bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
@@ -100,12 +81,12 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
                                .state = state,
                                .laws = self->laws,
                                .walls = &self->walls,
-                               .skin = clod_step_thin_skin(self, fastest(state))};
+                               .skin = clod_step_thin_skin(self, clod_step_fastest(state))};
     if (!clod_near_make(&job, status)) {
         return false;
     }
     clod_step_list_moving(self);
     clod_step_list_feeling(self);
-    look(self);
+    clod_step_look(self);
     return true;
 }

@@ -1,8 +1,8 @@
-// Stage ledger, and the energies of a moment. Sums are exact: they do not depend on the order
+// Stages spent and ledger, and the energies of a moment. Sums are exact: they do not depend on the order
 // of grains and contacts, nor on how these are cut into parts.
 #include <math.h>
 
-#include "parallel/exact.h"
+#include "parallel/threads.h"
 #include "step/step.h"
 
 /** Contacts of a block of a group. */
@@ -20,23 +20,38 @@ static void add_lanes(clod_exact *sum, const double *lane, int lanes)
     }
 }
 
-/** Sums of what contacts turned into heat in one step [J]. */
-typedef struct spent_sums {
-    clod_exact plastic, dash_pot, friction, rolling, lag;
-} spent_sums;
-
-/** Add what each contact of a list spent in this step. */
-static void add_spent(const clod_near_blocks *list, size_t groups, spent_sums *sums)
+/** Add what each contact of a group spent in this step. */
+static void add_spent(const clod_near_blocks *list, size_t q, clod_step_heat *sums)
 {
-    for (size_t q = 0; q < groups; q++) {
-        for (size_t b = list->group_start[q]; b < list->group_start[q + 1]; b++) {
-            const clod_spent_block *spent = &list->spent[b];
-            const int contacts = contacts_of(list, q, b);
-            add_lanes(&sums->plastic, spent->plastic, contacts);
-            add_lanes(&sums->dash_pot, spent->dash_pot, contacts);
-            add_lanes(&sums->friction, spent->friction, contacts);
-            add_lanes(&sums->rolling, spent->rolling, contacts);
-            add_lanes(&sums->lag, spent->lag, contacts);
+    for (size_t b = list->group_start[q]; b < list->group_start[q + 1]; b++) {
+        const clod_spent_block *spent = &list->spent[b];
+        const int contacts = contacts_of(list, q, b);
+        add_lanes(&sums->plastic, spent->plastic, contacts);
+        add_lanes(&sums->dash_pot, spent->dash_pot, contacts);
+        add_lanes(&sums->friction, spent->friction, contacts);
+        add_lanes(&sums->rolling, spent->rolling, contacts);
+        add_lanes(&sums->lag, spent->lag, contacts);
+    }
+}
+
+/** What the contacts spent that a thread has computed. */
+void clod_step_spent(clod_step *self, int part)
+{
+    const clod_near *near = &self->near;
+    if (!near->ledger) {
+        return;
+    }
+    clod_step_heat *sums = &self->thread[part].spent;
+    *sums = (clod_step_heat){0};
+    const clod_chunk mine = clod_threads_chunk((size_t)near->parts, part, self->threads);
+    for (int p = (int)mine.begin; p < (int)mine.end; p++) {
+        for (int32_t l = 0; l < near->laws; l++) {
+            add_spent(&near->pairs, clod_near_group(near, p, l), sums);
+            add_spent(&near->pairs, clod_near_group_between(near, p, l), sums);
+            for (int form = 0; form < CLOD_FORMS; form++) {
+                add_spent(&near->walls, clod_near_wall_group(near, p, l, (clod_wall_form)form),
+                          sums);
+            }
         }
     }
 }
@@ -46,15 +61,21 @@ void clod_step_ledger(clod_step *self, int part)
     if (part != 0 || !self->near.ledger) {
         return;
     }
+    clod_step_heat all = {0};
+    for (int t = 0; t < self->threads; t++) {
+        const clod_step_heat *some = &self->thread[t].spent;
+        clod_exact_merge(&all.plastic, &some->plastic);
+        clod_exact_merge(&all.dash_pot, &some->dash_pot);
+        clod_exact_merge(&all.friction, &some->friction);
+        clod_exact_merge(&all.rolling, &some->rolling);
+        clod_exact_merge(&all.lag, &some->lag);
+    }
     clod_ledger *ledger = &self->state->ledger;
-    spent_sums sums = {0};
-    add_spent(&self->near.pairs, clod_near_groups(&self->near), &sums);
-    add_spent(&self->near.walls, clod_near_wall_groups(&self->near), &sums);
-    ledger->plastic += clod_exact_value(&sums.plastic);
-    ledger->dash_pot += clod_exact_value(&sums.dash_pot);
-    ledger->friction += clod_exact_value(&sums.friction);
-    ledger->rolling += clod_exact_value(&sums.rolling);
-    ledger->lag += clod_exact_value(&sums.lag);
+    ledger->plastic += clod_exact_value(&all.plastic);
+    ledger->dash_pot += clod_exact_value(&all.dash_pot);
+    ledger->friction += clod_exact_value(&all.friction);
+    ledger->rolling += clod_exact_value(&all.rolling);
+    ledger->lag += clod_exact_value(&all.lag);
 }
 
 static void add_grains(const clod_state *state, clod_energies *e)

@@ -145,8 +145,7 @@ bool clod_near_reserve_spent(clod_near *self);
 
 /**
  * Copy every contact with its history into state->contacts (emptied first): pairs ascending by
- * (i, j), then walls by (i, wall, shape). In steps, as the making of a list; not at all when no
- * list is made: they are there already.
+ * (i, j), then walls by (i, wall, shape). In steps, as the making of a list.
  *
  * @param walls    the rows that the list was made with
  * @param release  the list is not needed any more: its memory is given back as it is read
@@ -156,14 +155,16 @@ void clod_near_gather_count(clod_near *self, int part);
 bool clod_near_gather_room(clod_near *self, clod_state *state, clod_status *status);
 void clod_near_gather_copy(clod_near *self, clod_state *state, const clod_wall_rows *walls,
                            int part, bool release);
-void clod_near_gather_end(clod_near *self, bool release);
+
+/** The list is no more: the histories are in the state. */
+void clod_near_gather_end(clod_near *self);
 
 /** Room in the state for so many contacts of pairs and with walls; false without memory. */
 bool clod_near_gather_reserve(const clod_near *self, clod_state *state, size_t pairs,
                               size_t walls, clod_status *status);
 
-/** All of that by one thread. */
+/** Copy by one thread, and the list stays; nothing to do when there is none. */
 bool clod_near_gather(clod_near *self, clod_state *state, const clod_wall_rows *walls,
-                      bool release, clod_status *status);
+                      clod_status *status);
 
 void clod_near_fini(clod_near *self);

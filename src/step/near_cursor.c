@@ -118,24 +118,28 @@ bool clod_near_cursor_next(clod_near_cursor *self)
     return true;
 }
 
+void clod_near_cursor_name(const clod_near_cursor *self, const clod_wall_rows *walls,
+                           clod_contact *to)
+{
+    if (self->list == &self->near->pairs) {
+        const clod_contact_block *block = self->block;
+        to->i = block->i[self->lane];
+        to->j = block->j[self->lane];
+        to->shape = -1;
+    } else {
+        const clod_wall_block *block = self->block;
+        to->i = block->i[self->lane];
+        to->j = block->wall[self->lane];
+        to->shape = block->shape[self->lane] / CLOD_SHAPE_ROWS - walls->first_shape[to->j];
+    }
+}
+
 void clod_near_cursor_copy(const clod_near_cursor *self, const clod_wall_rows *walls,
                            clod_contact *to)
 {
-    const int lane = self->lane;
-    if (self->list == &self->near->pairs) {
-        const clod_contact_block *block = self->block;
-        to->i = block->i[lane];
-        to->j = block->j[lane];
-        to->shape = -1;
-        clod_history_get(&block->history, lane, to->history);
-    } else {
-        const clod_wall_block *block = self->block;
-        const int32_t wall = block->wall[lane];
-        to->i = block->i[lane];
-        to->j = wall;
-        to->shape = block->shape[lane] / CLOD_SHAPE_ROWS - walls->first_shape[wall];
-        clod_history_get(&block->history, lane, to->history);
-    }
+    clod_near_cursor_name(self, walls, to);
+    const clod_near_format format = clod_near_format_of(self->near, self->list);
+    clod_history_get(history_of(self->block, format), self->lane, to->history);
 }
 
 void clod_near_cursor_release(const clod_near_cursor *self)

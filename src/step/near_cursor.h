@@ -39,6 +39,10 @@ clod_near_cursor clod_near_cursor_begin(const clod_near *near, const clod_near_b
 /** Go on to the next contact that touches; false: there is none. */
 bool clod_near_cursor_next(clod_near_cursor *self);
 
+/** Rows and shape of the contact that it is at, without its history. */
+void clod_near_cursor_name(const clod_near_cursor *self, const clod_wall_rows *walls,
+                           clod_contact *to);
+
 /** Copy the contact that it is at; `walls` are the rows that the list was made with. */
 void clod_near_cursor_copy(const clod_near_cursor *self, const clod_wall_rows *walls,
                            clod_contact *to);

@@ -4,9 +4,8 @@
 #include "step/near_cursor.h"
 #include "step/near_walk.h"
 
-/** Room for as many contacts as the lists have lanes, and none in it; unchanged without memory.
- */
-static bool reserve_contacts(const clod_near *self, clod_state *state, clod_status *status)
+bool clod_near_gather_reserve(const clod_near *self, clod_state *state, size_t pairs,
+                              size_t walls, clod_status *status)
 {
     const size_t most = (self->pairs.count + self->walls.count) * CLOD_LANES;
     if (!clod_limits_contacts(most, status)) {
@@ -24,7 +23,8 @@ static bool reserve_contacts(const clod_near *self, clod_state *state, clod_stat
         state->contacts = fresh;
         state->contact_capacity = capacity;
     }
-    state->contact_count = state->wall_contact_count = 0;
+    state->contact_count = pairs + walls;
+    state->wall_contact_count = walls;
     return true;
 }
 
@@ -40,17 +40,6 @@ void clod_near_gather_count(clod_near *self, int part)
         range.walls++;
     }
     self->gathered[part] = range;
-}
-
-bool clod_near_gather_reserve(const clod_near *self, clod_state *state, size_t pairs,
-                              size_t walls, clod_status *status)
-{
-    if (!reserve_contacts(self, state, status)) {
-        return false;
-    }
-    state->contact_count = pairs + walls;
-    state->wall_contact_count = walls;
-    return true;
 }
 
 bool clod_near_gather_room(clod_near *self, clod_state *state, clod_status *status)
@@ -93,17 +82,15 @@ void clod_near_gather_copy(clod_near *self, clod_state *state, const clod_wall_r
     }
 }
 
-void clod_near_gather_end(clod_near *self, bool release)
+void clod_near_gather_end(clod_near *self)
 {
-    if (release) {
-        const size_t blocks = self->pairs.capacity * sizeof(clod_contact_block);
-        clod_near_give_back(self->pairs.block, blocks, 0, blocks);
-        self->made = false;
-    }
+    const size_t blocks = self->pairs.capacity * sizeof(clod_contact_block);
+    clod_near_give_back(self->pairs.block, blocks, 0, blocks);
+    self->made = false;
 }
 
 bool clod_near_gather(clod_near *self, clod_state *state, const clod_wall_rows *walls,
-                      bool release, clod_status *status)
+                      clod_status *status)
 {
     if (!self->made) {
         return true;
@@ -115,8 +102,7 @@ bool clod_near_gather(clod_near *self, clod_state *state, const clod_wall_rows *
         return false;
     }
     for (int p = 0; p < self->parts; p++) {
-        clod_near_gather_copy(self, state, walls, p, release);
+        clod_near_gather_copy(self, state, walls, p, false);
     }
-    clod_near_gather_end(self, release);
     return true;
 }

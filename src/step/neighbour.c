@@ -34,6 +34,23 @@ void clod_neighbour_size(clod_neighbour *self, const clod_state *state)
     self->skin = SKIN_FRACTION * self->radius_max;
 }
 
+bool clod_neighbour_periods_fit(const clod_domain *domain, double radius_max,
+                                clod_status *status)
+{
+    const double least = (4.0 + 2.0 * SKIN_FRACTION) * radius_max;
+    for (int a = 0; a < 3; a++) {
+        const double period = domain->max[a] - domain->min[a];
+        if (domain->periodic[a] && !(period > least)) {
+            return clod_status_fail(
+                status, CLOD_USAGE,
+                "domain: the period along %c is %g m, but a grain would meet its own "
+                "neighbours twice; at least %g m is needed for these grains",
+                "xyz"[a], period, least);
+        }
+    }
+    return true;
+}
+
 /** Room for a number of pairs, or none: then it is asked for as they come. */
 static void reserve_pairs(clod_pairs *self, size_t count)
 {

@@ -82,8 +82,11 @@ typedef struct clod_neighbour {
     size_t cell_capacity, grain_capacity;
     clod_sort_item *sort, *sort_scratch; ///< [sort_capacity]; sort also has places of contacts
     size_t sort_capacity;
-    int32_t *rank; ///< [grains] new place of each old row
+    int32_t *rank; ///< [grains] new row of each old one, or CLOD_NEIGHBOUR_GOES
 } clod_neighbour;
+
+/** Rank of a grain that goes at this rebuild. */
+#define CLOD_NEIGHBOUR_GOES (-1)
 
 /** Items of sort_scratch that a row of four numbers takes. */
 #define CLOD_NEIGHBOUR_ROW_ITEMS (4 * sizeof(double) / sizeof(clod_sort_item))
@@ -102,6 +105,15 @@ void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool bru
 void clod_neighbour_size(clod_neighbour *self, const clod_state *state);
 
 /**
+ * Whether every period of a domain is long enough for grains up to a radius [m]: twice their
+ * reach, so that a grain meets no neighbour twice.
+ *
+ * Errors  CLOD_USAGE with the axis and the least period.   Threads  pure.
+ */
+bool clod_neighbour_periods_fit(const clod_domain *domain, double radius_max,
+                                clod_status *status);
+
+/**
  * Wrap the grains into the domain, sort them by layers, carry state->contacts over and
  * note positions as those of the rebuild.
  *
@@ -109,8 +121,13 @@ void clod_neighbour_size(clod_neighbour *self, const clod_state *state);
  */
 bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status);
 
-/** The same in steps (reorder.h): the order alone, in `sort` and `rank`; and the note. */
-bool clod_neighbour_order(clod_neighbour *self, clod_state *state, clod_status *status);
+/**
+ * The same in steps (reorder.h): the order alone, in `sort` and `rank`; and the note.
+ *
+ * @param going  so many grains go: their `rank` is CLOD_NEIGHBOUR_GOES before and after
+ */
+bool clod_neighbour_order(clod_neighbour *self, clod_state *state, size_t going,
+                          clod_status *status);
 bool clod_neighbour_note(clod_state *state, clod_status *status);
 
 /** Rows of an array that go with the grains; `size` bytes of each, `stride` apart. */

@@ -51,12 +51,19 @@ bool clod_neighbour_reserve(clod_neighbour *self, const clod_state *state, clod_
                             state->grains.count);
 }
 
-/** Wrap periodic directions; a grain beyond an open side is an error. */
-static bool wrap(clod_state *state, clod_status *status)
+/** Whether a row goes at this rebuild; `going` rows do. */
+static bool goes(const clod_neighbour *self, size_t going, size_t row)
+{
+    return going > 0 && self->rank[row] < 0;
+}
+
+/** Wrap periodic directions; a grain beyond an open side that does not go is an error. */
+static bool wrap(const clod_neighbour *self, clod_state *state, size_t going,
+                 clod_status *status)
 {
     static const char AXIS[] = "xyz";
     for (size_t g = 0; g < state->grains.count; g++) {
-        for (int a = 0; a < 3; a++) {
+        for (int a = 0; a < 3 && !goes(self, going, g); a++) {
             double *x = &state->grains.position[g][a];
             const double min = state->domain.min[a];
             const double max = state->domain.max[a];
@@ -77,16 +84,37 @@ static bool wrap(clod_state *state, clod_status *status)
     return true;
 }
 
-/** The order of grains that are, or were, at these places. */
-static void sort_by_layers(clod_neighbour *self, const clod_grains *grains,
-                           const double (*position)[4])
+/** Layers of the grains that stay. */
+static clod_layers layers_of(const clod_neighbour *self, const double (*position)[4],
+                             size_t count, size_t going)
 {
-    const clod_layers layers = clod_layers_of(position, grains->count);
-    for (size_t g = 0; g < grains->count; g++) {
-        self->sort[g] = (clod_sort_item){clod_layers_key(&layers, position[g]), g};
+    if (going == 0) {
+        return clod_layers_of(position, count);
     }
-    clod_sort(self->sort, self->sort_scratch, grains->count);
-    for (size_t k = 1; k < grains->count; k++) { // equal keys are rare: by id
+    double(*staying)[4] = clod_neighbour_rows(self);
+    size_t stay = 0;
+    for (size_t g = 0; g < count; g++) {
+        if (!goes(self, going, g)) {
+            memcpy(staying[stay++], position[g], sizeof *staying);
+        }
+    }
+    return clod_layers_of((const double(*)[4])staying, stay);
+}
+
+/** The order of grains that are, or were, at these places; `going` of them are left out. */
+static void sort_by_layers(clod_neighbour *self, const clod_grains *grains,
+                           const double (*position)[4], size_t going)
+{
+    const clod_layers layers = layers_of(self, position, grains->count, going);
+    const size_t stay = grains->count - going;
+    size_t items = 0;
+    for (size_t g = 0; g < grains->count; g++) {
+        if (!goes(self, going, g)) {
+            self->sort[items++] = (clod_sort_item){clod_layers_key(&layers, position[g]), g};
+        }
+    }
+    clod_sort(self->sort, self->sort_scratch, stay);
+    for (size_t k = 1; k < stay; k++) { // equal keys are rare: by id
         const clod_sort_item moving = self->sort[k];
         size_t at = k;
         while (at > 0 && self->sort[at - 1].key == moving.key &&
@@ -96,7 +124,7 @@ static void sort_by_layers(clod_neighbour *self, const clod_grains *grains,
         }
         self->sort[at] = moving;
     }
-    for (size_t g = 0; g < grains->count; g++) {
+    for (size_t g = 0; g < stay; g++) {
         self->rank[self->sort[g].index] = (int32_t)g;
     }
 }
@@ -201,14 +229,7 @@ static void sort_contacts(clod_neighbour *self, clod_contact *contacts, size_t c
             place[to] = (int32_t)to;
         }
     }
-    for (size_t k = 1; k < count; k++) {
-        const clod_contact moving = contacts[k];
-        size_t at = k;
-        for (; at > 0 && clod_contact_compare(&contacts[at - 1], &moving) > 0; at--) {
-            contacts[at] = contacts[at - 1];
-        }
-        contacts[at] = moving;
-    }
+    clod_contacts_ascend(contacts, 0, count);
 }
 
 /** Rows and contacts of the state into the order that was found. */
@@ -243,7 +264,7 @@ bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_
         return false;
     }
     const size_t count = state->grains.count;
-    sort_by_layers(self, &state->grains, (const double(*)[4])state->build_position);
+    sort_by_layers(self, &state->grains, (const double(*)[4])state->build_position, 0);
     bool sorted = true;
     for (size_t g = 0; g < count; g++) {
         sorted = sorted && self->sort[g].index == g;
@@ -288,13 +309,14 @@ static void give_back_old(const clod_neighbour *self, const clod_state *state)
     }
 }
 
-bool clod_neighbour_order(clod_neighbour *self, clod_state *state, clod_status *status)
+bool clod_neighbour_order(clod_neighbour *self, clod_state *state, size_t going,
+                          clod_status *status)
 {
-    if (!wrap(state, status) || !clod_neighbour_reserve(self, state, status)) {
+    if (!clod_neighbour_reserve(self, state, status) || !wrap(self, state, going, status)) {
         return false;
     }
     give_back_old(self, state);
-    sort_by_layers(self, &state->grains, (const double(*)[4])state->grains.position);
+    sort_by_layers(self, &state->grains, (const double(*)[4])state->grains.position, going);
     return true;
 }
 
@@ -307,7 +329,7 @@ bool clod_neighbour_note(clod_state *state, clod_status *status)
 
 bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status)
 {
-    if (!clod_neighbour_order(self, state, status)) {
+    if (!clod_neighbour_order(self, state, 0, status)) {
         return false;
     }
     apply_order(self, state);

@@ -6,42 +6,68 @@
 #include "step/near_walk.h"
 
 /** Where the next contact of each grain goes: pairs, and those with walls. */
-static int32_t *next_of(const clod_neighbour *self, bool pairs)
+static int32_t *next_of(const clod_reorder *self, bool pairs)
 {
-    return pairs ? self->cell_of : self->cell_item;
+    return pairs ? self->neighbour->cell_of : self->neighbour->cell_item;
 }
 
-void clod_reorder_begin(clod_neighbour *self, size_t grains)
+void clod_reorder_begin(const clod_reorder *self)
 {
-    memset(next_of(self, true), 0, grains * sizeof(int32_t));
-    memset(next_of(self, false), 0, grains * sizeof(int32_t));
+    memset(next_of(self, true), 0, self->grains * sizeof(int32_t));
+    memset(next_of(self, false), 0, self->grains * sizeof(int32_t));
 }
 
-/** Earlier grain in the new order of the contact that a cursor is at. */
-static int32_t first_of(const clod_neighbour *self, const clod_near_cursor *at, bool pairs)
+/** Whether a contact, by its old rows, touches where its grains and walls are now. */
+static bool touches(const clod_reorder *self, const clod_contact *contact)
 {
-    if (!pairs) {
-        return self->rank[((const clod_wall_block *)at->block)->i[at->lane]];
+    const clod_state *state = self->state;
+    const double *a = state->grains.position[contact->i];
+    if (contact->shape >= 0) {
+        return clod_wall_rows_gap(self->walls, contact->j, contact->shape, a).distance < a[3];
     }
-    const clod_contact_block *block = at->block;
-    const int32_t i = self->rank[block->i[at->lane]], j = self->rank[block->j[at->lane]];
-    return i < j ? i : j;
+    const double *b = state->grains.position[contact->j];
+    double square = 0.0;
+    for (int c = 0; c < 3; c++) {
+        const double s = clod_domain_separation(&state->domain, c, a[c], b[c]);
+        square += s * s;
+    }
+    return square < (a[3] + b[3]) * (a[3] + b[3]);
 }
 
-static void count_list(clod_neighbour *self, const clod_near *near, bool pairs, int part)
+/** Earlier grain in the new order of a contact by its old rows; below 0: it stays behind. */
+static int32_t first_of(const clod_reorder *self, const clod_contact *contact)
 {
+    const int32_t *rank = self->neighbour->rank;
+    const bool wall = contact->shape >= 0;
+    const int32_t i = rank[contact->i];
+    const int32_t *partner_rank = wall ? self->wall_rank : rank;
+    const int32_t j = partner_rank != NULL ? partner_rank[contact->j] : contact->j;
+    if (i < 0 || j < 0 || (self->moved && !touches(self, contact))) {
+        return -1;
+    }
+    return wall || i < j ? i : j;
+}
+
+static void count_list(const clod_reorder *self, bool pairs, int part)
+{
+    const clod_near *near = self->near;
     int32_t *next = next_of(self, pairs);
+    clod_contact contact;
     clod_near_cursor cursor =
         clod_near_cursor_begin(near, pairs ? &near->pairs : &near->walls, part);
     while (clod_near_cursor_next(&cursor)) {
-        __atomic_fetch_add(&next[first_of(self, &cursor, pairs)], 1, __ATOMIC_RELAXED);
+        clod_near_cursor_name(&cursor, self->walls, &contact);
+        const int32_t first = first_of(self, &contact);
+        if (first >= 0) {
+            __atomic_fetch_add(&next[first], 1, __ATOMIC_RELAXED);
+        }
     }
 }
 
-void clod_reorder_count(clod_neighbour *self, const clod_near *near, int part)
+void clod_reorder_count(const clod_reorder *self, int part)
 {
-    count_list(self, near, true, part);
-    count_list(self, near, false, part);
+    count_list(self, true, part);
+    count_list(self, false, part);
 }
 
 /** From numbers to where each grain's contacts begin; the end of the last. */
@@ -55,60 +81,54 @@ static size_t sum_up(int32_t *next, size_t grains, size_t begin)
     return begin;
 }
 
-bool clod_reorder_room(clod_neighbour *self, const clod_near *near, clod_state *state,
-                       clod_status *status)
+bool clod_reorder_room(const clod_reorder *self, clod_status *status)
 {
-    const size_t grains = state->grains.count;
-    const size_t pairs = sum_up(next_of(self, true), grains, 0);
-    const size_t all = sum_up(next_of(self, false), grains, pairs);
-    return clod_near_gather_reserve(near, state, pairs, all - pairs, status);
+    const size_t pairs = sum_up(next_of(self, true), self->grains, 0);
+    const size_t all = sum_up(next_of(self, false), self->grains, pairs);
+    return clod_near_gather_reserve(self->near, self->state, pairs, all - pairs, status);
 }
 
-static void copy_list(clod_neighbour *self, const clod_near *near, clod_state *state,
-                      const clod_wall_rows *walls, bool pairs, int part)
+static void copy_list(const clod_reorder *self, bool pairs, int part)
 {
+    const clod_near *near = self->near;
     int32_t *next = next_of(self, pairs);
     size_t count = 0;
+    clod_contact contact;
     clod_near_cursor cursor =
         clod_near_cursor_begin(near, pairs ? &near->pairs : &near->walls, part);
     while (clod_near_cursor_next(&cursor)) {
-        clod_contact contact;
-        clod_near_cursor_copy(&cursor, walls, &contact);
-        clod_neighbour_rename(self, &contact);
-        state->contacts[__atomic_fetch_add(&next[contact.i], 1, __ATOMIC_RELAXED)] = contact;
+        clod_near_cursor_copy(&cursor, self->walls, &contact);
+        const int32_t first = first_of(self, &contact);
+        if (first >= 0) {
+            clod_neighbour_rename(self->neighbour, &contact);
+            if (!pairs && self->wall_rank != NULL) {
+                contact.j = self->wall_rank[contact.j];
+            }
+            self->state->contacts[__atomic_fetch_add(&next[first], 1, __ATOMIC_RELAXED)] =
+                contact;
+        }
         if (pairs && ++count % CLOD_NEAR_GIVE_BACK == 0) {
             clod_near_cursor_release(&cursor);
         }
     }
 }
 
-void clod_reorder_copy(clod_neighbour *self, const clod_near *near, clod_state *state,
-                       const clod_wall_rows *walls, int part)
+void clod_reorder_copy(const clod_reorder *self, int part)
 {
-    copy_list(self, near, state, walls, true, part);
-    copy_list(self, near, state, walls, false, part);
+    copy_list(self, true, part);
+    copy_list(self, false, part);
 }
 
-/** By insertion: a handful. */
-static void ascend(clod_contact *contacts, size_t begin, size_t end)
+void clod_reorder_ascend(const clod_reorder *self, int part)
 {
-    for (size_t k = begin + 1; k < end; k++) {
-        const clod_contact moving = contacts[k];
-        size_t at = k;
-        for (; at > begin && clod_contact_compare(&contacts[at - 1], &moving) > 0; at--) {
-            contacts[at] = contacts[at - 1];
-        }
-        contacts[at] = moving;
-    }
-}
-
-void clod_reorder_ascend(const clod_neighbour *self, clod_state *state, clod_chunk grains)
-{
+    clod_state *state = self->state;
+    const clod_chunk mine = clod_threads_chunk(self->grains, part, self->near->parts);
     for (int list = 0; list < 2; list++) {
         const int32_t *end = next_of(self, list == 0); // by now the contacts of each end there
         const size_t base = list == 0 ? 0 : state->contact_count - state->wall_contact_count;
-        for (size_t g = grains.begin; g < grains.end; g++) {
-            ascend(state->contacts, g == 0 ? base : (size_t)end[g - 1], (size_t)end[g]);
+        for (size_t g = mine.begin; g < mine.end; g++) {
+            const size_t begin = g == 0 ? base : (size_t)end[g - 1];
+            clod_contacts_ascend(state->contacts, begin, (size_t)end[g]);
         }
     }
 }

@@ -2,8 +2,8 @@
 /**
  * @file reorder.h
  * A new order of grains at a rebuild, by all threads: contacts go from the blocks of the old
- * near list straight to where they stand in the new order. The same as clod_near_gather and
- * clod_neighbour_sort, one after the other.
+ * near list straight to where they stand in the new order. Those of grains and walls that go
+ * are left behind.
  *
  * After clod_neighbour_order: begin by one thread, count by all parts, room by one, copy by
  * all, ascend by all; each when the one before is done by all.
@@ -13,19 +13,27 @@
 
 #include "step/near.h"
 
+typedef struct clod_reorder {
+    clod_neighbour *neighbour; ///< its rank has the new row of each grain
+    const clod_near *near;     ///< the old list
+    clod_state *state;
+    const clod_wall_rows *walls; ///< the rows that the list was made with
+    size_t grains;               ///< that stay
+    const int32_t *wall_rank;    ///< [walls] new number, or -1: it goes; NULL: all stay
+    bool moved; ///< grains or walls were put elsewhere: what does not touch now is forgotten
+} clod_reorder;
+
 /** No contacts counted yet. */
-void clod_reorder_begin(clod_neighbour *self, size_t grains);
+void clod_reorder_begin(const clod_reorder *self);
 
 /** Count a part's contacts by their earlier grain in the new order. */
-void clod_reorder_count(clod_neighbour *self, const clod_near *near, int part);
+void clod_reorder_count(const clod_reorder *self, int part);
 
 /** Where each grain's contacts begin, and room for all; false without memory. */
-bool clod_reorder_room(clod_neighbour *self, const clod_near *near, clod_state *state,
-                       clod_status *status);
+bool clod_reorder_room(const clod_reorder *self, clod_status *status);
 
 /** Copy a part's contacts to their grains, in any order; the blocks' memory is given back. */
-void clod_reorder_copy(clod_neighbour *self, const clod_near *near, clod_state *state,
-                       const clod_wall_rows *walls, int part);
+void clod_reorder_copy(const clod_reorder *self, int part);
 
-/** Put the contacts of each grain of a chunk into ascending order. */
-void clod_reorder_ascend(const clod_neighbour *self, clod_state *state, clod_chunk grains);
+/** Put the contacts of each grain of a part into ascending order. */
+void clod_reorder_ascend(const clod_reorder *self, int part);

@@ -1,32 +1,53 @@
 #pragma once
 /**
  * @file stages.h
- * The table of the step: what happens, from top to bottom. The step and the stage bench run it.
+ * The table of the step: what happens, from top to bottom. Every step runs it.
  */
 
 #include "step/step.h"
 
-/** What a stage reads and writes, for the reader and for the order of barriers. */
+/** What a stage reads and writes. */
 enum {
-    CLOD_STAGE_POSITION = 1,
-    CLOD_STAGE_VELOCITY = 2,
-    CLOD_STAGE_CONTACT_LIST = 4,
-    CLOD_STAGE_SHARE = 8, ///< of contacts between two threads' grains; they wait at gates
-    CLOD_STAGE_HISTORY = 16,
-    CLOD_STAGE_FORCE = 32,
-    CLOD_STAGE_WALL_FORCE = 64,
-    CLOD_STAGE_WALLS = 128,
-    CLOD_STAGE_SURFACES = 256, ///< rows of shapes; they wait at gates
-    CLOD_STAGE_LEDGER = 512,
+    CLOD_STAGE_POSITION = 1 << 0,
+    CLOD_STAGE_VELOCITY = 1 << 1,
+    CLOD_STAGE_LISTS = 1 << 2,
+    CLOD_STAGE_SHARE = 1 << 3, ///< of contacts between two threads' grains
+    CLOD_STAGE_HISTORY = 1 << 4,
+    CLOD_STAGE_FORCE = 1 << 5,
+    CLOD_STAGE_FELT = 1 << 6,        ///< what walls feel, by parts
+    CLOD_STAGE_WALLS = 1 << 7,       ///< where they are and how they move
+    CLOD_STAGE_SURFACES = 1 << 8,    ///< rows of their shapes
+    CLOD_STAGE_SPENT = 1 << 9,       ///< by each contact, with the energy ledger
+    CLOD_STAGE_SPENT_SUMS = 1 << 10, ///< of them, by threads
+    CLOD_STAGE_LEDGER = 1 << 11,
 };
 
+/** For these, those who need what others write wait at gates. */
+#define CLOD_STAGE_GATED (CLOD_STAGE_SHARE | CLOD_STAGE_SURFACES)
+
+/** Of these, every thread touches its own grains' and contacts' alone. */
+#define CLOD_STAGE_OWN (CLOD_STAGE_FORCE | CLOD_STAGE_HISTORY | CLOD_STAGE_SPENT)
+
+/** Where all threads wait for each other. */
+typedef enum clod_stage_barrier {
+    CLOD_BARRIER_NONE,
+    CLOD_BARRIER_AFTER,  ///< all finish the stage before the next one begins
+    CLOD_BARRIER_WITHIN, ///< where it writes anything, it begins and ends with one
+} clod_stage_barrier;
+
+/**
+ * A stage. A barrier stands between two stages of which one writes what the other reads or
+ * writes, but for what is gated, a thread's own, or touched by thread 0 alone in both.
+ * Test  tests/step/test_stages.c
+ */
 typedef struct clod_stage {
     const char *name;
     void (*run)(clod_step *self, int part); ///< `part` is the thread's number
     int reads, writes;
-    bool wait; ///< a barrier follows: all threads finish it before the next stage begins
+    int by_first; ///< of them, what only thread 0 reads and writes here
+    clod_stage_barrier barrier;
 } clod_stage;
 
-#define CLOD_STAGES 7
+#define CLOD_STAGES 8
 
 extern const clod_stage CLOD_STAGE[CLOD_STAGES];

@@ -1,36 +1,40 @@
 #include "step/step.h"
 
-#include <omp.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "parallel/threads.h"
 #include "step/equip.h"
 #include "step/stages.h"
+#include "step/team.h"
 #include "step/trouble.h"
 
 #define POSITION CLOD_STAGE_POSITION
 #define VELOCITY CLOD_STAGE_VELOCITY
-#define LISTS CLOD_STAGE_CONTACT_LIST
+#define LISTS CLOD_STAGE_LISTS
 #define SHARE CLOD_STAGE_SHARE
 #define HISTORY CLOD_STAGE_HISTORY
 #define FORCE CLOD_STAGE_FORCE
-#define WALL_FORCE CLOD_STAGE_WALL_FORCE
+#define FELT CLOD_STAGE_FELT
 #define WALLS CLOD_STAGE_WALLS
 #define SURFACES CLOD_STAGE_SURFACES
+#define SPENT CLOD_STAGE_SPENT
+#define SUMS CLOD_STAGE_SPENT_SUMS
 #define LEDGER CLOD_STAGE_LEDGER
+#define ROWS (POSITION | VELOCITY | FORCE | HISTORY) // a rebuild puts them into a new order
 
 // drift completes the half kick of the step before; after the last step clod_step_settle does
 const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     // clang-format off
-    // name,    function,          reads,                       writes,                             barrier
-    {"drift",   clod_step_drift,   FORCE | VELOCITY | WALLS,    POSITION | VELOCITY | FORCE | WALLS, true},
-    {"place",   clod_step_place,   WALLS,                       SURFACES,                            false},
-    {"near",    clod_step_near,    POSITION | VELOCITY,         LISTS,                               false},
-    {"contact", clod_step_contact, POSITION | VELOCITY | LISTS, FORCE | HISTORY | SHARE,             false},
-    {"wall",    clod_step_wall,    POSITION | VELOCITY | SURFACES, FORCE | WALL_FORCE | HISTORY,        true},
-    {"servo",   clod_step_servo,   WALL_FORCE,                  WALLS,                               false},
-    {"ledger",  clod_step_ledger,  HISTORY,                     LEDGER,                              false},
+    // name,    function,          reads,                                  writes,                               by thread 0,   barrier
+    {"drift",   clod_step_drift,   FORCE | VELOCITY | WALLS,               POSITION | VELOCITY | FORCE | WALLS,  WALLS,         CLOD_BARRIER_AFTER},
+    {"place",   clod_step_place,   WALLS,                                  SURFACES,                             0,             CLOD_BARRIER_NONE},
+    {"near",    clod_step_near,    ROWS | WALLS,                           ROWS | LISTS | SURFACES,              0,             CLOD_BARRIER_WITHIN},
+    {"contact", clod_step_contact, POSITION | VELOCITY | LISTS,            FORCE | HISTORY | SHARE | SPENT,      0,             CLOD_BARRIER_NONE},
+    {"wall",    clod_step_wall,    POSITION | VELOCITY | LISTS | SURFACES, FORCE | HISTORY | FELT | SPENT,       0,             CLOD_BARRIER_NONE},
+    {"spent",   clod_step_spent,   LISTS | SPENT,                          SUMS,                                 0,             CLOD_BARRIER_AFTER},
+    {"servo",   clod_step_servo,   FELT | WALLS,                           FELT | WALLS | LEDGER,                FELT | WALLS | LEDGER, CLOD_BARRIER_NONE},
+    {"ledger",  clod_step_ledger,  SUMS | LEDGER,                          LEDGER,                               SUMS | LEDGER, CLOD_BARRIER_NONE},
     // clang-format on
 };
 
@@ -45,14 +49,17 @@ static bool has_trouble(const clod_step *self, int part)
 }
 
 /** The steps as one thread sees them. */
-static void advance_part(clod_step *self, int64_t steps, int part)
+static void advance_part(clod_step *self, int part)
 {
     const int64_t first = self->state->step;
-    for (int64_t s = 0; s < steps; s++) {
+    for (int64_t s = 0; s < self->steps; s++) {
         for (int k = 0; k < CLOD_STAGES; k++) {
             CLOD_STAGE[k].run(self, part);
-            if (CLOD_STAGE[k].wait) {
+            if (CLOD_STAGE[k].barrier == CLOD_BARRIER_AFTER) {
                 clod_barrier_wait(&self->barrier);
+            }
+            if (self->after_stage != NULL) {
+                self->after_stage(part, k);
             }
             if (self->failed) { // set between barriers: all threads see it here
                 return;
@@ -66,23 +73,6 @@ static void advance_part(clod_step *self, int64_t steps, int part)
         }
     }
     clod_step_settle(self, part);
-}
-
-/** All threads at once; alone when the run-time library does not give as many. */
-static void advance_all(clod_step *self, int64_t steps)
-{
-    bool alone = false;
-#pragma omp parallel num_threads(self->threads)
-    if (omp_get_num_threads() == self->threads) {
-        advance_part(self, steps, omp_get_thread_num());
-    } else if (omp_get_thread_num() == 0) {
-        alone = true;
-    }
-    if (alone) {
-        self->threads = 1;
-        clod_barrier_init(&self->barrier, 1);
-        advance_part(self, steps, 0);
-    }
 }
 
 bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
@@ -103,7 +93,8 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     const int64_t first = self->state->step;
     clod_step_list_moving(self);
     clod_step_list_feeling(self); // a load may have been put on
-    advance_all(self, steps);
+    self->steps = steps;
+    clod_team_run(self, advance_part);
     clod_step_count_steps(self, self->state->step - first);
     self->state->build_motion = self->thread[0].build_motion;
     self->state->time = (double)self->state->step * self->state->dt;
@@ -187,7 +178,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
 
 bool clod_step_export(clod_step *self, clod_status *status)
 {
-    return clod_near_gather(&self->near, self->state, &self->walls, false, status);
+    return clod_near_gather(&self->near, self->state, &self->walls, status);
 }
 
 void clod_step_fini(clod_step *self)

@@ -11,11 +11,13 @@
 
 #include "law/law.h"
 #include "parallel/barrier.h"
+#include "parallel/exact.h"
 #include "state/contact_source.h"
 #include "state/state.h"
 #include "step/kernel.h"
 #include "step/near.h"
 #include "step/near_reader.h"
+#include "step/reorder.h"
 
 /** Largest overlap the laws are meant for, as a fraction of the smaller radius. */
 #define CLOD_STEP_OVERLAP 0.2
@@ -27,6 +29,11 @@ typedef struct clod_step_options {
     double overlap_limit; ///< of the smaller radius, at which to stop; 0 = CLOD_STEP_OVERLAP
 } clod_step_options;
 
+/** What contacts turned into heat in one step [J]. */
+typedef struct clod_step_heat {
+    clod_exact plastic, dash_pot, friction, rolling, lag;
+} clod_step_heat;
+
 /** What one thread keeps to itself, on its own cache lines; motions are the same in all. */
 typedef struct clod_step_thread {
     _Alignas(64) double max_speed2; ///< m2/s2, of its grains (and of the walls: thread 0)
@@ -36,15 +43,19 @@ typedef struct clod_step_thread {
     bool all_finite;                ///< those of all threads in this step
     bool excess;                    ///< an overlap beyond the laws' range
     bool owed;                      ///< its grains' second half kick is still to be done
+    clod_step_heat spent;           ///< by its contacts in this step, with the ledger
 } clod_step_thread;
 
-/** What goes through the making of lists within a step. */
+/** What goes through the making of lists (remake.h). */
 typedef struct clod_step_remake {
-    bool again;         ///< the candidates too: a rebuild
-    double speed;       ///< m/s, of the fastest point now
-    size_t leavers;     ///< grains that leave through an open side
-    double before;      ///< J, energy with them
-    _Atomic int failed; ///< the phase that did, or one behind the last
+    bool again;               ///< the candidates too: a rebuild
+    bool changes;             ///< what state->changes asks for is done in it
+    double speed;             ///< m/s, of the fastest point now
+    size_t going;             ///< grains that go
+    const int32_t *wall_rank; ///< [walls] new numbers, -1: it goes; NULL: all stay; borrowed
+    double before;            ///< J, energy before anything came or went
+    _Atomic int failed;       ///< the phase that did, or one behind the last
+    clod_reorder reorder;
     clod_near_job job;
 } clod_step_remake;
 
@@ -75,10 +86,12 @@ typedef struct clod_step {
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
     clod_step_remake remake;
     int64_t begin; ///< step of the state when it was taken
+    int64_t steps; ///< that the advance going on is to make
     bool failed;   ///< a rebuild went wrong; status says why
     clod_status status;
     // for reports
     int64_t rebuilds, refreshes;
+    void (*after_stage)(int part, int stage); ///< called by every thread; NULL: nobody asks
 } clod_step;
 
 /**
@@ -198,6 +211,7 @@ void clod_step_place(clod_step *self, int part);
 void clod_step_near(clod_step *self, int part);
 void clod_step_contact(clod_step *self, int part);
 void clod_step_wall(clod_step *self, int part);
+void clod_step_spent(clod_step *self, int part);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);
 

@@ -133,7 +133,7 @@ static clod_law_motion contact_motion(const bench *self, const pace *speed, doub
 static clod_contact_branch branch_of(const clod_law *law, clod_law_stiffness s,
                                      clod_law_normal normal, double plastic)
 {
-    if (clod_law_kinds_row(law->kind)->remembers == CLOD_LAW_REMEMBERS_LARGEST) {
+    if (clod_law_rises(law)) {
         return normal.force <= -normal.pull ? CLOD_BRANCH_ADHESIVE
                : plastic == s.overlap       ? CLOD_BRANCH_LOADING
                                             : CLOD_BRANCH_UNLOADING;

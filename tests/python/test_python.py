@@ -2,6 +2,7 @@
 
 import gc
 import os
+import subprocess
 import sys
 import unittest
 
@@ -84,6 +85,49 @@ class Python(program.Case):
             self.assertAlmostEqual(energy["translation"] /
                                    (0.5 * (sim.mass * (v * v).sum(1)).sum()), 1, delta=1e-12)
 
+    def test_contacts_have_the_fields_of_the_library(self):
+        """The dtype is made from the library's list; here against the struct as the header has it."""
+        from clod import _library
+        with make() as sim:
+            sim.advance(60000)
+            contacts = sim.contacts()
+            first, count = _library.ffi.new("clod_sim_contact **"), _library.ffi.new("size_t *")
+            sim._call(_library.lib.clod_sim_contacts, first, count)
+            self.assertEqual(len(contacts), count[0])
+            self.assertGreater(count[0], 20)
+            fields = _library.ffi.typeof("clod_sim_contact").fields
+            self.assertEqual(contacts.dtype.names, tuple(name for name, _ in fields))
+            self.assertEqual(tuple(clod.CONTACT_UNITS), contacts.dtype.names)
+            for name, _ in fields:
+                for k in range(count[0]):
+                    value = getattr(first[0][k], name)
+                    value = list(value) if name in ("spring", "roll") else value
+                    numpy.testing.assert_array_equal(contacts[name][k], value)
+            self.assertGreater(abs(contacts["spring"]).max(), 0)
+            self.assertEqual(clod.CONTACT_UNITS["spring"], "m")
+
+    def test_a_contact_by_its_identity(self):
+        with make() as sim:
+            sim.advance(60000)
+            contacts = sim.contacts()
+            self.assertGreater((contacts["wall"] < 0).sum(), 20)
+            self.assertGreater((contacts["wall"] >= 0).sum(), 5)
+            for there in contacts:
+                if there["wall"] >= 0:
+                    found = sim.wall_contact_of(there["id_1"], "floor", there["shape"])
+                    self.assertEqual(found, there)
+                    continue
+                self.assertEqual(sim.contact_of(there["id_1"], there["id_2"]), there)
+                turned = sim.contact_of(there["id_2"], there["id_1"])
+                numpy.testing.assert_array_equal(turned["spring"], -there["spring"])
+                self.assertEqual(turned["plastic"], there["plastic"])
+            self.assertIsNone(sim.contact_of(contacts["id_1"][0], 999999))
+            self.assertIsNone(sim.wall_contact_of(999999, "floor"))
+            with self.assertRaises(KeyError):
+                sim.wall_contact_of(1, "roof")
+            with self.assertRaisesRegex(clod.Error, "no shape 1; it has 1"):
+                sim.wall_contact_of(1, "floor", 1)
+
     def test_walls_are_driven(self):
         with make() as sim:
             floor = sim.walls["floor"]
@@ -95,6 +139,49 @@ class Python(program.Case):
             self.assertEqual(sim.walls, {})
             with self.assertRaises(KeyError):
                 floor.force
+
+    def test_walls_come_and_go(self):
+        """A disc below takes the place of the floor, as a dict and as YAML: it carries the weight."""
+        yaml = "material: ore\nshapes:\n  - plane: {point: [0 mm, 0 mm, -1 mm]}\n"
+        plane = {"material": "ore", "shapes": [{"plane": {"point": "0 0 -1 mm"}}]}
+        felt = []
+        for wall in (yaml, plane):
+            with make() as sim:
+                sim.advance(60000)
+                sim.remove_wall("floor")
+                sim.add_wall("lower", wall)
+                self.assertEqual(list(sim.walls), ["floor"])  # requests
+                sim.change()
+                self.assertEqual(list(sim.walls), ["lower"])
+                sim.advance(60000)
+                sim.reset_wall_means()
+                sim.advance(5000)
+                felt.append(sim.walls["lower"].mean_force)
+                self.assertAlmostEqual(-felt[-1][2] / (9.81 * sim.mass.sum()), 1, delta=0.05)
+                with self.assertRaisesRegex(clod.Error, "wall 'roof':1:3: walls.roof.colour: this key"):
+                    sim.add_wall("roof", {"colour": "red"})
+                sim.remove_wall("floor")
+                with self.assertRaisesRegex(clod.Error, "there is none of this name"):
+                    sim.change()
+        numpy.testing.assert_array_equal(*felt)
+
+    def test_a_belt_carries_what_lies_on_it(self):
+        with make() as sim:
+            floor = sim.walls["floor"]
+            sim.advance(60000)
+            self.assertLess(abs(sim.velocity[:, 0].mean()), 0.01)
+            floor.set_belt(speed=0.2, direction=[2, 0, 0])
+            self.assertEqual(floor.belt()["direction"], [1, 0, 0])
+            sim.advance(5000)
+            self.assertGreater(sim.velocity[:, 0].mean(), 0.01)
+            floor.set_belt(**{**floor.belt(), "speed": -0.2})
+            self.assertEqual(floor.belt(0)["speed"], -0.2)
+            sim.advance(1000)
+            self.assertLess(floor.force[0] * -1, 0)  # now it is dragged the other way
+            with self.assertRaisesRegex(clod.Error, "has no direction"):
+                floor.set_belt(speed=1)
+            with self.assertRaisesRegex(clod.Error, "no shape 1"):
+                floor.belt(1)
 
     def test_the_bits_of_a_run(self):
         """clod run and Python end with the same bits; the results folder into arrays."""
@@ -122,6 +209,59 @@ class Python(program.Case):
             return
         self.assertEqual(run.snapshot()["position"].shape, (60, 3))
         self.assertIn("plastic", run.snapshot(kind="contacts"))
+
+    def test_what_left_and_the_ledger_of_a_run(self):
+        """summary.json and energy.csv of clod run, to the last digit that they have."""
+        case = CASE.replace("max: [20 mm, 20 mm, 100 mm], periodic: [true, true, false]}",
+                            "max: [20 mm, 20 mm, 100 mm], open: delete}")
+        case = case.replace("plane: {point: [0 mm, 0 mm, 0 mm], normal: [0, 0, 1]}",
+                            "disc: {center: [10 mm, 10 mm, 0 mm], radius: 7 mm}")
+        case = case.replace("0.02 s", "0.1 s").replace("contacts: true", "energy: true")
+        with open(self.path("case.yaml"), "w") as file:
+            file.write(case)
+        done = program.run("run", "case.yaml", "-o", "out", "-t", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        run = clod.results(self.path("out"))
+        with clod.Simulation(self.path("case.yaml"), threads=2) as sim:
+            sim.advance(run.summary["steps"])
+            left = sim.left()
+            self.assertEqual(list(left), list(run.summary["left"]))
+            for side, there in run.summary["left"].items():
+                self.assertEqual(left[side]["grains"], there["grains"])
+                self.assertEqual(left[side]["mass"], there["mass_kg"])
+                self.assertEqual(left[side]["energy"], there["kinetic_energy_J"])
+            gone = sum(side["grains"] for side in left.values())
+            self.assertEqual(gone + len(sim), 60)
+            self.assertGreater(left["z_min"]["grains"], 5)
+            ledger = sim.ledger()
+            columns = run.series("energy")
+            for name, value in ledger.items():
+                column = {"plastic": "lost_plastic", "dash_pot": "lost_dash_pot",
+                          "friction": "lost_friction", "rolling": "lost_rolling"}.get(name, name)
+                self.assertEqual(value, columns[column][-1], name)
+            self.assertGreater(ledger["dash_pot"], 0)
+            self.assertLess(ledger["exchanged"], 0)
+            self.assertLess(abs(ledger["residual"]), 0.01 * ledger["dash_pot"])
+            sim.remove_grain(sim.id[0])
+            sim.change()
+            self.assertEqual(sim.exchange()["removed"], 1)
+        with make() as sim:
+            with self.assertRaisesRegex(clod.Error, "is not open"):
+                sim.ledger()
+            sim.open_ledger()
+            sim.advance(100)
+            self.assertLess(abs(sim.ledger()["residual"]), 1e-12)
+
+    def test_the_library_is_found_by_its_name(self):
+        """Without CLOD_LIBRARY the loader looks for the name that the build gave the library."""
+        folder = os.path.dirname(os.environ["CLOD_LIBRARY"])
+        environment = {**os.environ, "LD_LIBRARY_PATH": folder, "PYTHONPATH": os.environ["CLOD_PYTHON"]}
+        del environment["CLOD_LIBRARY"]
+        script = "import clod; print(open('/proc/self/maps').read())"
+        done = subprocess.run([sys.executable, "-B", "-c", script], env=environment, text=True,
+                              capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(os.path.realpath(os.environ["CLOD_LIBRARY"]), done.stdout)
 
     def test_errors(self):
         with self.assertRaises(clod.Error) as caught:

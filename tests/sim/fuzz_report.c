@@ -25,7 +25,7 @@ static void make_text(char *text, size_t size)
 /** What bytes of chance must not be: pointers, enumerators, truth values and counts. */
 static void make_valid(clod_check_report *report, const uint8_t flags[4])
 {
-    report->kind = (clod_check_kind)(flags[0] % (CLOD_CHECK_CONTACT_BENCH + 1));
+    report->kind = (clod_case_kind)(flags[0] % CLOD_CASE_KINDS);
     report->path = "case.yaml";
     report->title = flags[1] % 2 == 0 ? NULL : "A \"title\"";
     report->reason = "the stiffest pair";

@@ -115,7 +115,7 @@ static void contact_at_the_target_stress(void **state)
     const clod_check_report *r = check(state, RING, NULL);
     const double overlap = pow(1.8 / K1, 2.0 / 3.0);
     const double pull = 1.8 * (K_ADH / K1) * (K2 - K1) / (K2 + K_ADH);
-    assert_int_equal(r->kind, CLOD_CHECK_RING_SHEAR);
+    assert_int_equal(r->kind, CLOD_CASE_RING_SHEAR);
     assert_int_equal(r->grains, 4800);
     near(r->mass, 4800.0 * mass(), 1e-3);
     near(r->solid_volume, 4800.0 * mass() / DENSITY, 1e-3);
@@ -192,7 +192,7 @@ static void limits_of_shear_bound_the_time(void **state)
 static void free_run_numbers(void **state)
 {
     const clod_check_report *r = check(state, FREE, "gravity=[0, 0, 0 m/s2]");
-    assert_int_equal(r->kind, CLOD_CHECK_FREE_RUN);
+    assert_int_equal(r->kind, CLOD_CASE_FREE);
     assert_int_equal(r->grains, 100);
     assert_true(r->step_given);
     assert_true(r->step == 2e-7);
@@ -370,7 +370,7 @@ static void a_contact_bench_needs_no_estimate(void **state)
                                           "  radius_1: 3 mm\n  radius_2: 3 mm\n"
                                           "  legs: [{overlap: 1 um}]\n";
     const clod_check_report *r = check(state, BENCH, NULL);
-    assert_int_equal(r->kind, CLOD_CHECK_CONTACT_BENCH);
+    assert_int_equal(r->kind, CLOD_CASE_CONTACT_BENCH);
     clod_check_report_text(r, text);
     assert_non_null(strstr(text, "clod contact"));
     assert_true(clod_check_report_json(r, text));

@@ -39,7 +39,7 @@ static void numbers_by_hand(void **state)
 {
     (void)state;
     preflight(CASE, NULL);
-    assert_int_equal(report.kind, CLOD_CHECK_JENIKE);
+    assert_int_equal(report.kind, CLOD_CASE_JENIKE);
     assert_int_equal(report.grains, 600);
     check_relative((double)report.full_grains, 600.0, 2e-3);
     check_relative(report.height_aimed, 0.04, 2e-3);

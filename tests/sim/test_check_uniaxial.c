@@ -36,7 +36,7 @@ static void numbers_by_hand(void **state)
 {
     (void)state;
     preflight(CASE, NULL);
-    assert_int_equal(report.kind, CLOD_CHECK_UNIAXIAL);
+    assert_int_equal(report.kind, CLOD_CASE_UNIAXIAL);
     assert_int_equal(report.grains, 450);
     check_relative((double)report.full_grains, 900.0, 2e-3);
     check_relative(report.height_aimed, 0.03, 2e-3);

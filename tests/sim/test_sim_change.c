@@ -35,9 +35,12 @@ static clod_status status;
 
 static clod_sim *make(void)
 {
-    const clod_sim_options options = {.threads = 1};
+    static char simd[8]; // the caller's: something else when the simulation is there
+    memcpy(simd, "scalar", 7);
+    const clod_sim_options options = {.threads = 1, .simd = simd};
     clod_sim *sim = clod_sim_create_from_text("case.yaml", CASE, &options, &status);
     CHECK(sim != NULL);
+    memcpy(simd, "gone", 5);
     return sim;
 }
 
@@ -67,6 +70,28 @@ static void a_new_grain_flies_as_it_should(void **state)
     check_relative(at[0], 0.003 - 0.1 * 0.01, 1e-12);
     check_relative(at[2], 0.19 + 0.2 * 0.01 - 0.5 * 9.81 * 1e-4, 1e-12);
     check_relative(*numbers(sim, "mass", 900), 2500.0 * 4.0 / 3.0 * M_PI * 1e-9, 1e-14);
+    clod_sim_destroy(&sim);
+}
+
+/** Two equal grains, k1 = 1e4 N/m without adhesion: T/pi = 2 sqrt(m/(2 k)) with k the stiffest
+ *  tangent. Much smaller ones are refused, and the simulation goes on as if not asked. */
+static void a_grain_too_small_for_the_step_is_refused(void **state)
+{
+    (void)state;
+    clod_sim *sim = make();
+    const double mass = 2500.0 * 4.0 / 3.0 * M_PI * 1e-12; // radius 0.1 mm
+    const double longest = 2.0 * sqrt(0.5 * mass / 1e4);   // s, of the normal spring: 1.4 us
+    clod_sim_grain grain = {.id = 900, .position = {0.0, 0.0, 0.15}, .radius = 1e-4};
+    assert_true(longest < clod_sim_dt(sim));
+    assert_false(clod_sim_add_grain(sim, &grain, &status));
+    assert_int_equal(status.code, CLOD_USAGE);
+    assert_non_null(strstr(status.text, "with grain 900 the time step of 1e-05 s is beyond"));
+    grain.id = 901;
+    grain.radius = 1e-3; // 45 us
+    CHECK(clod_sim_add_grain(sim, &grain, &status));
+    CHECK(clod_sim_advance(sim, 10, &status));
+    assert_int_equal(clod_sim_grain_count(sim), 31);
+    assert_true(clod_sim_row_of_id(sim, 900) == SIZE_MAX);
     clod_sim_destroy(&sim);
 }
 
@@ -215,6 +240,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_new_grain_flies_as_it_should),
+        cmocka_unit_test(a_grain_too_small_for_the_step_is_refused),
         cmocka_unit_test(a_grain_that_went_is_gone),
         cmocka_unit_test(walls_come_and_go),
         cmocka_unit_test(moved_grains_are_seen_after_a_wrong_request),

@@ -2,6 +2,7 @@
 // and shapes turned before the run, over threads and checkpoints.
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -190,6 +191,39 @@ static void what_cannot_be_is_refused(void **state)
     clod_sim_destroy(&sim);
 }
 
+/** Every function that takes the index of a wall names one that is not there, and the number. */
+static void an_unknown_wall_is_named_by_every_function(void **state)
+{
+    (void)state;
+    static const int32_t UNKNOWN[] = {-1, 2, INT32_MAX, INT32_MIN};
+    clod_sim *sim = make(1);
+    const double zero[3] = {0.0}, unit[4] = {1.0, 0.0, 0.0, 0.0};
+    clod_sim_belt belt = {.velocity = {1.0, 0.0, 0.0}};
+    clod_sim_wall view;
+    clod_sim_contact contact;
+    bool found;
+    for (size_t k = 0; k < sizeof UNKNOWN / sizeof *UNKNOWN; k++) {
+        const int32_t w = UNKNOWN[k];
+        char words[64];
+        snprintf(words, sizeof words, ": there is no wall %d; there are 2", (int)w);
+        NEEDS(clod_sim_wall_look(sim, w, &view, &status), words);
+        NEEDS(clod_sim_set_wall_velocity(sim, w, zero, &status), words);
+        NEEDS(clod_sim_set_wall_surface_velocity(sim, w, zero, &status), words);
+        NEEDS(clod_sim_set_wall_spin(sim, w, 1.0, &status), words);
+        NEEDS(clod_sim_set_wall_load(sim, w, 1.0, &status), words);
+        NEEDS(clod_sim_set_wall_orientation(sim, w, unit, &status), words);
+        NEEDS(clod_sim_set_wall_angular_velocity(sim, w, zero, zero, &status), words);
+        NEEDS(clod_sim_set_wall_position(sim, w, zero, &status), words);
+        NEEDS(clod_sim_set_belt(sim, w, 0, &belt, &status), words);
+        NEEDS(clod_sim_belt_look(sim, w, 0, &belt, &status), words);
+        NEEDS(clod_sim_wall_contact_of(sim, 1, w, 0, &contact, &found, &status), words);
+    }
+    CHECK(clod_sim_remove_wall(sim, "paddle", &status)); // an index is of the walls there are
+    CHECK(clod_sim_change(sim, &status));
+    NEEDS(clod_sim_wall_look(sim, 1, &view, &status), "no wall 1; there are 1");
+    clod_sim_destroy(&sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -198,6 +232,7 @@ int main(void)
             temp_folder_remove),
         cmocka_unit_test(a_wall_can_be_put_at_any_pose),
         cmocka_unit_test(what_cannot_be_is_refused),
+        cmocka_unit_test(an_unknown_wall_is_named_by_every_function),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

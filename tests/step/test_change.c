@@ -1,7 +1,6 @@
 // Grains and walls come and go at one point: what stays keeps its bits, its contacts and their
 // history; every grain and joule is accounted for; and nothing depends on the order of
 // requests, on threads or on a cut.
-#include "state/alter.h"
 #include "support/bed.h"
 #include "support/bits.h"
 #include "support/sanitized.h"
@@ -226,8 +225,8 @@ static void the_ledger_closes(void **state)
     }
 }
 
-/** A disc through the origin for the queue, its normal leaning over by an angle. */
-static void add_disc(scene *s, const char *name, double lean)
+/** A plane through the origin for the queue, its normal leaning over by an angle. */
+static void add_plane(scene *s, const char *name, double lean)
 {
     const clod_vec3 normal = {sin(lean), 0.1 * lean, cos(lean)};
     clod_wall wall = {.shape_count = 1, .spin_axis = {0.0, 0.0, 1.0}};
@@ -253,7 +252,7 @@ static void the_order_of_what_comes_changes_no_bit(void **state)
             const clod_new_grain grain =
                 new_grain(100 + (uint64_t)w, 0.01 * (w + 1), 0.0, 0.02, 1e-3 + 1e-4 * w);
             clod_changes_add_grain(&s[k].state.changes, &grain);
-            add_disc(&s[k], NAMES[w], 0.1 * (w - 1) + 0.02);
+            add_plane(&s[k], NAMES[w], 0.1 * (w - 1) + 0.02);
         }
         change(&s[k]);
         finish(&s[k], 20);

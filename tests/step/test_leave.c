@@ -33,6 +33,38 @@ static void a_falling_grain_takes_its_energy_away(void **state)
     scene_end(&s);
 }
 
+/** A grain that is beyond an open side already when others are asked for leaves then. */
+static void a_change_lets_go_what_is_beyond_a_side(void **state)
+{
+    (void)state;
+    const clod_case_contact ore = contact_ore();
+    const clod_new_grain comes = {
+        .id = 7, .position = {0.01, 0.0, 0.3, 1e-3}, .density = 2000.0, .material = 0};
+    scene s;
+    scene_init(&s, 1e-5, &ore);
+    s.state.gravity[2] = -9.81;
+    const size_t g = scene_grain(&s, 0.0, 0.0, 0.4, 1e-3);
+    const double mass = s.state.grains.velocity[g][3];
+    s.state.domain.removes = true;
+    s.state.domain.min[2] = 0.1;
+    scene_start(&s);
+    scene_open_ledger(&s);
+    while (s.state.grains.position[0][2] >= 0.1) {
+        scene_run(&s, 1);
+    }
+    assert_int_equal(s.state.grains.count, 1); // beyond, and not noticed yet
+    const double fallen = 0.4 - s.state.grains.position[0][2];
+    clod_changes_add_grain(&s.state.changes, &comes);
+    assert_true(clod_step_change(&s.step, &s.step.status));
+    assert_int_equal(s.state.grains.count, 1);
+    assert_int_equal(s.state.grains.id[0], 7);
+    assert_int_equal(s.state.exchange.left[4], 1);
+    check_relative(s.state.exchange.left_energy[4], mass * 9.81 * fallen, 1e-10);
+    const clod_energies now = clod_step_energies(&s.step);
+    check_close(clod_ledger_residual(&s.state.ledger, &now), 0.0, 1e-12 * mass);
+    scene_end(&s);
+}
+
 /** A bed that bursts apart in an open domain, until nobody is left. */
 static void burst_with(scene *s, int threads)
 {
@@ -59,7 +91,9 @@ static void every_grain_is_counted_once(void **state)
     scene_run(&one, 30000);
     const size_t middle = one.state.grains.count;
     assert_true(middle > 0 && middle < grains); // some are gone, others stay
-    scene_run(&one, 2000000);
+    for (int64_t steps = 0; steps < 2000000 && one.state.grains.count > 0; steps += 10000) {
+        scene_run(&one, 10000);
+    }
     assert_int_equal(one.state.grains.count, 0);
     int64_t left = 0;
     double left_mass = 0.0;
@@ -113,6 +147,33 @@ static void refuse(scene *s, const char *text)
         fail_msg("'%s' does not say '%s'", status.text, text);
     }
     assert_false(clod_changes_any(&s->state.changes));
+}
+
+/** A grain too large for the period is refused before anything changes; an id that goes may
+ *  come again. */
+static void the_whole_queue_is_looked_at_first(void **state)
+{
+    (void)state;
+    scene s;
+    bed_init(&s, BED_CLUSTER, 6);
+    scene_start(&s);
+    const size_t grains = s.state.grains.count;
+    const clod_new_grain large = {
+        .id = 900, .position = {0.0, 0.0, 0.09, 1e-2}, .density = 2000.0, .material = 0};
+    clod_changes_add_grain(&s.state.changes, &large);
+    refuse(&s, "domain: the period along x is 0.045 m"); // it must be 4.6 R at least
+    assert_int_equal(s.state.grains.count, grains);
+    scene_run(&s, 10); // as if not asked
+
+    const uint64_t id = s.state.grains.id[0];
+    clod_new_grain again = large;
+    again.id = id;
+    again.position[3] = 1e-3;
+    clod_changes_remove_grain(&s.state.changes, id);
+    clod_changes_add_grain(&s.state.changes, &again);
+    assert_true(clod_step_change(&s.step, &s.step.status));
+    assert_int_equal(s.state.grains.count, grains);
+    scene_end(&s);
 }
 
 /** Each wrong request, beside one that is right. */
@@ -179,8 +240,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_falling_grain_takes_its_energy_away),
+        cmocka_unit_test(a_change_lets_go_what_is_beyond_a_side),
         cmocka_unit_test(every_grain_is_counted_once),
         cmocka_unit_test(leaving_has_the_same_bits),
+        cmocka_unit_test(the_whole_queue_is_looked_at_first),
         cmocka_unit_test(wrong_requests_change_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -23,7 +23,8 @@ static void shuffled_bed(scene *s, bed_kind kind, int threads)
 static void one_after_the_other(scene *s)
 {
     clod_step *step = &s->step;
-    assert_true(clod_near_gather(&step->near, &s->state, &step->walls, true, &step->status));
+    assert_true(clod_near_gather(&step->near, &s->state, &step->walls, &step->status));
+    clod_near_gather_end(&step->near);
     assert_true(clod_neighbour_sort(&step->neighbour, &s->state, &step->status));
 }
 
@@ -32,32 +33,36 @@ static void by_parts(scene *s)
     clod_step *step = &s->step;
     clod_neighbour *neighbour = &step->neighbour;
     const int parts = step->near.parts;
-    const size_t grains = s->state.grains.count;
+    const clod_reorder job = {.neighbour = neighbour,
+                              .near = &step->near,
+                              .state = &s->state,
+                              .walls = &step->walls,
+                              .grains = s->state.grains.count};
     clod_row_column columns[CLOD_ROW_COLUMNS];
-    assert_true(clod_neighbour_order(neighbour, &s->state, &step->status));
-    clod_reorder_begin(neighbour, grains);
+    assert_true(clod_neighbour_order(neighbour, &s->state, 0, &step->status));
+    clod_reorder_begin(&job);
     for (int p = parts; p-- > 0;) { // in any order
-        clod_reorder_count(neighbour, &step->near, p);
+        clod_reorder_count(&job, p);
     }
-    assert_true(clod_reorder_room(neighbour, &step->near, &s->state, &step->status));
+    assert_true(clod_reorder_room(&job, &step->status));
     for (int p = parts; p-- > 0;) {
-        clod_reorder_copy(neighbour, &step->near, &s->state, &step->walls, p);
+        clod_reorder_copy(&job, p);
     }
     for (int p = parts; p-- > 0;) {
-        clod_reorder_ascend(neighbour, &s->state, clod_threads_chunk(grains, p, parts));
+        clod_reorder_ascend(&job, p);
     }
     const int count = clod_neighbour_columns(&s->state.grains, columns);
     for (int k = 0; k < count; k++) {
         for (int p = parts; p-- > 0;) {
             clod_neighbour_rows_out(neighbour, &columns[k],
-                                    clod_threads_chunk(grains, p, parts));
+                                    clod_threads_chunk(job.grains, p, parts));
         }
         for (int p = parts; p-- > 0;) {
             clod_neighbour_rows_back(neighbour, &columns[k],
-                                     clod_threads_chunk(grains, p, parts));
+                                     clod_threads_chunk(job.grains, p, parts));
         }
     }
-    clod_near_gather_end(&step->near, true);
+    clod_near_gather_end(&step->near);
     assert_true(clod_neighbour_note(&s->state, &step->status));
 }
 

@@ -1,0 +1,71 @@
+#include "step/leavers.h"
+
+#include "parallel/exact.h"
+#include "step/neighbour.h"
+
+int clod_leavers_face(const clod_domain *domain, const double *position)
+{
+    for (int a = 0; a < 3; a++) {
+        if (!domain->periodic[a] && position[a] < domain->min[a]) {
+            return 2 * a;
+        }
+        if (!domain->periodic[a] && position[a] > domain->max[a]) {
+            return 2 * a + 1;
+        }
+    }
+    return -1;
+}
+
+static double kinetic(const double *velocity, double mass, const double *angular_velocity)
+{
+    const double v2 =
+        velocity[0] * velocity[0] + velocity[1] * velocity[1] + velocity[2] * velocity[2];
+    const double w2 = angular_velocity[0] * angular_velocity[0] +
+                      angular_velocity[1] * angular_velocity[1] +
+                      angular_velocity[2] * angular_velocity[2];
+    return 0.5 * mass * v2 + 0.5 / angular_velocity[3] * w2;
+}
+
+/** What leaves at one rebuild. */
+typedef struct leaver_sums {
+    clod_exact mass[CLOD_FACES], energy[CLOD_FACES];
+    clod_exact kick; ///< J that the half kick to come would have brought
+} leaver_sums;
+
+static void add_leaver(leaver_sums *sums, const clod_state *state, size_t row, int face,
+                       double half_kick)
+{
+    const double *v = state->grains.velocity[row];
+    const double *w = state->grains.angular_velocity[row];
+    double whole[3];
+    for (int a = 0; a < 3; a++) {
+        whole[a] = v[a] + half_kick * state->gravity[a];
+    }
+    const double energy = kinetic(whole, v[3], w);
+    clod_exact_add(&sums->mass[face], v[3]);
+    clod_exact_add(&sums->energy[face], energy);
+    clod_exact_add(&sums->kick, energy - kinetic(v, v[3], w));
+}
+
+size_t clod_leavers_mark(clod_state *state, double half_kick, int32_t *rank)
+{
+    leaver_sums sums = {0};
+    size_t leavers = 0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        const int face = clod_leavers_face(&state->domain, state->grains.position[g]);
+        if (face >= 0 && rank[g] != CLOD_NEIGHBOUR_GOES) {
+            rank[g] = CLOD_NEIGHBOUR_GOES;
+            state->exchange.left[face]++;
+            add_leaver(&sums, state, g, face, half_kick);
+            leavers++;
+        }
+    }
+    for (int f = 0; f < CLOD_FACES; f++) {
+        state->exchange.left_mass[f] += clod_exact_value(&sums.mass[f]);
+        state->exchange.left_energy[f] += clod_exact_value(&sums.energy[f]);
+    }
+    if (state->ledger.open != 0) {
+        state->ledger.exchanged -= clod_exact_value(&sums.kick);
+    }
+    return leavers;
+}

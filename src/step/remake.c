@@ -1,0 +1,308 @@
+#include "step/remake.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "parallel/threads.h"
+#include "state/alter.h"
+#include "step/equip.h"
+#include "step/leavers.h"
+
+double clod_remake_balance(clod_step *self)
+{
+    if (self->state->ledger.open == 0) {
+        return 0.0;
+    }
+    const clod_energies now = clod_step_energies(self);
+    return clod_energies_sum(&now);
+}
+
+/** The list that is being made. */
+static clod_near_job job_of(clod_step *self)
+{
+    return (clod_near_job){.near = &self->near,
+                           .neighbour = &self->neighbour,
+                           .state = self->state,
+                           .laws = self->laws,
+                           .walls = &self->walls,
+                           .skin = clod_step_thin_skin(self, self->remake.speed)};
+}
+
+// ---- the phases, in the order of the table below
+
+/** At a rebuild: which grains go, and the new order of the others. */
+static void begin(clod_step *self, int part)
+{
+    (void)part;
+    clod_step_remake *remake = &self->remake;
+    clod_state *state = self->state;
+    if (!remake->again) {
+        return;
+    }
+    if (state->domain.removes) {
+        if (!remake->changes) {
+            memset(self->neighbour.rank, 0, state->grains.count * sizeof(int32_t));
+        }
+        const double half_kick = remake->changes ? 0.0 : 0.5 * state->dt;
+        const size_t leavers = clod_leavers_mark(state, half_kick, self->neighbour.rank);
+        remake->going += leavers;
+        if (leavers > 0 && !remake->changes) {
+            remake->before = clod_remake_balance(self);
+        }
+    }
+    self->failed = !clod_neighbour_order(&self->neighbour, state, remake->going, &self->status);
+    remake->reorder = (clod_reorder){.neighbour = &self->neighbour,
+                                     .near = &self->near,
+                                     .state = state,
+                                     .walls = &self->walls,
+                                     .grains = state->grains.count - remake->going,
+                                     .wall_rank = remake->wall_rank,
+                                     .moved = remake->changes && state->changes.moved};
+    if (!self->failed) {
+        clod_reorder_begin(&remake->reorder);
+    }
+}
+
+static void count_old(clod_step *self, int part)
+{
+    if (self->remake.again) {
+        clod_reorder_count(&self->remake.reorder, part);
+    } else {
+        clod_near_gather_count(&self->near, part);
+    }
+}
+
+static void make_room(clod_step *self, int part)
+{
+    (void)part;
+    self->failed = self->remake.again
+                       ? !clod_reorder_room(&self->remake.reorder, &self->status)
+                       : !clod_near_gather_room(&self->near, self->state, &self->status);
+}
+
+/** Histories into the state. */
+static void copy_old(clod_step *self, int part)
+{
+    if (self->remake.again) {
+        clod_reorder_copy(&self->remake.reorder, part);
+    } else {
+        clod_near_gather_copy(&self->near, self->state, &self->walls, part, true);
+    }
+}
+
+static void ascend(clod_step *self, int part)
+{
+    if (self->remake.again) {
+        clod_reorder_ascend(&self->remake.reorder, part);
+    }
+}
+
+/** Rows of grains into the new order, column by column. */
+static void reorder_rows(clod_step *self, clod_chunk parts)
+{
+    if (!self->remake.again) {
+        return;
+    }
+    const int all = self->near.parts;
+    const size_t grains = self->remake.reorder.grains;
+    clod_row_column columns[CLOD_ROW_COLUMNS];
+    const int count = clod_neighbour_columns(&self->state->grains, columns);
+    for (int k = 0; k < count; k++) {
+        for (size_t p = parts.begin; p < parts.end; p++) {
+            clod_neighbour_rows_out(&self->neighbour, &columns[k],
+                                    clod_threads_chunk(grains, (int)p, all));
+        }
+        clod_barrier_wait(&self->barrier);
+        for (size_t p = parts.begin; p < parts.end; p++) {
+            clod_neighbour_rows_back(&self->neighbour, &columns[k],
+                                     clod_threads_chunk(grains, (int)p, all));
+        }
+        clod_barrier_wait(&self->barrier);
+    }
+}
+
+/** Walls go and come, and what depends on the set of grains and walls is made anew. */
+static bool change_walls(clod_step *self)
+{
+    clod_state *state = self->state;
+    clod_changes *queue = &state->changes;
+    if (self->remake.wall_rank != NULL) {
+        clod_state_keep_walls(state, self->remake.wall_rank);
+    }
+    if (queue->new_walls > 0 &&
+        !clod_state_add_walls(state, queue->new_wall, queue->new_walls, &self->status)) {
+        return false;
+    }
+    clod_memory_free(state->build_position); // for other numbers of grains and walls
+    clod_memory_free(state->build_walls);
+    state->build_position = NULL;
+    state->build_walls = NULL;
+    if (!clod_step_equip(self, &self->status)) {
+        return false;
+    }
+    clod_step_list_moving(self);
+    self->remake.speed = clod_step_fastest(state);
+    return true;
+}
+
+/** The near list is no more; at a rebuild the search begins, with the grains that stay. */
+static void begin_search(clod_step *self, int part)
+{
+    (void)part;
+    clod_state *state = self->state;
+    clod_near_gather_end(&self->near);
+    if (!self->remake.again) {
+        return;
+    }
+    state->grains.count = self->remake.reorder.grains;
+    bool good = true;
+    if (self->remake.changes) {
+        good = change_walls(self);
+    } else if (self->remake.going > 0) {
+        clod_grains_pad(&state->grains);
+        clod_neighbour_size(&self->neighbour, state);
+    }
+    clod_neighbour_give_back(&self->neighbour);
+    self->failed = !good || !clod_neighbour_note(state, &self->status) ||
+                   !clod_neighbour_build_begin(&self->neighbour, state, self->laws,
+                                               self->near.parts, &self->status);
+}
+
+/** At a rebuild the candidates are found anew. */
+static void search(clod_step *self, int part)
+{
+    if (self->remake.again) {
+        clod_neighbour_build_part(&self->neighbour, self->state, part);
+    }
+}
+
+static void join(clod_step *self, int part)
+{
+    (void)part;
+    self->failed = self->remake.again &&
+                   !clod_neighbour_build_end(&self->neighbour, self->state, &self->status);
+    if (!self->failed) {
+        self->remake.job = job_of(self);
+        self->failed = !clod_near_begin(&self->remake.job, &self->status);
+    }
+}
+
+/** Shapes of walls that move, where they are now: until now only those with grains near. */
+static void place_walls(clod_step *self, int part)
+{
+    const clod_walls *walls = &self->state->walls;
+    for (int32_t k = 0; k < self->moving_count; k++) {
+        const int32_t w = self->moving[k];
+        const clod_wall *wall = &walls->wall[w];
+        const clod_wall_stand stand = clod_wall_stand_of(wall);
+        const clod_chunk c =
+            clod_threads_chunk((size_t)wall->shape_count, part, self->near.parts);
+        for (size_t s = c.begin; s < c.end; s++) {
+            clod_wall_rows_place_shape(&self->walls, w, &stand, (int32_t)s);
+        }
+        if (part == 0) {
+            clod_wall_rows_note(&self->walls, w, wall);
+        }
+    }
+}
+
+static void mark(clod_step *self, int part)
+{
+    clod_near_mark(&self->remake.job, part);
+}
+
+static void cut(clod_step *self, int part)
+{
+    (void)part;
+    clod_near_cut(&self->remake.job);
+}
+
+static void count_new(clod_step *self, int part)
+{
+    clod_near_count(&self->remake.job, part);
+}
+
+static void layout(clod_step *self, int part)
+{
+    (void)part;
+    self->failed = !clod_near_layout(&self->remake.job, &self->status);
+}
+
+/** Pairs into blocks, with their histories. */
+static void place(clod_step *self, int part)
+{
+    clod_near_place(&self->remake.job, part);
+}
+
+static void end(clod_step *self, int part)
+{
+    (void)part;
+    clod_near_end(&self->remake.job);
+    clod_step_list_feeling(self);
+    clod_step_look(self);
+    if (self->remake.changes || self->remake.going > 0) {
+        self->state->ledger.exchanged += clod_remake_balance(self) - self->remake.before;
+    }
+    self->rebuilds += self->remake.again;
+    self->refreshes += !self->remake.again;
+}
+
+typedef struct list_phase {
+    void (*run)(clod_step *self, int part);
+    bool all; ///< by every thread for its parts; else by thread 0 alone
+    void (*together)(clod_step *self, clod_chunk parts); ///< in place of run, with barriers
+} list_phase;
+
+static const list_phase PHASES[] = {
+    {.run = begin},
+    {.run = count_old, .all = true},
+    {.run = make_room},
+    {.run = copy_old, .all = true},
+    {.run = ascend, .all = true},
+    {.together = reorder_rows},
+    {.run = begin_search},
+    {.run = place_walls, .all = true},
+    {.run = search, .all = true},
+    {.run = join},
+    {.run = mark, .all = true},
+    {.run = cut},
+    {.run = count_new, .all = true},
+    {.run = layout},
+    {.run = place, .all = true},
+    {.run = end},
+};
+#define PHASE_COUNT ((int)(sizeof PHASES / sizeof *PHASES))
+
+void clod_remake_begin(clod_step *self, bool again, double speed)
+{
+    self->remake.again = again;
+    self->remake.speed = speed;
+    self->remake.changes = false;
+    self->remake.going = 0;
+    self->remake.wall_rank = NULL;
+    atomic_store(&self->remake.failed, PHASE_COUNT);
+}
+
+/**
+ * The phases as one thread sees them; a barrier follows each. Where one has failed, all threads
+ * leave after its barrier: thread 0 may be in the next one by then, so the number counts.
+ */
+void clod_remake_lists(clod_step *self, int part)
+{
+    const clod_chunk mine = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
+    for (int k = 0; k < PHASE_COUNT && atomic_load(&self->remake.failed) >= k; k++) {
+        for (size_t p = mine.begin; PHASES[k].all && p < mine.end; p++) {
+            PHASES[k].run(self, (int)p);
+        }
+        if (PHASES[k].together != NULL) {
+            PHASES[k].together(self, mine);
+        } else if (!PHASES[k].all && part == 0) {
+            PHASES[k].run(self, 0);
+            if (self->failed) {
+                atomic_store(&self->remake.failed, k);
+            }
+        }
+        clod_barrier_wait(&self->barrier);
+    }
+}

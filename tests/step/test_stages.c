@@ -1,0 +1,85 @@
+// The table of stages: barriers stand where one thread needs what another has written.
+#include "step/stages.h"
+
+#include "support/check.h"
+
+/** What two stages must not touch at the same time, as the table has them. */
+static int clash(const clod_stage *a, const clod_stage *b)
+{
+    const int touched = (a->writes & (b->reads | b->writes)) | (a->reads & b->writes);
+    return touched & ~(CLOD_STAGE_GATED | CLOD_STAGE_OWN) & ~(a->by_first & b->by_first);
+}
+
+/** The first pair of stages, of one step or of one and the next, without a barrier that they
+ *  need; its first stage, or -1. */
+static int unguarded(const clod_stage table[CLOD_STAGES])
+{
+    for (int a = 0; a < CLOD_STAGES; a++) {
+        bool together = table[a].barrier == CLOD_BARRIER_NONE;
+        for (int k = 1; together && k < CLOD_STAGES; k++) {
+            const clod_stage *b = &table[(a + k) % CLOD_STAGES];
+            if (b->barrier == CLOD_BARRIER_WITHIN) {
+                // it writes behind its barrier only: what it reads before must stand
+                clod_stage before = *b;
+                before.writes = 0;
+                if (clash(&table[a], &before) != 0) {
+                    return a;
+                }
+                // where it makes no list there is no barrier either: on
+                continue;
+            }
+            if (clash(&table[a], b) != 0) {
+                return a;
+            }
+            together = b->barrier == CLOD_BARRIER_NONE;
+        }
+    }
+    return -1;
+}
+
+static void barriers_stand_where_they_are_needed(void **state)
+{
+    (void)state;
+    const int found = unguarded(CLOD_STAGE);
+    if (found >= 0) {
+        fail_msg("a barrier is missing behind stage %s", CLOD_STAGE[found].name);
+    }
+}
+
+static void no_barrier_is_there_in_vain(void **state)
+{
+    (void)state;
+    for (int k = 0; k < CLOD_STAGES; k++) {
+        clod_stage table[CLOD_STAGES];
+        memcpy(table, CLOD_STAGE, sizeof table);
+        if (table[k].barrier == CLOD_BARRIER_AFTER) {
+            table[k].barrier = CLOD_BARRIER_NONE;
+            assert_true(unguarded(table) >= 0);
+        }
+    }
+}
+
+/** Nothing is read that no stage writes, nothing written in vain; the ledger is for the caller.
+ */
+static void what_is_written_is_read(void **state)
+{
+    (void)state;
+    int reads = 0, writes = 0;
+    for (int k = 0; k < CLOD_STAGES; k++) {
+        const clod_stage *stage = &CLOD_STAGE[k];
+        assert_int_equal(stage->by_first & ~(stage->reads | stage->writes), 0);
+        reads |= stage->reads;
+        writes |= stage->writes;
+    }
+    assert_int_equal(reads | CLOD_STAGE_SHARE | CLOD_STAGE_HISTORY, writes);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(barriers_stand_where_they_are_needed),
+        cmocka_unit_test(no_barrier_is_there_in_vain),
+        cmocka_unit_test(what_is_written_is_read),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
