@@ -214,7 +214,7 @@ typedef struct clod_sim_contact {
  * @param contacts  [out] [count], owned by the simulation; valid until the next call that takes
  *                  a clod_sim that is not const
  * @param count     [out]
- * Errors  CLOD_FAILED: memory.   Test  tests/sim/test_sim.c
+ * Errors  as clod_sim_change; CLOD_FAILED: memory.   Test  tests/sim/test_sim.c
  */
 bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t *count,
                        clod_status *status);
@@ -280,7 +280,7 @@ typedef struct clod_sim_energy {
     double translation, rotation, potential, normal, sliding, rolling;
 } clod_sim_energy;
 
-/** Errors  CLOD_FAILED: memory.   Test  tests/sim/test_sim.c */
+/** Errors  as clod_sim_change; CLOD_FAILED: memory.   Test  tests/sim/test_sim.c */
 bool clod_sim_energies(clod_sim *self, clod_sim_energy *energy, clod_status *status);
 
 /** What the contacts say about the bed. */
@@ -292,7 +292,7 @@ typedef struct clod_sim_bed {
     double max_speed;    ///< m/s, fastest grain
 } clod_sim_bed;
 
-/** Errors  CLOD_FAILED: memory.   Test  tests/sim/test_sim.c */
+/** Errors  as clod_sim_change; CLOD_FAILED: memory.   Test  tests/sim/test_sim.c */
 bool clod_sim_measure(clod_sim *self, clod_sim_bed *bed, clod_status *status);
 
 /** Grains that left through one side of the domain (domain.open: delete). */

@@ -123,6 +123,7 @@ void clod_step_servo(clod_step *self, int part)
     if (part != 0) {
         return;
     }
+    clod_exact work = {0};
     for (int32_t k = 0; k < self->feeling_count; k++) {
         const int32_t w = self->feeling[k];
         clod_wall *wall = &self->state->walls.wall[w];
@@ -133,10 +134,13 @@ void clod_step_servo(clod_step *self, int part)
         wall->sum_torque = clod_vec3_add(wall->sum_torque, wall->torque);
         wall->sum_power += wall->power;
         if (self->near.ledger) {
-            self->state->ledger.wall_work += 0.5 * self->view.dt * (before + wall->power);
+            clod_exact_add(&work, 0.5 * self->view.dt * (before + wall->power));
         }
         if (wall->load != CLOD_LOAD_NONE) {
             kick_servo(wall, self->view.dt);
         }
+    }
+    if (self->near.ledger) {
+        self->state->ledger.wall_work += clod_exact_value(&work);
     }
 }

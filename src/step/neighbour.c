@@ -136,7 +136,9 @@ bool clod_neighbour_build_begin(clod_neighbour *self, const clod_state *state,
     self->pairs.count = 0;
     self->parts = parts;
     self->lead = lead_of(self, state);
-    if (self->pairs.capacity == 0) { // memory that is never used costs nothing (base/memory.c)
+    if (self->pairs.capacity <
+        LIKELY_PAIRS * grains) { // unused memory costs nothing (memory.c)
+        clod_memory_free(self->pairs.item);
         reserve_pairs(&self->pairs, LIKELY_PAIRS * grains);
     }
     bool good =

@@ -27,13 +27,13 @@
 const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     // clang-format off
     // name,    function,          reads,                                  writes,                               by thread 0,   barrier
-    {"drift",   clod_step_drift,   FORCE | VELOCITY | WALLS,               POSITION | VELOCITY | FORCE | WALLS,  WALLS,         CLOD_BARRIER_AFTER},
-    {"place",   clod_step_place,   WALLS,                                  SURFACES,                             0,             CLOD_BARRIER_NONE},
+    {"drift",   clod_step_drift,   ROWS | LISTS | WALLS,                   POSITION | VELOCITY | FORCE | WALLS,  WALLS,         CLOD_BARRIER_AFTER},
+    {"place",   clod_step_place,   WALLS | LISTS,                          SURFACES,                             0,             CLOD_BARRIER_NONE},
     {"near",    clod_step_near,    ROWS | WALLS,                           ROWS | LISTS | SURFACES,              0,             CLOD_BARRIER_WITHIN},
     {"contact", clod_step_contact, POSITION | VELOCITY | LISTS,            FORCE | HISTORY | SHARE | SPENT,      0,             CLOD_BARRIER_NONE},
     {"wall",    clod_step_wall,    POSITION | VELOCITY | LISTS | SURFACES, FORCE | HISTORY | FELT | SPENT,       0,             CLOD_BARRIER_NONE},
     {"spent",   clod_step_spent,   LISTS | SPENT,                          SUMS,                                 0,             CLOD_BARRIER_AFTER},
-    {"servo",   clod_step_servo,   FELT | WALLS,                           FELT | WALLS | LEDGER,                FELT | WALLS | LEDGER, CLOD_BARRIER_NONE},
+    {"servo",   clod_step_servo,   FELT | WALLS | LISTS,                   FELT | WALLS | LEDGER,                FELT | WALLS | LEDGER, CLOD_BARRIER_NONE},
     {"ledger",  clod_step_ledger,  SUMS | LEDGER,                          LEDGER,                               SUMS | LEDGER, CLOD_BARRIER_NONE},
     // clang-format on
 };

@@ -33,6 +33,32 @@ static void a_falling_grain_takes_its_energy_away(void **state)
     scene_end(&s);
 }
 
+/** Without grains a moving wall asks for no lists: before, each step made them anew. */
+static void nothing_is_made_for_an_empty_bed(void **state)
+{
+    (void)state;
+    const clod_case_contact ore = contact_ore();
+    scene s;
+    scene_init(&s, 1e-5, &ore);
+    s.state.gravity[2] = -9.81;
+    scene_grain(&s, 0.0, 0.0, 0.1, 1e-3);
+    scene_wall(&s, "floor", shape_floor(-10.0))->velocity = (clod_vec3){0.0, 0.0, -0.1};
+    scene_start(&s);
+    clod_changes_remove_grain(&s.state.changes, s.state.grains.id[0]);
+    scene_run(&s, 1);
+    assert_int_equal(s.state.grains.count, 0);
+    const int64_t rebuilds = s.step.rebuilds, refreshes = s.step.refreshes;
+    scene_run(&s, 100);
+    assert_int_equal(s.step.rebuilds, rebuilds);
+    assert_int_equal(s.step.refreshes, refreshes);
+    const clod_new_grain comes = {
+        .id = 7, .position = {0.0, 0.0, 0.3, 1e-3}, .density = 2000.0, .material = 0};
+    clod_changes_add_grain(&s.state.changes, &comes);
+    scene_run(&s, 1000); // 10 ms of free fall from rest
+    check_relative(s.state.grains.position[0][2], 0.3 - 0.5 * 9.81 * 1e-4, 1e-9);
+    scene_end(&s);
+}
+
 /** A grain that is beyond an open side already when others are asked for leaves then. */
 static void a_change_lets_go_what_is_beyond_a_side(void **state)
 {
@@ -241,6 +267,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_falling_grain_takes_its_energy_away),
         cmocka_unit_test(a_change_lets_go_what_is_beyond_a_side),
+        cmocka_unit_test(nothing_is_made_for_an_empty_bed),
         cmocka_unit_test(every_grain_is_counted_once),
         cmocka_unit_test(leaving_has_the_same_bits),
         cmocka_unit_test(the_whole_queue_is_looked_at_first),
