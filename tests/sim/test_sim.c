@@ -5,9 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "clod/sim.h"
 #include "output/temp_folder.h"
-#include "support/check.h"
+#include "support/sim_made.h"
 
 #define HEAD                                                                                   \
     "materials:\n"                                                                             \
@@ -37,37 +36,14 @@
 static const char BED[] = HEAD GRAINS("60");
 static const char ONE[] = HEAD GRAINS("1");
 
-static clod_status status;
-#define CHECK(call)                                                                            \
-    do {                                                                                       \
-        if (!(call)) {                                                                         \
-            fail_msg("%s", status.text);                                                       \
-        }                                                                                      \
-    } while (0)
-
-static clod_sim *make(const char *text, int threads)
-{
-    const clod_sim_options options = {.threads = threads};
-    clod_sim *sim = clod_sim_create_from_text("case.yaml", text, &options, &status);
-    CHECK(sim != NULL);
-    return sim;
-}
-
-static clod_sim_view look(clod_sim *sim, const char *name)
-{
-    clod_sim_view view;
-    CHECK(clod_sim_array(sim, name, &view, &status));
-    return view;
-}
-
 /** Positions, velocities and spins bit for bit, row by row. */
 static void assert_same(clod_sim *a, clod_sim *b)
 {
     static const char *const NAMES[] = {"position", "velocity", "angular_velocity", "force"};
     assert_int_equal(clod_sim_grain_count(a), clod_sim_grain_count(b));
     for (size_t n = 0; n < sizeof NAMES / sizeof *NAMES; n++) {
-        const clod_sim_view x = look(a, NAMES[n]);
-        const clod_sim_view y = look(b, NAMES[n]);
+        const clod_sim_view x = sim_view(a, NAMES[n]);
+        const clod_sim_view y = sim_view(b, NAMES[n]);
         for (size_t g = 0; g < x.rows; g++) {
             assert_memory_equal(clod_sim_row(&x, g), clod_sim_row(&y, g), 3 * sizeof(double));
         }
@@ -77,8 +53,8 @@ static void assert_same(clod_sim *a, clod_sim *b)
 static void calls_and_threads_change_no_bit(void **unused)
 {
     (void)unused;
-    clod_sim *a = make(BED, 1);
-    clod_sim *b = make(BED, 2);
+    clod_sim *a = sim_made(BED, 1);
+    clod_sim *b = sim_made(BED, 2);
     const clod_sim_contact *contacts;
     size_t count;
     CHECK(clod_sim_advance(a, 3000, &status));
@@ -100,18 +76,18 @@ static void calls_and_threads_change_no_bit(void **unused)
 static void every_array_has_its_place(void **unused)
 {
     (void)unused;
-    clod_sim *sim = make(BED, 1);
+    clod_sim *sim = sim_made(BED, 1);
     assert_int_equal(clod_sim_array_count(), 10);
     assert_null(clod_sim_array_name(10));
     for (size_t k = 0; k < clod_sim_array_count(); k++) {
-        const clod_sim_view view = look(sim, clod_sim_array_name(k));
+        const clod_sim_view view = sim_view(sim, clod_sim_array_name(k));
         assert_string_equal(view.name, clod_sim_array_name(k));
         assert_int_equal(view.rows, 60);
     }
-    const clod_sim_view radius = look(sim, "radius");
-    const clod_sim_view mass = look(sim, "mass");
-    const clod_sim_view inverse = look(sim, "inverse_inertia");
-    const clod_sim_view id = look(sim, "id");
+    const clod_sim_view radius = sim_view(sim, "radius");
+    const clod_sim_view mass = sim_view(sim, "mass");
+    const clod_sim_view inverse = sim_view(sim, "inverse_inertia");
+    const clod_sim_view id = sim_view(sim, "id");
     for (size_t g = 0; g < radius.rows; g++) {
         const double r = *clod_sim_row(&radius, g);
         const double m = 4.0 / 3.0 * M_PI * r * r * r * 2500.0; // of a sphere
@@ -130,11 +106,11 @@ static void every_array_has_its_place(void **unused)
 static void a_grain_that_is_moved_flies_on(void **unused)
 {
     (void)unused;
-    clod_sim *sim = make(ONE, 1);
+    clod_sim *sim = sim_made(ONE, 1);
     CHECK(clod_sim_advance(sim, 10, &status));
-    clod_sim_view view = look(sim, "position");
+    clod_sim_view view = sim_view(sim, "position");
     double *place = clod_sim_row(&view, 0);
-    view = look(sim, "velocity");
+    view = sim_view(sim, "velocity");
     double *speed = clod_sim_row(&view, 0);
     place[0] = place[1] = 0.01;
     place[2] = 0.05;
@@ -144,7 +120,7 @@ static void a_grain_that_is_moved_flies_on(void **unused)
     const double begin = clod_sim_time(sim);
     CHECK(clod_sim_advance(sim, 1000, &status));
     const double t = clod_sim_time(sim) - begin;
-    const clod_sim_view now = look(sim, "position");
+    const clod_sim_view now = sim_view(sim, "position");
     const double expected = 0.05 + 0.2 * t - 0.5 * 9.81 * t * t; // exact for velocity Verlet
     assert_true(fabs(clod_sim_row(&now, 0)[2] - expected) < 1e-12);
     assert_true(fabs(clod_sim_row(&now, 0)[0] - 0.01) < 1e-15);
@@ -156,10 +132,10 @@ static void a_grain_that_is_moved_flies_on(void **unused)
 static void a_grain_that_is_moved_meets_the_floor(void **unused)
 {
     (void)unused;
-    clod_sim *sim = make(ONE, 1);
+    clod_sim *sim = sim_made(ONE, 1);
     const clod_sim_contact *contacts;
     size_t count;
-    clod_sim_view view = look(sim, "position");
+    clod_sim_view view = sim_view(sim, "position");
     double *place = clod_sim_row(&view, 0);
     const double r = place[3];
     place[0] = place[1] = 0.01;
@@ -170,7 +146,7 @@ static void a_grain_that_is_moved_meets_the_floor(void **unused)
     assert_int_equal(count, 1);
     assert_int_equal(contacts->wall, clod_sim_wall_index(sim, "box"));
     assert_int_equal(contacts->shape, 0);
-    const clod_sim_view force = look(sim, "force");
+    const clod_sim_view force = sim_view(sim, "force");
     const double hertz = 4.0 / 3.0 * 1e7 / (2.0 * (1.0 - 0.09)) * sqrt(r) * pow(1e-5, 1.5);
     const double weight = 4.0 / 3.0 * M_PI * r * r * r * 2500.0 * 9.81;
     assert_true(fabs(clod_sim_row(&force, 0)[2] / (hertz - weight) - 1.0) < 0.03);
@@ -182,18 +158,18 @@ static void a_grain_that_is_moved_meets_the_floor(void **unused)
 static void contacts_keep_their_history(void **unused)
 {
     (void)unused;
-    clod_sim *a = make(BED, 1);
-    clod_sim *b = make(BED, 1);
+    clod_sim *a = sim_made(BED, 1);
+    clod_sim *b = sim_made(BED, 1);
     CHECK(clod_sim_advance(a, 4000, &status));
     CHECK(clod_sim_advance(b, 4000, &status));
     CHECK(clod_sim_positions_changed(b, &status));
     CHECK(clod_sim_advance(a, 1, &status));
     CHECK(clod_sim_advance(b, 1, &status));
-    const clod_sim_view id = look(a, "id");
-    const clod_sim_view x = look(a, "position");
-    const clod_sim_view f = look(a, "force");
-    const clod_sim_view y = look(b, "position");
-    const clod_sim_view h = look(b, "force");
+    const clod_sim_view id = sim_view(a, "id");
+    const clod_sim_view x = sim_view(a, "position");
+    const clod_sim_view f = sim_view(a, "force");
+    const clod_sim_view y = sim_view(b, "position");
+    const clod_sim_view h = sim_view(b, "force");
     for (size_t g = 0; g < x.rows; g++) {
         uint64_t name;
         memcpy(&name, (const char *)id.data + g * id.stride, sizeof name);
@@ -210,14 +186,14 @@ static void contacts_keep_their_history(void **unused)
 static void energies_are_those_of_the_grains(void **unused)
 {
     (void)unused;
-    clod_sim *sim = make(ONE, 1);
+    clod_sim *sim = sim_made(ONE, 1);
     clod_sim_energy before, after;
     clod_sim_bed bed;
     CHECK(clod_sim_energies(sim, &before, &status));
     CHECK(clod_sim_advance(sim, 50, &status));
     CHECK(clod_sim_energies(sim, &after, &status));
     CHECK(clod_sim_measure(sim, &bed, &status));
-    const clod_sim_view mass = look(sim, "mass");
+    const clod_sim_view mass = sim_view(sim, "mass");
     const double m = *clod_sim_row(&mass, 0);
     assert_true(fabs(after.translation / (0.5 * m * bed.max_speed * bed.max_speed) - 1.0) <
                 1e-12);
@@ -230,9 +206,9 @@ static void energies_are_those_of_the_grains(void **unused)
 static void a_checkpoint_goes_on_with_the_same_bits(void **temporary)
 {
     const char *folder = *temporary;
-    clod_sim *a = make(BED, 1);
-    clod_sim *b = make(BED, 2);
-    clod_sim *c = make(ONE, 1);
+    clod_sim *a = sim_made(BED, 1);
+    clod_sim *b = sim_made(BED, 2);
+    clod_sim *c = sim_made(ONE, 1);
     CHECK(clod_sim_advance(a, 2500, &status));
     CHECK(clod_sim_write_checkpoint(a, folder, &status));
     CHECK(clod_sim_write_snapshot(a, folder, true, &status));
@@ -263,7 +239,7 @@ static void a_checkpoint_goes_on_with_the_same_bits(void **temporary)
 static void what_is_missing_is_named(void **unused)
 {
     (void)unused;
-    clod_sim *sim = make(ONE, 1);
+    clod_sim *sim = sim_made(ONE, 1);
     clod_sim_view view;
     const clod_sim_contact *contacts;
     size_t count;
@@ -284,7 +260,7 @@ static void what_is_missing_is_named(void **unused)
     NEEDS(clod_sim_read_checkpoint(sim, NULL, NULL, &status), "folder is NULL");
     NEEDS(clod_sim_write_snapshot(sim, NULL, false, &status), "folder is NULL");
     NEEDS(clod_sim_set_adhesion(sim, 1.5, &status), "1.5");
-    view = look(sim, "position");
+    view = sim_view(sim, "position");
     clod_sim_row(&view, 0)[1] = NAN;
     NEEDS(clod_sim_positions_changed(sim, &status), "position of grain");
     clod_sim_destroy(&sim);
@@ -294,7 +270,7 @@ static void what_is_missing_is_named(void **unused)
 static void walls_are_driven(void **unused)
 {
     (void)unused;
-    clod_sim *sim = make(BED, 1);
+    clod_sim *sim = sim_made(BED, 1);
     const int32_t lid = clod_sim_wall_index(sim, "lid");
     clod_sim_wall view;
     assert_int_equal(clod_sim_wall_count(sim), 2);

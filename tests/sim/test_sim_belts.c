@@ -3,9 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "clod/sim.h"
 #include "output/temp_folder.h"
-#include "support/check.h"
+#include "support/sim_made.h"
 
 #define R 3e-3
 #define G 9.81
@@ -29,14 +28,6 @@ static const char CASE[] =
     "  - {material: ore, count: 2, radius: {distribution: uniform, min: 3 mm, max: 3 mm},\n"
     "     region: {box: {min: [-10 mm, -10 mm, 100 mm], max: [10 mm, 10 mm, 150 mm]}}}\n";
 
-static clod_status status;
-#define CHECK(call)                                                                            \
-    do {                                                                                       \
-        if (!(call)) {                                                                         \
-            fail_msg("%s", status.text);                                                       \
-        }                                                                                      \
-    } while (0)
-
 /** Of three numbers of the grain on a plate. */
 static double *numbers(clod_sim *sim, const char *name, int plate)
 {
@@ -50,9 +41,7 @@ static double *numbers(clod_sim *sim, const char *name, int plate)
 /** Both grains lie on their plates with the overlap that carries them. */
 static clod_sim *make(void)
 {
-    const clod_sim_options options = {.threads = 1};
-    clod_sim *sim = clod_sim_create_from_text("belts.yaml", CASE, &options, &status);
-    CHECK(sim != NULL);
+    clod_sim *sim = sim_made(CASE, 1);
     clod_sim_view at, force;
     CHECK(clod_sim_array(sim, "position", &at, &status));
     CHECK(clod_sim_array(sim, "force", &force, &status));
@@ -167,15 +156,6 @@ static void belts_are_kept(void **temporary)
     assert_memory_equal(numbers(sim, "velocity", 1), numbers(again, "velocity", 1), 24);
     clod_sim_destroy(&sim);
     clod_sim_destroy(&again);
-}
-
-static void expect_refused(bool done, const char *words)
-{
-    assert_false(done);
-    assert_int_equal(status.code, CLOD_USAGE);
-    if (strstr(status.text, words) == NULL) {
-        fail_msg("'%s' does not say '%s'", status.text, words);
-    }
 }
 
 static void what_cannot_be_is_refused(void **state)

@@ -3,9 +3,8 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "clod/sim.h"
 #include "output/temp_folder.h"
-#include "support/check.h"
+#include "support/sim_made.h"
 
 static const char CASE[] =
     "materials: {ore: {density: 2500 kg/m3}}\n"
@@ -24,14 +23,6 @@ static const char CASE[] =
     "grains:\n"
     "  - {material: ore, count: 30, radius: {distribution: uniform, min: 2 mm, max: 2 mm}, "
     "region: {box: {min: [-10 mm, -10 mm, 4 mm], max: [10 mm, 10 mm, 40 mm]}}}\n";
-
-static clod_status status;
-#define CHECK(call)                                                                            \
-    do {                                                                                       \
-        if (!(call)) {                                                                         \
-            fail_msg("%s", status.text);                                                       \
-        }                                                                                      \
-    } while (0)
 
 static clod_sim *make(void)
 {
@@ -194,15 +185,6 @@ static void changed_walls_are_in_checkpoints(void **temporary)
     }
     clod_sim_destroy(&sim);
     clod_sim_destroy(&again);
-}
-
-static void expect_refused(bool done, const char *text)
-{
-    assert_false(done);
-    assert_int_equal(status.code, CLOD_USAGE);
-    if (strstr(status.text, text) == NULL) {
-        fail_msg("'%s' does not say '%s'", status.text, text);
-    }
 }
 
 static void wrong_requests_are_refused(void **state)

@@ -3,8 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "clod/sim.h"
-#include "support/check.h"
+#include "support/sim_made.h"
 
 /** A bed between sides on a floor that moves as a belt: springs of sliding and of rolling. */
 static const char BED[] =
@@ -27,19 +26,9 @@ static const char BED[] =
     "     region: {box: {min: [-8 mm, -8 mm, 2 mm], max: [8 mm, 8 mm, 60 mm]}}}\n";
 #define STEPS 20000
 
-static clod_status status;
-#define CHECK(call)                                                                            \
-    do {                                                                                       \
-        if (!(call)) {                                                                         \
-            fail_msg("%s", status.text);                                                       \
-        }                                                                                      \
-    } while (0)
-
 static clod_sim *make(int threads)
 {
-    const clod_sim_options options = {.threads = threads};
-    clod_sim *sim = clod_sim_create_from_text("bed.yaml", BED, &options, &status);
-    CHECK(sim != NULL);
+    clod_sim *sim = sim_made(BED, threads);
     CHECK(clod_sim_advance(sim, STEPS, &status));
     return sim;
 }

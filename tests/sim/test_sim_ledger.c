@@ -3,9 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "clod/sim.h"
 #include "output/temp_folder.h"
-#include "support/check.h"
+#include "support/sim_made.h"
 
 /** Cohesive grains above a floor; sides are open, and remove what leaves. */
 #define CASE(count, more)                                                                      \
@@ -26,22 +25,6 @@
 #define OPEN                                                                                   \
     "domain: {min: [-30 mm, -30 mm, -5 mm], max: [30 mm, 30 mm, 90 mm], open: delete}\n"
 
-static clod_status status;
-#define CHECK(call)                                                                            \
-    do {                                                                                       \
-        if (!(call)) {                                                                         \
-            fail_msg("%s", status.text);                                                       \
-        }                                                                                      \
-    } while (0)
-
-static clod_sim *make(const char *text, int threads)
-{
-    const clod_sim_options options = {.threads = threads};
-    clod_sim *sim = clod_sim_create_from_text("case.yaml", text, &options, &status);
-    CHECK(sim != NULL);
-    return sim;
-}
-
 static clod_sim_ledger ledger_of(clod_sim *sim)
 {
     clod_sim_ledger ledger;
@@ -60,7 +43,7 @@ static double sum_of(clod_sim *sim)
 static void what_is_lost_was_there(void **state)
 {
     (void)state;
-    clod_sim *sim = make(CASE("1", OPEN "output: {energy: true}\n"), 1);
+    clod_sim *sim = sim_made(CASE("1", OPEN "output: {energy: true}\n"), 1);
     const double before = sum_of(sim);
     CHECK(clod_sim_advance(sim, 200000, &status));
     const clod_sim_ledger end = ledger_of(sim);
@@ -81,7 +64,7 @@ static void changes_are_booked(void **state)
 {
     (void)state;
     for (int threads = 1; threads <= 2; threads++) {
-        clod_sim *sim = make(CASE("35", OPEN), threads);
+        clod_sim *sim = sim_made(CASE("35", OPEN), threads);
         CHECK(clod_sim_advance(sim, 40000, &status));
         CHECK(clod_sim_open_ledger(sim, &status));
         double before = sum_of(sim);
@@ -122,7 +105,7 @@ static void changes_are_booked(void **state)
 static void what_leaves_is_counted_by_side(void **state)
 {
     (void)state;
-    clod_sim *sim = make(CASE("1", OPEN "output: {energy: true}\n"), 1);
+    clod_sim *sim = sim_made(CASE("1", OPEN "output: {energy: true}\n"), 1);
     const clod_sim_grain grain = {
         .id = 7, .position = {0.0, 0.0, 0.08}, .radius = 1e-3, .velocity = {2.0, 0.0, 0.0}};
     CHECK(clod_sim_add_grain(sim, &grain, &status));
@@ -155,8 +138,8 @@ static void what_leaves_is_counted_by_side(void **state)
 static void books_go_through_a_checkpoint(void **temporary)
 {
     const char *folder = *temporary;
-    clod_sim *sim = make(CASE("30", OPEN "output: {energy: true}\n"), 1);
-    clod_sim *again = make(CASE("30", OPEN "output: {energy: true}\n"), 2);
+    clod_sim *sim = sim_made(CASE("30", OPEN "output: {energy: true}\n"), 1);
+    clod_sim *again = sim_made(CASE("30", OPEN "output: {energy: true}\n"), 2);
     CHECK(clod_sim_remove_grain(sim, 3, &status));
     CHECK(clod_sim_advance(sim, 15000, &status));
     CHECK(clod_sim_write_checkpoint(sim, folder, &status));
@@ -173,19 +156,10 @@ static void books_go_through_a_checkpoint(void **temporary)
     clod_sim_destroy(&again);
 }
 
-static void expect_refused(bool done, const char *words)
-{
-    assert_false(done);
-    assert_int_equal(status.code, CLOD_USAGE);
-    if (strstr(status.text, words) == NULL) {
-        fail_msg("'%s' does not say '%s'", status.text, words);
-    }
-}
-
 static void what_cannot_be_is_refused(void **state)
 {
     (void)state;
-    clod_sim *sim = make(CASE("1", OPEN), 1);
+    clod_sim *sim = sim_made(CASE("1", OPEN), 1);
     clod_sim_ledger ledger;
     clod_sim_exchange exchange;
     expect_refused(clod_sim_ledger_look(sim, &ledger, &status), "the ledger is not open");
@@ -195,9 +169,10 @@ static void what_cannot_be_is_refused(void **state)
     expect_refused(clod_sim_exchange_look(sim, NULL, &status), "exchange is NULL");
     expect_refused(clod_sim_exchange_look(NULL, &exchange, &status), "self is NULL");
     clod_sim_destroy(&sim);
-    sim = make(CASE("1", "domain: {min: [-30 mm, -30 mm, -50 mm], max: [30 mm, 30 mm, 90 mm], "
-                         "periodic: [false, false, true]}\n"),
-               1);
+    sim = sim_made(CASE("1",
+                        "domain: {min: [-30 mm, -30 mm, -50 mm], max: [30 mm, 30 mm, 90 mm], "
+                        "periodic: [false, false, true]}\n"),
+                   1);
     expect_refused(clod_sim_open_ledger(sim, &status), "gravity has a part along z");
     clod_sim_destroy(&sim);
 }

@@ -4,8 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "clod/sim.h"
-#include "support/check.h"
+#include "support/sim_made.h"
 
 #define HEAD                                                                                   \
     "materials: {ore: {density: 2500 kg/m3}, rubber: {}, wood: {}}\n"                          \
@@ -20,29 +19,6 @@
     "     region: {box: {min: [-9 mm, -9 mm, 40 mm], max: [9 mm, 9 mm, 60 mm]}}}\n"            \
     "walls:\n"                                                                                 \
     "  floor: {material: ore, shapes: [{plane: {point: [0 mm, 0 mm, -20 mm]}}]}\n"
-
-static clod_status status;
-#define CHECK(call)                                                                            \
-    do {                                                                                       \
-        if (!(call)) {                                                                         \
-            fail_msg("%s", status.text);                                                       \
-        }                                                                                      \
-    } while (0)
-
-static clod_sim *make(const char *text)
-{
-    const clod_sim_options options = {.threads = 1};
-    clod_sim *sim = clod_sim_create_from_text("case.yaml", text, &options, &status);
-    CHECK(sim != NULL);
-    return sim;
-}
-
-static clod_sim_view look(clod_sim *sim, const char *name)
-{
-    clod_sim_view view;
-    CHECK(clod_sim_array(sim, name, &view, &status));
-    return view;
-}
 
 static clod_sim_wall wall_of(clod_sim *sim)
 {
@@ -91,11 +67,11 @@ static void it_is_the_wall_of_a_case(void **state)
     for (size_t k = 0; k < sizeof WALLS / sizeof *WALLS; k++) {
         char text[4096];
         write_case(WALLS[k], text, sizeof text);
-        clod_sim *given = make(text), *added = make(HEAD);
+        clod_sim *given = sim_made(text, 1), *added = sim_made(HEAD, 1);
         CHECK(clod_sim_add_wall_from_text(added, "slope", WALLS[k], &status));
         CHECK(clod_sim_advance(given, 12000, &status));
         CHECK(clod_sim_advance(added, 12000, &status));
-        const clod_sim_view x = look(given, "position"), y = look(added, "position");
+        const clod_sim_view x = sim_view(given, "position"), y = sim_view(added, "position");
         assert_int_equal(x.rows, 20);
         for (size_t g = 0; g < x.rows; g++) {
             assert_memory_equal(clod_sim_row(&x, g), clod_sim_row(&y, g), 24);
@@ -153,7 +129,7 @@ static const struct {
 static void what_is_wrong_is_told_as_in_a_case(void **state)
 {
     (void)state;
-    clod_sim *sim = make(HEAD);
+    clod_sim *sim = sim_made(HEAD, 1);
     for (size_t k = 0; k < sizeof WRONG / sizeof *WRONG; k++) {
         status = (clod_status){0};
         if (clod_sim_add_wall_from_text(sim, WRONG[k].name, WRONG[k].text, &status)) {
@@ -180,7 +156,7 @@ static void what_is_wrong_is_told_as_in_a_case(void **state)
 static void a_struct_with_an_unknown_surface_is_refused(void **state)
 {
     (void)state;
-    clod_sim *sim = make(HEAD);
+    clod_sim *sim = sim_made(HEAD, 1);
     char tin[] = "tin";
     clod_case_shape plane = {
         .kind = CLOD_SHAPE_PLANE, .normal = {0.0, 0.0, 1.0}, .surface = {.material = tin}};

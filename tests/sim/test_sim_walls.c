@@ -6,9 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "clod/sim.h"
 #include "output/temp_folder.h"
-#include "support/check.h"
+#include "support/sim_made.h"
 
 static const char CASE[] =
     "materials:\n"
@@ -40,20 +39,9 @@ static const char CASE[] =
     "    radius: {distribution: uniform, min: 1.2 mm, max: 1.5 mm}\n"
     "    region: {box: {min: [2 mm, 2 mm, 30 mm], max: [18 mm, 18 mm, 80 mm]}}\n";
 
-static clod_status status;
-#define CHECK(call)                                                                            \
-    do {                                                                                       \
-        if (!(call)) {                                                                         \
-            fail_msg("%s", status.text);                                                       \
-        }                                                                                      \
-    } while (0)
-
 static clod_sim *make(int threads)
 {
-    const clod_sim_options options = {.threads = threads};
-    clod_sim *sim = clod_sim_create_from_text("case.yaml", CASE, &options, &status);
-    CHECK(sim != NULL);
-    return sim;
+    return sim_made(CASE, threads);
 }
 
 static clod_sim_wall look(const clod_sim *sim, const char *name)
