@@ -13,11 +13,15 @@ bool clod_sim_change(clod_sim *self, clod_status *status)
     return CLOD_SIM_GIVEN(self, status) && clod_step_change(&self->step, status);
 }
 
-/** Bound of the time step with what there is and was asked for by now. */
+/** Bound of the time step with what there is and what was asked for by now. */
 static bool know_bound(clod_sim *self, clod_status *status)
 {
-    return self->bound.sizes != NULL ||
-           clod_setup_bound_init(&self->bound, self->from, &self->state, status);
+    const clod_changes *queue = &self->state.changes;
+    if (self->bound.sizes != NULL && queue->new_grains + queue->new_walls > 0) {
+        return true;
+    }
+    clod_setup_bound_fini(&self->bound); // of requests that were done or dropped since
+    return clod_setup_bound_init(&self->bound, self->from, &self->state, status);
 }
 
 /**
@@ -39,14 +43,39 @@ static bool step_is_stable(const clod_sim *self, const char *function, const cha
                t.automatic);
 }
 
+/** Whether the case has a law for grains of a material with `partners` of another. */
+static bool has_law(const clod_sim *self, int grains, int other, const char *partners,
+                    const char *function, clod_status *status)
+{
+    const char *a = self->from->materials[grains].name;
+    const char *b = self->from->materials[other].name;
+    return clod_case_pair(self->from, other, grains)->exponent > 0.0 ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "%s: the case has no contact law for grains of '%s' with %s of "
+                            "'%s'; add the section %s-%s to its contacts",
+                            function, a, partners, b, a, b);
+}
+
+/** A grain of this material has a law for all that it can meet. */
+static bool grain_has_laws(const clod_sim *self, int material, const char *function,
+                           clod_status *status)
+{
+    for (int m = 0; m < (int)self->from->material_count; m++) {
+        const bool grains = m == material || self->bound.sizes[m].count > 0.0;
+        if ((grains && !has_law(self, material, m, "grains", function, status)) ||
+            (self->bound.is_wall[m] &&
+             !has_law(self, material, m, "a wall", function, status))) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool grain_fits_step(clod_sim *self, const clod_sim_grain *grain, const char *function,
                             clod_status *status)
 {
     if (!(grain->radius > 0.0 && isfinite(grain->radius))) {
         return true; // clod_step_change says what is wrong with it
-    }
-    if (!know_bound(self, status)) {
-        return false;
     }
     clod_timestep_sizes *sizes = &self->bound.sizes[grain->material];
     const clod_timestep_sizes before = *sizes;
@@ -63,9 +92,6 @@ static bool grain_fits_step(clod_sim *self, const clod_sim_grain *grain, const c
 static bool wall_fits_step(clod_sim *self, const clod_wall *wall, const char *function,
                            clod_status *status)
 {
-    if (!know_bound(self, status)) {
-        return false;
-    }
     bool stable = true;
     for (int32_t s = 0; stable && s < wall->shape_count; s++) {
         bool *is_wall = &self->bound.is_wall[clod_wall_material(wall, s)];
@@ -96,7 +122,9 @@ bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status
     fresh.position[3] = grain->radius;
     memcpy(fresh.velocity, grain->velocity, sizeof fresh.velocity);
     memcpy(fresh.angular_velocity, grain->angular_velocity, sizeof fresh.angular_velocity);
-    if (!grain_fits_step(self, grain, __func__, status)) {
+    if (!know_bound(self, status) ||
+        !grain_has_laws(self, (int)grain->material, __func__, status) ||
+        !grain_fits_step(self, grain, __func__, status)) {
         return false;
     }
     clod_changes_add_grain(&self->state.changes, &fresh);
@@ -121,15 +149,10 @@ static bool has_laws(const clod_sim *self, const char *name, const char *functio
         return clod_status_fail(status, CLOD_USAGE, "%s: the case has no material '%s'",
                                 function, name != NULL ? name : "");
     }
-    const clod_grains *grains = &self->state.grains;
-    for (size_t g = 0; g < grains->count; g++) {
-        const int other = grains->material[g];
-        if (!(clod_case_pair(self->from, material, other)->exponent > 0.0)) {
-            const char *grain = self->from->materials[other].name;
-            return clod_status_fail(status, CLOD_USAGE,
-                                    "%s: the case has no contact law for grains of '%s' with a "
-                                    "wall of '%s'; add the section %s-%s to its contacts",
-                                    function, grain, name, grain, name);
+    for (int m = 0; m < (int)self->from->material_count; m++) {
+        if (self->bound.sizes[m].count > 0.0 &&
+            !has_law(self, m, material, "a wall", function, status)) {
+            return false;
         }
     }
     return true;
@@ -152,7 +175,7 @@ bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *
     if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(wall, status) ||
         !clod_sim_given(wall->name, __func__, "wall->name", status) ||
         !clod_sim_given(wall->shapes, __func__, "wall->shapes", status) ||
-        !has_materials(self, wall, __func__, status)) {
+        !know_bound(self, status) || !has_materials(self, wall, __func__, status)) {
         return false;
     }
     if (wall->load != CLOD_LOAD_NONE || wall->oscillation.frequency != 0.0) {

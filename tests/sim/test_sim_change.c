@@ -24,6 +24,20 @@ static const char CASE[] =
     "  - {material: ore, count: 30, radius: {distribution: uniform, min: 2 mm, max: 2 mm}, "
     "region: {box: {min: [-10 mm, -10 mm, 4 mm], max: [10 mm, 10 mm, 40 mm]}}}\n";
 
+/** Grains of ore, and a wall of rubber. */
+static const char TWO[] =
+    "materials: {ore: {density: 2500 kg/m3}, rubber: {density: 1200 kg/m3}}\n"
+    "contacts:\n"
+    "  ore-ore: {law: hooke, k1: 1e4 N/m, restitution: 0.5, friction: 0.3}\n"
+    "  ore-rubber: {law: hooke, k1: 1e4 N/m, restitution: 0.5, friction: 0.3}\n"
+    "time: {step: 1e-5 s}\n"
+    "domain: {min: [-50 mm, -50 mm, -5 mm], max: [50 mm, 50 mm, 200 mm]}\n"
+    "stages: [{name: fall, duration: 1 s}]\n"
+    "walls: {floor: {material: rubber, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm]}}]}}\n"
+    "grains:\n"
+    "  - {material: ore, count: 2, radius: {distribution: uniform, min: 2 mm, max: 2 mm}, "
+    "region: {box: {min: [-10 mm, -10 mm, 4 mm], max: [10 mm, 10 mm, 40 mm]}}}\n";
+
 static clod_sim *make(void)
 {
     static char simd[8]; // the caller's: something else when the simulation is there
@@ -83,6 +97,12 @@ static void a_grain_too_small_for_the_step_is_refused(void **state)
     CHECK(clod_sim_advance(sim, 10, &status));
     assert_int_equal(clod_sim_grain_count(sim), 31);
     assert_true(clod_sim_row_of_id(sim, 900) == SIZE_MAX);
+    clod_sim_destroy(&sim);
+    sim = clod_sim_create_from_text("two.yaml", TWO, NULL, &status);
+    CHECK(sim != NULL);
+    grain.material = 1; // of rubber, and there is no law between rubber and rubber
+    expect_refused(clod_sim_add_grain(sim, &grain, &status),
+                   "no contact law for grains of 'rubber' with grains of 'rubber'");
     clod_sim_destroy(&sim);
 }
 
