@@ -35,13 +35,14 @@ static int open_again(const char *path, int flags)
     return descriptor;
 }
 
-/** Read until the end or `most`; false with errno set, ENOMEM included. */
-static bool read_all(int descriptor, size_t most, char **text, size_t *length)
+/** Read until the end or `most`, with room for `first` bytes to begin with; false with errno
+ *  set, ENOMEM included. */
+static bool read_all(int descriptor, size_t first, size_t most, char **text, size_t *length)
 {
     size_t room = 0;
     for (;;) {
         if (*length + 1 >= room && *length < most) {
-            const size_t wanted = room == 0 ? FIRST : 2 * room;
+            const size_t wanted = room == 0 ? first : 2 * room;
             char *grown = clod_memory_grow(*text, room, wanted, 1);
             if (grown == NULL) {
                 errno = ENOMEM;
@@ -77,7 +78,7 @@ bool clod_input_read(const char *path, size_t most, char **text, size_t *length,
     if (descriptor < 0) {
         return fail(name, "opened", errno, status);
     }
-    const bool done = read_all(descriptor, most, text, length);
+    const bool done = read_all(descriptor, FIRST, most, text, length);
     const int error = errno;
     if (path != NULL) {
         close(descriptor); // nothing was written
@@ -86,23 +87,6 @@ bool clod_input_read(const char *path, size_t most, char **text, size_t *length,
         clod_memory_free(*text);
         *text = NULL;
         return fail(name, "read", error, status);
-    }
-    return true;
-}
-
-/** Read at most `room` bytes; false with errno set. */
-static bool fill(int descriptor, size_t room, char *text, size_t *length)
-{
-    while (*length < room) {
-        const ssize_t got = read(descriptor, text + *length, room - *length);
-        if (got == 0) {
-            return true;
-        }
-        if (got > 0) {
-            *length += (size_t)got;
-        } else if (errno != EINTR) {
-            return false;
-        }
     }
     return true;
 }
@@ -141,13 +125,9 @@ bool clod_input_read_regular(const char *path, size_t most, char **text, size_t 
         close(descriptor);
         return false;
     }
-    const size_t size = done && S_ISREG(about.st_mode) ? (size_t)about.st_size : 1;
-    *text = done ? clod_memory_alloc(size + 1, 1) : NULL;
-    if (done && *text == NULL) {
-        errno = ENOMEM;
-        done = false;
-    }
-    done = done && fill(descriptor, size, *text, length);
+    const size_t first = // the end is seen without more room
+        done && S_ISREG(about.st_mode) ? (size_t)about.st_size + 2 : FIRST;
+    done = done && read_all(descriptor, first, most, text, length);
     const int error = errno;
     close(descriptor); // nothing was written
     if (!done) {

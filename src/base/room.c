@@ -1,4 +1,4 @@
-#include "step/room.h"
+#include "base/room.h"
 
 #include <string.h>
 
@@ -23,7 +23,7 @@ bool clod_room_for_one(void *array, size_t *capacity, size_t count, size_t size)
     if (count < *capacity) {
         return true;
     }
-    const size_t more = *capacity + *capacity / 2 + 1024;
+    const size_t more = *capacity + *capacity / 2 + 64;
     void *old;
     memcpy(&old, array, sizeof old);
     void *grown = clod_memory_grow(old, *capacity, more, size);

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file room.h
- * Arrays of the step that grow and are kept: nothing is allocated once they are large enough.
+ * Arrays that grow and are kept: nothing is allocated once they are large enough.
  */
 
 #include <stdbool.h>

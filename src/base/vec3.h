@@ -10,6 +10,18 @@ typedef struct clod_vec3 {
     double x, y, z;
 } clod_vec3;
 
+static inline clod_vec3 clod_vec3_of(const double v[3])
+{
+    return (clod_vec3){v[0], v[1], v[2]};
+}
+
+static inline void clod_vec3_put(double to[3], clod_vec3 from)
+{
+    to[0] = from.x;
+    to[1] = from.y;
+    to[2] = from.z;
+}
+
 static inline clod_vec3 clod_vec3_add(clod_vec3 a, clod_vec3 b)
 {
     return (clod_vec3){a.x + b.x, a.y + b.y, a.z + b.z};

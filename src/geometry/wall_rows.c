@@ -47,13 +47,6 @@ void clod_wall_rows_update(clod_wall_rows *self, const clod_walls *walls)
     }
 }
 
-static void put(double row[4], clod_vec3 v)
-{
-    row[0] = v.x;
-    row[1] = v.y;
-    row[2] = v.z;
-}
-
 clod_wall_stand clod_wall_stand_of(const clod_wall *wall)
 {
     return (clod_wall_stand){.wall = wall,
@@ -88,9 +81,9 @@ static void place_motion(const clod_wall_stand *self, const clod_belt *belt, dou
 {
     const clod_wall_pose *pose = &self->now;
     const clod_vec3 all = self->wall->surface_velocity;
-    put(row[CLOD_SHAPE_VELOCITY], self->velocity);
-    put(row[CLOD_SHAPE_SPIN], self->spin);
-    put(row[CLOD_SHAPE_ORIGIN], pose->origin);
+    clod_vec3_put(row[CLOD_SHAPE_VELOCITY], self->velocity);
+    clod_vec3_put(row[CLOD_SHAPE_SPIN], self->spin);
+    clod_vec3_put(row[CLOD_SHAPE_ORIGIN], pose->origin);
     const bool moves = clod_belt_moves(belt) || all.x != 0.0 || all.y != 0.0 || all.z != 0.0;
     row[CLOD_SHAPE_VELOCITY][3] = moves ? 1.0 : 0.0;
     if (moves) {
@@ -99,9 +92,9 @@ static void place_motion(const clod_wall_stand *self, const clod_belt *belt, dou
         const clod_vec3 point = clod_wall_point_to_space(pose, belt->spin_point);
         const clod_vec3 arm = clod_vec3_sub(pose->origin, point);
         const clod_vec3 b = clod_vec3_add(all, clod_wall_to_space(pose, belt->velocity));
-        put(row[CLOD_SHAPE_BELT], clod_vec3_add(b, clod_vec3_cross(turning, arm)));
-        put(row[CLOD_SHAPE_BELT_SPIN], turning);
-        put(row[CLOD_SHAPE_DIRECTION], clod_wall_to_space(pose, belt->direction));
+        clod_vec3_put(row[CLOD_SHAPE_BELT], clod_vec3_add(b, clod_vec3_cross(turning, arm)));
+        clod_vec3_put(row[CLOD_SHAPE_BELT_SPIN], turning);
+        clod_vec3_put(row[CLOD_SHAPE_DIRECTION], clod_wall_to_space(pose, belt->direction));
         row[CLOD_SHAPE_BELT][3] = belt->speed;
     }
 }

@@ -96,7 +96,7 @@ static inline clod_gap clod_wall_rows_gap(const clod_wall_rows *self, int32_t w,
 {
     return clod_wall_gap_rows((const double(*)[4])self->shape +
                                   clod_wall_rows_shape(self, w, shape),
-                              (clod_vec3){p[0], p[1], p[2]});
+                              clod_vec3_of(p));
 }
 
 /**

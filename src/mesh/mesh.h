@@ -41,7 +41,7 @@ typedef struct clod_mesh_triangle {
 static inline clod_vec3 clod_mesh_vertex(const clod_mesh *self, uint32_t vertex)
 {
     const double *at = self->vertices[vertex];
-    return (clod_vec3){at[0], at[1], at[2]};
+    return clod_vec3_of(at);
 }
 
 /** Corner c, 0 to 2, of a facet; 3 is 0 again. */

@@ -34,7 +34,7 @@ bool clod_mesh_edges_pair(clod_mesh *self, clod_status *status)
     for (size_t e = 0; e < count; e++) {
         const uint32_t a = self->facets[e / 3][e % 3];
         const uint32_t b = self->facets[e / 3][(e + 1) % 3];
-        items[e] = (clod_sort_item){a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a, e};
+        items[e] = (clod_sort_item){clod_mesh_edges_key(a, b), e};
     }
     clod_sort(items, items + count, count);
     for (size_t from = 0; from < count;) {
@@ -167,13 +167,10 @@ bool clod_mesh_edges_turn(clod_mesh *self, clod_status *status)
     return true;
 }
 
-/** Class of an edge of two facets, seen from the normal of `f`. */
-static uint8_t class_pair(const clod_mesh *self, uint32_t f, int e)
+/** Class of an edge of two facets, seen from the normal of `f`; `across` is its number there. */
+static uint8_t class_pair(const clod_mesh *self, uint32_t f, int e, int across)
 {
     const uint32_t other = self->neighbours[f][e];
-    const uint32_t *v = self->facets[f];
-    bool same = false;
-    const int across = edge_of(self, other, v[e], v[(e + 1) % 3], &same);
     const clod_vec3 a = clod_mesh_corner(self, f, e);
     const clod_vec3 u = clod_vec3_unit(clod_vec3_sub(clod_mesh_corner(self, f, e + 1), a));
     const clod_vec3 normal = clod_mesh_measure(self, f).normal;
@@ -197,7 +194,7 @@ static void class_both(clod_mesh *self, uint32_t f, int e)
     const uint32_t *v = self->facets[f];
     bool same = false;
     const int across = edge_of(self, other, v[e], v[(e + 1) % 3], &same);
-    const uint8_t kind = class_pair(self, f, e);
+    const uint8_t kind = class_pair(self, f, e, across);
     self->edges[f][e] = kind;
     const bool bent = kind != CLOD_MESH_EDGE_FLAT;
     self->edges[other][across] =

@@ -6,6 +6,12 @@
 
 #include "mesh/mesh.h"
 
+/** An edge by its vertices, in any order. */
+static inline uint64_t clod_mesh_edges_key(uint32_t a, uint32_t b)
+{
+    return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
+}
+
 /**
  * Find the neighbour over every edge: open without one, non-manifold with several (then each
  * facet's neighbour is the next one around the edge's list), otherwise flat for now.

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "base/room.h"
 #include "base/sort.h"
 #include "base/vec3.h"
 
@@ -131,35 +132,23 @@ static bool passes(double box[2][3], const double begin[3], const double end[3],
 
 static bool add_hit(clod_mesh_hits *hits, uint32_t point, double along)
 {
-    if (hits->count == hits->room) {
-        const size_t room = hits->room == 0 ? 16 : 2 * hits->room;
-        clod_mesh_hit *grown =
-            clod_memory_grow(hits->items, hits->room, room, sizeof *hits->items);
-        if (grown == NULL) {
-            return false;
-        }
-        hits->items = grown;
-        hits->room = room;
+    if (!clod_room_for_one(&hits->items, &hits->room, hits->count, sizeof *hits->items)) {
+        return false;
     }
     hits->items[hits->count++] = (clod_mesh_hit){point, along};
     return true;
-}
-
-static clod_vec3 vector(const double at[3])
-{
-    return (clod_vec3){at[0], at[1], at[2]};
 }
 
 /** Points of one leaf. */
 static bool look(const clod_mesh_points *self, size_t leaf, const double begin[3],
                  const double end[3], double reach, clod_mesh_hits *hits)
 {
-    const clod_vec3 run = clod_vec3_sub(vector(end), vector(begin));
+    const clod_vec3 run = clod_vec3_sub(clod_vec3_of(end), clod_vec3_of(begin));
     const double length = clod_vec3_length(run);
     const clod_vec3 u = clod_vec3_scale(run, 1.0 / length);
     for (size_t k = leaf * LEAF; k < (leaf + 1) * LEAF && k < self->count; k++) {
         const clod_vec3 arm =
-            clod_vec3_sub(vector(self->places[self->order[k]]), vector(begin));
+            clod_vec3_sub(clod_vec3_of(self->places[self->order[k]]), clod_vec3_of(begin));
         const double along = clod_vec3_dot(arm, u);
         if (along > reach && along < length - reach &&
             clod_vec3_length(clod_vec3_axpy(arm, -along, u)) <= reach &&

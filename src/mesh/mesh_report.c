@@ -12,6 +12,7 @@
 #include "base/sort.h"
 #include "mesh/mesh.h"
 #include "mesh/mesh_findings.h"
+#include "mesh/mesh_vertices.h"
 
 #define GRAINS_MOST 1000.0 ///< grain diameters along the box from which on a unit looks wrong
 #define GRAINS_LEAST 10.0  ///< the same, to the other side
@@ -20,7 +21,6 @@
 #define FINE_SHARE 0.1     ///< of the facets that may be smaller than a grain
 #define ROUGH_GRAIN 1e-3   ///< step of a float over the radius of a grain
 #define ROUGH_BOX 1e-5     ///< step of a float over the size of the box
-#define STEPS_PER_WELD 4.0 ///< mesh_vertices.h
 
 const clod_mesh_words CLOD_MESH_FINDINGS[CLOD_MESH_KINDS] = {
     [CLOD_MESH_WELDED] = {"welded_vertices", "vertices that differ by rounding", "joined", ""},
@@ -202,7 +202,7 @@ static bool doubt_size(const clod_mesh *self, clod_mesh_report *report)
 /** Single precision is coarse far from the origin. */
 static void doubt_rounding(const clod_mesh *self, clod_mesh_report *report)
 {
-    const double step = self->weld / STEPS_PER_WELD;
+    const double step = self->weld / CLOD_MESH_WELD_STEPS;
     if (step > ROUGH_BOX * longest_side(report) ||
         (report->grain_radius > 0.0 && step > ROUGH_GRAIN * report->grain_radius)) {
         warn(
@@ -225,7 +225,7 @@ static void doubt_facets(const clod_mesh *self, clod_mesh_report *report)
     if (report->volume < 0.0) {
         warn(report, "The normals of the closed mesh point inwards. That is right for a room "
                      "that holds grains; for a solid body turn the normals in CAD if another "
-                     "program needs them. Grains touch both sides.");
+                     "program needs them.");
     }
 }
 

@@ -1,7 +1,9 @@
 #include "mesh/mesh_seams.h"
 
 #include "base/memory.h"
+#include "base/room.h"
 #include "base/sort.h"
+#include "mesh/mesh_edges.h"
 #include "mesh/mesh_points.h"
 
 /** Open edges, cut into pieces at all vertices of open edges that lie inside them. */
@@ -16,11 +18,6 @@ typedef struct seams {
     clod_mesh_points points;
     clod_mesh_hits hits;
 } seams;
-
-static uint64_t key_of(uint32_t a, uint32_t b)
-{
-    return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
-}
 
 /** Vertices of an edge. */
 static void ends_of(const seams *s, size_t edge, uint32_t ends[2])
@@ -76,16 +73,10 @@ static bool collect_vertices(seams *s)
 
 static bool add_piece(seams *s, uint32_t a, uint32_t b, size_t edge)
 {
-    if (s->piece_count == s->room) {
-        const size_t room = s->room == 0 ? s->count : 2 * s->room;
-        clod_sort_item *grown = clod_memory_grow(s->pieces, s->room, room, sizeof *s->pieces);
-        if (grown == NULL) {
-            return false;
-        }
-        s->pieces = grown;
-        s->room = room;
+    if (!clod_room_for_one(&s->pieces, &s->room, s->piece_count, sizeof *s->pieces)) {
+        return false;
     }
-    s->pieces[s->piece_count++] = (clod_sort_item){key_of(a, b), edge};
+    s->pieces[s->piece_count++] = (clod_sort_item){clod_mesh_edges_key(a, b), edge};
     return true;
 }
 

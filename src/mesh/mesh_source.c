@@ -4,9 +4,9 @@
 #include <strings.h>
 
 #include "base/memory.h"
+#include "base/room.h"
 
 #define SLOTS 16384 ///< of the table of names, four times as many as parts
-#define FIRST_ROOM 16
 
 static const struct {
     const char *extension;
@@ -87,15 +87,9 @@ static bool add_part(clod_mesh_source *self, const char *name, size_t length,
             "%s: the file has more than %d named parts; export fewer groups", self->path,
             CLOD_MESH_PARTS_MOST);
     }
-    if (self->part_count == self->part_room) {
-        const size_t room = self->part_room == 0 ? FIRST_ROOM : 2 * self->part_room;
-        clod_mesh_part *grown =
-            clod_memory_grow(self->parts, self->part_room, room, sizeof *grown);
-        if (grown == NULL) {
-            return fail_memory(self, status);
-        }
-        self->parts = grown;
-        self->part_room = room;
+    if (!clod_room_for_one(&self->parts, &self->part_room, self->part_count,
+                           sizeof *self->parts)) {
+        return fail_memory(self, status);
     }
     char *copy = clod_memory_alloc(length + 1, 1);
     if (copy == NULL) {
@@ -116,15 +110,8 @@ static bool add_run(clod_mesh_source *self, uint32_t part, clod_status *status)
     if (last != NULL && last->part == part) {
         return true;
     }
-    if (self->run_count == self->run_room) {
-        const size_t room = self->run_room == 0 ? FIRST_ROOM : 2 * self->run_room;
-        clod_mesh_run *grown =
-            clod_memory_grow(self->runs, self->run_room, room, sizeof *grown);
-        if (grown == NULL) {
-            return fail_memory(self, status);
-        }
-        self->runs = grown;
-        self->run_room = room;
+    if (!clod_room_for_one(&self->runs, &self->run_room, self->run_count, sizeof *self->runs)) {
+        return fail_memory(self, status);
     }
     self->runs[self->run_count++] = (clod_mesh_run){part, 0};
     return true;

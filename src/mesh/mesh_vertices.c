@@ -7,7 +7,6 @@
 #include "base/memory.h"
 #include "base/sort.h"
 
-#define STEPS 4.0            ///< of a float, up to which vertices are one
 #define SEEN 0x80000000u     ///< bit of a vertex that was noted; no mesh has so many
 #define DOUBLE_STEPS 0x1p-50 ///< four steps of a double
 #define FARTHEST 1e7         ///< m; no plant on Earth is larger
@@ -228,11 +227,10 @@ bool clod_mesh_vertices_place(clod_mesh *self, const clod_mesh_placing *placing,
                               clod_status *status)
 {
     const double *given = placing->rotate.axis;
-    const clod_vec3 axis = placing->rotate.angle != 0.0
-                               ? clod_vec3_unit((clod_vec3){given[0], given[1], given[2]})
-                               : (clod_vec3){0.0, 0.0, 1.0};
-    self->weld = STEPS * (double)FLT_EPSILON * farthest_coordinate(self) * placing->unit *
-                 placing->scale;
+    const clod_vec3 axis = placing->rotate.angle != 0.0 ? clod_vec3_unit(clod_vec3_of(given))
+                                                        : (clod_vec3){0.0, 0.0, 1.0};
+    self->weld = CLOD_MESH_WELD_STEPS * (double)FLT_EPSILON * farthest_coordinate(self) *
+                 placing->unit * placing->scale;
     for (uint32_t v = 0; v < self->view.vertex_count; v++) {
         const clod_vec3 at = place_vertex(placing, clod_mesh_vertex(self, v), axis);
         self->vertices[v][0] = at.x;

@@ -7,6 +7,9 @@
 
 #include "mesh/mesh.h"
 
+#define CLOD_MESH_WELD_STEPS                                                                   \
+    4.0 ///< of a float at the farthest coordinate: up to that vertices are one
+
 /**
  * Corners of the same bits become one vertex; facets get their vertices.
  *

@@ -91,7 +91,7 @@ static bool right_side(const clod_wall *wall, const clod_shape *shape, const dou
         return true;
     }
     const clod_wall_pose pose = clod_wall_pose_now(wall);
-    const clod_vec3 p = clod_wall_to_frame(&pose, (clod_vec3){place[0], place[1], place[2]});
+    const clod_vec3 p = clod_wall_to_frame(&pose, clod_vec3_of(place));
     const clod_vec3 r = clod_vec3_sub(p, shape->center);
     const double height = clod_vec3_dot(r, shape->axis[2]);
     const double rho = clod_vec3_length(clod_vec3_axpy(r, -height, shape->axis[2]));

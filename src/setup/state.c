@@ -108,7 +108,7 @@ static double fall_height(const clod_state *state)
             }
             for (size_t i = 0; i < state->grains.count; i++) {
                 const double *p = state->grains.position[i];
-                const clod_gap gap = clod_wall_gap(shape, (clod_vec3){p[0], p[1], p[2]});
+                const clod_gap gap = clod_wall_gap(shape, clod_vec3_of(p));
                 height = fmax(height, gap.distance / facing);
             }
         }

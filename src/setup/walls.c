@@ -10,11 +10,6 @@
 /** The mean velocity of a step is then within (2 pi/50)^2/24 = 0.07 % of the velocity in it. */
 #define STEPS_PER_PERIOD 50.0
 
-static clod_vec3 vector(const double v[3])
-{
-    return (clod_vec3){v[0], v[1], v[2]};
-}
-
 /** Two directions that make a right-handed frame with axis[2]. */
 static void complete_frame(clod_vec3 axis[3])
 {
@@ -28,10 +23,10 @@ static void complete_frame(clod_vec3 axis[3])
 /** A bar is a box whose first axis is its centre line and whose third axis is `up`. */
 static void make_bar(const clod_case_shape *from, clod_shape *shape)
 {
-    const clod_vec3 start = vector(from->from);
-    const clod_vec3 line = clod_vec3_sub(vector(from->to), start);
+    const clod_vec3 start = clod_vec3_of(from->from);
+    const clod_vec3 line = clod_vec3_sub(clod_vec3_of(from->to), start);
     shape->axis[0] = clod_vec3_unit(line);
-    shape->axis[1] = clod_vec3_unit(clod_vec3_cross(vector(from->up), shape->axis[0]));
+    shape->axis[1] = clod_vec3_unit(clod_vec3_cross(clod_vec3_of(from->up), shape->axis[0]));
     shape->axis[2] = clod_vec3_cross(shape->axis[0], shape->axis[1]);
     shape->center = clod_vec3_axpy(start, 0.5, line);
     shape->half[0] = 0.5 * clod_vec3_length(line);
@@ -52,20 +47,20 @@ static void make_box(const clod_case_shape *from, clod_shape *shape)
 /** A disc; or a plane, which has no radius. */
 static void make_disc(const clod_case_shape *from, clod_shape *shape)
 {
-    shape->axis[2] = clod_vec3_unit(vector(from->normal));
+    shape->axis[2] = clod_vec3_unit(clod_vec3_of(from->normal));
     shape->outer = from->radius;
 }
 
 static void make_annulus(const clod_case_shape *from, clod_shape *shape)
 {
-    shape->axis[2] = clod_vec3_unit(vector(from->normal));
+    shape->axis[2] = clod_vec3_unit(clod_vec3_of(from->normal));
     shape->inner = from->inner_radius;
     shape->outer = from->outer_radius;
 }
 
 static void make_cylinder(const clod_case_shape *from, clod_shape *shape)
 {
-    shape->axis[2] = clod_vec3_unit(vector(from->axis));
+    shape->axis[2] = clod_vec3_unit(clod_vec3_of(from->axis));
     shape->outer = from->radius;
     shape->half[2] = 0.5 * from->length;
     shape->side = (clod_side)from->side;
@@ -88,7 +83,8 @@ static void (*const MAKE[CLOD_SHAPE_KINDS])(const clod_case_shape *from, clod_sh
 
 static clod_shape make_shape(const clod_case_shape *from)
 {
-    clod_shape shape = {.kind = (clod_shape_kind)from->kind, .center = vector(from->point)};
+    clod_shape shape = {.kind = (clod_shape_kind)from->kind,
+                        .center = clod_vec3_of(from->point)};
     MAKE[shape.kind](from, &shape);
     if (!clod_shape_kinds_row(shape.kind)->solid) {
         complete_frame(shape.axis);
@@ -132,7 +128,7 @@ static void make_load(const clod_case_wall *from, clod_wall *wall)
     if (wall->load == CLOD_LOAD_NONE) {
         return;
     }
-    wall->load_axis = clod_vec3_unit(vector(from->load_axis));
+    wall->load_axis = clod_vec3_unit(clod_vec3_of(from->load_axis));
     wall->mass = from->mass;
     wall->area = from->area > 0.0 ? from->area : facing_area(wall);
     wall->load_force = wall->load == CLOD_LOAD_STRESS ? from->stress * wall->area : from->force;
@@ -148,7 +144,7 @@ static void make_oscillation(const clod_case_oscillation *from, clod_wall *wall)
                                            .frequency = from->frequency,
                                            .phase = from->phase};
     if (from->amplitude > 0.0) {
-        wall->oscillation.direction = clod_vec3_unit(vector(from->direction));
+        wall->oscillation.direction = clod_vec3_unit(clod_vec3_of(from->direction));
     }
     clod_wall_start(wall);
 }
@@ -156,27 +152,27 @@ static void make_oscillation(const clod_case_oscillation *from, clod_wall *wall)
 /** A direction of a case, as unit vector; zero where it says nothing. */
 static clod_vec3 direction(const double v[3])
 {
-    const clod_vec3 given = vector(v);
+    const clod_vec3 given = clod_vec3_of(v);
     return clod_vec3_dot(given, given) > 0.0 ? clod_vec3_unit(given) : given;
 }
 
 static clod_belt make_belt(const clod_case_surface *from)
 {
-    return (clod_belt){.velocity = vector(from->velocity),
+    return (clod_belt){.velocity = clod_vec3_of(from->velocity),
                        .direction = direction(from->direction),
                        .speed = from->speed,
                        .spin = from->spin,
                        .spin_axis = direction(from->spin_axis),
-                       .spin_point = vector(from->spin_point)};
+                       .spin_point = clod_vec3_of(from->spin_point)};
 }
 
 /** Turn and shift a shape with its belt, as the case asks for. */
 static void place_shape(const clod_case_wall *given, clod_shape *shape)
 {
-    const clod_vec3 move = vector(given->move);
+    const clod_vec3 move = clod_vec3_of(given->move);
     if (given->rotate.angle != 0.0) {
-        const clod_vec3 axis = clod_vec3_unit(vector(given->rotate.axis));
-        const clod_vec3 point = vector(given->rotate.point);
+        const clod_vec3 axis = clod_vec3_unit(clod_vec3_of(given->rotate.axis));
+        const clod_vec3 point = clod_vec3_of(given->rotate.point);
         clod_vec3 *directions[] = {&shape->axis[0],        &shape->axis[1],
                                    &shape->axis[2],        &shape->belt.velocity,
                                    &shape->belt.direction, &shape->belt.spin_axis};
@@ -231,11 +227,11 @@ bool clod_setup_wall(const clod_case *from, const clod_case_wall *given, clod_wa
     const int material = clod_case_material_index(from, given->material);
     CLOD_ASSERT(material >= 0); // checked at load
     wall->material = (uint16_t)material;
-    wall->velocity = vector(given->velocity);
-    wall->surface_velocity = vector(given->surface_velocity);
+    wall->velocity = clod_vec3_of(given->velocity);
+    wall->surface_velocity = clod_vec3_of(given->surface_velocity);
     wall->spin = given->spin;
-    wall->spin_axis = clod_vec3_unit(vector(given->spin_axis));
-    wall->spin_point = vector(given->spin_point);
+    wall->spin_axis = clod_vec3_unit(clod_vec3_of(given->spin_axis));
+    wall->spin_point = clod_vec3_of(given->spin_point);
     if (!make_shapes(from, given, wall, status)) {
         return false;
     }

@@ -30,12 +30,11 @@ static int64_t look_steps(double rest, const clod_state *state)
 static void change_wall(const clod_case_wall_change *change, clod_wall *wall)
 {
     if (change->has_velocity) {
-        wall->velocity =
-            (clod_vec3){change->velocity[0], change->velocity[1], change->velocity[2]};
+        wall->velocity = clod_vec3_of(change->velocity);
     }
     if (change->has_surface_velocity) {
         const double *v = change->surface_velocity;
-        wall->surface_velocity = (clod_vec3){v[0], v[1], v[2]};
+        wall->surface_velocity = clod_vec3_of(v);
     }
     if (change->has_spin) {
         wall->spin = change->spin;

@@ -173,8 +173,7 @@ static bool sample(job_loop *loop, bool *finished, clod_status *status)
     *finished = p->sample(p->data, p->context, &job->state, loop->row);
     clod_laws_set_adhesion(&loop->laws, job->state.adhesion);
     if (books) {
-        const clod_energies after = clod_step_energies(&loop->step);
-        job->state.ledger.exchanged += clod_energies_sum(&after) - clod_energies_sum(&before);
+        clod_step_book(&loop->step, clod_energies_sum(&before));
     }
     return clod_step_change(&loop->step, status) &&
            clod_series_row(loop->series, loop->row, status) && can_go_on(loop, status);

@@ -186,10 +186,10 @@ bool clod_sim_set_adhesion(clod_sim *self, double fraction, clod_status *status)
         return clod_status_fail(status, CLOD_USAGE, "%s: fraction is %g; give 0 to 1", __func__,
                                 fraction);
     }
-    const double before = clod_sim_balance(self);
+    const double before = clod_step_balance(&self->step);
     self->state.adhesion = fraction;
     clod_laws_set_adhesion(&self->laws, fraction);
-    clod_sim_book(self, before);
+    clod_step_book(&self->step, before);
     return true;
 }
 

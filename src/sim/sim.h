@@ -52,12 +52,6 @@ bool clod_sim_has_shape(const clod_sim *self, int32_t wall, int32_t shape, const
 /** Changes that were asked for are made, and all contacts copied into the state. */
 bool clod_sim_hold(clod_sim *self, clod_status *status);
 
-/** Energy now for the ledger [J]; 0 when it is not open. */
-double clod_sim_balance(clod_sim *self);
-
-/** The ledger books what the energy is now beyond `before` as exchanged, if it is open. */
-void clod_sim_book(clod_sim *self, double before);
-
 /** Something moved that the step did not move: neighbours are looked for anew before all else.
  */
 void clod_sim_moved(clod_sim *self);

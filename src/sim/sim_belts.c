@@ -3,11 +3,6 @@
 
 #include "sim/sim.h"
 
-static clod_vec3 vector(const double v[3])
-{
-    return (clod_vec3){v[0], v[1], v[2]};
-}
-
 static bool is_zero(const double v[3])
 {
     return v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0;
@@ -15,14 +10,7 @@ static bool is_zero(const double v[3])
 
 static clod_vec3 direction(const double v[3])
 {
-    return is_zero(v) ? vector(v) : clod_vec3_unit(vector(v));
-}
-
-static void put(double to[3], clod_vec3 from)
-{
-    to[0] = from.x;
-    to[1] = from.y;
-    to[2] = from.z;
+    return is_zero(v) ? clod_vec3_of(v) : clod_vec3_unit(clod_vec3_of(v));
 }
 
 /** Whether all numbers are finite, and what moves has a direction. */
@@ -58,12 +46,12 @@ bool clod_sim_set_belt(clod_sim *self, int32_t wall, int32_t shape, const clod_s
         return false;
     }
     self->state.walls.wall[wall].shapes[shape].belt =
-        (clod_belt){.velocity = vector(belt->velocity),
+        (clod_belt){.velocity = clod_vec3_of(belt->velocity),
                     .direction = direction(belt->direction),
                     .speed = belt->speed,
                     .spin = belt->spin,
                     .spin_axis = direction(belt->spin_axis),
-                    .spin_point = vector(belt->spin_point)};
+                    .spin_point = clod_vec3_of(belt->spin_point)};
     clod_wall_rows_forget(&self->step.walls, wall);
     return true;
 }
@@ -77,9 +65,9 @@ bool clod_sim_belt_look(const clod_sim *self, int32_t wall, int32_t shape, clod_
     }
     const clod_belt *from = &self->state.walls.wall[wall].shapes[shape].belt;
     *belt = (clod_sim_belt){.speed = from->speed, .spin = from->spin};
-    put(belt->velocity, from->velocity);
-    put(belt->direction, from->direction);
-    put(belt->spin_axis, from->spin_axis);
-    put(belt->spin_point, from->spin_point);
+    clod_vec3_put(belt->velocity, from->velocity);
+    clod_vec3_put(belt->direction, from->direction);
+    clod_vec3_put(belt->spin_axis, from->spin_axis);
+    clod_vec3_put(belt->spin_point, from->spin_point);
     return true;
 }

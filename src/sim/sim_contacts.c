@@ -104,21 +104,11 @@ bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t
     return true;
 }
 
-/** Whether the contacts can be asked: what was asked for is done, and the step has its list. */
-static bool can_ask(clod_sim *self, clod_status *status)
-{
-    if (self->step.failed) {
-        *status = self->step.status;
-        return false;
-    }
-    return clod_step_change(&self->step, status);
-}
-
 bool clod_sim_contact_of(clod_sim *self, uint64_t id_1, uint64_t id_2,
                          clod_sim_contact *contact, bool *found, clod_status *status)
 {
     if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(contact, status) ||
-        !CLOD_SIM_GIVEN(found, status) || !can_ask(self, status)) {
+        !CLOD_SIM_GIVEN(found, status) || !clod_step_change(&self->step, status)) {
         return false;
     }
     clod_contact there;
@@ -133,7 +123,7 @@ bool clod_sim_wall_contact_of(clod_sim *self, uint64_t id, int32_t wall, int32_t
                               clod_sim_contact *contact, bool *found, clod_status *status)
 {
     if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(contact, status) ||
-        !CLOD_SIM_GIVEN(found, status) || !can_ask(self, status) ||
+        !CLOD_SIM_GIVEN(found, status) || !clod_step_change(&self->step, status) ||
         !clod_sim_has_shape(self, wall, shape, __func__, status)) {
         return false;
     }

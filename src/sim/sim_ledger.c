@@ -65,19 +65,3 @@ bool clod_sim_ledger_look(clod_sim *self, clod_sim_ledger *ledger, clod_status *
                                 .residual = clod_ledger_residual(from, &now)};
     return true;
 }
-
-double clod_sim_balance(clod_sim *self)
-{
-    if (self->state.ledger.open == 0) {
-        return 0.0;
-    }
-    const clod_energies now = clod_step_energies(&self->step);
-    return clod_energies_sum(&now);
-}
-
-void clod_sim_book(clod_sim *self, double before)
-{
-    if (self->state.ledger.open != 0) {
-        self->state.ledger.exchanged += clod_sim_balance(self) - before;
-    }
-}

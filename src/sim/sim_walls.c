@@ -43,13 +43,6 @@ bool clod_sim_has_shape(const clod_sim *self, int32_t wall, int32_t shape, const
                             function, it->name, (int)shape, (int)it->shape_count);
 }
 
-static void put(double to[3], clod_vec3 from)
-{
-    to[0] = from.x;
-    to[1] = from.y;
-    to[2] = from.z;
-}
-
 bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
                         clod_status *status)
 {
@@ -69,12 +62,13 @@ bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
     const clod_quat turned = clod_quat_about(from->spin_axis, from->angle);
     const clod_quat q = clod_quat_product(turned, clod_wall_orientation(from));
     memcpy(view->orientation, (double[4]){q.w, q.x, q.y, q.z}, sizeof view->orientation);
-    put(view->position, from->shift);
-    put(view->velocity, clod_vec3_add(clod_wall_velocity(from), from->surface_velocity));
-    put(view->force, from->force);
-    put(view->torque, from->torque);
-    put(view->mean_force, clod_vec3_scale(from->sum_force, share));
-    put(view->mean_torque, clod_vec3_scale(from->sum_torque, share));
+    clod_vec3_put(view->position, from->shift);
+    clod_vec3_put(view->velocity,
+                  clod_vec3_add(clod_wall_velocity(from), from->surface_velocity));
+    clod_vec3_put(view->force, from->force);
+    clod_vec3_put(view->torque, from->torque);
+    clod_vec3_put(view->mean_force, clod_vec3_scale(from->sum_force, share));
+    clod_vec3_put(view->mean_torque, clod_vec3_scale(from->sum_torque, share));
     return true;
 }
 
@@ -85,7 +79,7 @@ bool clod_sim_set_wall_velocity(clod_sim *self, int32_t wall, const double veloc
         !clod_sim_finite(velocity, __func__, "velocity", status)) {
         return false;
     }
-    self->state.walls.wall[wall].velocity = (clod_vec3){velocity[0], velocity[1], velocity[2]};
+    self->state.walls.wall[wall].velocity = clod_vec3_of(velocity);
     return true;
 }
 
@@ -96,8 +90,7 @@ bool clod_sim_set_wall_surface_velocity(clod_sim *self, int32_t wall, const doub
         !clod_sim_finite(velocity, __func__, "velocity", status)) {
         return false;
     }
-    self->state.walls.wall[wall].surface_velocity =
-        (clod_vec3){velocity[0], velocity[1], velocity[2]};
+    self->state.walls.wall[wall].surface_velocity = clod_vec3_of(velocity);
     return true;
 }
 
@@ -160,12 +153,12 @@ bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double or
             "with finite numbers that are not all 0",
             __func__, orientation[0], orientation[1], orientation[2], orientation[3]);
     }
-    const double before = clod_sim_balance(self);
+    const double before = clod_step_balance(&self->step);
     clod_sim_moved(self);
     clod_wall_set_orientation(
         &self->state.walls.wall[wall],
         (clod_quat){orientation[0], orientation[1], orientation[2], orientation[3]});
-    clod_sim_book(self, before);
+    clod_step_book(&self->step, before);
     return true;
 }
 
@@ -191,7 +184,7 @@ bool clod_sim_set_wall_angular_velocity(clod_sim *self, int32_t wall, const doub
                       at.y == point[1] && at.z == point[2];
     if (!same) {
         const clod_wall before = *to;
-        clod_wall_set_spin_axis(to, axis, (clod_vec3){point[0], point[1], point[2]});
+        clod_wall_set_spin_axis(to, axis, clod_vec3_of(point));
         if (would_tilt(to, __func__, status)) {
             *to = before;
             clod_wall_find_symmetry(to);
@@ -228,10 +221,10 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
         !clod_sim_finite(position, __func__, "position", status)) {
         return false;
     }
-    const double before = clod_sim_balance(self);
+    const double before = clod_step_balance(&self->step);
     clod_sim_moved(self);
-    self->state.walls.wall[wall].shift = (clod_vec3){position[0], position[1], position[2]};
-    clod_sim_book(self, before);
+    self->state.walls.wall[wall].shift = clod_vec3_of(position);
+    clod_step_book(&self->step, before);
     return true;
 }
 

@@ -33,3 +33,17 @@ void clod_contacts_ascend(clod_contact *contacts, size_t begin, size_t end)
         contacts[at] = moving;
     }
 }
+
+size_t clod_contacts_first_from(const clod_contact *contacts, size_t low, size_t high,
+                                size_t row)
+{
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if ((size_t)contacts[middle].i < row) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}

@@ -110,5 +110,9 @@ static inline int clod_contact_compare(const clod_contact *a, const clod_contact
     return (a->shape > b->shape) - (a->shape < b->shape);
 }
 
+/** The first of contacts [low, high), which ascend, whose i is not before a row; or high. */
+size_t clod_contacts_first_from(const clod_contact *contacts, size_t low, size_t high,
+                                size_t row);
+
 /** Put contacts [begin, end), which nearly ascend, into ascending order, by insertion. */
 void clod_contacts_ascend(clod_contact *contacts, size_t begin, size_t end);

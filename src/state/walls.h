@@ -156,7 +156,7 @@ static inline void clod_wall_pose_get(const clod_wall *self, double to[CLOD_WALL
 static inline void clod_wall_pose_set(clod_wall *self,
                                       const double from[CLOD_WALL_POSE_NUMBERS])
 {
-    self->shift = (clod_vec3){from[0], from[1], from[2]};
+    self->shift = clod_vec3_of(from);
     self->angle = from[3];
     self->orientation = (clod_quat){from[4], from[5], from[6], from[7]};
 }

@@ -56,7 +56,7 @@ static bool rebuild(clod_step *self, const clod_requests *found, clod_status *st
     clod_remake_begin(self, true, 0.0); // the speed is known when all are there
     self->remake.changes = true;
     self->remake.wall_rank = found->wall_rank;
-    self->remake.before = clod_remake_balance(self);
+    self->remake.before = clod_step_balance(self);
     if (state->changes.moved) {
         clod_wall_rows_update(&self->walls, &state->walls);
     }

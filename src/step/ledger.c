@@ -168,6 +168,22 @@ clod_energies clod_step_energies(clod_step *self)
     return e;
 }
 
+double clod_step_balance(clod_step *self)
+{
+    if (self->state->ledger.open == 0) {
+        return 0.0;
+    }
+    const clod_energies now = clod_step_energies(self);
+    return clod_energies_sum(&now);
+}
+
+void clod_step_book(clod_step *self, double before)
+{
+    if (self->state->ledger.open != 0) {
+        self->state->ledger.exchanged += clod_step_balance(self) - before;
+    }
+}
+
 bool clod_step_open_ledger(clod_step *self, clod_status *status)
 {
     if (self->failed) {

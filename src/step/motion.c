@@ -82,11 +82,6 @@ static double power_of(const clod_wall *wall)
            clod_wall_spin(wall) * clod_vec3_dot(wall->torque, wall->spin_axis);
 }
 
-static clod_vec3 vector(const double *column)
-{
-    return (clod_vec3){column[0], column[1], column[2]};
-}
-
 /** What the wall feels: the sums of all parts, which begin anew. */
 static void sum_wall(clod_step *self, int32_t w)
 {
@@ -98,8 +93,8 @@ static void sum_wall(clod_step *self, int32_t w)
     }
     double felt[CLOD_FIXED_COLUMNS];
     clod_fixed_value(&all, felt);
-    wall->force = vector(&felt[CLOD_FELT_FORCE]);
-    wall->torque = vector(&felt[CLOD_FELT_TORQUE]);
+    wall->force = clod_vec3_of(&felt[CLOD_FELT_FORCE]);
+    wall->torque = clod_vec3_of(&felt[CLOD_FELT_TORQUE]);
     wall->belt_power = felt[CLOD_FELT_BELT_POWER];
     wall->power = power_of(wall) + wall->belt_power;
     self->felt_finite =

@@ -4,12 +4,12 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/room.h"
 #include "step/near_between.h"
 #include "step/near_known.h"
 #include "step/near_parts.h"
 #include "step/near_walk.h"
 #include "step/near_walls.h"
-#include "step/room.h"
 
 // ---- which candidates are near
 
@@ -139,21 +139,6 @@ bool clod_near_layout(const clod_near_job *job, clod_status *status)
                             job->state->grains.count);
 }
 
-/** The first of the pairs with a history whose i is not before a row. */
-static size_t first_from(const clod_state *state, size_t row)
-{
-    size_t low = 0, high = state->contact_count - state->wall_contact_count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if ((size_t)state->contacts[middle].i < row) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
-}
-
 /** The near pairs of a part into blocks, with the histories of those that touch. */
 static void place_pairs(const clod_near_job *job, int part)
 {
@@ -164,8 +149,9 @@ static void place_pairs(const clod_near_job *job, int part)
     const size_t room = state->contact_capacity * size;
     size_t *fill = fill_of(near, part);
     clod_near_walk walk = clod_near_walk_begin(job, part);
-    clod_near_known known = {state->contacts, first_from(state, near->part_start[part]),
-                             first_from(state, near->part_start[part + 1])};
+    const size_t pairs = state->contact_count - state->wall_contact_count;
+    clod_near_known known =
+        clod_near_known_of(state->contacts, 0, pairs, &near->part_start[part]);
     size_t next = known.next + CLOD_NEAR_GIVE_BACK;
     size_t given = (known.next * size + page - 1) / page * page;
     while (clod_near_walk_on(&walk)) {

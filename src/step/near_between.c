@@ -2,8 +2,8 @@
 
 #include <string.h>
 
+#include "base/room.h"
 #include "step/near_parts.h"
-#include "step/room.h"
 
 #define ROWS_IN_A_LINE 2 ///< of four doubles, in the caches
 

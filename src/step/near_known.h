@@ -16,6 +16,14 @@ typedef struct clod_near_known {
     size_t next, end;
 } clod_near_known;
 
+/** Those of contacts [begin, end) whose i is from rows[0] on and before rows[1]. */
+static inline clod_near_known clod_near_known_of(const clod_contact *contacts, size_t begin,
+                                                 size_t end, const size_t rows[2])
+{
+    return (clod_near_known){contacts, clod_contacts_first_from(contacts, begin, end, rows[0]),
+                             clod_contacts_first_from(contacts, begin, end, rows[1])};
+}
+
 /** History of the contact (i, j, shape), or none; contacts before it are not asked for again.
  */
 static inline const double *clod_near_history(clod_near_known *known, int32_t i, int32_t j,

@@ -3,9 +3,9 @@
 
 #include <string.h>
 
+#include "base/room.h"
 #include "step/near_known.h"
 #include "step/near_parts.h"
-#include "step/room.h"
 
 /** Group of a wall contact of a part. */
 static size_t group_of(const clod_near_job *job, int part, const clod_wall_candidate *c)
@@ -88,21 +88,6 @@ bool clod_near_walls_layout(const clod_near_job *job)
     return clod_near_reserve_blocks(walls, groups, sizeof(clod_wall_block)) && layout_sums(job);
 }
 
-/** The first of the state's wall contacts whose grain is not before a row. */
-static size_t known_from(const clod_state *state, size_t row)
-{
-    size_t low = state->contact_count - state->wall_contact_count, high = state->contact_count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if ((size_t)state->contacts[middle].i < row) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
-}
-
 static void place(const clod_near_job *job, int part, const clod_wall_candidate *c,
                   clod_near_known *known)
 {
@@ -146,9 +131,10 @@ void clod_near_walls_place(const clod_near_job *job, int part)
     const size_t end = clod_near_wall_group(near, part + 1, 0, (clod_wall_form)0);
     memset(near->walls.group_count + groups + begin, 0,
            (end - begin) * sizeof *near->walls.group_count);
-    const size_t rows[2] = {near->part_start[part], near->part_start[part + 1]};
-    clod_near_known known = {state->contacts, known_from(state, rows[0]),
-                             known_from(state, rows[1])};
+    const size_t *rows = &near->part_start[part];
+    const size_t pairs = state->contact_count - state->wall_contact_count;
+    clod_near_known known =
+        clod_near_known_of(state->contacts, pairs, state->contact_count, rows);
     const size_t last = first_from(candidates, rows[1]);
     for (size_t k = first_from(candidates, rows[0]); k < last; k++) {
         if (candidates->item[k].near != 0) {

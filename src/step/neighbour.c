@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/room.h"
 #include "parallel/threads.h"
 #include "state/limits.h"
 #include "step/cells.h"
 #include "step/layers.h"
-#include "step/room.h"
 #include "step/wall_cells.h"
 
 /** Wide skin as a fraction of the largest radius: few candidates against rare rebuilds. */

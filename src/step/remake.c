@@ -9,15 +9,6 @@
 #include "step/equip.h"
 #include "step/leavers.h"
 
-double clod_remake_balance(clod_step *self)
-{
-    if (self->state->ledger.open == 0) {
-        return 0.0;
-    }
-    const clod_energies now = clod_step_energies(self);
-    return clod_energies_sum(&now);
-}
-
 /** The list that is being made. */
 static clod_near_job job_of(clod_step *self)
 {
@@ -48,7 +39,7 @@ static void begin(clod_step *self, int part)
         const size_t leavers = clod_leavers_mark(state, half_kick, self->neighbour.rank);
         remake->going += leavers;
         if (leavers > 0 && !remake->changes) {
-            remake->before = clod_remake_balance(self);
+            remake->before = clod_step_balance(self);
         }
     }
     self->failed = !clod_neighbour_order(&self->neighbour, state, remake->going, &self->status);
@@ -242,7 +233,7 @@ static void end(clod_step *self, int part)
     clod_step_list_feeling(self);
     clod_step_look(self);
     if (self->remake.changes || self->remake.going > 0) {
-        self->state->ledger.exchanged += clod_remake_balance(self) - self->remake.before;
+        clod_step_book(self, self->remake.before);
     }
     self->rebuilds += self->remake.again;
     self->refreshes += !self->remake.again;

@@ -23,6 +23,3 @@ void clod_remake_begin(clod_step *self, bool again, double speed);
  * Threads all of the step.   Test  tests/step/test_same_bits.c, test_change.c, test_leave.c
  */
 void clod_remake_lists(clod_step *self, int part);
-
-/** Energy of the state for the ledger [J]; 0 when it is not open. */
-double clod_remake_balance(clod_step *self);

@@ -137,6 +137,13 @@ bool clod_step_open_ledger(clod_step *self, clod_status *status);
  *  after a list that could not be made: the next advance says why. */
 clod_energies clod_step_energies(clod_step *self);
 
+/** Energy of the state for the ledger [J]; 0 when it is not open. */
+double clod_step_balance(clod_step *self);
+
+/** Book as exchanged what has been done to the energy since it was `before` [J], with the ledger
+ *  open: something came, went or was set, which is no motion of grains. */
+void clod_step_book(clod_step *self, double before);
+
 /**
  * Copy all contacts that touch, with their histories of now, into state->contacts: ascending,
  * pairs before walls. The next advance empties that list.

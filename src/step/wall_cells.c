@@ -4,9 +4,9 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/room.h"
 #include "state/limits.h"
 #include "step/cells.h"
-#include "step/room.h"
 
 // ---- which shapes are near which cells
 

@@ -92,7 +92,7 @@ bool clod_verify_play_run(const clod_verify_bench *bench, const clod_verify_deck
 
 static clod_vec3 local(const clod_verify_play *self, const double *row)
 {
-    return clod_verify_frame_in(self->frame, (clod_vec3){row[0], row[1], row[2]});
+    return clod_verify_frame_in(self->frame, clod_vec3_of(row));
 }
 
 clod_vec3 clod_verify_play_place(const clod_verify_play *self, int grain)

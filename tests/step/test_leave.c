@@ -6,20 +6,26 @@
 #include "support/bits.h"
 #include "support/sanitized.h"
 
+/** One grain at rest, 0.4 m high, above an open side at 0.1 m, with the ledger open; its mass. */
+static double let_one_fall(scene *s)
+{
+    const clod_case_contact ore = contact_ore();
+    scene_init(s, 1e-5, &ore);
+    s->state.gravity[2] = -9.81;
+    scene_grain(s, 0.0, 0.0, 0.4, 1e-3);
+    s->state.domain.removes = true;
+    s->state.domain.min[2] = 0.1;
+    scene_start(s);
+    scene_open_ledger(s);
+    return s->state.grains.velocity[0][3];
+}
+
 /** One grain in free fall from rest takes away what it had: m g z, whenever it is noticed. */
 static void a_falling_grain_takes_its_energy_away(void **state)
 {
     (void)state;
-    const clod_case_contact ore = contact_ore();
     scene s;
-    scene_init(&s, 1e-5, &ore);
-    s.state.gravity[2] = -9.81;
-    scene_grain(&s, 0.0, 0.0, 0.4, 1e-3);
-    const double mass = s.state.grains.velocity[0][3];
-    s.state.domain.removes = true;
-    s.state.domain.min[2] = 0.1;
-    scene_start(&s);
-    scene_open_ledger(&s);
+    const double mass = let_one_fall(&s);
     scene_run(&s, 30000); // it crosses after sqrt(2 0.3/9.81) = 0.2473 s
     assert_int_equal(s.state.grains.count, 0);
     assert_int_equal(s.state.exchange.left[4], 1);
@@ -63,18 +69,10 @@ static void nothing_is_made_for_an_empty_bed(void **state)
 static void a_change_lets_go_what_is_beyond_a_side(void **state)
 {
     (void)state;
-    const clod_case_contact ore = contact_ore();
     const clod_new_grain comes = {
         .id = 7, .position = {0.01, 0.0, 0.3, 1e-3}, .density = 2000.0, .material = 0};
     scene s;
-    scene_init(&s, 1e-5, &ore);
-    s.state.gravity[2] = -9.81;
-    const size_t g = scene_grain(&s, 0.0, 0.0, 0.4, 1e-3);
-    const double mass = s.state.grains.velocity[g][3];
-    s.state.domain.removes = true;
-    s.state.domain.min[2] = 0.1;
-    scene_start(&s);
-    scene_open_ledger(&s);
+    const double mass = let_one_fall(&s);
     while (s.state.grains.position[0][2] >= 0.1) {
         scene_run(&s, 1);
     }
