@@ -51,6 +51,9 @@ foreach(source IN LISTS CLOD_TEST_SOURCES)
     TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 endforeach()
 
+# It lets calls for memory fail.
+target_link_options(test_sim_memory PRIVATE -Wl,--wrap=aligned_alloc)
+
 # examples/NAME.c: each says on its last line what it found beside what should be, and fails when
 # they differ. tools/check-library builds them as users do.
 file(GLOB CLOD_EXAMPLES CONFIGURE_DEPENDS examples/*.c)
@@ -96,10 +99,12 @@ endif()
 # sanitizers does not have.
 list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "tests/python/")
 if(TARGET clod_shared)
-  add_test(NAME python/test_python
-    COMMAND /usr/bin/python3 -B ${CMAKE_SOURCE_DIR}/tests/python/test_python.py)
-  set_tests_properties(python/test_python PROPERTIES LABELS python TIMEOUT ${CLOD_TEST_SECONDS}
-    ENVIRONMENT "${CLOD_TEST_ENVIRONMENT};CLOD_PYTHON=${CMAKE_BINARY_DIR}/python;CLOD_LIBRARY=$<TARGET_FILE:clod_shared>")
+  foreach(name IN ITEMS test_python test_null)
+    add_test(NAME python/${name}
+      COMMAND /usr/bin/python3 -B ${CMAKE_SOURCE_DIR}/tests/python/${name}.py)
+    set_tests_properties(python/${name} PROPERTIES LABELS python TIMEOUT ${CLOD_TEST_SECONDS}
+      ENVIRONMENT "${CLOD_TEST_ENVIRONMENT};CLOD_PYTHON=${CMAKE_BINARY_DIR}/python;CLOD_LIBRARY=$<TARGET_FILE:clod_shared>")
+  endforeach()
   file(GLOB CLOD_PYTHON_EXAMPLES CONFIGURE_DEPENDS examples/*.py)
   foreach(script IN LISTS CLOD_PYTHON_EXAMPLES)
     cmake_path(GET script STEM name)

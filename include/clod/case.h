@@ -3,6 +3,7 @@
  * @file case.h
  * A checked case: what a case file says, in SI units, with every default filled in.
  * The keys, units, ranges and help of every field stand in the tables of src/config.
+ * A NULL where an argument is needed: see clod/status.h.
  */
 
 #include <stdbool.h>
@@ -116,6 +117,7 @@ typedef enum clod_shape_kind {
     CLOD_SHAPE_CONE,
     CLOD_SHAPE_BOX,
     CLOD_SHAPE_BAR,
+    CLOD_SHAPE_MESH,
     CLOD_SHAPE_KINDS, ///< how many there are
 } clod_shape_kind;
 
@@ -131,6 +133,13 @@ typedef struct clod_case_surface {
     double spin_axis[3];  ///< not zero when there is a spin
     double spin_point[3]; ///< m
 } clod_case_surface;
+
+/** How shapes are turned before a run. */
+typedef struct clod_case_rotation {
+    double axis[3];  ///< not zero when there is an angle
+    double angle;    ///< rad, by the right-hand rule
+    double point[3]; ///< m, on the axis
+} clod_case_rotation;
 
 /** One surface of a wall. Which fields count depends on `kind`. */
 typedef struct clod_case_shape {
@@ -148,6 +157,12 @@ typedef struct clod_case_shape {
     double from[3], to[3];             ///< bar: ends of its centre line
     double width, height;              ///< bar: across, and along `up`
     double up[3];                      ///< bar: direction of its height
+    char *file;                        ///< mesh: path, resolved against the case
+    double unit;                       ///< mesh: m, one unit of the file
+    double scale;                      ///< mesh: of its numbers
+    clod_case_rotation rotate;         ///< mesh: of the scaled mesh
+    double move[3];                    ///< mesh: m, after rotate
+    double smooth_angle;               ///< mesh: rad, bends below it are smooth
 } clod_case_shape;
 
 typedef enum clod_load_kind {
@@ -164,13 +179,6 @@ typedef struct clod_case_oscillation {
     double frequency;    ///< Hz; 0 = the wall does not oscillate
     double phase;        ///< rad, at time 0
 } clod_case_oscillation;
-
-/** How shapes are turned before a run. */
-typedef struct clod_case_rotation {
-    double axis[3];  ///< not zero when there is an angle
-    double angle;    ///< rad, by the right-hand rule
-    double point[3]; ///< m, on the axis
-} clod_case_rotation;
 
 /** A wall: a rigid body of one or more shapes. */
 typedef struct clod_case_wall {
@@ -366,12 +374,13 @@ typedef struct clod_case {
  * Read, check and complete a case file.
  *
  * @param path            YAML file
- * @param overrides       [override_count] texts "key.path=value" of --set, applied first
+ * @param overrides       [override_count] texts "key.path=value" of --set, applied first; may
+ *                        be NULL when there are none
  * @param override_count  how many
  * @param status          [out] on failure: every error found, each with file:line:column, the
  *                        line, a caret, the value, the allowed range and what to do
  * @return                owned case, or NULL
- * Errors  CLOD_USAGE for anything wrong in the file.   Threads  one at a time.
+ * Errors  CLOD_USAGE for anything wrong in the file, a NULL.   Threads  one at a time.
  * Test    tests/config/
  */
 clod_case *clod_case_load(const char *path, const char *const *overrides, size_t override_count,
@@ -405,8 +414,8 @@ typedef enum clod_case_kind {
 /** The kind of a case: its tester if it has one; the contact bench if nothing else is there. */
 clod_case_kind clod_case_kind_of(const clod_case *self);
 
-/** Whether a case has the section of this kind, or grains of its own: a contact bench may stand
- *  beside a run. */
+/** Whether a case has the section of this kind, or grains or stages of its own: a contact bench
+ *  may stand beside a run. */
 bool clod_case_has(const clod_case *self, clod_case_kind kind);
 
 /** Key of the tester that makes its own grains, walls and stages in this case, or NULL. */

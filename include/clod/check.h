@@ -2,6 +2,7 @@
 /**
  * @file check.h
  * The preflight: what a case will be like and what it will cost, without running it.
+ * A NULL where an argument is needed: see clod/status.h.
  */
 
 #include <stdbool.h>
@@ -101,9 +102,10 @@ typedef struct clod_check_report {
  * has very many grains, and the step is timed for a moment on a small packing. Nothing is
  * written.
  *
- * @param from    checked case; the report borrows texts from it
- * @param report  [out]
- * Errors  CLOD_USAGE: a case that cannot be built, an unknown instruction set; CLOD_FAILED: one
+ * @param from     checked case; the report borrows texts from it
+ * @param options  how; all zero: the defaults
+ * @param report   [out]
+ * Errors  CLOD_USAGE: a NULL, a case that cannot be built, an unknown instruction set; CLOD_FAILED: one
  *         whose first steps go wrong.
  * Threads one per report.   Source  docs/theory/mepa.md, time-step.md, ring-shear.md.
  * Test    tests/sim/test_check.c

@@ -12,6 +12,8 @@
  * grains turn in opposite directions, on a wall the grain moves along; twist    turns grain 1
  * about the normal while its partner is held. On slow legs the dash-pots vanish and what is
  * left is the law alone.
+ *
+ * A NULL where an argument is needed: see clod/status.h.
  */
 
 #include <stdbool.h>
@@ -74,11 +76,11 @@ typedef bool (*clod_contact_bench_sink)(void *context, const clod_contact_bench_
  *
  * @param from     case with contact_bench
  * @param sink     gets one row for each step, in order
- * @param context  handed to every call of sink
+ * @param context  handed to every call of sink; may be NULL
  * @param summary  [out]
  * @return         false: no contact_bench in the case, a grain without the density that its
  *                 dash-pot needs, or the sink's own failure
- * Errors  CLOD_USAGE; what the sink says.   Threads  pure but for the sink.
+ * Errors  CLOD_USAGE, of a NULL too; what the sink says.   Threads  pure but for the sink.
  * Source  docs/theory.   Test  tests/tester/test_contact_bench.c
  */
 bool clod_contact_bench_run(const clod_case *from, clod_contact_bench_sink sink, void *context,

@@ -3,7 +3,8 @@
  * @file locus.h
  * Evaluation of shear tests: points -> yield locus, Mohr circles, flow function.
  * Knows no simulation: points may be simulated or measured. docs/theory/yield-locus.md has the
- * equations and says what the error bars mean.
+ * equations and says what the error bars mean. A NULL where an argument is needed: see
+ * clod/status.h.
  */
 
 #include <stdbool.h>
@@ -95,7 +96,7 @@ typedef struct clod_locus {
  *
  * @param points  [count] at least two, with different sigma_s
  * @param locus   [out] owned content (clod_locus_fini); what is not right is in its warnings
- * Errors  CLOD_USAGE: too few points, one normal stress only, a stress that is no stress.
+ * Errors  CLOD_USAGE: a NULL, too few points, one normal stress only, a stress that is no stress.
  * Threads pure.   Source  docs/theory/yield-locus.md; Schulze, Powders and Bulk Solids (2008),
  * ch. 3. Test    tests/analysis/test_locus.c, test_locus_errors.c
  */
@@ -107,12 +108,13 @@ bool clod_locus_evaluate(const clod_locus_point *points, size_t count, clod_locu
  *
  * @param loci   [count] of clod_locus_evaluate, count >= 1; one is copied as it is
  * @param locus  [out] owned content (clod_locus_fini)
- * Errors  CLOD_FAILED: memory.   Threads  pure.   Test  tests/analysis/test_locus_errors.c
+ * Errors  CLOD_USAGE: a NULL, no locus; CLOD_FAILED: memory.   Threads  pure.
+ * Test    tests/analysis/test_locus_errors.c
  */
 bool clod_locus_combine(const clod_locus *loci, size_t count, clod_locus *locus,
                         clod_status *status);
 
-/** Free the content; an empty locus is fine. */
+/** Free the content; an empty locus is fine, NULL is not. */
 void clod_locus_fini(clod_locus *self);
 
 /** Jenike's class of a flowability ffc; "undefined" for NAN. Source docs/theory/yield-locus.md.

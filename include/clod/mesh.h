@@ -2,7 +2,8 @@
 /**
  * @file mesh.h
  * Triangle meshes from STL, OBJ and PLY files: read, checked, repaired where that is safe, and
- * what was found told. docs/meshes.md says what each finding means.
+ * what was found told. docs/meshes.md says what each finding means. A NULL where an argument is
+ * needed: see clod/status.h.
  */
 
 #include <stdbool.h>
@@ -74,7 +75,7 @@ typedef struct clod_mesh_view {
  * @param path     a regular file; .stl (text or binary), .obj or .ply, in any case
  * @param placing  of its numbers
  * @return         owned mesh (clod_mesh_destroy), or NULL
- * Errors  CLOD_USAGE with file, line or facet, value and what to do; also a file that is too
+ * Errors  CLOD_USAGE: a NULL; with file, line or facet, value and what to do; also a file that is too
  *         large, before memory is taken. CLOD_FAILED: the disk, memory.
  * Threads safe; one at a time is in Assimp.   Test  tests/mesh/test_mesh_read.c
  */
@@ -148,7 +149,8 @@ typedef struct clod_mesh_report {
  * @param grain_radius  m, radius of the grains that will touch it; 0 = not known
  * @param report        [out]
  * @return              false without memory
- * Errors  CLOD_FAILED: memory.   Threads  pure.   Test  tests/mesh/test_mesh_report.c
+ * Errors  CLOD_USAGE: a NULL; CLOD_FAILED: memory.   Threads  pure.
+ * Test    tests/mesh/test_mesh_report.c
  */
 bool clod_mesh_examine(const clod_mesh *self, double grain_radius, clod_mesh_report *report,
                        clod_status *status);
@@ -167,7 +169,7 @@ void clod_mesh_free(void *memory);
  *
  * @param text    for instance "3 mm"; a unit alone is one of it
  * @param metres  [out] m, > 0
- * Errors  CLOD_USAGE: no length, no unit, not above 0.   Threads  safe.
+ * Errors  CLOD_USAGE: a NULL, no length, no unit, not above 0.   Threads  safe.
  * Test    tests/config/test_mesh_unit.c
  */
 bool clod_mesh_unit(const char *text, double *metres, clod_status *status);

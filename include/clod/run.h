@@ -3,7 +3,7 @@
  * @file run.h
  * Run a case: a free run, a shear test from filling to yield locus, or a uniaxial test
  * from filling to flow function. The same call goes on from the checkpoints that an interrupted
- * run left in its folder.
+ * run left in its folder. A NULL where an argument is needed: see clod/status.h.
  */
 
 #ifdef __cplusplus
@@ -51,7 +51,7 @@ typedef struct clod_run_options {
     clod_run_signal *save; ///< another number than before: each part that is running writes a
                            ///< checkpoint, to be kept, and a snapshot, and goes on; or NULL
     void (*progress)(void *context, const clod_progress *now); ///< any thread; or NULL
-    void (*notice)(void *context, const char *text);           ///< a sentence for the user
+    void (*notice)(void *context, const char *text); ///< a sentence for the user; or NULL
     void *context;
 } clod_run_options;
 
@@ -59,10 +59,11 @@ typedef struct clod_run_options {
  * Run a case to its end, or until *stop.
  *
  * @param self     checked case
+ * @param options  how; all zero: the defaults
  * @param report   [out] owned text for people: result table and warnings (clod_run_free)
  * @return         false: CLOD_INTERRUPTED when stopped (the same call goes on later), else what
  *                 went wrong; checkpoints are written in either case
- * Errors  CLOD_USAGE: the case cannot be built, the folder is in use or of another case;
+ * Errors  CLOD_USAGE: a NULL, the case cannot be built, the folder is in use or of another case;
  *         CLOD_FAILED: disk, memory, physics gone wrong.   Threads  one per folder.
  * Test    tests/sim/, tests/cli/
  */

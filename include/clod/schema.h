@@ -2,6 +2,7 @@
 /**
  * @file schema.h
  * The keys of a case file explained: for people, for editors, as a manual.
+ * A NULL where an argument is needed: see clod/status.h.
  */
 
 #include "clod/status.h"

@@ -34,12 +34,14 @@ typedef struct clod_sim_options {
  *
  * Stages, series and stop criteria are those of `clod run`; here the caller decides what
  * happens when. Walls begin with their own motion and load, adhesion is that of the first
- * stage. A case with a tester gives the filled cell of the tester without its procedure.
+ * stage. A case with a tester gives the filled cell of the tester without its procedure. A
+ * case may have stages and no grains, which this program adds then; it must give `domain`,
+ * `time.step` and `time.design_stress`.
  *
  * @param from     checked case, borrowed until clod_sim_destroy
  * @param options  NULL = all defaults
  * @return         owned (clod_sim_destroy), or NULL
- * Errors  CLOD_USAGE: the case cannot be built, or has no grains; CLOD_FAILED: memory.
+ * Errors  CLOD_USAGE: the case cannot be built; CLOD_FAILED: memory.
  * Threads safe.   Test  tests/sim/test_sim.c
  */
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
@@ -69,7 +71,8 @@ void clod_sim_destroy(clod_sim **self);
  *
  * @param steps  >= 0
  * Errors  CLOD_FAILED: a number that is not finite, an overlap beyond the range of the laws, a
- *         grain that left the domain: the text names grain and step.
+ *         grain that left the domain: the text names grain and step. Memory, as
+ *         clod_sim_change.
  * Test    tests/sim/test_sim.c
  */
 bool clod_sim_advance(clod_sim *self, int64_t steps, clod_status *status);
@@ -112,7 +115,7 @@ size_t clod_sim_grain_count(const clod_sim *self);
  *
  *   position [m], velocity [m/s], angular_velocity [rad/s]     3 numbers, may be written
  *   force [N], torque [N m]    3 numbers, may be written: sums of the last step with the weight
- *   radius [m], mass [kg], inverse_inertia [1/(kg m2)]         1 number
+ *   radius [m] (clod_sim_set_radii), mass [kg], inverse_inertia [1/(kg m2)]   1 number
  *   id [1] (uint64_t, never changes), material [1] (uint16_t, index in the case)
  *
  * A view and the numbers of the rows are valid until the next clod_sim_advance, change,
@@ -169,7 +172,8 @@ typedef struct clod_sim_grain {
  *         time step beyond the critical one with this grain, under the load of now. An id that
  *         is taken or unknown, a position outside of the domain, numbers that are not finite,
  *         a period too short for it: by what does the changes, which then does none.
- * Test    tests/sim/test_sim_change.c
+ *         CLOD_FAILED: no memory for this request; those of before stay.
+ * Test    tests/sim/test_sim_change.c, test_sim_memory.c
  */
 bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status *status);
 bool clod_sim_remove_grain(clod_sim *self, uint64_t id, clod_status *status);
@@ -177,7 +181,12 @@ bool clod_sim_remove_grain(clod_sim *self, uint64_t id, clod_status *status);
 /**
  * Do what was asked for now. Views, rows and indices of walls are not valid any more.
  *
- * Errors  CLOD_USAGE: a request is wrong, and nothing has changed; CLOD_FAILED: memory.
+ * Errors  CLOD_USAGE: a request is wrong, and nothing has changed; CLOD_FAILED: memory. Without
+ *         memory for the requests or the rows of grains nothing has changed either, and all
+ *         requests are dropped. Without memory for the lists of contacts the simulation can
+ *         only be destroyed or read from a checkpoint: until then every call that needs the
+ *         lists gives this text again.
+ * Test    tests/sim/test_sim_change.c, test_sim_memory.c
  */
 bool clod_sim_change(clod_sim *self, clod_status *status);
 
@@ -192,6 +201,21 @@ bool clod_sim_change(clod_sim *self, clod_status *status);
  * Test    tests/sim/test_sim.c
  */
 bool clod_sim_positions_changed(clod_sim *self, clod_status *status);
+
+/**
+ * Give the grains other radii, at once; masses and inertias follow with the densities of the
+ * case, velocities stay. The next step looks for neighbours anew. Contacts that are still closed
+ * keep their history; what overlaps more pushes more, from the second half of the next step on,
+ * as with positions: grow by a little at a time what is in contact. The change of energy is
+ * booked as exchanged in an open ledger.
+ *
+ * @param radii  [clod_sim_grain_count] m, in the order of the rows
+ * Errors  CLOD_USAGE: one that is not finite or not above 0, a period too short for the largest,
+ *         a time step beyond the critical one with these radii, requests that wait (call
+ *         clod_sim_change first); CLOD_FAILED: memory. Nothing is changed then.
+ * Test    tests/sim/test_sim_radii.c
+ */
+bool clod_sim_set_radii(clod_sim *self, const double *radii, clod_status *status);
 
 // ---- contacts
 

@@ -20,22 +20,26 @@ typedef struct clod_sim clod_sim;
 
 /** A wall as it is now. Forces and torques are those of the grains on the wall. */
 typedef struct clod_sim_wall {
-    const char *name;      ///< valid until a wall comes or goes
-    double position[3];    ///< m, moved from where the case puts it
-    double orientation[4]; ///< w, x, y, z: from the frame in which it was given to space
-    double angle;          ///< rad, turned about its spin axis since that axis was set
-    double
-        velocity[3];  ///< m/s, of the wall's material: motion, load servo, oscillation, surface
-    double spin;      ///< rad/s about its spin axis
-    double force[3];  ///< N, last step
-    double torque[3]; ///< N m about the spin point, last step
-    double power;     ///< W done by the wall on the grains, last step
-    double mean_force[3];  ///< N, mean over the steps since clod_sim_reset_wall_means
-    double mean_torque[3]; ///< N m, likewise
-    double mean_power;     ///< W, likewise
-    int64_t mean_steps;    ///< so many steps; 0: the means are 0
-    bool loaded;           ///< a load moves it (force or stress in the case)
-    double load;           ///< N that it aims at; 0 without
+    const char *name;            ///< valid until a wall comes or goes
+    double position[3];          ///< m, moved from where the case puts it
+    double orientation[4];       ///< w, x, y, z: from the frame in which it was given to space
+    double angle;                ///< rad, turned about its spin axis since that axis was set
+    double velocity[3];          ///< m/s, of the whole wall, as set
+    double surface_velocity[3];  ///< m/s, of its surface without motion of the wall, as set
+    double spin;                 ///< rad/s about its spin axis, as set
+    double angular_velocity[3];  ///< rad/s, the same as a vector along the axis
+    double material_velocity[3]; ///< m/s: velocity, load servo, oscillation, surface_velocity;
+                                 ///< without rotation and the belts of shapes
+    double material_spin;        ///< rad/s about its spin axis: spin, oscillation
+    double force[3];             ///< N, last step
+    double torque[3];            ///< N m about the spin point, last step
+    double power;                ///< W done by the wall on the grains, last step
+    double mean_force[3];        ///< N, mean over the steps since clod_sim_reset_wall_means
+    double mean_torque[3];       ///< N m, likewise
+    double mean_power;           ///< W, likewise
+    int64_t mean_steps;          ///< so many steps; 0: the means are 0
+    bool loaded;                 ///< a load moves it (force or stress in the case)
+    double load;                 ///< N that it aims at; 0 without
 } clod_sim_wall;
 
 int32_t clod_sim_wall_count(const clod_sim *self);
@@ -56,6 +60,7 @@ bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
 /**
  * Drive a wall from now on: velocity of the whole wall [m/s], velocity of its surface without
  * motion of the wall (belt) [m/s], rotation about its spin axis [rad/s], force of its load [N].
+ * These are velocity, surface_velocity, spin and load of clod_sim_wall.
  *
  * Errors  CLOD_USAGE: no such wall, a number that is not finite, a plane that would turn out of
  *         itself, a load on a wall that has none in the case.   Test tests/sim/test_sim.c

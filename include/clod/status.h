@@ -2,6 +2,11 @@
 /**
  * @file status.h
  * Outcome of every call that can fail: a code and a text that tells the user what to do.
+ *
+ * A NULL where an argument is needed is answered at once, by every function of include/clod:
+ * with CLOD_USAGE and the names of function and argument. Functions without a status stop the
+ * program instead, naming both; so does a status that is NULL. Where NULL is fine the comment of
+ * the function says so.   Test  tests/python/test_null.py
  */
 
 #include <stdarg.h>
@@ -34,7 +39,7 @@ typedef struct clod_status {
  * @param code    what kind of failure
  * @param format  printf format of the text: what, where, value, allowed range, what to do
  * @return        false, always
- * Errors  none.   Threads  pure.
+ * Errors  none; NULL for status or format stops the program.   Threads  pure.
  * Test    tests/base/test_status.c
  */
 bool clod_status_fail(clod_status *status, clod_code code, const char *format, ...)

@@ -18,7 +18,7 @@ extern "C" {
  * @param input   file that the text was made from, never written over
  * @param text    whole content
  * @param status  [out] on failure a regular file at `path` is untouched
- * Errors  CLOD_USAGE: path and input are the same file; CLOD_FAILED: no folder, no right, disk
+ * Errors  CLOD_USAGE: a NULL (clod/status.h), path and input are the same file; CLOD_FAILED: no folder, no right, disk
  *         full.   Threads  one per path.
  * Test    tests/output/test_text_file.c
  */

@@ -96,6 +96,13 @@ class Wall:
     mean_torque = property(lambda self: self._vector("mean_torque"), doc="N m, likewise")
     power = property(lambda self: self._look().power, doc="W, done on the grains, last step")
     angle = property(lambda self: self._look().angle, doc="rad, turned so far")
+    angular_velocity = property(lambda self: self._vector("angular_velocity"),
+                                doc="rad/s, spin along its axis; set_angular_velocity sets it")
+    material_velocity = property(
+        lambda self: self._vector("material_velocity"),
+        doc="m/s, of the material: velocity, load servo, oscillation, surface_velocity")
+    material_spin = property(lambda self: self._look().material_spin,
+                             doc="rad/s, of the material: spin, oscillation")
 
     @property
     def position(self):
@@ -109,7 +116,7 @@ class Wall:
 
     @property
     def velocity(self):
-        """m/s, of the wall's material; setting it drives the wall."""
+        """m/s, of the whole wall; setting it drives the wall. A load and an oscillation add to it."""
         return self._vector("velocity")
 
     @velocity.setter
@@ -117,8 +124,13 @@ class Wall:
         self._simulation._call(lib.clod_sim_set_wall_velocity, self._index(),
                                ffi.new("double[3]", list(value)))
 
-    def set_surface_velocity(self, value):
-        """m/s, of a belt: the wall stays where it is."""
+    @property
+    def surface_velocity(self):
+        """m/s, of a belt on all shapes: the wall stays where it is; may be set."""
+        return self._vector("surface_velocity")
+
+    @surface_velocity.setter
+    def surface_velocity(self, value):
         self._simulation._call(lib.clod_sim_set_wall_surface_velocity, self._index(),
                                ffi.new("double[3]", list(value)))
 
@@ -143,7 +155,7 @@ class Wall:
 
     @property
     def spin(self):
-        """rad/s about its spin axis; may be set."""
+        """rad/s about its spin axis; may be set. An oscillation adds to it."""
         return self._look().spin
 
     @spin.setter
@@ -261,6 +273,13 @@ class Simulation:
         if len(rows) == 0:
             raise KeyError(f"there is no grain {grain}")
         return int(rows[0])
+
+    def set_radii(self, radii):
+        """Give the grains other radii (m, in the order of the rows); masses and inertias follow."""
+        radii = numpy.ascontiguousarray(radii, dtype=float)
+        if radii.shape != (len(self),):
+            raise ValueError(f"{radii.shape} radii; there are {len(self)} grains")
+        self._call(lib.clod_sim_set_radii, ffi.from_buffer("double[]", radii))
 
     def positions_changed(self):
         """To be called after writing positions."""

@@ -9,6 +9,7 @@
 #include <stdio.h>
 
 #include "analysis/fields.h"
+#include "base/given.h"
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/text.h"
@@ -92,6 +93,7 @@ static json_t *locus_of(const clod_locus *locus)
 
 char *clod_locus_json(const clod_locus_study *study)
 {
+    CLOD_NEED(study);
     json_t *loci = json_array();
     for (size_t g = 0; g < study->count; g++) {
         const clod_locus_group *group = &study->groups[g];
@@ -124,6 +126,7 @@ static void put_cell(FILE *out, double value)
 
 char *clod_locus_csv(const clod_locus_study *study)
 {
+    CLOD_NEED(study);
     clod_text text;
     FILE *out = clod_text_open(&text);
     if (out == NULL) {

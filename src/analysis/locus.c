@@ -6,6 +6,7 @@
 #include "analysis/preshear.h"
 #include "analysis/spread.h"
 #include "analysis/warnings.h"
+#include "base/given.h"
 #include "base/memory.h"
 
 #define HALF_PI 1.57079632679489661923
@@ -17,6 +18,7 @@ void clod_locus_free(void *memory)
 
 void clod_locus_fini(clod_locus *self)
 {
+    CLOD_NEED(self);
     clod_memory_free(self->marks);
     self->marks = NULL;
     self->point_count = 0;
@@ -24,6 +26,7 @@ void clod_locus_fini(clod_locus *self)
 
 bool clod_locus_one_specimen(const clod_locus *self)
 {
+    CLOD_NEED(self);
     return self->errors == CLOD_LOCUS_ERRORS_FIT && self->preshear_count == 1;
 }
 
@@ -190,6 +193,9 @@ static void fill_marks(clod_locus *self, const clod_locus_point *points, const c
 bool clod_locus_evaluate(const clod_locus_point *points, size_t count, clod_locus *locus,
                          clod_status *status)
 {
+    if (!CLOD_GIVEN(locus, status) || (count > 0 && !CLOD_GIVEN(points, status))) {
+        return false;
+    }
     memset(locus, 0, sizeof *locus);
     if (!check_points(points, count, status)) {
         return false;
@@ -289,6 +295,9 @@ static void combine_values(const clod_locus *loci, size_t count, clod_locus *sel
 bool clod_locus_combine(const clod_locus *loci, size_t count, clod_locus *locus,
                         clod_status *status)
 {
+    if (!CLOD_GIVEN(locus, status) || (count > 0 && !CLOD_GIVEN(loci, status))) {
+        return false;
+    }
     memset(locus, 0, sizeof *locus);
     if (count == 0) {
         return clod_status_fail(status, CLOD_USAGE, "There is no yield locus to combine.");

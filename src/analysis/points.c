@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/input.h"
 #include "base/memory.h"
 #include "clod/locus.h"
@@ -324,13 +325,11 @@ static bool read_row(reader *self, char *line)
             return false;
         }
     }
-    if (point.sigma_p == 0.0) {
-        return fail_cell(self, &COLUMNS[SIGMA_PRE], "",
-                         "is empty; fill it in, or give --sigma-pre.");
-    }
-    if (point.tau_p == 0.0) {
-        return fail_cell(self, &COLUMNS[TAU_PRE], "",
-                         "is empty; fill it in, or give --tau-pre.");
+    if (point.sigma_p == 0.0 || point.tau_p == 0.0) {
+        const bool sigma = point.sigma_p == 0.0;
+        return fail_cell(self, &COLUMNS[sigma ? SIGMA_PRE : TAU_PRE], "",
+                         sigma ? "is empty; fill it in, or give --sigma-pre."
+                               : "is empty; fill it in, or give --tau-pre.");
     }
     return add_point(self, &point);
 }
@@ -344,11 +343,9 @@ static bool read_lines(reader *self, char *text)
         }
         self->line++;
         const size_t blank = strspn(line, " \t\r");
-        if (line[blank] != '\0' && line[blank] != '#') {
-            char *content = line;
-            if (self->width == 0 ? !read_header(self, content) : !read_row(self, content)) {
-                return false;
-            }
+        const bool content = line[blank] != '\0' && line[blank] != '#';
+        if (content && !(self->width == 0 ? read_header(self, line) : read_row(self, line))) {
+            return false;
         }
         line = end == NULL ? NULL : end + 1;
     }
@@ -362,8 +359,6 @@ static bool read_lines(reader *self, char *text)
 /** A default that no row needs is a mistake: the column would silently win. */
 static bool check_defaults(const reader *self, const clod_locus_defaults *defaults)
 {
-    static const clod_locus_defaults NONE = {NULL, NULL};
-    defaults = defaults != NULL ? defaults : &NONE;
     const char *const given[] = {
         [SIGMA_PRE] = defaults->sigma_pre, [TAU_PRE] = defaults->tau_pre};
     for (size_t i = SIGMA_PRE; i <= TAU_PRE; i++) {
@@ -400,13 +395,16 @@ bool clod_locus_parse(const char *path, const char *text, size_t length,
                       const clod_locus_defaults *defaults, clod_locus_point **points,
                       size_t *count, clod_status *status)
 {
-    static const clod_locus_defaults NONE = {NULL, NULL};
-    const clod_locus_defaults *given = defaults != NULL ? defaults : &NONE;
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(text, status) || !CLOD_GIVEN(points, status) ||
+        !CLOD_GIVEN(count, status)) {
+        return false;
+    }
+    const clod_locus_defaults given = defaults != NULL ? *defaults : (clod_locus_defaults){0};
     *points = NULL;
     *count = 0;
     reader self = {.path = path, .status = status};
-    if (!read_default(given->sigma_pre, SIGMA_PRE, &self.sigma_p, status) ||
-        !read_default(given->tau_pre, TAU_PRE, &self.tau_p, status)) {
+    if (!read_default(given.sigma_pre, SIGMA_PRE, &self.sigma_p, status) ||
+        !read_default(given.tau_pre, TAU_PRE, &self.tau_p, status)) {
         return false;
     }
     if (memchr(text, '\0', length) != NULL) {
@@ -419,7 +417,7 @@ bool clod_locus_parse(const char *path, const char *text, size_t length,
     }
     memcpy(copy, text, length);
     const bool done =
-        read_lines(&self, copy + clod_input_mark(copy)) && check_defaults(&self, defaults);
+        read_lines(&self, copy + clod_input_mark(copy)) && check_defaults(&self, &given);
     clod_memory_free(copy);
     if (!done) {
         clod_memory_free(self.points);
@@ -433,6 +431,10 @@ bool clod_locus_parse(const char *path, const char *text, size_t length,
 bool clod_locus_read(const char *path, const clod_locus_defaults *defaults,
                      clod_locus_point **points, size_t *count, clod_status *status)
 {
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(points, status) ||
+        !CLOD_GIVEN(count, status)) {
+        return false;
+    }
     *points = NULL;
     *count = 0;
     char *text;

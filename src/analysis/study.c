@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "analysis/warnings.h"
+#include "base/given.h"
 #include "base/memory.h"
 #include "clod/locus.h"
 
@@ -143,8 +144,12 @@ static bool check_strengths(clod_locus_study *self, clod_status *status)
 clod_locus_study *clod_locus_study_create(const clod_locus_point *points, size_t count,
                                           clod_status *status)
 {
+    CLOD_NEED(status);
     if (count == 0) {
         clod_status_fail(status, CLOD_USAGE, "There are no shear points.");
+        return NULL;
+    }
+    if (!CLOD_GIVEN(points, status)) {
         return NULL;
     }
     clod_locus_study *self = clod_memory_alloc(1, sizeof *self);

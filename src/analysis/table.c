@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "analysis/fields.h"
+#include "base/given.h"
 #include "base/memory.h"
 #include "base/text.h"
 
@@ -169,6 +170,7 @@ static void put_flow_function(FILE *out, const clod_locus_study *study)
 
 char *clod_locus_table(const clod_locus_study *study)
 {
+    CLOD_NEED(study);
     clod_text text;
     FILE *out = clod_text_open(&text);
     if (out == NULL) {

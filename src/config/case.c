@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/assert.h"
+#include "base/given.h"
 #include "base/input.h"
 #include "base/memory.h"
 #include "config/check.h"
@@ -74,10 +75,25 @@ static clod_case *make_case(const char *path, const char *text, size_t length)
     return self;
 }
 
+/** Whether as many overrides are there as were said. */
+static bool overrides_given(const char *const *overrides, size_t count, const char *function,
+                            clod_status *status)
+{
+    bool given = count == 0 || clod_given(overrides != NULL, function, "overrides", status);
+    for (size_t k = 0; given && k < count; k++) {
+        given = clod_given(overrides[k] != NULL, function, "one of overrides", status);
+    }
+    return given;
+}
+
 clod_case *clod_case_parse(const char *path, const char *text, size_t length,
                            const char *const *overrides, size_t override_count,
                            clod_status *status)
 {
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(text, status) ||
+        !overrides_given(overrides, override_count, __func__, status)) {
+        return NULL;
+    }
     clod_report report = {.name = path, .text = text, .length = length, .overrides = overrides};
     clod_arena arena = {0};
     clod_loader loader = {
@@ -102,6 +118,10 @@ clod_case *clod_case_parse(const char *path, const char *text, size_t length,
 clod_case *clod_case_load(const char *path, const char *const *overrides, size_t override_count,
                           clod_status *status)
 {
+    if (!CLOD_GIVEN(path, status) ||
+        !overrides_given(overrides, override_count, __func__, status)) {
+        return NULL;
+    }
     size_t length = 0;
     char *text;
     if (!clod_input_read(path, CLOD_YAML_BYTES + 1, &text, &length, status)) {
@@ -126,6 +146,8 @@ void clod_case_destroy(clod_case **self)
 
 int clod_case_material_index(const clod_case *self, const char *name)
 {
+    CLOD_NEED(self);
+    CLOD_NEED(name);
     for (size_t i = 0; i < self->material_count; i++) {
         if (strcmp(self->materials[i].name, name) == 0) {
             return (int)i;
@@ -136,6 +158,7 @@ int clod_case_material_index(const clod_case *self, const char *name)
 
 const clod_case_contact *clod_case_pair(const clod_case *self, int a, int b)
 {
+    CLOD_NEED(self);
     CLOD_ASSERT(a >= 0 && b >= 0 && (size_t)a < self->material_count &&
                 (size_t)b < self->material_count);
     return &self->pairs[(size_t)a * self->material_count + (size_t)b];

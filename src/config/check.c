@@ -88,12 +88,25 @@ static clod_tester_materials materials_of(const clod_case *self, int kind)
                                                         : (clod_tester_materials){0};
 }
 
-/** Whether grains are of a material; grains from a file may be of any, and only some are. */
-static bool is_grain(const clod_case *self, const char *material, bool from_file)
+/** Whether a program of the user's may add grains of a material: the run begins without any. */
+static bool may_come(const clod_case *self, const char *material)
 {
+    const int m = clod_case_material_index(self, material);
+    return clod_config_begins_empty(self) && m >= 0 && self->materials[m].density > 0.0;
+}
+
+/**
+ * Whether grains are of a material; grains from a file, or from the user's program, may be of
+ * any, and only some are.
+ */
+static bool is_grain(const clod_case *self, const char *material, bool from_elsewhere)
+{
+    if (from_elsewhere && may_come(self, material)) {
+        return true;
+    }
     for (size_t i = 0; i < self->grains_count; i++) {
         const clod_case_grains *grains = &self->grains[i];
-        if ((from_file && grains->file != NULL) || is(grains->material, material)) {
+        if ((from_elsewhere && grains->file != NULL) || is(grains->material, material)) {
             return true;
         }
     }
@@ -164,8 +177,12 @@ static void check_kind(clod_loader *loader, const clod_case *self)
             "grains need stages that say how long to run, for instance stages: [{name: "
             "settle, duration: 0.2 s}]");
     }
-    if (tester == NULL && stages && !grains) {
-        clod_check_fail(loader, "stages", "stages need grains");
+    const bool empty = clod_check_has(loader, "domain") && self->time.step > 0.0 &&
+                       self->time.design_stress > 0.0;
+    if (tester == NULL && stages && !grains && !empty) {
+        clod_check_fail(loader, "stages",
+                        "stages need grains; where a program adds them later, give domain, "
+                        "time.step and time.design_stress instead");
     }
     const bool run = tester != NULL || grains || stages;
     const bool bench = !run && clod_case_kind_of(self) == CLOD_CASE_CONTACT_BENCH;

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "config/param.h"
@@ -247,6 +248,7 @@ static void print_table(const echo *to, const clod_table *table, const void *tar
 
 char *clod_case_echo(const clod_case *self)
 {
+    CLOD_NEED(self);
     clod_text text;
     FILE *out = clod_text_open(&text);
     if (out == NULL) {

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "clod/schema.h"
@@ -124,6 +125,7 @@ static char *explain_all(void)
 
 char *clod_schema_explain(const char *key, clod_status *status)
 {
+    CLOD_NEED(status);
     if (key == NULL) {
         char *all = explain_all();
         if (all == NULL) {

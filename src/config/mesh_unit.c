@@ -5,11 +5,15 @@
 
 #include <math.h>
 
+#include "base/given.h"
 #include "clod/mesh.h"
 #include "config/unit.h"
 
 bool clod_mesh_unit(const char *text, double *metres, clod_status *status)
 {
+    if (!CLOD_GIVEN(text, status) || !CLOD_GIVEN(metres, status)) {
+        return false;
+    }
     char message[CLOD_UNIT_MESSAGE];
     double value = 1.0;
     const char *unit = clod_unit_number(text, &value);

@@ -137,7 +137,7 @@ const clod_table CLOD_TABLE_CONTACT_BENCH = {
 static bool has_steps(const clod_case *whole, const void *self)
 {
     (void)self;
-    return clod_case_tester(whole) != NULL || whole->grains_count > 0;
+    return clod_case_tester(whole) != NULL || whole->stage_count > 0;
 }
 
 static bool has_random(const clod_case *whole, const void *self)

@@ -65,6 +65,12 @@ static bool has_surface(const clod_case *whole, const void *self)
            v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0;
 }
 
+static bool mesh_turns(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const S *)self)->rotate.angle != 0.0;
+}
+
 static const clod_param SURFACE[] = {
     {.key = "material",
      .kind = CLOD_PARAM_TEXT,
@@ -230,6 +236,65 @@ static const clod_param BAR[] = {
 static const clod_table BAR_TABLE = {.title = "A straight bar with four sides and two ends.",
                                      CLOD_ROWS(BAR)};
 
+static const clod_param MESH[] = {
+    {.key = "file",
+     .kind = CLOD_PARAM_FILE,
+     .need = CLOD_PARAM_REQUIRED,
+     .example = "chute.stl",
+     CLOD_AT(S, file),
+     .help = "Triangle mesh: .stl, .obj or .ply (clod mesh FILE says what is in it).",
+     .source = "docs/meshes.md"},
+    {.key = "unit",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "m",
+     CLOD_ABOVE(0, 1e6),
+     .example = "1 mm",
+     CLOD_AT(S, unit),
+     .help = "What one unit of the file is; mesh files do not say it.",
+     .source = "docs/meshes.md"},
+    {.key = "scale",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_ABOVE(0, 1e6),
+     .fallback = "1",
+     CLOD_AT(S, scale),
+     .help = "Factor of the numbers of the file.",
+     .source = "docs/meshes.md"},
+    {.key = "rotate",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &CLOD_TABLE_ROTATION,
+     CLOD_AT(S, rotate),
+     .used = mesh_turns,
+     .help = "Turns the scaled mesh.",
+     .source = "docs/meshes.md"},
+    {.key = "move",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m",
+     CLOD_FROM(-1e4, 1e4),
+     .fallback = "0 0 0 m",
+     CLOD_AT(S, move),
+     .help = "Shifts the mesh, after rotate.",
+     .source = "docs/meshes.md"},
+    {.key = "smooth_angle",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "rad",
+     CLOD_ABOVE(0, 1.0),
+     .fallback = "20 deg",
+     CLOD_AT(S, smooth_angle),
+     .help = "Facets that bend by less are one smooth surface, on which a grain has one "
+             "contact; at sharper bends inwards each side pushes.",
+     .source = "docs/adr/0033-contacts-with-meshes.md"},
+    SURFACE_ROW,
+};
+static const clod_table MESH_TABLE = {.title = "A triangle mesh; grains touch both sides.",
+                                      CLOD_ROWS(MESH)};
+
 #define SHAPE(name, sub, field_help)                                                           \
     {                                                                                          \
         .key = name, .kind = CLOD_PARAM_SECTION, .need = CLOD_PARAM_OPTIONAL, .table = &(sub), \
@@ -245,6 +310,7 @@ static const clod_param SHAPES[CLOD_SHAPE_KINDS] = {
         SHAPE("cone", CONE_TABLE, "The shell of a cone, whole or cut off: a hopper."),
     [CLOD_SHAPE_BOX] = SHAPE("box", BOX_TABLE, "A solid box along x, y, z."),
     [CLOD_SHAPE_BAR] = SHAPE("bar", BAR_TABLE, "A straight bar."),
+    [CLOD_SHAPE_MESH] = SHAPE("mesh", MESH_TABLE, "A triangle mesh from a file."),
 };
 const clod_table CLOD_TABLE_SHAPE = {.title = "One surface: one of these.",
                                      CLOD_ROWS(SHAPES),

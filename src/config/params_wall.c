@@ -200,8 +200,8 @@ static const clod_param ROTATION[] = {
      .help = "A point of the axis.",
      .source = "convention"},
 };
-static const clod_table ROTATION_TABLE = {.title = "A rotation about an axis.",
-                                          CLOD_ROWS(ROTATION)};
+const clod_table CLOD_TABLE_ROTATION = {.title = "A rotation about an axis.",
+                                        CLOD_ROWS(ROTATION)};
 
 static const clod_param WALL[] = {
     {.key = "material",
@@ -222,7 +222,7 @@ static const clod_param WALL[] = {
     {.key = "rotate",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,
-     .table = &ROTATION_TABLE,
+     .table = &CLOD_TABLE_ROTATION,
      CLOD_AT(W, rotate),
      .used = has_rotation,
      .help = "Turns all shapes of the wall before the run.",

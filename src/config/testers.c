@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/given.h"
 #include "config/check.h"
 
 // ---- ring_shear
@@ -136,12 +137,15 @@ const clod_config_tester CLOD_CONFIG_TESTER[CLOD_CASE_KINDS] = {
 
 bool clod_case_has(const clod_case *self, clod_case_kind kind)
 {
+    CLOD_NEED(self);
     const clod_config_tester *row = &CLOD_CONFIG_TESTER[kind];
-    return row->key != NULL ? row->present(self) : self->grains_count > 0;
+    return row->key != NULL ? row->present(self)
+                            : self->grains_count > 0 || self->stage_count > 0;
 }
 
 clod_case_kind clod_case_kind_of(const clod_case *self)
 {
+    CLOD_NEED(self);
     clod_case_kind beside = CLOD_CASE_FREE;
     for (int k = 0; k < CLOD_CASE_KINDS; k++) {
         const clod_config_tester *row = &CLOD_CONFIG_TESTER[k];
@@ -151,7 +155,13 @@ clod_case_kind clod_case_kind_of(const clod_case *self)
         }
         beside = present ? (clod_case_kind)k : beside;
     }
-    return self->grains_count > 0 ? CLOD_CASE_FREE : beside;
+    return clod_case_has(self, CLOD_CASE_FREE) ? CLOD_CASE_FREE : beside;
+}
+
+bool clod_config_begins_empty(const clod_case *self)
+{
+    return clod_case_kind_of(self) == CLOD_CASE_FREE && self->grains_count == 0 &&
+           self->stage_count > 0;
 }
 
 const clod_config_tester *clod_config_tester_of(const clod_case *from)
@@ -161,18 +171,21 @@ const clod_config_tester *clod_config_tester_of(const clod_case *from)
 
 const char *clod_case_tester(const clod_case *self)
 {
+    CLOD_NEED(self);
     const clod_config_tester *row = clod_config_tester_of(self);
     return row->cell ? row->key : NULL;
 }
 
 const clod_case_programme *clod_case_shear(const clod_case *self)
 {
+    CLOD_NEED(self);
     const clod_config_tester *tester = clod_config_tester_of(self);
     return tester->programme != NULL ? tester->programme(self) : NULL;
 }
 
 double clod_case_tester_stress(const clod_case *self)
 {
+    CLOD_NEED(self);
     const clod_config_tester *tester = clod_config_tester_of(self);
     return tester->stress != NULL ? tester->stress(self) : 0.0;
 }

@@ -31,6 +31,9 @@ extern const clod_config_tester CLOD_CONFIG_TESTER[CLOD_CASE_KINDS];
  */
 const clod_config_tester *clod_config_tester_of(const clod_case *from);
 
+/** A free run without grains, to which a program of the user's adds them. Threads: pure. */
+bool clod_config_begins_empty(const clod_case *self);
+
 #define CLOD_CONFIG_TESTER_KEYS 256
 
 /** "ring_shear, jenike, uniaxial": keys of all that make a cell, for messages. */

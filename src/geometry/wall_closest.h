@@ -4,7 +4,8 @@
  * The closest point of a wall's shape, for CLOD_WIDTH grains at once: one text for the kernels
  * and for everybody else (simd.h).
  *
- * Shapes come as four rows of four numbers (wall_rows.h):
+ * Facets of meshes are found otherwise (wall_facets.h). Other shapes come as four rows of four
+ * numbers (wall_rows.h):
  *
  *   row 0   x y z [m] of the centre (shell: of the foot), kind: 0 box or bar, 2 plane,
  *           +1 or -1 shell whose grains are outside or inside
@@ -23,6 +24,7 @@
 /** Kinds in row 0; a shell has +1 or -1. */
 #define CLOD_WALL_BOX 0.0
 #define CLOD_WALL_PLANE 2.0
+#define CLOD_WALL_MESH 3.0 ///< rows 0 to 3: pose of the wall (wall_facets.h)
 
 /** Rows of a shape: where it is (wall_closest.h), and how its material moves. */
 enum {
@@ -40,15 +42,17 @@ typedef enum clod_wall_form {
     CLOD_FORM_PLANE,
     CLOD_FORM_BOX,   ///< box, bar
     CLOD_FORM_SHELL, ///< disc, annulus, cylinder, cone
+    CLOD_FORM_MESH,  ///< facets: found before the kernels run (step/touch.h)
     CLOD_FORMS
 } clod_wall_form;
 
 /** Form of a shape from its number in row 0. */
 static inline clod_wall_form clod_wall_form_of(double kind)
 {
-    return kind == CLOD_WALL_PLANE ? CLOD_FORM_PLANE
-           : kind == CLOD_WALL_BOX ? CLOD_FORM_BOX
-                                   : CLOD_FORM_SHELL;
+    return kind == CLOD_WALL_PLANE  ? CLOD_FORM_PLANE
+           : kind == CLOD_WALL_BOX  ? CLOD_FORM_BOX
+           : kind == CLOD_WALL_MESH ? CLOD_FORM_MESH
+                                    : CLOD_FORM_SHELL;
 }
 
 #include "simd/simd.h"

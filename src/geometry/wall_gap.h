@@ -12,6 +12,7 @@
  *   point is on the rim. So the distance is continuous everywhere, also for a grain that rolls
  *   over the rim of a shell and slides down its back. Cylinder and cone have no lids; a rim of
  *   radius 0 is the tip of a cone.
+ * - mesh: thin, as these; a shape is a patch of it.
  *
  * Shapes are not repeated in periodic directions: give them the length of the domain.
  */
@@ -84,6 +85,15 @@ static inline clod_gap clod_wall_gap_rows(const double (*row)[4], clod_vec3 p)
     return (clod_gap){at.distance, {at.normal.x, at.normal.y, at.normal.z}};
 }
 
+/** Gap between a patch of a mesh and a point, both in the wall's frame. */
+static inline clod_gap clod_wall_gap_patch(const clod_surface *surface, int32_t patch,
+                                           clod_vec3 p)
+{
+    const clod_surface_closest at =
+        clod_surface_patch_closest(surface, (uint32_t)patch, p, INFINITY);
+    return (clod_gap){at.distance, at.direction};
+}
+
 /**
  * The same of a shape as it was given.
  *
@@ -94,6 +104,9 @@ static inline clod_gap clod_wall_gap_rows(const double (*row)[4], clod_vec3 p)
  */
 static inline clod_gap clod_wall_gap(const clod_shape *shape, clod_vec3 p)
 {
+    if (clod_shape_kinds_row(shape->kind)->faceted) {
+        return clod_wall_gap_patch(shape->surface, shape->patch, p);
+    }
     double row[4][4];
     clod_wall_shape_rows(shape, row);
     return clod_wall_gap_rows((const double(*)[4])row, p);

@@ -16,23 +16,30 @@ bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls)
     }
     self->shape =
         clod_memory_alloc(CLOD_SHAPE_ROWS * (shapes + CLOD_FORMS), sizeof *self->shape);
+    self->patch = clod_memory_alloc(shapes + 1, sizeof *self->patch);
     self->first_shape = clod_memory_alloc(count + 1, sizeof *self->first_shape);
     self->pose = clod_memory_alloc(count + 1, sizeof *self->pose);
     self->motion = clod_memory_alloc(count + 1, sizeof *self->motion);
     self->reach = clod_memory_alloc(count + 1, sizeof *self->reach);
-    if (self->shape == NULL || self->first_shape == NULL || self->pose == NULL ||
-        self->motion == NULL || self->reach == NULL) {
+    if (self->shape == NULL || self->patch == NULL || self->first_shape == NULL ||
+        self->pose == NULL || self->motion == NULL || self->reach == NULL) {
         clod_wall_rows_fini(self);
         return false;
     }
     static const double KIND[CLOD_FORMS] = {[CLOD_FORM_PLANE] = CLOD_WALL_PLANE,
                                             [CLOD_FORM_BOX] = CLOD_WALL_BOX,
-                                            [CLOD_FORM_SHELL] = 1.0};
+                                            [CLOD_FORM_SHELL] = 1.0,
+                                            [CLOD_FORM_MESH] = CLOD_WALL_MESH};
     for (size_t f = 0; f < CLOD_FORMS; f++) { // all zero else
         self->shape[CLOD_SHAPE_ROWS * (shapes + f)][3] = KIND[f];
     }
     for (int32_t w = 0; w < walls->count; w++) {
         self->first_shape[w + 1] = self->first_shape[w] + walls->wall[w].shape_count;
+        for (int32_t s = 0; s < walls->wall[w].shape_count; s++) {
+            const clod_shape *shape = &walls->wall[w].shapes[s];
+            self->patch[self->first_shape[w] + s] =
+                (clod_wall_patch){shape->surface, shape->patch, shape->slot};
+        }
         clod_wall_rows_forget(self, w); // nowhere yet
         self->reach[w] = clod_wall_reach(&walls->wall[w]);
         clod_wall_rows_place(self, w, &walls->wall[w]);
@@ -61,6 +68,10 @@ clod_wall_stand clod_wall_stand_of(const clod_wall *wall)
 /** A shape where it is: shifted, and turned if there is an angle or an orientation. */
 static void place_shape(const clod_wall_stand *self, const clod_shape *shape, double (*row)[4])
 {
+    if (shape->surface != NULL) {
+        clod_wall_facets_put(self->turned ? &self->now : &self->rest, row);
+        return;
+    }
     clod_shape now = *shape;
     const bool turned = self->turned && !shape->symmetric;
     if (!turned && self->given) {
@@ -152,6 +163,57 @@ void clod_wall_rows_place(clod_wall_rows *self, int32_t w, const clod_wall *wall
     }
 }
 
+/** Extent of a patch along an axis of space: that of the box about it in its frame. */
+static void box_of_patch(const clod_wall_rows *self, int32_t w, int32_t shape, int axis,
+                         double *low, double *high)
+{
+    const clod_wall_patch *at = clod_wall_rows_patch(self, w, shape);
+    const clod_surface_patch *patch = &at->surface->patches[at->patch];
+    const clod_wall_pose pose = clod_wall_facets_pose((const double(*)[4])self->shape +
+                                                      clod_wall_rows_shape(self, w, shape));
+    double middle[3], half = 0.0;
+    for (int b = 0; b < 3; b++) {
+        middle[b] = 0.5 * (patch->low[b] + patch->high[b]);
+        half += fabs(pose.rotation[axis][b]) * 0.5 * (patch->high[b] - patch->low[b]);
+    }
+    double centre[3];
+    clod_vec3_put(centre, clod_wall_point_to_space(&pose, clod_vec3_of(middle)));
+    *low = centre[axis] - half;
+    *high = centre[axis] + half;
+}
+
+/** Whether a point is farther than `reach` from a box or bar for sure: outside the sphere about
+ *  it, made larger by so much. False says nothing. */
+static bool is_far(const double (*row)[4], const double p[3], double reach)
+{
+    double apart2 = 0.0;
+    double half2 = 0.0;
+    for (int a = 0; a < 3; a++) {
+        apart2 += (p[a] - row[0][a]) * (p[a] - row[0][a]);
+        half2 += row[1 + a][3] * row[1 + a][3];
+    }
+    const double most = sqrt(half2) + reach;
+    return row[0][3] == CLOD_WALL_BOX && apart2 > most * most;
+}
+
+bool clod_wall_rows_is_near(const clod_wall_rows *self, int32_t w, int32_t shape,
+                            const double p[3], double reach)
+{
+    const double(*row)[4] =
+        (const double(*)[4])self->shape + clod_wall_rows_shape(self, w, shape);
+    if (row[0][3] != CLOD_WALL_MESH) {
+        return !is_far(row, p, reach) &&
+               clod_wall_gap_rows(row, clod_vec3_of(p)).distance < reach;
+    }
+    const clod_wall_patch *at = clod_wall_rows_patch(self, w, shape);
+    const clod_wall_pose pose = clod_wall_facets_pose(row);
+    const clod_vec3 q = clod_wall_to_frame(&pose, clod_vec3_of(p));
+    return at->slot == 0
+               ? clod_surface_patch_closest(at->surface, (uint32_t)at->patch, q, reach)
+                         .distance < reach
+               : clod_surface_rim_is_near(at->surface, (uint32_t)at->patch, q, reach);
+}
+
 void clod_wall_rows_box(const clod_wall_rows *self, int32_t w, int32_t shape, double low[3],
                         double high[3])
 {
@@ -160,6 +222,10 @@ void clod_wall_rows_box(const clod_wall_rows *self, int32_t w, int32_t shape, do
     for (int a = 0; a < 3; a++) {
         const double at = row[0][a];
         double below = INFINITY, above = INFINITY; // of a plane
+        if (row[0][3] == CLOD_WALL_MESH) {
+            box_of_patch(self, w, shape, a, &low[a], &high[a]);
+            continue;
+        }
         if (row[0][3] == CLOD_WALL_BOX) {
             below = above = fabs(row[1][a]) * row[1][3] + fabs(row[2][a]) * row[2][3] +
                             fabs(row[3][a]) * row[3][3];
@@ -179,6 +245,7 @@ void clod_wall_rows_box(const clod_wall_rows *self, int32_t w, int32_t shape, do
 void clod_wall_rows_fini(clod_wall_rows *self)
 {
     clod_memory_free(self->shape);
+    clod_memory_free(self->patch);
     clod_memory_free(self->first_shape);
     clod_memory_free(self->pose);
     clod_memory_free(self->motion);

@@ -17,6 +17,7 @@
 #include <math.h>
 
 #include "geometry/wall_closest.h"
+#include "geometry/wall_facets.h"
 #include "geometry/wall_gap.h"
 #include "geometry/wall_pose.h"
 #include "state/walls.h"
@@ -24,9 +25,16 @@
 /** Numbers that a wall's rows follow from: pose, and motion of the wall. */
 #define CLOD_WALL_MOTION_NUMBERS 9
 
+/** Of which patch of a mesh a shape is a contact; no surface: it is no mesh. */
+typedef struct clod_wall_patch {
+    const clod_surface *surface; ///< borrowed from the wall's shape
+    int32_t patch, slot;
+} clod_wall_patch;
+
 typedef struct clod_wall_rows {
-    double (*shape)[4];   ///< [(shapes + CLOD_FORMS) * CLOD_SHAPE_ROWS]; the last for padding
-    int32_t *first_shape; ///< [walls + 1] number of each wall's first shape
+    clod_wall_patch *patch; ///< [shapes]
+    double (*shape)[4];     ///< [(shapes + CLOD_FORMS) * CLOD_SHAPE_ROWS]; the last for padding
+    int32_t *first_shape;   ///< [walls + 1] number of each wall's first shape
     double (*pose)[CLOD_WALL_POSE_NUMBERS];     ///< [walls] that all rows of a wall are for
     double (*motion)[CLOD_WALL_MOTION_NUMBERS]; ///< [walls] the same
     double *reach;                              ///< [walls] clod_wall_reach [m]
@@ -90,33 +98,35 @@ static inline int32_t clod_wall_rows_shape(const clod_wall_rows *self, int32_t w
     return CLOD_SHAPE_ROWS * (self->first_shape[w] + shape);
 }
 
+/** Patch of a mesh that a shape is. */
+static inline const clod_wall_patch *clod_wall_rows_patch(const clod_wall_rows *self, int32_t w,
+                                                          int32_t shape)
+{
+    return &self->patch[self->first_shape[w] + shape];
+}
+
 /** Gap between a shape of a wall and a point of space [m]. */
 static inline clod_gap clod_wall_rows_gap(const clod_wall_rows *self, int32_t w, int32_t shape,
                                           const double p[3])
 {
-    return clod_wall_gap_rows((const double(*)[4])self->shape +
-                                  clod_wall_rows_shape(self, w, shape),
-                              clod_vec3_of(p));
+    const double(*row)[4] =
+        (const double(*)[4])self->shape + clod_wall_rows_shape(self, w, shape);
+    if (row[0][3] != CLOD_WALL_MESH) {
+        return clod_wall_gap_rows(row, clod_vec3_of(p));
+    }
+    const clod_wall_patch *at = clod_wall_rows_patch(self, w, shape);
+    const clod_wall_pose pose = clod_wall_facets_pose(row);
+    const clod_gap gap =
+        clod_wall_gap_patch(at->surface, at->patch, clod_wall_to_frame(&pose, clod_vec3_of(p)));
+    return (clod_gap){gap.distance, clod_wall_to_space(&pose, gap.normal)};
 }
 
 /**
- * Whether a point is farther than `reach` [m] from a shape for sure: outside the sphere about a
- * box or bar, made larger by so much. False says nothing.
+ * Whether a contact of a point, the centre of a grain, with a shape may be within `reach` [m]:
+ * the gap is smaller. A mesh's patch has contacts beyond its first slot near its rims alone.
  */
-static inline bool clod_wall_rows_is_far(const clod_wall_rows *self, int32_t w, int32_t shape,
-                                         const double p[3], double reach)
-{
-    const double(*row)[4] =
-        (const double(*)[4])self->shape + clod_wall_rows_shape(self, w, shape);
-    double apart2 = 0.0;
-    double half2 = 0.0;
-    for (int a = 0; a < 3; a++) {
-        apart2 += (p[a] - row[0][a]) * (p[a] - row[0][a]);
-        half2 += row[1 + a][3] * row[1 + a][3];
-    }
-    const double most = sqrt(half2) + reach;
-    return row[0][3] == CLOD_WALL_BOX && apart2 > most * most;
-}
+bool clod_wall_rows_is_near(const clod_wall_rows *self, int32_t w, int32_t shape,
+                            const double p[3], double reach);
 
 /**
  * Box along the axes that a shape of a wall does not leave [m]; a plane's is endless.

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/input.h"
 #include "base/memory.h"
 #include "mesh/mesh_edges.h"
@@ -171,6 +172,9 @@ static clod_mesh *make(clod_mesh_source *source, const clod_mesh_placing *placin
 clod_mesh *clod_mesh_read(const char *path, const clod_mesh_placing *placing,
                           clod_status *status)
 {
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(placing, status)) {
+        return NULL;
+    }
     clod_mesh_source source;
     if (!clod_mesh_source_init(&source, path, status) ||
         !clod_input_read_regular(path, CLOD_MESH_BYTES_MOST, &source.bytes, &source.length,
@@ -183,6 +187,10 @@ clod_mesh *clod_mesh_read(const char *path, const clod_mesh_placing *placing,
 clod_mesh *clod_mesh_parse(const char *path, const char *bytes, size_t length,
                            const clod_mesh_placing *placing, clod_status *status)
 {
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(bytes, status) ||
+        !CLOD_GIVEN(placing, status)) {
+        return NULL;
+    }
     clod_mesh_source source;
     if (!clod_mesh_source_init(&source, path, status)) {
         return NULL;
@@ -221,5 +229,6 @@ void clod_mesh_destroy(clod_mesh **self)
 
 const clod_mesh_view *clod_mesh_look(const clod_mesh *self)
 {
+    CLOD_NEED(self);
     return &self->view;
 }

@@ -6,6 +6,7 @@
 #include <jansson.h>
 #include <math.h>
 
+#include "base/given.h"
 #include "base/json.h"
 #include "mesh/mesh.h"
 #include "mesh/mesh_findings.h"
@@ -80,6 +81,8 @@ static json_t *warnings_of(const clod_mesh_report *report)
 
 char *clod_mesh_json(const clod_mesh *self, const clod_mesh_report *report)
 {
+    CLOD_NEED(self);
+    CLOD_NEED(report);
     const clod_mesh_view *view = &self->view;
     json_t *all = json_pack(
         "{s:o, s:I, s:I, s:I, s:I, s:b, s:o, s:o, s:f, s:o}", "file", text_of(self->path),

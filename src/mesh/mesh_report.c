@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/memory.h"
 #include "base/sort.h"
 #include "mesh/mesh.h"
@@ -232,6 +233,9 @@ static void doubt_facets(const clod_mesh *self, clod_mesh_report *report)
 bool clod_mesh_examine(const clod_mesh *self, double grain_radius, clod_mesh_report *report,
                        clod_status *status)
 {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(report, status)) {
+        return false;
+    }
     *report = (clod_mesh_report){
         .read_facets = self->read_facets, .weld = self->weld, .grain_radius = grain_radius};
     memcpy(report->findings, self->findings, sizeof report->findings);

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/memory.h"
 #include "base/plural.h"
 #include "base/text.h"
@@ -120,6 +121,8 @@ static void put_warning(FILE *out, const char *text)
 
 char *clod_mesh_text(const clod_mesh *self, const clod_mesh_report *report)
 {
+    CLOD_NEED(self);
+    CLOD_NEED(report);
     clod_text text;
     FILE *out = clod_text_open(&text);
     if (out == NULL) {

@@ -126,12 +126,13 @@ static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
     state->contact_count = contacts;
     state->contact_capacity = contacts;
     bool good = true;
-    if (clod_hdf_rows(hdf, "grains/build_position") > 0) {
+    const bool walls = clod_hdf_rows(hdf, "walls/build_angle") > 0;
+    if (walls || clod_hdf_rows(hdf, "grains/build_position") > 0) { // without grains: no rows
         state->build_position =
             clod_memory_alloc(state->grains.capacity, sizeof *state->build_position);
         good = state->build_position != NULL;
     }
-    if (clod_hdf_rows(hdf, "walls/build_angle") > 0) {
+    if (walls) {
         state->build_walls =
             clod_memory_alloc((size_t)state->walls.count, sizeof *state->build_walls);
         good = good && state->build_walls != NULL;

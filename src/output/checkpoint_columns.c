@@ -162,6 +162,8 @@ void clod_checkpoint_columns_of_shapes(clod_checkpoint_columns *self, const clod
     ADD(outer, "m", F64, 1);
     ADD(half, "m", F64, 3);
     ADD(side, "1", I32, 1);
+    ADD(patch, "1", I32, 1);
+    ADD(slot, "1", I32, 1);
     ADD(belt.velocity, "m s-1", F64, 3);
     ADD(belt.direction, "1", F64, 3);
     ADD(belt.speed, "m s-1", F64, 1);

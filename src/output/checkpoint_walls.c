@@ -109,13 +109,36 @@ static bool read_walls(clod_hdf *hdf, clod_walls *walls, const char *path, clod_
                             path);
 }
 
+/** Shapes of meshes get their surfaces from the walls of the same names that were there: a file
+ *  has no facets. */
+static void share_surfaces(const clod_walls *before, clod_walls *walls)
+{
+    for (int32_t w = 0; w < walls->count; w++) {
+        clod_wall *wall = &walls->wall[w];
+        const clod_wall *was = NULL;
+        for (int32_t b = 0; b < before->count; b++) {
+            was = strcmp(before->wall[b].name, wall->name) == 0 ? &before->wall[b] : was;
+        }
+        for (int32_t s = 0; was != NULL && s < wall->shape_count && s < was->shape_count; s++) {
+            clod_shape *shape = &wall->shapes[s];
+            const clod_shape *other = &was->shapes[s];
+            if (shape->kind == CLOD_SHAPE_MESH && other->kind == CLOD_SHAPE_MESH &&
+                shape->patch == other->patch && shape->slot == other->slot) {
+                shape->surface = clod_surface_share(other->surface);
+            }
+        }
+    }
+}
+
 bool clod_checkpoint_walls_get(clod_hdf *hdf, clod_walls *walls, const char *path,
                                clod_status *status)
 {
-    clod_walls_fini(walls);
+    clod_walls before = *walls;
+    *walls = (clod_walls){0};
     const size_t count = clod_hdf_rows(hdf, "walls/name");
     walls->wall = clod_memory_alloc(count + 1, sizeof *walls->wall);
     if (walls->wall == NULL || count > INT32_MAX) {
+        clod_walls_fini(&before);
         return clod_status_fail(status, CLOD_FAILED, "No memory to read %s.", path);
     }
     walls->count = (int32_t)count;
@@ -123,5 +146,7 @@ bool clod_checkpoint_walls_get(clod_hdf *hdf, clod_walls *walls, const char *pat
     if (!good || clod_hdf_has_failed(hdf)) {
         clod_walls_fini(walls);
     }
+    share_surfaces(&before, walls);
+    clod_walls_fini(&before);
     return good;
 }

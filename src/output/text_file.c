@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/given.h"
 #include "output/file.h"
 
 /** Write to what is no file: nothing can be replaced there. */
@@ -33,6 +34,9 @@ static bool look_at(const char *path, struct stat *info, bool *there, clod_statu
 bool clod_text_file_write(const char *path, const char *input, const char *text,
                           clod_status *status)
 {
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(input, status) || !CLOD_GIVEN(text, status)) {
+        return false;
+    }
     struct stat old, given;
     bool is_old, is_given;
     if (!look_at(path, &old, &is_old, status) || !look_at(input, &given, &is_given, status)) {

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "mesh/surface_touch.h"
 
 #define SEGMENTS CLOD_WALL_MESH_SEGMENTS
 
@@ -129,6 +130,25 @@ static void draw_box(clod_mesh_pen *pen)
     }
 }
 
+/** Whether a shape is the first of a mesh, which has the shapes of all its patches behind it. */
+static bool begins_mesh(const clod_shape *shape)
+{
+    return shape->kind == CLOD_SHAPE_MESH && shape->patch == 0 && shape->slot == 0;
+}
+
+/** All facets of a mesh, each with the shape of its patch. */
+static void draw_facets(clod_mesh_pen *pen)
+{
+    const clod_shape *first = pen->shape;
+    const clod_surface *surface = first->surface;
+    for (size_t f = 0; begins_mesh(first) && f < surface->facet_count; f++) {
+        const uint32_t *v = surface->facet[f];
+        pen->shape = first + CLOD_SURFACE_SLOTS * surface->patch[f];
+        draw(pen, clod_vec3_of(surface->vertex[v[0]]), clod_vec3_of(surface->vertex[v[1]]),
+             clod_vec3_of(surface->vertex[v[2]]));
+    }
+}
+
 /** How a shape is drawn, and with how many triangles at most. */
 static const struct {
     size_t triangles;
@@ -141,6 +161,7 @@ static const struct {
     [CLOD_SHAPE_CONE] = {2 * SEGMENTS, draw_round}, // with a tip half of them
     [CLOD_SHAPE_BOX] = {12, draw_box},
     [CLOD_SHAPE_BAR] = {12, draw_box},
+    [CLOD_SHAPE_MESH] = {0, draw_facets}, // as many as the mesh has
 };
 
 bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_status *status)
@@ -150,6 +171,8 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
             triangles += SHAPES[wall->shapes[s].kind].triangles;
+            triangles +=
+                begins_mesh(&wall->shapes[s]) ? wall->shapes[s].surface->facet_count : 0;
         }
     }
     *self = (clod_wall_mesh){

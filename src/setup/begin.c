@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "config/testers.h"
 #include "setup/grains.h"
 #include "setup/jenike_cell.h"
 #include "setup/ring_cell.h"
@@ -35,6 +36,15 @@ bool clod_begin_state(const clod_case *from, int64_t seed, clod_state *state,
                       clod_status *status)
 {
     return CELL[clod_case_kind_of(from)].make(from, seed, state, status);
+}
+
+bool clod_begin_has_grains(const clod_case *from, clod_status *status)
+{
+    return !clod_config_begins_empty(from) ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "%s: the case has no grains; give grains, or add them by a program "
+                            "of your own (clod_sim_add_grain)",
+                            from->path);
 }
 
 bool clod_begin_expect(const clod_case *from, double *grains, clod_status *status)

@@ -8,6 +8,12 @@
 #include "state/state.h"
 
 /**
+ * Whether a case has grains of its own; one without is for a program that adds them.
+ * Errors  CLOD_USAGE: it has none.   Threads  pure.   Test  tests/sim/test_sim_change.c
+ */
+bool clod_begin_has_grains(const clod_case *from, clod_status *status);
+
+/**
  * Grains that a case will have for one seed, without making one; those of files do not count.
  * Errors  CLOD_USAGE: more than this machine can hold.   Threads  pure.
  * Test    tests/setup/test_setup_amount.c

@@ -11,7 +11,7 @@ static double half_extent(const clod_shape *shape, int axis)
         const double v[3] = {shape->axis[a].x, shape->axis[a].y, shape->axis[a].z};
         e[a] = fabs(v[axis]);
     }
-    if (clod_shape_kinds_row(shape->kind)->solid) {
+    if (clod_shape_kinds_row(shape->kind)->boxed) {
         return e[0] * shape->half[0] + e[1] * shape->half[1] + e[2] * shape->half[2];
     } // half[2] is 0 for discs and annuli
     return fmax(shape->inner, shape->outer) * sqrt(fmax(0.0, 1.0 - e[2] * e[2])) +

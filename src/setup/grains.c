@@ -197,7 +197,8 @@ bool clod_setup_grains(const clod_case *from, int64_t seed, clod_state *state,
             return false;
         }
     }
-    return check_ids(&state->grains, status) && check_places(from, state, status);
+    return clod_grains_reserve(&state->grains, state->grains.count, status) && // also of none
+           check_ids(&state->grains, status) && check_places(from, state, status);
 }
 
 bool clod_setup_worst_overlap(const clod_state *state, clod_setup_overlap *worst,

@@ -102,13 +102,28 @@ static bool right_side(const clod_wall *wall, const clod_shape *shape, const dou
     return !beside || (rho < radius) == (shape->side == CLOD_SIDE_INSIDE);
 }
 
+/** Whether a grain would overlap a shape; of a mesh all at once, with its first shape. */
+static bool overlaps(const clod_insertion_space *self, int32_t w, int32_t s,
+                     const double place[4])
+{
+    const clod_shape *shape = &self->state->walls.wall[w].shapes[s];
+    if (shape->surface == NULL) {
+        return clod_wall_rows_is_near(&self->walls, w, s, place, place[3]);
+    }
+    if (shape->patch > 0 || shape->slot > 0) {
+        return false;
+    }
+    const clod_wall_pose pose = clod_wall_pose_now(&self->state->walls.wall[w]);
+    return clod_surface_is_near(shape->surface, clod_wall_to_frame(&pose, clod_vec3_of(place)),
+                                place[3]);
+}
+
 static bool clear_of_walls(const clod_insertion_space *self, const double place[4])
 {
     for (int32_t w = 0; w < self->state->walls.count; w++) {
         const clod_wall *wall = &self->state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            if (clod_wall_rows_gap(&self->walls, w, s, place).distance < place[3] ||
-                !right_side(wall, &wall->shapes[s], place)) {
+            if (overlaps(self, w, s, place) || !right_side(wall, &wall->shapes[s], place)) {
                 return false;
             }
         }

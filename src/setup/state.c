@@ -236,7 +236,7 @@ bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
         !clod_setup_timestep(from, state, &timestep, status)) {
         return false;
     }
-    if (state->grains.count == 0) {
+    if (state->grains.count == 0 && !clod_config_begins_empty(from)) {
         return clod_status_fail(status, CLOD_USAGE, "grains: the case has no grains");
     }
     clod_setup_domain(from, state);

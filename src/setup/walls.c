@@ -6,6 +6,8 @@
 
 #include "base/assert.h"
 #include "base/memory.h"
+#include "mesh/surface_touch.h"
+#include "setup/surface.h"
 
 /** The mean velocity of a step is then within (2 pi/50)^2/24 = 0.07 % of the velocity in it. */
 #define STEPS_PER_PERIOD 50.0
@@ -189,22 +191,80 @@ static void place_shape(const clod_case_wall *given, clod_shape *shape)
     shape->belt.spin_point = clod_vec3_add(shape->belt.spin_point, move);
 }
 
+/** Room for more shapes behind those of a wall; NULL without memory. */
+static clod_shape *more_shapes(clod_wall *wall, size_t count, clod_status *status)
+{
+    const size_t old = (size_t)wall->shape_count;
+    clod_shape *grown = clod_memory_grow(wall->shapes, old, old + count, sizeof *grown);
+    if (grown == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "no memory for the shapes of %s", wall->name);
+        return NULL;
+    }
+    wall->shapes = grown;
+    wall->shape_count = (int32_t)(old + count);
+    return grown + old;
+}
+
+/** The shape of a case, as a wall has it. */
+static bool make_plain(const clod_case_wall *given, const clod_case_shape *from,
+                       const clod_shape *common, clod_wall *wall, clod_status *status)
+{
+    clod_shape *shape = more_shapes(wall, 1, status);
+    if (shape == NULL) {
+        return false;
+    }
+    *shape = make_shape(from);
+    shape->belt = common->belt;
+    shape->material = common->material;
+    place_shape(given, shape);
+    return true;
+}
+
+/** A mesh is a shape for each contact that a grain can have with each of its patches. */
+static bool make_patches(const clod_case_wall *given, const clod_case_shape *from,
+                         const clod_shape *common, clod_wall *wall, clod_status *status)
+{
+    clod_surface *surface = clod_setup_surface(given, from, status);
+    clod_shape *shape =
+        surface == NULL ? NULL
+                        : more_shapes(wall, CLOD_SURFACE_SLOTS * surface->patch_count, status);
+    for (size_t p = 0; shape != NULL && p < surface->patch_count; p++) {
+        const clod_surface_patch *patch = &surface->patches[p];
+        const clod_vec3 low = clod_vec3_of(patch->low), high = clod_vec3_of(patch->high);
+        for (int32_t slot = 0; slot < CLOD_SURFACE_SLOTS; slot++, shape++) {
+            *shape = *common;
+            place_shape(given, shape);
+            shape->kind = CLOD_SHAPE_MESH;
+            shape->center = clod_vec3_scale(clod_vec3_add(low, high), 0.5);
+            shape->axis[0] = (clod_vec3){1.0, 0.0, 0.0};
+            shape->axis[1] = (clod_vec3){0.0, 1.0, 0.0};
+            shape->axis[2] = (clod_vec3){0.0, 0.0, 1.0};
+            for (int a = 0; a < 3; a++) {
+                shape->half[a] = 0.5 * (patch->high[a] - patch->low[a]);
+            }
+            shape->surface = clod_surface_share(surface);
+            shape->patch = (int32_t)p;
+            shape->slot = slot;
+        }
+    }
+    const bool good = shape != NULL;
+    clod_surface_release(surface); // the shapes are its users
+    return good;
+}
+
 static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod_wall *wall,
                         clod_status *status)
 {
-    wall->shapes = clod_memory_alloc(given->shape_count, sizeof *wall->shapes);
-    if (wall->shapes == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for the walls");
-    }
-    wall->shape_count = (int32_t)given->shape_count;
     for (size_t s = 0; s < given->shape_count; s++) {
-        const clod_case_surface *surface = &given->shapes[s].surface;
-        wall->shapes[s] = make_shape(&given->shapes[s]);
-        wall->shapes[s].belt = make_belt(surface);
-        if (surface->material != NULL) { // checked at load
-            wall->shapes[s].material = 1 + clod_case_material_index(from, surface->material);
+        const clod_case_shape *shape = &given->shapes[s];
+        clod_shape common = {.belt = make_belt(&shape->surface)};
+        if (shape->surface.material != NULL) { // checked at load
+            common.material = 1 + clod_case_material_index(from, shape->surface.material);
         }
-        place_shape(given, &wall->shapes[s]);
+        const bool mesh = clod_shape_kinds_row((clod_shape_kind)shape->kind)->faceted;
+        if (!(mesh ? make_patches : make_plain)(given, shape, &common, wall, status)) {
+            return false;
+        }
     }
     clod_wall_find_symmetry(wall);
     const int32_t plane = clod_wall_plane_across(wall);

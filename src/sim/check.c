@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/given.h"
 #include "law/law_cycle.h"
 #include "setup/begin.h"
 #include "setup/collision.h"
@@ -133,7 +134,7 @@ static bool make_state(const clod_case *from, clod_check_subject *subject, clod_
     const double seeds = shear != NULL ? (double)shear->seeds : 1.0;
     const clod_run_options how = {.threads = 1, .simd = subject->options->simd};
     double expected;
-    if (!clod_begin_expect(from, &expected, status)) {
+    if (!clod_begin_has_grains(from, status) || !clod_begin_expect(from, &expected, status)) {
         return false;
     }
     if (expected * seeds > TRIED_GRAINS) {
@@ -162,6 +163,10 @@ static bool make_subject(const clod_case *from, const clod_check_options *option
 bool clod_check_report_make(const clod_case *from, const clod_check_options *options,
                             clod_check_report *report, clod_status *status)
 {
+    if (!CLOD_GIVEN(from, status) || !CLOD_GIVEN(options, status) ||
+        !CLOD_GIVEN(report, status)) {
+        return false;
+    }
     *report = (clod_check_report){
         .kind = clod_case_kind_of(from), .path = from->path, .title = from->title};
     const clod_tester_row *tester = clod_testers_row(report->kind);

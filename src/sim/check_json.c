@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/json.h"
 #include "base/memory.h"
 #include "config/testers.h"
@@ -114,9 +115,11 @@ static json_t *make_json(const clod_check_report *r)
     return to;
 }
 
-bool clod_check_report_json(const clod_check_report *r, char text[CLOD_CHECK_TEXT])
+bool clod_check_report_json(const clod_check_report *report, char text[CLOD_CHECK_TEXT])
 {
-    json_t *json = make_json(r);
+    CLOD_NEED(report);
+    CLOD_NEED(text);
+    json_t *json = make_json(report);
     char *whole = clod_json_text(json, JSON_INDENT(2));
     json_decref(json);
     const size_t length = whole != NULL ? strlen(whole) : CLOD_CHECK_TEXT;

@@ -1,6 +1,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "base/given.h"
 #include "base/plural.h"
 #include "sim/check_testers.h"
 #include "sim/testers.h"
@@ -180,33 +181,35 @@ static void write_cost(clod_check_page *to, const clod_check_report *r)
                     is_test(r) ? " at most" : ", fewer when a stage ends early");
 }
 
-void clod_check_report_text(const clod_check_report *r, char text[CLOD_CHECK_TEXT])
+void clod_check_report_text(const clod_check_report *report, char text[CLOD_CHECK_TEXT])
 {
+    CLOD_NEED(report);
+    CLOD_NEED(text);
     clod_check_page to = {text, 0};
     text[0] = '\0';
-    clod_check_line(&to, "case", "%s", r->path != NULL ? r->path : "");
-    if (r->title != NULL) {
-        clod_check_line(&to, "", "%s", r->title);
+    clod_check_line(&to, "case", "%s", report->path != NULL ? report->path : "");
+    if (report->title != NULL) {
+        clod_check_line(&to, "", "%s", report->title);
     }
-    if (clod_testers_row(r->kind)->run == NULL) {
+    if (clod_testers_row(report->kind)->run == NULL) {
         clod_check_line(&to, "contact bench",
                         "nothing to estimate; clod contact runs it at once");
         return;
     }
-    write_grains(&to, r);
-    write_step(&to, r);
-    write_contact(&to, r);
-    if (is_test(r)) {
-        clod_testers_row(r->kind)->write(&to, r);
+    write_grains(&to, report);
+    write_step(&to, report);
+    write_contact(&to, report);
+    if (is_test(report)) {
+        clod_testers_row(report->kind)->write(&to, report);
     }
-    write_cost(&to, r);
-    for (size_t w = 0; w < r->warning_count; w++) {
-        clod_check_line(&to, "WARNING", "%s", r->warning[w]);
+    write_cost(&to, report);
+    for (size_t w = 0; w < report->warning_count; w++) {
+        clod_check_line(&to, "WARNING", "%s", report->warning[w]);
     }
-    if (r->warning_count == 0) {
+    if (report->warning_count == 0) {
         clod_check_line(&to, "warnings", "none");
     }
-    for (size_t n = 0; n < r->note_count; n++) {
-        clod_check_line(&to, "note", "%s", r->note[n]);
+    for (size_t n = 0; n < report->note_count; n++) {
+        clod_check_line(&to, "note", "%s", report->note[n]);
     }
 }

@@ -35,15 +35,15 @@ static void fail_changed(const clod_job_shared *sim, const char *before, const c
                          clod_status *status)
 {
     char title[256];
-    const char *grains = clod_identity_changed_grains(sim->from, before, complete);
+    const char *file = clod_identity_changed_file(sim->from, before, complete);
     title_of(before, title, sizeof title);
     clod_status_fail(
         status, CLOD_USAGE,
         "%s%s has changed since the run%s in %s was begun; a run cannot go on with "
         "%s. Write to another folder with -o, or remove that run and start over "
         "with --fresh.",
-        grains != NULL ? "The grain file " : "The case", grains != NULL ? grains : "", title,
-        sim->directory, grains != NULL ? "other grains" : "another case");
+        file != NULL ? "The file " : "The case", file != NULL ? file : "", title,
+        sim->directory, file != NULL ? "another file" : "another case");
 }
 
 static bool is_same_case(const clod_job_shared *sim, const char *complete, clod_status *status)

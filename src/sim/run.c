@@ -3,12 +3,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/given.h"
 #include "base/memory.h"
 #include "clod/version.h"
 #include "config/testers.h"
 #include "output/folder_files.h"
 #include "output/folder_names.h"
 #include "parallel/threads.h"
+#include "setup/begin.h"
 #include "sim/earlier.h"
 #include "sim/identity.h"
 #include "sim/origin.h"
@@ -50,6 +52,9 @@ static bool check_request(const clod_case *from, const clod_run_options *options
                                 "%s: nothing to run: a case needs %s, or grains, walls and "
                                 "stages (clod contact runs a contact_bench)",
                                 from->path, testers);
+    }
+    if (!clod_begin_has_grains(from, status)) {
+        return false;
     }
     return clod_kernel_choose(options->simd) != NULL ||
            clod_status_fail(status, CLOD_USAGE,
@@ -134,14 +139,17 @@ static bool open_origin(clod_job_shared *sim, clod_origin *origin, clod_status *
                      clod_testers_of(sim->from)->try_origin(sim, status));
 }
 
-bool clod_run(const clod_case *self, const clod_run_options *wanted, char **report,
+bool clod_run(const clod_case *self, const clod_run_options *options, char **report,
               clod_status *status)
 {
-    const clod_run_options fitted = fit_threads(wanted);
-    const clod_run_options *options = &fitted;
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(options, status) ||
+        !CLOD_GIVEN(report, status)) {
+        return false;
+    }
+    const clod_run_options fitted = fit_threads(options);
     *report = NULL;
-    if (!check_request(self, options, status) || (options->fresh && options->from == NULL &&
-                                                  !clod_trial_run(self, options, 0, status))) {
+    if (!check_request(self, &fitted, status) ||
+        (fitted.fresh && fitted.from == NULL && !clod_trial_run(self, &fitted, 0, status))) {
         return false;
     }
     char *complete = clod_identity_complete(self, status);
@@ -152,13 +160,13 @@ bool clod_run(const clod_case *self, const clod_run_options *wanted, char **repo
     char *standard = NULL;
     if (identity == NULL) {
         clod_status_fail(status, CLOD_FAILED, "no memory for %s", self->path);
-    } else if (options->directory == NULL) {
+    } else if (fitted.directory == NULL) {
         standard = clod_folder_default(self->path, status);
     }
     clod_job_shared sim = {.from = self,
-                           .options = options,
-                           .any_threads = wanted->threads == 0,
-                           .directory = standard != NULL ? standard : options->directory,
+                           .options = &fitted,
+                           .any_threads = options->threads == 0,
+                           .directory = standard != NULL ? standard : fitted.directory,
                            .identity = identity};
     clod_origin origin = {0};
     const bool ok = identity != NULL && sim.directory != NULL &&

@@ -1,33 +1,14 @@
 #include "sim/sim.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
-#include "base/assert.h"
 #include "base/memory.h"
 #include "measure/contacts.h"
 #include "parallel/threads.h"
 #include "setup/begin.h"
 
 pthread_mutex_t clod_sim_case_lock = PTHREAD_MUTEX_INITIALIZER;
-
-void clod_sim_need(const void *argument, const char *function, const char *name)
-{
-    if (argument == NULL) {
-        char text[160];
-        snprintf(text, sizeof text, "%s: %s != NULL", function, name);
-        clod_assert_fail(text, __FILE__, __LINE__);
-    }
-}
-
-bool clod_sim_given(const void *argument, const char *function, const char *name,
-                    clod_status *status)
-{
-    clod_sim_need(status, function, "status");
-    return argument != NULL ||
-           clod_status_fail(status, CLOD_USAGE, "%s: %s is NULL", function, name);
-}
 
 bool clod_sim_finite(const double numbers[3], const char *function, const char *name,
                      clod_status *status)
@@ -80,7 +61,7 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
                           clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(from, status)) {
+    if (!CLOD_GIVEN(from, status)) {
         return NULL;
     }
     clod_sim *self = clod_memory_alloc(1, sizeof *self);
@@ -111,7 +92,7 @@ static clod_sim *create_owning(clod_case *from, const clod_sim_options *options,
 clod_sim *clod_sim_create_from_file(const char *path, const clod_sim_options *options,
                                     clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(path, status)) {
+    if (!CLOD_GIVEN(path, status)) {
         return NULL;
     }
     pthread_mutex_lock(&clod_sim_case_lock);
@@ -123,7 +104,7 @@ clod_sim *clod_sim_create_from_file(const char *path, const clod_sim_options *op
 clod_sim *clod_sim_create_from_text(const char *name, const char *text,
                                     const clod_sim_options *options, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(name, status) || !CLOD_SIM_GIVEN(text, status)) {
+    if (!CLOD_GIVEN(name, status) || !CLOD_GIVEN(text, status)) {
         return NULL;
     }
     pthread_mutex_lock(&clod_sim_case_lock);
@@ -149,7 +130,7 @@ void clod_sim_destroy(clod_sim **self)
 
 bool clod_sim_advance(clod_sim *self, int64_t steps, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status)) {
+    if (!CLOD_GIVEN(self, status)) {
         return false;
     }
     if (steps < 0) {
@@ -161,25 +142,25 @@ bool clod_sim_advance(clod_sim *self, int64_t steps, clod_status *status)
 
 double clod_sim_time(const clod_sim *self)
 {
-    CLOD_SIM_NEED(self);
+    CLOD_NEED(self);
     return self->state.time;
 }
 
 double clod_sim_dt(const clod_sim *self)
 {
-    CLOD_SIM_NEED(self);
+    CLOD_NEED(self);
     return self->state.dt;
 }
 
 int64_t clod_sim_step(const clod_sim *self)
 {
-    CLOD_SIM_NEED(self);
+    CLOD_NEED(self);
     return self->state.step;
 }
 
 bool clod_sim_set_adhesion(clod_sim *self, double fraction, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status)) {
+    if (!CLOD_GIVEN(self, status)) {
         return false;
     }
     if (!(fraction >= 0.0 && fraction <= 1.0)) {
@@ -195,7 +176,7 @@ bool clod_sim_set_adhesion(clod_sim *self, double fraction, clod_status *status)
 
 bool clod_sim_energies(clod_sim *self, clod_sim_energy *energy, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(energy, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(energy, status)) {
         return false;
     }
     if (!clod_step_change(&self->step, status)) {
@@ -213,8 +194,7 @@ bool clod_sim_energies(clod_sim *self, clod_sim_energy *energy, clod_status *sta
 
 bool clod_sim_measure(clod_sim *self, clod_sim_bed *bed, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(bed, status) ||
-        !clod_sim_hold(self, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(bed, status) || !clod_sim_hold(self, status)) {
         return false;
     }
     const clod_measure_contacts now = clod_measure_contacts_of(&self->state);

@@ -7,6 +7,7 @@
 
 #include <pthread.h>
 
+#include "base/given.h"
 #include "clod/sim.h"
 #include "law/law.h"
 #include "setup/state.h"
@@ -28,15 +29,6 @@ struct clod_sim {
 /** Cases, and walls from a text, are read one at a time. */
 extern pthread_mutex_t clod_sim_case_lock;
 
-/** Stop the program, naming both, when an argument is NULL: for functions without a status. */
-void clod_sim_need(const void *argument, const char *function, const char *name);
-#define CLOD_SIM_NEED(argument) clod_sim_need(argument, __func__, #argument)
-
-/** Whether an argument is there; else CLOD_USAGE with both names. */
-bool clod_sim_given(const void *argument, const char *function, const char *name,
-                    clod_status *status);
-#define CLOD_SIM_GIVEN(argument, status) clod_sim_given(argument, __func__, #argument, status)
-
 /** Whether the three numbers are finite; else CLOD_USAGE. */
 bool clod_sim_finite(const double numbers[3], const char *function, const char *name,
                      clod_status *status);
@@ -48,6 +40,15 @@ bool clod_sim_has_wall(const clod_sim *self, int32_t wall, const char *function,
 /** Whether there is such a wall, and it has a shape with this number; else CLOD_USAGE. */
 bool clod_sim_has_shape(const clod_sim *self, int32_t wall, int32_t shape, const char *function,
                         clod_status *status);
+
+/**
+ * Whether the step of the case is stable with the bound as it is now; else CLOD_USAGE says what
+ * must be.
+ *
+ * @param what  is new: "grain 7", "wall 'lid'"
+ */
+bool clod_sim_step_is_stable(const clod_sim *self, const char *function, const char *what,
+                             clod_status *status);
 
 /** Changes that were asked for are made, and all contacts copied into the state. */
 bool clod_sim_hold(clod_sim *self, clod_status *status);

@@ -37,7 +37,7 @@ static const field FIELDS[] = {
 
 size_t clod_sim_grain_count(const clod_sim *self)
 {
-    CLOD_SIM_NEED(self);
+    CLOD_NEED(self);
     return self->state.grains.count;
 }
 
@@ -65,8 +65,7 @@ static bool no_such_array(const char *name, clod_status *status)
 
 bool clod_sim_array(clod_sim *self, const char *name, clod_sim_view *view, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(name, status) ||
-        !CLOD_SIM_GIVEN(view, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(name, status) || !CLOD_GIVEN(view, status)) {
         return false;
     }
     for (size_t f = 0; f < FIELD_COUNT; f++) {
@@ -91,7 +90,7 @@ bool clod_sim_array(clod_sim *self, const char *name, clod_sim_view *view, clod_
 
 size_t clod_sim_row_of_id(const clod_sim *self, uint64_t id)
 {
-    CLOD_SIM_NEED(self);
+    CLOD_NEED(self);
     const clod_grains *grains = &self->state.grains;
     for (size_t g = 0; g < grains->count; g++) {
         if (grains->id[g] == id) {
@@ -103,7 +102,7 @@ size_t clod_sim_row_of_id(const clod_sim *self, uint64_t id)
 
 bool clod_sim_positions_changed(clod_sim *self, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status)) {
+    if (!CLOD_GIVEN(self, status)) {
         return false;
     }
     for (size_t g = 0; g < self->state.grains.count; g++) {

@@ -41,8 +41,8 @@ static bool is_good(const clod_sim_belt *belt, const char *function, clod_status
 bool clod_sim_set_belt(clod_sim *self, int32_t wall, int32_t shape, const clod_sim_belt *belt,
                        clod_status *status)
 {
-    if (!clod_sim_has_shape(self, wall, shape, __func__, status) ||
-        !CLOD_SIM_GIVEN(belt, status) || !is_good(belt, __func__, status)) {
+    if (!clod_sim_has_shape(self, wall, shape, __func__, status) || !CLOD_GIVEN(belt, status) ||
+        !is_good(belt, __func__, status)) {
         return false;
     }
     self->state.walls.wall[wall].shapes[shape].belt =
@@ -59,8 +59,7 @@ bool clod_sim_set_belt(clod_sim *self, int32_t wall, int32_t shape, const clod_s
 bool clod_sim_belt_look(const clod_sim *self, int32_t wall, int32_t shape, clod_sim_belt *belt,
                         clod_status *status)
 {
-    if (!clod_sim_has_shape(self, wall, shape, __func__, status) ||
-        !CLOD_SIM_GIVEN(belt, status)) {
+    if (!clod_sim_has_shape(self, wall, shape, __func__, status) || !CLOD_GIVEN(belt, status)) {
         return false;
     }
     const clod_belt *from = &self->state.walls.wall[wall].shapes[shape].belt;

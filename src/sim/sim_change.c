@@ -10,7 +10,18 @@
 
 bool clod_sim_change(clod_sim *self, clod_status *status)
 {
-    return CLOD_SIM_GIVEN(self, status) && clod_step_change(&self->step, status);
+    return CLOD_GIVEN(self, status) && clod_step_change(&self->step, status);
+}
+
+/** Whether a request is in the queue now; else it is forgotten, and the others stay. */
+static bool is_queued(clod_sim *self, const char *function, clod_status *status)
+{
+    const bool lacks_memory = self->state.changes.lacks_memory;
+    self->state.changes.lacks_memory = false;
+    return !lacks_memory || clod_status_fail(status, CLOD_FAILED,
+                                             "%s: no memory for the request; those of before "
+                                             "stay",
+                                             function);
 }
 
 /** Bound of the time step with what there is and what was asked for by now. */
@@ -24,13 +35,8 @@ static bool know_bound(clod_sim *self, clod_status *status)
     return clod_setup_bound_init(&self->bound, self->from, &self->state, status);
 }
 
-/**
- * Whether the step of the case is stable with the bound as it is now; else say what must be.
- *
- * @param what  comes: "grain 7", "wall 'lid'"
- */
-static bool step_is_stable(const clod_sim *self, const char *function, const char *what,
-                           clod_status *status)
+bool clod_sim_step_is_stable(const clod_sim *self, const char *function, const char *what,
+                             clod_status *status)
 {
     const clod_timestep t = clod_setup_bound_timestep(&self->bound, self->from);
     return !(t.limit > 0.0) || self->state.dt <= t.limit ||
@@ -82,7 +88,7 @@ static bool grain_fits_step(clod_sim *self, const clod_sim_grain *grain, const c
     char what[32];
     snprintf(what, sizeof what, "grain %llu", (unsigned long long)grain->id);
     clod_timestep_add(sizes, 1.0, grain->radius);
-    const bool stable = step_is_stable(self, function, what, status);
+    const bool stable = clod_sim_step_is_stable(self, function, what, status);
     if (!stable) {
         *sizes = before;
     }
@@ -99,7 +105,7 @@ static bool wall_fits_step(clod_sim *self, const clod_wall *wall, const char *fu
         char what[48];
         snprintf(what, sizeof what, "wall '%s'", wall->name);
         *is_wall = true;
-        stable = before || step_is_stable(self, function, what, status);
+        stable = before || clod_sim_step_is_stable(self, function, what, status);
         *is_wall = stable;
     }
     return stable;
@@ -107,7 +113,7 @@ static bool wall_fits_step(clod_sim *self, const clod_wall *wall, const char *fu
 
 bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(grain, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(grain, status)) {
         return false;
     }
     if (grain->material >= self->from->material_count) {
@@ -128,16 +134,16 @@ bool clod_sim_add_grain(clod_sim *self, const clod_sim_grain *grain, clod_status
         return false;
     }
     clod_changes_add_grain(&self->state.changes, &fresh);
-    return true;
+    return is_queued(self, __func__, status);
 }
 
 bool clod_sim_remove_grain(clod_sim *self, uint64_t id, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status)) {
+    if (!CLOD_GIVEN(self, status)) {
         return false;
     }
     clod_changes_remove_grain(&self->state.changes, id);
-    return true;
+    return is_queued(self, __func__, status);
 }
 
 /** A material of a wall: the case has it, with a law for the grains that there are. */
@@ -172,9 +178,8 @@ static bool has_materials(const clod_sim *self, const clod_case_wall *wall,
 
 bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(wall, status) ||
-        !clod_sim_given(wall->name, __func__, "wall->name", status) ||
-        !clod_sim_given(wall->shapes, __func__, "wall->shapes", status) ||
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(wall, status) ||
+        !CLOD_GIVEN(wall->name, status) || !CLOD_GIVEN(wall->shapes, status) ||
         !know_bound(self, status) || !has_materials(self, wall, __func__, status)) {
         return false;
     }
@@ -191,20 +196,20 @@ bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *
         given.spin_axis[2] = 1.0; // as in a case that does not say
     }
     clod_wall made = {0};
-    const bool good = clod_setup_wall(self->from, &given, &made, status) &&
-                      wall_fits_step(self, &made, __func__, status);
+    bool good = clod_setup_wall(self->from, &given, &made, status) &&
+                wall_fits_step(self, &made, __func__, status);
     if (good) {
         clod_changes_add_wall(&self->state.changes, &made);
+        good = is_queued(self, __func__, status);
     }
-    clod_memory_free(made.shapes);
+    clod_shapes_free(&made.shapes, made.shape_count);
     return good;
 }
 
 bool clod_sim_add_wall_from_text(clod_sim *self, const char *name, const char *text,
                                  clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(name, status) ||
-        !CLOD_SIM_GIVEN(text, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(name, status) || !CLOD_GIVEN(text, status)) {
         return false;
     }
     pthread_mutex_lock(&clod_sim_case_lock);
@@ -217,7 +222,7 @@ bool clod_sim_add_wall_from_text(clod_sim *self, const char *name, const char *t
 
 bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(name, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(name, status)) {
         return false;
     }
     if (strlen(name) >= sizeof self->state.walls.wall->name) {
@@ -226,5 +231,5 @@ bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status)
                                 name);
     }
     clod_changes_remove_wall(&self->state.changes, name);
-    return true;
+    return is_queued(self, __func__, status);
 }

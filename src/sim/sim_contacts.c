@@ -44,7 +44,7 @@ size_t clod_sim_contact_field_count(void)
 bool clod_sim_contact_field_look(size_t index, clod_sim_contact_field *field,
                                  clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(field, status)) {
+    if (!CLOD_GIVEN(field, status)) {
         return false;
     }
     if (index >= clod_sim_contact_field_count()) {
@@ -82,8 +82,8 @@ static clod_sim_contact make(const clod_grains *grains, const clod_contact *from
 bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t *count,
                        clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(contacts, status) ||
-        !CLOD_SIM_GIVEN(count, status) || !clod_sim_hold(self, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(contacts, status) ||
+        !CLOD_GIVEN(count, status) || !clod_sim_hold(self, status)) {
         return false;
     }
     const size_t needed = self->state.contact_count;
@@ -107,8 +107,8 @@ bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t
 bool clod_sim_contact_of(clod_sim *self, uint64_t id_1, uint64_t id_2,
                          clod_sim_contact *contact, bool *found, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(contact, status) ||
-        !CLOD_SIM_GIVEN(found, status) || !clod_step_change(&self->step, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(contact, status) ||
+        !CLOD_GIVEN(found, status) || !clod_step_change(&self->step, status)) {
         return false;
     }
     clod_contact there;
@@ -122,8 +122,8 @@ bool clod_sim_contact_of(clod_sim *self, uint64_t id_1, uint64_t id_2,
 bool clod_sim_wall_contact_of(clod_sim *self, uint64_t id, int32_t wall, int32_t shape,
                               clod_sim_contact *contact, bool *found, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(contact, status) ||
-        !CLOD_SIM_GIVEN(found, status) || !clod_step_change(&self->step, status) ||
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(contact, status) ||
+        !CLOD_GIVEN(found, status) || !clod_step_change(&self->step, status) ||
         !clod_sim_has_shape(self, wall, shape, __func__, status)) {
         return false;
     }

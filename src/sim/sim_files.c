@@ -24,7 +24,7 @@ static char *make_identity(const clod_case *from, clod_status *status)
 
 bool clod_sim_write_checkpoint(clod_sim *self, const char *folder, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(folder, status) ||
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(folder, status) ||
         !clod_step_change(&self->step, status)) {
         return false;
     }
@@ -39,15 +39,36 @@ bool clod_sim_write_checkpoint(clod_sim *self, const char *folder, clod_status *
     return ok;
 }
 
-/** Fill an empty state from a checkpoint of the same case. */
+/** Whether every mesh of a state has its facets, which are not in checkpoints. */
+static bool has_meshes(const clod_state *state, clod_status *status)
+{
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        const clod_wall *wall = &state->walls.wall[w];
+        for (int32_t s = 0; s < wall->shape_count; s++) {
+            if (wall->shapes[s].kind == CLOD_SHAPE_MESH && wall->shapes[s].surface == NULL) {
+                return clod_status_fail(status, CLOD_USAGE,
+                                        "the checkpoint has the mesh of wall '%s', which this "
+                                        "simulation has not: it was removed. Read it into a "
+                                        "new simulation of the case",
+                                        wall->name);
+            }
+        }
+    }
+    return true;
+}
+
+/** Fill an empty state from a checkpoint of the same case; meshes are those of `self`. */
 static bool read_state(const clod_sim *self, const char *folder, const char *stem,
                        clod_state *state, clod_status *status)
 {
     char notice[1024];
     char *identity = make_identity(self->from, status);
     clod_folder *open = identity != NULL ? clod_folder_look(folder, status) : NULL;
-    const bool ok = open != NULL && clod_checkpoint_read(open, stem, state, NULL, 0, identity,
-                                                         notice, sizeof notice, status);
+    const bool ok = open != NULL &&
+                    clod_walls_copy(&state->walls, &self->state.walls, status) &&
+                    clod_checkpoint_read(open, stem, state, NULL, 0, identity, notice,
+                                         sizeof notice, status) &&
+                    has_meshes(state, status);
     clod_folder_close(&open);
     clod_memory_free(identity);
     return ok;
@@ -56,7 +77,7 @@ static bool read_state(const clod_sim *self, const char *folder, const char *ste
 bool clod_sim_read_checkpoint(clod_sim *self, const char *folder, const char *part,
                               clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(folder, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(folder, status)) {
         return false;
     }
     char stem[CLOD_JOB_STEM];
@@ -75,7 +96,7 @@ bool clod_sim_read_checkpoint(clod_sim *self, const char *folder, const char *pa
 bool clod_sim_write_snapshot(clod_sim *self, const char *folder, bool contacts,
                              clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(folder, status) ||
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(folder, status) ||
         !clod_step_change(&self->step, status)) {
         return false;
     }

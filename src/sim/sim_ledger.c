@@ -6,7 +6,7 @@ _Static_assert((int)CLOD_SIM_SIDES == (int)CLOD_FACES, "sides of the domain");
 bool clod_sim_exchange_look(const clod_sim *self, clod_sim_exchange *exchange,
                             clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(exchange, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(exchange, status)) {
         return false;
     }
     const clod_exchange *from = &self->state.exchange;
@@ -25,7 +25,7 @@ bool clod_sim_exchange_look(const clod_sim *self, clod_sim_exchange *exchange,
 
 bool clod_sim_open_ledger(clod_sim *self, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !clod_step_change(&self->step, status)) {
+    if (!CLOD_GIVEN(self, status) || !clod_step_change(&self->step, status)) {
         return false;
     }
     for (int a = 0; a < 3; a++) {
@@ -43,7 +43,7 @@ bool clod_sim_open_ledger(clod_sim *self, clod_status *status)
 
 bool clod_sim_ledger_look(clod_sim *self, clod_sim_ledger *ledger, clod_status *status)
 {
-    if (!CLOD_SIM_GIVEN(self, status) || !CLOD_SIM_GIVEN(ledger, status) ||
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(ledger, status) ||
         !clod_step_change(&self->step, status)) {
         return false;
     }

@@ -6,14 +6,14 @@
 
 int32_t clod_sim_wall_count(const clod_sim *self)
 {
-    CLOD_SIM_NEED(self);
+    CLOD_NEED(self);
     return self->state.walls.count;
 }
 
 int32_t clod_sim_wall_index(const clod_sim *self, const char *name)
 {
-    CLOD_SIM_NEED(self);
-    CLOD_SIM_NEED(name);
+    CLOD_NEED(self);
+    CLOD_NEED(name);
     for (int32_t w = 0; w < self->state.walls.count; w++) {
         if (strcmp(self->state.walls.wall[w].name, name) == 0) {
             return w;
@@ -25,7 +25,7 @@ int32_t clod_sim_wall_index(const clod_sim *self, const char *name)
 bool clod_sim_has_wall(const clod_sim *self, int32_t wall, const char *function,
                        clod_status *status)
 {
-    return clod_sim_given(self, function, "self", status) &&
+    return clod_given(self != NULL, function, "self", status) &&
            ((wall >= 0 && wall < self->state.walls.count) ||
             clod_status_fail(status, CLOD_USAGE, "%s: there is no wall %d; there are %d",
                              function, (int)wall, (int)self->state.walls.count));
@@ -46,14 +46,15 @@ bool clod_sim_has_shape(const clod_sim *self, int32_t wall, int32_t shape, const
 bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
                         clod_status *status)
 {
-    if (!clod_sim_has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(view, status)) {
+    if (!clod_sim_has_wall(self, wall, __func__, status) || !CLOD_GIVEN(view, status)) {
         return false;
     }
     const clod_wall *from = &self->state.walls.wall[wall];
     const double share = from->sum_steps > 0 ? 1.0 / (double)from->sum_steps : 0.0;
     *view = (clod_sim_wall){.name = from->name,
                             .angle = from->angle,
-                            .spin = clod_wall_spin(from),
+                            .spin = from->spin,
+                            .material_spin = clod_wall_spin(from),
                             .power = from->power,
                             .mean_power = share * from->sum_power,
                             .mean_steps = from->sum_steps,
@@ -63,7 +64,10 @@ bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
     const clod_quat q = clod_quat_product(turned, clod_wall_orientation(from));
     memcpy(view->orientation, (double[4]){q.w, q.x, q.y, q.z}, sizeof view->orientation);
     clod_vec3_put(view->position, from->shift);
-    clod_vec3_put(view->velocity,
+    clod_vec3_put(view->velocity, from->velocity);
+    clod_vec3_put(view->surface_velocity, from->surface_velocity);
+    clod_vec3_put(view->angular_velocity, clod_vec3_scale(from->spin_axis, from->spin));
+    clod_vec3_put(view->material_velocity,
                   clod_vec3_add(clod_wall_velocity(from), from->surface_velocity));
     clod_vec3_put(view->force, from->force);
     clod_vec3_put(view->torque, from->torque);
@@ -75,7 +79,7 @@ bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
 bool clod_sim_set_wall_velocity(clod_sim *self, int32_t wall, const double velocity[3],
                                 clod_status *status)
 {
-    if (!clod_sim_has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(velocity, status) ||
+    if (!clod_sim_has_wall(self, wall, __func__, status) || !CLOD_GIVEN(velocity, status) ||
         !clod_sim_finite(velocity, __func__, "velocity", status)) {
         return false;
     }
@@ -86,7 +90,7 @@ bool clod_sim_set_wall_velocity(clod_sim *self, int32_t wall, const double veloc
 bool clod_sim_set_wall_surface_velocity(clod_sim *self, int32_t wall, const double velocity[3],
                                         clod_status *status)
 {
-    if (!clod_sim_has_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(velocity, status) ||
+    if (!clod_sim_has_wall(self, wall, __func__, status) || !CLOD_GIVEN(velocity, status) ||
         !clod_sim_finite(velocity, __func__, "velocity", status)) {
         return false;
     }
@@ -139,7 +143,7 @@ static bool has_free_wall(const clod_sim *self, int32_t wall, const char *functi
 bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double orientation[4],
                                    clod_status *status)
 {
-    if (!has_free_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(orientation, status)) {
+    if (!has_free_wall(self, wall, __func__, status) || !CLOD_GIVEN(orientation, status)) {
         return false;
     }
     double square = 0.0;
@@ -165,8 +169,8 @@ bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double or
 bool clod_sim_set_wall_angular_velocity(clod_sim *self, int32_t wall, const double velocity[3],
                                         const double point[3], clod_status *status)
 {
-    if (!has_free_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(velocity, status) ||
-        !CLOD_SIM_GIVEN(point, status) ||
+    if (!has_free_wall(self, wall, __func__, status) || !CLOD_GIVEN(velocity, status) ||
+        !CLOD_GIVEN(point, status) ||
         !clod_sim_finite(velocity, __func__, "velocity", status) ||
         !clod_sim_finite(point, __func__, "point", status)) {
         return false;
@@ -217,7 +221,7 @@ bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_sta
 bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double position[3],
                                 clod_status *status)
 {
-    if (!has_free_wall(self, wall, __func__, status) || !CLOD_SIM_GIVEN(position, status) ||
+    if (!has_free_wall(self, wall, __func__, status) || !CLOD_GIVEN(position, status) ||
         !clod_sim_finite(position, __func__, "position", status)) {
         return false;
     }
@@ -230,6 +234,6 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
 
 void clod_sim_reset_wall_means(clod_sim *self)
 {
-    CLOD_SIM_NEED(self);
+    CLOD_NEED(self);
     clod_walls_reset_sums(&self->state.walls);
 }

@@ -8,7 +8,7 @@ void clod_state_keep_walls(clod_state *self, const int32_t *rank)
     int32_t kept = 0;
     for (int32_t w = 0; w < walls->count; w++) {
         if (rank[w] < 0) {
-            clod_memory_free(walls->wall[w].shapes);
+            clod_shapes_free(&walls->wall[w].shapes, walls->wall[w].shape_count);
         } else {
             walls->wall[kept++] = walls->wall[w];
         }

@@ -51,7 +51,7 @@ void clod_changes_remove_wall(clod_changes *self, const char *name)
 void clod_changes_fini(clod_changes *self)
 {
     for (size_t w = 0; w < self->new_walls; w++) {
-        clod_memory_free(self->new_wall[w].shapes);
+        clod_shapes_free(&self->new_wall[w].shapes, self->new_wall[w].shape_count);
     }
     clod_memory_free(self->new_grain);
     clod_memory_free(self->lost_grain);

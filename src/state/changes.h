@@ -51,8 +51,8 @@ typedef struct clod_exchange {
 /**
  * Put one change into the queue. They are made together: what goes before what comes.
  *
- * Errors  without memory the queue notes that, and clod_step_change says so and changes
- * nothing. Threads one per queue.   Test  tests/step/test_change.c
+ * Errors  without memory the queue is as before and notes that; unless the caller says so
+ * (clod_sim_add_grain), clod_step_change does, and changes nothing. Threads one per queue.   Test  tests/step/test_change.c
  */
 void clod_changes_add_grain(clod_changes *self, const clod_new_grain *grain);
 void clod_changes_remove_grain(clod_changes *self, uint64_t id);

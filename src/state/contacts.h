@@ -59,6 +59,7 @@ typedef struct clod_wall_block {
     int32_t wall[CLOD_LANES];  ///< its number
     int32_t shape[CLOD_LANES]; ///< first of its rows in clod_wall_rows
     int32_t sum[CLOD_LANES];   ///< to which the force on the wall is added (step/near.h)
+    int32_t touch[CLOD_LANES]; ///< of a mesh: row of the closest point (step/touch.h); else 0
     clod_history history;
 } clod_wall_block;
 

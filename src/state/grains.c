@@ -37,6 +37,7 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
     void *load = clod_memory_grow(self->load, old, rows, sizeof *self->load);
     void *id = clod_memory_grow(self->id, old, rows, sizeof *self->id);
     void *material = clod_memory_grow(self->material, old, rows, sizeof *self->material);
+    void *before = self->before != NULL ? clod_memory_alloc(rows, sizeof *self->before) : NULL;
     self->position = position != NULL ? position : self->position;
     self->velocity = velocity != NULL ? velocity : self->velocity;
     self->angular_velocity =
@@ -45,19 +46,23 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
     self->id = id != NULL ? id : self->id;
     self->material = material != NULL ? material : self->material;
     if (position == NULL || velocity == NULL || angular_velocity == NULL || load == NULL ||
-        id == NULL || material == NULL) {
+        id == NULL || material == NULL || (self->before != NULL && before == NULL)) {
+        clod_memory_free(before);
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", count);
     }
-    if (self->before != NULL) {
-        clod_memory_free(self->before);
-        self->before = clod_memory_alloc(rows, sizeof *self->before);
-        if (self->before == NULL) {
-            return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", count);
-        }
-    }
+    clod_memory_free(self->before);
+    self->before = before;
     self->capacity = rows;
     clod_grains_pad(self);
     return true;
+}
+
+void clod_grains_set_size(clod_grains *self, size_t row, double radius, double density)
+{
+    const double mass = density * (4.0 / 3.0) * M_PI * radius * radius * radius;
+    self->position[row][3] = radius;
+    self->velocity[row][3] = mass;
+    self->angular_velocity[row][3] = 1.0 / (0.4 * mass * radius * radius);
 }
 
 bool clod_grains_add(clod_grains *self, const double place[4], const double speed[3],
@@ -68,14 +73,11 @@ bool clod_grains_add(clod_grains *self, const double place[4], const double spee
         return false;
     }
     const size_t g = self->count++;
-    const double radius = place[3];
-    const double mass = density * (4.0 / 3.0) * M_PI * radius * radius * radius;
     memcpy(self->position[g], place, sizeof self->position[g]);
     memcpy(self->velocity[g], speed, 3 * sizeof(double));
     memcpy(self->angular_velocity[g], spin, 3 * sizeof(double));
     memset(self->load[g], 0, sizeof self->load[g]);
-    self->velocity[g][3] = mass;
-    self->angular_velocity[g][3] = 1.0 / (0.4 * mass * radius * radius);
+    clod_grains_set_size(self, g, place[3], density);
     self->id[g] = id;
     self->material[g] = material;
     clod_grains_pad(self);

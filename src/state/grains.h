@@ -27,6 +27,9 @@ typedef struct clod_grains {
 /** Reserve rows for at least `count` grains; keeps what is there. */
 bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status);
 
+/** Give a row a radius [m]; mass and inertia follow with the density [kg/m3]. */
+void clod_grains_set_size(clod_grains *self, size_t row, double radius, double density);
+
 /**
  * Append one grain; mass and inertia follow from radius and density.
  *

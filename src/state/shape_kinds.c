@@ -8,8 +8,9 @@ static const clod_shape_kind_row SHAPES[CLOD_SHAPE_KINDS] = {
     [CLOD_SHAPE_ANNULUS] = {.flat = true},
     [CLOD_SHAPE_CYLINDER] = {.shell = true, .straight = true},
     [CLOD_SHAPE_CONE] = {.shell = true},
-    [CLOD_SHAPE_BOX] = {.solid = true},
-    [CLOD_SHAPE_BAR] = {.solid = true},
+    [CLOD_SHAPE_BOX] = {.solid = true, .boxed = true},
+    [CLOD_SHAPE_BAR] = {.solid = true, .boxed = true},
+    [CLOD_SHAPE_MESH] = {.faceted = true, .boxed = true},
 };
 
 const clod_shape_kind_row *clod_shape_kinds_row(clod_shape_kind kind)

@@ -9,10 +9,13 @@
 
 #include "clod/case.h"
 
-/** A shape is endless, solid, flat or a shell; all but solid ones are round about axis[2]. */
+/** A shape is endless, solid, faceted, flat or a shell; those without a box are round about
+ *  axis[2]. */
 typedef struct clod_shape_kind_row {
     bool endless;  ///< one-sided, without an edge
     bool solid;    ///< a box along axis[] with half sizes half[]
+    bool boxed;    ///< within the box along axis[] with half sizes half[]
+    bool faceted;  ///< facets of a mesh: clod_shape.surface
     bool flat;     ///< across its axis, between the radii inner and outer
     bool shell;    ///< along its axis, with the grains on one `side`
     bool straight; ///< radius outer from foot to top; else inner at the top

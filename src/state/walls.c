@@ -26,7 +26,7 @@ static double axis_distance(const clod_wall *self, clod_vec3 point)
 static bool is_symmetric(const clod_wall *self, const clod_shape *shape)
 {
     const clod_shape_kind_row *kind = clod_shape_kinds_row(shape->kind);
-    if (kind->solid) {
+    if (kind->boxed) {
         return false;
     }
     const clod_vec3 axis = oriented(self, shape->axis[2]);
@@ -139,7 +139,7 @@ static double box_reach(const clod_wall *self, const clod_shape *shape)
 static double shape_reach(const clod_wall *self, const clod_shape *shape)
 {
     const clod_shape_kind_row *kind = clod_shape_kinds_row(shape->kind);
-    if (kind->solid) {
+    if (kind->boxed) {
         return box_reach(self, shape);
     }
     const double foot = axis_distance(self, shape->center) + shape->outer;
@@ -228,6 +228,25 @@ void clod_walls_reset_sums(clod_walls *self)
     }
 }
 
+clod_shape *clod_shapes_copy(const clod_shape *shapes, int32_t count)
+{
+    clod_shape *copy = clod_memory_alloc((size_t)count, sizeof *copy);
+    for (int32_t s = 0; copy != NULL && s < count; s++) {
+        copy[s] = shapes[s];
+        clod_surface_share(copy[s].surface);
+    }
+    return copy;
+}
+
+void clod_shapes_free(clod_shape **shapes, int32_t count)
+{
+    for (int32_t s = 0; *shapes != NULL && s < count; s++) {
+        clod_surface_release((*shapes)[s].surface);
+    }
+    clod_memory_free(*shapes);
+    *shapes = NULL;
+}
+
 bool clod_walls_copy(clod_walls *self, const clod_walls *from, clod_status *status)
 {
     *self = (clod_walls){0};
@@ -240,12 +259,11 @@ bool clod_walls_copy(clod_walls *self, const clod_walls *from, clod_status *stat
     }
     for (int32_t w = 0; w < from->count; w++) {
         const clod_wall *wall = &from->wall[w];
-        clod_shape *shapes = clod_memory_alloc((size_t)wall->shape_count, sizeof *shapes);
+        clod_shape *shapes = clod_shapes_copy(wall->shapes, wall->shape_count);
         if (shapes == NULL) {
             clod_walls_fini(self);
             return clod_status_fail(status, CLOD_FAILED, "no memory to copy the walls");
         }
-        memcpy(shapes, wall->shapes, (size_t)wall->shape_count * sizeof *shapes);
         self->wall[w] = *wall;
         self->wall[w].shapes = shapes;
         self->count = w + 1;
@@ -256,7 +274,7 @@ bool clod_walls_copy(clod_walls *self, const clod_walls *from, clod_status *stat
 void clod_walls_fini(clod_walls *self)
 {
     for (int32_t w = 0; w < self->count; w++) {
-        clod_memory_free(self->wall[w].shapes);
+        clod_shapes_free(&self->wall[w].shapes, self->wall[w].shape_count);
     }
     clod_memory_free(self->wall);
     *self = (clod_walls){0};

@@ -11,6 +11,7 @@
 #include "base/vec3.h"
 #include "clod/case.h"
 #include "clod/status.h"
+#include "mesh/surface.h"
 #include "state/shape_kinds.h"
 
 /**
@@ -42,7 +43,16 @@ typedef struct clod_shape {
     double inner, outer; ///< m, radii: disc, cylinder outer; annulus both; cone: top and foot
     double half[3]; ///< m, box, bar: half sizes along axis[]; shells: half[2] = half length
     clod_side side;
+    clod_surface *surface; ///< mesh: with one user for this shape; else NULL
+    int32_t patch;         ///< mesh: of the surface
+    int32_t slot;          ///< mesh: which of the contacts with the patch (surface_touch.h)
 } clod_shape;
+
+/** Copies of shapes, with users of their surfaces; NULL without memory. */
+clod_shape *clod_shapes_copy(const clod_shape *shapes, int32_t count);
+
+/** Free shapes and null; their surfaces lose a user each. NULL is fine. */
+void clod_shapes_free(clod_shape **shapes, int32_t count);
 
 /** Radius of a shell at its top, or of the hole of an annulus; 0 for a disc [m]. */
 static inline double clod_shape_end_radius(const clod_shape *self)

@@ -7,6 +7,16 @@
 #include "step/requests.h"
 #include "step/team.h"
 
+/** Room for the grains that come; without it all is as before. */
+static bool make_room(clod_step *self, clod_status *status)
+{
+    clod_state *state = self->state;
+    const size_t count = state->grains.count + state->changes.new_grains;
+    const bool room = clod_grains_reserve(&state->grains, count, status);
+    clod_step_look(self); // the rows may lie elsewhere
+    return room;
+}
+
 /** What comes, behind the other rows: a new grain carries its weight for the first half kick. */
 static bool add_grains(clod_state *state, clod_status *status)
 {
@@ -84,8 +94,8 @@ bool clod_step_change(clod_step *self, clod_status *status)
         return true;
     }
     clod_requests found;
-    const bool good =
-        clod_requests_check(&found, state, self->laws, status) && rebuild(self, &found, status);
+    const bool good = clod_requests_check(&found, state, self->laws, status) &&
+                      make_room(self, status) && rebuild(self, &found, status);
     clod_requests_fini(&found);
     const bool moved = !good && state->changes.moved; // true when the requests are dropped too
     clod_changes_fini(&state->changes);

@@ -1,8 +1,9 @@
-// Stages contact and wall: the force of every contact onto its grains, in the order of contacts
+// Stages contact, touch and wall: the force of every contact onto its grains, in the order of contacts
 // whatever the number of threads.
 #include "parallel/threads.h"
 #include "step/near_between.h"
 #include "step/step.h"
+#include "step/touch.h"
 
 /** Memory of a group from which it pays to prefetch its rows [bytes]: less lies in the
  * caches. */
@@ -142,14 +143,22 @@ static bool run_part_walls(clod_step *self, int part)
     return excess;
 }
 
-void clod_step_wall(clod_step *self, int part)
+void clod_step_touch(clod_step *self, int part)
 {
     const clod_chunk mine = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
-    bool excess = false;
     const uint64_t step = clod_gate_opened(&self->placed_gate[part]);
     for (int t = 0; t < self->threads; t++) {
         clod_gate_wait(&self->placed_gate[t], step);
     }
+    for (int p = (int)mine.begin; p < (int)mine.end; p++) {
+        clod_touch_find(&self->near, self->state, &self->walls, p);
+    }
+}
+
+void clod_step_wall(clod_step *self, int part)
+{
+    const clod_chunk mine = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
+    bool excess = false;
     for (int p = (int)mine.begin; p < (int)mine.end; p++) {
         excess |= run_part_walls(self, p);
     }

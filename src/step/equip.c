@@ -28,6 +28,7 @@ void clod_step_look(clod_step *self)
                            .load = grains->load,
                            .wall_sum = self->near.wall_sum,
                            .shape = (const double(*)[4])self->walls.shape,
+                           .touch = (const double(*)[4])self->near.touch.row,
                            .lead = self->neighbour.lead,
                            .dt = self->view.dt,
                            .overlap_limit = self->view.overlap_limit};

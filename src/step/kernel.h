@@ -22,6 +22,7 @@ typedef struct clod_kernel_view {
     double (*load)[8];         ///< where contacts add their force and torque on each grain
     clod_fixed *wall_sum;      ///< of what walls feel: columns below
     const double (*shape)[4];  ///< rows of the walls' shapes (geometry/wall_rows.h)
+    const double (*touch)[4];  ///< direction and distance of contacts with meshes (touch.h)
     size_t lead;               ///< rows by which memory is prefetched
     double dt;                 ///< s
     double overlap_limit;      ///< fraction of the smaller radius

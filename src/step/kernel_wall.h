@@ -51,23 +51,37 @@ static inline void kernel_wall_belt(const clod_kernel_view *view, const int32_t 
     meeting->belt_spin = vreal3_select(moves, spin, none);
 }
 
+/** Closest points of CLOD_WIDTH contacts: computed, or of a mesh as they were found. */
+static inline clod_wall_closest kernel_wall_closest(const clod_kernel_view *view,
+                                                    clod_wall_form form,
+                                                    const clod_wall_block *block, int lane,
+                                                    vreal3 centre)
+{
+    vreal s[4][4];
+    if (form == CLOD_FORM_MESH) {
+        vreal_load_rows(s[0], view->touch, &block->touch[lane]);
+        return (clod_wall_closest){s[0][3], {s[0][0], s[0][1], s[0][2]}};
+    }
+    for (int k = 0; k < 4; k++) {
+        vreal_load_rows(s[k], view->shape + k, &block->shape[lane]);
+    }
+    return clod_wall_closest_point(form, s, centre);
+}
+
 /** Geometry and kinematics of CLOD_WIDTH contacts from the rows of grains and shapes. */
 static inline kernel_wall_meeting kernel_wall_meet(const clod_kernel_view *view,
                                                    clod_wall_form form,
                                                    const clod_wall_block *block, int lane)
 {
-    vreal p[4], v[4], w[4], s[4][4], moves[4], turns[4], origin[4];
+    vreal p[4], v[4], w[4], moves[4], turns[4], origin[4];
     vreal_load_rows(p, view->position, &block->i[lane]);
     vreal_load_rows(v, view->velocity, &block->i[lane]);
     vreal_load_rows(w, view->angular_velocity, &block->i[lane]);
-    for (int k = 0; k < 4; k++) {
-        vreal_load_rows(s[k], view->shape + k, &block->shape[lane]);
-    }
     vreal_load_rows(moves, view->shape + CLOD_SHAPE_VELOCITY, &block->shape[lane]);
     vreal_load_rows(turns, view->shape + CLOD_SHAPE_SPIN, &block->shape[lane]);
     vreal_load_rows(origin, view->shape + CLOD_SHAPE_ORIGIN, &block->shape[lane]);
     const vreal3 centre = {p[0], p[1], p[2]};
-    const clod_wall_closest closest = clod_wall_closest_point(form, s, centre);
+    const clod_wall_closest closest = kernel_wall_closest(view, form, block, lane, centre);
     const vreal3 spin = {turns[0], turns[1], turns[2]};
     const vreal3 to_centre = vreal3_sub(centre, (vreal3){origin[0], origin[1], origin[2]});
     kernel_wall_meeting meeting = {
@@ -194,6 +208,8 @@ __attribute__((flatten)) static bool kernel_wall(const clod_kernel_view *view,
         return kernel_wall_of(view, law, CLOD_FORM_PLANE, blocks, contacts);
     case CLOD_FORM_BOX:
         return kernel_wall_of(view, law, CLOD_FORM_BOX, blocks, contacts);
+    case CLOD_FORM_MESH:
+        return kernel_wall_of(view, law, CLOD_FORM_MESH, blocks, contacts);
     default:
         return kernel_wall_of(view, law, CLOD_FORM_SHELL, blocks, contacts);
     }

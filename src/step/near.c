@@ -10,6 +10,7 @@
 #include "step/near_parts.h"
 #include "step/near_walk.h"
 #include "step/near_walls.h"
+#include "step/touch.h"
 
 // ---- which candidates are near
 
@@ -28,7 +29,7 @@ static bool wall_is_near(const clod_state *state, const clod_wall_candidate *c,
                          const clod_wall_rows *walls, double skin)
 {
     const double *p = state->grains.position[c->i];
-    return clod_wall_rows_gap(walls, c->wall, c->shape, p).distance < p[3] + skin;
+    return clod_wall_rows_is_near(walls, c->wall, c->shape, p, p[3] + skin);
 }
 
 /** Add work to a grain's: several threads may, and the sum does not depend on their order. */
@@ -192,6 +193,8 @@ void clod_near_place(const clod_near_job *job, int part)
         pad_group(job, clod_near_group(job->near, part, law));
         pad_group(job, clod_near_group_between(job->near, part, law));
     }
+    clod_touch_find(job->near, job->state, job->walls,
+                    part); // for those who look before a step
 }
 
 // ---- once for all
@@ -206,8 +209,10 @@ static bool allocate(clod_near *self)
     self->source = clod_memory_alloc(parts * clod_near_sources(self), sizeof *self->source);
     self->part_fill = clod_memory_alloc(parts * groups, sizeof *self->part_fill);
     self->gathered = clod_memory_alloc(parts, sizeof *self->gathered);
-    bool good = self->part_start != NULL && self->between.run_start != NULL &&
-                self->source != NULL && self->part_fill != NULL && self->gathered != NULL;
+    self->touch.part = clod_memory_alloc(parts, sizeof *self->touch.part);
+    bool good = self->touch.part != NULL && self->part_start != NULL &&
+                self->between.run_start != NULL && self->source != NULL &&
+                self->part_fill != NULL && self->gathered != NULL;
     clod_near_blocks *lists[] = {&self->pairs, &self->walls};
     for (int k = 0; k < 2; k++) {
         const size_t count = k == 0 ? groups : clod_near_wall_groups(self);
@@ -314,5 +319,6 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->source);
     clod_memory_free(self->part_fill);
     clod_memory_free(self->gathered);
+    clod_touch_fini(&self->touch, self->parts);
     *self = (clod_near){0};
 }

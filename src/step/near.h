@@ -14,6 +14,7 @@
 
 #include "step/kernel.h"
 #include "step/neighbour.h"
+#include "step/touch_lists.h"
 
 typedef struct clod_near_blocks {
     void *block; ///< clod_contact_block or clod_wall_block
@@ -61,6 +62,7 @@ typedef struct clod_near {
     clod_near_between between;
     int32_t *weight; ///< scratch [grains]: work of each grain
     size_t weight_capacity;
+    clod_touch touch;     ///< contacts with meshes
     clod_fixed *wall_sum; ///< [sum_start[walls]] what a wall feels by the grains of a part
     int32_t *sum_start;   ///< [walls + 1] first sum of each wall; one for each part that it has
     int32_t *part_sum;    ///< [parts][walls] number of a part's sum of a wall, or -1

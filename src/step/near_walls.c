@@ -6,12 +6,17 @@
 #include "base/room.h"
 #include "step/near_known.h"
 #include "step/near_parts.h"
+#include "step/touch.h"
+
+static clod_wall_form form_of(const clod_near_job *job, const clod_wall_candidate *c)
+{
+    return clod_wall_rows_form(job->walls, clod_wall_rows_shape(job->walls, c->wall, c->shape));
+}
 
 /** Group of a wall contact of a part. */
 static size_t group_of(const clod_near_job *job, int part, const clod_wall_candidate *c)
 {
-    const int32_t row = clod_wall_rows_shape(job->walls, c->wall, c->shape);
-    return clod_near_wall_group(job->near, part, c->law, clod_wall_rows_form(job->walls, row));
+    return clod_near_wall_group(job->near, part, c->law, form_of(job, c));
 }
 
 /** The first of the candidates, which ascend by grain, whose grain is not before a row. */
@@ -46,12 +51,16 @@ void clod_near_walls_count(const clod_near_job *job, int part)
     for (int32_t w = 0; w < job->state->walls.count; w++) {
         sum[w] = -1;
     }
+    clod_touch_begin(&near->touch.part[part]);
     const size_t end = first_from(candidates, near->part_start[part + 1]);
     for (size_t k = first_from(candidates, near->part_start[part]); k < end; k++) {
         const clod_wall_candidate *c = &candidates->item[k];
         if (c->near != 0) {
             near->walls.group_count[group_of(job, part, c)]++;
             sum[c->wall] = sum[c->wall] < 0 ? 1 : sum[c->wall] + 1;
+            if (form_of(job, c) == CLOD_FORM_MESH) {
+                clod_touch_add(job, part, c);
+            }
         }
     }
 }
@@ -85,7 +94,8 @@ bool clod_near_walls_layout(const clod_near_job *job)
     clod_near_blocks *walls = &job->near->walls;
     const size_t groups = clod_near_wall_groups(job->near);
     clod_near_layout_groups(walls, groups);
-    return clod_near_reserve_blocks(walls, groups, sizeof(clod_wall_block)) && layout_sums(job);
+    return clod_near_reserve_blocks(walls, groups, sizeof(clod_wall_block)) &&
+           clod_touch_layout(job->near) && layout_sums(job);
 }
 
 static void place(const clod_near_job *job, int part, const clod_wall_candidate *c,
@@ -101,6 +111,9 @@ static void place(const clod_near_job *job, int part, const clod_wall_candidate 
     block->wall[lane] = c->wall;
     block->shape[lane] = clod_wall_rows_shape(job->walls, c->wall, c->shape);
     block->sum[lane] = sums_of(job, part)[c->wall];
+    block->touch[lane] = form_of(job, c) == CLOD_FORM_MESH
+                             ? clod_touch_place(job->near, part, at / CLOD_LANES, lane)
+                             : 0;
     clod_history_put(&block->history, lane, clod_near_history(known, c->i, c->wall, c->shape));
 }
 
@@ -117,6 +130,7 @@ static void pad(const clod_near_job *job, size_t group)
         block->wall[lane] = 0;
         block->shape[lane] = clod_wall_rows_padding(job->walls, job->state->walls.count, form);
         block->sum[lane] = 0; // never added to
+        block->touch[lane] = 0;
         clod_history_put(&block->history, lane, CLOD_NEAR_NO_HISTORY);
     }
 }

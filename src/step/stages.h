@@ -13,20 +13,27 @@ enum {
     CLOD_STAGE_LISTS = 1 << 2,
     CLOD_STAGE_SHARE = 1 << 3, ///< of contacts between two threads' grains
     CLOD_STAGE_HISTORY = 1 << 4,
-    CLOD_STAGE_FORCE = 1 << 5,
+    CLOD_STAGE_FORCE = 1 << 5,       ///< of this step, and with the ledger of the one before
     CLOD_STAGE_FELT = 1 << 6,        ///< what walls feel, by parts
     CLOD_STAGE_WALLS = 1 << 7,       ///< where they are and how they move
     CLOD_STAGE_SURFACES = 1 << 8,    ///< rows of their shapes
     CLOD_STAGE_SPENT = 1 << 9,       ///< by each contact, with the energy ledger
     CLOD_STAGE_SPENT_SUMS = 1 << 10, ///< of them, by threads
     CLOD_STAGE_LEDGER = 1 << 11,
+    CLOD_STAGE_SEEN = 1 << 12,   ///< by drift: the fastest, and whether numbers are finite
+    CLOD_STAGE_EXCESS = 1 << 13, ///< an overlap beyond the laws' range
+    CLOD_STAGE_TOUCH = 1 << 14,  ///< closest points of meshes
 };
 
 /** For these, those who need what others write wait at gates. */
 #define CLOD_STAGE_GATED (CLOD_STAGE_SHARE | CLOD_STAGE_SURFACES)
 
 /** Of these, every thread touches its own grains' and contacts' alone. */
-#define CLOD_STAGE_OWN (CLOD_STAGE_FORCE | CLOD_STAGE_HISTORY | CLOD_STAGE_SPENT)
+#define CLOD_STAGE_OWN                                                                         \
+    (CLOD_STAGE_FORCE | CLOD_STAGE_HISTORY | CLOD_STAGE_SPENT | CLOD_STAGE_TOUCH)
+
+/** Of these, every thread writes its own; another stage reads those of all. */
+#define CLOD_STAGE_EACH (CLOD_STAGE_SEEN | CLOD_STAGE_EXCESS)
 
 /** Where all threads wait for each other. */
 typedef enum clod_stage_barrier {
@@ -38,6 +45,7 @@ typedef enum clod_stage_barrier {
 /**
  * A stage. A barrier stands between two stages of which one writes what the other reads or
  * writes, but for what is gated, a thread's own, or touched by thread 0 alone in both.
+ * Two stages may write what each thread has one of.
  * Test  tests/step/test_stages.c
  */
 typedef struct clod_stage {
@@ -48,6 +56,6 @@ typedef struct clod_stage {
     clod_stage_barrier barrier;
 } clod_stage;
 
-#define CLOD_STAGES 8
+#define CLOD_STAGES 10
 
 extern const clod_stage CLOD_STAGE[CLOD_STAGES];

@@ -21,22 +21,10 @@
 #define SPENT CLOD_STAGE_SPENT
 #define SUMS CLOD_STAGE_SPENT_SUMS
 #define LEDGER CLOD_STAGE_LEDGER
+#define TOUCH CLOD_STAGE_TOUCH
+#define SEEN CLOD_STAGE_SEEN
+#define EXCESS CLOD_STAGE_EXCESS
 #define ROWS (POSITION | VELOCITY | FORCE | HISTORY) // a rebuild puts them into a new order
-
-// drift completes the half kick of the step before; after the last step clod_step_settle does
-const clod_stage CLOD_STAGE[CLOD_STAGES] = {
-    // clang-format off
-    // name,    function,          reads,                                  writes,                               by thread 0,   barrier
-    {"drift",   clod_step_drift,   ROWS | LISTS | WALLS,                   POSITION | VELOCITY | FORCE | WALLS,  WALLS,         CLOD_BARRIER_AFTER},
-    {"place",   clod_step_place,   WALLS | LISTS,                          SURFACES,                             0,             CLOD_BARRIER_NONE},
-    {"near",    clod_step_near,    ROWS | WALLS,                           ROWS | LISTS | SURFACES,              0,             CLOD_BARRIER_WITHIN},
-    {"contact", clod_step_contact, POSITION | VELOCITY | LISTS,            FORCE | HISTORY | SHARE | SPENT,      0,             CLOD_BARRIER_NONE},
-    {"wall",    clod_step_wall,    POSITION | VELOCITY | LISTS | SURFACES, FORCE | HISTORY | FELT | SPENT,       0,             CLOD_BARRIER_NONE},
-    {"spent",   clod_step_spent,   LISTS | SPENT,                          SUMS,                                 0,             CLOD_BARRIER_AFTER},
-    {"servo",   clod_step_servo,   FELT | WALLS | LISTS,                   FELT | WALLS | LEDGER,                FELT | WALLS | LEDGER, CLOD_BARRIER_NONE},
-    {"ledger",  clod_step_ledger,  SUMS | LEDGER,                          LEDGER,                               SUMS | LEDGER, CLOD_BARRIER_NONE},
-    // clang-format on
-};
 
 /** Trouble as one thread sees it, from flags that stay until all threads have looked. */
 static bool has_trouble(const clod_step *self, int part)
@@ -47,6 +35,28 @@ static bool has_trouble(const clod_step *self, int part)
     }
     return trouble;
 }
+
+static void look(clod_step *self, int part)
+{
+    self->thread[part].stop = has_trouble(self, part);
+}
+
+// drift completes the half kick of the step before; after the last step clod_step_settle does
+const clod_stage CLOD_STAGE[CLOD_STAGES] = {
+    // clang-format off
+    //name,      function,          reads,                                  writes,                                     by thread 0,           barrier
+    {"drift",   clod_step_drift,   ROWS | LISTS | WALLS,                   POSITION | VELOCITY | FORCE | WALLS | SEEN, WALLS,                 CLOD_BARRIER_AFTER},
+    {"place",   clod_step_place,   WALLS | LISTS,                          SURFACES,                                   0,                     CLOD_BARRIER_NONE},
+    {"near",    clod_step_near,    ROWS | WALLS | SEEN,                    ROWS | LISTS | SURFACES,                    0,                     CLOD_BARRIER_WITHIN},
+    {"contact", clod_step_contact, POSITION | VELOCITY | LISTS,            FORCE | HISTORY | SHARE | SPENT | EXCESS,   0,                     CLOD_BARRIER_NONE},
+    {"touch",   clod_step_touch,   POSITION | LISTS | SURFACES,            HISTORY | TOUCH,                            0,                     CLOD_BARRIER_NONE},
+    {"wall",    clod_step_wall,    POSITION | VELOCITY | LISTS | SURFACES | TOUCH, FORCE | HISTORY | FELT | SPENT | EXCESS,    0,                     CLOD_BARRIER_NONE},
+    {"spent",   clod_step_spent,   LISTS | SPENT,                          SUMS,                                       0,                     CLOD_BARRIER_AFTER},
+    {"servo",   clod_step_servo,   FELT | WALLS | LISTS,                   FELT | WALLS | LEDGER,                      FELT | WALLS | LEDGER, CLOD_BARRIER_NONE},
+    {"ledger",  clod_step_ledger,  SUMS | LEDGER,                          LEDGER,                                     SUMS | LEDGER,         CLOD_BARRIER_NONE},
+    {"look",    look,              EXCESS,                                 0,                                          0,                     CLOD_BARRIER_NONE},
+    // clang-format on
+};
 
 /** The steps as one thread sees them. */
 static void advance_part(clod_step *self, int part)
@@ -68,7 +78,7 @@ static void advance_part(clod_step *self, int part)
         if (part == 0) {
             self->state->step = first + s + 1;
         }
-        if (has_trouble(self, part)) { // all agree
+        if (self->thread[part].stop) { // all agree
             break;
         }
     }

@@ -42,6 +42,7 @@ typedef struct clod_step_thread {
     bool finite;                    ///< its grains' numbers
     bool all_finite;                ///< those of all threads in this step
     bool excess;                    ///< an overlap beyond the laws' range
+    bool stop;                      ///< physics went wrong in this step, with any thread
     bool owed;                      ///< its grains' second half kick is still to be done
     clod_step_heat spent;           ///< by its contacts in this step, with the ledger
 } clod_step_thread;
@@ -217,6 +218,7 @@ void clod_step_drift(clod_step *self, int part);
 void clod_step_place(clod_step *self, int part);
 void clod_step_near(clod_step *self, int part);
 void clod_step_contact(clod_step *self, int part);
+void clod_step_touch(clod_step *self, int part);
 void clod_step_wall(clod_step *self, int part);
 void clod_step_spent(clod_step *self, int part);
 void clod_step_servo(clod_step *self, int part);

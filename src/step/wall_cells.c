@@ -119,8 +119,7 @@ static bool try_shape(clod_neighbour *self, const clod_state *state, const clod_
     const double *p = state->build_position[g];
     const double reach = p[3] + self->skin;
     const clod_wall_rows *rows = &self->build_rows;
-    if (clod_wall_rows_is_far(rows, shape->wall, shape->shape, p, reach) ||
-        clod_wall_rows_gap(rows, shape->wall, shape->shape, p).distance >= reach) {
+    if (!clod_wall_rows_is_near(rows, shape->wall, shape->shape, p, reach)) {
         return true;
     }
     clod_wall_candidates *walls = &self->walls;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/assert.h"
+#include "base/given.h"
 #include "law/law_contact.h"
 #include "law/law_kinds.h"
 
@@ -287,6 +288,10 @@ static void finish(const clod_case *from, const bench *self,
 bool clod_contact_bench_run(const clod_case *from, clod_contact_bench_sink sink, void *context,
                             clod_contact_bench_summary *summary, clod_status *status)
 {
+    if (!CLOD_GIVEN(from, status) || !CLOD_GIVEN(sink, status) ||
+        !CLOD_GIVEN(summary, status)) {
+        return false;
+    }
     bench self;
     *summary = (clod_contact_bench_summary){0};
     if (!make_bench(from, &self, status)) {
@@ -344,6 +349,8 @@ static char *put(char *at, const double *values, size_t count)
 void clod_contact_bench_line(const clod_contact_bench_row *row,
                              char line[CLOD_CONTACT_BENCH_LINE])
 {
+    CLOD_NEED(row);
+    CLOD_NEED(line);
     static const char *const BRANCHES[] = {"open", "loading", "unloading", "adhesive"};
     const double first[] = {row->time,        row->overlap,        row->slip[0],
                             row->slip[1],     row->roll,           row->twist,

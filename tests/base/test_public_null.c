@@ -1,5 +1,6 @@
 /**
- * What the public headers say about NULL and about things that are empty.
+ * What the public headers say about things that are empty, and NULL where it is fine. NULL for
+ * every argument: tests/python/test_null.py.
  */
 
 #include <setjmp.h>
@@ -70,6 +71,10 @@ static void no_overrides_and_no_points(void **state)
     assert_true(clod_case_tester_stress(from) == 0.0);
     clod_case_destroy(&from);
     assert_null(from);
+    const char *const changes[] = {"seed=7", NULL};
+    assert_null(
+        clod_case_load(CLOD_SOURCE_DIR "/cases/free-run/case.yaml", changes, 2, &status));
+    assert_string_equal(status.text, "clod_case_load: one of overrides is NULL");
     assert_null(clod_locus_study_create(NULL, 0, &status));
     assert_int_equal(status.code, CLOD_USAGE);
     clod_locus locus;

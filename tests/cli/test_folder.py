@@ -210,7 +210,7 @@ class Folder(clod.Case):
         self.write_grains(6)
         done = clod.run("run", "pack.yaml", "-o", "out", cwd=self.folder)
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertRegex(done.stderr, r"The grain file \S*grains\.csv has changed since the run "
+        self.assertRegex(done.stderr, r"The file \S*grains\.csv has changed since the run "
                                       r'\("Small box with lid"\) in out was begun')
         os.remove(self.path("grains.csv"))
         done = clod.run("run", "pack.yaml", "-o", "out", "--fresh", cwd=self.folder)

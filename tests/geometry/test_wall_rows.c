@@ -274,31 +274,27 @@ static void reaches_are_those_of_the_walls(void **state)
     clod_wall_rows_fini(&y.rows);
 }
 
-/** Far is said of nothing in reach, and of every box and bar half a diagonal farther. */
-static void far_is_farther_than_the_reach(void **state)
+/** Near is what has a gap below the reach, whatever spheres about boxes say. */
+static void near_is_within_the_reach(void **state)
 {
     (void)state;
     yard y;
     yard_init(&y);
-    const double diagonal = sqrt(0.5 * 0.5 + 1.0 * 1.0 + 1.5 * 1.5);
-    int far = 0;
+    int near = 0;
     for (uint64_t k = 0; k < POINTS; k++) {
         const clod_vec3 at = random_point(k);
         const double p[3] = {at.x, at.y, at.z};
         const double reach = between(0.0, 3.0, k, 3);
         for (int32_t w = 0; w < 2; w++) {
             for (int32_t s = 0; s < KINDS; s++) {
-                const bool solid =
-                    y.shapes[s].kind == CLOD_SHAPE_BOX || y.shapes[s].kind == CLOD_SHAPE_BAR;
                 const double gap = clod_wall_rows_gap(&y.rows, w, s, p).distance;
-                const bool said = clod_wall_rows_is_far(&y.rows, w, s, p, reach);
-                assert_true(!said || gap > reach);
-                assert_true(said || !solid || gap < reach + diagonal);
-                far += said;
+                const bool said = clod_wall_rows_is_near(&y.rows, w, s, p, reach);
+                assert_true(said == (gap < reach));
+                near += said;
             }
         }
     }
-    assert_true(far > POINTS / 10);
+    assert_true(near > POINTS / 10 && near < 2 * KINDS * POINTS - POINTS / 10);
     clod_wall_rows_fini(&y.rows);
 }
 
@@ -312,7 +308,7 @@ int main(void)
         cmocka_unit_test(rows_follow_walls_that_move),
         cmocka_unit_test(rows_tell_how_a_wall_moves),
         cmocka_unit_test(rows_tell_how_belts_move),
-        cmocka_unit_test(far_is_farther_than_the_reach),
+        cmocka_unit_test(near_is_within_the_reach),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

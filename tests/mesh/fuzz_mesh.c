@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "clod/mesh.h"
+#include "mesh/surface_touch.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -56,6 +57,53 @@ static void report(const clod_mesh *mesh)
     }
 }
 
+#define NEAR_MOST 4096
+
+/** Facets near a grain, as far as there is room. */
+typedef struct near_list {
+    uint32_t facet[NEAR_MOST];
+    int32_t count;
+} near_list;
+
+static double note(void *context, uint32_t facet, double reach)
+{
+    near_list *self = context;
+    if (self->count < NEAR_MOST) {
+        self->facet[self->count++] = facet;
+    }
+    return reach;
+}
+
+/** Grains on its first facets: contacts are facets that there are, each with its root. */
+static void touch(const clod_mesh *mesh)
+{
+    static clod_status status;
+    static near_list list;
+    static clod_surface_hit hits[NEAR_MOST];
+    clod_surface *surface = clod_surface_make(mesh, NULL, 0.35, &status);
+    if (surface == NULL) {
+        abort();
+    }
+    for (uint32_t f = 0; f < surface->facet_count && f < 16; f++) {
+        const uint32_t *v = surface->facet[f];
+        const double radius = 0.25 * surface->weld * 2097152.0; // of the size of the mesh
+        const clod_vec3 at = clod_vec3_axpy(clod_vec3_of(surface->vertex[v[0]]), 0.9 * radius,
+                                            surface->planes[surface->plane[f]].normal);
+        list.count = 0;
+        clod_surface_near(surface, at, radius, note, &list);
+        const int32_t count =
+            clod_surface_touch(surface, list.facet, list.count, at, radius, hits);
+        for (int32_t k = 0; k < count; k++) {
+            if (hits[k].root > k || hits[hits[k].root].root != hits[k].root ||
+                !(hits[k].at.distance < radius) ||
+                surface->patch[hits[k].facet] >= surface->patch_count) {
+                abort();
+            }
+        }
+    }
+    clod_surface_release(surface);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static clod_status status;
@@ -69,6 +117,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (mesh != NULL) {
         check_mesh(mesh);
         report(mesh);
+        touch(mesh);
     } else if (status.text[0] == '\0') {
         abort();
     }

@@ -46,6 +46,12 @@ class Python(program.Case):
             self.assertTrue(numpy.shares_memory(sim.velocity, sim.velocity))
             with self.assertRaises(ValueError):
                 sim.radius[0] = 1.0  # not writable
+            sim.set_radii(1.01 * sim.radius)
+            before = sim.mass.copy()
+            sim.set_radii(sim.radius / 1.01)
+            numpy.testing.assert_allclose(before / sim.mass, 1.01**3, rtol=1e-12)
+            with self.assertRaisesRegex(ValueError, r"\(2,\) radii; there are 60 grains"):
+                sim.set_radii([1e-3, 1e-3])
 
     def test_free_fall(self):
         """A grain alone: z0 - g t^2/2, by hand."""
@@ -134,6 +140,17 @@ class Python(program.Case):
             floor.velocity = [0, 0, -0.5]
             sim.advance(1000)
             numpy.testing.assert_allclose(floor.position, [0, 0, -0.5 * 2e-3], rtol=1e-12)
+            floor.surface_velocity = [0.1, 0, 0]
+            floor.set_angular_velocity([0, 0, -3], [0.01, 0.01, 0])
+            numpy.testing.assert_array_equal(floor.velocity, [0, 0, -0.5])
+            numpy.testing.assert_array_equal(floor.surface_velocity, [0.1, 0, 0])
+            numpy.testing.assert_array_equal(floor.material_velocity, [0.1, 0, -0.5])
+            numpy.testing.assert_array_equal(floor.angular_velocity, [0, 0, -3])
+            floor.spin = 2 * floor.spin
+            self.assertEqual(floor.material_spin, floor.spin)
+            numpy.testing.assert_array_equal(floor.angular_velocity, [0, 0, -6])
+            with self.assertRaises(AttributeError):
+                floor.material_velocity = [0, 0, 0]
             sim.remove_wall("floor")
             sim.change()
             self.assertEqual(sim.walls, {})

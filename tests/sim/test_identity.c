@@ -44,23 +44,23 @@ static void the_grain_file_that_differs_is_named(void **state)
         HEAD "output:\n  contacts: true\n"
              "# grains[0].file has 7 bytes with the hash 00000000000000ff\n" LAST;
     // one has other bytes, the second another length, a third differs in the case as well
-    assert_ptr_equal(clod_identity_changed_grains(
+    assert_ptr_equal(clod_identity_changed_file(
                          &from, BEFORE,
                          HEAD
                          "output:\n  contacts: false\n"
                          "# grains[0].file has 7 bytes with the hash 00000000000000fe\n" LAST),
                      first);
-    assert_ptr_equal(clod_identity_changed_grains(
+    assert_ptr_equal(clod_identity_changed_file(
                          &from, BEFORE,
                          HEAD "output:\n  contacts: true\n"
                               "# grains[0].file has 7 bytes with the hash 00000000000000ff\n"
                               "# grains[1].file has 4 bytes with the hash 0000000000000001\n"),
                      second);
-    assert_null(clod_identity_changed_grains(
+    assert_null(clod_identity_changed_file(
         &from, BEFORE,
         "seed: 4\noutput:\n"
         "# grains[0].file has 7 bytes with the hash 00000000000000fe\n" LAST));
-    assert_null(clod_identity_changed_grains(&from, BEFORE, BEFORE));
+    assert_null(clod_identity_changed_file(&from, BEFORE, BEFORE));
 }
 
 int main(void)

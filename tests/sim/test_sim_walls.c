@@ -212,6 +212,66 @@ static void an_unknown_wall_is_named_by_every_function(void **state)
     clod_sim_destroy(&sim);
 }
 
+/** A wall that is pushed by a load, and one that swings; both are driven too. */
+static const char MOVED[] =
+    "materials: {ore: {density: 2500 kg/m3}}\n"
+    "contacts: {default: {law: hooke, k1: 1e4 N/m, restitution: 0.5, friction: 0.3}}\n"
+    "time: {step: 1e-5 s}\n"
+    "domain: {min: [0 mm, 0 mm, -20 mm], max: [20 mm, 20 mm, 90 mm]}\n"
+    "stages: [{name: push, duration: 1 s}]\n"
+    "walls:\n"
+    "  floor: {material: ore, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm]}}]}\n"
+    "  lid:\n"
+    "    material: ore\n"
+    "    shapes: [{disc: {center: [10 mm, 10 mm, 5 mm], normal: [0, 0, -1], radius: 9 mm}}]\n"
+    "    load: {axis: [0, 0, -1], force: 1 N, mass: 10 g}\n"
+    "  swing:\n"
+    "    material: ore\n"
+    "    shapes: [{box: {center: [10 mm, 10 mm, 60 mm], size: [8 mm, 8 mm, 8 mm]}}]\n"
+    "    spin_axis: [0, 1, 0]\n"
+    "    oscillation: {direction: [1, 0, 0], amplitude: 1 mm, angle: 0.1 rad, frequency: 30 "
+    "Hz}\n"
+    "grains:\n"
+    "  - {material: ore, count: 3, radius: {distribution: uniform, min: 1.4 mm, max: 1.5 mm}, "
+    "region: {box: {min: [4 mm, 4 mm, 0 mm], max: [16 mm, 16 mm, 4 mm]}}}\n";
+
+/**
+ * What was written is read again, whatever a servo and an oscillation add; material_velocity is
+ * how far the wall goes in a step, of a wall with a load in the next one, and its belt.
+ */
+static void a_motion_is_read_as_it_was_written(void **unused)
+{
+    (void)unused;
+    clod_sim *sim = sim_made(MOVED, 1);
+    const double drive[3] = {0.0, 0.01, 0.0}, belt[3] = {0.0, 0.0, 0.4};
+    const int32_t lid = clod_sim_wall_index(sim, "lid"), swing = lid + 1;
+    CHECK(clod_sim_set_wall_velocity(sim, lid, drive, &status));
+    CHECK(clod_sim_set_wall_velocity(sim, swing, drive, &status));
+    CHECK(clod_sim_set_wall_surface_velocity(sim, swing, belt, &status));
+    CHECK(clod_sim_set_wall_spin(sim, swing, 2.0, &status));
+    CHECK(clod_sim_advance(sim, 1000, &status));
+    const clod_sim_wall lid_before = look(sim, "lid"), before = look(sim, "swing");
+    CHECK(clod_sim_advance(sim, 1, &status));
+    const clod_sim_wall lid_after = look(sim, "lid"), after = look(sim, "swing");
+    assert_memory_equal(lid_after.velocity, drive, sizeof drive);
+    assert_memory_equal(after.velocity, drive, sizeof drive);
+    assert_memory_equal(after.surface_velocity, belt, sizeof belt);
+    assert_true(after.spin == 2.0 && after.angular_velocity[1] == 2.0);
+    assert_true(after.angular_velocity[0] == 0.0 && after.angular_velocity[2] == 0.0);
+    for (int a = 0; a < 3; a++) {
+        const double fallen = (lid_after.position[a] - lid_before.position[a]) / 1e-5;
+        const double gone = (after.position[a] - before.position[a]) / 1e-5;
+        check_close(lid_before.material_velocity[a], fallen, 1e-10);
+        check_close(after.material_velocity[a], gone + belt[a], 1e-10);
+    }
+    check_close(after.material_spin, (after.angle - before.angle) / 1e-5, 1e-9);
+    // they are not what was written: the load, 2 pi f A cos, and 2 pi f angle cos with f t = 0.3
+    assert_true(lid_before.material_velocity[2] < -1e-3);
+    check_close(after.material_velocity[0], 60.0 * M_PI * 1e-3 * cos(0.6 * M_PI), 1e-3);
+    check_close(after.material_spin, 2.0 + 60.0 * M_PI * 0.1 * cos(0.6 * M_PI), 0.05);
+    clod_sim_destroy(&sim);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -221,6 +281,7 @@ int main(void)
         cmocka_unit_test(a_wall_can_be_put_at_any_pose),
         cmocka_unit_test(what_cannot_be_is_refused),
         cmocka_unit_test(an_unknown_wall_is_named_by_every_function),
+        cmocka_unit_test(a_motion_is_read_as_it_was_written),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,7 +16,8 @@ static void every_shape_is_of_one_sort(void **state)
     (void)state;
     for (int k = 0; k < CLOD_SHAPE_KINDS; k++) {
         const clod_shape_kind_row *row = clod_shape_kinds_row((clod_shape_kind)k);
-        assert_int_equal(row->endless + row->solid + row->flat + row->shell, 1);
+        assert_int_equal(row->endless + row->solid + row->faceted + row->flat + row->shell, 1);
+        assert_true(row->boxed == (row->solid || row->faceted));
         assert_true(row->shell || !row->straight);
     }
 }

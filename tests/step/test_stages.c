@@ -6,7 +6,8 @@
 /** What two stages must not touch at the same time, as the table has them. */
 static int clash(const clod_stage *a, const clod_stage *b)
 {
-    const int touched = (a->writes & (b->reads | b->writes)) | (a->reads & b->writes);
+    const int touched =
+        (a->writes & (b->reads | (b->writes & ~CLOD_STAGE_EACH))) | (a->reads & b->writes);
     return touched & ~(CLOD_STAGE_GATED | CLOD_STAGE_OWN) & ~(a->by_first & b->by_first);
 }
 

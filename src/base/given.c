@@ -1,0 +1,21 @@
+#include "base/given.h"
+
+#include <stddef.h>
+#include <stdio.h>
+
+#include "base/assert.h"
+
+void clod_given_need(bool given, const char *function, const char *name)
+{
+    if (!given) {
+        char text[160];
+        snprintf(text, sizeof text, "%s: %s != NULL", function, name);
+        clod_assert_fail(text, __FILE__, __LINE__);
+    }
+}
+
+bool clod_given(bool given, const char *function, const char *name, clod_status *status)
+{
+    clod_given_need(status != NULL, function, "status");
+    return given || clod_status_fail(status, CLOD_USAGE, "%s: %s is NULL", function, name);
+}

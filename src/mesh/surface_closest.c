@@ -1,0 +1,163 @@
+// The closest points of facets.
+#include "mesh/surface.h"
+
+#include <math.h>
+
+/** Rounding of an edge function that counts as inside, as a fraction of the edge's length. */
+#define INSIDE 1e-12
+
+static clod_vec3 corner(const clod_surface *self, uint32_t facet, int c)
+{
+    return clod_vec3_of(self->vertex[self->facet[facet][c % 3]]);
+}
+
+/** Closest point of edge e of a facet; `end`: 0 it is its first corner, 1 its second, -1 none. */
+static clod_vec3 on_edge(const clod_vec3 v[3], int e, clod_vec3 p, int *end)
+{
+    const clod_vec3 a = v[e], b = v[(e + 1) % 3];
+    const clod_vec3 along = clod_vec3_sub(b, a);
+    const double t = clod_vec3_dot(clod_vec3_sub(p, a), along);
+    const double square = clod_vec3_dot(along, along);
+    *end = t <= 0.0 ? 0 : t >= square ? 1 : -1;
+    return *end == 0 ? a : *end == 1 ? b : clod_vec3_axpy(a, t / square, along);
+}
+
+/** Edges of a facet that hold a point of edge e: at a corner two. */
+static uint8_t edges_at(int e, int end)
+{
+    const int other = end == 0 ? (e + 2) % 3 : end == 1 ? (e + 1) % 3 : e;
+    return (uint8_t)(1 << e | 1 << other);
+}
+
+/** Whether a point of the facet's plane is within its edges. */
+static bool is_inside(const clod_vec3 v[3], clod_vec3 normal, clod_vec3 at)
+{
+    const clod_vec3 area =
+        clod_vec3_cross(clod_vec3_sub(v[1], v[0]), clod_vec3_sub(v[2], v[0]));
+    const double turn = clod_vec3_dot(area, normal) < 0.0 ? -1.0 : 1.0;
+    for (int e = 0; e < 3; e++) {
+        const clod_vec3 along = clod_vec3_sub(v[(e + 1) % 3], v[e]);
+        const clod_vec3 out = clod_vec3_cross(along, clod_vec3_sub(at, v[e]));
+        if (turn * clod_vec3_dot(out, normal) < -INSIDE * clod_vec3_dot(along, along)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+clod_surface_closest clod_surface_closest_of(const clod_surface *self, uint32_t facet,
+                                             clod_vec3 p)
+{
+    const clod_surface_plane *plane = &self->planes[self->plane[facet]];
+    const clod_vec3 v[3] = {corner(self, facet, 0), corner(self, facet, 1),
+                            corner(self, facet, 2)};
+    const double height = clod_vec3_dot(clod_vec3_sub(p, plane->point), plane->normal);
+    const clod_vec3 side = height < 0.0 ? clod_vec3_scale(plane->normal, -1.0) : plane->normal;
+    const clod_vec3 foot = clod_vec3_axpy(p, -height, plane->normal);
+    if (is_inside(v, plane->normal, foot)) {
+        return (clod_surface_closest){fabs(height), foot, side, 0};
+    }
+    clod_surface_closest best = {INFINITY, foot, side, 0};
+    for (int e = 0; e < 3; e++) {
+        int end;
+        const clod_vec3 at = on_edge(v, e, p, &end);
+        const clod_vec3 away = clod_vec3_sub(p, at);
+        const double distance = clod_vec3_length(away);
+        if (distance < best.distance) {
+            best.distance = distance;
+            best.edges = edges_at(e, end);
+            best.point = at;
+            best.direction = distance > 0.0 ? clod_vec3_scale(away, 1.0 / distance) : side;
+        }
+    }
+    return best;
+}
+
+/** The nearest facet of a patch so far. */
+typedef struct nearest {
+    const clod_surface *surface;
+    uint32_t patch;
+    clod_vec3 from;
+    clod_surface_closest at;
+} nearest;
+
+static double take_nearest(void *context, uint32_t facet, double reach)
+{
+    nearest *self = context;
+    if (self->surface->patch[facet] == self->patch) {
+        const clod_surface_closest at =
+            clod_surface_closest_of(self->surface, facet, self->from);
+        self->at = at.distance < self->at.distance ? at : self->at;
+    }
+    return fmin(reach, self->at.distance);
+}
+
+clod_surface_closest clod_surface_patch_closest(const clod_surface *self, uint32_t patch,
+                                                clod_vec3 p, double most)
+{
+    nearest best = {.surface = self,
+                    .patch = patch,
+                    .from = p,
+                    .at = {INFINITY, p, self->patches[patch].axis[2], 0}};
+    const clod_surface_patch *box = &self->patches[patch];
+    if (clod_surface_box_distance(box->low, box->high, p) <= most) {
+        clod_surface_near(self, p, most, take_nearest, &best);
+    }
+    return best.at;
+}
+
+/** Whether any facet has been found. */
+typedef struct any_facet {
+    const clod_surface *surface;
+    clod_vec3 from;
+    bool found;
+} any_facet;
+
+static double take_any(void *context, uint32_t facet, double reach)
+{
+    any_facet *self = context;
+    self->found = self->found ||
+                  clod_surface_closest_of(self->surface, facet, self->from).distance < reach;
+    return self->found ? -1.0 : reach;
+}
+
+bool clod_surface_is_near(const clod_surface *self, clod_vec3 p, double reach)
+{
+    any_facet any = {.surface = self, .from = p};
+    clod_surface_near(self, p, reach, take_any, &any);
+    return any.found;
+}
+
+/** Whether a rim of a patch has been found. */
+typedef struct rim {
+    const clod_surface *surface;
+    uint32_t patch;
+    clod_vec3 from;
+    bool found;
+} rim;
+
+static double take_rim(void *context, uint32_t facet, double reach)
+{
+    rim *self = context;
+    const clod_surface *surface = self->surface;
+    const clod_vec3 v[3] = {corner(surface, facet, 0), corner(surface, facet, 1),
+                            corner(surface, facet, 2)};
+    for (int e = 0; e < 3 && surface->patch[facet] == self->patch; e++) {
+        int end;
+        const clod_vec3 away = clod_vec3_sub(self->from, on_edge(v, e, self->from, &end));
+        self->found = self->found || ((surface->rims[facet] >> e & 1) != 0 &&
+                                      clod_vec3_dot(away, away) < reach * reach);
+    }
+    return self->found ? -1.0 : reach;
+}
+
+bool clod_surface_rim_is_near(const clod_surface *self, uint32_t patch, clod_vec3 p,
+                              double reach)
+{
+    rim any = {.surface = self, .patch = patch, .from = p};
+    const clod_surface_patch *box = &self->patches[patch];
+    if (box->rims && clod_surface_box_distance(box->low, box->high, p) <= reach) {
+        clod_surface_near(self, p, reach, take_rim, &any);
+    }
+    return any.found;
+}

@@ -1,0 +1,243 @@
+#include "mesh/surface_parts.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/sort.h"
+
+#define NOBODY UINT32_MAX
+
+// ---- links
+
+bool clod_surface_links_make(clod_surface_links *self, const clod_mesh_view *view)
+{
+    const size_t facets = view->facet_count;
+    *self = (clod_surface_links){0};
+    self->start = clod_memory_alloc(facets + 2, sizeof *self->start);
+    self->item = clod_memory_alloc(6 * facets + 1, sizeof *self->item);
+    self->work = clod_memory_alloc(facets + 1, sizeof *self->work);
+    if (self->start == NULL || self->item == NULL || self->work == NULL) {
+        return false;
+    }
+    for (size_t f = 0; f < facets; f++) {
+        for (int e = 0; e < 3; e++) {
+            const uint32_t other = view->neighbours[f][e];
+            if (other != CLOD_MESH_NONE) {
+                self->start[f + 2]++;
+                self->start[other + 2]++;
+            }
+        }
+    }
+    for (size_t f = 0; f < facets; f++) {
+        self->start[f + 2] += self->start[f + 1];
+    }
+    for (size_t f = 0; f < facets; f++) { // afterwards start[f] is where facet f begins
+        for (int e = 0; e < 3; e++) {
+            const uint32_t other = view->neighbours[f][e];
+            if (other != CLOD_MESH_NONE) {
+                self->item[self->start[f + 1]++] = other;
+                self->item[self->start[other + 1]++] = (uint32_t)f;
+            }
+        }
+    }
+    return true;
+}
+
+void clod_surface_links_fini(clod_surface_links *self)
+{
+    clod_memory_free(self->start);
+    clod_memory_free(self->item);
+    clod_memory_free(self->work);
+    *self = (clod_surface_links){0};
+}
+
+// ---- regions that grow over links
+
+/** Whether a region that began with `seed` takes a facet next to one of its own. */
+typedef bool (*take)(const clod_surface *self, uint32_t seed, uint32_t from, uint32_t facet);
+
+/** Give number `region` to the seed and to all that it reaches. */
+static void grow(const clod_surface *self, const clod_surface_links *links, take takes,
+                 uint32_t seed, uint32_t region, uint32_t *region_of)
+{
+    uint32_t *work = links->work;
+    size_t waiting = 0;
+    work[waiting++] = seed;
+    region_of[seed] = region;
+    while (waiting > 0) {
+        const uint32_t from = work[--waiting];
+        for (uint32_t k = links->start[from]; k < links->start[from + 1]; k++) {
+            const uint32_t facet = links->item[k];
+            if (region_of[facet] == NOBODY && takes(self, seed, from, facet)) {
+                region_of[facet] = region;
+                work[waiting++] = facet;
+            }
+        }
+    }
+}
+
+static clod_vec3 corner(const clod_surface *self, uint32_t facet, int c)
+{
+    return clod_vec3_of(self->vertex[self->facet[facet][c]]);
+}
+
+/** Twice the area of a facet, along its normal [m2]. */
+static clod_vec3 area_of(const clod_surface *self, uint32_t facet)
+{
+    const clod_vec3 a = corner(self, facet, 0);
+    return clod_vec3_cross(clod_vec3_sub(corner(self, facet, 1), a),
+                           clod_vec3_sub(corner(self, facet, 2), a));
+}
+
+static clod_vec3 normal_of(const clod_surface *self, uint32_t facet)
+{
+    return self->planes[self->plane[facet]].normal;
+}
+
+/** All corners lie in the plane of the seed, which is the newest. */
+static bool is_in_plane(const clod_surface *self, uint32_t seed, uint32_t from, uint32_t facet)
+{
+    (void)seed;
+    (void)from;
+    const clod_surface_plane *plane = &self->planes[self->plane_count];
+    for (int c = 0; c < 3; c++) {
+        const clod_vec3 arm = clod_vec3_sub(corner(self, facet, c), plane->point);
+        if (fabs(clod_vec3_dot(arm, plane->normal)) > self->weld) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool bends_little(const clod_surface *self, uint32_t seed, uint32_t from, uint32_t facet)
+{
+    (void)seed;
+    return clod_vec3_dot(normal_of(self, from), normal_of(self, facet)) > self->smooth_cosine;
+}
+
+static bool is_of_patch(const clod_surface *self, uint32_t seed, uint32_t from, uint32_t facet)
+{
+    (void)from;
+    const double half = cos(0.5 * self->smooth);
+    return self->piece[facet] == self->piece[seed] && self->part[facet] == self->part[seed] &&
+           clod_vec3_dot(normal_of(self, seed), normal_of(self, facet)) >= half;
+}
+
+// ---- planes, pieces, patches
+
+/** Facets by descending area. */
+static void sort_by_area(const clod_surface *self, clod_sort_item *items)
+{
+    for (size_t f = 0; f < self->facet_count; f++) {
+        const clod_vec3 area = area_of(self, (uint32_t)f);
+        const double square = clod_vec3_dot(area, area);
+        uint64_t key; // of a positive double: ascends with it
+        memcpy(&key, &square, sizeof key);
+        items[f] = (clod_sort_item){UINT64_MAX - key, f};
+    }
+    clod_sort(items, items + self->facet_count, self->facet_count);
+}
+
+static bool find_planes(clod_surface *self, const clod_surface_links *links)
+{
+    clod_sort_item *items = clod_memory_alloc(2 * self->facet_count + 1, sizeof *items);
+    if (items == NULL) {
+        return false;
+    }
+    sort_by_area(self, items);
+    for (size_t k = 0; k < self->facet_count; k++) {
+        const uint32_t seed = (uint32_t)items[k].index;
+        if (self->plane[seed] == NOBODY) {
+            self->planes[self->plane_count] = (clod_surface_plane){
+                clod_vec3_unit(area_of(self, seed)), corner(self, seed, 0)};
+            grow(self, links, is_in_plane, seed, (uint32_t)self->plane_count, self->plane);
+            self->plane_count++;
+        }
+    }
+    clod_memory_free(items);
+    return true;
+}
+
+/** Edges at which the surface ends or bends by the smooth angle or more. */
+static void find_rims(clod_surface *self, const clod_mesh_view *view)
+{
+    for (size_t f = 0; f < self->facet_count; f++) {
+        for (int e = 0; e < 3; e++) {
+            const uint32_t other = view->neighbours[f][e];
+            const uint8_t kind = view->edges[f][e];
+            const bool ends = other == CLOD_MESH_NONE || kind == CLOD_MESH_EDGE_OPEN ||
+                              kind == CLOD_MESH_EDGE_NONMANIFOLD;
+            if (ends || self->piece[other] != self->piece[f] ||
+                !bends_little(self, 0, (uint32_t)f, other)) {
+                self->rims[f] |= (uint8_t)(1 << e);
+            }
+        }
+    }
+}
+
+static void complete_axes(clod_vec3 axis[3])
+{
+    const clod_vec3 z = axis[2];
+    const clod_vec3 aside =
+        fabs(z.x) < 0.5 ? (clod_vec3){1.0, 0.0, 0.0} : (clod_vec3){0.0, 1.0, 0.0};
+    axis[0] = clod_vec3_unit(clod_vec3_axpy(aside, -clod_vec3_dot(aside, z), z));
+    axis[1] = clod_vec3_cross(z, axis[0]);
+}
+
+/** A patch and its box from its facets. */
+static void include(clod_surface *self, uint32_t facet)
+{
+    clod_surface_patch *patch = &self->patches[self->patch[facet]];
+    for (int c = 0; c < 3; c++) {
+        const double *v = self->vertex[self->facet[facet][c]];
+        for (int a = 0; a < 3; a++) {
+            patch->low[a] = fmin(patch->low[a], v[a]);
+            patch->high[a] = fmax(patch->high[a], v[a]);
+        }
+    }
+    patch->rims = patch->rims || self->rims[facet] != 0;
+}
+
+static void find_patches(clod_surface *self, const clod_surface_links *links)
+{
+    for (size_t f = 0; f < self->facet_count; f++) {
+        if (self->patch[f] != NOBODY) {
+            continue;
+        }
+        clod_surface_patch patch = {.part = self->part[f]};
+        patch.axis[2] = normal_of(self, (uint32_t)f);
+        complete_axes(patch.axis);
+        for (int a = 0; a < 3; a++) {
+            patch.low[a] = INFINITY;
+            patch.high[a] = -INFINITY;
+        }
+        self->patches[self->patch_count] = patch;
+        grow(self, links, is_of_patch, (uint32_t)f, (uint32_t)self->patch_count, self->patch);
+        self->patch_count++;
+    }
+    for (size_t f = 0; f < self->facet_count; f++) {
+        include(self, (uint32_t)f);
+    }
+}
+
+bool clod_surface_parts_find(clod_surface *self, const clod_mesh_view *view,
+                             const clod_surface_links *links)
+{
+    const size_t bytes = self->facet_count * sizeof(uint32_t);
+    memset(self->plane, 0xff, bytes);
+    memset(self->piece, 0xff, bytes);
+    memset(self->patch, 0xff, bytes);
+    if (!find_planes(self, links)) {
+        return false;
+    }
+    uint32_t pieces = 0;
+    for (size_t f = 0; f < self->facet_count; f++) {
+        if (self->piece[f] == NOBODY) {
+            grow(self, links, bends_little, (uint32_t)f, pieces++, self->piece);
+        }
+    }
+    find_rims(self, view);
+    find_patches(self, links);
+    return true;
+}

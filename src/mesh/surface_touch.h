@@ -1,0 +1,40 @@
+#pragma once
+/**
+ * @file surface_touch.h
+ * Which facets a grain touches, each place once (docs/adr/0033).
+ *
+ * Contacts are the places of the surface that are nearer to the grain's centre than all around
+ * them. Facets are taken from the nearest on. A facet is no contact of its own
+ * 1. when a facet that is nearer holds its closest point, which is on a common edge or corner,
+ *    or on a line along which facets of other sizes meet;
+ * 2. when it is of the same smooth piece as a contact, and their directions differ by less than
+ *    the smooth angle: a bend inwards of a smooth surface;
+ * 3. when a nearer facet lies between it and the centre: the other side of a plate;
+ * 4. when its patch has a nearer contact in the same slot.
+ * It goes with the contact for which it was left out, which takes over its history.
+ */
+
+#include "mesh/surface.h"
+
+/** Contacts that a grain can have with one patch at the same time. */
+#define CLOD_SURFACE_SLOTS 4
+
+/** A facet that overlaps a grain. */
+typedef struct clod_surface_hit {
+    clod_surface_closest at;
+    uint32_t facet;
+    int32_t slot; ///< of its patch
+    int32_t root; ///< the contact with which it goes: a hit; its own number if it is one
+} clod_surface_hit;
+
+/**
+ * Find the contacts of a grain.
+ *
+ * @param facets  [count] near ones, of which those that overlap are looked at
+ * @param p       centre, in the surface's frame [m]
+ * @param hits    [count] [out] facets that overlap, from the nearest on
+ * @return        how many those are
+ * Errors  none.   Threads  pure.   Test  tests/mesh/test_surface_touch.c
+ */
+int32_t clod_surface_touch(const clod_surface *self, const uint32_t *facets, int32_t count,
+                           clod_vec3 p, double radius, clod_surface_hit *hits);

@@ -1,0 +1,131 @@
+#include "mesh/surface_tree.h"
+
+#include <math.h>
+
+#include "base/memory.h"
+#include "base/sort.h"
+
+#define LEAF 4   ///< facets of a leaf
+#define DEPTH 64 ///< more than the tree, which is cut in halves
+#define BITS 21  ///< of each coordinate in a key
+
+/** Box about facets of the order. */
+static void surround(const clod_surface *self, clod_surface_node *node)
+{
+    for (int a = 0; a < 3; a++) {
+        node->low[a] = INFINITY;
+        node->high[a] = -INFINITY;
+        for (uint32_t k = node->first; k < node->first + node->count; k++) {
+            for (int c = 0; c < 3; c++) {
+                const double x = self->vertex[self->facet[self->leaf[k]][c]][a];
+                node->low[a] = fmin(node->low[a], x);
+                node->high[a] = fmax(node->high[a], x);
+            }
+        }
+    }
+}
+
+/** Place of a facet's centroid along a curve that fills a box and stays near where it is: the
+ *  bits of its coordinates in turn (Morton, 1966). */
+static uint64_t place_of(const clod_surface *self, uint32_t facet, const clod_surface_node *box)
+{
+    uint64_t key = 0;
+    for (int a = 0; a < 3; a++) {
+        double middle = 0.0;
+        for (int c = 0; c < 3; c++) {
+            middle += self->vertex[self->facet[facet][c]][a] / 3.0;
+        }
+        const double size = box->high[a] - box->low[a];
+        const double share = size > 0.0 ? (middle - box->low[a]) / size : 0.0;
+        const double most = (double)(1 << BITS) - 1.0;
+        const uint64_t at = (uint64_t)fmin(fmax(share * most, 0.0), most);
+        for (int b = 0; b < BITS; b++) {
+            key |= (at >> b & 1) << (3 * b + a);
+        }
+    }
+    return key;
+}
+
+/** Facets along the curve; false without memory. */
+static bool order(clod_surface *self, const clod_surface_node *box)
+{
+    clod_sort_item *items = clod_memory_alloc(2 * self->facet_count + 1, sizeof *items);
+    if (items == NULL) {
+        return false;
+    }
+    for (size_t f = 0; f < self->facet_count; f++) {
+        items[f] = (clod_sort_item){place_of(self, (uint32_t)f, box), f};
+    }
+    clod_sort(items, items + self->facet_count, self->facet_count);
+    for (size_t f = 0; f < self->facet_count; f++) {
+        self->leaf[f] = (uint32_t)items[f].index;
+    }
+    clod_memory_free(items);
+    return true;
+}
+
+bool clod_surface_tree_make(clod_surface *self)
+{
+    const uint32_t facets = (uint32_t)self->facet_count;
+    self->leaf = clod_memory_alloc((size_t)facets + 1, sizeof *self->leaf);
+    self->node = clod_memory_alloc((size_t)facets + 2, sizeof *self->node);
+    if (self->leaf == NULL || self->node == NULL) {
+        return false;
+    }
+    for (uint32_t f = 0; f < facets; f++) {
+        self->leaf[f] = f;
+    }
+    self->node[0] = (clod_surface_node){.count = facets};
+    surround(self, &self->node[0]);
+    if (!order(self, &self->node[0])) {
+        return false;
+    }
+    uint32_t nodes = 1;
+    for (uint32_t n = 0; n < nodes; n++) {
+        clod_surface_node *node = &self->node[n];
+        surround(self, node);
+        if (node->count > LEAF) {
+            const uint32_t half = node->count / 2;
+            self->node[nodes] = (clod_surface_node){.first = node->first, .count = half};
+            self->node[nodes + 1] =
+                (clod_surface_node){.first = node->first + half, .count = node->count - half};
+            node->first = nodes;
+            node->count = 0;
+            nodes += 2;
+        }
+    }
+    return true;
+}
+
+void clod_surface_near(const clod_surface *self, clod_vec3 p, double reach,
+                       clod_surface_take take, void *context)
+{
+    struct {
+        uint32_t node;
+        double distance;
+    } stack[DEPTH];
+    int depth = 0;
+    stack[depth].node = 0;
+    stack[depth++].distance =
+        clod_surface_box_distance(self->node[0].low, self->node[0].high, p);
+    while (depth > 0) {
+        depth--;
+        const clod_surface_node *node = &self->node[stack[depth].node];
+        if (stack[depth].distance > reach) {
+            continue;
+        }
+        for (uint32_t k = node->first; k < node->first + node->count; k++) {
+            reach = take(context, self->leaf[k], reach);
+        }
+        if (node->count == 0) {
+            const clod_surface_node *child = &self->node[node->first];
+            const double first = clod_surface_box_distance(child[0].low, child[0].high, p);
+            const double second = clod_surface_box_distance(child[1].low, child[1].high, p);
+            const uint32_t far = second < first ? 0 : 1; // looked at last
+            stack[depth].node = node->first + far;
+            stack[depth++].distance = fmax(first, second);
+            stack[depth].node = node->first + 1 - far;
+            stack[depth++].distance = fmin(first, second);
+        }
+    }
+}

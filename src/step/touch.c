@@ -1,0 +1,261 @@
+#include "step/touch.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/assert.h"
+#include "base/memory.h"
+#include "base/room.h"
+
+// ---- the lists
+
+void clod_touch_begin(clod_touch_part *self)
+{
+    self->sites = self->lanes = self->facets = self->placed = 0;
+    self->lacks_memory = false;
+}
+
+/** Facets near a grain, as they are found. */
+typedef struct finding {
+    clod_touch_part *part;
+    const clod_surface *surface;
+    clod_vec3 from;
+} finding;
+
+static double note_facet(void *context, uint32_t facet, double reach)
+{
+    finding *self = context;
+    clod_touch_part *part = self->part;
+    if (clod_surface_closest_of(self->surface, facet, self->from).distance > reach) {
+        return reach;
+    }
+    if (!clod_room_for_one(&part->facet, &part->facet_room, part->facets,
+                           sizeof *part->facet)) {
+        part->lacks_memory = true;
+        return -1.0;
+    }
+    part->facet[part->facets++] = facet;
+    return reach;
+}
+
+/** A site for a grain and a mesh, with the facets near it. */
+static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *part,
+                                   const clod_wall_candidate *candidate,
+                                   const clod_surface *surface)
+{
+    if (!clod_room_for_one(&part->site, &part->site_room, part->sites, sizeof *part->site)) {
+        part->lacks_memory = true;
+        return NULL;
+    }
+    const int32_t row = clod_wall_rows_shape(job->walls, candidate->wall, candidate->shape);
+    const clod_wall_pose pose =
+        clod_wall_facets_pose((const double(*)[4])job->walls->shape + row);
+    const double *p = job->state->grains.position[candidate->i];
+    clod_touch_site *site = &part->site[part->sites++];
+    *site = (clod_touch_site){.surface = surface,
+                              .i = candidate->i,
+                              .wall = candidate->wall,
+                              .pose = row,
+                              .lane = part->lanes,
+                              .facet = part->facets};
+    finding all = {part, surface, clod_wall_to_frame(&pose, clod_vec3_of(p))};
+    clod_surface_near(surface, all.from, p[3] + job->skin, note_facet, &all);
+    site->facets = part->facets - site->facet;
+    if (!clod_room_for(&part->hit, &part->hit_room, site->facets, sizeof *part->hit)) {
+        part->lacks_memory = true;
+    }
+    return site;
+}
+
+/** All facets of a site lie in one plane and no rim is near: the plane, or -1. */
+static int32_t plane_of(const clod_touch_part *part, const clod_touch_site *site)
+{
+    const uint32_t *facet = part->facet + site->facet;
+    bool flat = site->lanes == 1 && site->facets > 0;
+    for (size_t k = 1; flat && k < site->facets; k++) {
+        flat = site->surface->plane[facet[k]] == site->surface->plane[facet[0]];
+    }
+    return flat ? (int32_t)site->surface->plane[facet[0]] : -1;
+}
+
+void clod_touch_add(const clod_near_job *job, int number, const clod_wall_candidate *candidate)
+{
+    clod_touch_part *part = &job->near->touch.part[number];
+    const clod_wall_patch *at =
+        clod_wall_rows_patch(job->walls, candidate->wall, candidate->shape);
+    clod_touch_site *site = part->sites > 0 ? &part->site[part->sites - 1] : NULL;
+    if (part->lacks_memory) {
+        return;
+    }
+    if (site == NULL || site->i != candidate->i || site->wall != candidate->wall ||
+        site->surface != at->surface) {
+        site = begin_site(job, part, candidate, at->surface);
+    }
+    if (part->lacks_memory ||
+        !clod_room_for_one(&part->lane, &part->lane_room, part->lanes, sizeof *part->lane)) {
+        part->lacks_memory = true;
+        return;
+    }
+    part->lane[part->lanes++] = (clod_touch_lane){.patch = at->patch, .slot = at->slot};
+    site->lanes = part->lanes - site->lane;
+    site->plane = plane_of(part, site);
+}
+
+bool clod_touch_layout(clod_near *near)
+{
+    clod_touch *touch = &near->touch;
+    size_t rows = 1;
+    for (int p = 0; p < near->parts; p++) {
+        if (touch->part[p].lacks_memory) {
+            return false;
+        }
+        touch->part[p].row = rows;
+        rows += touch->part[p].lanes;
+    }
+    if (!clod_room_for(&touch->row, &touch->row_room, rows, sizeof *touch->row)) {
+        return false;
+    }
+    memset(touch->row, 0, rows * sizeof *touch->row);
+    touch->row[0][2] = 1.0;
+    return true;
+}
+
+int32_t clod_touch_place(clod_near *near, int number, size_t block, int lane)
+{
+    clod_touch_part *part = &near->touch.part[number];
+    clod_touch_lane *to = &part->lane[part->placed];
+    to->block = block;
+    to->lane = lane;
+    return (int32_t)(part->row + part->placed++);
+}
+
+// ---- the closest points
+
+/** The lanes of a site while its contacts are found. */
+typedef struct lanes {
+    const clod_touch_lane *lane;
+    double (*row)[4];
+    clod_wall_block *blocks;
+    size_t count;
+} lanes;
+
+static clod_history *history_of(const lanes *self, size_t lane)
+{
+    return &self->blocks[self->lane[lane].block].history;
+}
+
+static bool has_history(const lanes *self, size_t lane)
+{
+    return clod_history_is_there(history_of(self, lane), self->lane[lane].lane);
+}
+
+/** Lane of a contact. */
+static size_t lane_of(const lanes *self, const clod_surface *surface,
+                      const clod_surface_hit *hit)
+{
+    const int32_t patch = (int32_t)surface->patch[hit->facet];
+    size_t lane = 0;
+    while (lane < self->count &&
+           (self->lane[lane].patch != patch || self->lane[lane].slot != hit->slot)) {
+        lane++;
+    }
+    CLOD_ASSERT(lane < self->count); // what touches was near when the list was made
+    return lane;
+}
+
+static void put_row(double row[4], const clod_wall_pose *pose, clod_vec3 direction,
+                    double distance)
+{
+    clod_vec3_put(row, clod_wall_to_space(pose, direction));
+    row[3] = distance;
+}
+
+/** The history of a lane that has lost its contact goes to that with which its nearest facet
+ *  goes, if that is new. */
+static void hand_over(const lanes *self, const clod_surface *surface,
+                      const clod_surface_hit *hits, int32_t count, size_t from)
+{
+    for (int32_t k = 0; k < count; k++) {
+        if ((int32_t)surface->patch[hits[k].facet] != self->lane[from].patch) {
+            continue;
+        }
+        const size_t to = lane_of(self, surface, &hits[hits[k].root]);
+        if (!has_history(self, to)) {
+            double history[CLOD_HISTORY_NUMBERS];
+            clod_history_get(history_of(self, from), self->lane[from].lane, history);
+            clod_history_put(history_of(self, to), self->lane[to].lane, history);
+        }
+        return;
+    }
+}
+
+/** Contacts of a grain with the facets near it. */
+static void find_contacts(const clod_touch_part *part, const clod_touch_site *site,
+                          const clod_wall_pose *pose, const double p[4], const lanes *at)
+{
+    const clod_surface *surface = site->surface;
+    const clod_vec3 from = clod_wall_to_frame(pose, clod_vec3_of(p));
+    clod_surface_hit *hits = part->hit;
+    const int32_t count = clod_surface_touch(surface, part->facet + site->facet,
+                                             (int32_t)site->facets, from, p[3], hits);
+    const double open = 2.0 * p[3];
+    for (size_t l = 0; l < at->count; l++) {
+        put_row(at->row[l], pose, (clod_vec3){0.0, 0.0, 1.0}, open);
+    }
+    for (int32_t k = 0; k < count; k++) {
+        if (hits[k].root == k) {
+            put_row(at->row[lane_of(at, surface, &hits[k])], pose, hits[k].at.direction,
+                    hits[k].at.distance);
+        }
+    }
+    for (size_t l = 0; l < at->count; l++) {
+        if (at->row[l][3] == open && has_history(at, l)) {
+            hand_over(at, surface, hits, count, l);
+        }
+    }
+}
+
+/** The contact of a grain with nothing but a plane near it. */
+static void find_plane(const clod_touch_site *site, const clod_wall_pose *pose,
+                       const double p[4], double row[4])
+{
+    const clod_surface_plane *plane = &site->surface->planes[site->plane];
+    const clod_vec3 from = clod_wall_to_frame(pose, clod_vec3_of(p));
+    const double height = clod_vec3_dot(clod_vec3_sub(from, plane->point), plane->normal);
+    put_row(row, pose, height < 0.0 ? clod_vec3_scale(plane->normal, -1.0) : plane->normal,
+            fabs(height));
+}
+
+void clod_touch_find(clod_near *near, const clod_state *state, const clod_wall_rows *walls,
+                     int number)
+{
+    const clod_touch_part *part = &near->touch.part[number];
+    for (size_t s = 0; s < part->sites; s++) {
+        const clod_touch_site *site = &part->site[s];
+        const clod_wall_pose pose =
+            clod_wall_facets_pose((const double(*)[4])walls->shape + site->pose);
+        const double *p = state->grains.position[site->i];
+        const lanes at = {.lane = part->lane + site->lane,
+                          .row = near->touch.row + part->row + site->lane,
+                          .blocks = near->walls.block,
+                          .count = site->lanes};
+        if (site->plane >= 0) {
+            find_plane(site, &pose, p, at.row[0]);
+        } else {
+            find_contacts(part, site, &pose, p, &at);
+        }
+    }
+}
+
+void clod_touch_fini(clod_touch *self, int parts)
+{
+    for (int p = 0; self->part != NULL && p < parts; p++) {
+        clod_memory_free(self->part[p].site);
+        clod_memory_free(self->part[p].lane);
+        clod_memory_free(self->part[p].facet);
+        clod_memory_free(self->part[p].hit);
+    }
+    clod_memory_free(self->part);
+    clod_memory_free(self->row);
+    *self = (clod_touch){0};
+}
