@@ -125,6 +125,7 @@ typedef enum clod_side { CLOD_SIDE_INSIDE, CLOD_SIDE_OUTSIDE } clod_side;
 
 /** What a surface of a wall is made of, and how its material moves while it stays: a belt. */
 typedef struct clod_case_surface {
+    char *name;           ///< of a part of a mesh; else NULL
     char *material;       ///< NULL: that of the wall
     double velocity[3];   ///< m/s
     double speed;         ///< m/s along the projection of `direction` onto the surface
@@ -163,6 +164,8 @@ typedef struct clod_case_shape {
     clod_case_rotation rotate;         ///< mesh: of the scaled mesh
     double move[3];                    ///< mesh: m, after rotate
     double smooth_angle;               ///< mesh: rad, bends below it are smooth
+    clod_case_surface *parts;          ///< mesh: of parts by name, in place of `surface`
+    size_t part_count;
 } clod_case_shape;
 
 typedef enum clod_load_kind {

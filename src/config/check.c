@@ -124,9 +124,15 @@ static bool is_wall(const clod_case *self, const char *material)
     for (size_t i = 0; i < self->wall_count; i++) {
         const clod_case_wall *wall = &self->walls[i];
         for (size_t s = 0; s < wall->shape_count; s++) {
-            const char *own = wall->shapes[s].surface.material;
+            const clod_case_shape *shape = &wall->shapes[s];
+            const char *own = shape->surface.material;
             if (is(own != NULL ? own : wall->material, material)) {
                 return true;
+            }
+            for (size_t p = 0; p < shape->part_count; p++) {
+                if (is(shape->parts[p].material, material)) {
+                    return true;
+                }
             }
         }
     }

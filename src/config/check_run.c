@@ -265,15 +265,22 @@ static void check_oscillation(clod_loader *loader, const char *path, const clod_
     }
 }
 
-/** A material of a shape's own has to be one of the case. */
+/** Materials of a shape's own, and of its parts, have to be of the case. */
 static void check_surface(clod_loader *loader, const clod_case *self, const char *path,
                           const clod_case_shape *shape)
 {
+    char key[PATH_SIZE + 192];
+    const char *kind = CLOD_TABLE_SHAPE.params[shape->kind].key;
     if (shape->surface.material != NULL) {
-        char key[PATH_SIZE + 96];
-        snprintf(key, sizeof key, "%s.%s.surface.material", path,
-                 CLOD_TABLE_SHAPE.params[shape->kind].key);
+        snprintf(key, sizeof key, "%s.%s.surface.material", path, kind);
         clod_check_material(loader, self, key, shape->surface.material);
+    }
+    for (size_t p = 0; p < shape->part_count; p++) {
+        if (shape->parts[p].material != NULL) {
+            snprintf(key, sizeof key, "%s.%s.parts.%s.material", path, kind,
+                     shape->parts[p].name);
+            clod_check_material(loader, self, key, shape->parts[p].material);
+        }
     }
 }
 

@@ -151,7 +151,8 @@ static const clod_param SURFACE[] = {
 };
 static const clod_table SURFACE_TABLE = {
     .title = "What a shape is made of, and how its material moves while it stays in place.",
-    CLOD_ROWS(SURFACE)};
+    CLOD_ROWS(SURFACE),
+    .size = sizeof(U)};
 
 #define SURFACE_ROW                                                                            \
     {                                                                                          \
@@ -291,6 +292,16 @@ static const clod_param MESH[] = {
              "contact; at sharper bends inwards each side pushes.",
      .source = "docs/adr/0033-contacts-with-meshes.md"},
     SURFACE_ROW,
+    {.key = "parts",
+     .kind = CLOD_PARAM_MAP,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &SURFACE_TABLE,
+     CLOD_AT(S, parts),
+     CLOD_COUNT(S, part_count),
+     .help = "Parts of the file by their names (clod mesh FILE lists them), each with material "
+             "and motion of its own in place of surface; without material that of surface, "
+             "else of the wall.",
+     .source = "docs/meshes.md"},
 };
 static const clod_table MESH_TABLE = {.title = "A triangle mesh; grains touch both sides.",
                                       CLOD_ROWS(MESH)};

@@ -7,12 +7,22 @@
 #include "clod/case.h"
 #include "mesh/surface.h"
 
+/** The surface of a shape, and what its parts are made of. */
+typedef struct clod_setup_mesh {
+    clod_surface *surface;           ///< NULL: failed
+    const clod_case_surface **parts; ///< [parts of the file] of the case; NULL: the shape's
+} clod_setup_mesh;
+
 /**
  * Read the mesh of a shape and place it: as the shape says, and then as its wall does.
  *
- * @return  clod_surface_release, or NULL
- * Errors   CLOD_USAGE: the file, with what to do; CLOD_FAILED: disk, memory.
- * Threads  safe.   Test  tests/sim/test_sim_mesh.c
+ * @return  clod_setup_mesh_fini
+ * Errors   no surface; CLOD_USAGE: the file or a part that it has not, with what to do;
+ *          CLOD_FAILED: disk, memory.
+ * Threads  safe.   Test  tests/sim/test_sim_mesh.c, tests/sim/test_sim_parts.c
  */
-clod_surface *clod_setup_surface(const clod_case_wall *wall, const clod_case_shape *shape,
-                                 clod_status *status);
+clod_setup_mesh clod_setup_mesh_read(const clod_case_wall *wall, const clod_case_shape *shape,
+                                     clod_status *status);
+
+/** Give up the surface and the list. */
+void clod_setup_mesh_fini(clod_setup_mesh *self);

@@ -205,6 +205,15 @@ static clod_shape *more_shapes(clod_wall *wall, size_t count, clod_status *statu
     return grown + old;
 }
 
+/** Belt of a surface, and its material where it has one of its own. */
+static void dress(const clod_case *whole, const clod_case_surface *from, clod_shape *shape)
+{
+    shape->belt = make_belt(from);
+    if (from->material != NULL) { // checked at load
+        shape->material = 1 + clod_case_material_index(whole, from->material);
+    }
+}
+
 /** The shape of a case, as a wall has it. */
 static bool make_plain(const clod_case_wall *given, const clod_case_shape *from,
                        const clod_shape *common, clod_wall *wall, clod_status *status)
@@ -221,19 +230,25 @@ static bool make_plain(const clod_case_wall *given, const clod_case_shape *from,
 }
 
 /** A mesh is a shape for each contact that a grain can have with each of its patches. */
-static bool make_patches(const clod_case_wall *given, const clod_case_shape *from,
-                         const clod_shape *common, clod_wall *wall, clod_status *status)
+static bool make_patches(const clod_case *whole, const clod_case_wall *given,
+                         const clod_case_shape *from, const clod_shape *common, clod_wall *wall,
+                         clod_status *status)
 {
-    clod_surface *surface = clod_setup_surface(given, from, status);
+    clod_setup_mesh mesh = clod_setup_mesh_read(given, from, status);
+    clod_surface *surface = mesh.surface;
     clod_shape *shape =
         surface == NULL ? NULL
                         : more_shapes(wall, CLOD_SURFACE_SLOTS * surface->patch_count, status);
     for (size_t p = 0; shape != NULL && p < surface->patch_count; p++) {
         const clod_surface_patch *patch = &surface->patches[p];
         const clod_vec3 low = clod_vec3_of(patch->low), high = clod_vec3_of(patch->high);
+        clod_shape made = *common;
+        if (mesh.parts[patch->part] != NULL) {
+            dress(whole, mesh.parts[patch->part], &made);
+        }
+        place_shape(given, &made);
         for (int32_t slot = 0; slot < CLOD_SURFACE_SLOTS; slot++, shape++) {
-            *shape = *common;
-            place_shape(given, shape);
+            *shape = made;
             shape->kind = CLOD_SHAPE_MESH;
             shape->center = clod_vec3_scale(clod_vec3_add(low, high), 0.5);
             shape->axis[0] = (clod_vec3){1.0, 0.0, 0.0};
@@ -248,7 +263,7 @@ static bool make_patches(const clod_case_wall *given, const clod_case_shape *fro
         }
     }
     const bool good = shape != NULL;
-    clod_surface_release(surface); // the shapes are its users
+    clod_setup_mesh_fini(&mesh); // the shapes are the users of its surface
     return good;
 }
 
@@ -257,12 +272,11 @@ static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod
 {
     for (size_t s = 0; s < given->shape_count; s++) {
         const clod_case_shape *shape = &given->shapes[s];
-        clod_shape common = {.belt = make_belt(&shape->surface)};
-        if (shape->surface.material != NULL) { // checked at load
-            common.material = 1 + clod_case_material_index(from, shape->surface.material);
-        }
+        clod_shape common = {0};
+        dress(from, &shape->surface, &common);
         const bool mesh = clod_shape_kinds_row((clod_shape_kind)shape->kind)->faceted;
-        if (!(mesh ? make_patches : make_plain)(given, shape, &common, wall, status)) {
+        if (!(mesh ? make_patches(from, given, shape, &common, wall, status)
+                   : make_plain(given, shape, &common, wall, status))) {
             return false;
         }
     }

@@ -170,8 +170,13 @@ static bool has_materials(const clod_sim *self, const clod_case_wall *wall,
 {
     bool good = has_laws(self, wall->material, function, status);
     for (size_t s = 0; good && s < wall->shape_count; s++) {
-        const char *own = wall->shapes[s].surface.material;
+        const clod_case_shape *shape = &wall->shapes[s];
+        const char *own = shape->surface.material;
         good = own == NULL || has_laws(self, own, function, status);
+        for (size_t p = 0; good && p < shape->part_count; p++) {
+            own = shape->parts[p].material;
+            good = own == NULL || has_laws(self, own, function, status);
+        }
     }
     return good;
 }
