@@ -129,6 +129,9 @@ static bool is_wall(const clod_case *self, const char *material)
             if (is(own != NULL ? own : wall->material, material)) {
                 return true;
             }
+            if (is(shape->belt.skirts.material, material)) {
+                return true;
+            }
             for (size_t p = 0; p < shape->part_count; p++) {
                 if (is(shape->parts[p].material, material)) {
                     return true;

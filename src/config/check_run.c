@@ -225,6 +225,7 @@ static void (*const CHECK_SHAPE[CLOD_SHAPE_KINDS])(clod_loader *loader, const ch
     [CLOD_SHAPE_ANNULUS] = check_annulus,
     [CLOD_SHAPE_CONE] = check_cone,
     [CLOD_SHAPE_BAR] = check_bar,
+    [CLOD_SHAPE_CONVEYOR] = clod_check_belt,
 };
 
 static void check_load(clod_loader *loader, const char *path, clod_case_wall *wall)
@@ -274,6 +275,10 @@ static void check_surface(clod_loader *loader, const clod_case *self, const char
     if (shape->surface.material != NULL) {
         snprintf(key, sizeof key, "%s.%s.surface.material", path, kind);
         clod_check_material(loader, self, key, shape->surface.material);
+    }
+    if (shape->belt.skirts.material != NULL) {
+        snprintf(key, sizeof key, "%s.belt.skirts.material", path);
+        clod_check_material(loader, self, key, shape->belt.skirts.material);
     }
     for (size_t p = 0; p < shape->part_count; p++) {
         if (shape->parts[p].material != NULL) {

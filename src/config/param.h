@@ -79,6 +79,7 @@ extern const clod_table CLOD_TABLE_CONTACT;
 extern const clod_table CLOD_TABLE_GRAINS;
 extern const clod_table CLOD_TABLE_WALL;
 extern const clod_table CLOD_TABLE_SHAPE;
+extern const clod_table CLOD_TABLE_BELT;
 extern const clod_table CLOD_TABLE_ROTATION;
 extern const clod_table CLOD_TABLE_STAGE;
 extern const clod_table CLOD_TABLE_DOMAIN;

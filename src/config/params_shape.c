@@ -322,6 +322,13 @@ static const clod_param SHAPES[CLOD_SHAPE_KINDS] = {
     [CLOD_SHAPE_BOX] = SHAPE("box", BOX_TABLE, "A solid box along x, y, z."),
     [CLOD_SHAPE_BAR] = SHAPE("bar", BAR_TABLE, "A straight bar."),
     [CLOD_SHAPE_MESH] = SHAPE("mesh", MESH_TABLE, "A triangle mesh from a file."),
+    [CLOD_SHAPE_CONVEYOR] = {.key = "belt",
+                             .kind = CLOD_PARAM_SECTION,
+                             .need = CLOD_PARAM_OPTIONAL,
+                             .table = &CLOD_TABLE_BELT,
+                             CLOD_AT(S, belt),
+                             .help = "A conveyor belt, flat or troughed.",
+                             .source = "docs/belts.md"},
 };
 const clod_table CLOD_TABLE_SHAPE = {.title = "One surface: one of these.",
                                      CLOD_ROWS(SHAPES),

@@ -96,6 +96,13 @@ static bool has_oscillation(const clod_case *whole, const void *self)
     return ((const W *)self)->oscillation.frequency > 0.0;
 }
 
+static bool has_start_up(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    const clod_case_start_up *start = &((const W *)self)->start_up;
+    return start->at != 0.0 || start->duration != 0.0;
+}
+
 static bool has_amplitude(const clod_case *whole, const void *self)
 {
     (void)whole;
@@ -203,6 +210,29 @@ static const clod_param ROTATION[] = {
 const clod_table CLOD_TABLE_ROTATION = {.title = "A rotation about an axis.",
                                         CLOD_ROWS(ROTATION)};
 
+static const clod_param START_UP[] = {
+    {.key = "at",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "s",
+     CLOD_FROM(0, 1e6),
+     .fallback = "0 s",
+     CLOD_AT(clod_case_start_up, at),
+     .help = "Time until which they stand.",
+     .source = "docs/belts.md"},
+    {.key = "duration",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "s",
+     CLOD_FROM(0, 1e6),
+     .example = "2 s",
+     CLOD_AT(clod_case_start_up, duration),
+     .help = "Time in which their speed rises linearly to what is given for each.",
+     .source = "docs/belts.md"},
+};
+static const clod_table START_UP_TABLE = {.title = "Start of the belts of a wall.",
+                                          CLOD_ROWS(START_UP)};
+
 static const clod_param WALL[] = {
     {.key = "material",
      .kind = CLOD_PARAM_TEXT,
@@ -296,6 +326,14 @@ static const clod_param WALL[] = {
      .used = has_oscillation,
      .help = "Motion to and fro, with an amplitude, an angle or both.",
      .source = "docs/theory/walls.md"},
+    {.key = "start_up",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &START_UP_TABLE,
+     CLOD_AT(W, start_up),
+     .used = has_start_up,
+     .help = "How the belts of its shapes begin; without it they run from the start.",
+     .source = "docs/belts.md"},
     {.key = "load",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,

@@ -98,15 +98,17 @@ static void place_motion(const clod_wall_stand *self, const clod_belt *belt, dou
     const bool moves = clod_belt_moves(belt) || all.x != 0.0 || all.y != 0.0 || all.z != 0.0;
     row[CLOD_SHAPE_VELOCITY][3] = moves ? 1.0 : 0.0;
     if (moves) {
+        const double share = 1.0 - self->wall->belt_lag;
         const clod_vec3 turning =
-            clod_vec3_scale(clod_wall_to_space(pose, belt->spin_axis), belt->spin);
+            clod_vec3_scale(clod_wall_to_space(pose, belt->spin_axis), share * belt->spin);
         const clod_vec3 point = clod_wall_point_to_space(pose, belt->spin_point);
         const clod_vec3 arm = clod_vec3_sub(pose->origin, point);
-        const clod_vec3 b = clod_vec3_add(all, clod_wall_to_space(pose, belt->velocity));
+        const clod_vec3 b =
+            clod_vec3_axpy(all, share, clod_wall_to_space(pose, belt->velocity));
         clod_vec3_put(row[CLOD_SHAPE_BELT], clod_vec3_add(b, clod_vec3_cross(turning, arm)));
         clod_vec3_put(row[CLOD_SHAPE_BELT_SPIN], turning);
         clod_vec3_put(row[CLOD_SHAPE_DIRECTION], clod_wall_to_space(pose, belt->direction));
-        row[CLOD_SHAPE_BELT][3] = belt->speed;
+        row[CLOD_SHAPE_BELT][3] = share * belt->speed;
     }
 }
 
@@ -138,7 +140,7 @@ static bool note(clod_wall_rows *self, int32_t w, const clod_wall *wall)
     const clod_vec3 spin = clod_vec3_scale(wall->spin_axis, clod_wall_spin(wall));
     const clod_vec3 u = wall->surface_velocity;
     const double motion[CLOD_WALL_MOTION_NUMBERS] = {v.x,    v.y, v.z, spin.x, spin.y,
-                                                     spin.z, u.x, u.y, u.z};
+                                                     spin.z, u.x, u.y, u.z,    wall->belt_lag};
     const bool moved = renew(self->pose[w], pose, CLOD_WALL_POSE_NUMBERS);
     return renew(self->motion[w], motion, CLOD_WALL_MOTION_NUMBERS) || moved;
 }
@@ -212,6 +214,20 @@ bool clod_wall_rows_is_near(const clod_wall_rows *self, int32_t w, int32_t shape
                ? clod_surface_patch_closest(at->surface, (uint32_t)at->patch, q, reach)
                          .distance < reach
                : clod_surface_rim_is_near(at->surface, (uint32_t)at->patch, q, reach);
+}
+
+bool clod_wall_rows_may_reach(const clod_wall_rows *self, int32_t w, int32_t shape,
+                              const double p[3], double half, double reach)
+{
+    const double(*row)[4] =
+        (const double(*)[4])self->shape + clod_wall_rows_shape(self, w, shape);
+    if (row[0][3] != CLOD_WALL_MESH) {
+        return clod_wall_gap_rows(row, clod_vec3_of(p)).distance < half + reach;
+    }
+    const clod_wall_patch *at = clod_wall_rows_patch(self, w, shape);
+    const clod_wall_pose pose = clod_wall_facets_pose(row);
+    const clod_vec3 q = clod_wall_to_frame(&pose, clod_vec3_of(p));
+    return clod_surface_patch_box(at->surface, (uint32_t)at->patch, q) < half + reach;
 }
 
 void clod_wall_rows_box(const clod_wall_rows *self, int32_t w, int32_t shape, double low[3],

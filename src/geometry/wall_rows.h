@@ -23,7 +23,7 @@
 #include "state/walls.h"
 
 /** Numbers that a wall's rows follow from: pose, and motion of the wall. */
-#define CLOD_WALL_MOTION_NUMBERS 9
+#define CLOD_WALL_MOTION_NUMBERS 10
 
 /** Of which patch of a mesh a shape is a contact; no surface: it is no mesh. */
 typedef struct clod_wall_patch {
@@ -127,6 +127,13 @@ static inline clod_gap clod_wall_rows_gap(const clod_wall_rows *self, int32_t w,
  */
 bool clod_wall_rows_is_near(const clod_wall_rows *self, int32_t w, int32_t shape,
                             const double p[3], double reach);
+
+/**
+ * Whether some point within `half` of a point p of space may be within `reach` of a shape [m]: of
+ * a mesh's patch by the box about it. Gaps change by no more than the way between two points.
+ */
+bool clod_wall_rows_may_reach(const clod_wall_rows *self, int32_t w, int32_t shape,
+                              const double p[3], double half, double reach);
 
 /**
  * Box along the axes that a shape of a wall does not leave [m]; a plane's is endless.

@@ -119,6 +119,7 @@ void clod_surface_release(clod_surface *self)
     clod_memory_free(self->rims);
     clod_memory_free(self->planes);
     clod_memory_free(self->patches);
+    clod_memory_free(self->cylinders);
     clod_memory_free(self->node);
     clod_memory_free(self->leaf);
     clod_memory_free(self);

@@ -21,13 +21,22 @@
 
 /** A plane of facets. */
 typedef struct clod_surface_plane {
-    clod_vec3 normal; ///< unit
-    clod_vec3 point;  ///< m
+    clod_vec3 normal;  ///< unit
+    clod_vec3 point;   ///< m
+    uint32_t cylinder; ///< 1 + number of that which the facets stand for; 0: they are flat
 } clod_surface_plane;
+
+/** A cylinder on which the corners of facets lie, and for which they stand. */
+typedef struct clod_surface_cylinder {
+    clod_vec3 point; ///< m, on the axis
+    clod_vec3 axis;  ///< unit
+    double radius;   ///< m
+} clod_surface_cylinder;
 
 typedef struct clod_surface_patch {
     clod_vec3 axis[3];      ///< orthonormal; axis[2]: normal of its first facet
-    double low[3], high[3]; ///< m, box
+    double low[3], high[3]; ///< m, box along the axes of the frame
+    double from[3], to[3];  ///< m, box along its own axes
     uint32_t part;          ///< of the mesh
     bool rims;              ///< some edge of it is open or sharp
 } clod_surface_patch;
@@ -40,7 +49,8 @@ typedef struct clod_surface_node {
 
 typedef struct clod_surface {
     atomic_int users;
-    size_t vertex_count, facet_count, plane_count, patch_count;
+    size_t vertex_count, facet_count, plane_count, patch_count, cylinder_count;
+    double bulge;  ///< m, how far cylinders reach beyond their facets
     double weld;   ///< m, distance up to which the file's points are one
     double smooth; ///< rad
     double smooth_cosine;
@@ -53,6 +63,7 @@ typedef struct clod_surface {
     uint8_t *rims;        ///< [facet_count] bit e: edge e is open or sharp
     clod_surface_plane *planes;
     clod_surface_patch *patches;
+    clod_surface_cylinder *cylinders;
     clod_surface_node *node;
     uint32_t *leaf; ///< [facet_count] facets by leaf
 } clod_surface;
@@ -75,6 +86,18 @@ typedef struct clod_surface_closest {
  */
 clod_surface *clod_surface_make(const clod_mesh *mesh, const clod_mesh_placing *then,
                                 double smooth, clod_status *status);
+
+/**
+ * Let the facets of a part stand for a cylinder from now on: where a facet is, the surface is
+ * round. For what is made of facets whose corners lie on it, and are narrow.
+ *
+ * @param part      of the mesh; planes that it shares with other parts stay flat
+ * @param cylinder  in the frame of the surface
+ * @return          false without memory
+ * Test  tests/mesh/test_surface_round.c
+ */
+bool clod_surface_make_round(clod_surface *self, uint32_t part,
+                             const clod_surface_cylinder *cylinder);
 
 /** One more user; NULL is fine. */
 clod_surface *clod_surface_share(clod_surface *self);
@@ -110,10 +133,22 @@ static inline double clod_surface_box_distance(const double low[3], const double
     const double at[3] = {p.x, p.y, p.z};
     double square = 0.0;
     for (int a = 0; a < 3; a++) {
-        const double out = fmax(fmax(low[a] - at[a], at[a] - high[a]), 0.0);
+        const double below = low[a] - at[a], above = at[a] - high[a];
+        const double most = below > above ? below : above;
+        const double out = most > 0.0 ? most : 0.0;
         square += out * out;
     }
     return sqrt(square);
+}
+
+/** Distance of a point from the box of a patch along its own axes: none of it is nearer [m]. */
+static inline double clod_surface_patch_box(const clod_surface *self, uint32_t patch,
+                                            clod_vec3 p)
+{
+    const clod_surface_patch *box = &self->patches[patch];
+    const clod_vec3 at = {clod_vec3_dot(box->axis[0], p), clod_vec3_dot(box->axis[1], p),
+                          clod_vec3_dot(box->axis[2], p)};
+    return clod_surface_box_distance(box->from, box->to, at) - self->bulge;
 }
 
 /**

@@ -45,12 +45,10 @@ static bool is_inside(const clod_vec3 v[3], clod_vec3 normal, clod_vec3 at)
     return true;
 }
 
-clod_surface_closest clod_surface_closest_of(const clod_surface *self, uint32_t facet,
-                                             clod_vec3 p)
+/** Closest point of the triangle of a facet. */
+static clod_surface_closest of_triangle(const clod_surface_plane *plane, const clod_vec3 v[3],
+                                        clod_vec3 p)
 {
-    const clod_surface_plane *plane = &self->planes[self->plane[facet]];
-    const clod_vec3 v[3] = {corner(self, facet, 0), corner(self, facet, 1),
-                            corner(self, facet, 2)};
     const double height = clod_vec3_dot(clod_vec3_sub(p, plane->point), plane->normal);
     const clod_vec3 side = height < 0.0 ? clod_vec3_scale(plane->normal, -1.0) : plane->normal;
     const clod_vec3 foot = clod_vec3_axpy(p, -height, plane->normal);
@@ -73,6 +71,90 @@ clod_surface_closest clod_surface_closest_of(const clod_surface *self, uint32_t 
     return best;
 }
 
+/** What of a vector is across a cylinder's axis. */
+static clod_vec3 across(const clod_surface_cylinder *self, clod_vec3 v)
+{
+    return clod_vec3_axpy(v, -clod_vec3_dot(v, self->axis), self->axis);
+}
+
+/** Sines of the angles by which a direction across the axis is beyond those of a facet's corners;
+ *  whether it is between them. */
+static bool is_between(const clod_surface_cylinder *self, const clod_vec3 v[3], clod_vec3 out,
+                       double sine[3])
+{
+    for (int c = 0; c < 3; c++) {
+        const clod_vec3 arm = across(self, clod_vec3_sub(v[c], self->point));
+        sine[c] = clod_vec3_dot(clod_vec3_cross(arm, out), self->axis);
+    }
+    return fmin(sine[0], fmin(sine[1], sine[2])) <= 0.0 &&
+           fmax(sine[0], fmax(sine[1], sine[2])) >= 0.0;
+}
+
+/** Closest point of the side of a facet that a direction is nearer to: an edge along the axis, or
+ *  the corner where that of its other half ends. */
+static clod_surface_closest of_side(const clod_vec3 v[3], const double sine[3], clod_vec3 p,
+                                    clod_vec3 otherwise)
+{
+    const double least = fmin(fabs(sine[0]), fmin(fabs(sine[1]), fabs(sine[2])));
+    const double most = fmax(fabs(sine[0]), fmax(fabs(sine[1]), fabs(sine[2])));
+    int edge = 0, end = 0;
+    clod_vec3 at = v[0];
+    for (int c = 0; c < 3; c++) {
+        const bool here = fabs(sine[c]) < 0.5 * (least + most);
+        const bool next = fabs(sine[(c + 1) % 3]) < 0.5 * (least + most);
+        const bool before = fabs(sine[(c + 2) % 3]) < 0.5 * (least + most);
+        if (here && next) {
+            edge = c;
+            at = on_edge(v, c, p, &end);
+        } else if (here && !before) {
+            edge = c;
+            end = 0;
+            at = v[c];
+        }
+    }
+    const clod_vec3 away = clod_vec3_sub(p, at);
+    const double distance = clod_vec3_length(away);
+    return (clod_surface_closest){
+        distance, at, distance > 0.0 ? clod_vec3_scale(away, 1.0 / distance) : otherwise,
+        edges_at(edge, end)};
+}
+
+/** Closest point of the piece of a cylinder that a facet stands for: at the place along the axis
+ *  of that of the triangle. */
+static clod_surface_closest of_cylinder(const clod_surface_cylinder *self, const clod_vec3 v[3],
+                                        clod_vec3 p, clod_surface_closest flat)
+{
+    const clod_vec3 out = across(self, clod_vec3_sub(p, self->point));
+    const double length = clod_vec3_length(out);
+    double sine[3];
+    if (length < 0.5 * self->radius) {
+        return flat; // nothing that touches
+    }
+    if (!is_between(self, v, out, sine)) {
+        return of_side(v, sine, p, flat.direction);
+    }
+    const double along = clod_vec3_dot(clod_vec3_sub(flat.point, self->point), self->axis);
+    const clod_vec3 foot = clod_vec3_axpy(self->point, along, self->axis);
+    const clod_vec3 point = clod_vec3_axpy(foot, self->radius / length, out);
+    const clod_vec3 away = clod_vec3_sub(p, point);
+    const double distance = clod_vec3_length(away);
+    const clod_vec3 direction =
+        distance > 0.0 ? clod_vec3_scale(away, 1.0 / distance) : flat.direction;
+    return (clod_surface_closest){distance, point, direction, flat.edges};
+}
+
+clod_surface_closest clod_surface_closest_of(const clod_surface *self, uint32_t facet,
+                                             clod_vec3 p)
+{
+    const clod_surface_plane *plane = &self->planes[self->plane[facet]];
+    const clod_vec3 v[3] = {corner(self, facet, 0), corner(self, facet, 1),
+                            corner(self, facet, 2)};
+    const clod_surface_closest flat = of_triangle(plane, v, p);
+    return plane->cylinder == 0
+               ? flat
+               : of_cylinder(&self->cylinders[plane->cylinder - 1], v, p, flat);
+}
+
 /** The nearest facet of a patch so far. */
 typedef struct nearest {
     const clod_surface *surface;
@@ -89,7 +171,7 @@ static double take_nearest(void *context, uint32_t facet, double reach)
             clod_surface_closest_of(self->surface, facet, self->from);
         self->at = at.distance < self->at.distance ? at : self->at;
     }
-    return fmin(reach, self->at.distance);
+    return self->at.distance < reach ? self->at.distance : reach;
 }
 
 clod_surface_closest clod_surface_patch_closest(const clod_surface *self, uint32_t patch,
@@ -99,8 +181,7 @@ clod_surface_closest clod_surface_patch_closest(const clod_surface *self, uint32
                     .patch = patch,
                     .from = p,
                     .at = {INFINITY, p, self->patches[patch].axis[2], 0}};
-    const clod_surface_patch *box = &self->patches[patch];
-    if (clod_surface_box_distance(box->low, box->high, p) <= most) {
+    if (clod_surface_patch_box(self, patch, p) <= most) {
         clod_surface_near(self, p, most, take_nearest, &best);
     }
     return best.at;
@@ -155,8 +236,7 @@ bool clod_surface_rim_is_near(const clod_surface *self, uint32_t patch, clod_vec
                               double reach)
 {
     rim any = {.surface = self, .patch = patch, .from = p};
-    const clod_surface_patch *box = &self->patches[patch];
-    if (box->rims && clod_surface_box_distance(box->low, box->high, p) <= reach) {
+    if (self->patches[patch].rims && clod_surface_patch_box(self, patch, p) <= reach) {
         clod_surface_near(self, p, reach, take_rim, &any);
     }
     return any.found;

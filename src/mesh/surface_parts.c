@@ -150,7 +150,7 @@ static bool find_planes(clod_surface *self, const clod_surface_links *links)
         const uint32_t seed = (uint32_t)items[k].index;
         if (self->plane[seed] == NOBODY) {
             self->planes[self->plane_count] = (clod_surface_plane){
-                clod_vec3_unit(area_of(self, seed)), corner(self, seed, 0)};
+                clod_vec3_unit(area_of(self, seed)), corner(self, seed, 0), 0};
             grow(self, links, is_in_plane, seed, (uint32_t)self->plane_count, self->plane);
             self->plane_count++;
         }
@@ -194,6 +194,9 @@ static void include(clod_surface *self, uint32_t facet)
         for (int a = 0; a < 3; a++) {
             patch->low[a] = fmin(patch->low[a], v[a]);
             patch->high[a] = fmax(patch->high[a], v[a]);
+            const double along = clod_vec3_dot(patch->axis[a], clod_vec3_of(v));
+            patch->from[a] = fmin(patch->from[a], along);
+            patch->to[a] = fmax(patch->to[a], along);
         }
     }
     patch->rims = patch->rims || self->rims[facet] != 0;
@@ -209,8 +212,8 @@ static void find_patches(clod_surface *self, const clod_surface_links *links)
         patch.axis[2] = normal_of(self, (uint32_t)f);
         complete_axes(patch.axis);
         for (int a = 0; a < 3; a++) {
-            patch.low[a] = INFINITY;
-            patch.high[a] = -INFINITY;
+            patch.low[a] = patch.from[a] = INFINITY;
+            patch.high[a] = patch.to[a] = -INFINITY;
         }
         self->patches[self->patch_count] = patch;
         grow(self, links, is_of_patch, (uint32_t)f, (uint32_t)self->patch_count, self->patch);

@@ -111,7 +111,7 @@ void clod_surface_near(const clod_surface *self, clod_vec3 p, double reach,
     while (depth > 0) {
         depth--;
         const clod_surface_node *node = &self->node[stack[depth].node];
-        if (stack[depth].distance > reach) {
+        if (stack[depth].distance > reach + self->bulge) {
             continue;
         }
         for (uint32_t k = node->first; k < node->first + node->count; k++) {
@@ -123,9 +123,9 @@ void clod_surface_near(const clod_surface *self, clod_vec3 p, double reach,
             const double second = clod_surface_box_distance(child[1].low, child[1].high, p);
             const uint32_t far = second < first ? 0 : 1; // looked at last
             stack[depth].node = node->first + far;
-            stack[depth++].distance = fmax(first, second);
+            stack[depth++].distance = far == 0 ? first : second;
             stack[depth].node = node->first + 1 - far;
-            stack[depth++].distance = fmin(first, second);
+            stack[depth++].distance = far == 0 ? second : first;
         }
     }
 }

@@ -129,6 +129,9 @@ void clod_checkpoint_columns_of_walls(clod_checkpoint_columns *self, const clod_
     ADD(turned, "rad", F64, 1);
     ADD(sway_velocity, "m s-1", F64, 3);
     ADD(sway_spin, "rad s-1", F64, 1);
+    ADD(start_up.at, "s", F64, 1);
+    ADD(start_up.duration, "s", F64, 1);
+    ADD(belt_lag, "1", F64, 1);
     ADD(load, "1", I32, 1);
     ADD(load_axis, "1", F64, 3);
     ADD(load_force, "N", F64, 1);

@@ -1,5 +1,6 @@
 #include "setup/surface.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -9,6 +10,8 @@
 
 /** Most patches of a surface: the shapes of each take 3 kB. */
 #define PATCHES_MOST 200000
+/** A belt goes smoothly over bends below this angle: idlers of a trough bend it more [rad]. */
+#define BELT_SMOOTH (M_PI / 9.0)
 
 /** Names of the parts of a mesh, or that it has none, for a message. */
 static const char *names_of(const clod_mesh_view *view, char *text, size_t size)
@@ -58,7 +61,9 @@ static clod_surface *make_surface(const clod_mesh *mesh, const clod_case_wall *w
 {
     clod_mesh_placing then = {.unit = 1.0, .scale = 1.0, .rotate = wall->rotate};
     memcpy(then.move, wall->move, sizeof then.move);
-    clod_surface *surface = clod_surface_make(mesh, &then, shape->smooth_angle, status);
+    const bool belt = shape->kind == CLOD_SHAPE_CONVEYOR;
+    const double smooth = belt ? BELT_SMOOTH : shape->smooth_angle;
+    clod_surface *surface = clod_surface_make(mesh, &then, smooth, status);
     if (surface != NULL && surface->patch_count > PATCHES_MOST) {
         clod_status_fail(status, CLOD_USAGE,
                          "walls.%s: the mesh %s is rough: its facets make %zu pieces of smooth "
@@ -70,10 +75,63 @@ static clod_surface *make_surface(const clod_mesh *mesh, const clod_case_wall *w
     return surface;
 }
 
+/** The cylinder about the axis of a part, where the wall places it. */
+static clod_surface_cylinder placed(const clod_case_wall *wall, const clod_case_surface *part,
+                                    double radius)
+{
+    clod_surface_cylinder self = {clod_vec3_of(part->spin_point), clod_vec3_of(part->spin_axis),
+                                  radius};
+    const clod_case_rotation *turn = &wall->rotate;
+    if (turn->angle != 0.0) {
+        const clod_vec3 axis = clod_vec3_unit(clod_vec3_of(turn->axis));
+        const clod_vec3 point = clod_vec3_of(turn->point);
+        const clod_vec3 arm = clod_vec3_sub(self.point, point);
+        self.point = clod_vec3_add(point, clod_vec3_rotate(arm, axis, turn->angle));
+        self.axis = clod_vec3_rotate(self.axis, axis, turn->angle);
+    }
+    self.point = clod_vec3_add(self.point, clod_vec3_of(wall->move));
+    return self;
+}
+
+/** The same of a belt, whose mesh is made. */
+static void read_belt(clod_setup_mesh *self, const clod_case_wall *wall,
+                      const clod_case_shape *shape, clod_status *status)
+{
+    self->belt = clod_setup_belt_make(&shape->belt, wall->name, status);
+    if (self->belt.mesh == NULL) {
+        return;
+    }
+    const size_t count = clod_mesh_look(self->belt.mesh)->part_count;
+    self->parts = clod_memory_alloc(count + 1, sizeof *self->parts);
+    if (self->parts == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "no memory for the belt %s", wall->name);
+        return;
+    }
+    for (size_t p = 0; p < count; p++) {
+        self->parts[p] = &self->belt.parts[p];
+    }
+    self->surface = make_surface(self->belt.mesh, wall, shape, status);
+    const clod_case_belt *belt = &shape->belt;
+    const uint32_t pulley = (uint32_t)belt->run_count; // the part behind the runs
+    if (self->surface != NULL && belt->pulley.radius > 0.0) {
+        const clod_surface_cylinder cylinder =
+            placed(wall, &self->belt.parts[pulley], belt->pulley.radius);
+        if (!clod_surface_make_round(self->surface, pulley, &cylinder)) {
+            clod_status_fail(status, CLOD_FAILED, "no memory for the belt %s", wall->name);
+            clod_surface_release(self->surface);
+            self->surface = NULL;
+        }
+    }
+}
+
 clod_setup_mesh clod_setup_mesh_read(const clod_case_wall *wall, const clod_case_shape *shape,
                                      clod_status *status)
 {
     clod_setup_mesh self = {0};
+    if (shape->kind == CLOD_SHAPE_CONVEYOR) {
+        read_belt(&self, wall, shape, status);
+        return self;
+    }
     clod_mesh_placing placing = {
         .unit = shape->unit, .scale = shape->scale, .rotate = shape->rotate};
     memcpy(placing.move, shape->move, sizeof placing.move);
@@ -89,5 +147,6 @@ void clod_setup_mesh_fini(clod_setup_mesh *self)
 {
     clod_surface_release(self->surface);
     clod_memory_free(self->parts);
+    clod_setup_belt_fini(&self->belt);
     *self = (clod_setup_mesh){0};
 }

@@ -6,15 +6,18 @@
 
 #include "clod/case.h"
 #include "mesh/surface.h"
+#include "setup/belt.h"
 
 /** The surface of a shape, and what its parts are made of. */
 typedef struct clod_setup_mesh {
     clod_surface *surface;           ///< NULL: failed
     const clod_case_surface **parts; ///< [parts of the file] of the case; NULL: the shape's
+    clod_setup_belt belt;            ///< what parts of a belt are
 } clod_setup_mesh;
 
 /**
- * Read the mesh of a shape and place it: as the shape says, and then as its wall does.
+ * Read the mesh of a shape, or make that of a belt, and place it: as the shape says, and then as
+ * its wall does.
  *
  * @return  clod_setup_mesh_fini
  * Errors   no surface; CLOD_USAGE: the file or a part that it has not, with what to do;

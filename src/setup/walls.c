@@ -148,7 +148,6 @@ static void make_oscillation(const clod_case_oscillation *from, clod_wall *wall)
     if (from->amplitude > 0.0) {
         wall->oscillation.direction = clod_vec3_unit(clod_vec3_of(from->direction));
     }
-    clod_wall_start(wall);
 }
 
 /** A direction of a case, as unit vector; zero where it says nothing. */
@@ -311,6 +310,8 @@ bool clod_setup_wall(const clod_case *from, const clod_case_wall *given, clod_wa
     }
     make_load(given, wall);
     make_oscillation(&given->oscillation, wall);
+    wall->start_up = (clod_start_up){given->start_up.at, given->start_up.duration};
+    clod_wall_start(wall);
     return true;
 }
 

@@ -173,6 +173,8 @@ static bool has_materials(const clod_sim *self, const clod_case_wall *wall,
         const clod_case_shape *shape = &wall->shapes[s];
         const char *own = shape->surface.material;
         good = own == NULL || has_laws(self, own, function, status);
+        own = shape->belt.skirts.material;
+        good = good && (own == NULL || has_laws(self, own, function, status));
         for (size_t p = 0; good && p < shape->part_count; p++) {
             own = shape->parts[p].material;
             good = own == NULL || has_laws(self, own, function, status);

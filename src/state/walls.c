@@ -77,11 +77,12 @@ clod_vec3 clod_wall_material_velocity(const clod_wall *self, int32_t shape, clod
     const clod_vec3 turning = clod_vec3_scale(to_space(self, belt->spin_axis), belt->spin);
     const clod_vec3 along = flat(to_space(self, belt->direction), normal);
     const double square = clod_vec3_dot(along, along);
-    clod_vec3 v = clod_vec3_add(self->surface_velocity, to_space(self, belt->velocity));
+    clod_vec3 v = to_space(self, belt->velocity);
     v = clod_vec3_add(v, clod_vec3_cross(turning, clod_vec3_sub(point, centre)));
     if (square > CLOD_BELT_ACROSS) {
         v = clod_vec3_axpy(v, belt->speed / sqrt(square), along);
     }
+    v = clod_vec3_axpy(self->surface_velocity, 1.0 - self->belt_lag, v);
     return clod_vec3_add(clod_wall_velocity_at(self, point), flat(v, normal));
 }
 
@@ -195,9 +196,17 @@ static void displace(clod_wall *self, double sine, double rate)
     self->sway_spin = o->angle * rate;
 }
 
+/** Fraction of their speed that the belts lack at a time [s]. */
+static double lag_at(const clod_start_up *self, double time)
+{
+    const double since = time - self->at;
+    return since >= self->duration ? 0.0 : 1.0 - fmax(since, 0.0) / self->duration;
+}
+
 void clod_wall_start(clod_wall *self)
 {
     const clod_oscillation *o = &self->oscillation;
+    self->belt_lag = lag_at(&self->start_up, 0.0);
     displace(self, sin(o->phase), 2.0 * M_PI * o->frequency * cos(o->phase));
 }
 
@@ -205,6 +214,7 @@ void clod_wall_move(clod_wall *self, double dt, int64_t step)
 {
     const clod_oscillation *o = &self->oscillation;
     const bool sways = o->frequency > 0.0;
+    self->belt_lag = lag_at(&self->start_up, dt * (double)step);
     clod_vec3 *moved = sways ? &self->travel : &self->shift;
     double *turned = sways ? &self->turned : &self->angle;
     *moved = clod_vec3_axpy(*moved, dt, self->velocity);

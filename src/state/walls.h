@@ -69,6 +69,12 @@ typedef struct clod_oscillation {
     double phase;        ///< rad
 } clod_oscillation;
 
+/** Start of a wall's belts: they stand until `at`, and have their speed `duration` later. */
+typedef struct clod_start_up {
+    double at;       ///< s, time of the simulation
+    double duration; ///< s, in which the speed rises linearly
+} clod_start_up;
+
 typedef struct clod_wall {
     char name[32];
     uint16_t material; ///< of the shapes that have none of their own
@@ -90,6 +96,8 @@ typedef struct clod_wall {
     double turned;           ///< rad, if it oscillates: angle without that
     clod_vec3 sway_velocity; ///< m/s, of the oscillation, mean over the last step
     double sway_spin;        ///< rad/s, the same about the spin axis
+    clod_start_up start_up;  ///< of the belts of its shapes
+    double belt_lag;         ///< 1 - fraction of their speed that these have; 0: all of it
     // load
     clod_load_kind load;
     clod_vec3 load_axis;   ///< unit; the load pushes along it
@@ -212,7 +220,7 @@ void clod_wall_find_symmetry(clod_wall *self);
 /** A plane that turning about the spin axis would tilt: endless, it cannot; or -1. */
 int32_t clod_wall_plane_across(const clod_wall *self);
 
-/** Put an oscillating wall where it is at time 0, with its velocity there. */
+/** Put an oscillating wall where it is at time 0, with its velocity there; belts as at time 0. */
 void clod_wall_start(clod_wall *self);
 
 /**

@@ -71,11 +71,13 @@ static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *pa
 static int32_t plane_of(const clod_touch_part *part, const clod_touch_site *site)
 {
     const uint32_t *facet = part->facet + site->facet;
-    bool flat = site->lanes == 1 && site->facets > 0;
+    const clod_surface *surface = site->surface;
+    bool flat = site->lanes == 1 && site->facets > 0 &&
+                surface->planes[surface->plane[facet[0]]].cylinder == 0;
     for (size_t k = 1; flat && k < site->facets; k++) {
-        flat = site->surface->plane[facet[k]] == site->surface->plane[facet[0]];
+        flat = surface->plane[facet[k]] == surface->plane[facet[0]];
     }
-    return flat ? (int32_t)site->surface->plane[facet[0]] : -1;
+    return flat ? (int32_t)surface->plane[facet[0]] : -1;
 }
 
 void clod_touch_add(const clod_near_job *job, int number, const clod_wall_candidate *candidate)

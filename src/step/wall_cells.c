@@ -16,9 +16,8 @@ static double width_of(const clod_cells_grid *grid, int axis)
     return grid->inverse_width[axis] > 0.0 ? 1.0 / grid->inverse_width[axis] : 0.0;
 }
 
-/** Whether a shape may be within `reach` of a grain whose centre is in a cell. Gaps change by
- * no more than the way between two points (wall_gap.h), so the gap of the cell's centre
- * decides. */
+/** Whether a shape may be within `reach` of a grain whose centre is in a cell: the cell's centre
+ *  decides. */
 static bool cell_is_near(const clod_wall_rows *rows, const clod_wall_entry *shape,
                          const clod_cells_grid *grid, const int32_t at[3], double reach)
 {
@@ -29,7 +28,7 @@ static bool cell_is_near(const clod_wall_rows *rows, const clod_wall_entry *shap
         diagonal2 += width * width;
     }
     const double half = 0.5 * sqrt(diagonal2) * (1.0 + 1e-6); // and rounding of cells' borders
-    return clod_wall_rows_gap(rows, shape->wall, shape->shape, centre).distance < half + reach;
+    return clod_wall_rows_may_reach(rows, shape->wall, shape->shape, centre, half, reach);
 }
 
 /** Cells that the box about a shape reaches; false: none. */

@@ -8,7 +8,7 @@ static bool can_move(const clod_wall *wall)
 {
     return wall->velocity.x != 0.0 || wall->velocity.y != 0.0 || wall->velocity.z != 0.0 ||
            wall->spin != 0.0 || wall->oscillation.frequency > 0.0 ||
-           wall->servo_velocity != 0.0 || wall->load != CLOD_LOAD_NONE;
+           wall->servo_velocity != 0.0 || wall->load != CLOD_LOAD_NONE || wall->belt_lag > 0.0;
 }
 
 static bool has_felt(const clod_wall *wall)

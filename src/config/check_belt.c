@@ -1,0 +1,73 @@
+// Rules between the keys of a conveyor belt.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "config/check.h"
+
+static void fail(clod_loader *loader, const char *path, const char *key, const char *text)
+{
+    char whole[CLOD_LOAD_PATH + 64];
+    snprintf(whole, sizeof whole, "%s.belt%s%s", path, key[0] == '\0' ? "" : ".", key);
+    clod_check_fail(loader, whole, "%s", text);
+}
+
+static void check_trough(clod_loader *loader, const char *path, const clod_case_belt *belt)
+{
+    const double last = belt->runs[belt->run_count - 1].length;
+    if (belt->middle_roll >= belt->width) {
+        fail(loader, path, "middle_roll",
+             "leaves nothing of the width for the wing rolls; make it shorter");
+    } else if (belt->transition > last) {
+        fail(loader, path, "transition", "is longer than the last run");
+    } else if (belt->pulley.radius > 0.0 && belt->transition == 0.0) {
+        fail(loader, path, "",
+             "a trough has to flatten before the pulley; give transition, as a rule the width "
+             "of the belt or more");
+    }
+}
+
+static void check_skirts(clod_loader *loader, const char *path, const clod_case_belt *belt)
+{
+    const clod_case_belt_skirts *skirts = &belt->skirts;
+    double length = -belt->transition;
+    for (size_t r = 0; r < belt->run_count; r++) {
+        length += belt->runs[r].length;
+    }
+    if (skirts->from >= skirts->to) {
+        fail(loader, path, "skirts.to", "must be larger than from");
+    } else if (skirts->to > length * (1.0 + 1e-12)) {
+        char text[128];
+        snprintf(text, sizeof text,
+                 "is beyond the runs, or within the transition; at most %.6g m", length);
+        fail(loader, path, "skirts.to", text);
+    }
+    if (skirts->distance > belt->width) {
+        fail(loader, path, "skirts.distance", "is wider than the belt");
+    }
+}
+
+void clod_check_belt(clod_loader *loader, const char *path, const clod_case_shape *shape)
+{
+    const clod_case_belt *belt = &shape->belt;
+    const double *heading = belt->heading;
+    if (heading[2] != 0.0) {
+        fail(loader, path, "heading", "must be level: z is 0; runs have a rise");
+    }
+    if (belt->run_count == 0) {
+        return; // told
+    }
+    for (size_t r = 1; r < belt->run_count; r++) {
+        if (fabs(belt->runs[r].rise - belt->runs[r - 1].rise) > M_PI / 3.0) {
+            char key[48];
+            snprintf(key, sizeof key, "runs.%zu.rise", r);
+            fail(loader, path, key, "bends by more than 60 deg from the run before");
+        }
+    }
+    if (belt->idler_angle > 0.0) {
+        check_trough(loader, path, belt);
+    }
+    if (belt->skirts.height > 0.0) {
+        check_skirts(loader, path, belt);
+    }
+}
