@@ -94,7 +94,19 @@ typedef struct clod_case_region {
     double height;                     ///< m
 } clod_case_region;
 
-/** One group of grains. Exactly one of count, mass, fill_height, file is given. */
+/** How a group of grains comes in during a run. Exactly one of the flows is given. */
+typedef struct clod_case_inlet {
+    double mass_flow;   ///< kg/s
+    double number_flow; ///< 1/s
+    double start;       ///< s
+    double end;         ///< s; 0 = until the run ends
+} clod_case_inlet;
+
+/** Most groups with an inlet. */
+#define CLOD_CASE_INLETS 16
+
+/** One group of grains. Exactly one of count, mass, fill_height, file is given; of a group with
+ *  an inlet at most one of count, mass: what comes in at most. */
 typedef struct clod_case_grains {
     char *material;
     int sizes; ///< clod_size_kind
@@ -108,6 +120,8 @@ typedef struct clod_case_grains {
     clod_case_region region;
     double velocity[3]; ///< m/s
     char *file;         ///< path of a CSV with grains one by one, resolved against the case
+    bool comes;         ///< through the inlet, during the run
+    clod_case_inlet inlet;
 } clod_case_grains;
 
 /** Change of one wall at the start of a stage; `has_` says which keys were given. */

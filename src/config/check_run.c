@@ -165,7 +165,9 @@ static void check_grains(clod_loader *loader, const clod_case *self, size_t inde
             given++;
         }
     }
-    if (given != 1) {
+    if (grains->comes) {
+        clod_check_inlet(loader, path, self, grains);
+    } else if (given != 1) {
         fail(loader, path, last,
              given == 0
                  ? "needs an amount: one of count, mass, fill_height, file"

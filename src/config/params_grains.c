@@ -8,6 +8,7 @@
 
 #define G clod_case_grains
 #define R clod_case_region
+#define I clod_case_inlet
 
 static const char *const DISTRIBUTIONS[] = {
     [CLOD_SIZE_NORMAL] = "normal", [CLOD_SIZE_UNIFORM] = "uniform", NULL};
@@ -171,6 +172,53 @@ static bool has_fill_height(const clod_case *whole, const void *self)
     return ((const G *)self)->fill_height > 0.0;
 }
 
+static bool comes(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const G *)self)->comes;
+}
+
+static const clod_param INLET[] = {
+    {.key = "mass_flow",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "kg/s",
+     CLOD_ABOVE(0, 1e9),
+     .example = "250 t/h",
+     CLOD_AT(I, mass_flow),
+     .help = "Mass that comes in a time (one of mass_flow, number_flow).",
+     .source = "docs/inlets.md"},
+    {.key = "number_flow",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1/s",
+     CLOD_ABOVE(0, 1e12),
+     .example = "2000 1/s",
+     CLOD_AT(I, number_flow),
+     .help = "Grains that come in a time (one of mass_flow, number_flow).",
+     .source = "docs/inlets.md"},
+    {.key = "start",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "s",
+     CLOD_FROM(0, 1e9),
+     .fallback = "0 s",
+     CLOD_AT(I, start),
+     .help = "Time at which the first grain is due.",
+     .source = "docs/inlets.md"},
+    {.key = "end",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "s",
+     CLOD_ABOVE(0, 1e9),
+     .example = "5 s",
+     CLOD_AT(I, end),
+     .help = "Time from which on no more are due; without it they come until the run ends.",
+     .source = "docs/inlets.md"},
+};
+static const clod_table INLET_TABLE = {
+    .title = "An inlet: the grains of the group come during the run.", CLOD_ROWS(INLET)};
+
 static const clod_param GRAINS[] = {
     {.key = "material",
      .kind = CLOD_PARAM_TEXT,
@@ -250,6 +298,16 @@ static const clod_param GRAINS[] = {
      .used = has_region,
      .help = "Where grains are put, at random and without overlap.",
      .source = "convention"},
+    {.key = "inlet",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_OPTIONAL,
+     .table = &INLET_TABLE,
+     CLOD_AT(G, inlet),
+     .given = offsetof(G, comes),
+     .used = comes,
+     .help = "Lets the grains come during the run, into the region, and no more than count or "
+             "mass, where one of them is given.",
+     .source = "docs/inlets.md"},
     {.key = "velocity",
      .kind = CLOD_PARAM_VECTOR,
      .length = 3,

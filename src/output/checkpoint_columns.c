@@ -55,6 +55,9 @@ static void add_state(clod_checkpoint_columns *self, const clod_state *state)
     ADD(exchange.left, "grains_left", "1", I64, CLOD_FACES);
     ADD(exchange.left_mass, "mass_left", "kg", F64, CLOD_FACES);
     ADD(exchange.left_energy, "energy_left", "J", F64, CLOD_FACES);
+    ADD(exchange.residence, "residence", "s", F64, 1);
+    ADD(exchange.residence_squared, "residence_squared", "s2", F64, 1);
+    ADD(exchange.residence_count, "residence_count", "1", I64, CLOD_RESIDENCE_BINS);
     ADD(domain.removes, "domain_removes", "1", U8, 1);
     ADD(build_motion, "build_motion", "m", F64, 1);
 #undef ADD
@@ -66,6 +69,7 @@ static void add_grains(clod_checkpoint_columns *self, const clod_state *state)
     const size_t n = grains->count;
     const size_t real = sizeof(double);
     const clod_rows id = {grains->id, n, sizeof *grains->id};
+    const clod_rows birth = {grains->birth, n, sizeof *grains->birth};
     const clod_rows material = {grains->material, n, sizeof *grains->material};
     const clod_rows position = {grains->position, n, sizeof *grains->position};
     const clod_rows velocity = {grains->velocity, n, sizeof *grains->velocity};
@@ -73,6 +77,7 @@ static void add_grains(clod_checkpoint_columns *self, const clod_state *state)
                                         sizeof *grains->angular_velocity};
     const clod_rows load = {grains->load, n, sizeof *grains->load};
     add(self, id, 0, "grains/id", "1", CLOD_HDF_U64, 1);
+    add(self, birth, 0, "grains/birth", "s", CLOD_HDF_F64, 1);
     add(self, material, 0, "grains/material", "1", CLOD_HDF_U16, 1);
     add(self, position, 0, "grains/position", "m", CLOD_HDF_F64, 3);
     add(self, position, 3 * real, "grains/radius", "m", CLOD_HDF_F64, 1);

@@ -112,6 +112,8 @@ static bool put_grains(clod_hdf *hdf, const clod_state *state, const clod_contac
     const clod_hdf_column columns[] = {
         {"VTKHDF/Points", "m", CLOD_HDF_F64, 3, n, grains->position, row},
         {"VTKHDF/PointData/id", "1", CLOD_HDF_I64, 1, n, grains->id, sizeof *grains->id},
+        {"VTKHDF/PointData/birth", "s", CLOD_HDF_F64, 1, n, grains->birth,
+         sizeof *grains->birth},
         {"VTKHDF/PointData/type", "1", CLOD_HDF_U16, 1, n, grains->material,
          sizeof *grains->material},
         {"VTKHDF/PointData/radius", "m", CLOD_HDF_F64, 1, n, radius, row},

@@ -12,6 +12,9 @@
 #include "setup/state.h"
 #include "setup/uniaxial_cell.h"
 
+/** Solid fraction of grains that stand for those of an inlet. */
+#define LOOSE 0.1
+
 /** What a case begins with: one row for each kind of case. */
 typedef struct cell {
     bool (*make)(const clod_case *from, int64_t seed, clod_state *state, clod_status *status);
@@ -74,6 +77,26 @@ bool clod_begin_fill(const clod_case *from, double *grains, clod_status *status)
     return true;
 }
 
+/** Grains in the region of an inlet, loosely, for those that come through it. */
+static bool stand_for_inlet(clod_case_grains *group, clod_status *status)
+{
+    const clod_case_region *r = &group->region;
+    const double box =
+        (r->max[0] - r->min[0]) * (r->max[1] - r->min[1]) * (r->max[2] - r->min[2]);
+    const double ring = M_PI * r->height *
+                        (r->outer_radius * r->outer_radius - r->inner_radius * r->inner_radius);
+    clod_sizes sizes;
+    const bool good = clod_sizes_init(&sizes, group, status);
+    if (good) {
+        const double room = LOOSE * (r->kind == CLOD_REGION_BOX ? box : ring);
+        const double most = fmax(1.0, floor(room / clod_sizes_mean_volume(&sizes)));
+        group->count = (int64_t)fmin((double)group->count, most);
+        group->comes = false;
+    }
+    clod_sizes_fini(&sizes);
+    return good;
+}
+
 /** The share of a group; a number takes the place of a mass or a height. */
 static bool thin_groups(clod_case *thin, double share, clod_status *status)
 {
@@ -85,8 +108,12 @@ static bool thin_groups(clod_case *thin, double share, clod_status *status)
         if (!clod_setup_grains_expect(&one, &grains, status)) {
             return false;
         }
-        thin->grains[k].count = (int64_t)ceil(grains * share);
-        thin->grains[k].mass = thin->grains[k].fill_height = 0.0;
+        clod_case_grains *group = &thin->grains[k];
+        group->count = (int64_t)ceil(grains * share);
+        group->mass = group->fill_height = 0.0;
+        if (group->comes && !stand_for_inlet(group, status)) {
+            return false;
+        }
     }
     return true;
 }

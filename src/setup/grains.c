@@ -46,6 +46,34 @@ static clod_amount group_amount(const clod_case *from, size_t k, const clod_size
                          .density = density};
 }
 
+size_t clod_setup_grains_coming(const clod_case *from)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < from->grains_count; k++) {
+        count += from->grains[k].comes;
+    }
+    return count;
+}
+
+/** Number of grains that come through an inlet in all, if none has to wait. */
+static double expect_coming(const clod_case *from, const clod_case_grains *group,
+                            const clod_sizes *sizes)
+{
+    const clod_case_inlet *inlet = &group->inlet;
+    const int material = clod_case_material_index(from, group->material);
+    const double mass = clod_sizes_mean_volume(sizes) * from->materials[material].density;
+    double end = 0.0;
+    for (size_t s = 0; s < from->stage_count; s++) {
+        end += from->stages[s].duration;
+    }
+    end = inlet->end > 0.0 ? fmin(end, inlet->end) : end;
+    const double time = fmax(0.0, end - inlet->start);
+    double grains =
+        time * (inlet->mass_flow > 0.0 ? inlet->mass_flow / mass : inlet->number_flow);
+    grains = group->count > 0 ? fmin(grains, (double)group->count) : grains;
+    return ceil(group->mass > 0.0 ? fmin(grains, group->mass / mass) : grains);
+}
+
 bool clod_setup_grains_expect(const clod_case *from, double *grains, clod_status *status)
 {
     *grains = 0.0;
@@ -57,7 +85,9 @@ bool clod_setup_grains_expect(const clod_case *from, double *grains, clod_status
             continue;
         }
         good = clod_sizes_init(&sizes, &from->grains[k], status);
-        if (good) {
+        if (good && from->grains[k].comes) {
+            *grains += expect_coming(from, &from->grains[k], &sizes);
+        } else if (good) {
             const clod_amount amount = group_amount(from, k, &sizes, key);
             *grains += clod_amount_expect(&amount);
             good = clod_amount_fits(key, *grains, status);
@@ -72,6 +102,9 @@ double clod_setup_grains_mass(const clod_case *from)
     double mass = 0.0;
     for (size_t k = 0; k < from->grains_count; k++) {
         char key[KEY_TEXT];
+        if (from->grains[k].comes) {
+            continue;
+        }
         if (from->grains[k].file != NULL || from->grains[k].count > 0) {
             return 0.0;
         }
@@ -189,6 +222,9 @@ bool clod_setup_grains(const clod_case *from, int64_t seed, clod_state *state,
     uint64_t next_id = 1;
     for (size_t k = 0; k < from->grains_count; k++) {
         const clod_case_grains *group = &from->grains[k];
+        if (group->comes) {
+            continue;
+        }
         const bool good =
             group->file != NULL
                 ? clod_grains_file_read(from, group, &next_id, &state->grains, status)

@@ -7,6 +7,9 @@
 #include "clod/case.h"
 #include "state/state.h"
 
+/** How many groups come during the run, through an inlet. Threads: pure. */
+size_t clod_setup_grains_coming(const clod_case *from);
+
 /**
  * Number of grains to expect of all groups, without making one; those of files do not count.
  * Errors  CLOD_USAGE: more than this machine can hold; CLOD_FAILED.   Threads  pure.

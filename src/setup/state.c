@@ -8,6 +8,7 @@
 #include "geometry/wall_gap.h"
 #include "setup/domain.h"
 #include "setup/grains.h"
+#include "setup/sizes.h"
 #include "setup/walls.h"
 
 /** Solid fraction assumed of a settled bed. */
@@ -133,6 +134,22 @@ static void free_load(const clod_case *from, const clod_state *state, const clod
     bound->speed = bed->speed + fall + wall_speed;
 }
 
+/** The sizes of grains that are to come: two each of the smallest and of the median, which can
+ *  meet their like. */
+static bool add_coming(clod_setup_bound *self, const clod_case *from,
+                       const clod_case_grains *group, clod_status *status)
+{
+    clod_sizes sizes;
+    const bool good = clod_sizes_init(&sizes, group, status);
+    if (good) {
+        const int material = clod_case_material_index(from, group->material);
+        clod_timestep_add(&self->sizes[material], 2.0, sizes.min);
+        clod_timestep_add(&self->sizes[material], 2.0, clod_sizes_quantile(&sizes, 0.5));
+    }
+    clod_sizes_fini(&sizes);
+    return good;
+}
+
 bool clod_setup_bound_init(clod_setup_bound *self, const clod_case *from,
                            const clod_state *state, clod_status *status)
 {
@@ -146,6 +163,11 @@ bool clod_setup_bound_init(clod_setup_bound *self, const clod_case *from,
     for (size_t g = 0; g < state->grains.count; g++) {
         clod_timestep_add(&self->sizes[state->grains.material[g]], 1.0,
                           state->grains.position[g][3]);
+    }
+    for (size_t k = 0; k < from->grains_count; k++) {
+        if (from->grains[k].comes && !add_coming(self, from, &from->grains[k], status)) {
+            return false;
+        }
     }
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
@@ -236,7 +258,8 @@ bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
         !clod_setup_timestep(from, state, &timestep, status)) {
         return false;
     }
-    if (state->grains.count == 0 && !clod_config_begins_empty(from)) {
+    if (state->grains.count == 0 && !clod_config_begins_empty(from) &&
+        clod_setup_grains_coming(from) == 0) {
         return clod_status_fail(status, CLOD_USAGE, "grains: the case has no grains");
     }
     clod_setup_domain(from, state);

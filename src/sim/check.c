@@ -6,6 +6,7 @@
 #include "law/law_cycle.h"
 #include "setup/begin.h"
 #include "setup/collision.h"
+#include "setup/grains.h"
 #include "setup/state.h"
 #include "setup/walls.h"
 #include "sim/testers.h"
@@ -127,6 +128,7 @@ static void look_at_servo(const clod_check_subject *subject, clod_check_report *
 /**
  * The state with which the case begins, when it can: tried as a run does it. Of a case with
  * very many grains only a sample is made: making all would take longer than an estimate may.
+ * Grains that come during the run are in it as if they were there.
  */
 static bool make_state(const clod_case *from, clod_check_subject *subject, clod_status *status)
 {
@@ -137,7 +139,8 @@ static bool make_state(const clod_case *from, clod_check_subject *subject, clod_
     if (!clod_begin_has_grains(from, status) || !clod_begin_expect(from, &expected, status)) {
         return false;
     }
-    if (expected * seeds > TRIED_GRAINS) {
+    const bool come = clod_setup_grains_coming(from) > 0;
+    if (come || expected * seeds > TRIED_GRAINS) {
         subject->expected = expected;
         return clod_begin_sample(from, expected, SAMPLE_GRAINS, &subject->state, status);
     }

@@ -123,9 +123,16 @@ static void warn_mass(const clod_check_subject *subject, clod_check_report *r)
 }
 
 /** What is not known of a case with too many grains to make them all. */
-static void note_sample(clod_check_report *r)
+static void note_sample(const clod_case *from, clod_check_report *r)
 {
-    if (r->sampled > 0) {
+    if (r->sampled > 0 && clod_setup_grains_coming(from) > 0) {
+        clod_check_note(r,
+                        "grains come during the run: the number is that of all that can be in "
+                        "at once if none leaves, and cost and memory are as if they were in "
+                        "from the start. Sizes and time step are those of %zu that stand for "
+                        "them, and no step was tried",
+                        r->sampled);
+    } else if (r->sampled > 0) {
         clod_check_note(r,
                         "%zu grains are too many to insert for an estimate: sizes and time "
                         "step are those of %zu of them, and no step was tried. Only the run "
@@ -153,5 +160,5 @@ void clod_check_warn(const clod_check_subject *subject, clod_check_report *repor
     }
     warn_mass(subject, report);
     warn_machine(subject, report);
-    note_sample(report);
+    note_sample(subject->from, report);
 }

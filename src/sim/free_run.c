@@ -13,9 +13,11 @@
 #include "setup/state.h"
 #include "setup/walls.h"
 #include "sim/free_stages.h"
+#include "sim/inlets.h"
 #include "sim/job_store.h"
 #include "sim/leavers.h"
 #include "sim/origin.h"
+#include "sim/residence.h"
 
 /** Columns before those of the walls, and of each wall. */
 static const char *const FIRST[] = {"time [s]", "stage [1]", "kinetic_energy [J]",
@@ -31,13 +33,22 @@ static const char *const PER_WALL[] = {"force_x [N]",    "force_y [N]",    "forc
 /** Data of the procedure: where it is, and how each stage that is over ended. */
 typedef struct free_data {
     clod_free_stages at;
+    clod_inlets inlets;
     clod_free_stage_end ended[]; ///< [stage_count]; step 0: not yet
 } free_data;
 
 static int64_t free_plan(const void *data, const void *context, const clod_state *state)
 {
     const free_data *self = data;
-    return clod_free_stages_plan(&self->at, context, state);
+    const int64_t stage = clod_free_stages_plan(&self->at, context, state);
+    const int64_t inlet = clod_inlets_plan(&self->inlets, context, state);
+    return stage < inlet ? stage : inlet;
+}
+
+static bool free_act(void *data, const void *context, clod_state *state, clod_status *status)
+{
+    free_data *self = data;
+    return clod_inlets_act(&self->inlets, context, state, status);
 }
 
 static bool free_look(void *data, const void *context, const clod_state *state)
@@ -75,9 +86,10 @@ static bool free_sample(void *data, const void *context, clod_state *state, doub
                                        clod_measure_max_speed(state)};
     memcpy(row, first, sizeof first);
     clod_leavers_row(context, state, row + FIRST_COUNT);
+    double *next = row + FIRST_COUNT + leavers;
+    next += clod_inlets_row(&self->inlets, context, next);
     for (int32_t w = 0; w < state->walls.count; w++) {
-        wall_columns(&state->walls.wall[w],
-                     row + FIRST_COUNT + leavers + (size_t)w * PER_WALL_COUNT);
+        wall_columns(&state->walls.wall[w], next + (size_t)w * PER_WALL_COUNT);
     }
     if (self->at.end != CLOD_FREE_GOES_ON) {
         self->ended[self->at.stage] =
@@ -90,6 +102,7 @@ static void trial_begin(const clod_case *from, const clod_part *part, clod_state
 {
     free_data *self = part->test;
     clod_free_stages_begin(&self->at, from, state);
+    clod_inlets_begin(&self->inlets, from, state);
 }
 
 static bool trial_sample(void *data, const void *context, clod_state *state, double *row)
@@ -100,6 +113,7 @@ static bool trial_sample(void *data, const void *context, clod_state *state, dou
 }
 
 const clod_parts_tester CLOD_FREE_TRIAL = {.procedure = {.size = sizeof(free_data),
+                                                         .act = free_act,
                                                          .plan = free_plan,
                                                          .look = free_look,
                                                          .sample = trial_sample},
@@ -130,24 +144,32 @@ static const char *free_reason(const void *data)
 static size_t columns_before_walls(const clod_case *from)
 {
     const char *names[CLOD_LEAVERS_COLUMNS];
-    return FIRST_COUNT + clod_leavers_columns(from, names);
+    return FIRST_COUNT + clod_leavers_columns(from, names) +
+           CLOD_INLETS_COLUMNS * clod_setup_grains_coming(from);
 }
 
 /** Header texts: fixed ones, then NAME.force_x [N] and so on; one block of owned text. */
 static char (*make_columns(const clod_case *from, const clod_state *state,
                            const char **columns))[COLUMN_TEXT]
 {
-    const size_t walls = (size_t)state->walls.count;
-    const size_t first = columns_before_walls(from);
-    char(*text)[COLUMN_TEXT] = clod_memory_alloc(walls * PER_WALL_COUNT + 1, COLUMN_TEXT);
+    const size_t inlets = CLOD_INLETS_COLUMNS * clod_setup_grains_coming(from);
+    const size_t made = inlets + PER_WALL_COUNT * (size_t)state->walls.count;
+    const size_t first = columns_before_walls(from) - inlets;
+    char(*text)[COLUMN_TEXT] = clod_memory_alloc(made + 1, COLUMN_TEXT);
     if (text == NULL) {
         return NULL;
     }
     memcpy(columns, FIRST, sizeof FIRST);
     clod_leavers_columns(from, columns + FIRST_COUNT);
-    for (size_t k = 0; k < walls * PER_WALL_COUNT; k++) {
-        snprintf(text[k], COLUMN_TEXT, "%s.%s", state->walls.wall[k / PER_WALL_COUNT].name,
-                 PER_WALL[k % PER_WALL_COUNT]);
+    for (size_t k = 0; k < inlets; k++) {
+        clod_inlets_column(k / CLOD_INLETS_COLUMNS, (int)(k % CLOD_INLETS_COLUMNS), text[k],
+                           COLUMN_TEXT);
+    }
+    for (size_t k = 0; inlets + k < made; k++) {
+        snprintf(text[inlets + k], COLUMN_TEXT, "%s.%s",
+                 state->walls.wall[k / PER_WALL_COUNT].name, PER_WALL[k % PER_WALL_COUNT]);
+    }
+    for (size_t k = 0; k < made; k++) {
         columns[first + k] = text[k];
     }
     return text;
@@ -183,6 +205,8 @@ static char *make_report(const clod_job *job)
             state->grains.count, clod_plural((double)state->grains.count), bed.pairs,
             clod_plural((double)bed.pairs), bed.coordination, 100.0 * bed.max_overlap);
     report_stages(out, job);
+    const free_data *data = job->procedure.data;
+    clod_inlets_report(out, &data->inlets, job->sim->from, state->dt);
     clod_leavers_report(out, job->sim->from, state);
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
@@ -235,9 +259,18 @@ static bool write_summary(const clod_job *job, clod_status *status)
     if (job->memory.origin[0] != '\0') {
         json_object_set_new(root, "from", json_string(job->memory.origin));
     }
+    json_t *residence = clod_residence_json(&state->exchange);
+    if (residence != NULL) {
+        json_object_set_new(root, "residence", residence);
+    }
     json_t *left = clod_leavers_json(sim->from, state);
     if (left != NULL) {
         json_object_set_new(root, "left", left);
+    }
+    const free_data *data = job->procedure.data;
+    json_t *inlets = clod_inlets_json(&data->inlets, sim->from, state->dt);
+    if (inlets != NULL) {
+        json_object_set_new(root, "inlets", inlets);
     }
     const bool ok = root != NULL
                         ? clod_folder_write_json(sim->folder, "summary.json", root, status)
@@ -286,6 +319,7 @@ static bool run_stages(clod_job *job, clod_status *status)
     if (!job->resumed) {
         free_data *data = job->procedure.data;
         clod_free_stages_begin(&data->at, job->sim->from, &job->state);
+        clod_inlets_begin(&data->inlets, job->sim->from, &job->state);
     }
     return clod_job_run(job, status);
 }
@@ -315,6 +349,7 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
                                      .context = sim->from,
                                      .columns = columns,
                                      .column_count = count,
+                                     .act = free_act,
                                      .plan = free_plan,
                                      .look = free_look,
                                      .sample = free_sample,

@@ -10,6 +10,7 @@
 #include "measure/contacts.h"
 #include "output/series.h"
 #include "parallel/threads.h"
+#include "setup/grains.h"
 #include "sim/energy_series.h"
 #include "sim/job_store.h"
 #include "sim/origin.h"
@@ -214,6 +215,9 @@ static bool turn(job_loop *loop, clod_status *status)
     clod_job *job = loop->job;
     const clod_procedure *p = &job->procedure;
     if (job->memory.planned == 0) {
+        if (p->act != NULL && !p->act(p->data, p->context, &job->state, status)) {
+            return false;
+        }
         job->memory.planned = p->plan(p->data, p->context, &job->state);
     }
     if (!advance(loop, status)) {
@@ -295,6 +299,17 @@ static bool open_energy(job_loop *loop, clod_status *status)
            (job->state.ledger.open != 0 || clod_step_open_ledger(&loop->step, status));
 }
 
+/** Grains that there will be at once, at most: those that are there, or are to come. */
+static size_t most_grains(const clod_job *job)
+{
+    double expected = 0.0;
+    clod_status ignored; // its sizes have been read before
+    if (clod_setup_grains_coming(job->sim->from) > 0) {
+        clod_setup_grains_expect(job->sim->from, &expected, &ignored);
+    }
+    return job->state.grains.count + (size_t)expected;
+}
+
 static bool open_loop(job_loop *loop, clod_status *status)
 {
     clod_job *job = loop->job;
@@ -311,7 +326,7 @@ static bool open_loop(job_loop *loop, clod_status *status)
                                     job->procedure.column_count,
                                     job->resumed ? &job->memory.series : NULL, status);
     const int threads = job->sim->any_threads
-                            ? clod_threads_worth(job->threads, job->state.grains.count)
+                            ? clod_threads_worth(job->threads, most_grains(job))
                             : job->threads;
     const clod_step_options options = {.threads = threads,
                                        .simd = job->sim->options->simd,

@@ -21,6 +21,8 @@ typedef struct clod_procedure {
     const void *context;
     const char *const *columns; ///< [column_count] of the series
     size_t column_count;
+    /** Before every plan: ask for grains to come (state->changes). NULL: nothing ever does. */
+    bool (*act)(void *data, const void *context, clod_state *state, clod_status *status);
     int64_t (*plan)(const void *data, const void *context, const clod_state *state);
     /** After the planned steps: whether it is time for a sample. NULL: it always is. */
     bool (*look)(void *data, const void *context, const clod_state *state);

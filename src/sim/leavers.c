@@ -3,6 +3,8 @@
 #include <inttypes.h>
 
 #include "base/plural.h"
+#include "setup/grains.h"
+#include "sim/residence.h"
 
 /** Names of a side, in the order of CLOD_FACES. */
 typedef struct side {
@@ -28,7 +30,7 @@ static bool is_open(const clod_case *from, int face)
 size_t clod_leavers_columns(const clod_case *from, const char **names)
 {
     size_t count = 0;
-    if (from->open == CLOD_OPEN_DELETE) {
+    if (from->open == CLOD_OPEN_DELETE || clod_setup_grains_coming(from) > 0) {
         names[count++] = "grains [1]";
     }
     for (int f = 0; f < CLOD_FACES; f++) {
@@ -42,7 +44,7 @@ size_t clod_leavers_columns(const clod_case *from, const char **names)
 void clod_leavers_row(const clod_case *from, const clod_state *state, double *row)
 {
     const clod_exchange *gone = &state->exchange;
-    if (from->open == CLOD_OPEN_DELETE) {
+    if (from->open == CLOD_OPEN_DELETE || clod_setup_grains_coming(from) > 0) {
         *row++ = (double)state->grains.count;
     }
     for (int f = 0; f < CLOD_FACES; f++) {
@@ -64,6 +66,7 @@ void clod_leavers_report(FILE *out, const clod_case *from, const clod_state *sta
                     gone->left_mass[f], gone->left_energy[f]);
         }
     }
+    clod_residence_report(out, gone);
 }
 
 json_t *clod_leavers_json(const clod_case *from, const clod_state *state)

@@ -7,6 +7,7 @@
 #include "measure/contacts.h"
 #include "parallel/threads.h"
 #include "setup/begin.h"
+#include "setup/grains.h"
 
 pthread_mutex_t clod_sim_case_lock = PTHREAD_MUTEX_INITIALIZER;
 
@@ -46,6 +47,13 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
     self->options = (clod_step_options){.threads = options != NULL ? options->threads : 0,
                                         .simd = options != NULL ? options->simd : NULL,
                                         .overlap_limit = self->from->time.overlap_limit};
+    if (clod_setup_grains_coming(self->from) > 0) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "%s: grains come during the run (grains.N.inlet); clod run does "
+            "that. A program adds grains itself (clod_sim_add_grain)",
+            self->from->path);
+    }
     if (!clod_begin_state(self->from, self->from->seed, &self->state, status) ||
         !clod_laws_init(&self->laws, self->from, status)) {
         return false;

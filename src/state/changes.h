@@ -37,6 +37,12 @@ typedef struct clod_changes {
 /** Sides of the domain: x min, x max, y min, y max, z min, z max. */
 #define CLOD_FACES 6
 
+/** Classes of the times that grains were in: ten a decade from 1 ms to 10^6 s; the first and the
+ *  last one have what is beyond too. */
+#define CLOD_RESIDENCE_BINS 90
+#define CLOD_RESIDENCE_LEAST 1e-3
+#define CLOD_RESIDENCE_PER_DECADE 10
+
 /** What has come and gone since the beginning of the run. */
 typedef struct clod_exchange {
     int64_t walls_removed;
@@ -46,6 +52,9 @@ typedef struct clod_exchange {
     int64_t left[CLOD_FACES];       ///< grains that crossed an open face and were removed
     double left_mass[CLOD_FACES];   ///< kg
     double left_energy[CLOD_FACES]; ///< J, their kinetic energy, of rotation included
+    double residence;               ///< s, sum of the times that these were in
+    double residence_squared;       ///< s2, of their squares
+    int64_t residence_count[CLOD_RESIDENCE_BINS]; ///< how many were in for so long
 } clod_exchange;
 
 /**

@@ -36,6 +36,7 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
         clod_memory_grow(self->angular_velocity, old, rows, sizeof *self->angular_velocity);
     void *load = clod_memory_grow(self->load, old, rows, sizeof *self->load);
     void *id = clod_memory_grow(self->id, old, rows, sizeof *self->id);
+    void *birth = clod_memory_grow(self->birth, old, rows, sizeof *self->birth);
     void *material = clod_memory_grow(self->material, old, rows, sizeof *self->material);
     void *before = self->before != NULL ? clod_memory_alloc(rows, sizeof *self->before) : NULL;
     self->position = position != NULL ? position : self->position;
@@ -44,9 +45,11 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
         angular_velocity != NULL ? angular_velocity : self->angular_velocity;
     self->load = load != NULL ? load : self->load;
     self->id = id != NULL ? id : self->id;
+    self->birth = birth != NULL ? birth : self->birth;
     self->material = material != NULL ? material : self->material;
     if (position == NULL || velocity == NULL || angular_velocity == NULL || load == NULL ||
-        id == NULL || material == NULL || (self->before != NULL && before == NULL)) {
+        id == NULL || birth == NULL || material == NULL ||
+        (self->before != NULL && before == NULL)) {
         clod_memory_free(before);
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", count);
     }
@@ -79,6 +82,7 @@ bool clod_grains_add(clod_grains *self, const double place[4], const double spee
     memset(self->load[g], 0, sizeof self->load[g]);
     clod_grains_set_size(self, g, place[3], density);
     self->id[g] = id;
+    self->birth[g] = 0.0;
     self->material[g] = material;
     clod_grains_pad(self);
     return true;
@@ -112,6 +116,7 @@ bool clod_grains_copy(clod_grains *self, const clod_grains *from, clod_status *s
     memcpy(self->angular_velocity, from->angular_velocity, n * sizeof *self->angular_velocity);
     memcpy(self->load, from->load, n * sizeof *self->load);
     memcpy(self->id, from->id, n * sizeof *self->id);
+    memcpy(self->birth, from->birth, n * sizeof *self->birth);
     memcpy(self->material, from->material, n * sizeof *self->material);
     clod_grains_pad(self);
     return true;
@@ -125,6 +130,7 @@ void clod_grains_fini(clod_grains *self)
     clod_memory_free(self->load);
     clod_memory_free(self->before);
     clod_memory_free(self->id);
+    clod_memory_free(self->birth);
     clod_memory_free(self->material);
     *self = (clod_grains){0};
 }

@@ -21,6 +21,7 @@ typedef struct clod_grains {
     double (*before)[8]; ///< while a step adds up loads, those of the step before; NULL unless
                          ///< somebody asked for it (the energy ledger)
     uint64_t *id;        ///< global, never changes
+    double *birth;       ///< s, time at which it came; 0: it was there at the start
     uint16_t *material;
 } clod_grains;
 

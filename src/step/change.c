@@ -30,6 +30,7 @@ static bool add_grains(clod_state *state, clod_status *status)
         }
         const size_t row = state->grains.count - 1;
         const double mass = state->grains.velocity[row][3];
+        state->grains.birth[row] = (double)state->step * state->dt;
         for (int a = 0; a < 3; a++) {
             state->grains.load[row][a] = mass * state->gravity[a];
         }

@@ -1,5 +1,7 @@
 #include "step/leavers.h"
 
+#include <math.h>
+
 #include "parallel/exact.h"
 #include "step/neighbour.h"
 
@@ -30,7 +32,24 @@ static double kinetic(const double *velocity, double mass, const double *angular
 typedef struct leaver_sums {
     clod_exact mass[CLOD_FACES], energy[CLOD_FACES];
     clod_exact kick; ///< J that the half kick to come would have brought
+    clod_exact time, time_squared;
 } leaver_sums;
+
+/** Class of a time that a grain was in. */
+static int residence_bin(double time)
+{
+    const double place = CLOD_RESIDENCE_PER_DECADE *
+                         log10(fmax(time, CLOD_RESIDENCE_LEAST) / CLOD_RESIDENCE_LEAST);
+    return (int)fmin(place, CLOD_RESIDENCE_BINS - 1);
+}
+
+static void add_residence(leaver_sums *sums, clod_state *state, size_t row)
+{
+    const double time = (double)state->step * state->dt - state->grains.birth[row];
+    clod_exact_add(&sums->time, time);
+    clod_exact_add(&sums->time_squared, time * time);
+    state->exchange.residence_count[residence_bin(time)]++;
+}
 
 static void add_leaver(leaver_sums *sums, const clod_state *state, size_t row, int face,
                        double half_kick)
@@ -57,6 +76,7 @@ size_t clod_leavers_mark(clod_state *state, double half_kick, int32_t *rank)
             rank[g] = CLOD_NEIGHBOUR_GOES;
             state->exchange.left[face]++;
             add_leaver(&sums, state, g, face, half_kick);
+            add_residence(&sums, state, g);
             leavers++;
         }
     }
@@ -64,6 +84,8 @@ size_t clod_leavers_mark(clod_state *state, double half_kick, int32_t *rank)
         state->exchange.left_mass[f] += clod_exact_value(&sums.mass[f]);
         state->exchange.left_energy[f] += clod_exact_value(&sums.energy[f]);
     }
+    state->exchange.residence += clod_exact_value(&sums.time);
+    state->exchange.residence_squared += clod_exact_value(&sums.time_squared);
     if (state->ledger.open != 0) {
         state->ledger.exchanged -= clod_exact_value(&sums.kick);
     }

@@ -136,7 +136,7 @@ typedef struct clod_row_column {
     size_t stride, size;
 } clod_row_column;
 
-#define CLOD_ROW_COLUMNS 9
+#define CLOD_ROW_COLUMNS 10
 
 /** All that goes with the grains; how many columns there are. */
 int clod_neighbour_columns(const clod_grains *grains,

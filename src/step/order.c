@@ -172,6 +172,7 @@ int clod_neighbour_columns(const clod_grains *grains, clod_row_column columns[CL
         ADD(grains->before, half, half);
     }
     ADD(grains->id, 0, sizeof *grains->id);
+    ADD(grains->birth, 0, sizeof *grains->birth);
     ADD(grains->material, 0, sizeof *grains->material);
 #undef ADD
     return count;

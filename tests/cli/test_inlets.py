@@ -1,0 +1,171 @@
+"""grains.N.inlet: grains that come during the run: rate, amount, residence, blocking, same bits."""
+
+import json
+import math
+import os
+import signal
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+GRAVITY = 9.81
+DENSITY = 2500.0
+# A stream of grains that falls out of the domain, 0.3 m below the middle of where it comes in.
+CASE = """\
+materials: {{ore: {{density: 2500 kg/m3}}}}
+contacts:
+  default: {{law: hooke, k1: 1e4 N/m, restitution: 0.5, friction: 0.5}}
+gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]
+time: {{step: 1e-4 s, design_stress: 100 Pa}}
+domain: {{min: [-0.1 m, -0.1 m, -0.3 m], max: [0.1 m, 0.1 m, 0.1 m], open: delete}}
+grains:
+{groups}
+{walls}
+stages: [{{name: run, duration: {duration} s}}]
+output: {{series_interval: 50 ms, energy: true}}
+"""
+GROUP = """\
+  - material: ore
+    radius: {{distribution: uniform, min: 4.5 mm, max: 5.5 mm}}
+    inlet: {{{inlet}}}{amount}
+    region: {{box: {{min: [{low} m, -80 mm, -20 mm], max: [{high} m, 80 mm, 20 mm]}}}}
+    velocity: [0 m/s, 0 m/s, -1 m/s]
+"""
+WALL = """\
+walls:
+  box:
+    material: ore
+    shapes:
+      - box: {center: [0 m, 0 m, -40 mm], size: [0.2 m, 0.2 m, 20 mm]}
+      - box: {center: [-90 mm, 0 m, 0 m], size: [10 mm, 0.2 m, 120 mm]}
+      - box: {center: [90 mm, 0 m, 0 m], size: [10 mm, 0.2 m, 120 mm]}
+      - box: {center: [0 m, -90 mm, 0 m], size: [0.2 m, 10 mm, 120 mm]}
+      - box: {center: [0 m, 90 mm, 0 m], size: [0.2 m, 10 mm, 120 mm]}
+"""
+SIDES = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
+
+
+def group(inlet, amount="", low=-0.08, high=0.08):
+    return GROUP.format(inlet=inlet, amount=amount, low=low, high=high)
+
+
+class Inlets(clod.Case):
+
+    def write(self, *groups, walls="", duration=1.5):
+        with open(self.path("case.yaml"), "w") as file:
+            file.write(CASE.format(groups="".join(groups), walls=walls, duration=duration))
+
+    def go(self, folder, threads="1", *options):
+        done = clod.run("run", "case.yaml", "-o", folder, "-t", threads, *options,
+                        cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def rows(self, folder):
+        return clod.table(self.path(folder + "/series.csv"))
+
+    def summary(self, folder):
+        with open(self.path(folder + "/summary.json")) as file:
+            return json.load(file)
+
+    def test_rate_amount_and_residence(self):
+        """1 kg/s to half a grain; all that came is inside or left; time of fall by its formula."""
+        self.write(group("mass_flow: 3.6 t/h, start: 0.1 s"))
+        self.go("out")
+        rows = self.rows("out")
+        largest = DENSITY * 4 / 3 * math.pi * 5.5e-3**3
+        for row in rows:
+            due = max(0.0, row["time"] - 0.1) * 1.0
+            # an insertion has been at most 1 ms before
+            self.assertLess(row["inlet_1.mass"], due + 0.5 * largest + 1e-12)
+            self.assertGreater(row["inlet_1.mass"], due - 0.5 * largest - 1e-3 - 1e-12)
+            left = sum(row[f"left_{side}.grains"] for side in SIDES)
+            self.assertEqual(row["grains"] + left, row["inlet_1.grains"])
+        at = {round(row["time"], 3): row["inlet_1.mass"] for row in rows}
+        self.assertLess(abs(at[1.4] - at[0.4] - 1.0), 1e-3)  # over a second
+        # grains come at random heights, whole in a region of 40 mm, and leave when their centre
+        # is 0.3 m below the origin
+        mean, steps = 0.0, 1000
+        for k in range(steps):
+            fall = 0.3 + (k + 0.5) / steps * 0.03 - 0.015
+            mean += (math.sqrt(1.0 + 2.0 * GRAVITY * fall) - 1.0) / GRAVITY / steps
+        residence = self.summary("out")["residence"]
+        self.assertEqual(residence["grains"], rows[-1]["left_z_min.grains"])
+        # half of an insertion's way, and the scatter of 900 grains, 4 ms each
+        self.assertLess(abs(residence["mean_s"] - mean), 1e-3)
+        self.assertLess(residence["p10_s"], residence["p50_s"])
+        self.assertLess(residence["p50_s"], residence["p90_s"])
+        self.assertEqual(sum(c["grains"] for c in residence["classes"]), residence["grains"])
+        for row in clod.table(self.path("out/energy.csv")):
+            self.assertLess(abs(row["residual_of_flow"]), 1e-3)
+
+    def test_two_inlets_with_amounts_fill_and_empty(self):
+        """By number and by mass, until there is enough; empty, full, empty, full, empty."""
+        self.write(group("number_flow: 200 1/s, end: 0.2 s", low=-0.08, high=0.0),
+                   group("mass_flow: 1 kg/s, start: 0.6 s", "\n    mass: 0.1 kg", 0.0, 0.08),
+                   duration=1.0)
+        done = self.go("out")
+        rows = self.rows("out")
+        at = {round(row["time"], 3): row for row in rows}
+        self.assertEqual(at[0.2]["inlet_1.grains"], 40)
+        self.assertEqual(rows[-1]["inlet_1.grains"], 40)
+        self.assertEqual(at[0.55]["grains"], 0)
+        self.assertGreater(at[0.65]["grains"], 0)
+        self.assertEqual(rows[-1]["grains"], 0)
+        largest = DENSITY * 4 / 3 * math.pi * 5.5e-3**3
+        self.assertLess(abs(rows[-1]["inlet_2.mass"] - 0.1), 0.5 * largest)
+        self.assertIn("inlet 2", done.stdout)
+
+    def test_a_blocked_inlet_waits_and_says_so(self):
+        self.write(group("mass_flow: 4 kg/s"), walls=WALL, duration=0.5)
+        done = self.go("out")
+        self.assertIn("WARNING", done.stdout)
+        self.assertIn("was blocked at ", done.stdout)
+        inlet = self.summary("out")["inlets"][0]
+        self.assertGreater(inlet["blocked_insertions"], 10)
+        self.assertGreater(inlet["blocked_since_s"], 0.05)
+        last = self.rows("out")[-1]
+        # what is due at the last insertion, at most 1 ms before
+        self.assertLess(abs(last["inlet_1.mass"] + last["inlet_1.owed"] - 4.0 * 0.5), 4.1e-3)
+
+    def test_the_same_bytes_on_threads_and_when_interrupted(self):
+        self.write(group("mass_flow: 1 kg/s", low=-0.08, high=0.0),
+                   group("number_flow: 300 1/s", low=-0.02, high=0.08), walls=WALL,
+                   duration=0.3)
+        self.go("one")
+        self.go("two", "2")
+        process = clod.start("run", self.path("case.yaml"), "-o", self.path("cut"), "-t", "2")
+        clod.wait_until(lambda: os.path.exists(self.path("cut/series.csv")) and
+                        len(self.rows("cut")) > 2, process)
+        process.send_signal(signal.SIGTERM)
+        process.communicate()
+        self.go("cut")
+        whole = clod.read(self.path("one/series.csv"))
+        self.assertEqual(whole, clod.read(self.path("two/series.csv")))
+        self.assertEqual(whole, clod.read(self.path("cut/series.csv")))
+        self.assertEqual(clod.read(self.path("one/snap_000000.hdf")),
+                         clod.read(self.path("cut/snap_000000.hdf")))
+
+    def test_wrong_inlets_are_explained(self):
+        for inlet, amount, words in (
+                ("start: 1 s", "", "must have exactly one of mass_flow, number_flow"),
+                ("mass_flow: 1 kg/s, start: 1 s, end: 0.5 s", "", "must be later than start"),
+                ("mass_flow: 900 t/h", "", "solid fraction"),
+                ("mass_flow: 1 kg/s", "\n    fill_height: 1 m", "remove this key"),
+                ("mass_flow: 1 kg/s", "\n    mass: 1 kg\n    count: 3", "amount is given twice")):
+            self.write(group(inlet, amount))
+            done = clod.run("check", "case.yaml", cwd=self.folder)
+            self.assertEqual(done.returncode, 2, inlet)
+            self.assertIn(words, done.stderr)
+        self.write(group("mass_flow: 1 kg/s"))
+        done = clod.run("check", "case.yaml", "--set", "time={step: 1e-4 s}", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("design_stress", done.stderr)
+        done = clod.run("check", "case.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("grains come during the run", done.stdout)
+
+
+if __name__ == "__main__":
+    clod.main()

@@ -1,0 +1,116 @@
+// Places of grains that come during a run: in their region, clear of each other and of walls.
+
+#include <math.h>
+#include <string.h>
+
+#include "setup/state.h"
+#include "sim/inlets.h"
+#include "support/sim_made.h"
+
+/** Two inlets that share a part of their space, beside the plate of a floor. */
+static const char *const TEXT =
+    "materials: {ore: {density: 2500 kg/m3}}\n"
+    "contacts: {default: {law: hooke, k1: 1e4 N/m, restitution: 0.5, friction: 0.5}}\n"
+    "time: {step: 1e-4 s, design_stress: 100 Pa}\n"
+    "domain: {min: [-1 m, -1 m, -1 m], max: [1 m, 1 m, 1 m]}\n"
+    "grains:\n"
+    "  - material: ore\n"
+    "    radius: {distribution: uniform, min: 4 mm, max: 6 mm}\n"
+    "    inlet: {number_flow: 1e5 1/s}\n"
+    "    count: 150\n"
+    "    region: {box: {min: [-50 mm, -50 mm, 0 mm], max: [50 mm, 50 mm, 60 mm]}}\n"
+    "  - material: ore\n"
+    "    radius: {distribution: uniform, min: 3 mm, max: 4 mm}\n"
+    "    inlet: {number_flow: 1e5 1/s}\n"
+    "    count: 100\n"
+    "    region: {annulus: {center: [40 mm, 0 mm, 0 mm], outer_radius: 50 mm, height: 60 mm}}\n"
+    "walls:\n"
+    "  floor: {material: ore, shapes: [{box: {center: [0 m, 0 m, 5 mm], size: [60 mm, 60 mm, 20 mm]}}]}\n"
+    "stages: [{name: run, duration: 1 s}]\n";
+
+static void made(clod_case **from, clod_state *state)
+{
+    *from = clod_case_parse("case.yaml", TEXT, strlen(TEXT), NULL, 0, &status);
+    CHECK(*from != NULL);
+    CHECK(clod_setup_state(*from, 1, state, &status));
+    assert_int_equal(state->grains.count, 0);
+}
+
+static void grains_come_clear_of_all(void **unused)
+{
+    (void)unused;
+    clod_case *from;
+    clod_state state;
+    clod_inlets inlets;
+    made(&from, &state);
+    clod_inlets_begin(&inlets, from, &state);
+    inlets.next = state.step = 1000; // 0.1 s: all of both groups are due
+    CHECK(clod_inlets_act(&inlets, from, &state, &status));
+    const clod_changes *queue = &state.changes;
+    assert_int_equal(queue->new_grains, 250);
+    for (size_t k = 0; k < queue->new_grains; k++) {
+        const double *p = queue->new_grain[k].position, r = p[3];
+        assert_int_equal(queue->new_grain[k].id, k + 1);
+        if (k < 150) {
+            assert_true(fabs(p[0]) <= 0.05 - r && fabs(p[1]) <= 0.05 - r);
+            assert_true(r >= 0.004 && r <= 0.006);
+        } else {
+            assert_true(hypot(p[0] - 0.04, p[1]) <= 0.05 - r);
+            assert_true(r >= 0.003 && r <= 0.004);
+        }
+        assert_true(p[2] >= r && p[2] <= 0.06 - r);
+        const double beside = hypot(fmax(0.0, fabs(p[0]) - 0.03), fmax(0.0, fabs(p[1]) - 0.03));
+        assert_true(hypot(beside, fmax(0.0, p[2] - 0.015)) >= r); // the floor
+        for (size_t j = 0; j < k; j++) {
+            const double *q = queue->new_grain[j].position;
+            const double apart = hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
+            assert_true(apart >= r + q[3]);
+        }
+    }
+    // once for a step
+    CHECK(clod_inlets_act(&inlets, from, &state, &status));
+    assert_int_equal(queue->new_grains, 250);
+    clod_state_fini(&state);
+    clod_case_destroy(&from);
+}
+
+/** Places are those of seed, id and step alone: what is in a checkpoint. */
+static void the_same_state_gives_the_same_grains(void **unused)
+{
+    (void)unused;
+    clod_new_grain first[250];
+    for (int k = 0; k < 2; k++) {
+        clod_case *from;
+        clod_state state;
+        clod_inlets inlets;
+        made(&from, &state);
+        clod_inlets_begin(&inlets, from, &state);
+        inlets.next = state.step = 1000;
+        CHECK(clod_inlets_act(&inlets, from, &state, &status));
+        for (size_t g = 0; k == 1 && g < 250; g++) {
+            assert_memory_equal(first[g].position, state.changes.new_grain[g].position,
+                                sizeof first[g].position);
+        }
+        memcpy(first, state.changes.new_grain, sizeof first);
+        clod_state_fini(&state);
+        clod_case_destroy(&from);
+    }
+}
+
+/** A simulation of the library does not let grains come: its program does. */
+static void the_library_refuses_inlets(void **unused)
+{
+    (void)unused;
+    clod_sim *sim = clod_sim_create_from_text("case.yaml", TEXT, NULL, &status);
+    expect_refused(sim != NULL, "grains come during the run");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(grains_come_clear_of_all),
+        cmocka_unit_test(the_same_state_gives_the_same_grains),
+        cmocka_unit_test(the_library_refuses_inlets),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
