@@ -3,7 +3,7 @@
 #   make run               set up, build, run the full ring shear test of the 5 % ore
 #   make run ARGS=--fresh  the same, with options for `clod run`
 #   make test              set up, build, run every test and check
-.PHONY: build run test verify validate cross bench bench-peers check-arm format lint package install clean help \
+.PHONY: build run chute test verify validate cross bench bench-peers check-arm format lint package install clean help \
 	setup setup-test setup-peers setup-arm
 .DEFAULT_GOAL := build
 
@@ -31,6 +31,11 @@ build: setup ## build the program, build/release/clod
 
 run: build ## run the 5 % copper ore into run/copper-ore-5, with ARGS
 	$(RELEASE)/clod run cases/copper-ore-5/case.yaml -o run/copper-ore-5 $(ARGS)
+
+chute: build ## run the small transfer chute, dry and at 8 % moisture, and compare them
+	$(RELEASE)/clod run cases/transfer-chute/dry.yaml -o run/chute-dry -t 1 $(ARGS) >run/chute-dry.txt & \
+		$(RELEASE)/clod run cases/transfer-chute/case.yaml -o run/chute-8 -t 1 $(ARGS); wait
+	@cases/transfer-chute/table run/chute-dry run/chute-8
 
 test: setup-test ## build and run every test and check
 	@cmake --preset test --log-level=WARNING

@@ -129,8 +129,9 @@ static void note_sample(const clod_case *from, clod_check_report *r)
         clod_check_note(r,
                         "grains come during the run: the number is that of all that can be in "
                         "at once if none leaves, and cost and memory are as if they were in "
-                        "from the start. Sizes and time step are those of %zu that stand for "
-                        "them, and no step was tried",
+                        "from the start. Sizes, time step and rate are those of %zu that stand "
+                        "for them and hardly touch: a dense stream is up to ten times slower. "
+                        "No step was tried",
                         r->sampled);
     } else if (r->sampled > 0) {
         clod_check_note(r,

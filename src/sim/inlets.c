@@ -19,7 +19,7 @@
 
 void clod_inlets_begin(clod_inlets *self, const clod_case *from, const clod_state *state)
 {
-    *self = (clod_inlets){.next = state->step, .next_id = 1};
+    *self = (clod_inlets){.next = state->step, .next_id = 1, .begin = state->time};
     for (size_t g = 0; g < state->grains.count; g++) {
         const uint64_t id = state->grains.id[g];
         self->next_id = id >= self->next_id ? id + 1 : self->next_id;
@@ -64,7 +64,7 @@ static double due_of(const filling *self)
     if (inlet->end > 0.0) {
         time = fmin(time, inlet->end);
     }
-    const double since = fmax(0.0, time - inlet->start);
+    const double since = fmax(0.0, time - fmax(inlet->start, self->all->begin));
     return since * (inlet->mass_flow > 0.0 ? inlet->mass_flow : inlet->number_flow);
 }
 

@@ -32,6 +32,7 @@ typedef struct clod_inlets {
     clod_inlet inlet[CLOD_CASE_INLETS]; ///< in the order of the groups that have one
     int64_t next;                       ///< step of the next insertion
     uint64_t next_id;
+    double begin; ///< s, time at which the run began: nothing was due before
 } clod_inlets;
 
 /** Begin with a state that no grain has come into. */

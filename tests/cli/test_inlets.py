@@ -147,6 +147,22 @@ class Inlets(clod.Case):
         self.assertEqual(clod.read(self.path("one/snap_000000.hdf")),
                          clod.read(self.path("cut/snap_000000.hdf")))
 
+    def test_a_run_goes_on_from_another(self):
+        """Flow and books begin with the run; grains of before keep their age."""
+        self.write(group("mass_flow: 1 kg/s"), duration=0.2)
+        self.go("first")
+        self.go("second", "1", "--from", "first")
+        rows = self.rows("second")
+        largest = DENSITY * 4 / 3 * math.pi * 5.5e-3**3
+        self.assertLess(abs(rows[-1]["inlet_1.mass"] - 0.2), 0.5 * largest + 1.1e-3)
+        before = self.rows("first")[-1]["grains"]
+        left = sum(rows[-1][f"left_{side}.grains"] for side in SIDES)
+        self.assertEqual(rows[-1]["grains"] + left, before + rows[-1]["inlet_1.grains"])
+        # the first that leave came 0.16 s before, most of it in the other run
+        residence = self.summary("second")["residence"]
+        self.assertGreater(residence["p10_s"], 0.12)
+        self.assertLess(residence["p90_s"], 0.2)
+
     def test_wrong_inlets_are_explained(self):
         for inlet, amount, words in (
                 ("start: 1 s", "", "must have exactly one of mass_flow, number_flow"),
