@@ -33,6 +33,7 @@ run: build ## run the 5 % copper ore into run/copper-ore-5, with ARGS
 	$(RELEASE)/clod run cases/copper-ore-5/case.yaml -o run/copper-ore-5 $(ARGS)
 
 chute: build ## run the small transfer chute, dry and at 8 % moisture, and compare them
+	@mkdir -p run
 	$(RELEASE)/clod run cases/transfer-chute/dry.yaml -o run/chute-dry -t 1 $(ARGS) >run/chute-dry.txt & \
 		$(RELEASE)/clod run cases/transfer-chute/case.yaml -o run/chute-8 -t 1 $(ARGS); wait
 	@cases/transfer-chute/table run/chute-dry run/chute-8
