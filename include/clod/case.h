@@ -124,6 +124,15 @@ typedef struct clod_case_grains {
     clod_case_inlet inlet;
 } clod_case_grains;
 
+/** A region in which grains are removed and counted. */
+typedef struct clod_case_outlet {
+    char *name;
+    clod_case_region region;
+} clod_case_outlet;
+
+/** Most outlets. */
+#define CLOD_CASE_OUTLETS 8
+
 /** Change of one wall at the start of a stage; `has_` says which keys were given. */
 typedef struct clod_case_wall_change {
     char *name; ///< wall
@@ -282,6 +291,8 @@ typedef struct clod_case {
     size_t grains_count;
     clod_case_wall *walls;
     size_t wall_count;
+    clod_case_outlet *outlets;
+    size_t outlet_count;
     clod_case_stage *stages;
     size_t stage_count;
     clod_case_output output;

@@ -110,3 +110,46 @@ void clod_check_inlet(clod_loader *loader, const char *path, const clod_case *se
     }
     check_dense(loader, path, self, grains);
 }
+
+// ---- outlets
+
+/** Thickness of a region, the least of its sizes [m]. */
+static double thickness(const clod_case_region *region)
+{
+    if (region->kind == CLOD_REGION_ANNULUS) {
+        return fmin(region->height, region->outer_radius - region->inner_radius);
+    }
+    const double *a = region->min, *b = region->max;
+    return fmin(b[0] - a[0], fmin(b[1] - a[1], b[2] - a[2]));
+}
+
+/** Largest radius that a group of grains can have [m]; 0: not known before the run. */
+static double largest_radius(const clod_case_grains *grains)
+{
+    return grains->sizes == CLOD_SIZE_SIEVE && grains->sieve_count > 0
+               ? 0.5 * grains->sieve[grains->sieve_count - 1].size
+               : grains->radius_max;
+}
+
+void clod_check_outlets(clod_loader *loader, const clod_case *self)
+{
+    double radius = 0.0;
+    for (size_t k = 0; k < self->grains_count; k++) {
+        radius = fmax(radius, largest_radius(&self->grains[k]));
+    }
+    for (size_t k = 0; k < self->outlet_count; k++) {
+        const clod_case_outlet *outlet = &self->outlets[k];
+        char key[CLOD_LOAD_PATH];
+        snprintf(key, sizeof key, "outlets.%s.region", outlet->name);
+        if (clod_report_clean(loader->report, key) && !(thickness(&outlet->region) > radius)) {
+            clod_check_fail(loader, key,
+                            "is %.4g m thick; grains move by up to a radius between two looks, "
+                            "so make it thicker than that of the largest, %.4g m",
+                            thickness(&outlet->region), radius);
+        }
+    }
+    if (self->outlet_count > CLOD_CASE_OUTLETS) {
+        clod_check_fail(loader, "outlets", "has %zu outlets; at most %d", self->outlet_count,
+                        CLOD_CASE_OUTLETS);
+    }
+}

@@ -77,6 +77,7 @@ extern const clod_table CLOD_TABLE_CASE;
 extern const clod_table CLOD_TABLE_MATERIAL;
 extern const clod_table CLOD_TABLE_CONTACT;
 extern const clod_table CLOD_TABLE_GRAINS;
+extern const clod_table CLOD_TABLE_OUTLET;
 extern const clod_table CLOD_TABLE_WALL;
 extern const clod_table CLOD_TABLE_SHAPE;
 extern const clod_table CLOD_TABLE_BELT;

@@ -323,3 +323,18 @@ static const clod_param GRAINS[] = {
 
 const clod_table CLOD_TABLE_GRAINS = {
     .title = "Groups of grains.", CLOD_ROWS(GRAINS), .size = sizeof(G)};
+
+static const clod_param OUTLET[] = {
+    {.key = "region",
+     .kind = CLOD_PARAM_SECTION,
+     .need = CLOD_PARAM_REQUIRED,
+     .table = &REGION_TABLE,
+     CLOD_AT(clod_case_outlet, region),
+     .example = "{box: {min: [0 m, 0 m, 0 m], max: [1 m, 1 m, 0.1 m]}}",
+     .help = "Where grains are removed: when their centre is in it. Thicker than a grain.",
+     .source = "docs/inlets.md"},
+};
+const clod_table CLOD_TABLE_OUTLET = {
+    .title = "Outlets, by name: regions in which grains are removed and counted.",
+    CLOD_ROWS(OUTLET),
+    .size = sizeof(clod_case_outlet)};

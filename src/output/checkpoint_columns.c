@@ -52,13 +52,15 @@ static void add_state(clod_checkpoint_columns *self, const clod_state *state)
     ADD(exchange.removed, "grains_removed", "1", I64, 1);
     ADD(exchange.added_mass, "mass_added", "kg", F64, 1);
     ADD(exchange.removed_mass, "mass_removed", "kg", F64, 1);
-    ADD(exchange.left, "grains_left", "1", I64, CLOD_FACES);
-    ADD(exchange.left_mass, "mass_left", "kg", F64, CLOD_FACES);
-    ADD(exchange.left_energy, "energy_left", "J", F64, CLOD_FACES);
+    ADD(exchange.left, "grains_left", "1", I64, CLOD_EXITS);
+    ADD(exchange.left_mass, "mass_left", "kg", F64, CLOD_EXITS);
+    ADD(exchange.left_energy, "energy_left", "J", F64, CLOD_EXITS);
     ADD(exchange.residence, "residence", "s", F64, 1);
     ADD(exchange.residence_squared, "residence_squared", "s2", F64, 1);
     ADD(exchange.residence_count, "residence_count", "1", I64, CLOD_RESIDENCE_BINS);
     ADD(domain.removes, "domain_removes", "1", U8, 1);
+    ADD(domain.outlets, "outlets", "1", I32, 1);
+    ADD(domain.outlet, "outlet", "m", F64, CLOD_OUTLETS * CLOD_OUTLET_NUMBERS);
     ADD(build_motion, "build_motion", "m", F64, 1);
 #undef ADD
 }

@@ -61,7 +61,35 @@ bool clod_setup_bounds(const clod_state *state, double low[3], double high[3])
     return low[0] <= high[0];
 }
 
-void clod_setup_domain(const clod_case *from, clod_state *state)
+/** The outlet of a region of the case. */
+static clod_outlet make_outlet(const clod_case_region *from)
+{
+    clod_outlet self = {0};
+    if (from->kind == CLOD_REGION_BOX) {
+        memcpy(self.low, from->min, sizeof self.low);
+        memcpy(self.high, from->max, sizeof self.high);
+        return self;
+    }
+    for (int a = 0; a < 3; a++) {
+        self.low[a] = from->center[a] - (a < 2 ? from->outer_radius : 0.0);
+        self.high[a] = from->center[a] + (a < 2 ? from->outer_radius : from->height);
+    }
+    memcpy(self.middle, from->center, sizeof self.middle);
+    self.inner = from->inner_radius;
+    self.outer = from->outer_radius;
+    return self;
+}
+
+static void make_outlets(const clod_case *from, clod_domain *domain)
+{
+    domain->outlets = (int32_t)from->outlet_count; // checked at load
+    for (int32_t k = 0; k < domain->outlets; k++) {
+        domain->outlet[k] = make_outlet(&from->outlets[k].region);
+    }
+}
+
+/** Extent of the domain, and what happens at its sides. */
+static void find_space(const clod_case *from, clod_state *state)
 {
     clod_domain *domain = &state->domain;
     memcpy(domain->periodic, from->periodic, sizeof domain->periodic);
@@ -83,4 +111,10 @@ void clod_setup_domain(const clod_case *from, clod_state *state)
         domain->min[a] -= margin;
         domain->max[a] += margin;
     }
+}
+
+void clod_setup_domain(const clod_case *from, clod_state *state)
+{
+    find_space(from, state);
+    make_outlets(from, &state->domain);
 }

@@ -12,7 +12,7 @@ static double flow_of(const clod_state *state, const clod_energies *now)
 {
     const clod_ledger *ledger = &state->ledger;
     double lost = ledger->plastic + ledger->dash_pot + ledger->friction + ledger->rolling;
-    for (int f = 0; f < CLOD_FACES; f++) {
+    for (int f = 0; f < CLOD_EXITS; f++) {
         lost += state->exchange.left_energy[f];
     }
     return now->translation + now->rotation + now->normal + now->sliding + now->rolling + lost;

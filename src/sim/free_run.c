@@ -88,6 +88,7 @@ static bool free_sample(void *data, const void *context, clod_state *state, doub
     clod_leavers_row(context, state, row + FIRST_COUNT);
     double *next = row + FIRST_COUNT + leavers;
     next += clod_inlets_row(&self->inlets, context, next);
+    next += clod_leavers_outlets_row(context, state, next);
     for (int32_t w = 0; w < state->walls.count; w++) {
         wall_columns(&state->walls.wall[w], next + (size_t)w * PER_WALL_COUNT);
     }
@@ -145,7 +146,8 @@ static size_t columns_before_walls(const clod_case *from)
 {
     const char *names[CLOD_LEAVERS_COLUMNS];
     return FIRST_COUNT + clod_leavers_columns(from, names) +
-           CLOD_INLETS_COLUMNS * clod_setup_grains_coming(from);
+           CLOD_INLETS_COLUMNS * clod_setup_grains_coming(from) +
+           CLOD_OUTLET_COLUMNS * from->outlet_count;
 }
 
 /** Header texts: fixed ones, then NAME.force_x [N] and so on; one block of owned text. */
@@ -153,8 +155,10 @@ static char (*make_columns(const clod_case *from, const clod_state *state,
                            const char **columns))[COLUMN_TEXT]
 {
     const size_t inlets = CLOD_INLETS_COLUMNS * clod_setup_grains_coming(from);
-    const size_t made = inlets + PER_WALL_COUNT * (size_t)state->walls.count;
-    const size_t first = columns_before_walls(from) - inlets;
+    const size_t outlets = CLOD_OUTLET_COLUMNS * from->outlet_count;
+    const size_t before = inlets + outlets;
+    const size_t made = before + PER_WALL_COUNT * (size_t)state->walls.count;
+    const size_t first = columns_before_walls(from) - before;
     char(*text)[COLUMN_TEXT] = clod_memory_alloc(made + 1, COLUMN_TEXT);
     if (text == NULL) {
         return NULL;
@@ -165,8 +169,13 @@ static char (*make_columns(const clod_case *from, const clod_state *state,
         clod_inlets_column(k / CLOD_INLETS_COLUMNS, (int)(k % CLOD_INLETS_COLUMNS), text[k],
                            COLUMN_TEXT);
     }
-    for (size_t k = 0; inlets + k < made; k++) {
-        snprintf(text[inlets + k], COLUMN_TEXT, "%s.%s",
+    for (size_t k = 0; k < outlets; k++) {
+        clod_leavers_outlet_column(from, k / CLOD_OUTLET_COLUMNS,
+                                   (int)(k % CLOD_OUTLET_COLUMNS), text[inlets + k],
+                                   COLUMN_TEXT);
+    }
+    for (size_t k = 0; before + k < made; k++) {
+        snprintf(text[before + k], COLUMN_TEXT, "%s.%s",
                  state->walls.wall[k / PER_WALL_COUNT].name, PER_WALL[k % PER_WALL_COUNT]);
     }
     for (size_t k = 0; k < made; k++) {
@@ -258,6 +267,10 @@ static bool write_summary(const clod_job *job, clod_status *status)
     const clod_job_shared *sim = job->sim;
     if (job->memory.origin[0] != '\0') {
         json_object_set_new(root, "from", json_string(job->memory.origin));
+    }
+    json_t *outlets = clod_leavers_outlets_json(sim->from, state);
+    if (outlets != NULL) {
+        json_object_set_new(root, "outlets", outlets);
     }
     json_t *residence = clod_residence_json(&state->exchange);
     if (residence != NULL) {

@@ -25,7 +25,20 @@ size_t clod_leavers_columns(const clod_case *from, const char **names);
 /** The values of these columns now. */
 void clod_leavers_row(const clod_case *from, const clod_state *state, double *row);
 
-/** A line for each open side. */
+/** Columns of the series for each outlet. */
+#define CLOD_OUTLET_COLUMNS 3
+
+/** Name of a column of outlet k, from 0, into `text`. */
+void clod_leavers_outlet_column(const clod_case *from, size_t k, int column, char *text,
+                                size_t size);
+
+/** Values of the columns of all outlets; their number. */
+size_t clod_leavers_outlets_row(const clod_case *from, const clod_state *state, double *row);
+
+/** The outlets for programs, by name; NULL without any. */
+json_t *clod_leavers_outlets_json(const clod_case *from, const clod_state *state);
+
+/** A line for each open side and outlet. */
 void clod_leavers_report(FILE *out, const clod_case *from, const clod_state *state);
 
 /** The same, by side; NULL when there is nothing to tell or no memory. */

@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "clod/status.h"
+#include "state/domain.h"
 #include "state/walls.h"
 
 /** A grain that is to come; mass and inertia follow from radius and density. */
@@ -36,6 +37,8 @@ typedef struct clod_changes {
 
 /** Sides of the domain: x min, x max, y min, y max, z min, z max. */
 #define CLOD_FACES 6
+/** Ways out: the sides, then the outlets. */
+#define CLOD_EXITS (CLOD_FACES + CLOD_OUTLETS)
 
 /** Classes of the times that grains were in: ten a decade from 1 ms to 10^6 s; the first and the
  *  last one have what is beyond too. */
@@ -49,9 +52,9 @@ typedef struct clod_exchange {
     int64_t added, removed;         ///< grains, by the queue
     double added_mass;              ///< kg
     double removed_mass;            ///< kg
-    int64_t left[CLOD_FACES];       ///< grains that crossed an open face and were removed
-    double left_mass[CLOD_FACES];   ///< kg
-    double left_energy[CLOD_FACES]; ///< J, their kinetic energy, of rotation included
+    int64_t left[CLOD_EXITS];       ///< grains that went out and were removed
+    double left_mass[CLOD_EXITS];   ///< kg
+    double left_energy[CLOD_EXITS]; ///< J, their kinetic energy, of rotation included
     double residence;               ///< s, sum of the times that these were in
     double residence_squared;       ///< s2, of their squares
     int64_t residence_count[CLOD_RESIDENCE_BINS]; ///< how many were in for so long

@@ -6,13 +6,46 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <stdint.h>
+
+/** A region in which grains are removed: a box, or with an outer radius what of the box is
+ *  between two radii from an upright axis. */
+typedef struct clod_outlet {
+    double low[3], high[3]; ///< m
+    double middle[2];       ///< m, x and y of the axis
+    double inner, outer;    ///< m; outer 0: all of the box
+} clod_outlet;
+
+#define CLOD_OUTLETS 8
+#define CLOD_OUTLET_NUMBERS 10 ///< doubles of an outlet
 
 typedef struct clod_domain {
     double min[3], max[3]; ///< m
     bool periodic[3];
     bool removes; ///< a grain that leaves an open side is removed and counted; else it stops
                   ///< the run
+    int32_t outlets;
+    clod_outlet outlet[CLOD_OUTLETS];
 } clod_domain;
+
+/** The first outlet that a point is in, or -1. Threads: pure. */
+static inline int clod_domain_outlet(const clod_domain *self, const double p[3])
+{
+    for (int32_t k = 0; k < self->outlets; k++) {
+        const clod_outlet *o = &self->outlet[k];
+        bool in = true;
+        for (int a = 0; a < 3; a++) {
+            in = in && p[a] >= o->low[a] && p[a] <= o->high[a];
+        }
+        const double x = p[0] - o->middle[0], y = p[1] - o->middle[1];
+        const double r2 = x * x + y * y;
+        if (in &&
+            (o->outer == 0.0 || (r2 >= o->inner * o->inner && r2 <= o->outer * o->outer))) {
+            return (int)k;
+        }
+    }
+    return -1;
+}
 
 /** a - b along one axis, by the nearest image where the domain is periodic [m]. */
 static inline double clod_domain_separation(const clod_domain *self, int axis, double a,

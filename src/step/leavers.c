@@ -30,7 +30,7 @@ static double kinetic(const double *velocity, double mass, const double *angular
 
 /** What leaves at one rebuild. */
 typedef struct leaver_sums {
-    clod_exact mass[CLOD_FACES], energy[CLOD_FACES];
+    clod_exact mass[CLOD_EXITS], energy[CLOD_EXITS];
     clod_exact kick; ///< J that the half kick to come would have brought
     clod_exact time, time_squared;
 } leaver_sums;
@@ -66,12 +66,20 @@ static void add_leaver(leaver_sums *sums, const clod_state *state, size_t row, i
     clod_exact_add(&sums->kick, energy - kinetic(v, v[3], w));
 }
 
+/** The way out that a grain takes, of CLOD_EXITS: a side that removes, an outlet; or -1. */
+static int exit_of(const clod_domain *domain, const double *position)
+{
+    const int face = domain->removes ? clod_leavers_face(domain, position) : -1;
+    const int outlet = face < 0 ? clod_domain_outlet(domain, position) : -1;
+    return outlet >= 0 ? CLOD_FACES + outlet : face;
+}
+
 size_t clod_leavers_mark(clod_state *state, double half_kick, int32_t *rank)
 {
     leaver_sums sums = {0};
     size_t leavers = 0;
     for (size_t g = 0; g < state->grains.count; g++) {
-        const int face = clod_leavers_face(&state->domain, state->grains.position[g]);
+        const int face = exit_of(&state->domain, state->grains.position[g]);
         if (face >= 0 && rank[g] != CLOD_NEIGHBOUR_GOES) {
             rank[g] = CLOD_NEIGHBOUR_GOES;
             state->exchange.left[face]++;
@@ -80,7 +88,7 @@ size_t clod_leavers_mark(clod_state *state, double half_kick, int32_t *rank)
             leavers++;
         }
     }
-    for (int f = 0; f < CLOD_FACES; f++) {
+    for (int f = 0; f < CLOD_EXITS; f++) {
         state->exchange.left_mass[f] += clod_exact_value(&sums.mass[f]);
         state->exchange.left_energy[f] += clod_exact_value(&sums.energy[f]);
     }

@@ -31,7 +31,7 @@ static void begin(clod_step *self, int part)
     if (!remake->again) {
         return;
     }
-    if (state->domain.removes) {
+    if (state->domain.removes || state->domain.outlets > 0) {
         if (!remake->changes) {
             memset(self->neighbour.rank, 0, state->grains.count * sizeof(int32_t));
         }

@@ -163,6 +163,52 @@ class Inlets(clod.Case):
         self.assertGreater(residence["p10_s"], 0.12)
         self.assertLess(residence["p90_s"], 0.2)
 
+    def test_outlets_remove_and_count(self):
+        """What comes at the left goes through a box, at the right through a ring, rest below."""
+        outlets = """outlets:
+  left: {region: {box: {min: [-0.1 m, -0.1 m, -0.2 m], max: [0 m, 0.1 m, -0.17 m]}}}
+  ring: {region: {annulus: {center: [0.045 m, 0 m, -0.2 m], inner_radius: 20 mm,
+                            outer_radius: 60 mm, height: 30 mm}}}
+"""
+        self.write(group("number_flow: 300 1/s, end: 0.3 s", low=-0.08, high=-0.01),
+                   group("number_flow: 300 1/s, end: 0.3 s", low=0.01, high=0.08),
+                   walls=outlets, duration=0.6)
+        done = self.go("out")
+        last = self.rows("out")[-1]
+        self.assertEqual(last["outlet_left.grains"], last["inlet_1.grains"])
+        self.assertAlmostEqual(last["outlet_left.mass"], last["inlet_1.mass"], delta=1e-9)
+        self.assertGreater(last["outlet_ring.grains"], 10)
+        self.assertGreater(last["left_z_min.grains"], 5)  # through the hole of the ring
+        self.assertEqual(last["outlet_ring.grains"] + last["left_z_min.grains"],
+                         last["inlet_2.grains"])
+        self.assertEqual(last["grains"], 0)
+        # they fall at 1 m/s from 0 on the mean, and are seen within a ms below -0.17 m
+        fall = 0.5 * 1.0 + GRAVITY * 0.17
+        self.assertLess(abs(last["outlet_left.energy"] / last["outlet_left.mass"] - fall),
+                        0.03 * fall)
+        summary = self.summary("out")
+        self.assertEqual(summary["outlets"]["left"]["grains"], last["outlet_left.grains"])
+        self.assertEqual(summary["residence"]["grains"], 180)
+        self.assertIn("outlet left", done.stdout)
+        for row in clod.table(self.path("out/energy.csv")):
+            self.assertLess(abs(row["residual_of_flow"]), 1e-3)
+        self.go("two", "2")
+        self.assertEqual(clod.read(self.path("out/series.csv")),
+                         clod.read(self.path("two/series.csv")))
+
+    def test_wrong_outlets_are_explained(self):
+        thin = "outlets: {thin: {region: {box: {min: [0 m, 0 m, 0 m], max: [1 m, 1 m, 5 mm]}}}}"
+        self.write(group("number_flow: 300 1/s"), walls=thin)
+        done = clod.run("check", "case.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("thicker than that of the largest, 0.0055 m", done.stderr)
+        many = "".join(f"  o{k}: {{region: {{box: {{min: [0 m, 0 m, 0 m], max: [1 m, 1 m, 1 m]}}}}}}\n"
+                       for k in range(9))
+        self.write(group("number_flow: 300 1/s"), walls="outlets:\n" + many)
+        done = clod.run("check", "case.yaml", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("has 9 outlets; at most 8", done.stderr)
+
     def test_wrong_inlets_are_explained(self):
         for inlet, amount, words in (
                 ("start: 1 s", "", "must have exactly one of mass_flow, number_flow"),

@@ -148,11 +148,19 @@ static inline clod_state random_state(uint64_t seed)
     random_reals(&source, state.domain.max, 3);
     state.domain.periodic[1] = true;
     state.domain.removes = true;
-    for (int f = 0; f < CLOD_FACES; f++) {
+    state.domain.outlets = CLOD_OUTLETS;
+    random_reals(&source, state.domain.outlet, (size_t)CLOD_OUTLETS * CLOD_OUTLET_NUMBERS);
+    random_reals(&source, state.grains.birth, state.grains.count);
+    state.exchange.residence = random_real(&source);
+    state.exchange.residence_squared = random_real(&source);
+    for (int b = 0; b < CLOD_RESIDENCE_BINS; b++) {
+        state.exchange.residence_count[b] = random_int(&source);
+    }
+    for (int f = 0; f < CLOD_EXITS; f++) {
         state.exchange.left[f] = random_int(&source);
     }
-    random_reals(&source, state.exchange.left_mass, CLOD_FACES);
-    random_reals(&source, state.exchange.left_energy, CLOD_FACES);
+    random_reals(&source, state.exchange.left_mass, CLOD_EXITS);
+    random_reals(&source, state.exchange.left_energy, CLOD_EXITS);
     state.exchange.added = random_int(&source);
     state.exchange.removed = random_int(&source);
     state.exchange.added_mass = random_real(&source);
@@ -210,12 +218,15 @@ static inline void assert_states_equal(const clod_state *a, const clod_state *b)
     assert_memory_equal(a->grains.load, b->grains.load, n * sizeof *a->grains.load);
     assert_memory_equal(a->grains.id, b->grains.id, n * sizeof *a->grains.id);
     assert_memory_equal(a->grains.material, b->grains.material, n * sizeof(uint16_t));
+    assert_memory_equal(a->grains.birth, b->grains.birth, n * sizeof *a->grains.birth);
     assert_memory_equal(a->build_position, b->build_position, n * sizeof *a->build_position);
     assert_memory_equal(a->build_walls, b->build_walls,
                         RANDOM_STATE_WALLS * sizeof *a->build_walls);
     assert_memory_equal(&a->exchange, &b->exchange, sizeof a->exchange);
     assert_memory_equal(&a->ledger, &b->ledger, sizeof a->ledger);
     assert_int_equal(a->domain.removes, b->domain.removes);
+    assert_int_equal(a->domain.outlets, b->domain.outlets);
+    assert_memory_equal(a->domain.outlet, b->domain.outlet, sizeof a->domain.outlet);
     assert_int_equal(a->walls.count, b->walls.count);
     for (int w = 0; w < a->walls.count; w++) {
         const clod_wall *x = &a->walls.wall[w];
