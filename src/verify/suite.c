@@ -33,6 +33,8 @@ static const entry TESTS[] = {
     {"mepa-restitution", clod_verify_mepa_restitution, "mepa: restitution and sticking", false},
     {"hooke-restitution", clod_verify_hooke_restitution, "hooke: restitution asked for", false},
     {"rolling", clod_verify_rolling, "a ball that rolls out, and a ball on an incline", false},
+    {"chute", clod_verify_chute, "a grain on belts, chutes, spoon, hood and head pulley",
+     false},
     {"luding-cycle", clod_verify_luding_cycle, "luding: the same, below and beyond its limit",
      false},
     {"luding-collision", clod_verify_luding_collision, "luding: MercuryDPM's collisions",
