@@ -212,6 +212,8 @@ static void no_impact_wins_energy(void **temporary)
         LAW_PLASTIC,
         "law: hertz, restitution: 0.6, friction: 0.5",
         LAW_LUDING,
+        "law: eepa, exponent: 1.5, k1: 4.75e7 N/m^1.5, k2: 2.37e8 N/m^1.5, k_adh: 2e7 N/m^1.5, "
+        "pull_off_force: 0.01 N, restitution: 0.5, friction: 0.4",
     };
     const mesh_file file = cube(*temporary);
     static const double TARGETS[][3] = {
