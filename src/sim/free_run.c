@@ -166,8 +166,8 @@ static char (*make_columns(const clod_case *from, const clod_state *state,
     memcpy(columns, FIRST, sizeof FIRST);
     clod_leavers_columns(from, columns + FIRST_COUNT);
     for (size_t k = 0; k < inlets; k++) {
-        clod_inlets_column(k / CLOD_INLETS_COLUMNS, (int)(k % CLOD_INLETS_COLUMNS), text[k],
-                           COLUMN_TEXT);
+        clod_inlets_column(from, k / CLOD_INLETS_COLUMNS, (int)(k % CLOD_INLETS_COLUMNS),
+                           text[k], COLUMN_TEXT);
     }
     for (size_t k = 0; k < outlets; k++) {
         clod_leavers_outlet_column(from, k / CLOD_OUTLET_COLUMNS,

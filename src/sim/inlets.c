@@ -204,11 +204,24 @@ bool clod_inlets_act(clod_inlets *self, const clod_case *from, clod_state *state
 
 // ---- what is told
 
-void clod_inlets_column(size_t k, int column, char *text, size_t size)
+/** The group of the inlet with a number, from 0. */
+static const clod_case_grains *group_of(const clod_case *from, size_t number)
 {
-    static const char *const NAME[CLOD_INLETS_COLUMNS] = {"grains [1]", "mass [kg]",
-                                                          "owed [kg or 1]"};
-    snprintf(text, size, "inlet_%zu.%s", k + 1, NAME[column]);
+    size_t k = 0;
+    for (size_t inlets = 0;; k++) {
+        inlets += from->grains[k].comes;
+        if (inlets > number) {
+            return &from->grains[k];
+        }
+    }
+}
+
+void clod_inlets_column(const clod_case *from, size_t k, int column, char *text, size_t size)
+{
+    const bool by_mass = group_of(from, k)->inlet.mass_flow > 0.0;
+    const char *const name[CLOD_INLETS_COLUMNS] = {"grains [1]", "mass [kg]",
+                                                   by_mass ? "owed [kg]" : "owed [1]"};
+    snprintf(text, size, "inlet_%zu.%s", k + 1, name[column]);
 }
 
 size_t clod_inlets_row(const clod_inlets *self, const clod_case *from, double *row)

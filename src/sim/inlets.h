@@ -56,7 +56,7 @@ bool clod_inlets_act(clod_inlets *self, const clod_case *from, clod_state *state
 #define CLOD_INLETS_COLUMNS 3
 
 /** Name of a column of inlet k, from 0, into `text`. */
-void clod_inlets_column(size_t k, int column, char *text, size_t size);
+void clod_inlets_column(const clod_case *from, size_t k, int column, char *text, size_t size);
 
 /** Values of the columns of all inlets; their number. */
 size_t clod_inlets_row(const clod_inlets *self, const clod_case *from, double *row);
