@@ -13,6 +13,9 @@
 #define LAW_LUDING                                                                             \
     "law: luding, k1: 1e5 N/m, k2: 5e5 N/m, k_adh: 1e5 N/m, plasticity_depth: 5 %, "           \
     "restitution: 0.8, friction: 0.5"
+#define LAW_EEPA                                                                               \
+    "law: eepa, exponent: 1.5, k1: 4.75e7 N/m^1.5, k2: 2.37e8 N/m^1.5, k_adh: 2e7 N/m^1.5, "   \
+    "pull_off_force: 0.01 N, restitution: 0.5, friction: 0.4"
 #define LAW_ELASTIC "law: hooke, k1: 1e5 N/m, restitution: 1, friction: 0"
 
 /** A case with one wall; grains are added. */
@@ -208,12 +211,8 @@ static double kinetic(clod_sim *sim)
 static void no_impact_wins_energy(void **temporary)
 {
     static const char *const LAWS[] = {
-        LAW_ELASTIC,
-        LAW_PLASTIC,
-        "law: hertz, restitution: 0.6, friction: 0.5",
-        LAW_LUDING,
-        "law: eepa, exponent: 1.5, k1: 4.75e7 N/m^1.5, k2: 2.37e8 N/m^1.5, k_adh: 2e7 N/m^1.5, "
-        "pull_off_force: 0.01 N, restitution: 0.5, friction: 0.4",
+        LAW_ELASTIC, LAW_PLASTIC, "law: hertz, restitution: 0.6, friction: 0.5",
+        LAW_LUDING,  LAW_EEPA,
     };
     const mesh_file file = cube(*temporary);
     static const double TARGETS[][3] = {
