@@ -1,5 +1,6 @@
 #include "sim/free_run.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -12,43 +13,50 @@
 #include "setup/grains.h"
 #include "setup/state.h"
 #include "setup/walls.h"
+#include "sim/free_measures.h"
 #include "sim/free_stages.h"
-#include "sim/inlets.h"
 #include "sim/job_store.h"
-#include "sim/leavers.h"
 #include "sim/origin.h"
-#include "sim/residence.h"
 
-/** Columns before those of the walls, and of each wall. */
+/** Columns before those of the measures. */
 static const char *const FIRST[] = {"time [s]", "stage [1]", "kinetic_energy [J]",
                                     "max_speed [m/s]"};
-static const char *const PER_WALL[] = {"force_x [N]",    "force_y [N]",    "force_z [N]",
-                                       "torque_x [N m]", "torque_y [N m]", "torque_z [N m]",
-                                       "power [W]",      "shift_x [m]",    "shift_y [m]",
-                                       "shift_z [m]",    "angle [rad]"};
 #define FIRST_COUNT (sizeof FIRST / sizeof *FIRST)
-#define PER_WALL_COUNT (sizeof PER_WALL / sizeof *PER_WALL)
 #define COLUMN_TEXT 80
 
-/** Data of the procedure: where it is, and how each stage that is over ended. */
+/** Data of the procedure: where it is, how each stage that is over ended, and behind that what
+ *  the measures remember. */
 typedef struct free_data {
     clod_free_stages at;
-    clod_inlets inlets;
-    clod_free_stage_end ended[]; ///< [stage_count]; step 0: not yet
+    _Alignas(16) clod_free_stage_end ended[]; ///< [stage_count]; step 0: not yet
 } free_data;
+
+static_assert(sizeof(clod_free_stage_end) % 16 == 0, "the measures' memory is aligned");
+
+/** Bytes before what the measures remember. */
+static size_t stages_size(const clod_case *from)
+{
+    return sizeof(free_data) + from->stage_count * sizeof(clod_free_stage_end);
+}
+
+static void *measures_of(const void *data, const clod_case *from)
+{
+    return (unsigned char *)data + stages_size(from);
+}
 
 static int64_t free_plan(const void *data, const void *context, const clod_state *state)
 {
     const free_data *self = data;
     const int64_t stage = clod_free_stages_plan(&self->at, context, state);
-    const int64_t inlet = clod_inlets_plan(&self->inlets, context, state);
-    return stage < inlet ? stage : inlet;
+    const int64_t next = clod_free_measures_plan(measures_of(data, context), context, state);
+    return stage < next ? stage : next;
 }
 
-static bool free_act(void *data, const void *context, clod_state *state, clod_status *status)
+static bool free_act(void *data, const void *context, clod_state *state,
+                     const clod_contact_source *contacts, clod_status *status)
 {
-    free_data *self = data;
-    return clod_inlets_act(&self->inlets, context, state, status);
+    const clod_free_moment now = {context, state, contacts};
+    return clod_free_measures_act(measures_of(data, context), &now, status);
 }
 
 static bool free_look(void *data, const void *context, const clod_state *state)
@@ -57,41 +65,22 @@ static bool free_look(void *data, const void *context, const clod_state *state)
     return clod_free_stages_look(&self->at, context, state);
 }
 
-static void wall_columns(const clod_wall *wall, double *row)
+static bool free_measure(void *data, const void *context, clod_state *state,
+                         const clod_contact_source *contacts, clod_status *status)
 {
-    const double steps = (double)(wall->sum_steps > 0 ? wall->sum_steps : 1);
-    const clod_vec3 f = clod_vec3_scale(wall->sum_force, 1.0 / steps);
-    const clod_vec3 t = clod_vec3_scale(wall->sum_torque, 1.0 / steps);
-    const double values[PER_WALL_COUNT] = {f.x,
-                                           f.y,
-                                           f.z,
-                                           t.x,
-                                           t.y,
-                                           t.z,
-                                           wall->sum_power / steps,
-                                           wall->shift.x,
-                                           wall->shift.y,
-                                           wall->shift.z,
-                                           wall->angle};
-    memcpy(row, values, sizeof values);
+    const clod_free_moment now = {context, state, contacts};
+    return clod_free_measures_look(measures_of(data, context), &now, status);
 }
 
 static bool free_sample(void *data, const void *context, clod_state *state, double *row)
 {
     free_data *self = data;
-    const char *names[CLOD_LEAVERS_COLUMNS];
-    const size_t leavers = clod_leavers_columns(context, names);
+    const clod_free_moment now = {context, state, NULL};
     const double first[FIRST_COUNT] = {state->time, (double)self->at.stage,
                                        clod_measure_kinetic_energy(state),
                                        clod_measure_max_speed(state)};
     memcpy(row, first, sizeof first);
-    clod_leavers_row(context, state, row + FIRST_COUNT);
-    double *next = row + FIRST_COUNT + leavers;
-    next += clod_inlets_row(&self->inlets, context, next);
-    next += clod_leavers_outlets_row(context, state, next);
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        wall_columns(&state->walls.wall[w], next + (size_t)w * PER_WALL_COUNT);
-    }
+    clod_free_measures_row(measures_of(data, context), &now, row + FIRST_COUNT);
     if (self->at.end != CLOD_FREE_GOES_ON) {
         self->ended[self->at.stage] =
             (clod_free_stage_end){.step = state->step, .reason = self->at.end};
@@ -99,24 +88,30 @@ static bool free_sample(void *data, const void *context, clod_state *state, doub
     return clod_free_stages_next(&self->at, context, state);
 }
 
+static int64_t trial_plan(const void *data, const void *context, const clod_state *state)
+{
+    return clod_free_stages_plan(data, context, state);
+}
+
+static bool trial_look(void *data, const void *context, const clod_state *state)
+{
+    return clod_free_stages_look(data, context, state);
+}
+
 static void trial_begin(const clod_case *from, const clod_part *part, clod_state *state)
 {
-    free_data *self = part->test;
-    clod_free_stages_begin(&self->at, from, state);
-    clod_inlets_begin(&self->inlets, from, state);
+    clod_free_stages_begin(part->test, from, state);
 }
 
 static bool trial_sample(void *data, const void *context, clod_state *state, double *row)
 {
     (void)row;
-    free_data *self = data;
-    return clod_free_stages_next(&self->at, context, state);
+    return clod_free_stages_next(data, context, state);
 }
 
-const clod_parts_tester CLOD_FREE_TRIAL = {.procedure = {.size = sizeof(free_data),
-                                                         .act = free_act,
-                                                         .plan = free_plan,
-                                                         .look = free_look,
+const clod_parts_tester CLOD_FREE_TRIAL = {.procedure = {.size = sizeof(clod_free_stages),
+                                                         .plan = trial_plan,
+                                                         .look = trial_look,
                                                          .sample = trial_sample},
                                            .begin = trial_begin};
 
@@ -141,45 +136,19 @@ static const char *free_reason(const void *data)
     return clod_free_stages_reason((clod_free_end)self->ended[last].reason);
 }
 
-/** Columns of a series that do not belong to a wall. */
-static size_t columns_before_walls(const clod_case *from)
-{
-    const char *names[CLOD_LEAVERS_COLUMNS];
-    return FIRST_COUNT + clod_leavers_columns(from, names) +
-           CLOD_INLETS_COLUMNS * clod_setup_grains_coming(from) +
-           CLOD_OUTLET_COLUMNS * from->outlet_count;
-}
-
-/** Header texts: fixed ones, then NAME.force_x [N] and so on; one block of owned text. */
+/** Header texts, fixed ones and those of the measures; one block of owned text. */
 static char (*make_columns(const clod_case *from, const clod_state *state,
                            const char **columns))[COLUMN_TEXT]
 {
-    const size_t inlets = CLOD_INLETS_COLUMNS * clod_setup_grains_coming(from);
-    const size_t outlets = CLOD_OUTLET_COLUMNS * from->outlet_count;
-    const size_t before = inlets + outlets;
-    const size_t made = before + PER_WALL_COUNT * (size_t)state->walls.count;
-    const size_t first = columns_before_walls(from) - before;
+    const size_t made = clod_free_measures_columns(from, state);
     char(*text)[COLUMN_TEXT] = clod_memory_alloc(made + 1, COLUMN_TEXT);
     if (text == NULL) {
         return NULL;
     }
     memcpy(columns, FIRST, sizeof FIRST);
-    clod_leavers_columns(from, columns + FIRST_COUNT);
-    for (size_t k = 0; k < inlets; k++) {
-        clod_inlets_column(from, k / CLOD_INLETS_COLUMNS, (int)(k % CLOD_INLETS_COLUMNS),
-                           text[k], COLUMN_TEXT);
-    }
-    for (size_t k = 0; k < outlets; k++) {
-        clod_leavers_outlet_column(from, k / CLOD_OUTLET_COLUMNS,
-                                   (int)(k % CLOD_OUTLET_COLUMNS), text[inlets + k],
-                                   COLUMN_TEXT);
-    }
-    for (size_t k = 0; before + k < made; k++) {
-        snprintf(text[before + k], COLUMN_TEXT, "%s.%s",
-                 state->walls.wall[k / PER_WALL_COUNT].name, PER_WALL[k % PER_WALL_COUNT]);
-    }
     for (size_t k = 0; k < made; k++) {
-        columns[first + k] = text[k];
+        clod_free_measures_column(from, state, k, text[k], COLUMN_TEXT);
+        columns[FIRST_COUNT + k] = text[k];
     }
     return text;
 }
@@ -198,9 +167,9 @@ static void report_stages(FILE *out, const clod_job *job)
 }
 
 /** Owned text; NULL without memory. */
-static char *make_report(const clod_job *job)
+static char *make_report(clod_job *job)
 {
-    const clod_state *state = &job->state;
+    clod_state *state = &job->state;
     const clod_measure_contacts bed = clod_job_bed(job);
     clod_text text;
     FILE *out = clod_text_open(&text);
@@ -214,23 +183,9 @@ static char *make_report(const clod_job *job)
             state->grains.count, clod_plural((double)state->grains.count), bed.pairs,
             clod_plural((double)bed.pairs), bed.coordination, 100.0 * bed.max_overlap);
     report_stages(out, job);
-    const free_data *data = job->procedure.data;
-    clod_inlets_report(out, &data->inlets, job->sim->from, state->dt);
-    clod_leavers_report(out, job->sim->from, state);
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        const clod_wall *wall = &state->walls.wall[w];
-        fprintf(out, "  wall %-16s force (%.4g, %.4g, %.4g) N\n", wall->name, wall->force.x,
-                wall->force.y, wall->force.z);
-    }
+    const clod_free_moment now = {job->sim->from, state, NULL};
+    clod_free_measures_report(out, measures_of(job->procedure.data, now.from), &now);
     return clod_text_close(&text);
-}
-
-static json_t *wall_json(const clod_wall *wall)
-{
-    return json_pack("{s:s, s:[fff], s:[fff], s:[fff], s:f}", "name", wall->name, "force_N",
-                     wall->force.x, wall->force.y, wall->force.z, "torque_Nm", wall->torque.x,
-                     wall->torque.y, wall->torque.z, "shift_m", wall->shift.x, wall->shift.y,
-                     wall->shift.z, "angle_rad", wall->angle);
 }
 
 static json_t *stages_json(const clod_job *job)
@@ -247,44 +202,25 @@ static json_t *stages_json(const clod_job *job)
     return stages;
 }
 
-static bool write_summary(const clod_job *job, clod_status *status)
+static bool write_summary(clod_job *job, clod_status *status)
 {
-    const clod_state *state = &job->state;
+    clod_state *state = &job->state;
     const clod_measure_contacts bed = clod_job_bed(job);
-    json_t *walls = json_array();
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        json_array_append_new(walls, wall_json(&state->walls.wall[w]));
-    }
     const char *title = job->sim->from->title;
     json_t *root =
-        json_pack("{s:s, s:s, s:f, s:f, s:I, s:I, s:I, s:f, s:f, s:f, s:f, s:o, s:o}", "title",
+        json_pack("{s:s, s:s, s:f, s:f, s:I, s:I, s:I, s:f, s:f, s:f, s:f, s:o}", "title",
                   title != NULL ? title : "", "version", job->memory.version, "time_s",
                   state->time, "dt_s", state->dt, "steps", (json_int_t)state->step, "grains",
                   (json_int_t)state->grains.count, "contacts", (json_int_t)bed.pairs,
                   "coordination", bed.coordination, "max_overlap", bed.max_overlap,
                   "kinetic_energy_J", clod_measure_kinetic_energy(state), "wall_clock_s",
-                  job->memory.wall_clock, "stages", stages_json(job), "walls", walls);
+                  job->memory.wall_clock, "stages", stages_json(job));
     const clod_job_shared *sim = job->sim;
     if (job->memory.origin[0] != '\0') {
         json_object_set_new(root, "from", json_string(job->memory.origin));
     }
-    json_t *outlets = clod_leavers_outlets_json(sim->from, state);
-    if (outlets != NULL) {
-        json_object_set_new(root, "outlets", outlets);
-    }
-    json_t *residence = clod_residence_json(&state->exchange);
-    if (residence != NULL) {
-        json_object_set_new(root, "residence", residence);
-    }
-    json_t *left = clod_leavers_json(sim->from, state);
-    if (left != NULL) {
-        json_object_set_new(root, "left", left);
-    }
-    const free_data *data = job->procedure.data;
-    json_t *inlets = clod_inlets_json(&data->inlets, sim->from, state->dt);
-    if (inlets != NULL) {
-        json_object_set_new(root, "inlets", inlets);
-    }
+    const clod_free_moment now = {sim->from, state, NULL};
+    clod_free_measures_json(root, measures_of(job->procedure.data, sim->from), &now);
     const bool ok = root != NULL
                         ? clod_folder_write_json(sim->folder, "summary.json", root, status)
                         : clod_status_fail(status, CLOD_FAILED, "no memory for %s/summary.json",
@@ -332,7 +268,8 @@ static bool run_stages(clod_job *job, clod_status *status)
     if (!job->resumed) {
         free_data *data = job->procedure.data;
         clod_free_stages_begin(&data->at, job->sim->from, &job->state);
-        clod_inlets_begin(&data->inlets, job->sim->from, &job->state);
+        clod_free_measures_begin(measures_of(data, job->sim->from), job->sim->from,
+                                 &job->state);
     }
     return clod_job_run(job, status);
 }
@@ -344,13 +281,11 @@ bool clod_free_try_origin(const clod_job_shared *sim, clod_status *status)
 
 bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *status)
 {
-    const size_t stages = sim->from->stage_count;
-    const size_t data_size = sizeof(free_data) + stages * sizeof(clod_free_stage_end);
+    const size_t data_size = stages_size(sim->from) + clod_free_measures_size(sim->from);
     free_data *data = clod_memory_alloc(1, data_size);
     clod_job job = {.sim = sim, .name = "run", .threads = sim->options->threads};
     bool ok = make_state(&job, status);
-    const size_t count =
-        columns_before_walls(sim->from) + PER_WALL_COUNT * (size_t)job.state.walls.count;
+    const size_t count = FIRST_COUNT + clod_free_measures_columns(sim->from, &job.state);
     const char **columns = clod_memory_alloc(count, sizeof *columns);
     char(*text)[COLUMN_TEXT] =
         ok && columns != NULL ? make_columns(sim->from, &job.state, columns) : NULL;
@@ -365,6 +300,7 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
                                      .act = free_act,
                                      .plan = free_plan,
                                      .look = free_look,
+                                     .measure = free_measure,
                                      .sample = free_sample,
                                      .phase = free_phase,
                                      .fraction = free_fraction,

@@ -17,8 +17,18 @@
 #define DRAWS (3 * TRIES)
 #define NO_INLET_STEPS INT64_MAX
 
-void clod_inlets_begin(clod_inlets *self, const clod_case *from, const clod_state *state)
+static size_t inlets_size(const clod_case *from)
 {
+    return clod_setup_grains_coming(from) > 0 ? sizeof(clod_inlets) : 0;
+}
+
+/** Begin with a state that no grain has come into. */
+static void inlets_begin(void *memory, const clod_case *from, const clod_state *state)
+{
+    clod_inlets *self = memory;
+    if (clod_setup_grains_coming(from) == 0) {
+        return;
+    }
     *self = (clod_inlets){.next = state->step, .next_id = 1, .begin = state->time};
     for (size_t g = 0; g < state->grains.count; g++) {
         const uint64_t id = state->grains.id[g];
@@ -29,9 +39,9 @@ void clod_inlets_begin(clod_inlets *self, const clod_case *from, const clod_stat
     }
 }
 
-int64_t clod_inlets_plan(const clod_inlets *self, const clod_case *from,
-                         const clod_state *state)
+static int64_t inlets_plan(const void *memory, const clod_case *from, const clod_state *state)
 {
+    const clod_inlets *self = memory;
     const bool some = clod_setup_grains_coming(from) > 0;
     return some && self->next > state->step ? self->next - state->step : NO_INLET_STEPS;
 }
@@ -185,9 +195,11 @@ static bool fill(clod_inlets *all, size_t number, const clod_case *from,
     return good;
 }
 
-bool clod_inlets_act(clod_inlets *self, const clod_case *from, clod_state *state,
-                     clod_status *status)
+static bool inlets_act(void *memory, const clod_free_moment *now, clod_status *status)
 {
+    clod_inlets *self = memory;
+    const clod_case *from = now->from;
+    clod_state *state = now->state;
     if (clod_setup_grains_coming(from) == 0 || state->step != self->next) {
         return true;
     }
@@ -216,23 +228,33 @@ static const clod_case_grains *group_of(const clod_case *from, size_t number)
     }
 }
 
-void clod_inlets_column(const clod_case *from, size_t k, int column, char *text, size_t size)
+/** Columns of the series for each inlet. */
+#define PER_INLET 3
+
+static size_t inlets_columns(const clod_case *from, const clod_state *state)
 {
-    const bool by_mass = group_of(from, k)->inlet.mass_flow > 0.0;
-    const char *const name[CLOD_INLETS_COLUMNS] = {"grains [1]", "mass [kg]",
-                                                   by_mass ? "owed [kg]" : "owed [1]"};
-    snprintf(text, size, "inlet_%zu.%s", k + 1, name[column]);
+    (void)state;
+    return PER_INLET * clod_setup_grains_coming(from);
 }
 
-size_t clod_inlets_row(const clod_inlets *self, const clod_case *from, double *row)
+static void inlets_column(const clod_case *from, const clod_state *state, size_t k, char *text,
+                          size_t size)
 {
-    const size_t count = clod_setup_grains_coming(from);
-    for (size_t k = 0; k < count; k++) {
-        row[CLOD_INLETS_COLUMNS * k] = (double)self->inlet[k].count;
-        row[CLOD_INLETS_COLUMNS * k + 1] = self->inlet[k].mass;
-        row[CLOD_INLETS_COLUMNS * k + 2] = self->inlet[k].owed;
+    (void)state;
+    const bool by_mass = group_of(from, k / PER_INLET)->inlet.mass_flow > 0.0;
+    const char *const name[PER_INLET] = {"grains [1]", "mass [kg]",
+                                         by_mass ? "owed [kg]" : "owed [1]"};
+    snprintf(text, size, "inlet_%zu.%s", k / PER_INLET + 1, name[k % PER_INLET]);
+}
+
+static void inlets_row(void *memory, const clod_free_moment *now, double *row)
+{
+    const clod_inlets *self = memory;
+    for (size_t k = 0; k < clod_setup_grains_coming(now->from); k++) {
+        row[PER_INLET * k] = (double)self->inlet[k].count;
+        row[PER_INLET * k + 1] = self->inlet[k].mass;
+        row[PER_INLET * k + 2] = self->inlet[k].owed;
     }
-    return CLOD_INLETS_COLUMNS * count;
 }
 
 /** Unit of what is owed at a group's inlet. */
@@ -241,8 +263,11 @@ static const char *unit_of(const clod_case_grains *group)
     return group->inlet.mass_flow > 0.0 ? "kg" : "grains";
 }
 
-void clod_inlets_report(FILE *out, const clod_inlets *self, const clod_case *from, double dt)
+static void inlets_report(FILE *out, const void *memory, const clod_free_moment *now)
 {
+    const clod_inlets *self = memory;
+    const clod_case *from = now->from;
+    const double dt = now->state->dt;
     size_t number = 0;
     for (size_t k = 0; k < from->grains_count; k++) {
         if (!from->grains[k].comes) {
@@ -266,8 +291,11 @@ void clod_inlets_report(FILE *out, const clod_inlets *self, const clod_case *fro
     }
 }
 
-json_t *clod_inlets_json(const clod_inlets *self, const clod_case *from, double dt)
+static json_t *inlets_json(const void *memory, const clod_free_moment *now)
 {
+    const clod_inlets *self = memory;
+    const clod_case *from = now->from;
+    const double dt = now->state->dt;
     if (clod_setup_grains_coming(from) == 0) {
         return NULL;
     }
@@ -291,3 +319,14 @@ json_t *clod_inlets_json(const clod_inlets *self, const clod_case *from, double 
     }
     return list;
 }
+
+const clod_free_measure CLOD_MEASURE_INLETS = {.key = "inlets",
+                                               .size = inlets_size,
+                                               .begin = inlets_begin,
+                                               .act = inlets_act,
+                                               .plan = inlets_plan,
+                                               .columns = inlets_columns,
+                                               .column = inlets_column,
+                                               .row = inlets_row,
+                                               .report = inlets_report,
+                                               .json = inlets_json};

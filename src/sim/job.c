@@ -158,6 +158,20 @@ static bool can_go_on(job_loop *loop, clod_status *status)
                             (long long)loop->job->state.step, text);
 }
 
+/** Something of the procedure that looks at the state with its contacts; NULL: nothing. */
+static bool with_contacts(job_loop *loop,
+                          bool (*todo)(void *data, const void *context, clod_state *state,
+                                       const clod_contact_source *contacts,
+                                       clod_status *status),
+                          clod_status *status)
+{
+    clod_job *job = loop->job;
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
+    return todo == NULL ||
+           todo(job->procedure.data, job->procedure.context, &job->state, &contacts, status);
+}
+
 /**
  * The procedure's turn: it may change adhesion and ask for grains and walls to come or go. What
  * that does to the energy is no motion of grains: the ledger books it as exchanged.
@@ -169,6 +183,9 @@ static bool sample(job_loop *loop, bool *finished, clod_status *status)
     const bool books = loop->energy != NULL;
     const clod_energies before = books ? clod_step_energies(&loop->step) : (clod_energies){0};
     if (books && !clod_energy_series_row(loop->energy, &job->state, &before, status)) {
+        return false;
+    }
+    if (!with_contacts(loop, p->measure, status)) {
         return false;
     }
     *finished = p->sample(p->data, p->context, &job->state, loop->row);
@@ -215,7 +232,7 @@ static bool turn(job_loop *loop, clod_status *status)
     clod_job *job = loop->job;
     const clod_procedure *p = &job->procedure;
     if (job->memory.planned == 0) {
-        if (p->act != NULL && !p->act(p->data, p->context, &job->state, status)) {
+        if (!with_contacts(loop, p->act, status)) {
             return false;
         }
         job->memory.planned = p->plan(p->data, p->context, &job->state);

@@ -21,11 +21,15 @@ typedef struct clod_procedure {
     const void *context;
     const char *const *columns; ///< [column_count] of the series
     size_t column_count;
-    /** Before every plan: ask for grains to come (state->changes). NULL: nothing ever does. */
-    bool (*act)(void *data, const void *context, clod_state *state, clod_status *status);
+    /** Before every plan: ask for grains to come (state->changes), or measure. NULL: nothing. */
+    bool (*act)(void *data, const void *context, clod_state *state,
+                const clod_contact_source *contacts, clod_status *status);
     int64_t (*plan)(const void *data, const void *context, const clod_state *state);
     /** After the planned steps: whether it is time for a sample. NULL: it always is. */
     bool (*look)(void *data, const void *context, const clod_state *state);
+    /** Before a sample: measure contacts. NULL: nothing. */
+    bool (*measure)(void *data, const void *context, clod_state *state,
+                    const clod_contact_source *contacts, clod_status *status);
     /** Fill the row [column_count], change walls and adhesion; true when finished. */
     bool (*sample)(void *data, const void *context, clod_state *state, double *row);
     const char *(*phase)(const void *data, const void *context);

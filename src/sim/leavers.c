@@ -4,7 +4,6 @@
 
 #include "base/plural.h"
 #include "setup/grains.h"
-#include "sim/residence.h"
 
 /** Names of a side, in the order of CLOD_FACES. */
 typedef struct side {
@@ -32,104 +31,155 @@ static bool has_inlets_or_outlets(const clod_case *from)
     return clod_setup_grains_coming(from) + from->outlet_count > 0;
 }
 
-size_t clod_leavers_columns(const clod_case *from, const char **names)
+/** Columns of a side or an outlet. */
+#define PER_EXIT 3
+
+static size_t inside_columns(const clod_case *from)
 {
-    size_t count = 0;
-    if (from->open == CLOD_OPEN_DELETE || has_inlets_or_outlets(from)) {
-        names[count++] = "grains [1]";
-    }
+    return from->open == CLOD_OPEN_DELETE || has_inlets_or_outlets(from) ? 1 : 0;
+}
+
+static size_t side_columns(const clod_case *from, const clod_state *state)
+{
+    (void)state;
+    size_t count = inside_columns(from);
     for (int f = 0; f < CLOD_FACES; f++) {
-        for (int c = 0; is_open(from, f) && c < 3; c++) {
-            names[count++] = SIDES[f].column[c];
-        }
+        count += is_open(from, f) ? PER_EXIT : 0;
     }
     return count;
 }
 
-void clod_leavers_row(const clod_case *from, const clod_state *state, double *row)
+static void side_column(const clod_case *from, const clod_state *state, size_t k, char *text,
+                        size_t size)
 {
-    const clod_exchange *gone = &state->exchange;
-    if (from->open == CLOD_OPEN_DELETE || has_inlets_or_outlets(from)) {
-        *row++ = (double)state->grains.count;
+    (void)state;
+    if (k < inside_columns(from)) {
+        snprintf(text, size, "grains [1]");
+        return;
+    }
+    k -= inside_columns(from);
+    int face = 0;
+    for (; !is_open(from, face) || k >= PER_EXIT; face++) {
+        k -= is_open(from, face) ? PER_EXIT : 0;
+    }
+    snprintf(text, size, "%s", SIDES[face].column[k]);
+}
+
+/** Number, mass and energy that left at an exit: sides first, then outlets. */
+static double *put_exit(const clod_exchange *gone, size_t exit, double *row)
+{
+    *row++ = (double)gone->left[exit];
+    *row++ = gone->left_mass[exit];
+    *row++ = gone->left_energy[exit];
+    return row;
+}
+
+static void side_row(void *memory, const clod_free_moment *now, double *row)
+{
+    (void)memory;
+    if (inside_columns(now->from) > 0) {
+        *row++ = (double)now->state->grains.count;
     }
     for (int f = 0; f < CLOD_FACES; f++) {
-        if (is_open(from, f)) {
-            *row++ = (double)gone->left[f];
-            *row++ = gone->left_mass[f];
-            *row++ = gone->left_energy[f];
+        if (is_open(now->from, f)) {
+            row = put_exit(&now->state->exchange, (size_t)f, row);
         }
     }
 }
 
-void clod_leavers_report(FILE *out, const clod_case *from, const clod_state *state)
+static void side_report(FILE *out, const void *memory, const clod_free_moment *now)
 {
-    const clod_exchange *gone = &state->exchange;
+    (void)memory;
+    const clod_exchange *gone = &now->state->exchange;
     for (int f = 0; f < CLOD_FACES; f++) {
-        if (is_open(from, f)) {
+        if (is_open(now->from, f)) {
             fprintf(out, "  left at %-13s %" PRId64 " grain%s, %.6g kg, %.6g J kinetic\n",
                     SIDES[f].name, gone->left[f], clod_plural((double)gone->left[f]),
                     gone->left_mass[f], gone->left_energy[f]);
         }
     }
-    for (size_t k = 0; k < from->outlet_count; k++) {
-        const size_t e = CLOD_FACES + k;
-        fprintf(out, "  outlet %-14s %" PRId64 " grain%s, %.6g kg, %.6g J kinetic\n",
-                from->outlets[k].name, gone->left[e], clod_plural((double)gone->left[e]),
-                gone->left_mass[e], gone->left_energy[e]);
-    }
-    clod_residence_report(out, gone);
 }
 
-json_t *clod_leavers_json(const clod_case *from, const clod_state *state)
+static json_t *exit_json(const clod_exchange *gone, size_t exit)
 {
-    if (from->open != CLOD_OPEN_DELETE) {
+    return json_pack("{s:I, s:f, s:f}", "grains", (json_int_t)gone->left[exit], "mass_kg",
+                     gone->left_mass[exit], "kinetic_energy_J", gone->left_energy[exit]);
+}
+
+static json_t *side_json(const void *memory, const clod_free_moment *now)
+{
+    (void)memory;
+    if (now->from->open != CLOD_OPEN_DELETE) {
         return NULL;
     }
-    const clod_exchange *gone = &state->exchange;
     json_t *sides = json_object();
     for (int f = 0; f < CLOD_FACES; f++) {
-        if (is_open(from, f)) {
-            json_object_set_new(
-                sides, SIDES[f].name,
-                json_pack("{s:I, s:f, s:f}", "grains", (json_int_t)gone->left[f], "mass_kg",
-                          gone->left_mass[f], "kinetic_energy_J", gone->left_energy[f]));
+        if (is_open(now->from, f)) {
+            json_object_set_new(sides, SIDES[f].name,
+                                exit_json(&now->state->exchange, (size_t)f));
         }
     }
     return sides;
 }
 
-void clod_leavers_outlet_column(const clod_case *from, size_t k, int column, char *text,
-                                size_t size)
+const clod_free_measure CLOD_MEASURE_LEAVERS = {.key = "left",
+                                                .columns = side_columns,
+                                                .column = side_column,
+                                                .row = side_row,
+                                                .report = side_report,
+                                                .json = side_json};
+
+static size_t outlet_columns(const clod_case *from, const clod_state *state)
 {
-    static const char *const NAME[CLOD_OUTLET_COLUMNS] = {"grains [1]", "mass [kg]",
-                                                          "energy [J]"};
-    snprintf(text, size, "outlet_%s.%s", from->outlets[k].name, NAME[column]);
+    (void)state;
+    return PER_EXIT * from->outlet_count;
 }
 
-size_t clod_leavers_outlets_row(const clod_case *from, const clod_state *state, double *row)
+static void outlet_column(const clod_case *from, const clod_state *state, size_t k, char *text,
+                          size_t size)
 {
-    const clod_exchange *gone = &state->exchange;
-    for (size_t k = 0; k < from->outlet_count; k++) {
-        row[CLOD_OUTLET_COLUMNS * k] = (double)gone->left[CLOD_FACES + k];
-        row[CLOD_OUTLET_COLUMNS * k + 1] = gone->left_mass[CLOD_FACES + k];
-        row[CLOD_OUTLET_COLUMNS * k + 2] = gone->left_energy[CLOD_FACES + k];
+    static const char *const NAME[PER_EXIT] = {"grains [1]", "mass [kg]", "energy [J]"};
+    (void)state;
+    snprintf(text, size, "outlet_%s.%s", from->outlets[k / PER_EXIT].name, NAME[k % PER_EXIT]);
+}
+
+static void outlet_row(void *memory, const clod_free_moment *now, double *row)
+{
+    (void)memory;
+    for (size_t k = 0; k < now->from->outlet_count; k++) {
+        row = put_exit(&now->state->exchange, CLOD_FACES + k, row);
     }
-    return CLOD_OUTLET_COLUMNS * from->outlet_count;
 }
 
-json_t *clod_leavers_outlets_json(const clod_case *from, const clod_state *state)
+static void outlet_report(FILE *out, const void *memory, const clod_free_moment *now)
 {
-    if (from->outlet_count == 0) {
+    (void)memory;
+    const clod_exchange *gone = &now->state->exchange;
+    for (size_t k = 0; k < now->from->outlet_count; k++) {
+        const size_t e = CLOD_FACES + k;
+        fprintf(out, "  outlet %-14s %" PRId64 " grain%s, %.6g kg, %.6g J kinetic\n",
+                now->from->outlets[k].name, gone->left[e], clod_plural((double)gone->left[e]),
+                gone->left_mass[e], gone->left_energy[e]);
+    }
+}
+
+static json_t *outlet_json(const void *memory, const clod_free_moment *now)
+{
+    (void)memory;
+    if (now->from->outlet_count == 0) {
         return NULL;
     }
-    const clod_exchange *gone = &state->exchange;
     json_t *all = json_object();
-    for (size_t k = 0; k < from->outlet_count; k++) {
-        const size_t e = CLOD_FACES + k;
-        json_object_set_new(all, from->outlets[k].name,
-                            json_pack("{s:I, s:f, s:f}", "grains", (json_int_t)gone->left[e],
-                                      "mass_kg", gone->left_mass[e], "kinetic_energy_J",
-                                      gone->left_energy[e]));
+    for (size_t k = 0; k < now->from->outlet_count; k++) {
+        json_object_set_new(all, now->from->outlets[k].name,
+                            exit_json(&now->state->exchange, CLOD_FACES + k));
     }
     return all;
 }
+
+const clod_free_measure CLOD_MEASURE_OUTLETS = {.key = "outlets",
+                                                .columns = outlet_columns,
+                                                .column = outlet_column,
+                                                .row = outlet_row,
+                                                .report = outlet_report,
+                                                .json = outlet_json};

@@ -44,9 +44,10 @@ clod_residence clod_residence_of(const clod_exchange *exchange)
     return self;
 }
 
-void clod_residence_report(FILE *out, const clod_exchange *exchange)
+static void residence_report(FILE *out, const void *memory, const clod_free_moment *now)
 {
-    const clod_residence r = clod_residence_of(exchange);
+    (void)memory;
+    const clod_residence r = clod_residence_of(&now->state->exchange);
     if (r.grains > 0) {
         fprintf(out,
                 "  residence             %" PRId64
@@ -56,8 +57,10 @@ void clod_residence_report(FILE *out, const clod_exchange *exchange)
     }
 }
 
-json_t *clod_residence_json(const clod_exchange *exchange)
+static json_t *residence_json(const void *memory, const clod_free_moment *now)
 {
+    (void)memory;
+    const clod_exchange *exchange = &now->state->exchange;
     const clod_residence r = clod_residence_of(exchange);
     if (r.grains == 0) {
         return NULL;
@@ -74,3 +77,6 @@ json_t *clod_residence_json(const clod_exchange *exchange)
                      "mean_s", r.mean, "deviation_s", r.deviation, "p10_s", r.tenth, "p50_s",
                      r.median, "p90_s", r.ninth, "classes", classes);
 }
+
+const clod_free_measure CLOD_MEASURE_RESIDENCE = {
+    .key = "residence", .report = residence_report, .json = residence_json};

@@ -4,11 +4,7 @@
  * How long the grains that left were in: from when they came, or from the start of the run.
  */
 
-#include <jansson.h>
-#include <stdint.h>
-#include <stdio.h>
-
-#include "state/changes.h"
+#include "sim/free_measures.h"
 
 /** Of all grains that left. */
 typedef struct clod_residence {
@@ -20,8 +16,5 @@ typedef struct clod_residence {
 /** Threads  pure.   Test  tests/cli/test_inlets.py */
 clod_residence clod_residence_of(const clod_exchange *exchange);
 
-/** A line for people; none when nothing left. */
-void clod_residence_report(FILE *out, const clod_exchange *exchange);
-
-/** The same for programs, with the classes; NULL when nothing left. */
-json_t *clod_residence_json(const clod_exchange *exchange);
+/** A line of the report, and classes of times in the summary; nothing when nothing left. */
+extern const clod_free_measure CLOD_MEASURE_RESIDENCE;

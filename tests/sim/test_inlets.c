@@ -36,6 +36,12 @@ static void made(clod_case **from, clod_state *state)
     assert_int_equal(state->grains.count, 0);
 }
 
+static bool act(clod_inlets *inlets, const clod_case *from, clod_state *state)
+{
+    const clod_free_moment now = {from, state, NULL};
+    return CLOD_MEASURE_INLETS.act(inlets, &now, &status);
+}
+
 static void grains_come_clear_of_all(void **unused)
 {
     (void)unused;
@@ -43,9 +49,9 @@ static void grains_come_clear_of_all(void **unused)
     clod_state state;
     clod_inlets inlets;
     made(&from, &state);
-    clod_inlets_begin(&inlets, from, &state);
+    CLOD_MEASURE_INLETS.begin(&inlets, from, &state);
     inlets.next = state.step = 1000; // 0.1 s: all of both groups are due
-    CHECK(clod_inlets_act(&inlets, from, &state, &status));
+    CHECK(act(&inlets, from, &state));
     const clod_changes *queue = &state.changes;
     assert_int_equal(queue->new_grains, 250);
     for (size_t k = 0; k < queue->new_grains; k++) {
@@ -68,7 +74,7 @@ static void grains_come_clear_of_all(void **unused)
         }
     }
     // once for a step
-    CHECK(clod_inlets_act(&inlets, from, &state, &status));
+    CHECK(act(&inlets, from, &state));
     assert_int_equal(queue->new_grains, 250);
     clod_state_fini(&state);
     clod_case_destroy(&from);
@@ -84,9 +90,9 @@ static void the_same_state_gives_the_same_grains(void **unused)
         clod_state state;
         clod_inlets inlets;
         made(&from, &state);
-        clod_inlets_begin(&inlets, from, &state);
+        CLOD_MEASURE_INLETS.begin(&inlets, from, &state);
         inlets.next = state.step = 1000;
-        CHECK(clod_inlets_act(&inlets, from, &state, &status));
+        CHECK(act(&inlets, from, &state));
         for (size_t g = 0; k == 1 && g < 250; g++) {
             assert_memory_equal(first[g].position, state.changes.new_grain[g].position,
                                 sizeof first[g].position);

@@ -1,0 +1,138 @@
+#include "sim/free_measures.h"
+
+#include "sim/inlets.h"
+#include "sim/leavers.h"
+#include "sim/residence.h"
+#include "sim/wall_loads.h"
+
+/** In the order of the series' columns. */
+static const clod_free_measure *const MEASURES[] = {
+    &CLOD_MEASURE_LEAVERS,   &CLOD_MEASURE_INLETS,     &CLOD_MEASURE_OUTLETS,
+    &CLOD_MEASURE_RESIDENCE, &CLOD_MEASURE_WALL_LOADS,
+};
+enum { COUNT = sizeof MEASURES / sizeof *MEASURES };
+
+#define ALIGNMENT 16
+
+static size_t size_of(const clod_free_measure *self, const clod_case *from)
+{
+    const size_t size = self->size != NULL ? self->size(from) : 0;
+    return (size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+}
+
+/** The memory of measure number k. */
+static void *memory_of(const void *memory, const clod_case *from, int k)
+{
+    const unsigned char *at = memory;
+    for (int m = 0; m < k; m++) {
+        at += size_of(MEASURES[m], from);
+    }
+    return MEASURES[k]->size != NULL ? (void *)at : NULL;
+}
+
+size_t clod_free_measures_size(const clod_case *from)
+{
+    size_t size = 0;
+    for (int k = 0; k < COUNT; k++) {
+        size += size_of(MEASURES[k], from);
+    }
+    return size;
+}
+
+void clod_free_measures_begin(void *memory, const clod_case *from, const clod_state *state)
+{
+    for (int k = 0; k < COUNT; k++) {
+        if (MEASURES[k]->begin != NULL) {
+            MEASURES[k]->begin(memory_of(memory, from, k), from, state);
+        }
+    }
+}
+
+bool clod_free_measures_act(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    bool good = true;
+    for (int k = 0; good && k < COUNT; k++) {
+        good = MEASURES[k]->act == NULL ||
+               MEASURES[k]->act(memory_of(memory, now->from, k), now, status);
+    }
+    return good;
+}
+
+int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
+                                const clod_state *state)
+{
+    int64_t first = INT64_MAX;
+    for (int k = 0; k < COUNT; k++) {
+        if (MEASURES[k]->plan != NULL) {
+            const int64_t steps = MEASURES[k]->plan(memory_of(memory, from, k), from, state);
+            first = steps < first ? steps : first;
+        }
+    }
+    return first;
+}
+
+bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    bool good = true;
+    for (int k = 0; good && k < COUNT; k++) {
+        good = MEASURES[k]->look == NULL ||
+               MEASURES[k]->look(memory_of(memory, now->from, k), now, status);
+    }
+    return good;
+}
+
+static size_t columns_of(int k, const clod_case *from, const clod_state *state)
+{
+    return MEASURES[k]->columns != NULL ? MEASURES[k]->columns(from, state) : 0;
+}
+
+size_t clod_free_measures_columns(const clod_case *from, const clod_state *state)
+{
+    size_t columns = 0;
+    for (int k = 0; k < COUNT; k++) {
+        columns += columns_of(k, from, state);
+    }
+    return columns;
+}
+
+void clod_free_measures_column(const clod_case *from, const clod_state *state, size_t k,
+                               char *text, size_t size)
+{
+    int m = 0;
+    for (size_t columns; k >= (columns = columns_of(m, from, state)); m++) {
+        k -= columns;
+    }
+    MEASURES[m]->column(from, state, k, text, size);
+}
+
+void clod_free_measures_row(void *memory, const clod_free_moment *now, double *row)
+{
+    for (int k = 0; k < COUNT; k++) {
+        const size_t columns = columns_of(k, now->from, now->state);
+        if (columns > 0) {
+            MEASURES[k]->row(memory_of(memory, now->from, k), now, row);
+            row += columns;
+        }
+    }
+}
+
+void clod_free_measures_report(FILE *out, const void *memory, const clod_free_moment *now)
+{
+    for (int k = 0; k < COUNT; k++) {
+        if (MEASURES[k]->report != NULL) {
+            MEASURES[k]->report(out, memory_of(memory, now->from, k), now);
+        }
+    }
+}
+
+void clod_free_measures_json(json_t *summary, const void *memory, const clod_free_moment *now)
+{
+    for (int k = 0; k < COUNT; k++) {
+        json_t *told = MEASURES[k]->json != NULL
+                           ? MEASURES[k]->json(memory_of(memory, now->from, k), now)
+                           : NULL;
+        if (told != NULL) {
+            json_object_set_new(summary, MEASURES[k]->key, told);
+        }
+    }
+}

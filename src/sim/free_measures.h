@@ -1,0 +1,79 @@
+#pragma once
+/**
+ * @file free_measures.h
+ * What a free run measures beside its stages: one row of a table each. The series, the report,
+ * the summary and the checkpoint read that table.
+ *
+ * A measure looks at the state at moments of its own (`act`, `plan`) and whenever a row of the
+ * series is due (`look`, `row`). What it remembers is plain data without pointers, part of the
+ * checkpoint; so it must not depend on the order of rows or contacts, nor on threads.
+ */
+
+#include <jansson.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "clod/case.h"
+#include "state/contact_source.h"
+
+/** What a measure looks at. */
+typedef struct clod_free_moment {
+    const clod_case *from;
+    clod_state *state; ///< a measure changes only what is its own, or asks for changes
+    const clod_contact_source *contacts; ///< of this moment; NULL in report and json
+} clod_free_moment;
+
+/** One measure. Members may be NULL where nothing is to be done. */
+typedef struct clod_free_measure {
+    const char *key; ///< of its object in summary.json
+    /** Bytes that it remembers in this case; NULL: none, and its memory is NULL. */
+    size_t (*size)(const clod_case *from);
+    /** The run begins; its memory is all zero. */
+    void (*begin)(void *memory, const clod_case *from, const clod_state *state);
+    /** Before every plan, at steps of its own: once for a step, however often it is called. */
+    bool (*act)(void *memory, const clod_free_moment *now, clod_status *status);
+    /** Steps until it must act; 1 or more. */
+    int64_t (*plan)(const void *memory, const clod_case *from, const clod_state *state);
+    /** A row is due: look at grains and contacts. */
+    bool (*look)(void *memory, const clod_free_moment *now, clod_status *status);
+    /** Number of its columns in the series. */
+    size_t (*columns)(const clod_case *from, const clod_state *state);
+    /** Header text of column k, with its unit: "exit.mass_flow [kg s-1]". */
+    void (*column)(const clod_case *from, const clod_state *state, size_t k, char *text,
+                   size_t size);
+    /** Values of its columns, after `look`; means over the time since the last row end here. */
+    void (*row)(void *memory, const clod_free_moment *now, double *row);
+    /** Lines for people at the end. */
+    void (*report)(FILE *out, const void *memory, const clod_free_moment *now);
+    /** The same for programs: a new object or array; NULL when there is nothing to tell. */
+    json_t *(*json)(const void *memory, const clod_free_moment *now);
+} clod_free_measure;
+
+/** Bytes that all measures of a case remember. */
+size_t clod_free_measures_size(const clod_case *from);
+
+/** The run begins. `memory` is [clod_free_measures_size], zero. */
+void clod_free_measures_begin(void *memory, const clod_case *from, const clod_state *state);
+
+bool clod_free_measures_act(void *memory, const clod_free_moment *now, clod_status *status);
+
+/** Steps until one must act; INT64_MAX when none ever must. */
+int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
+                                const clod_state *state);
+
+bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_status *status);
+
+/** Number of all columns. */
+size_t clod_free_measures_columns(const clod_case *from, const clod_state *state);
+
+/** Header text of column k of all. */
+void clod_free_measures_column(const clod_case *from, const clod_state *state, size_t k,
+                               char *text, size_t size);
+
+/** Values of all columns. */
+void clod_free_measures_row(void *memory, const clod_free_moment *now, double *row);
+
+void clod_free_measures_report(FILE *out, const void *memory, const clod_free_moment *now);
+
+/** Put each measure's object into the summary under its key. */
+void clod_free_measures_json(json_t *summary, const void *memory, const clod_free_moment *now);
