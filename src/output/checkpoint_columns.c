@@ -62,6 +62,7 @@ static void add_state(clod_checkpoint_columns *self, const clod_state *state)
     ADD(domain.outlets, "outlets", "1", I32, 1);
     ADD(domain.outlet, "outlet", "m", F64, CLOD_OUTLETS * CLOD_OUTLET_NUMBERS);
     ADD(build_motion, "build_motion", "m", F64, 1);
+    ADD(build_skin, "build_skin", "m", F64, 1);
 #undef ADD
 }
 

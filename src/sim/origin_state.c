@@ -333,6 +333,7 @@ static bool set_build(moving *self, clod_status *status)
         state->build_position = other->build_position;
         state->build_walls = other->build_walls;
         state->build_motion = other->build_motion;
+        state->build_skin = other->build_skin;
         other->build_position = NULL;
         other->build_walls = NULL;
         return true;

@@ -29,6 +29,7 @@ typedef struct clod_state {
     double (*build_position)[4]; ///< [grains.capacity] at the last rebuild, in today's order
     double (*build_walls)[CLOD_WALL_POSE_NUMBERS]; ///< [walls.count] poses at the last rebuild
     double build_motion; ///< m, bound of any point's motion since then; < 0: rebuild now
+    double build_skin;   ///< m, wide skin of that rebuild
     // contacts with history (touching), sorted by (i, j) and by (i, wall, shape): those of a
     // state that no step has; a step keeps them in its blocks, and clod_step_export copies
     // those of the moment to here

@@ -72,6 +72,12 @@ bool clod_step_equip(clod_step *self, clod_status *status)
 bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
 {
     clod_state *state = self->state;
+    const double speed = clod_step_fastest(state);
+    if (sort) {
+        clod_neighbour_choose_skin(&self->neighbour, state, speed);
+    } else {
+        self->neighbour.skin = state->build_skin;
+    }
     const bool sorted = sort ? clod_neighbour_sort(&self->neighbour, state, status)
                              : clod_neighbour_sort_as_built(&self->neighbour, state, status);
     if (!sorted || !clod_neighbour_build(&self->neighbour, state, self->laws, status)) {
@@ -82,7 +88,7 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
                                .state = state,
                                .laws = self->laws,
                                .walls = &self->walls,
-                               .skin = clod_step_thin_skin(self, clod_step_fastest(state))};
+                               .skin = clod_step_thin_skin(self, speed)};
     if (!clod_near_make(&job, status)) {
         return false;
     }

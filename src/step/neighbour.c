@@ -11,8 +11,12 @@
 #include "step/layers.h"
 #include "step/wall_cells.h"
 
-/** Wide skin as a fraction of the largest radius: few candidates against rare rebuilds. */
+/** Wide skin as a fraction of the largest radius, at least: few candidates in slow beds. */
 #define SKIN_FRACTION 0.3
+/** And at most: rebuilds of fast streams become no cheaper beyond. */
+#define SKIN_MOST 1.0
+/** Cost of a rebuild over that of carrying a skin of one radius for a step. */
+#define SKIN_COST 60.0
 /** Room to begin with for candidates, per grain: twice what a dense bed of one size has. */
 #define LIKELY_PAIRS 10
 
@@ -20,6 +24,7 @@ void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool bru
 {
     *self = (clod_neighbour){.brute_force = brute_force};
     clod_neighbour_size(self, state);
+    clod_neighbour_choose_skin(self, state, 0.0);
 }
 
 void clod_neighbour_size(clod_neighbour *self, const clod_state *state)
@@ -31,7 +36,20 @@ void clod_neighbour_size(clod_neighbour *self, const clod_state *state)
         self->radius_min = fmin(self->radius_min, radius);
         self->radius_max = fmax(self->radius_max, radius);
     }
-    self->skin = SKIN_FRACTION * self->radius_max;
+}
+
+void clod_neighbour_choose_skin(clod_neighbour *self, const clod_state *state, double speed)
+{
+    const double closing = 2.0 * speed * state->dt;
+    double most = SKIN_MOST * self->radius_max;
+    for (int a = 0; a < 3; a++) {
+        if (state->domain.periodic[a]) { // see clod_neighbour_periods_fit
+            const double period = state->domain.max[a] - state->domain.min[a];
+            most = fmin(most, 0.5 * period - 2.0 * self->radius_max);
+        }
+    }
+    self->skin = fmax(SKIN_FRACTION * self->radius_max,
+                      fmin(most, sqrt(SKIN_COST * closing * self->radius_max)));
 }
 
 bool clod_neighbour_periods_fit(const clod_domain *domain, double radius_max,

@@ -98,11 +98,19 @@ static inline double (*clod_neighbour_rows(const clod_neighbour *self))[4]
     return (double(*)[4])self->sort_scratch;
 }
 
-/** Wide skin from the sizes of the grains; nothing is built yet. */
+/** Radii of the grains; nothing is built yet. */
 void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool brute_force);
 
-/** Radii and wide skin anew: grains have come or gone. */
+/** Radii anew: grains have come or gone. */
 void clod_neighbour_size(clod_neighbour *self, const clod_state *state);
+
+/**
+ * The wide skin that costs least at a speed of now, for the rebuild that follows.
+ *
+ * @param speed  of the fastest grain or point of a wall [m/s]
+ * Errors  none.   Threads  thread 0.   Source  docs/adr/0036.   Test  tests/step/test_thin_skin.c
+ */
+void clod_neighbour_choose_skin(clod_neighbour *self, const clod_state *state, double speed);
 
 /**
  * Whether every period of a domain is long enough for grains up to a radius [m]: twice their
@@ -128,7 +136,7 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
  */
 bool clod_neighbour_order(clod_neighbour *self, clod_state *state, size_t going,
                           clod_status *status);
-bool clod_neighbour_note(clod_state *state, clod_status *status);
+bool clod_neighbour_note(const clod_neighbour *self, clod_state *state, clod_status *status);
 
 /** Rows of an array that go with the grains; `size` bytes of each, `stride` apart. */
 typedef struct clod_row_column {

@@ -279,7 +279,7 @@ bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_
 }
 
 /** Remember where everything is at this rebuild. */
-static bool note_rebuild(clod_state *state)
+static bool note_rebuild(const clod_neighbour *self, clod_state *state)
 {
     clod_grains *grains = &state->grains;
     if (state->build_position == NULL) {
@@ -296,6 +296,7 @@ static bool note_rebuild(clod_state *state)
         clod_wall_pose_get(&state->walls.wall[w], state->build_walls[w]);
     }
     state->build_motion = 0.0;
+    state->build_skin = self->skin;
     return true;
 }
 
@@ -321,9 +322,9 @@ bool clod_neighbour_order(clod_neighbour *self, clod_state *state, size_t going,
     return true;
 }
 
-bool clod_neighbour_note(clod_state *state, clod_status *status)
+bool clod_neighbour_note(const clod_neighbour *self, clod_state *state, clod_status *status)
 {
-    return note_rebuild(state) ||
+    return note_rebuild(self, state) ||
            clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu grains",
                             state->grains.count);
 }
@@ -334,5 +335,5 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
         return false;
     }
     apply_order(self, state);
-    return sort_lists(self, state, status) && clod_neighbour_note(state, status);
+    return sort_lists(self, state, status) && clod_neighbour_note(self, state, status);
 }

@@ -3,20 +3,22 @@
 
 #include "step/remake.h"
 
-/**
- * What a near list costs, over what the pairs within a skin of one smallest radius cost in a
- * step (docs/adr/0020).
- */
-#define NEAR_COST 3.0
+/** What a near list costs for each grain, over what a pair costs in a step (docs/adr/0020). */
+#define LIST_COST 47.0
+/** What a contact with a wall costs in a step over one of grains. */
+#define WALL_COST 4.0
 /** The thinnest skin, as a fraction of the smallest radius: next to no pairs. */
 #define NEAR_LEAST 1e-3
 
 double clod_step_thin_skin(const clod_step *self, double speed)
 {
-    const double radius = self->neighbour.radius_min;
+    const clod_neighbour *wide = &self->neighbour;
     const double closing = 2.0 * speed * self->state->dt;
-    const double skin = fmax(NEAR_LEAST * radius, sqrt(NEAR_COST * closing * radius));
-    return fmin(skin, self->neighbour.skin);
+    const double pairs = (double)wide->pairs.count + WALL_COST * (double)wide->walls.count;
+    const double grains = (double)self->state->grains.count;
+    // pairs within a skin are taken to grow with it
+    const double best = sqrt(LIST_COST * grains * closing * wide->skin / fmax(pairs, 1.0));
+    return fmin(fmax(NEAR_LEAST * wide->radius_min, best), wide->skin);
 }
 
 /** Every thread takes the same decision from the same numbers; all make the lists. */

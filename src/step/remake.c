@@ -155,7 +155,8 @@ static void begin_search(clod_step *self, int part)
         clod_neighbour_size(&self->neighbour, state);
     }
     clod_neighbour_give_back(&self->neighbour);
-    self->failed = !good || !clod_neighbour_note(state, &self->status) ||
+    clod_neighbour_choose_skin(&self->neighbour, state, self->remake.speed);
+    self->failed = !good || !clod_neighbour_note(&self->neighbour, state, &self->status) ||
                    !clod_neighbour_build_begin(&self->neighbour, state, self->laws,
                                                self->near.parts, &self->status);
 }

@@ -172,6 +172,7 @@ static inline clod_state random_state(uint64_t seed)
     state.step = (int64_t)1 << 40 | random_int(&source);
     state.adhesion = random_real(&source);
     state.build_motion = random_real(&source);
+    state.build_skin = random_real(&source);
     state.contact_count = state.contact_capacity = RANDOM_STATE_CONTACTS;
     state.wall_contact_count = 11;
     state.contacts = clod_memory_alloc(RANDOM_STATE_CONTACTS, sizeof(clod_contact));
@@ -251,6 +252,7 @@ static inline void assert_states_equal(const clod_state *a, const clod_state *b)
     assert_memory_equal((const char *)a + scalars, (const char *)b + scalars,
                         offsetof(clod_state, build_position) - scalars);
     assert_memory_equal(&a->build_motion, &b->build_motion, sizeof a->build_motion);
+    assert_memory_equal(&a->build_skin, &b->build_skin, sizeof a->build_skin);
     assert_int_equal(a->contact_count, b->contact_count);
     assert_int_equal(a->wall_contact_count, b->wall_contact_count);
     for (size_t c = 0; c < a->contact_count; c++) {

@@ -63,7 +63,7 @@ static void by_parts(scene *s)
         }
     }
     clod_near_gather_end(&step->near);
-    assert_true(clod_neighbour_note(&s->state, &step->status));
+    assert_true(clod_neighbour_note(&step->neighbour, &s->state, &step->status));
 }
 
 static void parts_do_what_gathering_and_sorting_do(void **state)

@@ -67,4 +67,5 @@ static inline bool bits_same_walls(const clod_walls *a, const clod_walls *b)
         assert_memory_equal(&(a)->time, &(b)->time, sizeof(a)->time);                          \
         assert_memory_equal(&(a)->ledger, &(b)->ledger, sizeof(a)->ledger);                    \
         assert_memory_equal(&(a)->build_motion, &(b)->build_motion, sizeof(a)->build_motion);  \
+        assert_memory_equal(&(a)->build_skin, &(b)->build_skin, sizeof(a)->build_skin);        \
     } while (0)
