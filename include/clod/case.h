@@ -51,6 +51,9 @@ typedef struct clod_case_material {
     double density;        ///< kg/m3
     double youngs_modulus; ///< Pa; 0 when not given
     double poissons_ratio; ///< -
+    double hardness;       ///< Pa, of walls that wear; 0 when not given
+    double archard;        ///< -, wear coefficient
+    double finnie;         ///< -, wear coefficient
 } clod_case_material;
 
 /** Contact law of a pair of materials, after inheritance from `default`. */
@@ -159,6 +162,8 @@ typedef struct clod_case_output {
     double checkpoint_interval; ///< s of wall-clock time
     bool contacts;              ///< snapshots with contacts
     bool energy;                ///< keep the energy ledger
+    bool surfaces;              ///< sum what grains do to the surfaces of walls
+    double surfaces_from;       ///< s, when these sums begin
 } clod_case_output;
 
 /** Largest overlap_limit: at 1 nothing tells out of which side of a wall a grain is to go. */

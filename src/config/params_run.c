@@ -53,7 +53,7 @@ static const clod_param DOMAIN_ROWS[] = {
      .help =
          "What happens when a grain leaves through an open side: stop the run and name it, "
          "or delete it and count number, mass and kinetic energy, by side. It is noticed at "
-         "the next rebuild of the neighbour search, at most 0.15 radii of the largest grain "
+         "the next rebuild of the neighbour search, at most half a radius of the largest grain "
          "behind the side.",
      .source = "convention"},
 };
@@ -209,6 +209,26 @@ static const clod_param OUTPUT_ROWS[] = {
              "work of the walls, and what is missing or too much, beside each row of the "
              "series. It costs time and changes no bit of the rest.",
      .source = "docs/theory/energy.md"},
+    {.key = "surfaces",
+     .kind = CLOD_PARAM_BOOL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .fallback = "false",
+     CLOD_AT(O, surfaces),
+     .help =
+         "Whether to sum what grains do to the walls, for each facet of a mesh and each other "
+         "shape: force, pressure, shear and impact work, impacts, wear. In snapshots of the "
+         "walls, and by surface in series, report and summary. It costs time and changes no "
+         "bit of the rest.",
+     .source = "docs/theory/wear.md"},
+    {.key = "surfaces_from",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "s",
+     CLOD_FROM(0, 1e9),
+     .fallback = "0 s",
+     CLOD_AT(O, surfaces_from),
+     .help = "Time of the simulation at which the sums of surfaces begin: when flow is steady.",
+     .source = "docs/theory/wear.md"},
 };
 const clod_table CLOD_TABLE_OUTPUT = {.title = "What is written, and how often.",
                                       CLOD_ROWS(OUTPUT_ROWS)};

@@ -155,7 +155,18 @@ void clod_checkpoint_columns_of_walls(clod_checkpoint_columns *self, const clod_
     ADD(sum_force, "N", F64, 3);
     ADD(sum_torque, "N m", F64, 3);
     ADD(sum_power, "W", F64, 1);
+    ADD(wear_places, "1", I32, 1);
 #undef ADD
+}
+
+void clod_checkpoint_columns_of_wear(clod_checkpoint_columns *self,
+                                     const double (*sums)[CLOD_WEAR_SUMS], size_t rows)
+{
+    const clod_rows all = {sums, rows, sizeof *sums};
+    self->count = 0;
+    if (rows > 0) { // most runs have none
+        add(self, all, 0, "walls/wear", "1", CLOD_HDF_F64, CLOD_WEAR_SUMS);
+    }
 }
 
 void clod_checkpoint_columns_of_shapes(clod_checkpoint_columns *self, const clod_shape *shapes,

@@ -44,6 +44,10 @@ void clod_checkpoint_columns_of_walls(clod_checkpoint_columns *self, const clod_
 void clod_checkpoint_columns_of_shapes(clod_checkpoint_columns *self, const clod_shape *shapes,
                                        size_t rows);
 
+/** List the sums of places of walls (state/wear.h), those of the first wall first. */
+void clod_checkpoint_columns_of_wear(clod_checkpoint_columns *self,
+                                     const double (*sums)[CLOD_WEAR_SUMS], size_t rows);
+
 /** Write all columns of a list, or read them into where they point; `hdf` notes failures. */
 void clod_checkpoint_columns_put(const clod_checkpoint_columns *self, clod_hdf *hdf);
 void clod_checkpoint_columns_get(const clod_checkpoint_columns *self, clod_hdf *hdf);

@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "output/checkpoint_columns.h"
+#include "state/wear.h"
 
 static size_t count_shapes(const clod_walls *walls)
 {
@@ -12,6 +13,38 @@ static size_t count_shapes(const clod_walls *walls)
         count += (size_t)walls->wall[w].shape_count;
     }
     return count;
+}
+
+static size_t count_places(const clod_walls *walls)
+{
+    size_t count = 0;
+    for (int32_t w = 0; w < walls->count; w++) {
+        count += walls->wall[w].wear != NULL ? (size_t)walls->wall[w].wear_places : 0;
+    }
+    return count;
+}
+
+/** Sums of the places of all walls; false without memory. */
+static bool put_wear(clod_hdf *hdf, const clod_walls *walls)
+{
+    const size_t count = count_places(walls);
+    double(*sums)[CLOD_WEAR_SUMS] = clod_memory_alloc(count + 1, sizeof *sums);
+    size_t at = 0;
+    for (int32_t w = 0; sums != NULL && w < walls->count; w++) {
+        const clod_wall *wall = &walls->wall[w];
+        const size_t places = wall->wear != NULL ? (size_t)wall->wear_places : 0;
+        if (places > 0) {
+            memcpy(sums + at, wall->wear, places * sizeof *sums);
+        }
+        at += places;
+    }
+    clod_checkpoint_columns columns;
+    clod_checkpoint_columns_of_wear(&columns, (const double(*)[CLOD_WEAR_SUMS])sums, count);
+    if (sums != NULL) {
+        clod_checkpoint_columns_put(&columns, hdf);
+    }
+    clod_memory_free(sums);
+    return sums != NULL;
 }
 
 bool clod_checkpoint_walls_put(clod_hdf *hdf, const clod_walls *walls, clod_status *status)
@@ -34,7 +67,43 @@ bool clod_checkpoint_walls_put(clod_hdf *hdf, const clod_walls *walls, clod_stat
     clod_checkpoint_columns_of_shapes(&columns, shapes, count);
     clod_checkpoint_columns_put(&columns, hdf);
     clod_memory_free(shapes);
-    return true;
+    return put_wear(hdf, walls) ||
+           clod_status_fail(status, CLOD_FAILED, "No memory for a checkpoint of %zu shapes.",
+                            count);
+}
+
+/** Sums of the places of walls that have them; false without memory. */
+static bool read_wear(clod_hdf *hdf, clod_walls *walls)
+{
+    size_t count = 0;
+    for (int32_t w = 0; w < walls->count; w++) {
+        count += (size_t)walls->wall[w].wear_places;
+    }
+    if (count > 0 && count != clod_hdf_rows(hdf, "walls/wear")) {
+        return true; // the failure that this notes is told
+    }
+    double(*sums)[CLOD_WEAR_SUMS] = clod_memory_alloc(count + 1, sizeof *sums);
+    clod_checkpoint_columns columns;
+    clod_checkpoint_columns_of_wear(&columns, (const double(*)[CLOD_WEAR_SUMS])sums, count);
+    bool good = sums != NULL;
+    if (good) {
+        clod_checkpoint_columns_get(&columns, hdf);
+    }
+    size_t at = 0;
+    for (int32_t w = 0; good && w < walls->count; w++) {
+        clod_wall *wall = &walls->wall[w];
+        const size_t places = (size_t)wall->wear_places;
+        if (places > 0) {
+            wall->wear = clod_memory_alloc(places, sizeof *sums);
+            good = wall->wear != NULL;
+        }
+        if (good && places > 0) {
+            memcpy(wall->wear, sums + at, places * sizeof *sums);
+        }
+        at += places;
+    }
+    clod_memory_free(sums);
+    return good;
 }
 
 /** Read the columns of walls and shapes. */
@@ -55,7 +124,7 @@ static bool fit(const clod_walls *walls, const clod_shape *shapes, size_t shape_
     for (int32_t w = 0; w < walls->count; w++) {
         const clod_wall *wall = &walls->wall[w];
         if (wall->shape_count < 0 || (size_t)wall->shape_count > left ||
-            memchr(wall->name, '\0', sizeof wall->name) == NULL) {
+            wall->wear_places < 0 || memchr(wall->name, '\0', sizeof wall->name) == NULL) {
             return false;
         }
         left -= (size_t)wall->shape_count;
@@ -96,7 +165,8 @@ static bool read_walls(clod_hdf *hdf, clod_walls *walls, const char *path, clod_
     if (good) {
         read_columns(hdf, walls, shapes, count);
         good = clod_hdf_has_failed(hdf) || fit(walls, shapes, count);
-        memory = !good || clod_hdf_has_failed(hdf) || share_out(walls, shapes);
+        memory = !good || clod_hdf_has_failed(hdf) ||
+                 (share_out(walls, shapes) && read_wear(hdf, walls));
     }
     clod_memory_free(shapes);
     if (!memory) {
@@ -127,6 +197,7 @@ static void share_surfaces(const clod_walls *before, clod_walls *walls)
                 shape->surface = clod_surface_share(other->surface);
             }
         }
+        clod_wear_number_places(wall);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "mesh/surface_touch.h"
 #include "setup/surface.h"
+#include "state/wear.h"
 
 /** The mean velocity of a step is then within (2 pi/50)^2/24 = 0.07 % of the velocity in it. */
 #define STEPS_PER_PERIOD 50.0
@@ -329,6 +330,10 @@ bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *sta
         walls->count = (int32_t)(w + 1);
         if (!clod_setup_wall(from, &from->walls[w], &walls->wall[w], status)) {
             return false;
+        }
+        if (from->output.surfaces && !clod_wear_begin(&walls->wall[w])) {
+            return clod_status_fail(status, CLOD_FAILED, "no memory for the places of walls.%s",
+                                    walls->wall[w].name);
         }
     }
     return true;

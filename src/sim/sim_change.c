@@ -209,7 +209,7 @@ bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *
         clod_changes_add_wall(&self->state.changes, &made);
         good = is_queued(self, __func__, status);
     }
-    clod_shapes_free(&made.shapes, made.shape_count);
+    clod_wall_fini(&made);
     return good;
 }
 

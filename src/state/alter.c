@@ -8,7 +8,7 @@ void clod_state_keep_walls(clod_state *self, const int32_t *rank)
     int32_t kept = 0;
     for (int32_t w = 0; w < walls->count; w++) {
         if (rank[w] < 0) {
-            clod_shapes_free(&walls->wall[w].shapes, walls->wall[w].shape_count);
+            clod_wall_fini(&walls->wall[w]);
         } else {
             walls->wall[kept++] = walls->wall[w];
         }
@@ -26,8 +26,7 @@ bool clod_state_add_walls(clod_state *self, clod_wall *walls, size_t count, clod
     self->walls.wall = grown;
     for (size_t w = 0; w < count; w++) {
         grown[old + w] = walls[w];
-        walls[w].shapes = NULL;
-        walls[w].shape_count = 0;
+        clod_wall_give(&walls[w]);
     }
     self->walls.count = (int32_t)(old + count);
     return true;

@@ -34,8 +34,7 @@ void clod_changes_add_wall(clod_changes *self, clod_wall *wall)
         return;
     }
     self->new_wall[self->new_walls++] = *wall;
-    wall->shapes = NULL;
-    wall->shape_count = 0;
+    clod_wall_give(wall);
 }
 
 void clod_changes_remove_wall(clod_changes *self, const char *name)
@@ -51,7 +50,7 @@ void clod_changes_remove_wall(clod_changes *self, const char *name)
 void clod_changes_fini(clod_changes *self)
 {
     for (size_t w = 0; w < self->new_walls; w++) {
-        clod_shapes_free(&self->new_wall[w].shapes, self->new_wall[w].shape_count);
+        clod_wall_fini(&self->new_wall[w]);
     }
     clod_memory_free(self->new_grain);
     clod_memory_free(self->lost_grain);

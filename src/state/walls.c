@@ -276,15 +276,40 @@ bool clod_walls_copy(clod_walls *self, const clod_walls *from, clod_status *stat
         }
         self->wall[w] = *wall;
         self->wall[w].shapes = shapes;
+        self->wall[w].wear = NULL;
         self->count = w + 1;
+        if (wall->wear != NULL) {
+            const size_t size = (size_t)wall->wear_places * sizeof *wall->wear;
+            self->wall[w].wear = clod_memory_alloc(1, size + 1);
+            if (self->wall[w].wear == NULL) {
+                clod_walls_fini(self);
+                return clod_status_fail(status, CLOD_FAILED, "no memory to copy the walls");
+            }
+            memcpy(self->wall[w].wear, wall->wear, size);
+        }
     }
     return true;
+}
+
+void clod_wall_fini(clod_wall *self)
+{
+    clod_shapes_free(&self->shapes, self->shape_count);
+    clod_memory_free(self->wear);
+    clod_wall_give(self);
+}
+
+void clod_wall_give(clod_wall *self)
+{
+    self->shapes = NULL;
+    self->shape_count = 0;
+    self->wear = NULL;
+    self->wear_places = 0;
 }
 
 void clod_walls_fini(clod_walls *self)
 {
     for (int32_t w = 0; w < self->count; w++) {
-        clod_shapes_free(&self->wall[w].shapes, self->wall[w].shape_count);
+        clod_wall_fini(&self->wall[w]);
     }
     clod_memory_free(self->wall);
     *self = (clod_walls){0};

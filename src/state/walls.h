@@ -46,6 +46,7 @@ typedef struct clod_shape {
     clod_surface *surface; ///< mesh: with one user for this shape; else NULL
     int32_t patch;         ///< mesh: of the surface
     int32_t slot;          ///< mesh: which of the contacts with the patch (surface_touch.h)
+    int32_t place;         ///< first of its places among those of the wall (wear.h)
 } clod_shape;
 
 /** Copies of shapes, with users of their surfaces; NULL without memory. */
@@ -53,6 +54,9 @@ clod_shape *clod_shapes_copy(const clod_shape *shapes, int32_t count);
 
 /** Free shapes and null; their surfaces lose a user each. NULL is fine. */
 void clod_shapes_free(clod_shape **shapes, int32_t count);
+
+/** Sums of a place of a wall (wear.h). */
+#define CLOD_WEAR_SUMS 11
 
 /** Radius of a shell at its top, or of the hole of an annulus; 0 for a disc [m]. */
 static inline double clod_shape_end_radius(const clod_shape *self)
@@ -115,7 +119,16 @@ typedef struct clod_wall {
     int64_t sum_steps;
     clod_vec3 sum_force, sum_torque;
     double sum_power;
+    // what grains did to each place of it (wear.h)
+    int32_t wear_places;
+    double (*wear)[CLOD_WEAR_SUMS]; ///< owned [wear_places]; NULL: nobody asked
 } clod_wall;
+
+/** Free what a wall owns. */
+void clod_wall_fini(clod_wall *self);
+
+/** Note that another owns what a wall owned. */
+void clod_wall_give(clod_wall *self);
 
 typedef struct clod_walls {
     int32_t count;

@@ -53,8 +53,10 @@ bool clod_step_equip(clod_step *self, clod_status *status)
     clod_memory_free(self->is_near);
     const size_t walls = (size_t)self->state->walls.count;
     size_t shapes = 0;
+    self->near.wear = false;
     for (size_t w = 0; w < walls; w++) {
         shapes += (size_t)self->state->walls.wall[w].shape_count;
+        self->near.wear |= self->state->walls.wall[w].wear != NULL;
     }
     self->moving = clod_memory_alloc(walls + 1, sizeof *self->moving);
     self->feeling = clod_memory_alloc(walls + 1, sizeof *self->feeling);

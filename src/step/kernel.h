@@ -43,6 +43,18 @@ typedef struct clod_spent_block {
     double lag[CLOD_LANES]; ///< work beyond that, either sign (docs/theory/energy.md)
 } clod_spent_block;
 
+/** How the grains of a block rub and hit the surfaces of walls, and with what force. */
+typedef struct clod_rub_block {
+    double force[3][CLOD_LANES]; ///< on the wall [N]
+    double press[CLOD_LANES];    ///< of it into the surface [N]
+    double friction[CLOD_LANES]; ///< power of the friction force, >= 0 [W]
+    double slip[CLOD_LANES];     ///< sliding speed at the contact [m/s]
+    double approach[CLOD_LANES]; ///< speed of the centre towards the surface [m/s]
+    double speed2[CLOD_LANES]; ///< squared velocity of the centre against the material [m2/s2]
+    double mass[CLOD_LANES];   ///< of the grain [kg]
+    double closed[CLOD_LANES]; ///< 0: open; 1: in contact; 2: since this step
+} clod_rub_block;
+
 /** What the contacts of a block store [J]. */
 typedef struct clod_stored_block {
     double normal[CLOD_LANES], sliding[CLOD_LANES], rolling[CLOD_LANES];
@@ -82,6 +94,9 @@ typedef struct clod_kernel {
                           clod_contact_block *block, clod_spent_block *spent);
     void (*wall_spend)(const clod_kernel_view *view, const clod_law *law, clod_wall_form form,
                        clod_wall_block *block, clod_spent_block *spent);
+    /** For the sums of surfaces, just before `wall`: how the block's grains rub and hit. */
+    void (*wall_rub)(const clod_kernel_view *view, const clod_law *law, clod_wall_form form,
+                     clod_wall_block *block, clod_rub_block *rub);
     /** Between steps: what the block stores. */
     void (*contact_stored)(const clod_kernel_view *view, const clod_law *law,
                            clod_contact_block *block, clod_stored_block *stored);

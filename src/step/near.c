@@ -269,6 +269,10 @@ void clod_near_end(const clod_near_job *job)
 
 bool clod_near_reserve_spent(clod_near *self)
 {
+    if (self->wear && !clod_room_for(&self->walls.rub, &self->walls.rub_capacity,
+                                     self->walls.count, sizeof *self->walls.rub)) {
+        return false;
+    }
     return !self->ledger || (clod_room_for(&self->pairs.spent, &self->pairs.spent_capacity,
                                            self->pairs.count, sizeof *self->pairs.spent) &&
                              clod_room_for(&self->walls.spent, &self->walls.spent_capacity,
@@ -305,6 +309,7 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->pairs.group_count);
     clod_memory_free(self->pairs.spent);
     clod_memory_free(self->walls.spent);
+    clod_memory_free(self->walls.rub);
     clod_memory_free(self->walls.block);
     clod_memory_free(self->walls.group_start);
     clod_memory_free(self->walls.group_count);

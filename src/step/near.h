@@ -23,6 +23,8 @@ typedef struct clod_near_blocks {
     size_t *group_count;     ///< [groups] contacts of each group; behind them scratch [groups]
     clod_spent_block *spent; ///< [count] with the ledger, else NULL
     size_t spent_capacity;
+    clod_rub_block *rub; ///< [count] of walls with the sums of surfaces, else NULL
+    size_t rub_capacity;
 } clod_near_blocks;
 
 /** Contacts [begin, end) of a later part's group whose i are in one earlier part. */
@@ -73,6 +75,7 @@ typedef struct clod_near {
     clod_near_range *gathered; ///< scratch [parts]: contacts of each part
     bool made;                 ///< the list stands; false: the histories are in the state
     bool ledger;               ///< keep room for what the contacts spend
+    bool wear;                 ///< keep room for how grains rub walls
 } clod_near;
 
 /** Group of a law's contacts within a part. */
@@ -142,7 +145,7 @@ void clod_near_end(const clod_near_job *job);
 /** All of that by one thread. */
 bool clod_near_make(const clod_near_job *job, clod_status *status);
 
-/** Room for what each contact of the list spends, when `ledger` is set. */
+/** Room for what each contact of the list spends, when `ledger` is set, and for how it rubs. */
 bool clod_near_reserve_spent(clod_near *self);
 
 /**

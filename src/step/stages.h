@@ -23,6 +23,8 @@ enum {
     CLOD_STAGE_SEEN = 1 << 12,   ///< by drift: the fastest, and whether numbers are finite
     CLOD_STAGE_EXCESS = 1 << 13, ///< an overlap beyond the laws' range
     CLOD_STAGE_TOUCH = 1 << 14,  ///< closest points of meshes
+    CLOD_STAGE_RUB = 1 << 15,    ///< of each contact with a wall, with the sums of surfaces
+    CLOD_STAGE_WEAR = 1 << 16,   ///< sums of each place of the walls
 };
 
 /** For these, those who need what others write wait at gates. */
@@ -56,6 +58,6 @@ typedef struct clod_stage {
     clod_stage_barrier barrier;
 } clod_stage;
 
-#define CLOD_STAGES 10
+#define CLOD_STAGES 11
 
 extern const clod_stage CLOD_STAGE[CLOD_STAGES];

@@ -24,6 +24,8 @@
 #define TOUCH CLOD_STAGE_TOUCH
 #define SEEN CLOD_STAGE_SEEN
 #define EXCESS CLOD_STAGE_EXCESS
+#define RUB CLOD_STAGE_RUB
+#define WEAR CLOD_STAGE_WEAR
 #define ROWS (POSITION | VELOCITY | FORCE | HISTORY) // a rebuild puts them into a new order
 
 /** Trouble as one thread sees it, from flags that stay until all threads have looked. */
@@ -50,8 +52,9 @@ const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     {"near",    clod_step_near,    ROWS | WALLS | SEEN,                    ROWS | LISTS | SURFACES,                    0,                     CLOD_BARRIER_WITHIN},
     {"contact", clod_step_contact, POSITION | VELOCITY | LISTS,            FORCE | HISTORY | SHARE | SPENT | EXCESS,   0,                     CLOD_BARRIER_NONE},
     {"touch",   clod_step_touch,   POSITION | LISTS | SURFACES,            HISTORY | TOUCH,                            0,                     CLOD_BARRIER_NONE},
-    {"wall",    clod_step_wall,    POSITION | VELOCITY | LISTS | SURFACES | TOUCH, FORCE | HISTORY | FELT | SPENT | EXCESS,    0,                     CLOD_BARRIER_NONE},
+    {"wall",    clod_step_wall,    POSITION | VELOCITY | LISTS | SURFACES | TOUCH, FORCE | HISTORY | FELT | SPENT | RUB | EXCESS, 0,                     CLOD_BARRIER_NONE},
     {"spent",   clod_step_spent,   LISTS | SPENT,                          SUMS,                                       0,                     CLOD_BARRIER_AFTER},
+    {"wear",    clod_step_wear,    LISTS | RUB | TOUCH | WEAR,             WEAR,                                       0,                     CLOD_BARRIER_NONE},
     {"servo",   clod_step_servo,   FELT | WALLS | LISTS,                   FELT | WALLS | LEDGER,                      FELT | WALLS | LEDGER, CLOD_BARRIER_NONE},
     {"ledger",  clod_step_ledger,  SUMS | LEDGER,                          LEDGER,                                     SUMS | LEDGER,         CLOD_BARRIER_NONE},
     {"look",    look,              EXCESS,                                 0,                                          0,                     CLOD_BARRIER_NONE},

@@ -117,6 +117,10 @@ bool clod_touch_layout(clod_near *near)
     if (!clod_room_for(&touch->row, &touch->row_room, rows, sizeof *touch->row)) {
         return false;
     }
+    if (near->wear &&
+        !clod_room_for(&touch->facet, &touch->facet_room, rows, sizeof *touch->facet)) {
+        return false;
+    }
     memset(touch->row, 0, rows * sizeof *touch->row);
     touch->row[0][2] = 1.0;
     return true;
@@ -137,6 +141,7 @@ int32_t clod_touch_place(clod_near *near, int number, size_t block, int lane)
 typedef struct lanes {
     const clod_touch_lane *lane;
     double (*row)[4];
+    int32_t *facet; ///< of each, or NULL
     clod_wall_block *blocks;
     size_t count;
 } lanes;
@@ -206,8 +211,11 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
     }
     for (int32_t k = 0; k < count; k++) {
         if (hits[k].root == k) {
-            put_row(at->row[lane_of(at, surface, &hits[k])], pose, hits[k].at.direction,
-                    hits[k].at.distance);
+            const size_t lane = lane_of(at, surface, &hits[k]);
+            put_row(at->row[lane], pose, hits[k].at.direction, hits[k].at.distance);
+            if (at->facet != NULL) {
+                at->facet[lane] = (int32_t)hits[k].facet;
+            }
         }
     }
     for (size_t l = 0; l < at->count; l++) {
@@ -215,6 +223,21 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
             hand_over(at, surface, hits, count, l);
         }
     }
+}
+
+/** The facet nearest to a point, of those of a site. */
+static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site *site,
+                             clod_vec3 from)
+{
+    const uint32_t *facet = part->facet + site->facet;
+    double least = INFINITY;
+    size_t nearest = 0;
+    for (size_t k = 0; k < site->facets; k++) {
+        const double d = clod_surface_closest_of(site->surface, facet[k], from).distance;
+        nearest = d < least || (d == least && facet[k] < facet[nearest]) ? k : nearest;
+        least = fmin(least, d);
+    }
+    return (int32_t)facet[nearest];
 }
 
 /** The contact of a grain with nothing but a plane near it. */
@@ -239,10 +262,17 @@ void clod_touch_find(clod_near *near, const clod_state *state, const clod_wall_r
         const double *p = state->grains.position[site->i];
         const lanes at = {.lane = part->lane + site->lane,
                           .row = near->touch.row + part->row + site->lane,
+                          .facet = near->touch.facet != NULL
+                                       ? near->touch.facet + part->row + site->lane
+                                       : NULL,
                           .blocks = near->walls.block,
                           .count = site->lanes};
         if (site->plane >= 0) {
             find_plane(site, &pose, p, at.row[0]);
+            if (at.facet != NULL && at.row[0][3] < p[3]) {
+                at.facet[0] =
+                    nearest_facet(part, site, clod_wall_to_frame(&pose, clod_vec3_of(p)));
+            }
         } else {
             find_contacts(part, site, &pose, p, &at);
         }
@@ -259,5 +289,6 @@ void clod_touch_fini(clod_touch *self, int parts)
     }
     clod_memory_free(self->part);
     clod_memory_free(self->row);
+    clod_memory_free(self->facet);
     *self = (clod_touch){0};
 }

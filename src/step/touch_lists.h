@@ -41,4 +41,6 @@ typedef struct clod_touch {
     clod_touch_part *part; ///< [parts]
     double (*row)[4];      ///< [1 + lanes] direction, and distance [m]; the first for padding
     size_t row_room;
+    int32_t *facet; ///< [1 + lanes] nearest facet of each contact; NULL: nobody asks
+    size_t facet_room;
 } clod_touch;
