@@ -1,6 +1,7 @@
 #include "mesh/surface.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -69,6 +70,17 @@ static void place(clod_surface *self, const clod_mesh_placing *at)
     }
 }
 
+/** Names of the mesh's parts; false without memory. */
+static bool name_parts(clod_surface *self, const clod_mesh_view *view)
+{
+    self->part_count = view->part_count;
+    self->part_name = clod_memory_alloc(view->part_count + 1, sizeof *self->part_name);
+    for (size_t p = 0; self->part_name != NULL && p < view->part_count; p++) {
+        snprintf(self->part_name[p], sizeof self->part_name[p], "%s", view->parts[p].name);
+    }
+    return self->part_name != NULL;
+}
+
 clod_surface *clod_surface_make(const clod_mesh *mesh, const clod_mesh_placing *then,
                                 double smooth, clod_status *status)
 {
@@ -80,7 +92,8 @@ clod_surface *clod_surface_make(const clod_mesh *mesh, const clod_mesh_placing *
         self->weld = mesh->weld;
         self->smooth = smooth;
         self->smooth_cosine = cos(smooth);
-        good = allocate(self, &mesh->view) && clod_surface_links_make(&links, &mesh->view);
+        good = allocate(self, &mesh->view) && name_parts(self, &mesh->view) &&
+               clod_surface_links_make(&links, &mesh->view);
         if (good && then != NULL) {
             place(self, then);
         }
@@ -120,6 +133,7 @@ void clod_surface_release(clod_surface *self)
     clod_memory_free(self->planes);
     clod_memory_free(self->patches);
     clod_memory_free(self->cylinders);
+    clod_memory_free(self->part_name);
     clod_memory_free(self->node);
     clod_memory_free(self->leaf);
     clod_memory_free(self);

@@ -47,9 +47,12 @@ typedef struct clod_surface_node {
     uint32_t first, count; ///< of `leaf` if count > 0; else children first and first + 1
 } clod_surface_node;
 
+/** Bytes of a part's name. */
+#define CLOD_SURFACE_NAME 32
+
 typedef struct clod_surface {
     atomic_int users;
-    size_t vertex_count, facet_count, plane_count, patch_count, cylinder_count;
+    size_t vertex_count, facet_count, plane_count, patch_count, cylinder_count, part_count;
     double bulge;  ///< m, how far cylinders reach beyond their facets
     double weld;   ///< m, distance up to which the file's points are one
     double smooth; ///< rad
@@ -64,6 +67,7 @@ typedef struct clod_surface {
     clod_surface_plane *planes;
     clod_surface_patch *patches;
     clod_surface_cylinder *cylinders;
+    char (*part_name)[CLOD_SURFACE_NAME]; ///< [part_count] cut to fit; "": it has none
     clod_surface_node *node;
     uint32_t *leaf; ///< [facet_count] facets by leaf
 } clod_surface;

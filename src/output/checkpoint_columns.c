@@ -156,6 +156,9 @@ void clod_checkpoint_columns_of_walls(clod_checkpoint_columns *self, const clod_
     ADD(sum_torque, "N m", F64, 3);
     ADD(sum_power, "W", F64, 1);
     ADD(wear_places, "1", I32, 1);
+    ADD(wear_rows, "1", I32, 1);
+    ADD(wear_since, "s", F64, 1);
+    ADD(wear_row, "s", F64, 1);
 #undef ADD
 }
 
@@ -186,6 +189,8 @@ void clod_checkpoint_columns_of_shapes(clod_checkpoint_columns *self, const clod
     ADD(side, "1", I32, 1);
     ADD(patch, "1", I32, 1);
     ADD(slot, "1", I32, 1);
+    ADD(archard, "m3 J-1", F64, 1);
+    ADD(finnie, "m3 J-1", F64, 1);
     ADD(belt.velocity, "m s-1", F64, 3);
     ADD(belt.direction, "1", F64, 3);
     ADD(belt.speed, "m s-1", F64, 1);

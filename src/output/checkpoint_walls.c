@@ -15,11 +15,11 @@ static size_t count_shapes(const clod_walls *walls)
     return count;
 }
 
-static size_t count_places(const clod_walls *walls)
+static size_t count_rows(const clod_walls *walls)
 {
     size_t count = 0;
     for (int32_t w = 0; w < walls->count; w++) {
-        count += walls->wall[w].wear != NULL ? (size_t)walls->wall[w].wear_places : 0;
+        count += walls->wall[w].wear != NULL ? (size_t)walls->wall[w].wear_rows : 0;
     }
     return count;
 }
@@ -27,16 +27,16 @@ static size_t count_places(const clod_walls *walls)
 /** Sums of the places of all walls; false without memory. */
 static bool put_wear(clod_hdf *hdf, const clod_walls *walls)
 {
-    const size_t count = count_places(walls);
+    const size_t count = count_rows(walls);
     double(*sums)[CLOD_WEAR_SUMS] = clod_memory_alloc(count + 1, sizeof *sums);
     size_t at = 0;
     for (int32_t w = 0; sums != NULL && w < walls->count; w++) {
         const clod_wall *wall = &walls->wall[w];
-        const size_t places = wall->wear != NULL ? (size_t)wall->wear_places : 0;
-        if (places > 0) {
-            memcpy(sums + at, wall->wear, places * sizeof *sums);
+        const size_t rows = wall->wear != NULL ? (size_t)wall->wear_rows : 0;
+        if (rows > 0) {
+            memcpy(sums + at, wall->wear, rows * sizeof *sums);
         }
-        at += places;
+        at += rows;
     }
     clod_checkpoint_columns columns;
     clod_checkpoint_columns_of_wear(&columns, (const double(*)[CLOD_WEAR_SUMS])sums, count);
@@ -77,7 +77,7 @@ static bool read_wear(clod_hdf *hdf, clod_walls *walls)
 {
     size_t count = 0;
     for (int32_t w = 0; w < walls->count; w++) {
-        count += (size_t)walls->wall[w].wear_places;
+        count += (size_t)walls->wall[w].wear_rows;
     }
     if (count > 0 && count != clod_hdf_rows(hdf, "walls/wear")) {
         return true; // the failure that this notes is told
@@ -92,15 +92,15 @@ static bool read_wear(clod_hdf *hdf, clod_walls *walls)
     size_t at = 0;
     for (int32_t w = 0; good && w < walls->count; w++) {
         clod_wall *wall = &walls->wall[w];
-        const size_t places = (size_t)wall->wear_places;
-        if (places > 0) {
-            wall->wear = clod_memory_alloc(places, sizeof *sums);
+        const size_t rows = (size_t)wall->wear_rows;
+        if (rows > 0) {
+            wall->wear = clod_memory_alloc(rows, sizeof *sums);
             good = wall->wear != NULL;
         }
-        if (good && places > 0) {
-            memcpy(wall->wear, sums + at, places * sizeof *sums);
+        if (good && rows > 0) {
+            memcpy(wall->wear, sums + at, rows * sizeof *sums);
         }
-        at += places;
+        at += rows;
     }
     clod_memory_free(sums);
     return good;
@@ -124,7 +124,8 @@ static bool fit(const clod_walls *walls, const clod_shape *shapes, size_t shape_
     for (int32_t w = 0; w < walls->count; w++) {
         const clod_wall *wall = &walls->wall[w];
         if (wall->shape_count < 0 || (size_t)wall->shape_count > left ||
-            wall->wear_places < 0 || memchr(wall->name, '\0', sizeof wall->name) == NULL) {
+            wall->wear_places < 0 || wall->wear_rows < wall->wear_places ||
+            memchr(wall->name, '\0', sizeof wall->name) == NULL) {
             return false;
         }
         left -= (size_t)wall->shape_count;
@@ -197,7 +198,7 @@ static void share_surfaces(const clod_walls *before, clod_walls *walls)
                 shape->surface = clod_surface_share(other->surface);
             }
         }
-        clod_wear_number_places(wall);
+        clod_wear_number(wall);
     }
 }
 

@@ -129,6 +129,29 @@ static bool put_grains(clod_hdf *hdf, const clod_state *state, const clod_contac
     return put_cells(hdf, n, VTK_VERTEX, 1, status);
 }
 
+/** What grains did to the triangles, if that was measured. */
+static void put_wear(clod_hdf *hdf, const clod_wall_mesh *mesh)
+{
+    static const struct {
+        const char *name, *unit;
+    } FIELD[CLOD_WALL_MESH_WEAR] = {
+        [CLOD_WALL_MESH_PRESSURE] = {"VTKHDF/CellData/pressure", "Pa"},
+        [CLOD_WALL_MESH_SHEAR_WORK] = {"VTKHDF/CellData/shear_work", "J m-2"},
+        [CLOD_WALL_MESH_IMPACT_ENERGY] = {"VTKHDF/CellData/impact_energy", "J m-2"},
+        [CLOD_WALL_MESH_IMPACTS] = {"VTKHDF/CellData/impacts", "m-2"},
+        [CLOD_WALL_MESH_ARCHARD_DEPTH] = {"VTKHDF/CellData/archard_depth", "m"},
+        [CLOD_WALL_MESH_FINNIE_DEPTH] = {"VTKHDF/CellData/finnie_depth", "m"},
+    };
+    for (int f = 0; mesh->wears && f < CLOD_WALL_MESH_WEAR; f++) {
+        const clod_hdf_column column = {
+            FIELD[f].name,     FIELD[f].unit,
+            CLOD_HDF_F64,      1,
+            mesh->count,       mesh->count > 0 ? &mesh->wear[0][f] : NULL,
+            sizeof *mesh->wear};
+        clod_hdf_put(hdf, &column);
+    }
+}
+
 static bool put_walls(clod_hdf *hdf, const clod_state *state, clod_status *status)
 {
     clod_wall_mesh mesh;
@@ -145,6 +168,7 @@ static bool put_walls(clod_hdf *hdf, const clod_state *state, clod_status *statu
              sizeof *mesh.velocity},
         };
         put_columns(hdf, columns, sizeof columns / sizeof *columns);
+        put_wear(hdf, &mesh);
         good = put_cells(hdf, n, VTK_TRIANGLE, 3, status);
     }
     clod_wall_mesh_fini(&mesh);

@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "mesh/surface_touch.h"
+#include "state/wear.h"
 
 #define SEGMENTS CLOD_WALL_MESH_SEGMENTS
 
@@ -14,6 +15,8 @@ typedef struct clod_mesh_pen {
     const clod_shape *shape;
     int32_t number; ///< of the wall
     const clod_domain *domain;
+    const clod_state *state;
+    int32_t place; ///< of the wall (state/wear.h)
 } clod_mesh_pen;
 
 /** A point of the wall's frame, in space. */
@@ -31,6 +34,25 @@ static clod_vec3 shape_point(const clod_shape *shape, double a, double b, double
     clod_vec3 point = clod_vec3_axpy(shape->center, a, shape->axis[0]);
     point = clod_vec3_axpy(point, b, shape->axis[1]);
     return clod_vec3_axpy(point, c, shape->axis[2]);
+}
+
+/** What wear tells of a place, by area; zero where it has no bound. */
+static void wear_of(const clod_state *state, const clod_wall *wall, int32_t s, int32_t place,
+                    double to[CLOD_WALL_MESH_WEAR])
+{
+    memset(to, 0, CLOD_WALL_MESH_WEAR * sizeof *to);
+    const double area = clod_wear_area(wall, s, place);
+    const double time = state->time - wall->wear_since;
+    if (wall->wear == NULL || !(area > 0.0) || !(time > 0.0)) {
+        return;
+    }
+    const double *sum = wall->wear[place];
+    to[CLOD_WALL_MESH_PRESSURE] = sum[CLOD_WEAR_PRESS] / (area * time);
+    to[CLOD_WALL_MESH_SHEAR_WORK] = sum[CLOD_WEAR_SHEAR] / area;
+    to[CLOD_WALL_MESH_IMPACT_ENERGY] = sum[CLOD_WEAR_ENERGY] / area;
+    to[CLOD_WALL_MESH_IMPACTS] = sum[CLOD_WEAR_IMPACTS] / area;
+    to[CLOD_WALL_MESH_ARCHARD_DEPTH] = wall->shapes[s].archard * sum[CLOD_WEAR_SLIDING] / area;
+    to[CLOD_WALL_MESH_FINNIE_DEPTH] = wall->shapes[s].finnie * sum[CLOD_WEAR_CUTTING] / area;
 }
 
 /** Add a triangle given in the wall's frame. */
@@ -53,6 +75,9 @@ static void draw(clod_mesh_pen *pen, clod_vec3 a, clod_vec3 b, clod_vec3 c)
     memcpy(mesh->velocity[t], &velocity, sizeof mesh->velocity[t]);
     mesh->wall[t] = pen->number;
     mesh->material[t] = clod_wall_material(pen->wall, shape);
+    if (mesh->wears) {
+        wear_of(pen->state, pen->wall, shape, pen->place, mesh->wear[t]);
+    }
 }
 
 static void draw_quad(clod_mesh_pen *pen, const clod_vec3 q[4])
@@ -144,6 +169,7 @@ static void draw_facets(clod_mesh_pen *pen)
     for (size_t f = 0; begins_mesh(first) && f < surface->facet_count; f++) {
         const uint32_t *v = surface->facet[f];
         pen->shape = first + CLOD_SURFACE_SLOTS * surface->patch[f];
+        pen->place = first->place + (int32_t)f;
         draw(pen, clod_vec3_of(surface->vertex[v[0]]), clod_vec3_of(surface->vertex[v[1]]),
              clod_vec3_of(surface->vertex[v[2]]));
     }
@@ -164,6 +190,15 @@ static const struct {
     [CLOD_SHAPE_MESH] = {0, draw_facets}, // as many as the mesh has
 };
 
+static bool wears(const clod_state *state)
+{
+    bool any = false;
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        any |= state->walls.wall[w].wear != NULL;
+    }
+    return any;
+}
+
 bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_status *status)
 {
     size_t triangles = 0;
@@ -180,15 +215,20 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
         .velocity = clod_memory_alloc(triangles, sizeof *self->velocity),
         .wall = clod_memory_alloc(triangles, sizeof *self->wall),
         .material = clod_memory_alloc(triangles, sizeof *self->material),
+        .wears = wears(state),
     };
+    if (self->wears) {
+        self->wear = clod_memory_alloc(triangles, sizeof *self->wear);
+    }
     if (self->corner == NULL || self->velocity == NULL || self->wall == NULL ||
-        self->material == NULL) {
+        self->material == NULL || (self->wears && self->wear == NULL)) {
         return clod_status_fail(status, CLOD_FAILED, "No memory for a picture of the walls.");
     }
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            clod_mesh_pen pen = {self, wall, &wall->shapes[s], w, &state->domain};
+            const clod_shape *shape = &wall->shapes[s];
+            clod_mesh_pen pen = {self, wall, shape, w, &state->domain, state, shape->place};
             SHAPES[wall->shapes[s].kind].draw(&pen);
         }
     }
@@ -201,5 +241,6 @@ void clod_wall_mesh_fini(clod_wall_mesh *self)
     clod_memory_free(self->velocity);
     clod_memory_free(self->wall);
     clod_memory_free(self->material);
+    clod_memory_free(self->wear);
     *self = (clod_wall_mesh){0};
 }

@@ -7,6 +7,17 @@
 #include "clod/status.h"
 #include "state/state.h"
 
+/** What wear tells of a triangle (docs/theory/wear.md). */
+enum {
+    CLOD_WALL_MESH_PRESSURE,      ///< mean since the sums began [Pa]
+    CLOD_WALL_MESH_SHEAR_WORK,    ///< J/m2
+    CLOD_WALL_MESH_IMPACT_ENERGY, ///< J/m2
+    CLOD_WALL_MESH_IMPACTS,       ///< 1/m2
+    CLOD_WALL_MESH_ARCHARD_DEPTH, ///< m
+    CLOD_WALL_MESH_FINNIE_DEPTH,  ///< m
+    CLOD_WALL_MESH_WEAR
+};
+
 /** Edges of a circle. */
 #define CLOD_WALL_MESH_SEGMENTS 96
 
@@ -16,6 +27,8 @@ typedef struct clod_wall_mesh {
     double (*velocity)[3];  ///< owned [count]: of the wall's material at its middle [m/s]
     int32_t *wall;          ///< owned [count]: number of the wall
     int32_t *material;      ///< owned [count]
+    bool wears;             ///< some wall has sums of its places (state/wear.h)
+    double (*wear)[CLOD_WALL_MESH_WEAR]; ///< owned [count] if so: densities, in that order
 } clod_wall_mesh;
 
 /**

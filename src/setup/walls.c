@@ -316,6 +316,18 @@ bool clod_setup_wall(const clod_case *from, const clod_case_wall *given, clod_wa
     return true;
 }
 
+/** How the materials of the shapes wear. */
+static void set_wear(const clod_case *from, clod_wall *wall)
+{
+    for (int32_t s = 0; s < wall->shape_count; s++) {
+        const clod_case_material *of = &from->materials[clod_wall_material(wall, s)];
+        if (of->hardness > 0.0) {
+            wall->shapes[s].archard = of->archard / of->hardness;
+            wall->shapes[s].finnie = of->finnie / of->hardness;
+        }
+    }
+}
+
 bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *status)
 {
     *walls = (clod_walls){0};
@@ -331,6 +343,7 @@ bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *sta
         if (!clod_setup_wall(from, &from->walls[w], &walls->wall[w], status)) {
             return false;
         }
+        set_wear(from, &walls->wall[w]);
         if (from->output.surfaces && !clod_wear_begin(&walls->wall[w])) {
             return clod_status_fail(status, CLOD_FAILED, "no memory for the places of walls.%s",
                                     walls->wall[w].name);

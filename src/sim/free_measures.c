@@ -3,12 +3,13 @@
 #include "sim/inlets.h"
 #include "sim/leavers.h"
 #include "sim/residence.h"
+#include "sim/surfaces.h"
 #include "sim/wall_loads.h"
 
 /** In the order of the series' columns. */
 static const clod_free_measure *const MEASURES[] = {
     &CLOD_MEASURE_LEAVERS,   &CLOD_MEASURE_INLETS,     &CLOD_MEASURE_OUTLETS,
-    &CLOD_MEASURE_RESIDENCE, &CLOD_MEASURE_WALL_LOADS,
+    &CLOD_MEASURE_RESIDENCE, &CLOD_MEASURE_WALL_LOADS, &CLOD_MEASURE_SURFACES,
 };
 enum { COUNT = sizeof MEASURES / sizeof *MEASURES };
 

@@ -279,7 +279,7 @@ bool clod_walls_copy(clod_walls *self, const clod_walls *from, clod_status *stat
         self->wall[w].wear = NULL;
         self->count = w + 1;
         if (wall->wear != NULL) {
-            const size_t size = (size_t)wall->wear_places * sizeof *wall->wear;
+            const size_t size = (size_t)wall->wear_rows * sizeof *wall->wear;
             self->wall[w].wear = clod_memory_alloc(1, size + 1);
             if (self->wall[w].wear == NULL) {
                 clod_walls_fini(self);
@@ -303,7 +303,7 @@ void clod_wall_give(clod_wall *self)
     self->shapes = NULL;
     self->shape_count = 0;
     self->wear = NULL;
-    self->wear_places = 0;
+    self->wear_places = self->wear_rows = 0;
 }
 
 void clod_walls_fini(clod_walls *self)

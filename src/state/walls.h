@@ -43,10 +43,12 @@ typedef struct clod_shape {
     double inner, outer; ///< m, radii: disc, cylinder outer; annulus both; cone: top and foot
     double half[3]; ///< m, box, bar: half sizes along axis[]; shells: half[2] = half length
     clod_side side;
-    clod_surface *surface; ///< mesh: with one user for this shape; else NULL
-    int32_t patch;         ///< mesh: of the surface
-    int32_t slot;          ///< mesh: which of the contacts with the patch (surface_touch.h)
-    int32_t place;         ///< first of its places among those of the wall (wear.h)
+    clod_surface *surface;  ///< mesh: with one user for this shape; else NULL
+    int32_t patch;          ///< mesh: of the surface
+    int32_t slot;           ///< mesh: which of the contacts with the patch (surface_touch.h)
+    int32_t place;          ///< first of its places among those of the wall (wear.h)
+    int32_t face;           ///< first of its surfaces among those of the wall (wear.h)
+    double archard, finnie; ///< m3/J, worn volume for a sum of work (wear.h)
 } clod_shape;
 
 /** Copies of shapes, with users of their surfaces; NULL without memory. */
@@ -120,8 +122,11 @@ typedef struct clod_wall {
     clod_vec3 sum_force, sum_torque;
     double sum_power;
     // what grains did to each place of it (wear.h)
-    int32_t wear_places;
-    double (*wear)[CLOD_WEAR_SUMS]; ///< owned [wear_places]; NULL: nobody asked
+    int32_t wear_places, wear_rows;
+    double wear_since, wear_row;    ///< s, times at which the sums began, and of the last row
+    double (*wear)[CLOD_WEAR_SUMS]; ///< owned [wear_rows] places, then the sums of each surface
+                                    ///< at the last row of the series, then those of now, as
+                                    ///< sim/surfaces.c needs them; NULL: nobody asked
 } clod_wall;
 
 /** Free what a wall owns. */

@@ -1,44 +1,92 @@
 #include "state/wear.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
+#include "mesh/surface_touch.h"
 
-const clod_wear_column CLOD_WEAR_COLUMN[CLOD_WEAR_COLUMNS] = {
-    {"impulse_x", "N s"}, {"impulse_y", "N s"}, {"impulse_z", "N s"}, {"press", "N s"},
-    {"shear", "J"},       {"squeeze", "J"},     {"impacts", "1"},     {"energy", "J"},
-    {"angle", "J rad"},   {"sliding", "J"},     {"cutting", "J"}};
-
-int32_t clod_wear_number_places(clod_wall *wall)
+int32_t clod_wear_number(clod_wall *wall)
 {
-    int32_t places = 0, first = 0;
+    int32_t places = 0, faces = 0, place = 0, face = 0;
     const clod_surface *surface = NULL;
     for (int32_t s = 0; s < wall->shape_count; s++) {
         clod_shape *shape = &wall->shapes[s];
-        const bool next = shape->surface == NULL || shape->surface != surface;
-        if (next) {
-            first = places;
+        if (shape->surface == NULL ||
+            shape->surface != surface) { // the first of a mesh, or none
             surface = shape->surface;
+            place = places;
+            face = faces;
             places += surface != NULL ? (int32_t)surface->facet_count : 1;
+            faces += surface != NULL ? (int32_t)surface->part_count : 1;
         }
-        shape->place = first;
+        shape->place = place;
+        shape->face = face;
     }
     return places;
+}
+
+int32_t clod_wear_faces(const clod_wall *wall)
+{
+    if (wall->shape_count == 0) {
+        return 0;
+    }
+    const clod_shape *last = &wall->shapes[wall->shape_count - 1];
+    return last->face + (last->surface != NULL ? (int32_t)last->surface->part_count : 1);
+}
+
+void clod_wear_visit(const clod_wall *wall, clod_wear_look look, void *context)
+{
+    for (int32_t s = 0; s < wall->shape_count; s++) {
+        const clod_shape *shape = &wall->shapes[s];
+        const clod_surface *surface = shape->surface;
+        if (surface == NULL) {
+            look(context, wall, (clod_wear_place){s, shape->place, shape->face});
+        } else if (shape->patch == 0 && shape->slot == 0) { // the mesh's other shapes follow
+            for (int32_t f = 0; f < (int32_t)surface->facet_count; f++) {
+                look(context, wall,
+                     (clod_wear_place){s + CLOD_SURFACE_SLOTS * (int32_t)surface->patch[f],
+                                       shape->place + f,
+                                       shape->face + (int32_t)surface->part[f]});
+            }
+        }
+    }
+}
+
+void clod_wear_name(const clod_wall *wall, int32_t face, char *text, size_t size)
+{
+    for (int32_t s = wall->shape_count; s-- > 0;) {
+        const clod_shape *shape = &wall->shapes[s];
+        const clod_surface *surface = shape->surface;
+        if (surface != NULL && shape->face <= face &&
+            face < shape->face + (int32_t)surface->part_count &&
+            surface->part_name[face - shape->face][0] != '\0') {
+            snprintf(text, size, "%s.%s", wall->name, surface->part_name[face - shape->face]);
+            return;
+        }
+    }
+    if (clod_wear_faces(wall) > 1) {
+        snprintf(text, size, "%s.%d", wall->name, (int)face + 1);
+    } else {
+        snprintf(text, size, "%s", wall->name);
+    }
 }
 
 bool clod_wear_begin(clod_wall *wall)
 {
     clod_memory_free(wall->wear);
-    wall->wear_places = clod_wear_number_places(wall);
-    wall->wear = clod_memory_alloc((size_t)wall->wear_places + 1, sizeof *wall->wear);
+    wall->wear_places = clod_wear_number(wall);
+    wall->wear_rows = wall->wear_places + 2 * clod_wear_faces(wall);
+    wall->wear = clod_memory_alloc((size_t)wall->wear_rows + 1, sizeof *wall->wear);
     return wall->wear != NULL;
 }
 
-void clod_wear_reset(clod_wall *wall)
+void clod_wear_reset(clod_wall *wall, double time)
 {
     if (wall->wear != NULL) {
-        memset(wall->wear, 0, (size_t)wall->wear_places * sizeof *wall->wear);
+        memset(wall->wear, 0, (size_t)wall->wear_rows * sizeof *wall->wear);
+        wall->wear_since = wall->wear_row = time;
     }
 }
 

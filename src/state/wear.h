@@ -2,8 +2,9 @@
 /**
  * @file wear.h
  * What grains do to each place of a wall: sums over time of force, work, impacts and what wear
- * follows from. A place is a facet of a mesh, or a whole shape that is none. Only walls that were
- * asked to have these sums (output.surfaces).
+ * follows from. A place is a facet of a mesh, or a whole shape that is none. Places make surfaces:
+ * each named part of a mesh is one, and each other shape. Only walls that were asked to have
+ * these sums (output.surfaces).
  *
  * Source  docs/theory/wear.md.   Test  tests/step/test_wear.c
  */
@@ -12,38 +13,44 @@
 
 /** Columns of the sums of a place. */
 enum {
-    CLOD_WEAR_IMPULSE = 0,  ///< x, y, z: of the grains' force on it [N s]
-    CLOD_WEAR_PRESS = 3,    ///< of that force into the surface [N s]; below 0 grains pull
-    CLOD_WEAR_SHEAR = 4,    ///< of friction force times sliding speed [J]
-    CLOD_WEAR_SQUEEZE = 5,  ///< of normal force times approach speed, while they approach [J]
-    CLOD_WEAR_IMPACTS = 6,  ///< number of contacts that began
-    CLOD_WEAR_ENERGY = 7,   ///< of the grains' kinetic energy relative to it at impact [J]
-    CLOD_WEAR_ANGLE = 8,    ///< of that energy times the angle of impact [J rad]
-    CLOD_WEAR_SLIDING = 9,  ///< of pressing force times sliding speed [J]: Archard
-    CLOD_WEAR_CUTTING = 10, ///< of force times speed times f(angle), twice [J]: Finnie
-    CLOD_WEAR_COLUMNS = CLOD_WEAR_SUMS
+    CLOD_WEAR_IMPULSE = 0, ///< x, y, z: of the grains' force on it [N s]
+    CLOD_WEAR_PRESS = 3,   ///< of that force into the surface [N s]; below 0 grains pull
+    CLOD_WEAR_SHEAR = 4,   ///< of friction force times sliding speed [J]
+    CLOD_WEAR_SQUEEZE = 5, ///< of normal force times approach speed, while they approach [J]
+    CLOD_WEAR_IMPACTS = 6, ///< number of contacts that began
+    CLOD_WEAR_ENERGY = 7,  ///< of the energy of the grains' approach, m v_n^2/2, at impact [J]
+    CLOD_WEAR_ANGLE = 8,   ///< of that energy times the angle of impact [J rad]
+    CLOD_WEAR_SLIDING = 9, ///< of pressing force times sliding speed [J]: Archard
+    CLOD_WEAR_CUTTING = 10 ///< of force times speed times f(angle), twice [J]: Finnie
 };
 
-/** What is told of a column. */
-typedef struct clod_wear_column {
-    const char *name, *unit;
-} clod_wear_column;
-
-extern const clod_wear_column CLOD_WEAR_COLUMN[CLOD_WEAR_COLUMNS];
-
-/**
- * Begin the sums of a wall, at zero; each shape knows its first place then (clod_shape.place).
- * Errors  false without memory.
- */
+/** Begin the sums of a wall, at zero. Errors  false without memory. */
 bool clod_wear_begin(clod_wall *wall);
 
-/** Set all sums of a wall to zero, if it has any. */
-void clod_wear_reset(clod_wall *wall);
+/** Begin the sums of a wall anew at a time [s], if it has any. */
+void clod_wear_reset(clod_wall *wall, double time);
 
-/** Number the places of a wall's shapes: facets of each mesh, and other shapes; how many. */
-int32_t clod_wear_number_places(clod_wall *wall);
+/** Number the places and surfaces of a wall's shapes (clod_shape.place, face); how many places. */
+int32_t clod_wear_number(clod_wall *wall);
 
-/** Area of a place [m2]; 0 for shapes without a bound. */
+/** Number of surfaces of a wall whose shapes are numbered. */
+int32_t clod_wear_faces(const clod_wall *wall);
+
+/** A place, the shape with which grains touch it, and its surface; numbers of the wall. */
+typedef struct clod_wear_place {
+    int32_t shape, place, face;
+} clod_wear_place;
+
+/** Look at a place of a wall. */
+typedef void (*clod_wear_look)(void *context, const clod_wall *wall, clod_wear_place at);
+
+/** Look at every place of a wall whose shapes are numbered. */
+void clod_wear_visit(const clod_wall *wall, clod_wear_look look, void *context);
+
+/** Name of a surface: WALL.PART, WALL.NUMBER, or WALL where it has no other. */
+void clod_wear_name(const clod_wall *wall, int32_t face, char *text, size_t size);
+
+/** Area of a place of a shape [m2]; 0 for shapes without a bound. */
 double clod_wear_area(const clod_wall *wall, int32_t shape, int32_t place);
 
 /**
@@ -51,6 +58,6 @@ double clod_wear_area(const clod_wall *wall, int32_t shape, int32_t place);
  * 1/3, else cos2 g/3.
  *
  * @param normal, along  speeds into and along the surface [m/s], >= 0, not both 0
- * Source  Finnie 1960.   Test  tests/step/test_wear.c
+ * Source  Finnie 1960, doi:10.1016/0043-1648(60)90055-7.   Test  tests/step/test_wear.c
  */
 double clod_wear_finnie(double normal, double along);

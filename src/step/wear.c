@@ -14,7 +14,7 @@ static bool is_mine(const clod_step *self, int32_t place, int part)
 }
 
 /** What one contact did to its place in a step. */
-static void add(double sum[CLOD_WEAR_COLUMNS], const clod_rub_block *rub, int lane, double dt)
+static void add(double sum[CLOD_WEAR_SUMS], const clod_rub_block *rub, int lane, double dt)
 {
     const double press = rub->press[lane], slip = rub->slip[lane];
     const double approach = rub->approach[lane], mass = rub->mass[lane];
@@ -33,7 +33,7 @@ static void add(double sum[CLOD_WEAR_COLUMNS], const clod_rub_block *rub, int la
             2.0 * dt * force * hypot(approach, slip) * clod_wear_finnie(approach, slip);
     }
     if (rub->closed[lane] > 1.5 && approach > 0.0) { // an impact begins
-        const double energy = 0.5 * mass * square;
+        const double energy = 0.5 * mass * approach * approach;
         sum[CLOD_WEAR_IMPACTS] += 1.0;
         sum[CLOD_WEAR_ENERGY] += energy;
         sum[CLOD_WEAR_ANGLE] += energy * asin(fmin(1.0, approach / sqrt(square)));

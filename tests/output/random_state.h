@@ -58,6 +58,8 @@ static inline void random_shape(random_source *source, clod_shape *shape)
     random_reals(source, &shape->belt.spin, 1);
     random_reals(source, &shape->belt.spin_axis, 3);
     random_reals(source, &shape->belt.spin_point, 3);
+    random_reals(source, &shape->archard, 1);
+    random_reals(source, &shape->finnie, 1);
 }
 
 /** Everything of a wall but its name. */
@@ -95,6 +97,11 @@ static inline void random_wall(random_source *source, clod_wall *wall)
     for (int32_t s = 0; s < wall->shape_count; s++) {
         random_shape(source, &wall->shapes[s]);
     }
+    random_reals(source, &wall->wear_since, 1);
+    random_reals(source, &wall->wear_row, 1);
+    if (wall->wear != NULL) {
+        random_reals(source, wall->wear, (size_t)(wall->wear_rows * CLOD_WEAR_SUMS));
+    }
     clod_wall_find_symmetry(wall);
 }
 
@@ -119,6 +126,11 @@ static inline void random_state_walls(clod_state *state)
         snprintf(wall->name, sizeof wall->name, "wall number %d", w);
         wall->shape_count = w + 1;
         wall->shapes = clod_memory_alloc((size_t)w + 1, sizeof(clod_shape));
+        if (w % 2 == 0) { // the others have none
+            wall->wear_places = w + 1;
+            wall->wear_rows = w + 3;
+            wall->wear = clod_memory_alloc((size_t)w + 3, sizeof *wall->wear);
+        }
     }
 }
 
@@ -202,6 +214,8 @@ static inline void assert_shapes_equal(const clod_shape *x, const clod_shape *y)
     assert_int_equal(x->symmetric, y->symmetric);
     assert_int_equal(x->side, y->side);
     assert_memory_equal(&x->belt, &y->belt, sizeof x->belt);
+    assert_memory_equal(&x->archard, &y->archard, sizeof x->archard);
+    assert_memory_equal(&x->finnie, &y->finnie, sizeof x->finnie);
     const size_t numbers = offsetof(clod_shape, center);
     assert_memory_equal((const char *)x + numbers, (const char *)y + numbers,
                         offsetof(clod_shape, side) - numbers);
@@ -241,7 +255,11 @@ static inline void assert_states_equal(const clod_state *a, const clod_state *b)
                             offsetof(clod_wall, load) - motion);
         const size_t load = offsetof(clod_wall, load_axis);
         assert_memory_equal((const char *)x + load, (const char *)y + load,
-                            sizeof(clod_wall) - load);
+                            offsetof(clod_wall, wear) - load);
+        assert_int_equal(x->wear == NULL, y->wear == NULL);
+        if (x->wear != NULL) {
+            assert_memory_equal(x->wear, y->wear, (size_t)x->wear_rows * sizeof *x->wear);
+        }
         for (int32_t s = 0; s < x->shape_count; s++) {
             assert_shapes_equal(&x->shapes[s], &y->shapes[s]);
         }

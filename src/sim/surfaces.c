@@ -1,0 +1,267 @@
+#include "sim/surfaces.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "state/wear.h"
+
+/** Columns of each surface: means over the time since the last row. */
+static const char *const PER_FACE[] = {"force_x [N]",     "force_y [N]",     "force_z [N]",
+                                       "press [N]",       "shear_power [W]", "impacts [1/s]",
+                                       "impact_power [W]"};
+static const int SUM_OF[] = {CLOD_WEAR_IMPULSE, CLOD_WEAR_IMPULSE + 1, CLOD_WEAR_IMPULSE + 2,
+                             CLOD_WEAR_PRESS,   CLOD_WEAR_SHEAR,       CLOD_WEAR_IMPACTS,
+                             CLOD_WEAR_ENERGY};
+#define PER_FACE_COUNT (sizeof PER_FACE / sizeof *PER_FACE)
+
+// ---- totals of surfaces
+
+/** All that is told of a surface. */
+typedef struct face {
+    double sum[CLOD_WEAR_SUMS];
+    double area;                        ///< m2; 0: without bound
+    double pressure;                    ///< Pa, largest mean of a place
+    double archard, finnie;             ///< m3
+    double archard_depth, finnie_depth; ///< m, of the place that wears most
+} face;
+
+/** Surfaces of a wall as they are summed up. */
+typedef struct summing {
+    face *faces;
+    double time; ///< s, over which the sums go
+} summing;
+
+static void add_place(void *context, const clod_wall *wall, clod_wear_place at)
+{
+    const summing *self = context;
+    face *to = &self->faces[at.face];
+    const double *sum = wall->wear[at.place];
+    const clod_shape *shape = &wall->shapes[at.shape];
+    for (int c = 0; c < CLOD_WEAR_SUMS; c++) {
+        to->sum[c] += sum[c];
+    }
+    const double area = clod_wear_area(wall, at.shape, at.place);
+    const double archard = shape->archard * sum[CLOD_WEAR_SLIDING];
+    const double finnie = shape->finnie * sum[CLOD_WEAR_CUTTING];
+    to->area += area;
+    to->archard += archard;
+    to->finnie += finnie;
+    if (area > 0.0 && self->time > 0.0) {
+        to->pressure = fmax(to->pressure, sum[CLOD_WEAR_PRESS] / (area * self->time));
+        to->archard_depth = fmax(to->archard_depth, archard / area);
+        to->finnie_depth = fmax(to->finnie_depth, finnie / area);
+    }
+}
+
+/** All surfaces of a wall, owned [clod_wear_faces]; NULL without memory. */
+static face *make_faces(const clod_wall *wall, double now)
+{
+    face *faces = clod_memory_alloc((size_t)clod_wear_faces(wall) + 1, sizeof *faces);
+    if (faces != NULL) {
+        summing self = {faces, now - wall->wear_since};
+        clod_wear_visit(wall, add_place, &self);
+    }
+    return faces;
+}
+
+/** Angle of impact, weighted with energy [deg]; not a number without impacts. */
+static double angle_of(const face *self)
+{
+    return 180.0 / M_PI * self->sum[CLOD_WEAR_ANGLE] / self->sum[CLOD_WEAR_ENERGY];
+}
+
+// ---- when the sums begin
+
+/** Step at which they begin, when that is not the start. */
+static int64_t first_step(const clod_case *from, const clod_state *state)
+{
+    return (int64_t)ceil(from->output.surfaces_from / state->dt);
+}
+
+static bool surfaces_act(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    (void)memory;
+    (void)status;
+    clod_state *state = now->state;
+    if (now->from->output.surfaces && state->step == first_step(now->from, state)) {
+        for (int32_t w = 0; w < state->walls.count; w++) {
+            clod_wear_reset(&state->walls.wall[w], state->time);
+        }
+    }
+    return true;
+}
+
+static int64_t surfaces_plan(const void *memory, const clod_case *from, const clod_state *state)
+{
+    (void)memory;
+    const int64_t first = first_step(from, state);
+    return from->output.surfaces && first > state->step ? first - state->step : INT64_MAX;
+}
+
+// ---- series
+
+static size_t surfaces_columns(const clod_case *from, const clod_state *state)
+{
+    size_t faces = 0;
+    for (int32_t w = 0; from->output.surfaces && w < state->walls.count; w++) {
+        faces += (size_t)clod_wear_faces(&state->walls.wall[w]);
+    }
+    return PER_FACE_COUNT * faces;
+}
+
+static void surfaces_column(const clod_case *from, const clod_state *state, size_t k,
+                            char *text, size_t size)
+{
+    (void)from;
+    size_t number = k / PER_FACE_COUNT;
+    int32_t w = 0;
+    for (size_t faces; number >= (faces = (size_t)clod_wear_faces(&state->walls.wall[w]));
+         w++) {
+        number -= faces;
+    }
+    char name[64];
+    clod_wear_name(&state->walls.wall[w], (int32_t)number, name, sizeof name);
+    snprintf(text, size, "surface_%s.%s", name, PER_FACE[k % PER_FACE_COUNT]);
+}
+
+/** Sums of each surface of a wall: at the last row, and now. */
+static double (*last_of(const clod_wall *wall))[CLOD_WEAR_SUMS]
+{
+    return wall->wear + wall->wear_places;
+}
+
+static double (*now_of(const clod_wall *wall))[CLOD_WEAR_SUMS]
+{
+    return last_of(wall) + clod_wear_faces(wall);
+}
+
+static void add_sums(void *context, const clod_wall *wall, clod_wear_place at)
+{
+    double(*to)[CLOD_WEAR_SUMS] = context;
+    for (int c = 0; c < CLOD_WEAR_SUMS; c++) {
+        to[at.face][c] += wall->wear[at.place][c];
+    }
+}
+
+static bool surfaces_look(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    (void)memory;
+    (void)status;
+    for (int32_t w = 0; now->from->output.surfaces && w < now->state->walls.count; w++) {
+        clod_wall *wall = &now->state->walls.wall[w];
+        memset(now_of(wall), 0, (size_t)clod_wear_faces(wall) * sizeof *wall->wear);
+        clod_wear_visit(wall, add_sums, now_of(wall));
+    }
+    return true;
+}
+
+static void surfaces_row(void *memory, const clod_free_moment *now, double *row)
+{
+    (void)memory;
+    for (int32_t w = 0; w < now->state->walls.count; w++) {
+        clod_wall *wall = &now->state->walls.wall[w];
+        const double time = now->state->time - wall->wear_row;
+        const int32_t faces = clod_wear_faces(wall);
+        for (int32_t f = 0; f < faces; f++) {
+            for (size_t c = 0; c < PER_FACE_COUNT; c++) {
+                const double sum = now_of(wall)[f][SUM_OF[c]] - last_of(wall)[f][SUM_OF[c]];
+                *row++ = time > 0.0 ? sum / time : 0.0;
+            }
+        }
+        memcpy(last_of(wall), now_of(wall), (size_t)faces * sizeof *wall->wear);
+        wall->wear_row = now->state->time;
+    }
+}
+
+// ---- report and summary
+
+static void report_wall(FILE *out, const clod_wall *wall, double now)
+{
+    face *faces = make_faces(wall, now);
+    const double time = now - wall->wear_since;
+    for (int32_t f = 0; faces != NULL && time > 0.0 && f < clod_wear_faces(wall); f++) {
+        const face *of = &faces[f];
+        char name[64];
+        clod_wear_name(wall, f, name, sizeof name);
+        if (of->sum[CLOD_WEAR_IMPACTS] == 0.0 && of->sum[CLOD_WEAR_SHEAR] == 0.0) {
+            continue;
+        }
+        fprintf(out, "  %-22s %9.4g %9.4g %9.4g %9.4g %9.4g %6.1f %10.4g %10.4g\n", name,
+                of->sum[CLOD_WEAR_PRESS] / time, 1e-3 * of->pressure,
+                of->sum[CLOD_WEAR_SHEAR] / time, of->sum[CLOD_WEAR_IMPACTS] / time,
+                of->sum[CLOD_WEAR_ENERGY] / time, angle_of(of),
+                1e9 * 3600.0 * of->archard / time, 1e9 * 3600.0 * of->finnie / time);
+    }
+    clod_memory_free(faces);
+}
+
+static void surfaces_report(FILE *out, const void *memory, const clod_free_moment *now)
+{
+    (void)memory;
+    const clod_walls *walls = &now->state->walls;
+    if (!now->from->output.surfaces) {
+        return;
+    }
+    fprintf(out,
+            "  %-22s %9s %9s %9s %9s %9s %6s %10s %10s\n"
+            "  %-22s %9s %9s %9s %9s %9s %6s %10s %10s\n",
+            "surface", "press", "largest", "shear", "impacts", "impact", "angle", "Archard",
+            "Finnie", "", "N", "kPa", "W", "1/s", "W", "deg", "mm3/h", "mm3/h");
+    for (int32_t w = 0; w < walls->count; w++) {
+        report_wall(out, &walls->wall[w], now->state->time);
+    }
+}
+
+static json_t *face_json(const clod_wall *wall, int32_t number, const face *of, double time)
+{
+    char name[64];
+    clod_wear_name(wall, number, name, sizeof name);
+    const double *sum = of->sum;
+    json_t *one = json_pack(
+        "{s:s, s:[fff], s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f}", "name", name,
+        "force_N", sum[0] / time, sum[1] / time, sum[2] / time, "press_N",
+        sum[CLOD_WEAR_PRESS] / time, "largest_pressure_Pa", of->pressure, "shear_power_W",
+        sum[CLOD_WEAR_SHEAR] / time, "squeeze_power_W", sum[CLOD_WEAR_SQUEEZE] / time,
+        "impacts_per_s", sum[CLOD_WEAR_IMPACTS] / time, "impact_power_W",
+        sum[CLOD_WEAR_ENERGY] / time, "archard_m3_per_s", of->archard / time, "finnie_m3_per_s",
+        of->finnie / time, "archard_depth_m_per_s", of->archard_depth / time,
+        "finnie_depth_m_per_s", of->finnie_depth / time);
+    if (of->area > 0.0) {
+        json_object_set_new(one, "area_m2", json_real(of->area));
+    }
+    if (sum[CLOD_WEAR_ENERGY] > 0.0) {
+        json_object_set_new(one, "impact_angle_deg", json_real(angle_of(of)));
+    }
+    return one;
+}
+
+static json_t *surfaces_json(const void *memory, const clod_free_moment *now)
+{
+    (void)memory;
+    const clod_walls *walls = &now->state->walls;
+    if (!now->from->output.surfaces) {
+        return NULL;
+    }
+    json_t *all = json_array();
+    for (int32_t w = 0; w < walls->count; w++) {
+        const clod_wall *wall = &walls->wall[w];
+        const double time = now->state->time - wall->wear_since;
+        face *faces = make_faces(wall, now->state->time);
+        for (int32_t f = 0; faces != NULL && time > 0.0 && f < clod_wear_faces(wall); f++) {
+            json_array_append_new(all, face_json(wall, f, &faces[f], time));
+        }
+        clod_memory_free(faces);
+    }
+    return all;
+}
+
+const clod_free_measure CLOD_MEASURE_SURFACES = {.key = "surfaces",
+                                                 .act = surfaces_act,
+                                                 .plan = surfaces_plan,
+                                                 .look = surfaces_look,
+                                                 .columns = surfaces_columns,
+                                                 .column = surfaces_column,
+                                                 .row = surfaces_row,
+                                                 .report = surfaces_report,
+                                                 .json = surfaces_json};
