@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "app.h"
 #include "arguments.h"
@@ -39,7 +40,7 @@ typedef struct request {
     double time, range[2], from[3], at[3];
     const char **hidden;
     const char *output, *movie;
-    int jobs; ///< 0: as many as there are cores
+    int jobs; ///< processors; 0: all
 } request;
 
 static const struct argp_option OPTIONS[] = {
@@ -64,7 +65,7 @@ static const struct argp_option OPTIONS[] = {
     {"quality", KEY_QUALITY, "NAME", 0,
      "draft, normal (default), or high: light from the whole sky, ten times as slow", 0},
     {"output", 'o', "FILE", 0, "PNG file (RUN.png), or folder of frames (RUN-frames)", 0},
-    {"jobs", 'j', "N", 0, "processes that draw frames (all cores)", 0},
+    {"jobs", 'j', "N", 0, "processors that draw at the same time (all)", 0},
     {0},
 };
 
@@ -272,6 +273,9 @@ int clod_app_picture(int argc, char **argv)
     clod_status status = {CLOD_OK, ""};
     int result = CLOD_FAILED;
     if (clod_arguments_parse(&argp, argc, argv, 0, &self)) {
+        const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+        self.jobs = self.jobs > 0 ? self.jobs : cores > 0 ? (int)cores : 1;
+        self.options.threads = self.options.all ? 1 : self.jobs;
         const clod_app_frames_job job = {&self.options, self.output, self.movie, self.jobs};
         const bool done = clod_app_frames(&job, &status);
         result = done ? EXIT_SUCCESS : (int)status.code;

@@ -112,10 +112,9 @@ static bool finish(const worker *self, bool good, clod_status *status)
 static bool draw_all(const clod_app_frames_job *self, const clod_picture *picture,
                      const char *folder, clod_status *status)
 {
-    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    size_t jobs = self->jobs > 0 ? (size_t)self->jobs : cores > 0 ? (size_t)cores : 1;
     const size_t frames = clod_picture_count(picture);
-    jobs = jobs > frames ? frames : jobs > MOST_JOBS ? MOST_JOBS : jobs;
+    const size_t most = self->jobs < MOST_JOBS ? (size_t)self->jobs : MOST_JOBS;
+    const size_t jobs = most < frames ? most : frames;
     if (mkdir(folder, 0777) != 0 && errno != EEXIST) {
         return clod_status_fail(status, CLOD_FAILED, "%s: the folder cannot be made: %s.",
                                 folder, strerror(errno));

@@ -10,7 +10,7 @@ typedef struct clod_app_frames_job {
     const clod_picture_options *options;
     const char *output; ///< file, or folder of frames; NULL: named after the run
     const char *movie;  ///< file; NULL: none
-    int jobs;           ///< processes; 0: as many as there are cores
+    int jobs;           ///< processes that draw frames
 } clod_app_frames_job;
 
 /**

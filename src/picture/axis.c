@@ -95,10 +95,10 @@ static double choose_prefix(double most, const char *units, char text[64])
     write_units(units, plain);
     snprintf(text, 64, "%s", plain);
     const bool mass = strcmp(plain, "kg") == 0;
-    const bool takes_prefix = mass || strcmp(plain, "m") == 0 || strcmp(plain, "s") == 0 ||
-                              strcmp(plain, "N") == 0 || strcmp(plain, "J") == 0 ||
-                              strcmp(plain, "W") == 0 || strcmp(plain, "Pa") == 0 ||
-                              strcmp(plain, "N m") == 0;
+    const bool takes_prefix =
+        mass || strcmp(plain, "m") == 0 || strcmp(plain, "s") == 0 || strcmp(plain, "N") == 0 ||
+        strcmp(plain, "J") == 0 || strcmp(plain, "W") == 0 || strcmp(plain, "Pa") == 0 ||
+        strcmp(plain, "N m") == 0 || strcmp(plain, "m/s") == 0 || strcmp(plain, "m/s2") == 0;
     if (most == 0.0 || (most >= 0.1 && most < 10000.0)) {
         return 1.0;
     }

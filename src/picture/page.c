@@ -215,12 +215,11 @@ static void put_bar(const clod_page *self, const clod_page_bar *bar, double x, d
         cairo_fill(self->cairo);
     }
     if (bar->above) {
-        put_end(self, bar->map.colour[CLOD_COLOUR_MAP_SIZE - 1], floor(x), floor(y) - 2.0,
+        put_end(self, bar->map.colour[CLOD_COLOUR_MAP_SIZE - 1], floor(x), floor(y),
                 floor(width), -0.8 * font);
     }
     if (bar->below) {
-        put_end(self, bar->map.colour[0], floor(x), floor(y) + rows + 2.0, floor(width),
-                0.8 * font);
+        put_end(self, bar->map.colour[0], floor(x), floor(y) + rows, floor(width), 0.8 * font);
     }
     cairo_set_line_width(self->cairo, 0.06 * font);
     for (size_t k = 0; k < bar->axis.tick_count; k++) {

@@ -46,8 +46,8 @@ static clod_vec3 middle_of(const clod_cutaway_box *box)
 static clod_vec3 choose_direction(const clod_picture_options *options,
                                   const clod_cutaway_box *box)
 {
-    static const double AZIMUTH = 28.0 * M_PI / 180.0;
-    static const double ELEVATION = 20.0 * M_PI / 180.0;
+    static const double AZIMUTH = 22.0 * M_PI / 180.0;
+    static const double ELEVATION = 18.0 * M_PI / 180.0;
     switch (options->view) {
     case CLOD_PICTURE_FRONT:
         return (clod_vec3){0.0, 1.0, 0.0};
@@ -183,8 +183,12 @@ static bool draw_panel(const clod_picture *self, clod_page *page, size_t f, size
         good = clod_status_fail(status, CLOD_FAILED, "No memory for a picture.");
     }
     if (good) {
-        clod_tracer_draw(&scene, &camera, (clod_tracer_quality)self->options->quality,
-                         box->width, box->height, image);
+        const clod_tracer_order order = {box->width, box->height,
+                                         (clod_tracer_quality)self->options->quality,
+                                         self->options->threads};
+        good = clod_tracer_draw(&scene, &camera, &order, image, status);
+    }
+    if (good) {
         clod_page_put_image(page, (int)f, image, self->scan.film[f].title, frame->time);
         clod_page_put_scale(page, (int)f, &camera, middle_of(&self->scan.seen));
     }

@@ -48,6 +48,7 @@ typedef struct clod_picture_options {
     double angle;       ///< of view from bottom to top [degrees]
     int width, height;  ///< pixels
     int quality;        ///< clod_picture_quality
+    int threads;        ///< that draw one picture
 } clod_picture_options;
 
 typedef struct clod_picture clod_picture;

@@ -6,7 +6,11 @@
 
 #include "base/memory.h"
 
+#define FLAT 1e-5  ///< planes across an axis are so exact
 #define AROUND 0.3 ///< planes reach so far beyond the rest, in its largest extent
+
+static const clod_cutaway_box ENDLESS = {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL},
+                                         {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
 
 static bool fail_memory(clod_status *status)
 {
@@ -56,21 +60,44 @@ static bool look_at_grains(clod_scan *self, const char *path, size_t frames,
                            clod_status *status)
 {
     clod_vtkhdf *file = clod_vtkhdf_open(path, status);
+    self->seen_now = CLOD_CUTAWAY_EMPTY;
     bool good = file != NULL && clod_channel_add(&self->grains, file, frames, status);
     double(*point)[3] = good ? clod_vtkhdf_points(file, status) : NULL;
     good = point != NULL;
     for (size_t k = 0; good && k < file->rows[CLOD_VTKHDF_POINTS]; k++) {
         clod_cutaway_include(&self->seen, point[k]);
+        clod_cutaway_include(&self->seen_now, point[k]);
     }
     clod_memory_free(point);
     clod_vtkhdf_close(&file);
     return good;
 }
 
+/** A plane across an axis that all grains are on one side of ends the others there. */
+static void bound_by_plane(clod_cutaway_box *planes, const clod_cutaway_box *grains,
+                           double (*const corner)[3])
+{
+    for (int d = 0; d < 3; d++) {
+        const double at = corner[0][d];
+        const double size = fmax(fabs(at), fabs(corner[0][(d + 1) % 3])) +
+                            fabs(corner[2][(d + 1) % 3] - corner[0][(d + 1) % 3]);
+        if (fabs(corner[1][d] - at) > FLAT * size || fabs(corner[2][d] - at) > FLAT * size) {
+            continue;
+        }
+        if (at >= grains->max[d]) {
+            planes->max[d] = fmin(planes->max[d], at);
+        } else if (at <= grains->min[d]) {
+            planes->min[d] = fmax(planes->min[d], at);
+        }
+    }
+}
+
 /** Where the walls are, those without an end aside. */
 static bool look_at_walls(clod_scan *self, const char *path, size_t frames,
                           clod_cutaway_box *box, clod_status *status)
 {
+    const clod_cutaway_box grains = self->seen_now;
+    clod_cutaway_box planes = ENDLESS;
     clod_vtkhdf *file = clod_vtkhdf_open(path, status);
     int32_t *wall = NULL;
     bool good = file != NULL && (self->walls.field == NULL ||
@@ -81,13 +108,17 @@ static bool look_at_walls(clod_scan *self, const char *path, size_t frames,
     for (size_t t = 0; t < count; t++) {
         double side;
         if (clod_cutaway_is_square(corner, wall, t, count, &side)) {
-            t++; // and its other half
+            bound_by_plane(&planes, &grains, corner[t++]); // and its other half
             continue;
         }
         const bool hidden = wall[t] >= 0 && wall[t] < CLOD_SCAN_WALLS && self->hidden[wall[t]];
         for (int c = 0; c < 3 && !hidden; c++) {
             clod_cutaway_include(box, corner[t][c]);
         }
+    }
+    for (int d = 0; d < 3; d++) {
+        self->planes.min[d] = fmin(self->planes.min[d], planes.min[d]);
+        self->planes.max[d] = fmax(self->planes.max[d], planes.max[d]);
     }
     clod_memory_free(corner);
     clod_memory_free(wall);
@@ -104,6 +135,9 @@ static void choose_clip(clod_scan *self, const clod_cutaway_box *walls)
         clod_cutaway_include(clip, walls->min);
         clod_cutaway_include(clip, walls->max);
     }
+    if (!(self->planes.max[0] >= self->planes.min[0])) {
+        self->planes = ENDLESS; // no walls
+    }
     double size = 0.0;
     for (int d = 0; d < 3; d++) {
         size = fmax(size, clip->max[d] - clip->min[d]);
@@ -112,6 +146,8 @@ static void choose_clip(clod_scan *self, const clod_cutaway_box *walls)
     for (int d = 0; d < 3; d++) {
         clip->min[d] -= AROUND * size;
         clip->max[d] += AROUND * size;
+        clip->min[d] = fmax(clip->min[d], self->planes.min[d] - 1e-3 * size);
+        clip->max[d] = fmin(clip->max[d], self->planes.max[d] + 1e-3 * size);
         if (of != NULL && of->has_domain) {
             const double slack = 1e-4 * (of->domain_max[d] - of->domain_min[d]);
             clip->min[d] = fmax(clip->min[d], of->domain_min[d] - slack);
@@ -127,6 +163,7 @@ static bool look(clod_scan *self, clod_status *status)
 {
     clod_cutaway_box walls = CLOD_CUTAWAY_EMPTY;
     self->seen = CLOD_CUTAWAY_EMPTY;
+    self->planes = CLOD_CUTAWAY_EMPTY;
     const size_t frames = self->film_count * self->count;
     for (size_t f = 0; f < self->film_count; f++) {
         for (size_t k = 0; k < self->count; k++) {

@@ -16,9 +16,11 @@ typedef struct clod_scan {
     size_t *frame[2]; ///< [count] owned: numbers of the frames to draw, of each film
     size_t count;
     clod_channel grains, walls;
-    clod_cutaway_box seen; ///< of the grains; of the walls where there are none
-    bool *hidden;          ///< [CLOD_SCAN_WALLS] owned
-    clod_stage stage;      ///< points to what is above
+    clod_cutaway_box seen;     ///< of the grains; of the walls where there are none
+    clod_cutaway_box seen_now; ///< of the grains of the frame that is looked at
+    clod_cutaway_box planes;   ///< where planes at the sides of all grains end each other
+    bool *hidden;              ///< [CLOD_SCAN_WALLS] owned
+    clod_stage stage;          ///< points to what is above
 } clod_scan;
 
 /**

@@ -5,10 +5,10 @@
 
 #include "base/memory.h"
 
-static const double STILL[3] = {0.70, 0.74, 0.79};  ///< steel
-static const double MOVING[3] = {0.36, 0.36, 0.38}; ///< belts are black
+static const double STILL[3] = {0.84, 0.87, 0.91};  ///< steel
+static const double MOVING[3] = {0.53, 0.53, 0.55}; ///< belts are black
 static const double NONE[3] = {0.60, 0.60, 0.60};
-static const double LINE[3] = {0.22, 0.25, 0.30};
+static const double LINE[3] = {0.30, 0.34, 0.40};
 
 static bool fail_memory(clod_status *status)
 {
@@ -153,14 +153,14 @@ static bool put_walls(const clod_stage *self, const given *walls, clod_scene *sc
         scene->veiled == NULL) {
         return fail_memory(status);
     }
-    size_t clipped = 0; // triangles from here on that belong to a square
+    size_t square_end = 0; // triangles before this one belong to a plane
     for (size_t t = 0; t < walls->count; t++) {
         const int32_t wall = walls->wall[t];
-        clipped = clipped > 0 ? clipped - 1 : is_endless(self, walls, t) ? 2 : 0;
+        square_end = t >= square_end && is_endless(self, walls, t) ? t + 2 : square_end;
         if (wall >= 0 && (size_t)wall < self->hidden_count && self->hidden[wall]) {
             continue;
         }
-        if (clipped == 0) {
+        if (t >= square_end) {
             put_triangle(scene, walls->corner[t], walls, t);
             continue;
         }

@@ -2,10 +2,13 @@
 
 #include <tachyon.h>
 
-#define LINE_WIDTH 0.0011 ///< of an edge, over the height of the picture
-#define VEIL 0.22         ///< opacity of a wall that is in the way
-#define AMBIENT 0.32      ///< light from everywhere
-#define SKY_RAYS 24       ///< of the light from the sky, for each point
+#include "base/memory.h"
+
+#define LINE_WIDTH 0.0014 ///< of an edge, over the height of the picture
+#define VEIL_OPACITY 0.15 ///< opacity of a wall that is in the way
+#define AMBIENT 0.45      ///< light from everywhere
+#define LARGE 1.6e7       ///< pixels; from there on fewer rays for each
+#define SKY_RAYS 12       ///< of the light from the sky, for each point
 
 static void be_silent(int level, char *text)
 {
@@ -23,15 +26,18 @@ static apivector vector(clod_vec3 v)
     return rt_vector(v.x, v.y, v.z);
 }
 
-/** How a surface takes light; `veil`: most goes through. */
-static void *make_texture(SceneHandle scene, const double colour[3], double ambient, bool veil)
+/** Kinds of surfaces: lines cast no shadows, nor do veils, through which most light goes. */
+enum { SOLID, VEIL, THIN };
+
+/** How a surface takes light. */
+static void *make_texture(SceneHandle scene, const double colour[3], double ambient, int kind)
 {
     apitexture texture = {.texturefunc = RT_TEXTURE_CONSTANT,
                           .col = rt_color(colour[0], colour[1], colour[2]),
-                          .shadowcast = !veil,
+                          .shadowcast = kind == SOLID,
                           .ambient = ambient,
                           .diffuse = 1.0 - ambient,
-                          .opacity = veil ? VEIL : 1.0};
+                          .opacity = kind == VEIL ? VEIL_OPACITY : 1.0};
     return rt_texture(scene, &texture);
 }
 
@@ -43,7 +49,7 @@ static void add_light(SceneHandle scene, const clod_camera *camera, const double
     clod_vec3 direction = clod_vec3_scale(camera->right, along[0]);
     direction = clod_vec3_axpy(direction, along[1], camera->up);
     direction = clod_vec3_axpy(direction, along[2], camera->ahead);
-    rt_directional_light(scene, make_texture(scene, white, 0.0, false), vector(direction));
+    rt_directional_light(scene, make_texture(scene, white, 0.0, SOLID), vector(direction));
 }
 
 static void add_spheres(SceneHandle scene, const clod_scene *from, void *const *textures)
@@ -92,38 +98,68 @@ static void set_camera(SceneHandle scene, const clod_camera *camera)
     rt_trans_mode(scene, RT_TRANS_VMD);
 }
 
+/** Shadows of lights at the side would look like grains on the walls, so there are none; that
+ *  of the sky is soft, and a light from the eye has its shadows behind what it shines on. */
 static void set_light(SceneHandle scene, const clod_camera *camera, clod_tracer_quality quality)
 {
     static const double KEY[3] = {0.45, -0.75, 0.85}; // from the upper left, behind the eye
     static const double FILL[3] = {-0.7, -0.1, 0.7};
-    const bool sky = quality == CLOD_TRACER_HIGH;
-    add_light(scene, camera, KEY, sky ? 0.75 : 0.95);
-    add_light(scene, camera, FILL, sky ? 0.2 : 0.35);
-    rt_shadermode(scene, quality == CLOD_TRACER_DRAFT ? RT_SHADER_MEDIUM : RT_SHADER_FULL);
-    rt_aa_maxsamples(scene, quality == CLOD_TRACER_DRAFT ? 0 : 3);
-    rt_shadow_filtering(scene, 1);
-    if (sky) {
-        rt_ambient_occlusion(scene, SKY_RAYS, rt_color(0.55, 0.55, 0.55));
+    static const double EYE[3] = {0.0, 0.0, 1.0};
+    if (quality == CLOD_TRACER_HIGH) {
+        add_light(scene, camera, EYE, 0.25);
+        rt_ambient_occlusion(scene, SKY_RAYS, rt_color(0.65F, 0.65F, 0.65F));
+        rt_shadermode(scene, RT_SHADER_FULL);
+        rt_shadow_filtering(scene, 1);
+    } else {
+        add_light(scene, camera, KEY, 0.90);
+        add_light(scene, camera, FILL, 0.50);
+        rt_shadermode(scene, RT_SHADER_MEDIUM);
     }
 }
 
-/** Tachyon's rows begin below, and its camera sees space as in a mirror. */
-static void turn(uint8_t *image, size_t pixels)
+/**
+ * The mean of fine by fine rays for each pixel. Tachyon's rows begin below, and its camera sees
+ * space as in a mirror, so the last ray comes first.
+ */
+static void reduce(const uint8_t *rays, int fine, int width, int height, uint8_t *image)
 {
-    for (size_t k = 0; k < pixels / 2; k++) {
-        uint8_t *a = image + 3 * k;
-        uint8_t *b = image + 3 * (pixels - 1 - k);
-        for (int c = 0; c < 3; c++) {
-            const uint8_t kept = a[c];
-            a[c] = b[c];
-            b[c] = kept;
+    const size_t row = (size_t)width * (size_t)fine;
+    const size_t last = row * (size_t)height * (size_t)fine - 1;
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            int sum[3] = {0, 0, 0};
+            for (int k = 0; k < fine * fine; k++) {
+                const size_t at = last - ((size_t)(y * fine + k / fine) * row +
+                                          (size_t)(x * fine + k % fine));
+                for (int c = 0; c < 3; c++) {
+                    sum[c] += rays[3 * at + (size_t)c];
+                }
+            }
+            for (int c = 0; c < 3; c++) {
+                *image++ = (uint8_t)((sum[c] + fine * fine / 2) / (fine * fine));
+            }
         }
     }
 }
 
-void clod_tracer_draw(const clod_scene *scene, const clod_camera *camera,
-                      clod_tracer_quality quality, int width, int height, uint8_t *image)
+/** Rays along each side of a pixel. */
+static int choose_fineness(clod_tracer_quality quality, int width, int height)
 {
+    return quality == CLOD_TRACER_DRAFT ? 1 : (double)width * height > LARGE ? 2 : 3;
+}
+
+bool clod_tracer_draw(const clod_scene *scene, const clod_camera *camera,
+                      const clod_tracer_order *order, uint8_t *image, clod_status *status)
+{
+    const clod_tracer_quality quality = order->quality;
+    const int fine = choose_fineness(quality, order->width, order->height);
+    const int width = fine * order->width;
+    const int height = fine * order->height;
+    uint8_t *rays = clod_memory_alloc((size_t)width * (size_t)height, 3);
+    if (rays == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for a picture of %d by %d.",
+                                order->width, order->height);
+    }
     char name[] = "clod";
     char *names[] = {name, NULL};
     char **arguments = names;
@@ -132,23 +168,27 @@ void clod_tracer_draw(const clod_scene *scene, const clod_camera *camera,
     rt_initialize(&count, &arguments);
     SceneHandle to = rt_newscene();
     rt_verbose(to, 0);
-    rt_set_numthreads(to, 1); // frames are drawn by processes; more threads are no faster
+    rt_set_numthreads(to, order->threads);
+    rt_aa_maxsamples(to, 0);
     rt_resolution(to, width, height);
-    rt_rawimage_rgb24(to, image);
+    rt_rawimage_rgb24(to, rays);
     rt_background(to, rt_color(1.0F, 1.0F, 1.0F));
     rt_image_clamp(to);
     set_camera(to, camera);
     set_light(to, camera, quality);
     void *textures[CLOD_SCENE_COLOURS], *veils[CLOD_SCENE_COLOURS];
-    const double ambient = quality == CLOD_TRACER_HIGH ? 0.12 : AMBIENT;
+    const double ambient = quality == CLOD_TRACER_HIGH ? 0.25 : AMBIENT;
     for (int k = 0; k < CLOD_SCENE_COLOURS; k++) {
-        textures[k] = make_texture(to, scene->colour[k], ambient, false);
-        veils[k] = make_texture(to, scene->colour[k], ambient, true);
+        textures[k] =
+            make_texture(to, scene->colour[k], ambient, k == CLOD_SCENE_LINE ? THIN : SOLID);
+        veils[k] = make_texture(to, scene->colour[k], ambient, VEIL);
     }
     add_spheres(to, scene, textures);
     add_triangles(to, scene, textures, veils);
     add_lines(to, scene, camera, textures[CLOD_SCENE_LINE]);
     rt_renderscene(to);
     rt_deletescene(to);
-    turn(image, (size_t)width * (size_t)height);
+    reduce(rays, fine, order->width, order->height, image);
+    clod_memory_free(rays);
+    return true;
 }
