@@ -68,18 +68,19 @@ static size_t cut(double (*polygon)[3], size_t count, int d, double sign, double
     return n;
 }
 
-size_t clod_cutaway_clip(const clod_cutaway_box *box, double (*const corner)[3],
-                         double piece[7][3][3])
+size_t clod_cutaway_clip(const clod_cutaway_box *box, double (*const corner)[3][3],
+                         double piece[CLOD_CUTAWAY_PIECES][3][3])
 {
     double polygon[CORNERS][3];
-    size_t count = 3;
-    memcpy(polygon, corner, 3 * sizeof polygon[0]);
+    size_t count = 4;
+    memcpy(polygon, corner[0], 3 * sizeof polygon[0]);
+    memcpy(polygon[3], corner[1][2], sizeof polygon[3]);
     for (int d = 0; d < 3; d++) {
         count = cut(polygon, count, d, 1.0, box->max[d]);
         count = cut(polygon, count, d, -1.0, box->min[d]);
     }
     size_t pieces = 0;
-    for (size_t k = 2; k < count && pieces < 7; k++) {
+    for (size_t k = 2; k < count; k++) {
         memcpy(piece[pieces][0], polygon[0], sizeof polygon[0]);
         memcpy(piece[pieces][1], polygon[k - 1], sizeof polygon[0]);
         memcpy(piece[pieces++][2], polygon[k], sizeof polygon[0]);

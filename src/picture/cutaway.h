@@ -25,14 +25,18 @@ void clod_cutaway_include(clod_cutaway_box *box, const double point[3]);
 bool clod_cutaway_is_square(double (*const corner)[3][3], const int32_t *wall, size_t t,
                             size_t count, double *side);
 
+/** Triangles at most of a square that was cut. */
+#define CLOD_CUTAWAY_PIECES 8
+
 /**
- * Cut a triangle to a box.
+ * Cut a square to a box.
  *
- * @param piece  [out] up to 7 triangles
- * @return       how many
+ * @param corner  the first of its two triangles; the other one lies behind it
+ * @param piece   [out] triangles of what is left
+ * @return        how many
  */
-size_t clod_cutaway_clip(const clod_cutaway_box *box, double (*const corner)[3],
-                         double piece[7][3][3]);
+size_t clod_cutaway_clip(const clod_cutaway_box *box, double (*const corner)[3][3],
+                         double piece[CLOD_CUTAWAY_PIECES][3][3]);
 
 /**
  * Set scene->veiled: of faces that hide more than a few of the grains from the eye, the side

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "output/file.h"
 
 #define ENDING ".hdf.series"
 
@@ -232,21 +233,38 @@ static void folder_name(const char *folder, char name[256])
     snprintf(name, 256, "%.255s", slash != NULL && slash[1] != '\0' ? slash + 1 : whole);
 }
 
-/** The case of the run, as far as it can still be read. */
+/** The title in the text of a complete case; false: none. */
+static bool find_title(const char *text, char title[256])
+{
+    static const char KEY[] = "\ntitle: \"";
+    const char *at = text != NULL ? strstr(text, KEY) : NULL;
+    const char *from = at != NULL ? at + strlen(KEY) : NULL;
+    const char *end = from != NULL ? strpbrk(from, "\"\n") : NULL;
+    if (end == NULL || end == from) {
+        return false;
+    }
+    snprintf(title, 256, "%.*s", end - from < 255 ? (int)(end - from) : 255, from);
+    return true;
+}
+
+/** The case of the run, as far as it can still be read: a mesh may be gone, the version old. */
 static bool read_case(clod_film *self, clod_status *status)
 {
-    clod_status *unread = clod_memory_alloc(1, sizeof *unread); // it may be a file of today
+    clod_status *unread = clod_memory_alloc(1, sizeof *unread);
     char *path = join(self->folder, "case-complete.yaml");
-    if (path != NULL && unread != NULL) {
+    void *text = NULL;
+    size_t length;
+    if (path != NULL && unread != NULL && clod_file_read(path, &text, &length, unread)) {
         self->of = clod_case_load(path, NULL, 0, unread);
     }
+    char name[256];
+    if (!find_title(text, name)) {
+        folder_name(self->folder, name);
+    }
+    self->title = clod_memory_text(name);
+    clod_memory_free(text);
     clod_memory_free(path);
     clod_memory_free(unread);
-    char name[256];
-    folder_name(self->folder, name);
-    const bool titled =
-        self->of != NULL && self->of->title != NULL && self->of->title[0] != '\0';
-    self->title = clod_memory_text(titled ? self->of->title : name);
     return self->title != NULL || fail_memory(status);
 }
 

@@ -13,6 +13,8 @@ struct clod_picture {
     const clod_picture_options *options;
     clod_scan scan;
     clod_camera camera;
+    uint8_t *veiled; ///< [triangles] owned: in the way in any of several frames
+    size_t triangles;
 };
 
 /** Bars that the page shows. */
@@ -141,6 +143,35 @@ static bool place_camera(clod_picture *self, clod_status *status)
     return true;
 }
 
+/** Veil what is in the way in any frame, so that nothing flickers from one to the next. */
+static bool veil_all(clod_picture *self, clod_status *status)
+{
+    const size_t frames = self->scan.film_count * self->scan.count;
+    bool good = true;
+    for (size_t k = 0; frames > 1 && k < frames && good; k++) {
+        const clod_film_frame *frame =
+            clod_scan_frame(&self->scan, k % self->scan.film_count, k / self->scan.film_count);
+        clod_scene scene;
+        clod_faces faces = {0};
+        good = clod_stage_load(&self->scan.stage, frame, &scene, status) &&
+               clod_faces_make(&faces, &scene, status) &&
+               clod_cutaway_veil(&scene, &faces, self->camera.eye, status);
+        if (good && self->veiled == NULL) {
+            self->triangles = scene.triangles;
+            self->veiled = scene.veiled;
+            scene.veiled = NULL;
+        }
+        for (size_t t = 0; good && scene.veiled != NULL && t < self->triangles &&
+                           self->triangles == scene.triangles;
+             t++) {
+            self->veiled[t] |= scene.veiled[t];
+        }
+        clod_faces_fini(&faces);
+        clod_scene_fini(&scene);
+    }
+    return good;
+}
+
 clod_picture *clod_picture_open(const clod_picture_options *options, clod_status *status)
 {
     clod_picture *self = clod_memory_alloc(1, sizeof *self);
@@ -149,7 +180,8 @@ clod_picture *clod_picture_open(const clod_picture_options *options, clod_status
         return NULL;
     }
     self->options = options;
-    if (!clod_scan_make(&self->scan, options, status) || !place_camera(self, status)) {
+    if (!clod_scan_make(&self->scan, options, status) || !place_camera(self, status) ||
+        !veil_all(self, status)) {
         clod_picture_close(&self);
     }
     return self;
@@ -179,6 +211,9 @@ static bool draw_panel(const clod_picture *self, clod_page *page, size_t f, size
     bool good = clod_stage_load(&self->scan.stage, frame, &scene, status) &&
                 clod_faces_make(&faces, &scene, status) &&
                 clod_cutaway_veil(&scene, &faces, camera.eye, status);
+    if (good && self->veiled != NULL && self->triangles == scene.triangles) {
+        memcpy(scene.veiled, self->veiled, scene.triangles);
+    }
     if (good && image == NULL) {
         good = clod_status_fail(status, CLOD_FAILED, "No memory for a picture.");
     }
@@ -223,6 +258,7 @@ void clod_picture_close(clod_picture **self)
 {
     if (*self != NULL) {
         clod_scan_fini(&(*self)->scan);
+        clod_memory_free((*self)->veiled);
         clod_memory_free(*self);
         *self = NULL;
     }

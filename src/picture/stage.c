@@ -133,7 +133,7 @@ static void put_triangle(clod_scene *scene, double (*const corner)[3], const giv
     scene->paint[scene->triangles++] = walls->paint[t];
 }
 
-/** Whether square t is a plane that goes on beyond what is looked at. */
+/** Whether triangles t and t + 1 are a square, which may be a plane without an end. */
 static bool is_endless(const clod_stage *self, const given *walls, size_t t)
 {
     double side;
@@ -144,7 +144,7 @@ static bool is_endless(const clod_stage *self, const given *walls, size_t t)
 static bool put_walls(const clod_stage *self, const given *walls, clod_scene *scene,
                       clod_status *status)
 {
-    const size_t room = 7 * walls->count + 1; // no triangle is cut into more
+    const size_t room = CLOD_CUTAWAY_PIECES * walls->count + 1;
     scene->corner = clod_memory_alloc(room, sizeof *scene->corner);
     scene->paint = clod_memory_alloc(room, sizeof *scene->paint);
     scene->wall = clod_memory_alloc(room, sizeof *scene->wall);
@@ -153,21 +153,19 @@ static bool put_walls(const clod_stage *self, const given *walls, clod_scene *sc
         scene->veiled == NULL) {
         return fail_memory(status);
     }
-    size_t square_end = 0; // triangles before this one belong to a plane
     for (size_t t = 0; t < walls->count; t++) {
         const int32_t wall = walls->wall[t];
-        square_end = t >= square_end && is_endless(self, walls, t) ? t + 2 : square_end;
-        if (wall >= 0 && (size_t)wall < self->hidden_count && self->hidden[wall]) {
-            continue;
-        }
-        if (t >= square_end) {
+        const bool hidden =
+            wall >= 0 && (size_t)wall < self->hidden_count && self->hidden[wall];
+        double piece[CLOD_CUTAWAY_PIECES][3][3];
+        if (is_endless(self, walls, t)) {
+            const size_t pieces = clod_cutaway_clip(&self->clip, walls->corner + t, piece);
+            for (size_t k = 0; k < pieces && !hidden; k++) {
+                put_triangle(scene, piece[k], walls, t);
+            }
+            t++; // its other half
+        } else if (!hidden) {
             put_triangle(scene, walls->corner[t], walls, t);
-            continue;
-        }
-        double piece[7][3][3];
-        const size_t pieces = clod_cutaway_clip(&self->clip, walls->corner[t], piece);
-        for (size_t k = 0; k < pieces; k++) {
-            put_triangle(scene, piece[k], walls, t);
         }
     }
     return true;
