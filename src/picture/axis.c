@@ -53,7 +53,7 @@ void clod_axis_range(double *value, size_t count, double *min, double *max)
         low -= half;
         high += half;
     }
-    const double step = 0.2 * tick_step(low, high);
+    const double step = 0.5 * tick_step(low, high);
     *min = step * floor(low / step + 1e-6);
     *max = step * ceil(high / step - 1e-6);
 }

@@ -23,7 +23,7 @@ typedef struct clod_faces {
  *
  * @param self   [out] owned content (clod_faces_fini), also after a failure
  * @param scene  [in,out] corner and wall are read
- * Errors  CLOD_FAILED: no memory.   Threads  pure.   Test  tests/picture/test_faces.c
+ * Errors  CLOD_FAILED: no memory.   Threads  pure.   Test  tests/picture/test_cutaway.c
  */
 bool clod_faces_make(clod_faces *self, clod_scene *scene, clod_status *status);
 

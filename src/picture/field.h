@@ -21,7 +21,7 @@ typedef struct clod_field {
  *              ... of other columns with several numbers), or speed, kinetic_energy, age
  * @param self  [out] owned content (clod_field_fini), also after a failure
  * Errors  CLOD_USAGE: no such field, those that exist are named; damaged. CLOD_FAILED: no
- *         memory.   Threads  one at a time.   Test  tests/picture/test_field.c
+ *         memory.   Threads  one at a time.   Test  tests/cli/test_picture.py
  */
 bool clod_field_read(clod_field *self, const clod_vtkhdf *file, clod_vtkhdf_place place,
                      const char *name, clod_status *status);

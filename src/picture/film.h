@@ -34,7 +34,7 @@ typedef struct clod_film {
  * @param self    [out] owned content (clod_film_fini), also after a failure
  * Errors  CLOD_USAGE: no results folder, no snapshots (those of other parts are named), a
  *         damaged list; CLOD_FAILED: no memory.   Threads  safe.
- * Test    tests/picture/test_film.c, tests/cli/test_picture.py
+ * Test    tests/cli/test_picture.py
  */
 bool clod_film_open(clod_film *self, const char *folder, const char *part, clod_status *status);
 

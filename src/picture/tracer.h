@@ -29,7 +29,7 @@ typedef struct clod_tracer_order {
  *
  * @param image  [out] [height][width][3] red, green, blue, from the upper left
  * Errors  CLOD_FAILED: no memory; when Tachyon has none, it ends the program.
- * Threads one at a time.   Test  tests/picture/test_tracer.c
+ * Threads one at a time.   Test  tests/cli/test_picture.py
  */
 bool clod_tracer_draw(const clod_scene *scene, const clod_camera *camera,
                       const clod_tracer_order *order, uint8_t *image, clod_status *status);
