@@ -80,18 +80,30 @@ static void to_lab(anchor at, double lab[3])
     lab[2] = low * at.chroma * sin(hue);
 }
 
-/** The path at s in 0 ... 1. */
+/** A parabola through three numbers, at s = 0, 1/2 and 1. */
+static double bend(double start, double middle, double end, double s)
+{
+    return (1.0 - s) * (1.0 - 2.0 * s) * start + 4.0 * s * (1.0 - s) * middle +
+           s * (2.0 * s - 1.0) * end;
+}
+
+/** The path at s in 0 ... 1: hues turn, but through grey it goes straight. */
 static void follow(const anchor at[3], double s, double lab[3])
 {
-    const anchor *from = s < 0.5 ? &at[0] : &at[1];
-    const double t = s < 0.5 ? 2.0 * s : 2.0 * s - 1.0;
-    // a grey has no hue of its own
-    const double hue0 = from[0].chroma > 0.0 ? from[0].hue : from[1].hue;
-    const double hue1 = from[1].chroma > 0.0 ? from[1].hue : from[0].hue;
-    to_lab((anchor){from[0].lightness + t * (from[1].lightness - from[0].lightness),
-                    from[0].chroma + t * (from[1].chroma - from[0].chroma),
-                    hue0 + t * (hue1 - hue0)},
-           lab);
+    if (at[1].chroma > 0.0) {
+        to_lab((anchor){bend(at[0].lightness, at[1].lightness, at[2].lightness, s),
+                        bend(at[0].chroma, at[1].chroma, at[2].chroma, s),
+                        bend(at[0].hue, at[1].hue, at[2].hue, s)},
+               lab);
+        return;
+    }
+    double ends[3][3];
+    for (int k = 0; k < 3; k++) {
+        to_lab(at[k], ends[k]);
+    }
+    for (int c = 0; c < 3; c++) {
+        lab[c] = bend(ends[0][c], ends[1][c], ends[2][c], s);
+    }
 }
 
 /** Equal lengths of the path, not of its parameter. */
