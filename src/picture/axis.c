@@ -49,9 +49,8 @@ void clod_axis_range(double *value, size_t count, double *min, double *max)
         low = -high;
     }
     if (!(high > low)) { // one value: a range about it
-        const double half = low != 0.0 ? 0.1 * fabs(low) : 1.0;
-        low -= half;
-        high += half;
+        high = low + (low != 0.0 ? 0.1 * fabs(low) : 1.0);
+        low -= 0.1 * fabs(low);
     }
     const double step = 0.5 * tick_step(low, high);
     *min = step * floor(low / step + 1e-6);

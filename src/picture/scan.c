@@ -7,6 +7,7 @@
 #include "base/memory.h"
 
 #define FLAT 1e-5  ///< planes across an axis are so exact
+#define REACH 1.0  ///< a plane across an axis is looked for so far beyond the rest
 #define AROUND 0.3 ///< planes reach so far beyond the rest, in its largest extent
 
 static const clod_cutaway_box ENDLESS = {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL},
@@ -144,10 +145,10 @@ static void choose_clip(clod_scan *self, const clod_cutaway_box *walls)
     }
     const clod_case *of = self->film[0].of;
     for (int d = 0; d < 3; d++) {
-        clip->min[d] -= AROUND * size;
-        clip->max[d] += AROUND * size;
-        clip->min[d] = fmax(clip->min[d], self->planes.min[d] - 1e-3 * size);
-        clip->max[d] = fmin(clip->max[d], self->planes.max[d] + 1e-3 * size);
+        const bool under = self->planes.min[d] > clip->min[d] - REACH * size;
+        const bool over = self->planes.max[d] < clip->max[d] + REACH * size;
+        clip->min[d] = under ? self->planes.min[d] - FLAT * size : clip->min[d] - AROUND * size;
+        clip->max[d] = over ? self->planes.max[d] + FLAT * size : clip->max[d] + AROUND * size;
         if (of != NULL && of->has_domain) {
             const double slack = 1e-4 * (of->domain_max[d] - of->domain_min[d]);
             clip->min[d] = fmax(clip->min[d], of->domain_min[d] - slack);

@@ -27,9 +27,9 @@ static void ranges_are_round(void **state)
     check_range((double[]){-0.8, 1.9}, 2, -2.0, 2.0);
     // a few small backward ones do not matter; ends at quarters
     check_range((double[]){-0.04, 1.0, 2.0}, 3, -0.25, 2.0);
-    // all the same: a tenth to both sides
+    // all the same: a tenth to both sides; zero: up to one
     check_range((double[]){5.0, 5.0}, 2, 4.5, 5.5);
-    check_range((double[]){0.0, 0.0}, 2, -1.0, 1.0);
+    check_range((double[]){0.0, 0.0}, 2, 0.0, 1.0);
 }
 
 /** One of 1000 far out does not spoil the range; a tail that goes on does count. */
