@@ -34,6 +34,7 @@ enum {
 
 #define SMALLEST 200
 #define LARGEST 8192
+#define MOST_JOBS CLOD_APP_FRAMES_JOBS
 
 typedef struct request {
     clod_picture_options options;
@@ -106,15 +107,37 @@ static void read_point(struct argp_state *state, const char *option, const char 
     *to = point;
 }
 
+/** Read a whole number; `end` is what must follow it. -1: there is none, or it is too large. */
+static int read_whole(const char **text, char end, int most)
+{
+    char *rest;
+    const long number = strtol(*text, &rest, 10);
+    if (rest == *text || *rest != end || number < 1 || number > most) {
+        return -1;
+    }
+    *text = rest + 1;
+    return (int)number;
+}
+
 static void read_size(struct argp_state *state, const char *text, clod_picture_options *to)
 {
-    char end;
-    if (sscanf(text, "%dx%d%c", &to->width, &to->height, &end) != 2 || to->width < SMALLEST ||
-        to->height < SMALLEST || to->width > LARGEST || to->height > LARGEST) {
+    const char *rest = text;
+    to->width = read_whole(&rest, 'x', LARGEST);
+    to->height = to->width > 0 ? read_whole(&rest, '\0', LARGEST) : -1;
+    if (to->width < SMALLEST || to->height < SMALLEST) {
         argp_error(state,
                    "--size %s: width and height from %d to %d pixels are needed, as in "
                    "1600x1000",
                    text, SMALLEST, LARGEST);
+    }
+}
+
+static void read_jobs(struct argp_state *state, const char *text, int *to)
+{
+    const char *rest = text;
+    *to = read_whole(&rest, '\0', MOST_JOBS);
+    if (*to < 0) {
+        argp_error(state, "--jobs %s: 1 to %d processes", text, MOST_JOBS);
     }
 }
 
@@ -225,10 +248,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         self->output = argument;
         return 0;
     case 'j':
-        self->jobs = atoi(argument);
-        if (self->jobs < 1 || self->jobs > 1024) {
-            argp_error(state, "--jobs %s: 1 to 1024 processes", argument);
-        }
+        read_jobs(state, argument, &self->jobs);
         return 0;
     case ARGP_KEY_ARG:
         if (self->options.run != NULL) {
@@ -274,7 +294,9 @@ int clod_app_picture(int argc, char **argv)
     int result = CLOD_FAILED;
     if (clod_arguments_parse(&argp, argc, argv, 0, &self)) {
         const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-        self.jobs = self.jobs > 0 ? self.jobs : cores > 0 ? (int)cores : 1;
+        if (self.jobs == 0) {
+            self.jobs = cores < 1 ? 1 : cores > MOST_JOBS ? MOST_JOBS : (int)cores;
+        }
         self.options.threads = self.options.all ? 1 : self.jobs;
         const clod_app_frames_job job = {&self.options, self.output, self.movie, self.jobs};
         const bool done = clod_app_frames(&job, &status);

@@ -12,9 +12,8 @@
 #include "output.h"
 
 #define ROOM (PATH_MAX + 64) ///< of a path in a folder
-#define MOST_JOBS 1024
-#define MOVIE_SECONDS 4 ///< a movie of few frames lasts about so long, ...
-#define MOVIE_RATE 25   ///< ... of many it has so many a second
+#define MOVIE_SECONDS 4      ///< a movie of few frames lasts about so long, ...
+#define MOVIE_RATE 25        ///< ... of many it has so many a second
 
 /** Name of a frame's file. */
 static void name_frame(char path[ROOM], const char *folder, size_t frame)
@@ -113,13 +112,12 @@ static bool draw_all(const clod_app_frames_job *self, const clod_picture *pictur
                      const char *folder, clod_status *status)
 {
     const size_t frames = clod_picture_count(picture);
-    const size_t most = self->jobs < MOST_JOBS ? (size_t)self->jobs : MOST_JOBS;
-    const size_t jobs = most < frames ? most : frames;
+    const size_t jobs = (size_t)self->jobs < frames ? (size_t)self->jobs : frames;
     if (mkdir(folder, 0777) != 0 && errno != EEXIST) {
         return clod_status_fail(status, CLOD_FAILED, "%s: the folder cannot be made: %s.",
                                 folder, strerror(errno));
     }
-    static worker workers[MOST_JOBS];
+    static worker workers[CLOD_APP_FRAMES_JOBS];
     size_t started = 0;
     while (started < jobs && start(&workers[started], picture, folder, started, jobs)) {
         started++;

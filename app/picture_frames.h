@@ -6,11 +6,13 @@
 
 #include "picture/picture.h"
 
+#define CLOD_APP_FRAMES_JOBS 1024
+
 typedef struct clod_app_frames_job {
     const clod_picture_options *options;
     const char *output; ///< file, or folder of frames; NULL: named after the run
     const char *movie;  ///< file; NULL: none
-    int jobs;           ///< processes that draw frames
+    int jobs;           ///< processes that draw frames, at most CLOD_APP_FRAMES_JOBS
 } clod_app_frames_job;
 
 /**

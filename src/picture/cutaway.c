@@ -27,8 +27,8 @@ bool clod_cutaway_is_square(double (*const corner)[3][3], const int32_t *wall, s
                             size_t count, double *side)
 {
     if (t + 1 >= count || wall[t] != wall[t + 1] ||
-        memcmp(corner[t][0], corner[t + 1][0], sizeof corner[t][0]) != 0 ||
-        memcmp(corner[t][2], corner[t + 1][1], sizeof corner[t][2]) != 0) {
+        distance(corner[t][0], corner[t + 1][0]) > 0.0 ||
+        distance(corner[t][2], corner[t + 1][1]) > 0.0) {
         return false;
     }
     const double *const q[4] = {corner[t][0], corner[t][1], corner[t][2], corner[t + 1][2]};

@@ -171,7 +171,9 @@ static void make_title(clod_field *self, const request *of, const char *name)
         snprintf(self->title, sizeof self->title, "%s %s", of->column->name, suffix);
     }
     for (char *at = self->title; *at != '\0'; at++) {
-        *at = *at == '_' ? ' ' : *at;
+        if (*at == '_') {
+            *at = ' ';
+        }
     }
 }
 

@@ -107,7 +107,7 @@ static void set_light(SceneHandle scene, const clod_camera *camera, clod_tracer_
     static const double EYE[3] = {0.0, 0.0, 1.0};
     if (quality == CLOD_TRACER_HIGH) {
         add_light(scene, camera, EYE, 0.25);
-        rt_ambient_occlusion(scene, SKY_RAYS, rt_color(0.65F, 0.65F, 0.65F));
+        rt_ambient_occlusion(scene, SKY_RAYS, rt_color(0.65, 0.65, 0.65));
         rt_shadermode(scene, RT_SHADER_FULL);
         rt_shadow_filtering(scene, 1);
     } else {
@@ -172,7 +172,7 @@ bool clod_tracer_draw(const clod_scene *scene, const clod_camera *camera,
     rt_aa_maxsamples(to, 0);
     rt_resolution(to, width, height);
     rt_rawimage_rgb24(to, rays);
-    rt_background(to, rt_color(1.0F, 1.0F, 1.0F));
+    rt_background(to, rt_color(1.0, 1.0, 1.0));
     rt_image_clamp(to);
     set_camera(to, camera);
     set_light(to, camera, quality);
