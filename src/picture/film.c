@@ -261,7 +261,9 @@ static bool read_case(clod_film *self, clod_status *status)
     if (!find_title(text, name)) {
         folder_name(self->folder, name);
     }
-    self->title = clod_memory_text(name);
+    const bool known = self->of != NULL && self->of->title != NULL;
+    self->title =
+        clod_memory_text(known && self->of->title[0] != '\0' ? self->of->title : name);
     clod_memory_free(text);
     clod_memory_free(path);
     clod_memory_free(unread);

@@ -144,7 +144,10 @@ static bool is_endless(const clod_stage *self, const given *walls, size_t t)
 static bool put_walls(const clod_stage *self, const given *walls, clod_scene *scene,
                       clod_status *status)
 {
-    const size_t room = CLOD_CUTAWAY_PIECES * walls->count + 1;
+    size_t room = walls->count + 1;
+    for (size_t t = 0; t < walls->count; t++) {
+        room += is_endless(self, walls, t) ? CLOD_CUTAWAY_PIECES : 0;
+    }
     scene->corner = clod_memory_alloc(room, sizeof *scene->corner);
     scene->paint = clod_memory_alloc(room, sizeof *scene->paint);
     scene->wall = clod_memory_alloc(room, sizeof *scene->wall);
