@@ -64,7 +64,7 @@ static const struct argp_option OPTIONS[] = {
     {"part", KEY_PART, "NAME", 0, "part of a test: preshear, point-1, stress-1 ...", 0},
     {"size", KEY_SIZE, "WIDTHxHEIGHT", 0, "pixels (1600x1000)", 0},
     {"quality", KEY_QUALITY, "NAME", 0,
-     "draft, normal (default), or high: light from the whole sky, ten times as slow", 0},
+     "draft, normal (default), or high: light from the whole sky, twelve times as slow", 0},
     {"output", 'o', "FILE", 0, "PNG file (RUN.png), or folder of frames (RUN-frames)", 0},
     {"jobs", 'j', "N", 0, "processors that draw at the same time (all)", 0},
     {0},
