@@ -11,6 +11,7 @@ int clod_app_explain(int argc, char **argv);
 int clod_app_locus(int argc, char **argv);
 int clod_app_mesh(int argc, char **argv);
 int clod_app_new(int argc, char **argv);
+int clod_app_picture(int argc, char **argv);
 int clod_app_run(int argc, char **argv);
 int clod_app_schema(int argc, char **argv);
 int clod_app_verify(int argc, char **argv);

@@ -29,6 +29,7 @@ static const verb VERBS[] = {
     {"contact", clod_app_contact, "drive one contact along a path and print force and history"},
     {"locus", clod_app_locus, "evaluate shear points, simulated or measured, as a yield locus"},
     {"mesh", clod_app_mesh, "check a triangle mesh: STL, OBJ or PLY"},
+    {"picture", clod_app_picture, "draw snapshots of a run as PNG, or as a movie"},
     {"explain", clod_app_explain, "explain a key of a case file"},
     {"schema", clod_app_schema, "print the JSON Schema of case files, for editors"},
     {"verify", clod_app_verify, "run the verification suite: computed against known results"},

@@ -1,0 +1,310 @@
+/**
+ * @file picture.c
+ * clod picture RUN: snapshots of a run as PNG, or as a movie.
+ */
+
+#include <argp.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "app.h"
+#include "arguments.h"
+#include "picture/picture.h"
+#include "picture_frames.h"
+
+enum {
+    KEY_ALL = 256,
+    KEY_ANGLE,
+    KEY_AT,
+    KEY_BESIDE,
+    KEY_FROM,
+    KEY_HIDE,
+    KEY_MAP,
+    KEY_MOVIE,
+    KEY_PART,
+    KEY_QUALITY,
+    KEY_RANGE,
+    KEY_SIZE,
+    KEY_VIEW,
+    KEY_WALL_COLOR,
+};
+
+#define SMALLEST 200
+#define LARGEST 8192
+#define MOST_JOBS CLOD_APP_FRAMES_JOBS
+
+typedef struct request {
+    clod_picture_options options;
+    double time, range[2], from[3], at[3];
+    const char **hidden;
+    const char *output, *movie;
+    int jobs; ///< processors; 0: all
+} request;
+
+static const struct argp_option OPTIONS[] = {
+    {"time", 't', "SECONDS", 0, "the snapshot nearest to this time (the last one)", 0},
+    {"all", KEY_ALL, NULL, 0, "every snapshot, as frame_000000.png ... in a folder", 0},
+    {"movie", KEY_MOVIE, "FILE", 0, "every snapshot, and a movie of them (.mp4) with ffmpeg",
+     0},
+    {"color", 'c', "FIELD", 0,
+     "what colours the grains (speed); an unknown name lists those that there are", 0},
+    {"wall-color", KEY_WALL_COLOR, "FIELD", 0, "what colours the walls (steel and belts)", 0},
+    {"range", KEY_RANGE, "FROM,TO", 0, "values at the ends of the colour bar", 0},
+    {"map", KEY_MAP, "NAME", 0, "colour map: sea, ember, balance or grey", 0},
+    {"view", KEY_VIEW, "NAME", 0, "oblique (default), front, side or top", 0},
+    {"from", KEY_FROM, "X,Y,Z", 0, "where the camera stands [m]", 0},
+    {"at", KEY_AT, "X,Y,Z", 0, "the point that it looks at [m]", 0},
+    {"angle", KEY_ANGLE, "DEGREES", 0, "angle of view from bottom to top (25)", 0},
+    {"hide", KEY_HIDE, "WALL", 0, "leave out a wall, by name or number; may be repeated", 0},
+    {"beside", KEY_BESIDE, "RUN", 0,
+     "a second run at the right, with the same camera and colours", 0},
+    {"part", KEY_PART, "NAME", 0, "part of a test: preshear, point-1, stress-1 ...", 0},
+    {"size", KEY_SIZE, "WIDTHxHEIGHT", 0, "pixels (1600x1000)", 0},
+    {"quality", KEY_QUALITY, "NAME", 0,
+     "draft, normal (default), or high: light from the whole sky, twelve times as slow", 0},
+    {"output", 'o', "FILE", 0, "PNG file (RUN.png), or folder of frames (RUN-frames)", 0},
+    {"jobs", 'j', "N", 0, "processors that draw at the same time (all)", 0},
+    {0},
+};
+
+/** Read numbers with commas between them; false: not so many, or not finite. */
+static bool read_numbers(const char *text, double *number, int count)
+{
+    for (int k = 0; k < count; k++) {
+        char *end;
+        number[k] = strtod(text, &end);
+        if (end == text || !isfinite(number[k]) || *end != (k + 1 < count ? ',' : '\0')) {
+            return false;
+        }
+        text = end + 1;
+    }
+    return true;
+}
+
+/** Number of a name in a list, or -1. */
+static int find_name(const char *name, const char *const *list, int count)
+{
+    for (int k = 0; k < count; k++) {
+        if (strcmp(name, list[k]) == 0) {
+            return k;
+        }
+    }
+    return -1;
+}
+
+static void read_point(struct argp_state *state, const char *option, const char *text,
+                       double point[3], const double **to)
+{
+    if (!read_numbers(text, point, 3)) {
+        argp_error(state,
+                   "--%s %s: three numbers in metres with commas are needed, as in "
+                   "--%s=1.5,-2,0.8",
+                   option, text, option);
+    }
+    *to = point;
+}
+
+/** Read a whole number; `end` is what must follow it. -1: there is none, or it is too large. */
+static int read_whole(const char **text, char end, int most)
+{
+    char *rest;
+    const long number = strtol(*text, &rest, 10);
+    if (rest == *text || *rest != end || number < 1 || number > most) {
+        return -1;
+    }
+    *text = rest + 1;
+    return (int)number;
+}
+
+static void read_size(struct argp_state *state, const char *text, clod_picture_options *to)
+{
+    const char *rest = text;
+    to->width = read_whole(&rest, 'x', LARGEST);
+    to->height = to->width > 0 ? read_whole(&rest, '\0', LARGEST) : -1;
+    if (to->width < SMALLEST || to->height < SMALLEST) {
+        argp_error(state,
+                   "--size %s: width and height from %d to %d pixels are needed, as in "
+                   "1600x1000",
+                   text, SMALLEST, LARGEST);
+    }
+}
+
+static void read_jobs(struct argp_state *state, const char *text, int *to)
+{
+    const char *rest = text;
+    *to = read_whole(&rest, '\0', MOST_JOBS);
+    if (*to < 0) {
+        argp_error(state, "--jobs %s: 1 to %d processes", text, MOST_JOBS);
+    }
+}
+
+static void read_view(struct argp_state *state, const char *text, clod_picture_options *to)
+{
+    static const char *const VIEWS[] = {"oblique", "front", "side", "top"};
+    to->view = find_name(text, VIEWS, 4);
+    if (to->view < 0) {
+        argp_error(state, "--view %s: oblique, front, side or top is needed", text);
+    }
+}
+
+static void read_quality(struct argp_state *state, const char *text, clod_picture_options *to)
+{
+    static const char *const QUALITIES[] = {"draft", "normal", "high"};
+    to->quality = find_name(text, QUALITIES, 3);
+    if (to->quality < 0) {
+        argp_error(state, "--quality %s: draft, normal or high is needed", text);
+    }
+}
+
+/** Options of the camera and the page; false: it is none of them. */
+static bool parse_view(request *self, int key, char *argument, struct argp_state *state)
+{
+    clod_picture_options *to = &self->options;
+    switch (key) {
+    case KEY_VIEW:
+        read_view(state, argument, to);
+        return true;
+    case KEY_FROM:
+        read_point(state, "from", argument, self->from, &to->from);
+        return true;
+    case KEY_AT:
+        read_point(state, "at", argument, self->at, &to->at);
+        return true;
+    case KEY_ANGLE:
+        if (!read_numbers(argument, &to->angle, 1) || to->angle < 1.0 || to->angle > 120.0) {
+            argp_error(state, "--angle %s: 1 to 120 degrees are needed", argument);
+        }
+        return true;
+    case KEY_SIZE:
+        read_size(state, argument, to);
+        return true;
+    case KEY_QUALITY:
+        read_quality(state, argument, to);
+        return true;
+    case KEY_HIDE:
+        self->hidden[to->hidden_count++] = argument;
+        return true;
+    default:
+        return false;
+    }
+}
+
+/** Options of what is shown. */
+static bool parse_what(request *self, int key, char *argument, struct argp_state *state)
+{
+    clod_picture_options *to = &self->options;
+    switch (key) {
+    case 't':
+        if (!read_numbers(argument, &self->time, 1)) {
+            argp_error(state, "--time %s: a number of seconds is needed", argument);
+        }
+        to->time = &self->time;
+        return true;
+    case KEY_RANGE:
+        if (!read_numbers(argument, self->range, 2) || self->range[0] >= self->range[1]) {
+            argp_error(state, "--range %s: two numbers that rise are needed, as in 0,2.5",
+                       argument);
+        }
+        to->range = self->range;
+        return true;
+    case 'c':
+        to->field = argument;
+        return true;
+    case KEY_WALL_COLOR:
+        to->wall_field = argument;
+        return true;
+    case KEY_MAP:
+        to->map = argument;
+        return true;
+    case KEY_PART:
+        to->part = argument;
+        return true;
+    case KEY_BESIDE:
+        to->beside = argument;
+        return true;
+    default:
+        return false;
+    }
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+    request *self = state->input;
+    if (parse_view(self, key, argument, state) || parse_what(self, key, argument, state)) {
+        return 0;
+    }
+    switch (key) {
+    case KEY_ALL:
+        self->options.all = true;
+        return 0;
+    case KEY_MOVIE:
+        self->options.all = true;
+        self->movie = argument;
+        return 0;
+    case 'o':
+        self->output = argument;
+        return 0;
+    case 'j':
+        read_jobs(state, argument, &self->jobs);
+        return 0;
+    case ARGP_KEY_ARG:
+        if (self->options.run != NULL) {
+            argp_error(state, "one run at a time; --beside shows a second one");
+        }
+        self->options.run = argument;
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        argp_error(state, "which run? Name its results folder, e.g. run/first");
+        return 0;
+    case ARGP_KEY_END:
+        if (self->options.all && self->options.time != NULL) {
+            argp_error(state, "--time picks one snapshot, --all and --movie take every one");
+        }
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+int clod_app_picture(int argc, char **argv)
+{
+    const struct argp argp = {
+        .options = OPTIONS,
+        .parser = parse,
+        .args_doc = "RUN",
+        .doc = "Draw snapshots of the run in the results folder RUN as PNG: grains as spheres, "
+               "coloured by any of their fields, walls and belts.\v"
+               "docs/howto/pictures.md has examples. Lengths are metres, times seconds.",
+    };
+    request self = {.options = {.field = "speed",
+                                .angle = 25.0,
+                                .width = 1600,
+                                .height = 1000,
+                                .quality = CLOD_PICTURE_NORMAL},
+                    .hidden = calloc((size_t)argc, sizeof(char *))};
+    if (self.hidden == NULL) {
+        fputs("clod picture: no memory\n", stderr);
+        return CLOD_FAILED;
+    }
+    self.options.hidden = self.hidden;
+    clod_status status = {CLOD_OK, ""};
+    int result = CLOD_FAILED;
+    if (clod_arguments_parse(&argp, argc, argv, 0, &self)) {
+        const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+        if (self.jobs == 0) {
+            self.jobs = cores < 1 ? 1 : cores > MOST_JOBS ? MOST_JOBS : (int)cores;
+        }
+        self.options.threads = self.options.all ? 1 : self.jobs;
+        const clod_app_frames_job job = {&self.options, self.output, self.movie, self.jobs};
+        const bool done = clod_app_frames(&job, &status);
+        result = done ? EXIT_SUCCESS : (int)status.code;
+        if (!done) {
+            fprintf(stderr, "clod picture: %s\n", status.text);
+        }
+    }
+    free(self.hidden);
+    return result;
+}

@@ -1,0 +1,47 @@
+#pragma once
+/**
+ * @file cutaway.h
+ * What of the walls stands in the way: planes without an end are cut to a box, faces between the
+ * eye and the grains are drawn as veils.
+ */
+
+#include "base/vec3.h"
+#include "clod/status.h"
+#include "picture/faces.h"
+
+/** A box along the axes; empty when min is above max. */
+typedef struct clod_cutaway_box {
+    double min[3], max[3];
+} clod_cutaway_box;
+
+#define CLOD_CUTAWAY_EMPTY                                                                     \
+    ((clod_cutaway_box){{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}})
+
+/** Make a box contain a point. */
+void clod_cutaway_include(clod_cutaway_box *box, const double point[3]);
+
+/** Whether triangle t and the next are a square, as a plane of the calculation is drawn.
+ *  @param side  [out] its length [m] */
+bool clod_cutaway_is_square(double (*const corner)[3][3], const int32_t *wall, size_t t,
+                            size_t count, double *side);
+
+/** Triangles at most of a square that was cut. */
+#define CLOD_CUTAWAY_PIECES 8
+
+/**
+ * Cut a square to a box.
+ *
+ * @param corner  the first of its two triangles; the other one lies behind it
+ * @param piece   [out] triangles of what is left
+ * @return        how many
+ */
+size_t clod_cutaway_clip(const clod_cutaway_box *box, double (*const corner)[3][3],
+                         double piece[CLOD_CUTAWAY_PIECES][3][3]);
+
+/**
+ * Set scene->veiled: of faces that hide more than a few of the grains from the eye, the side
+ * that is turned to them.
+ * Errors  CLOD_FAILED: no memory.   Threads  pure.   Test  tests/picture/test_cutaway.c
+ */
+bool clod_cutaway_veil(clod_scene *scene, const clod_faces *faces, clod_vec3 eye,
+                       clod_status *status);

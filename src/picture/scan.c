@@ -1,0 +1,242 @@
+#include "picture/scan.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+#define FLAT 1e-5  ///< planes across an axis are so exact
+#define REACH 1.0  ///< a plane across an axis is looked for so far beyond the rest
+#define AROUND 0.3 ///< planes reach so far beyond the rest, in its largest extent
+
+static const clod_cutaway_box ENDLESS = {{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL},
+                                         {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
+
+static bool fail_memory(clod_status *status)
+{
+    return clod_status_fail(status, CLOD_FAILED, "No memory for a picture.");
+}
+
+/** Frames of the first film as asked for, and those nearest to them in time of the second. */
+static bool choose_frames(clod_scan *self, const clod_picture_options *options,
+                          clod_status *status)
+{
+    const clod_film *film = &self->film[0];
+    self->count = options->all ? film->count : 1;
+    for (size_t f = 0; f < self->film_count; f++) {
+        self->frame[f] = clod_memory_alloc(self->count, sizeof *self->frame[f]);
+        if (self->frame[f] == NULL) {
+            return fail_memory(status);
+        }
+    }
+    for (size_t k = 0; k < self->count; k++) {
+        self->frame[0][k] = options->all ? k : film->count - 1;
+        if (!options->all && options->time != NULL &&
+            !clod_film_nearest(film, *options->time, &self->frame[0][k], status)) {
+            return false;
+        }
+    }
+    for (size_t k = 0; self->film_count == 2 && k < self->count; k++) {
+        const double time = film->frames[self->frame[0][k]].time;
+        const clod_film *other = &self->film[1];
+        size_t *nearest = &self->frame[1][k];
+        for (size_t j = 1; j < other->count; j++) {
+            if (fabs(other->frames[j].time - time) <
+                fabs(other->frames[*nearest].time - time)) {
+                *nearest = j;
+            }
+        }
+    }
+    return true;
+}
+
+const clod_film_frame *clod_scan_frame(const clod_scan *self, size_t film, size_t k)
+{
+    return &self->film[film].frames[self->frame[film][k]];
+}
+
+/** Where the grains are, and their values. */
+static bool look_at_grains(clod_scan *self, const char *path, size_t frames,
+                           clod_status *status)
+{
+    clod_vtkhdf *file = clod_vtkhdf_open(path, status);
+    self->seen_now = CLOD_CUTAWAY_EMPTY;
+    bool good = file != NULL && clod_channel_add(&self->grains, file, frames, status);
+    double(*point)[3] = good ? clod_vtkhdf_points(file, status) : NULL;
+    good = point != NULL;
+    for (size_t k = 0; good && k < file->rows[CLOD_VTKHDF_POINTS]; k++) {
+        clod_cutaway_include(&self->seen, point[k]);
+        clod_cutaway_include(&self->seen_now, point[k]);
+    }
+    clod_memory_free(point);
+    clod_vtkhdf_close(&file);
+    return good;
+}
+
+/** A plane across an axis that all grains are on one side of ends the others there. */
+static void bound_by_plane(clod_cutaway_box *planes, const clod_cutaway_box *grains,
+                           double (*const corner)[3])
+{
+    for (int d = 0; d < 3; d++) {
+        const double at = corner[0][d];
+        const double size = fmax(fabs(at), fabs(corner[0][(d + 1) % 3])) +
+                            fabs(corner[2][(d + 1) % 3] - corner[0][(d + 1) % 3]);
+        if (fabs(corner[1][d] - at) > FLAT * size || fabs(corner[2][d] - at) > FLAT * size) {
+            continue;
+        }
+        if (at >= grains->max[d]) {
+            planes->max[d] = fmin(planes->max[d], at);
+        } else if (at <= grains->min[d]) {
+            planes->min[d] = fmax(planes->min[d], at);
+        }
+    }
+}
+
+/** Where the walls are, those without an end aside. */
+static bool look_at_walls(clod_scan *self, const char *path, size_t frames,
+                          clod_cutaway_box *box, clod_status *status)
+{
+    const clod_cutaway_box grains = self->seen_now;
+    clod_cutaway_box planes = ENDLESS;
+    clod_vtkhdf *file = clod_vtkhdf_open(path, status);
+    int32_t *wall = NULL;
+    bool good = file != NULL && (self->walls.field == NULL ||
+                                 clod_channel_add(&self->walls, file, frames, status));
+    double(*corner)[3][3] = good ? clod_stage_read_walls(file, &wall, status) : NULL;
+    good = corner != NULL;
+    const size_t count = good ? file->rows[CLOD_VTKHDF_CELLS] : 0;
+    for (size_t t = 0; t < count; t++) {
+        double side;
+        if (clod_cutaway_is_square(corner, wall, t, count, &side)) {
+            bound_by_plane(&planes, &grains, corner[t++]); // and its other half
+            continue;
+        }
+        const bool hidden = wall[t] >= 0 && wall[t] < CLOD_SCAN_WALLS && self->hidden[wall[t]];
+        for (int c = 0; c < 3 && !hidden; c++) {
+            clod_cutaway_include(box, corner[t][c]);
+        }
+    }
+    for (int d = 0; d < 3; d++) {
+        self->planes.min[d] = fmin(self->planes.min[d], planes.min[d]);
+        self->planes.max[d] = fmax(self->planes.max[d], planes.max[d]);
+    }
+    clod_memory_free(corner);
+    clod_memory_free(wall);
+    clod_vtkhdf_close(&file);
+    return good;
+}
+
+/** Planes end a little beyond everything else, and with the domain. */
+static void choose_clip(clod_scan *self, const clod_cutaway_box *walls)
+{
+    clod_cutaway_box *clip = &self->stage.clip;
+    *clip = self->seen;
+    if (walls->max[0] >= walls->min[0]) {
+        clod_cutaway_include(clip, walls->min);
+        clod_cutaway_include(clip, walls->max);
+    }
+    if (!(self->planes.max[0] >= self->planes.min[0])) {
+        self->planes = ENDLESS; // no walls
+    }
+    double size = 0.0;
+    for (int d = 0; d < 3; d++) {
+        size = fmax(size, clip->max[d] - clip->min[d]);
+    }
+    const clod_case *of = self->film[0].of;
+    for (int d = 0; d < 3; d++) {
+        const bool under = self->planes.min[d] > clip->min[d] - REACH * size;
+        const bool over = self->planes.max[d] < clip->max[d] + REACH * size;
+        clip->min[d] = under ? self->planes.min[d] - FLAT * size : clip->min[d] - AROUND * size;
+        clip->max[d] = over ? self->planes.max[d] + FLAT * size : clip->max[d] + AROUND * size;
+        if (of != NULL && of->has_domain) {
+            const double slack = 1e-4 * (of->domain_max[d] - of->domain_min[d]);
+            clip->min[d] = fmax(clip->min[d], of->domain_min[d] - slack);
+            clip->max[d] = fmin(clip->max[d], of->domain_max[d] + slack);
+        }
+    }
+    if (!(self->seen.max[0] >= self->seen.min[0])) {
+        self->seen = *walls; // no grains
+    }
+}
+
+static bool look(clod_scan *self, clod_status *status)
+{
+    clod_cutaway_box walls = CLOD_CUTAWAY_EMPTY;
+    self->seen = CLOD_CUTAWAY_EMPTY;
+    self->planes = CLOD_CUTAWAY_EMPTY;
+    const size_t frames = self->film_count * self->count;
+    for (size_t f = 0; f < self->film_count; f++) {
+        for (size_t k = 0; k < self->count; k++) {
+            const clod_film_frame *frame = clod_scan_frame(self, f, k);
+            if (!look_at_grains(self, frame->grains, frames, status) ||
+                (frame->walls != NULL &&
+                 !look_at_walls(self, frame->walls, frames, &walls, status))) {
+                return false;
+            }
+        }
+    }
+    choose_clip(self, &walls);
+    return true;
+}
+
+/** Walls that are not to be shown, by name or number. */
+static bool hide(clod_scan *self, const clod_picture_options *options, clod_status *status)
+{
+    self->hidden = clod_memory_alloc(CLOD_SCAN_WALLS, sizeof *self->hidden);
+    if (self->hidden == NULL) {
+        return fail_memory(status);
+    }
+    for (size_t h = 0; h < options->hidden_count; h++) {
+        const int wall = clod_film_wall(&self->film[0], options->hidden[h]);
+        if (wall < 0) {
+            char names[2048] = "";
+            for (size_t k = 0; clod_film_wall_name(&self->film[0], k) != NULL; k++) {
+                const size_t used = strlen(names);
+                snprintf(names + used, sizeof names - used, "%s%s", k > 0 ? ", " : "",
+                         clod_film_wall_name(&self->film[0], k));
+            }
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "--hide %s: %s has no such wall. Walls: %s; or their "
+                                    "numbers, from 0.",
+                                    options->hidden[h], self->film[0].folder,
+                                    names[0] != '\0' ? names : "names unknown");
+        }
+        self->hidden[wall] = true;
+    }
+    return true;
+}
+
+bool clod_scan_make(clod_scan *self, const clod_picture_options *options, clod_status *status)
+{
+    *self = (clod_scan){.grains = {.field = options->field, .place = CLOD_VTKHDF_POINTS},
+                        .walls = {.field = options->wall_field, .place = CLOD_VTKHDF_CELLS}};
+    const char *const folders[2] = {options->run, options->beside};
+    for (size_t f = 0; f < 2 && folders[f] != NULL; f++) {
+        self->film_count++;
+        if (!clod_film_open(&self->film[f], folders[f], options->part, status)) {
+            return false;
+        }
+    }
+    self->stage =
+        (clod_stage){&self->grains, &self->walls, NULL, CLOD_SCAN_WALLS, CLOD_CUTAWAY_EMPTY};
+    const bool good = choose_frames(self, options, status) && hide(self, options, status) &&
+                      look(self, status) &&
+                      clod_channel_settle(&self->grains, options->range, options->map,
+                                          &self->film[0], status) &&
+                      clod_channel_settle(&self->walls, NULL, NULL, &self->film[0], status);
+    self->stage.hidden = self->hidden;
+    return good;
+}
+
+void clod_scan_fini(clod_scan *self)
+{
+    for (size_t f = 0; f < self->film_count; f++) {
+        clod_memory_free(self->frame[f]);
+        clod_film_fini(&self->film[f]);
+    }
+    clod_channel_fini(&self->grains);
+    clod_channel_fini(&self->walls);
+    clod_memory_free(self->hidden);
+    *self = (clod_scan){0};
+}

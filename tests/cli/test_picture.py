@@ -1,0 +1,272 @@
+"""Pictures of a run as a user meets them: size, colours of grains at their places, colour bar,
+frames, movies, two runs side by side, and messages when something is wrong."""
+
+import collections
+import os
+import shutil
+import struct
+import sys
+import zlib
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+CASE = """title: {title}
+materials: {{ore: {{density: 2500 kg/m3, youngs_modulus: 10 MPa, poissons_ratio: 0.3}}}}
+contacts: {{default: {{law: hertz, restitution: 0.5, friction: 0.3}}}}
+domain: {{min: [-50 mm, -50 mm, -50 mm], max: [50 mm, 50 mm, 50 mm]}}
+gravity: [0 m/s2, 0 m/s2, 0 m/s2]
+grains: [{{material: ore, file: grains.csv}}]
+walls:
+  floor: {{material: ore, shapes: [{{plane: {{point: [0 mm, 0 mm, -50 mm], normal: [0, 0, 1]}}}}]}}
+stages: [{{name: run, duration: 3 ms}}]
+output: {{series_interval: 1 ms, snapshot_interval: 1 ms}}
+"""
+# x, y, z, radius in mm and vz in m/s; the first is where the camera looks
+GRAINS = [(0, 0, 0, 4, 0), (25, 0, 0, 5, 3), (-5, 10, 16, 6, 0), (-20, -5, -10, 3.2, -1)]
+CAMERA = ("--from=0,-0.3,0", "--at=0,0,0", "--angle=15", "--size=500x400", "--hide=floor")
+
+
+class Image:
+    """A PNG of 8 bits per colour, read without other packages (PNG specification, 2nd edition)."""
+
+    def __init__(self, path):
+        data = clod.read(path)
+        assert data[:8] == b"\x89PNG\r\n\x1a\n", path
+        packed, at = b"", 8
+        while at < len(data):
+            length, kind = struct.unpack(">I4s", data[at:at + 8])
+            body = data[at + 8:at + 8 + length]
+            if kind == b"IHDR":
+                self.width, self.height, depth, colour = struct.unpack(">IIBB", body[:10])
+                assert (depth, colour) == (8, 2), "not red, green, blue of 8 bits"
+            packed += body if kind == b"IDAT" else b""
+            at += length + 12
+        self.rows = self.unfilter(zlib.decompress(packed), 3 * self.width)
+
+    def unfilter(self, data, size):
+        rows, above = [], bytearray(size)
+        for y in range(self.height):
+            start = y * (size + 1)
+            kind, row = data[start], bytearray(data[start + 1:start + 1 + size])
+            for k in range(size):
+                left = row[k - 3] if k >= 3 else 0
+                corner = above[k - 3] if k >= 3 else 0
+                up = above[k]
+                if kind == 4:
+                    nearest = min((left, up, corner),
+                                  key=lambda v: abs(left + up - corner - v))
+                row[k] = (row[k] + (0, left, up, (left + up) // 2,
+                                    nearest if kind == 4 else 0)[kind]) & 255
+            rows.append(row)
+            above = row
+        return rows
+
+    def pixel(self, x, y):
+        return tuple(self.rows[y][3 * x:3 * x + 3])
+
+    def runs(self, x, good):
+        """The longest run of rows in column x whose pixels are good: first row and how many."""
+        best, first = (0, 0), None
+        for y in range(self.height + 1):
+            if y < self.height and good(self.pixel(x, y)):
+                first = y if first is None else first
+            elif first is not None:
+                best = max(best, (y - first, first))
+                first = None
+        return best[1], best[0]
+
+
+def is_coloured(pixel):
+    return max(pixel) - min(pixel) > 40
+
+
+def find_bar(image):
+    """Column in the middle of the colour bar, its first row and number of rows."""
+    columns = [x for x in range(image.width * 2 // 3, image.width)
+               if image.runs(x, is_coloured)[1] > image.height // 4]
+    middle = columns[len(columns) // 2]
+    return (middle, *image.runs(middle, is_coloured))
+
+
+class Picture(clod.Case):
+
+    @classmethod
+    def setUpClass(cls):
+        cls.out = clod.make_folder()
+        cls.addClassCleanup(shutil.rmtree, cls.out)
+        with open(os.path.join(cls.out, "grains.csv"), "w") as file:
+            file.write("x [mm],y [mm],z [mm],radius [mm],vz [m/s]\n")
+            file.writelines(",".join(map(str, grain)) + "\n" for grain in GRAINS)
+        for name, title in (("one", "One of two"), ("two", "Two of two")):
+            path = os.path.join(cls.out, f"{name}.yaml")
+            with open(path, "w") as file:
+                file.write(CASE.format(title=title))
+            done = clod.run("run", path, "-o", os.path.join(cls.out, name))
+            assert done.returncode == 0, done.stderr
+        cls.results = os.path.join(cls.out, "one")
+
+    def picture(self, *arguments, code=0, **more):
+        done = clod.run("picture", *arguments, cwd=self.folder, **more)
+        self.assertEqual(done.returncode, code, done.stderr)
+        if code != 0:
+            self.assertEqual(done.stdout, "")
+            self.assertTrue(done.stderr.startswith("clod picture: "), done.stderr)
+        return done.stderr if code != 0 else done.stdout
+
+    def image(self, *arguments, name="a.png"):
+        self.picture(self.results, "-o", name, *arguments)
+        return Image(self.path(name))
+
+    def places(self, image, moved=0.0):
+        """Pixels of the grains' middles by a projection of our own: 15 degrees from bottom to top
+        of the panel, seen from 0.3 m. Letters are 1/52 of the width high and the panel begins
+        below 3.6 of them; its middle is where the first grain is seen."""
+        top = int(3.6 * min(image.height / 40, image.width / 52))
+        middle_y = (top + image.height) / 2
+        scale = (image.height - top) / 2 / 0.13165249758739583  # tan(7.5 degrees)
+        row = [x for x in range(image.width) if image.pixel(x, int(middle_y)) != (255, 255, 255)]
+        middle_x = row[0] + 0.004 / 0.3 * scale  # the first grain is the one at the left of its row
+        found = []
+        for x, y, z, _, vz in GRAINS:
+            depth = 0.3 + y / 1000
+            found.append((int(middle_x + scale * x / 1000 / depth),
+                          int(middle_y - scale * (z / 1000 + moved * vz) / depth)))
+        return found
+
+    def test_grains_have_the_colours_of_their_values(self):
+        """Grey map: lightness of OKLab from 0.30 to 0.92, in equal steps; a grey of lightness L
+        has L^3 of the light of white. What faces the eye has the colour of the map."""
+        image = self.image("--time=0.001", "--color=radius", "--range=0.003,0.007", "--map=grey",
+                           *CAMERA)
+        self.assertEqual((image.width, image.height), (500, 400))
+        for (x, y), grain in zip(self.places(image, moved=0.001), GRAINS):
+            light = (0.30 + 0.62 * (grain[3] - 3) / 4) ** 3
+            expected = 255 * (1.055 * light ** (1 / 2.4) - 0.055)
+            for channel in image.pixel(x, y):
+                self.assertLess(abs(channel - expected), 0.03 * 255, f"grain {grain}")
+
+    def test_grains_have_the_colours_of_the_bar(self):
+        image = self.image("--time=0.001", "--color=velocity_z", "--range=-2,4", "--map=sea", *CAMERA)
+        middle, first, rows = find_bar(image)
+        self.assertGreater(image.pixel(middle, first)[0], image.pixel(middle, first)[2])  # yellow
+        low = image.pixel(middle, first + rows - 1)
+        self.assertGreater(low[2], low[0])  # blue
+        for (x, y), grain in zip(self.places(image, moved=0.001), GRAINS):
+            row = first + round((rows - 1) * (4 - grain[4]) / 6)
+            for seen, bar in zip(image.pixel(x, y), image.pixel(middle, row)):
+                self.assertLess(abs(seen - bar), 14, f"grain {grain}")
+
+    def test_times_and_last(self):
+        """The nearest snapshot; the last one when no time is given; grains that moved show it."""
+        said = self.picture(self.results, "--time=0.00104", "-o", "near.png", "--size=300x200")
+        self.assertRegex(said, r"near.png: t = 0\.00(1|099)")
+        said = self.picture(self.results, "--size=300x200")
+        self.assertRegex(said, r"one.png: t = 0\.00(3|299)")
+        one, last = Image(self.path("near.png")), Image(self.path("one.png"))
+        self.assertNotEqual(one.rows, last.rows)
+        again = self.image("--time=0.001", "--size=300x200", "-j1")
+        self.assertEqual(one.rows, again.rows)  # one thread or several
+
+    def test_all_frames_and_a_movie(self):
+        names = sorted(name for name in os.listdir(self.results) if name.startswith("snap_"))
+        said = self.picture(self.results, "--all", "-j", "3", "--size=300x200")
+        self.assertIn(f"one-frames: {len(names)} frames", said)
+        frames = sorted(os.listdir(self.path("one-frames")))
+        self.assertEqual(frames, [f"frame_{k:06d}.png" for k in range(len(names))])
+        images = [Image(self.path(f"one-frames/{name}")) for name in frames]
+        self.assertNotEqual(images[0].rows, images[-1].rows)
+        self.picture(self.results, "--all", "-j", "1", "--size=300x200", "-o", "other")
+        for name in frames:
+            self.assertEqual(clod.read(self.path(f"one-frames/{name}")),
+                             clod.read(self.path(f"other/{name}")))
+        if shutil.which("ffmpeg"):
+            self.picture(self.results, "--movie=a.mp4", "--size=301x201", "-o", "other")
+            self.assertEqual(clod.read(self.path("a.mp4"))[4:8], b"ftyp")
+
+    def test_a_movie_without_ffmpeg(self):
+        os.mkdir(self.path("empty"))
+        said = self.picture(self.results, "--movie=a.mp4", code=2,
+                            env={**os.environ, "PATH": self.path("empty")})
+        self.assertIn("apt install ffmpeg", said)
+        self.assertEqual(os.listdir(self.folder), ["empty"])
+
+    def test_two_runs_side_by_side(self):
+        """Both halves show the same grains at the same places, since the runs are the same."""
+        image = self.image("--beside", os.path.join(self.out, "two"), "--time=0.001",
+                           "--size=900x400", "--hide=floor")
+        bar, first, rows = find_bar(image)
+        columns = [x for x in range(bar - 10)
+                   if any(is_coloured(image.pixel(x, y)) for y in range(first, 330))]
+        half = (columns[-1] - columns[0]) // 2 + columns[0]
+        left = [x for x in columns if x < half]
+        right = [x for x in columns if x > half]
+        shift = right[0] - left[0]
+        self.assertLessEqual(abs((right[-1] - right[0]) - (left[-1] - left[0])), 2)
+        same = sum(image.pixel(x, y) == image.pixel(x + shift, y)
+                   for x in left for y in range(first, 330))
+        self.assertGreater(same, 0.9 * len(left) * (330 - first))
+
+    def test_walls_with_a_bar_of_their_own(self):
+        """The floor is seen and coloured by its field; hidden it is gone."""
+        options = ("--wall-color=velocity", "--time=0.001", "--size=400x300", "--view=top")
+        shown, hidden = self.image(*options), self.image(*options, "--hide=0")
+        panel = [(x, y) for y in range(30, 240) for x in range(300)]
+        counts = collections.Counter(shown.pixel(x, y) for x, y in panel)
+        floor, often = max(counts.items(), key=lambda item: item[1] * is_coloured(item[0]))
+        self.assertGreater(often, len(panel) // 5)
+        self.assertNotIn(floor, [hidden.pixel(x, y) for x, y in panel])
+        # it faces the eye and stands still: the lowest colour of its bar, but for the light
+        bar = [shown.pixel(x, y) for y in range(150, 300) for x in range(300, 400)]
+        self.assertTrue(any(max(abs(a - b) for a, b in zip(floor, pixel)) < 6 for pixel in bar))
+
+    def test_fields(self):
+        for field in ("speed", "age", "birth", "kinetic_energy", "mass", "type", "id",
+                      "coordination", "force", "omega_x", "velocity_y"):
+            self.picture(self.results, "-o", "a.png", "-c", field, "--size=200x200", "--quality=draft")
+
+    def test_what_is_wrong_is_named(self):
+        said = self.picture(self.results, "--color=moisture", code=2)
+        self.assertIn("grains have no field moisture. Fields: ", said)
+        for name in ("radius", "velocity (_x, _y, _z)", "speed", "age", "kinetic_energy"):
+            self.assertIn(name, said)
+        self.assertIn("walls have no field wear. Fields: type, velocity",
+                      self.picture(self.results, "--wall-color=wear", code=2))
+        self.assertIn("--time 7 s is outside of the run", self.picture(self.results, "-t7", code=2))
+        self.assertIn("Walls: floor", self.picture(self.results, "--hide=roof", code=2))
+        self.assertIn("Maps: sea", self.picture(self.results, "--map=jet", code=2))
+        self.assertIn("Parts that have: run",
+                      self.picture(self.results, "--part=preshear", code=2))
+        self.assertIn("No such file or directory", self.picture("nowhere", code=2))
+        self.assertIn("is not the results folder of a run", self.picture(".", code=2))
+        for option, word in (("--range=3,1", "rise"), ("--size=10x10", "pixels"),
+                             ("--view=back", "oblique"), ("--from=1,2", "three numbers"),
+                             ("--angle=200", "degrees"), ("--jobs=0", "processes"),
+                             ("--quality=best", "draft"), ("--time=soon", "seconds")):
+            self.assertIn(word, self.picture(self.results, option, code=2))
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_damaged_files(self):
+        run = self.path("run")
+        shutil.copytree(self.results, run)
+        last = sorted(name for name in os.listdir(run) if name.startswith("snap_"))[-1]
+        path = os.path.join(run, last)
+        whole = clod.read(path)
+        for length in (0, 100, len(whole) // 2):
+            with open(path, "wb") as file:
+                file.write(whole[:length])
+            said = self.picture(run, code=2)
+            self.assertIn(last, said)
+            self.assertIn("damaged", said)
+        self.assertIn(last, self.picture(run, "--all", code=2))
+        os.remove(path)
+        self.assertIn("not there", self.picture(run, code=2))
+        with open(os.path.join(run, "run.hdf.series"), "w") as file:
+            file.write("{}")
+        self.assertIn("run.hdf.series is damaged", self.picture(run, code=2))
+        os.remove(os.path.join(run, "run.hdf.series"))
+        self.assertIn("has no snapshots", self.picture(run, code=2))
+
+
+if __name__ == "__main__":
+    clod.main()
