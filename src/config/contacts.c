@@ -155,6 +155,7 @@ static void load_pair(clod_loader *loader, clod_case *self, const clod_node *con
         }
         clod_contacts_complete(&contact);
     }
+    contact.soften = self->soften;
     const size_t n = self->material_count;
     self->pairs[(size_t)a * n + (size_t)b] = contact;
     self->pairs[(size_t)b * n + (size_t)a] = contact;
@@ -196,6 +197,9 @@ static bool check_name(clod_loader *loader, const clod_case *self, const clod_no
         char hint[64];
         clod_suggest near = clod_suggest_start(section->key);
         clod_suggest_offer(&near, "default");
+        for (size_t i = 0; i < CLOD_TABLE_CONTACTS.count; i++) {
+            clod_suggest_offer(&near, CLOD_TABLE_CONTACTS.params[i].key);
+        }
         clod_report_add(loader->report, section->key_place, "contacts",
                         "\"%s\" is not a pair; write two materials as a-b, or default%s",
                         section->key, clod_suggest_text(&near, hint, sizeof hint));
@@ -225,6 +229,9 @@ static bool check_sections(clod_loader *loader, const clod_case *self,
     bool good = true;
     for (size_t i = 0; i < contacts->count; i++) {
         const clod_node *section = contacts->items[i];
+        if (clod_param_find(&CLOD_TABLE_CONTACTS, section->key) != NULL) {
+            continue;
+        }
         good = check_name(loader, self, contacts, section) && good;
         const bool empty = section->kind == CLOD_NODE_SCALAR && section->text[0] == '\0';
         if (section->kind != CLOD_NODE_MAP && !empty) {
