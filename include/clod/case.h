@@ -72,6 +72,7 @@ typedef struct clod_case_contact {
     int rolling;             ///< clod_rolling
     double rolling_friction;
     double rolling_damping; ///< fraction of critical, epsd only
+    double soften; ///< soften of the case; every stiffness is divided by it; 0: not given
 } clod_case_contact;
 
 typedef enum clod_size_kind {
@@ -291,6 +292,7 @@ typedef struct clod_case {
     clod_case_time time;
     clod_case_material *materials;
     size_t material_count;
+    double soften;            ///< every stiffness of a contact is divided by it; 0: not given
     clod_case_contact *pairs; ///< [material_count * material_count], symmetric
     clod_case_grains *grains;
     size_t grains_count;

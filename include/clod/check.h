@@ -27,6 +27,18 @@ typedef struct clod_check_options {
     const char *directory; ///< results folder, for the disk space; NULL = as clod_run
 } clod_check_options;
 
+/** A contact of two mean grains with one stiffness: under the target stress, and in an impact. */
+typedef struct clod_check_contact {
+    double automatic;     ///< s, step
+    double overlap_ratio; ///< overlap / mean radius under the stress
+    double pull_off;      ///< N, largest pull after it
+    double wave_speed;    ///< m/s, of a chain of mean grains under it
+    double impact_ratio;  ///< overlap / mean radius of an impact; 0, as the next: none known
+    double impact_time;   ///< s that it lasts
+    double impact_force;  ///< N, largest
+    double impact_pull;   ///< N, largest pull after it
+} clod_check_contact;
+
 /** Numbers in SI; 0 = not known or not meant for this kind of case. */
 typedef struct clod_check_report {
     clod_case_kind kind; ///< CLOD_CASE_CONTACT_BENCH: nothing to estimate, all numbers are 0
@@ -61,6 +73,11 @@ typedef struct clod_check_report {
     double pull_off;      ///< N, largest pull after that force
     double weight;        ///< N, of a mean grain
     double bond;          ///< pull_off / weight
+    // softening; all 0 when the case has none
+    double soften;                 ///< stiffnesses are divided by it
+    double rest_stress;            ///< Pa, without impacts
+    double impact_speed;           ///< m/s, most of a free run
+    clod_check_contact soft, hard; ///< with the stiffness of the run, and of the case
     // shear tests; the uniaxial test has all but those of preshear and points; bars: ring
     size_t full_grains;       ///< that fill depth or height with fill_fraction
     double height_aimed;      ///< m, of the specimen when it settles to fill_fraction

@@ -155,6 +155,7 @@ static void load_pair(clod_loader *loader, clod_case *self, const clod_node *con
         }
         clod_contacts_complete(&contact);
     }
+    contact.soften = self->soften;
     const size_t n = self->material_count;
     self->pairs[(size_t)a * n + (size_t)b] = contact;
     self->pairs[(size_t)b * n + (size_t)a] = contact;
@@ -196,6 +197,9 @@ static bool check_name(clod_loader *loader, const clod_case *self, const clod_no
         char hint[64];
         clod_suggest near = clod_suggest_start(section->key);
         clod_suggest_offer(&near, "default");
+        for (size_t i = 0; i < CLOD_TABLE_CONTACTS.count; i++) {
+            clod_suggest_offer(&near, CLOD_TABLE_CONTACTS.params[i].key);
+        }
         clod_report_add(loader->report, section->key_place, "contacts",
                         "\"%s\" is not a pair; write two materials as a-b, or default%s",
                         section->key, clod_suggest_text(&near, hint, sizeof hint));
@@ -225,13 +229,37 @@ static bool check_sections(clod_loader *loader, const clod_case *self,
     bool good = true;
     for (size_t i = 0; i < contacts->count; i++) {
         const clod_node *section = contacts->items[i];
-        good = check_name(loader, self, contacts, section) && good;
+        if (clod_param_find(&CLOD_TABLE_CONTACTS, section->key) != NULL) {
+            continue;
+        }
+        const bool named = check_name(loader, self, contacts, section);
+        good = named && good;
         const bool empty = section->kind == CLOD_NODE_SCALAR && section->text[0] == '\0';
-        if (section->kind != CLOD_NODE_MAP && !empty) {
+        if (named && section->kind != CLOD_NODE_MAP && !empty) {
             clod_report_add(loader->report, section->place, "contacts",
                             "\"%s\" must be a section with keys, not %s", section->key,
                             clod_tree_kind_name(section->kind));
             good = false;
+        }
+    }
+    return good;
+}
+
+/** Keys for all pairs that stand in the section of one. */
+static bool check_beside(clod_loader *loader, const clod_node *contacts)
+{
+    bool good = true;
+    for (size_t i = 0; i < contacts->count; i++) {
+        for (size_t k = 0; k < CLOD_TABLE_CONTACTS.count; k++) {
+            const char *key = CLOD_TABLE_CONTACTS.params[k].key;
+            const clod_node *node = clod_tree_find(contacts->items[i], key);
+            if (node != NULL) {
+                clod_report_add(loader->report, clod_load_place(node), "contacts",
+                                "%s holds for all pairs: it stands beside them, as "
+                                "contacts.%s, and not in %s",
+                                key, key, contacts->items[i]->key);
+                good = false;
+            }
         }
     }
     return good;
@@ -306,6 +334,9 @@ void clod_contacts_load(clod_loader *loader, clod_case *self)
         clod_memory_alloc(self->material_count * self->material_count, sizeof *self->pairs);
     if (self->pairs == NULL) {
         loader->report->lost = true;
+        return;
+    }
+    if (!check_beside(loader, contacts)) {
         return;
     }
     clod_case_contact common = {0};

@@ -172,12 +172,13 @@ static void print_items(const echo *to, const clod_param *param, const void *tar
     }
 }
 
-static void print_pairs(const echo *to, const clod_param *param, int depth)
+static void print_pairs(const echo *to, const clod_param *param, const void *target, int depth)
 {
     FILE *out = to->out;
     const clod_case *self = to->whole;
     const size_t n = self->material_count;
     fputc('\n', out);
+    print_table(to, param->beside, target, depth + 1, false);
     for (size_t a = 0; a < n; a++) {
         for (size_t b = a; b < n; b++) {
             const clod_case_contact *contact = &self->pairs[a * n + b];
@@ -213,7 +214,7 @@ static void print_row(const echo *to, const clod_param *param, const void *targe
         print_items(to, param, target, depth);
         break;
     case CLOD_PARAM_PAIRS:
-        print_pairs(to, param, depth);
+        print_pairs(to, param, target, depth);
         break;
     default:
         fputc(' ', out);

@@ -69,10 +69,15 @@ static void print_row(FILE *out, const char *path, const clod_param *param)
         fprintf(out, "  example  %s: %s\n", param->key, param->example);
     }
     fprintf(out, "  source   %s\n", param->source);
-    for (size_t i = 0; param->table != NULL && i < param->table->count; i++) {
-        const clod_param *row = &param->table->params[i];
-        fprintf(out, "%s%-18s  %s\n", i == 0 ? "  keys\n    " : "    ", row->key,
-                clod_param_help(row, text, sizeof text));
+    const clod_table *tables[] = {param->beside, param->table};
+    const char *before = "  keys\n    ";
+    for (size_t t = 0; t < sizeof tables / sizeof tables[0]; t++) {
+        for (size_t i = 0; tables[t] != NULL && i < tables[t]->count; i++) {
+            const clod_param *row = &tables[t]->params[i];
+            fprintf(out, "%s%-18s  %s\n", before, row->key,
+                    clod_param_help(row, text, sizeof text));
+            before = "    ";
+        }
     }
 }
 
@@ -201,6 +206,9 @@ static void manual_group(void *context, const char *path, const clod_param *para
 {
     if (param->table == NULL) {
         return;
+    }
+    if (param->beside != NULL) {
+        manual_table(context, path, param->beside);
     }
     const char *step = clod_walk_step(param);
     char title[CLOD_WALK_PATH + 8];

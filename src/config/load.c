@@ -120,6 +120,9 @@ static void load_items(clod_loader *self, const clod_param *param, const clod_no
     }
 }
 
+static void load_rows(clod_loader *self, const clod_table *table, const clod_node *node,
+                      clod_place place, void *target);
+
 static void load_given(clod_loader *self, const clod_param *param, const clod_node *node,
                        void *target)
 {
@@ -135,8 +138,9 @@ static void load_given(clod_loader *self, const clod_param *param, const clod_no
     case CLOD_PARAM_MAP:
         load_items(self, param, node, target);
         break;
-    case CLOD_PARAM_PAIRS:
-        break; // contacts.c, when the materials are known
+    case CLOD_PARAM_PAIRS: // the pairs: contacts.c, when the materials are known
+        load_rows(self, param->beside, node, clod_load_place(node), target);
+        break;
     default:
         clod_value_load(self, param, node, target);
         break;
@@ -185,19 +189,10 @@ static bool take_kind(clod_loader *self, const clod_table *table, const clod_nod
     return given == 1;
 }
 
-void clod_load_section(clod_loader *self, const clod_table *table, const clod_node *node,
-                       clod_place place, void *target)
+/** All rows of a table, from the section that holds their keys. */
+static void load_rows(clod_loader *self, const clod_table *table, const clod_node *node,
+                      clod_place place, void *target)
 {
-    const bool empty = node != NULL && node->kind == CLOD_NODE_SCALAR && node->text[0] == '\0';
-    if (node != NULL && !empty && node->kind != CLOD_NODE_MAP) {
-        clod_report_add(self->report, node->place, self->path,
-                        "must be a section with keys, not %s", clod_tree_kind_name(node->kind));
-        return;
-    }
-    const bool known = node == NULL || empty || check_keys(self, table, node);
-    if (table->one_of && !(known && take_kind(self, table, node, place, target))) {
-        return;
-    }
     for (size_t i = 0; i < table->count; i++) {
         const clod_param *param = &table->params[i];
         const clod_node *item = clod_tree_find(node, param->key);
@@ -213,6 +208,22 @@ void clod_load_section(clod_loader *self, const clod_table *table, const clod_no
         }
         clod_load_leave(self, length);
     }
+}
+
+void clod_load_section(clod_loader *self, const clod_table *table, const clod_node *node,
+                       clod_place place, void *target)
+{
+    const bool empty = node != NULL && node->kind == CLOD_NODE_SCALAR && node->text[0] == '\0';
+    if (node != NULL && !empty && node->kind != CLOD_NODE_MAP) {
+        clod_report_add(self->report, node->place, self->path,
+                        "must be a section with keys, not %s", clod_tree_kind_name(node->kind));
+        return;
+    }
+    const bool known = node == NULL || empty || check_keys(self, table, node);
+    if (table->one_of && !(known && take_kind(self, table, node, place, target))) {
+        return;
+    }
+    load_rows(self, table, node, place, target);
 }
 
 void clod_load_free(const clod_table *table, void *target)

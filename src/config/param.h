@@ -56,6 +56,8 @@ typedef struct clod_param {
     const char *const *choices; ///< ended by NULL
     const char *zero_word;      ///< word that stands for 0, for instance "auto"
     const struct clod_table *table; ///< section, list, map
+    /** Pairs: keys that stand beside the sections, in the struct that holds the pairs. */
+    const struct clod_table *beside;
     /** Whether the value has any effect, and so whether the echo writes it; NULL: always. */
     bool (*used)(const clod_case *whole, const void *self);
     const char *unused; ///< error for a key that is written but not used; NULL: told elsewhere
@@ -76,6 +78,7 @@ typedef struct clod_table {
 extern const clod_table CLOD_TABLE_CASE;
 extern const clod_table CLOD_TABLE_MATERIAL;
 extern const clod_table CLOD_TABLE_CONTACT;
+extern const clod_table CLOD_TABLE_CONTACTS;
 extern const clod_table CLOD_TABLE_GRAINS;
 extern const clod_table CLOD_TABLE_OUTLET;
 extern const clod_table CLOD_TABLE_WALL;

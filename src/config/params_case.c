@@ -181,9 +181,11 @@ static const clod_param ROWS[] = {
      .kind = CLOD_PARAM_PAIRS,
      .need = CLOD_PARAM_REQUIRED,
      .table = &CLOD_TABLE_CONTACT,
+     .beside = &CLOD_TABLE_CONTACTS,
      CLOD_AT(C, pairs),
      .help = "Contact laws by pair of materials, written a-b; default is inherited by every "
-             "pair. Stiffnesses are inherited only with the same law and exponent.",
+             "pair. Stiffnesses are inherited only with the same law and exponent. soften "
+             "stands beside the pairs and holds for all.",
      .source = "docs/theory"},
     {.key = "gravity",
      .kind = CLOD_PARAM_VECTOR,

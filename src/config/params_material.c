@@ -370,3 +370,22 @@ const clod_table CLOD_TABLE_CONTACT = {
     .title = "Contact laws by pair of materials, a-b; every pair inherits from default.",
     CLOD_ROWS(CONTACT),
     .size = sizeof(C)};
+
+static const clod_param CONTACTS[] = {
+    {.key = "soften",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "1",
+     CLOD_FROM(1, 1e6),
+     .fallback = "1",
+     .example = "100",
+     CLOD_AT(clod_case, soften),
+     .help =
+         "Every stiffness of a contact is divided by it: k1, k2 and k_adh of all pairs, and "
+         "youngs_modulus where the law is hertz. Steps become longer and overlaps deeper; "
+         "clod check says by how much, and what stays.",
+     .source = "docs/theory/softening.md"},
+};
+
+const clod_table CLOD_TABLE_CONTACTS = {
+    .title = "Beside the pairs: what holds for all of them.", CLOD_ROWS(CONTACTS)};

@@ -17,6 +17,7 @@
 #define UNIT " *[A-Za-z\\u00b0\\u00b5\\u03bc][^,]*"
 
 static json_t *table_schema(const clod_table *table);
+static json_t *param_schema(const clod_param *param);
 
 static void set_text(json_t *object, const char *key, const char *text)
 {
@@ -129,6 +130,14 @@ static json_t *group_schema(const clod_param *param)
                         pairs ? "^(default|[A-Za-z_]\\w*-[A-Za-z_]\\w*)$" : "^[A-Za-z_]\\w*$",
                         table_schema(param->table));
     set_text(object, "type", "object");
+    if (pairs) {
+        json_t *beside = json_object();
+        for (size_t i = 0; i < param->beside->count; i++) {
+            const clod_param *row = &param->beside->params[i];
+            json_object_set_new(beside, row->key, param_schema(row));
+        }
+        json_object_set_new(object, "properties", beside);
+    }
     json_object_set_new(object, "patternProperties", names);
     json_object_set_new(object, "additionalProperties", json_false());
     return object;

@@ -25,6 +25,9 @@ static void walk(const clod_table *table, const char *above, clod_walk_visit vis
         char path[CLOD_WALK_PATH];
         snprintf(path, sizeof path, "%s%s%s", above, above[0] == '\0' ? "" : ".", param->key);
         visit(context, path, param);
+        if (param->beside != NULL) {
+            walk(param->beside, path, visit, context);
+        }
         if (param->table != NULL) {
             char below[CLOD_WALK_PATH + 8];
             snprintf(below, sizeof below, "%s%s%s", path, step == NULL ? "" : ".",

@@ -20,8 +20,26 @@ static clod_law_exponent exponent_kind(double exponent)
                              : CLOD_EXPONENT_ANY;
 }
 
-clod_law clod_law_make(const clod_case_contact *contact, const clod_case_material *a,
-                       const clod_case_material *b)
+clod_case_material clod_law_soften_material(const clod_case_material *from, double soften)
+{
+    clod_case_material made = *from;
+    made.youngs_modulus /= soften > 0.0 ? soften : 1.0;
+    return made;
+}
+
+/** The same of a pair; what is no stiffness stays (docs/theory/softening.md). */
+static clod_case_contact soften_contact(const clod_case_contact *from)
+{
+    clod_case_contact made = *from;
+    const double soften = from->soften > 0.0 ? from->soften : 1.0;
+    made.k1 /= soften;
+    made.k2 /= soften;
+    made.k_adh /= soften;
+    return made;
+}
+
+static clod_law make_law(const clod_case_contact *contact, const clod_case_material *a,
+                         const clod_case_material *b)
 {
     clod_law self = {.kind = (clod_law_kind)contact->law,
                      .exponent = contact->exponent,
@@ -46,6 +64,15 @@ clod_law clod_law_make(const clod_case_contact *contact, const clod_case_materia
     self.rolling_damping = contact->rolling_damping;
     self.epsd_ratio = 2.25 * contact->rolling_friction * contact->rolling_friction;
     return self;
+}
+
+clod_law clod_law_make(const clod_case_contact *contact, const clod_case_material *a,
+                       const clod_case_material *b)
+{
+    const clod_case_contact soft = soften_contact(contact);
+    const clod_case_material soft_a = clod_law_soften_material(a, contact->soften);
+    const clod_case_material soft_b = clod_law_soften_material(b, contact->soften);
+    return make_law(&soft, &soft_a, &soft_b);
 }
 
 void clod_law_set_adhesion(clod_law *self, double fraction)

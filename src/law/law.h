@@ -50,16 +50,25 @@ typedef struct clod_law {
 } clod_law;
 
 /**
- * Make the law of a pair of materials ready.
+ * Make the law of a pair of materials ready: with its stiffnesses divided by contact->soften.
  *
- * @param contact  checked parameters of the pair, SI
+ * @param contact  checked parameters of the pair, SI, as the case gives them
  * @param a, b     the two materials (hertz takes E and nu of both)
  * @return         law with adhesion at its final value
  * Errors  none: the case loader has checked.   Threads  pure.
- * Source  docs/theory; damping: docs/theory/damping.md.
+ * Source  docs/theory; damping: docs/theory/damping.md; soften: docs/theory/softening.md.
+ * Test    tests/law/test_law_make.c, test_law_soften.c
  */
 clod_law clod_law_make(const clod_case_contact *contact, const clod_case_material *a,
                        const clod_case_material *b);
+
+/**
+ * A material whose Young's modulus is divided by `soften`; 0 leaves it.
+ *
+ * Errors  none.   Threads  pure.   Source  docs/theory/softening.md.
+ * Test    tests/law/test_law_soften.c
+ */
+clod_case_material clod_law_soften_material(const clod_case_material *from, double soften);
 
 /** Set k_adh and eepa's pulls to a fraction of their final values; histories stay. */
 void clod_law_set_adhesion(clod_law *self, double fraction);

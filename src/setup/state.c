@@ -117,21 +117,28 @@ static double fall_height(const clod_state *state)
     return height;
 }
 
+double clod_setup_impact_speed(const clod_state *state)
+{
+    const clod_setup_bed bed = measure_bed(state);
+    double wall_speed = 0.0;
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        wall_speed = fmax(wall_speed, clod_wall_speed_bound(&state->walls.wall[w]));
+    }
+    return bed.speed + sqrt(2.0 * bed.gravity * fall_height(state)) + wall_speed;
+}
+
 /** Stress and impact speed of a free run. */
 static void free_load(const clod_case *from, const clod_state *state, const clod_setup_bed *bed,
                       clod_setup_bound *bound)
 {
     bound->stress = bed->area > 0.0 ? bed->mass * bed->gravity / bed->area : 0.0;
-    double wall_speed = 0.0;
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
-        wall_speed = fmax(wall_speed, clod_wall_speed_bound(wall));
         if (wall->load != CLOD_LOAD_NONE && pressed_area(wall, bed) > 0.0) {
             bound->stress = fmax(bound->stress, load_stress(from, wall, bed));
         }
     }
-    const double fall = sqrt(2.0 * bed->gravity * fall_height(state));
-    bound->speed = bed->speed + fall + wall_speed;
+    bound->speed = clod_setup_impact_speed(state);
 }
 
 /** The sizes of grains that are to come: two each of the smallest and of the median, which can

@@ -32,6 +32,14 @@ bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
 bool clod_setup_timestep(const clod_case *from, const clod_state *state, clod_timestep *result,
                          clod_status *status);
 
+/**
+ * Most speed at which grains of a free run may meet [m/s]: of the fastest grain, of a fall
+ * through the height of grains and walls, and of the fastest wall, added.
+ *
+ * Errors  none.   Threads  pure.   Test  tests/setup/test_setup_state.c
+ */
+double clod_setup_impact_speed(const clod_state *state);
+
 /** What the critical time step follows from, kept while grains and walls come. */
 typedef struct clod_setup_bound {
     clod_timestep_sizes *sizes; ///< [materials] of the grains; owned, as the next

@@ -167,12 +167,19 @@ static clod_timestep_spring stiffest_spring(const clod_timestep_pair *pair)
     return stiffer(s, (clod_timestep_spring){CLOD_TIMESTEP_ROLLING, rolling, turning});
 }
 
+/** Rayleigh time of a material's grain, with the softening of the case. */
+static double rayleigh_time(const clod_case *from, int material, double radius)
+{
+    const clod_case_material soft =
+        clod_law_soften_material(&from->materials[material], from->soften);
+    return clod_timestep_rayleigh(&soft, radius);
+}
+
 /** Smaller Rayleigh time of the grains of a pair; 0 when neither material has a modulus. */
 static double pair_rayleigh(const clod_case *from, const clod_timestep_pair *pair, int a, int b)
 {
-    const double first = clod_timestep_rayleigh(&from->materials[a], pair->a.least);
-    const double second =
-        pair->wall ? 0.0 : clod_timestep_rayleigh(&from->materials[b], pair->b.least);
+    const double first = rayleigh_time(from, a, pair->a.least);
+    const double second = pair->wall ? 0.0 : rayleigh_time(from, b, pair->b.least);
     return first > 0.0 && second > 0.0 ? fmin(first, second) : fmax(first, second);
 }
 
@@ -239,7 +246,7 @@ static double smallest_rayleigh(const clod_case *from, const clod_timestep_grain
 {
     double smallest = 0.0;
     for (size_t m = 0; m < from->material_count; m++) {
-        const double t = clod_timestep_rayleigh(&from->materials[m], grains->sizes[m].least);
+        const double t = rayleigh_time(from, (int)m, grains->sizes[m].least);
         if (grains->sizes[m].count > 0.0 && t > 0.0 && (smallest == 0.0 || t < smallest)) {
             smallest = t;
         }

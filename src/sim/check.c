@@ -184,7 +184,8 @@ bool clod_check_report_make(const clod_case *from, const clod_check_options *opt
         look_at_collision(&subject, report);
         look_at_contact(&subject, report);
         look_at_servo(&subject, report);
-        good = (tester->look == NULL || tester->look(&subject, report, status)) &&
+        good = clod_check_soften(&subject, report, status) &&
+               (tester->look == NULL || tester->look(&subject, report, status)) &&
                clod_check_cost(&subject, report, status);
     }
     if (good) {

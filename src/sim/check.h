@@ -43,5 +43,15 @@ bool clod_check_cost(const clod_check_subject *subject, clod_check_report *repor
 void clod_check_note(clod_check_report *report, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/**
+ * What softening costs: step, overlaps and impacts beside those of the stiffness as given.
+ * Errors  CLOD_FAILED without memory.
+ */
+bool clod_check_soften(const clod_check_subject *subject, clod_check_report *report,
+                       clod_status *status);
+
+/** Warnings and notes of a case that is softened. */
+void clod_check_soften_warn(const clod_check_subject *subject, clod_check_report *report);
+
 /** What may go wrong with the case, why, and what to do. */
 void clod_check_warn(const clod_check_subject *subject, clod_check_report *report);

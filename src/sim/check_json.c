@@ -107,6 +107,7 @@ static json_t *make_json(const clod_check_report *r)
     json_object_set_new(to, "parts_side_by_side", json_integer(r->side_by_side));
     put_text(to, "simd", r->simd);
     clod_check_put(to, r, REALS, sizeof REALS / sizeof REALS[0]);
+    clod_check_soften_put(to, r);
     if (tester->put != NULL) {
         tester->put(to, r);
     }

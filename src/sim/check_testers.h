@@ -49,6 +49,10 @@ void clod_check_line(clod_check_page *to, const char *name, const char *format, 
 void clod_check_put(json_t *to, const clod_check_report *r, const clod_check_real *entries,
                     size_t count);
 
+/** The softening of the case, for people and in JSON; nothing when there is none. */
+void clod_check_soften_write(clod_check_page *to, const clod_check_report *r);
+void clod_check_soften_put(json_t *to, const clod_check_report *r);
+
 /** I = (shear rate) d sqrt(rho/sigma) with a rate that is the same everywhere
  * (docs/theory/time-step.md). */
 double clod_check_inertia(const clod_check_subject *subject, double diameter, double rate,

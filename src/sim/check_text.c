@@ -81,11 +81,11 @@ static void write_step(clod_check_page *to, const clod_check_report *r)
         "of these two: %.3g steps; restitution %.4g to %.4g where the case asks for %.3g",
         r->collision_steps, r->restitution_least, r->restitution_most, r->restitution);
     if (r->rayleigh > 0.0) {
-        clod_check_line(to, "Rayleigh time", "%.4g s; the step is %.3g %% of it%s", r->rayleigh,
-                        100.0 * r->rayleigh_fraction,
-                        r->rayleigh_imposed
-                            ? ""
-                            : " (for comparison: the stiffness is given, E is not used)");
+        clod_check_line(
+            to, "Rayleigh time", "%.4g s%s; the step is %.3g %% of it%s", r->rayleigh,
+            r->soften > 1.0 ? " with softened E" : "", 100.0 * r->rayleigh_fraction,
+            r->rayleigh_imposed ? ""
+                                : " (for comparison: the stiffness is given, E is not used)");
     }
     if (r->servo_period > 0.0) {
         clod_check_line(to, "loaded wall",
@@ -199,6 +199,7 @@ void clod_check_report_text(const clod_check_report *report, char text[CLOD_CHEC
     write_grains(&to, report);
     write_step(&to, report);
     write_contact(&to, report);
+    clod_check_soften_write(&to, report);
     if (is_test(report)) {
         clod_testers_row(report->kind)->write(&to, report);
     }

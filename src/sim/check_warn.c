@@ -59,15 +59,20 @@ static void warn_step(clod_check_report *r)
     }
 }
 
+/** What makes contacts stiffer. */
+static const char *stiffen(const clod_check_report *r)
+{
+    return r->soften > 1.0 ? "Lower contacts.soften" : "Raise the stiffness";
+}
+
 static void warn_contact(const clod_case *from, clod_check_report *r)
 {
     const bool known = clod_case_tester(from) != NULL || from->time.design_stress > 0.0;
     if (r->overlap_ratio > from->time.overlap_limit) {
         clod_check_warning(
-            r,
-            "grains %s overlap by %.3g %% of their radius, and a run stops at %.3g %%. Raise "
-            "the stiffness%s",
+            r, "grains %s overlap by %.3g %% of their radius, and a run stops at %.3g %%. %s%s",
             known ? "will" : "may", 100.0 * r->overlap_ratio, 100.0 * from->time.overlap_limit,
+            stiffen(r),
             r->overlap_ratio < CLOD_CASE_OVERLAP_MOST
                 ? " or, if so deep contacts are meant, time.overlap_limit"
                 : "");
@@ -75,16 +80,16 @@ static void warn_contact(const clod_case *from, clod_check_report *r)
         clod_check_warning(
             r,
             "grains overlap by %.2f %% of their radius at %.4g kPa: density and contacts are "
-            "no longer those of spheres (below %.0f %% is good). Raise the stiffness",
-            100.0 * r->overlap_ratio, 1e-3 * r->stress, 100.0 * CLOD_LIMITS_OVERLAP_MEAN);
+            "no longer those of spheres (below %.0f %% is good). %s",
+            100.0 * r->overlap_ratio, 1e-3 * r->stress, 100.0 * CLOD_LIMITS_OVERLAP_MEAN,
+            stiffen(r));
     } else if (r->overlap_ratio > CLOD_LIMITS_OVERLAP_MEAN) {
         clod_check_warning(
             r,
             "grains may overlap by %.2f %% of their radius: under weight and wall loads, or "
             "in a head-on collision at the highest speed of the case. Below %.0f %% density "
-            "and contacts are those of spheres. If they do overlap so far, raise the "
-            "stiffness",
-            100.0 * r->overlap_ratio, 100.0 * CLOD_LIMITS_OVERLAP_MEAN);
+            "and contacts are those of spheres. %s if they do overlap so far",
+            100.0 * r->overlap_ratio, 100.0 * CLOD_LIMITS_OVERLAP_MEAN, stiffen(r));
     }
 }
 
@@ -156,6 +161,7 @@ void clod_check_warn(const clod_check_subject *subject, clod_check_report *repor
     warn_outputs(subject->from, report);
     warn_step(report);
     warn_contact(subject->from, report);
+    clod_check_soften_warn(subject, report);
     if (tester->warn != NULL) {
         tester->warn(subject, report);
     }

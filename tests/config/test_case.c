@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "clod/case.h"
+#include "clod/schema.h"
 
 #define EVERYTHING CLOD_SOURCE_DIR "/tests/config/good/everything.yaml"
 
@@ -328,6 +329,35 @@ static void json_is_read(void **state)
     clod_case_destroy(&made);
 }
 
+/** soften stands beside the pairs and goes to all of them; their values stay as given, also when
+ *  the echo is read again. */
+static void soften_leaves_values_as_given(void **state)
+{
+    (void)state;
+    const char *const change = "contacts.soften=100";
+    clod_case *made = load(CLOD_SOURCE_DIR "/cases/copper-ore-5/case.yaml", &change, 1);
+    char *echo = clod_case_echo(made);
+    clod_status status;
+    clod_case *again = clod_case_parse("echo.yaml", echo, strlen(echo), NULL, 0, &status);
+    assert_non_null(again);
+    assert_non_null(strstr(echo, "\n  soften: 100\n"));
+    for (int a = 0; a < 3; a++) {
+        for (int b = 0; b < 3; b++) {
+            if (clod_case_pair(made, a, b)->exponent > 0.0) {
+                same(clod_case_pair(made, a, b)->soften, 100.0);
+                same(clod_case_pair(again, a, b)->soften, 100.0);
+                same(clod_case_pair(again, a, b)->k1, 4.75e8);
+            }
+        }
+    }
+    clod_schema_free(echo);
+    clod_case_destroy(&again);
+    clod_case_destroy(&made);
+    made = load(CLOD_SOURCE_DIR "/cases/copper-ore-5/case.yaml", NULL, 0);
+    same(made->soften, 1.0);
+    clod_case_destroy(&made);
+}
+
 /** A key of default is right when one pair uses it; the others lose it (good/inherited.yaml).
  */
 static void keys_of_default_go_where_they_have_an_effect(void **state)
@@ -395,6 +425,7 @@ int main(void)
         cmocka_unit_test(copper_ore_is_that_of_the_paper),
         cmocka_unit_test(overrides_replace_add_and_reach_into_lists),
         cmocka_unit_test(json_is_read),
+        cmocka_unit_test(soften_leaves_values_as_given),
         cmocka_unit_test(keys_of_default_go_where_they_have_an_effect),
         cmocka_unit_test(the_keys_of_luding_and_eepa_are_read),
     };

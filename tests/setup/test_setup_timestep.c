@@ -382,6 +382,31 @@ static void rolling_mass_of_unequal_grains(void **state)
     check_relative(t.mass, 0.4 * 32.0 / 33.0 * 9.0 / 4.0, 1e-12);
 }
 
+// docs/theory/softening.md: under a stress the step of n = 3/2 goes with soften^(1/3), that of an
+// impact with soften^(2/5), and hertz' Rayleigh time with soften^(1/2).
+static void softening_makes_the_step_longer(void **state)
+{
+    (void)state;
+    clod_case_contact pairs[MATERIALS * MATERIALS];
+    clod_case from = copper_ore(pairs);
+    clod_timestep_grains grains = {.sizes = ORE_OF(2.85e-3, 3.175e-3), .is_wall = NONE};
+    for (int k = 0; k < 3; k++) {
+        static const double POWER[] = {1.0 / 3.0, 2.0 / 5.0, 1.0 / 2.0};
+        grains.stress = k == 1 ? 0.0 : 54.8e3;
+        grains.speed = k == 1 ? 3.0 : 0.0;
+        double step[2];
+        for (int s = 0; s < 2; s++) {
+            from.soften = s == 0 ? 1.0 : 100.0;
+            for (int p = 0; p < MATERIALS * MATERIALS; p++) {
+                pairs[p].soften = from.soften;
+                pairs[p].law = k == 2 ? CLOD_LAW_HERTZ : CLOD_LAW_MEPA;
+            }
+            step[s] = clod_timestep_choose(&from, &grains).automatic;
+        }
+        check_relative(step[1] / step[0], pow(100.0, POWER[k]), 1e-12);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -400,6 +425,7 @@ int main(void)
         cmocka_unit_test(big_ball_does_not_count_as_a_small_one),
         cmocka_unit_test(pair_has_the_grains_that_it_has),
         cmocka_unit_test(rolling_mass_of_unequal_grains),
+        cmocka_unit_test(softening_makes_the_step_longer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

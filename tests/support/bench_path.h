@@ -34,7 +34,9 @@ static inline bool keep(void *context, const clod_contact_bench_row *row, clod_s
     return true;
 }
 
-static inline clod_case *parse(const char *contact, const char *bench)
+/** A bench's case with one change of a key, or NULL. */
+static inline clod_case *parse_changed(const char *contact, const char *bench,
+                                       const char *change)
 {
     char text[4096];
     clod_status status = {CLOD_OK, ""};
@@ -50,24 +52,35 @@ static inline clod_case *parse(const char *contact, const char *bench)
                                 "%s",
                                 contact, bench);
     assert_in_range(length, 1, sizeof text - 1);
-    clod_case *from = clod_case_parse("bench.yaml", text, (size_t)length, NULL, 0, &status);
+    clod_case *from =
+        clod_case_parse("bench.yaml", text, (size_t)length, &change, change != NULL, &status);
     if (from == NULL) {
         fail_msg("%s", status.text);
     }
     return from;
 }
 
+static inline clod_case *parse(const char *contact, const char *bench)
+{
+    return parse_changed(contact, bench, NULL);
+}
+
+/** Run the bench of a case, which is destroyed. */
+static inline void drive_case(clod_case *from, path *result)
+{
+    clod_status status = {CLOD_OK, ""};
+    result->count = 0;
+    if (!clod_contact_bench_run(from, keep, result, &result->summary, &status)) {
+        fail_msg("%s", status.text);
+    }
+    clod_case_destroy(&from);
+}
+
 /** Run a bench; static, so that the rows need no heap. */
 static inline const path *drive(const char *contact, const char *bench)
 {
     static path result;
-    clod_status status = {CLOD_OK, ""};
-    clod_case *from = parse(contact, bench);
-    result.count = 0;
-    if (!clod_contact_bench_run(from, keep, &result, &result.summary, &status)) {
-        fail_msg("%s", status.text);
-    }
-    clod_case_destroy(&from);
+    drive_case(parse(contact, bench), &result);
     return &result;
 }
 
