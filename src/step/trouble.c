@@ -97,6 +97,22 @@ static worst_overlap find_worst(const clod_step *self)
     return worst;
 }
 
+/** The other wall that the grain of the deepest contact overlaps at least half as far; -1: none. */
+static int32_t find_opposite(const clod_step *self, const worst_overlap *worst)
+{
+    double most = 0.5 * worst->fraction;
+    int32_t wall = -1;
+    for (size_t k = 0; worst->j < 0 && k < self->neighbour.walls.count; k++) {
+        const clod_wall_candidate *c = &self->neighbour.walls.item[k];
+        const double fraction = wall_overlap_fraction(self, c);
+        if (c->i == worst->i && c->wall != worst->wall && fraction > most) {
+            most = fraction;
+            wall = c->wall;
+        }
+    }
+    return wall;
+}
+
 /** The deepest contact with its law. */
 typedef struct deep_contact {
     const clod_law *law;
@@ -141,12 +157,13 @@ static double critical_step(const deep_contact *deep)
 }
 
 /** What to do about the deepest contact: where it is new, where the step is too large for it,
- *  and where it is too soft. */
+ *  where another wall leaves the grain no room, and where it is too soft. */
 static void advise(const clod_step *self, const worst_overlap *worst, char *text, size_t size)
 {
     const deep_contact deep = describe(self, worst);
     const double dt = self->state->dt;
     const double critical = critical_step(&deep);
+    const int32_t opposite = find_opposite(self, worst);
     const bool in_range = worst->fraction < CLOD_CASE_OVERLAP_MOST; // a limit can allow it
     if (self->state->step == self->begin) {                         // before any step was made
         snprintf(text, size, "They are put so: move them apart%s",
@@ -157,6 +174,13 @@ static void advise(const clod_step *self, const worst_overlap *worst, char *text
                  "contact as deep as it is, %.3g s. Take time.step: auto, or at most %.2g s; "
                  "when it is auto, time.design_stress for the load that comes",
                  dt, dt / critical, critical, GOOD_STEP * critical);
+    } else if (opposite >= 0) {
+        snprintf(text, size,
+                 "It is caught between walls '%s' and '%s': make the gap between them narrower "
+                 "than a grain's radius or wider than a grain, or change how they move%s",
+                 self->state->walls.wall[worst->wall].name,
+                 self->state->walls.wall[opposite].name,
+                 in_range ? ". If so deep a contact is meant, raise time.overlap_limit" : "");
     } else {
         snprintf(text, size,
                  "The time step is not the reason (%.2g of the critical step of this contact): "

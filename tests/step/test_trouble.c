@@ -300,6 +300,29 @@ static void the_highest_limit_is_not_to_be_raised(void **state)
     scene_end(&s);
 }
 
+/** A lid comes down to 4.8 mm above a floor: 20 % of 3 mm on both sides, whatever the stiffness. */
+static void a_grain_between_two_walls(void **state)
+{
+    (void)state;
+    const clod_case_contact contact = contact_ore();
+    scene s;
+    clod_status status = {0};
+    scene_init(&s, 5e-7, &contact);
+    scene_grain(&s, 0.0, 0.0, 0.0, 3e-3);
+    scene_wall(&s, "floor", shape_floor(-3e-3));
+    clod_wall *lid = scene_wall(
+        &s, "lid", shape_plane((clod_vec3){0.0, 0.0, 3e-3}, (clod_vec3){0.0, 0.0, -1.0}));
+    lid->velocity.z = -0.1;
+    scene_start(&s);
+    assert_false(clod_step_advance(&s.step, 30000, &status));
+    assert_in_range(s.state.step, 23500, 24100); // 1.2 mm at 0.05 um a step
+    assert_non_null(strstr(status.text, "It is caught between walls '"));
+    assert_non_null(strstr(status.text, "'floor'"));
+    assert_non_null(strstr(status.text, "'lid'"));
+    assert_non_null(strstr(status.text, "change how they move. If so deep a contact is meant"));
+    scene_end(&s);
+}
+
 static void a_velocity_that_is_not_a_number(void **state)
 {
     (void)state;
@@ -367,6 +390,7 @@ int main(void)
         cmocka_unit_test(two_grains_in_one_place),
         cmocka_unit_test(a_limit_is_named_only_where_it_can_be_raised_so_far),
         cmocka_unit_test(the_highest_limit_is_not_to_be_raised),
+        cmocka_unit_test(a_grain_between_two_walls),
         cmocka_unit_test(a_velocity_that_is_not_a_number),
         cmocka_unit_test(a_spin_without_bounds),
         cmocka_unit_test(a_time_step_far_too_long_is_found_out),

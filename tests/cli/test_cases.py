@@ -1,0 +1,121 @@
+"""cases/: every case is accepted, scripts write the meshes that are there, tables measure rightly."""
+
+import glob
+import importlib.machinery
+import importlib.util
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+CASES = clod.source("cases")
+# What cases/rotating-drum/run writes beside its case, with two grains.
+DRUM_GRAINS = ("id,material,radius [m],x [m],y [m],z [m]\n"
+               "0,M1,0.001,0,0,-0.05\n1,M2,0.002,0.01,0,-0.05\n")
+BENCH = "contact-bench"  # drives one contact: nothing to run
+
+
+def script(path):
+    """A script of a case as a module."""
+    loader = importlib.machinery.SourceFileLoader(path.replace("/", "_"), os.path.join(CASES, path))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
+
+
+class Cases(clod.Case):
+    @clod.quick_only
+    def test_check_accepts_every_case(self):
+        found = sorted(glob.glob(os.path.join(CASES, "*", "*.yaml")))
+        self.assertGreater(len(found), 15)
+        for path in found:
+            folder, name = os.path.split(os.path.relpath(path, CASES))
+            with self.subTest(case=f"{folder}/{name}"):
+                if folder == "rotating-drum":
+                    shutil.copy(path, self.folder)
+                    with open(self.path("grains.csv"), "w") as file:
+                        file.write(DRUM_GRAINS)
+                    path = self.path(name)
+                done = clod.run("check", path, "-t", "1")
+                self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_geometry_is_what_the_scripts_write(self):
+        scripts = glob.glob(os.path.join(CASES, "*", "geometry"))
+        self.assertGreaterEqual(len(scripts), 6)
+        for path in scripts:
+            folder = os.path.dirname(path)
+            with self.subTest(case=os.path.basename(folder)):
+                made = self.path(os.path.basename(folder))
+                os.mkdir(made)
+                subprocess.run([sys.executable, path], cwd=made, check=True)
+                kept = sorted(name for name in os.listdir(folder) if name.endswith(".obj"))
+                self.assertEqual(sorted(os.listdir(made)), kept)
+                for name in kept:
+                    self.assertTrue(clod.read(os.path.join(made, name))
+                                    == clod.read(os.path.join(folder, name)), name)
+
+    def test_screw_feeder_begins(self):
+        """50 ms: mass by the inlet's flow to half a grain, angle by the speed of the screw."""
+        done = clod.run("run", os.path.join(CASES, "screw-feeder/case.yaml"), "-o",
+                        self.path("out"), "-t", "1", "--set", "stages.0.duration=50 ms")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("out/summary.json")) as file:
+            summary = json.load(file)
+        time = summary["time_s"]
+        heaviest = 2481.3 * 4.0 / 3.0 * math.pi * 3.49e-3**3
+        came = summary["inlets"][0]
+        self.assertAlmostEqual(came["mass_kg"], 6000.0 / 3600.0 * time,
+                               delta=heaviest + 6000.0 / 3600.0 * 1e-3)  # put in every millisecond
+        self.assertEqual(came["grains"], summary["grains"])  # none has left
+        angle = {wall["name"]: wall["angle_rad"] for wall in summary["walls"]}
+        self.assertAlmostEqual(angle["screw"], -1.5 * 2.0 * math.pi * time, delta=1e-9)
+        self.assertEqual(angle["trough"], 0.0)
+        self.assertLess(summary["max_overlap"], 0.05)
+
+    def test_angle_of_a_cone_of_grains(self):
+        """Grains on a cone of 30 degrees, and on a cylinder's top, which has no angle."""
+        pile = script("pile/table")
+        cone, column = [], []
+        for i in range(-160, 161):
+            for j in range(-160, 161):
+                x, y = 5e-4 * i, 5e-4 * j
+                r = math.hypot(x, y)
+                if r < 80e-3:
+                    cone.append((x, y, (80e-3 - r) * math.tan(math.radians(30.0)), 0.0, 1.0))
+                    column.append((x, y, 80e-3, 0.0, 1.0))
+        # the highest grain of a ring lies on its inner side: the same shift for all rings
+        self.assertAlmostEqual(pile.angle(pile.surface(cone)), 30.0, delta=0.7)
+        self.assertIsNone(pile.angle(pile.surface(column)))
+
+    def test_closed_form_of_the_conveyor(self):
+        """Where the parabola of the flight meets the tray; a block as fast for endless friction."""
+        conveyor = script("vibrating-plate/table")
+        omega, rise = 2.0 * math.pi * 10.0, 5.739e-3 * math.sin(math.radians(60.0))
+        start = math.asin(9.81 / (rise * omega**2)) / omega
+        land = start + conveyor.flight()
+        fallen = (rise * math.sin(omega * start) + rise * omega * math.cos(omega * start)
+                  * (land - start) - 0.5 * 9.81 * (land - start)**2)
+        self.assertAlmostEqual(fallen, rise * math.sin(omega * land), delta=1e-8)
+        self.assertGreater(land, start + 0.05)
+        speed = 10.0 * 0.5 * 9.81 * conveyor.flight()**2 / math.tan(math.radians(60.0))
+        self.assertAlmostEqual(conveyor.block(1e4), speed, delta=0.01 * speed)
+
+    def test_closed_forms_of_flow(self):
+        """By hand: Johanson's rates and Roberts' efficiency for numbers without units of ours."""
+        hopper = script("hopper-cone/table")
+        # 1000 kg/m3, 50 mm, no empty ring: 1.9635 kg/m * sqrt(0.05 * 9.81 / (4 * 0.363970))
+        self.assertAlmostEqual(hopper.johanson(1000.0, False, 0.0), 1.9635 * 0.580432, places=3)
+        # slot of 38 mm by 50 mm: 1.9 kg/m * sqrt(0.038 * 9.81 / (2 * 0.363970))
+        self.assertAlmostEqual(hopper.johanson(1000.0, True, 0.0), 1.9 * 0.715613, places=3)
+        screw = script("screw-feeder/table")
+        # radius 21.12 mm, flight 16.77 deg, wall 16.70 deg: tan(56.53) = 1.5127, tan(16.77) = 0.3014
+        self.assertAlmostEqual(screw.roberts(), 1.5127 / (1.5127 + 0.3014), places=3)
+
+
+if __name__ == "__main__":
+    clod.main()
