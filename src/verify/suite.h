@@ -32,3 +32,6 @@ clod_verify_test clod_verify_flow_function;
 clod_verify_test clod_verify_janssen;
 clod_verify_test clod_verify_beverloo;
 clod_verify_test clod_verify_repose;
+clod_verify_test clod_verify_mesh_drum;
+clod_verify_test clod_verify_mesh_hopper;
+clod_verify_test clod_verify_mesh_ring;
