@@ -23,6 +23,8 @@ clod_verify_test clod_verify_mepa_restitution;
 clod_verify_test clod_verify_hooke_restitution;
 clod_verify_test clod_verify_rolling;
 clod_verify_test clod_verify_chute;
+clod_verify_test clod_verify_stream;
+clod_verify_test clod_verify_trough;
 clod_verify_test clod_verify_luding_cycle;
 clod_verify_test clod_verify_luding_collision;
 clod_verify_test clod_verify_eepa_cycle;
