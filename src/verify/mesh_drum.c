@@ -8,7 +8,7 @@
 #define RADIUS 0.06 ///< m, of the drum, about z; gravity points along -y
 #define LENGTH 0.03 ///< m
 #define SPIN 3.0    ///< rad/s
-#define SIDES 120
+#define SIDES 480
 #define GRAINS 1000
 #define STEADY 1.0 ///< s, from here on it is measured
 #define END 3.0    ///< s
@@ -65,11 +65,11 @@ static void put_case(FILE *out, bool mesh, int seed)
 static bool put_meshes(const char *folder, clod_status *status)
 {
     clod_verify_facets drum;
-    static const double LINE[][2] = {{RADIUS, -0.005}, {RADIUS, 0.01}, {RADIUS, 0.035}};
+    static const double LINE[][2] = {{RADIUS, -0.005}, {RADIUS, 0.035}};
     if (!clod_verify_facets_open(&drum, folder, "drum", status)) {
         return false;
     }
-    clod_verify_facets_lathe(&drum, LINE, 3, SIDES);
+    clod_verify_facets_lathe(&drum, LINE, 2, SIDES);
     return clod_verify_facets_close(&drum, status);
 }
 

@@ -13,7 +13,7 @@
 #define WIDTH 0.25    ///< m, of the belt laid flat
 #define MIDDLE 0.095  ///< m, middle roll
 #define ANGLE (35.0 * M_PI / 180.0)
-#define GRAINS 2800
+#define GRAINS 2400
 #define CORE 0.025 ///< m, half width of the piece of the heap whose density is taken
 #define CORE_LOW (2.0 * DIAMETER)
 #define ISO "ISO 5048: S1 + S2 for its width and surcharge angle"
@@ -31,8 +31,8 @@ static const char CASE[] =
     "  bead: {density: 2500 kg/m3, youngs_modulus: 3 MPa, poissons_ratio: 0.25}\n"
     "  end: {youngs_modulus: 3 MPa, poissons_ratio: 0.25}\n"
     "contacts:\n"
-    "  default: {law: hertz, restitution: 0.4, friction: 0.4, rolling: epsd2, rolling_friction: "
-    "0.05}\n"
+    "  default: {law: hertz, restitution: 0.4, friction: 0.6, rolling: epsd2, rolling_friction: "
+    "0.1}\n"
     "  bead-end: {friction: 0, rolling: none}\n"
     "gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]\n"
     "domain: {min: [-0.1 m, -0.2 m, -0.02 m], max: [0.2 m, 0.2 m, 0.5 m]}\n"
@@ -40,7 +40,7 @@ static const char CASE[] =
     "  - material: bead\n"
     "    count: %d\n"
     "    radius: {distribution: uniform, min: %g m, max: %g m}\n"
-    "    region: {box: {min: [0 m, -35 mm, 5 mm], max: [%g m, 35 mm, 400 mm]}}\n"
+    "    region: {box: {min: [0 m, -50 mm, 5 mm], max: [%g m, 50 mm, 200 mm]}}\n"
     "walls:\n"
     "  belt:\n"
     "    material: bead\n"
