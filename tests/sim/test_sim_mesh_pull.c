@@ -10,7 +10,7 @@
 
 #define RADIUS 0.05
 #define SPEED 0.005 ///< m/s, of the wall
-#define STEP 1e-6  ///< s
+#define STEP 1e-6   ///< s
 #define PRESS 20000 ///< steps of pressing from the first touch: 0.1 mm
 
 #define K1 4.75e4
