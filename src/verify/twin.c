@@ -94,6 +94,30 @@ static bool check_all(const clod_verify_twin *self, const clod_verify_bench *ben
     return true;
 }
 
+/** What each seed gave, over the mean beside analytic walls. */
+static bool write_seeds(const clod_verify_twin *self, const clod_verify_bench *bench,
+                        const results *all, clod_status *status)
+{
+    char header[1024] = "seed";
+    double ignored = 0.0;
+    for (int q = 0; q < self->count; q++) {
+        const size_t used = strlen(header);
+        snprintf(header + used, sizeof header - used, ",clod: %s: shapes,clod: the same: mesh",
+                 self->quantities[q]);
+    }
+    clod_verify_curve *curve = clod_verify_curve_open(bench, self->name, header, status);
+    for (int s = 0; curve != NULL && s < SEEDS; s++) {
+        double row[1 + 2 * CLOD_VERIFY_TWIN_QUANTITIES] = {s + 1.0};
+        for (int q = 0; q < self->count; q++) {
+            const double mean = mean_of(all, 0, q, &ignored);
+            row[1 + 2 * q] = all->of[0][s][q] / mean;
+            row[2 + 2 * q] = all->of[1][s][q] / mean;
+        }
+        clod_verify_curve_add(curve, row, 1 + 2 * (size_t)self->count);
+    }
+    return curve != NULL && clod_verify_curve_close(&curve, status);
+}
+
 bool clod_verify_twin_compare(const clod_verify_twin *self, const clod_verify_bench *bench,
                               clod_status *status)
 {
@@ -105,5 +129,5 @@ bool clod_verify_twin_compare(const clod_verify_twin *self, const clod_verify_be
             }
         }
     }
-    return check_all(self, bench, &all, status);
+    return check_all(self, bench, &all, status) && write_seeds(self, bench, &all, status);
 }
