@@ -111,7 +111,7 @@ static const char ON_A_BELT[] =
 #define POWER "power = F v"
 #define HEAT "energy: Q (v - v0)^2/2, half of the power for v0 = 0"
 
-static bool onto_a_belt(const clod_verify_bench *bench, clod_status *status)
+bool clod_verify_stream_belt(const clod_verify_bench *bench, clod_status *status)
 {
     static stream self;
     char text[4096];
@@ -147,8 +147,8 @@ static bool onto_a_belt(const clod_verify_bench *bench, clod_status *status)
 
 // ---- onto a plate
 
-#define V1 2.0 ///< m/s
-#define STREAM_FLOW 2.0
+#define V1 2.0          ///< m/s
+#define STREAM_FLOW 1.2 ///< kg/s
 
 static const char ON_A_PLATE[] =
     "# Written by clod verify. The plate is tilted by its angle of friction: gravity is turned.\n"
@@ -156,10 +156,10 @@ static const char ON_A_PLATE[] =
     "materials: {ore: {density: 2500 kg/m3}, plate: {}}\n"
     "contacts:\n"
     "  default: {law: mepa, exponent: 1, k1: 1e4 N/m, k2: 4e4 N/m, k_adh: 0 N/m, restitution: "
-    "1, friction: 0.5, rolling: epsd2, rolling_friction: 0.3}\n"
-    "  ore-plate: {friction: %.17g, rolling_friction: 1}\n"
+    "1, friction: 0}\n"
+    "  ore-plate: {friction: %.17g, rolling: epsd2, rolling_friction: 1}\n"
     "gravity: [%.17g m/s2, 0 m/s2, %.17g m/s2]\n"
-    "domain: {min: [-0.4 m, 0 m, -0.05 m], max: [0.9 m, 0.03 m, 0.3 m], open: delete, "
+    "domain: {min: [-0.4 m, 0 m, -0.05 m], max: [0.65 m, 0.03 m, 0.3 m], open: delete, "
     "periodic: [false, true, false]}\n"
     "time: {design_stress: 5 kPa}\n"
     "grains:\n"
@@ -172,17 +172,19 @@ static const char ON_A_PLATE[] =
     "  plate:\n"
     "    material: plate\n"
     "    shapes: [{plane: {point: [0 m, 0 m, 0 m], normal: [0, 0, 1]}}]\n"
-    "stages: [{name: run, duration: 2 s}]\n"
+    "stages: [{name: run, duration: 1.5 s}]\n"
     "output: {series_interval: 5 ms, energy: true}\n";
 
+/** Grains that do not roll on the plate, and among which there is no friction that would turn them:
+ *  with it the lowest ones roll a little, and the plate has 95 % of the friction. */
 #define KEPT "V2/V1 = cos t - sin t tan phi, for a stream that slides"
 
-static bool onto_a_plate(const clod_verify_bench *bench, clod_status *status)
+bool clod_verify_stream_plate(const clod_verify_bench *bench, clod_status *status)
 {
     static stream self;
     char text[4096];
     const double t = 40.0 * M_PI / 180.0, phi = 25.0 * M_PI / 180.0;
-    self = (stream){.steady = 1.0, .far = 0.6};
+    self = (stream){.steady = 0.9, .far = 0.45};
     snprintf(text, sizeof text, ON_A_PLATE, tan(phi), GRAVITY * sin(phi), -GRAVITY * cos(phi),
              STREAM_FLOW, V1 * cos(t), -V1 * sin(t));
     if (!clod_verify_bed_run(bench, "stream-plate", text, look, &self, status)) {
@@ -197,9 +199,4 @@ static bool onto_a_plate(const clod_verify_bench *bench, clod_status *status)
                                    "stream onto a plate: shear over normal force [1]") &&
            clod_verify_bench_check(bench, &kept, self.momentum / self.flux / V1, status,
                                    "stream onto a plate at 40 deg, phi 25 deg: V2/V1 [1]");
-}
-
-bool clod_verify_stream(const clod_verify_bench *bench, clod_status *status)
-{
-    return onto_a_belt(bench, status) && onto_a_plate(bench, status);
 }
