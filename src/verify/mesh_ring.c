@@ -77,7 +77,7 @@ static void put_walls(FILE *out, bool mesh)
         out,
         "  lid:\n"
         "    material: base\n"
-        "    load: {stress: 200 Pa, area: %.9g m2, axis: [0, 0, -1], mass: 1 kg, damping: 0.05}\n%s",
+        "    load: {stress: 200 Pa, area: %.9g m2, axis: [0, 0, -1], mass: 1 kg, damping: 0.15}\n%s",
         AREA, TURNS);
     if (mesh) {
         fprintf(out, "    shapes: [{mesh: {file: lid.stl, unit: 1 m}}]\n");
@@ -90,34 +90,35 @@ static void put_walls(FILE *out, bool mesh)
  *  are those of stiffnesses 100 times softer, and steps are long (docs/theory/mepa.md). */
 static void put_case(FILE *out, bool mesh, int seed)
 {
-    fprintf(out,
-            "# Written by clod verify: copper ore, 8 %% moisture, 1000 times softer.\n"
-            "title: Ring shear cell\n"
-            "seed: %d\n"
-            "materials: {ore: {density: 2481.3 kg/m3}, side: {}, base: {}}\n"
-            "contacts:\n"
-            "  default: {law: mepa, exponent: 1.5, k1: 4.75e5 N/m^1.5, k2: 2.37e6 N/m^1.5, "
-            "k_adh: 5.93e5 N/m^1.5,\n"
-            "            restitution: 0.3, friction: 0.35, rolling: epsd2, rolling_friction: "
-            "0.3}\n"
-            "  ore-side: {friction: 0, rolling: none}\n"
-            "  ore-base: {friction: 0.7}\n"
-            "domain: {min: [-0.12 m, -0.12 m, -0.02 m], max: [0.12 m, 0.12 m, 0.12 m]}\n"
-            "time: {design_stress: 5 kPa}\n"
-            "grains:\n"
-            "  - material: ore\n"
-            "    count: %d\n"
-            "    radius: {mean: 3.175 mm, sd: 0.16 mm, min: 2.85 mm, max: 3.49 mm}\n"
-            "    region: {annulus: {center: [0 m, 0 m, 0 m], inner_radius: %g m, outer_radius: "
-            "%g m, height: %g m}}\n",
-            seed, GRAINS, INNER, OUTER, LID - BAR_HEIGHT);
+    fprintf(
+        out,
+        "# Written by clod verify: copper ore, 8 %% moisture, 1000 times softer.\n"
+        "title: Ring shear cell\n"
+        "seed: %d\n"
+        "materials: {ore: {density: 2481.3 kg/m3}, side: {}, base: {}}\n"
+        "contacts:\n"
+        "  default: {law: mepa, exponent: 1.5, k1: 4.75e5 N/m^1.5, k2: 2.37e6 N/m^1.5, "
+        "k_adh: 5.93e5 N/m^1.5,\n"
+        "            restitution: 0.3, friction: 0.35, rolling: epsd2, rolling_friction: "
+        "0.3}\n"
+        "  ore-side: {friction: 0, rolling: none}\n"
+        "  ore-base: {friction: 0.7}\n"
+        "domain: {min: [-0.12 m, -0.12 m, -0.02 m], max: [0.12 m, 0.12 m, 0.12 m]}\n"
+        "time: {design_stress: 5 kPa, overlap_limit: 40 %%} # bars meet single grains first\n"
+        "grains:\n"
+        "  - material: ore\n"
+        "    count: %d\n"
+        "    radius: {mean: 3.175 mm, sd: 0.16 mm, min: 2.85 mm, max: 3.49 mm}\n"
+        "    region: {annulus: {center: [0 m, 0 m, 0 m], inner_radius: %g m, outer_radius: "
+        "%g m, height: %g m}}\n",
+        seed, GRAINS, INNER, OUTER, LID - BAR_HEIGHT);
     put_walls(out, mesh);
     const double spin = SHEAR / (0.5 * (INNER + OUTER));
     fprintf(
         out,
         "stages:\n"
         "  - {name: fill, duration: 0.2 s, adhesion: 10 %%}\n"
-        "  - {name: press, duration: 0.15 s, walls: {lid: {stress: %g Pa}}}\n"
+        "  - {name: press, duration: 0.28 s, walls: {lid: {stress: %g Pa}}}\n"
         "  - {name: begin, duration: 0.15 s, walls: {trough: {spin: %g rad/s}, sides: {spin: "
         "%g rad/s}}}\n"
         "  - {name: shear, duration: 0.15 s}\n"
