@@ -1,4 +1,5 @@
-// A hopper, cone below cylinder, that discharges: as shapes, and as one mesh.
+// A hopper, cone below cylinder, that discharges: as shapes, and as one mesh. As it discharges, what
+// it carries is no measure of its walls: all falls down on it again, so that it is the weight.
 #include <math.h>
 
 #include "base/memory.h"
@@ -17,8 +18,7 @@
 #define GRAINS 2500
 
 static const char *const QUANTITIES[] = {"discharge rate [kg/s]",
-                                         "force on the filled hopper, down [N]",
-                                         "force on the hopper as it discharges, down [N]"};
+                                         "force on the filled hopper, down [N]"};
 
 static void put_case(FILE *out, bool mesh, int seed)
 {
@@ -65,7 +65,7 @@ static void put_case(FILE *out, bool mesh, int seed)
         "m/s]}}}\n"
         "  - {name: begin, duration: 0.15 s, walls: {gate: {velocity: [0 m/s, 0 m/s, 0 "
         "m/s]}}}\n"
-        "  - {name: flow, duration: 1.5 s}\n"
+        "  - {name: flow, duration: 1 s}\n"
         "output: {series_interval: 5 ms}\n",
         -0.1 * DIAMETER, ORIFICE + 0.002, 0.05 / 0.05);
 }
@@ -116,16 +116,14 @@ static bool look(void *context, clod_verify_bed *now, clod_status *status)
 {
     clod_verify_twin_run *self = context;
     const clod_wall *hopper = &now->state.walls.wall[0];
-    const double force = -hopper->sum_force.z / (double)hopper->sum_steps;
     if (clod_verify_bed_is_in(now, "filled")) {
-        clod_verify_twin_add(self, 1, force);
+        clod_verify_twin_add(self, 1, -hopper->sum_force.z / (double)hopper->sum_steps);
     } else if (clod_verify_bed_is_in(now, "flow")) {
         if (self->last == NULL && !begin_to_follow(self, &now->state, status)) {
             return false;
         }
         self->sum[0] += follow(self->last, &now->state);
         self->weight[0] = now->state.time - self->begin;
-        clod_verify_twin_add(self, 2, force);
     }
     return true;
 }
@@ -134,7 +132,7 @@ bool clod_verify_mesh_hopper(const clod_verify_bench *bench, clod_status *status
 {
     const clod_verify_twin twin = {.name = "mesh-hopper",
                                    .quantities = QUANTITIES,
-                                   .count = 3,
+                                   .count = 2,
                                    .put_case = put_case,
                                    .put_meshes = put_meshes,
                                    .look = look};
