@@ -10,7 +10,7 @@
 static int64_t plan(const clod_verify_bed *self)
 {
     const int64_t stage = clod_free_stages_plan(&self->stages, self->from, &self->state);
-    const int64_t inlet = clod_inlets_plan(&self->inlets, self->from, &self->state);
+    const int64_t inlet = CLOD_MEASURE_INLETS.plan(&self->inlets, self->from, &self->state);
     return stage < inlet ? stage : inlet;
 }
 
@@ -18,10 +18,11 @@ static bool run_stages(clod_verify_bed *self, clod_verify_bed_look look, void *c
                        clod_status *status)
 {
     clod_free_stages_begin(&self->stages, self->from, &self->state);
-    clod_inlets_begin(&self->inlets, self->from, &self->state);
+    CLOD_MEASURE_INLETS.begin(&self->inlets, self->from, &self->state);
+    const clod_free_moment now = {self->from, &self->state, NULL};
     bool ok = look(context, self, status);
     for (bool finished = false; ok && !finished;) {
-        ok = clod_inlets_act(&self->inlets, self->from, &self->state, status) &&
+        ok = CLOD_MEASURE_INLETS.act(&self->inlets, &now, status) &&
              clod_step_advance(&self->step, plan(self), status);
         if (!ok || !clod_free_stages_look(&self->stages, self->from, &self->state)) {
             continue;

@@ -1,5 +1,5 @@
-// A stream of grains from an inlet: onto a belt that brings it to its speed, and onto a plate that
-// turns it (docs/theory/belts-and-chutes.md).
+// A stream of grains from an inlet onto a belt that brings it to its speed
+// (docs/theory/belts-and-chutes.md).
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,10 +18,10 @@ typedef struct stream {
     double steady; ///< s, from when on
     size_t count;
     double time[LOOKS];
-    double along[LOOKS], across[LOOKS]; ///< N s, onto the wall along x and z
-    double work[LOOKS], heat[LOOKS];    ///< J, by the wall; lost in contacts
-    double gap[LOOKS];                  ///< J, energy that the ledger has too much
-    double far;                         ///< m, x from where on grains are looked at
+    double along[LOOKS];             ///< N s, onto the belt along x
+    double work[LOOKS], heat[LOOKS]; ///< J, by the wall; lost in contacts
+    double gap[LOOKS];               ///< J, energy that the ledger has too much
+    double far;                      ///< m, x from where on grains are looked at
     double momentum, flux; ///< sums of m v_x^2 and of m v_x beyond: their ratio is the speed
 } stream;
 
@@ -52,12 +52,11 @@ static bool look(void *context, clod_verify_bed *now, clod_status *status)
         return true;
     }
     const size_t k = self->count++;
-    const double last[] = {k > 0 ? self->along[k - 1] : 0.0, k > 0 ? self->across[k - 1] : 0.0};
+    const double last = k > 0 ? self->along[k - 1] : 0.0;
     const clod_ledger *ledger = &now->state.ledger;
     const clod_energies energies = clod_step_energies(&now->step);
     self->time[k] = now->state.time;
-    self->along[k] = last[0] + wall->sum_force.x * now->state.dt;
-    self->across[k] = last[1] + wall->sum_force.z * now->state.dt;
+    self->along[k] = last + wall->sum_force.x * now->state.dt;
     self->work[k] = ledger->wall_work;
     self->heat[k] = heat_of(ledger);
     self->gap[k] = clod_ledger_residual(ledger, &energies);
@@ -73,8 +72,6 @@ static double rate_of(const stream *self, const double *sum, double *interval)
     *interval = STUDENT * error;
     return rate;
 }
-
-// ---- onto a belt
 
 #define FLOW 0.5  ///< kg/s
 #define BELT 2.0  ///< m/s
@@ -143,60 +140,4 @@ bool clod_verify_stream_belt(const clod_verify_bench *bench, clod_status *status
                                    "stream on a belt: heat, with that of the fall [W]") &&
            clod_verify_bench_check(bench, &none, gap, status,
                                    "stream on a belt: what the ledger lacks [W]");
-}
-
-// ---- onto a plate
-
-#define V1 2.0          ///< m/s
-#define STREAM_FLOW 1.2 ///< kg/s
-
-static const char ON_A_PLATE[] =
-    "# Written by clod verify. The plate is tilted by its angle of friction: gravity is turned.\n"
-    "title: A stream that a plate turns\n"
-    "materials: {ore: {density: 2500 kg/m3}, plate: {}}\n"
-    "contacts:\n"
-    "  default: {law: mepa, exponent: 1, k1: 1e4 N/m, k2: 4e4 N/m, k_adh: 0 N/m, restitution: "
-    "1, friction: 0}\n"
-    "  ore-plate: {friction: %.17g, rolling: epsd2, rolling_friction: 1}\n"
-    "gravity: [%.17g m/s2, 0 m/s2, %.17g m/s2]\n"
-    "domain: {min: [-0.4 m, 0 m, -0.05 m], max: [0.65 m, 0.03 m, 0.3 m], open: delete, "
-    "periodic: [false, true, false]}\n"
-    "time: {design_stress: 5 kPa}\n"
-    "grains:\n"
-    "  - material: ore\n"
-    "    radius: {distribution: uniform, min: 3.6 mm, max: 4.4 mm}\n"
-    "    inlet: {mass_flow: %g kg/s}\n"
-    "    region: {box: {min: [-0.2 m, 0 m, 80 mm], max: [-0.1 m, 30 mm, 140 mm]}}\n"
-    "    velocity: [%.17g m/s, 0 m/s, %.17g m/s]\n"
-    "walls:\n"
-    "  plate:\n"
-    "    material: plate\n"
-    "    shapes: [{plane: {point: [0 m, 0 m, 0 m], normal: [0, 0, 1]}}]\n"
-    "stages: [{name: run, duration: 1.5 s}]\n"
-    "output: {series_interval: 5 ms, energy: true}\n";
-
-/** Grains that do not roll on the plate, and among which there is no friction that would turn them:
- *  with it the lowest ones roll a little, and the plate has 95 % of the friction. */
-#define KEPT "V2/V1 = cos t - sin t tan phi, for a stream that slides"
-
-bool clod_verify_stream_plate(const clod_verify_bench *bench, clod_status *status)
-{
-    static stream self;
-    char text[4096];
-    const double t = 40.0 * M_PI / 180.0, phi = 25.0 * M_PI / 180.0;
-    self = (stream){.steady = 0.9, .far = 0.45};
-    snprintf(text, sizeof text, ON_A_PLATE, tan(phi), GRAVITY * sin(phi), -GRAVITY * cos(phi),
-             STREAM_FLOW, V1 * cos(t), -V1 * sin(t));
-    if (!clod_verify_bed_run(bench, "stream-plate", text, look, &self, status)) {
-        return false;
-    }
-    double of[2];
-    const double along = rate_of(&self, self.along, &of[0]);
-    const double across = -rate_of(&self, self.across, &of[1]);
-    const clod_verify_expect slides = {tan(phi), 0.02, true, "Coulomb: it slides everywhere"};
-    const clod_verify_expect kept = {cos(t) - sin(t) * tan(phi), 0.02, true, KEPT}; // 0.466308
-    return clod_verify_bench_check(bench, &slides, along / across, status,
-                                   "stream onto a plate: shear over normal force [1]") &&
-           clod_verify_bench_check(bench, &kept, self.momentum / self.flux / V1, status,
-                                   "stream onto a plate at 40 deg, phi 25 deg: V2/V1 [1]");
 }

@@ -52,7 +52,6 @@ static const entry TESTS[] = {
      true},
     {"stream-belt", clod_verify_stream_belt, "a stream of grains that a belt takes along",
      true},
-    {"stream-plate", clod_verify_stream_plate, "a stream of grains that a plate turns", true},
     {"trough", clod_verify_trough, "cross-section of a heap on a troughed belt", true},
     {"mesh-drum", clod_verify_mesh_drum, "rotating drum as mesh beside the cylinder", true},
     {"mesh-hopper", clod_verify_mesh_hopper, "hopper as mesh beside cone and cylinder", true},

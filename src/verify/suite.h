@@ -24,7 +24,6 @@ clod_verify_test clod_verify_hooke_restitution;
 clod_verify_test clod_verify_rolling;
 clod_verify_test clod_verify_chute;
 clod_verify_test clod_verify_stream_belt;
-clod_verify_test clod_verify_stream_plate;
 clod_verify_test clod_verify_trough;
 clod_verify_test clod_verify_luding_cycle;
 clod_verify_test clod_verify_luding_collision;
