@@ -18,7 +18,7 @@
 #define GRAINS 2500
 
 static const char *const QUANTITIES[] = {"discharge rate [kg/s]",
-                                         "force on the filled hopper, down [N]"};
+                                         "downward force on the filled hopper [N]"};
 
 static void put_case(FILE *out, bool mesh, int seed)
 {
