@@ -6,14 +6,24 @@
 #include "setup/state.h"
 #include "verify/case_file.h"
 
+/** Steps until the next look, row or insertion. */
+static int64_t plan(const clod_verify_bed *self)
+{
+    const int64_t stage = clod_free_stages_plan(&self->stages, self->from, &self->state);
+    const int64_t inlet = CLOD_MEASURE_INLETS.plan(&self->inlets, self->from, &self->state);
+    return stage < inlet ? stage : inlet;
+}
+
 static bool run_stages(clod_verify_bed *self, clod_verify_bed_look look, void *context,
                        clod_status *status)
 {
     clod_free_stages_begin(&self->stages, self->from, &self->state);
+    CLOD_MEASURE_INLETS.begin(&self->inlets, self->from, &self->state);
+    const clod_free_moment now = {self->from, &self->state, NULL};
     bool ok = look(context, self, status);
     for (bool finished = false; ok && !finished;) {
-        const int64_t steps = clod_free_stages_plan(&self->stages, self->from, &self->state);
-        ok = clod_step_advance(&self->step, steps, status);
+        ok = CLOD_MEASURE_INLETS.act(&self->inlets, &now, status) &&
+             clod_step_advance(&self->step, plan(self), status);
         if (!ok || !clod_free_stages_look(&self->stages, self->from, &self->state)) {
             continue;
         }

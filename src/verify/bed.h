@@ -8,6 +8,7 @@
 
 #include "law/law.h"
 #include "sim/free_stages.h"
+#include "sim/inlets.h"
 #include "step/step.h"
 #include "verify/bench.h"
 
@@ -17,6 +18,7 @@ typedef struct clod_verify_bed {
     clod_state state;
     clod_step step;
     clod_free_stages stages;
+    clod_inlets inlets;
 } clod_verify_bed;
 
 /**

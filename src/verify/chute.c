@@ -2,132 +2,33 @@
 // forms of a point of mass (docs/theory/belts-and-chutes.md).
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
-#include "setup/state.h"
-#include "step/step.h"
-#include "verify/case_file.h"
+#include "verify/course.h"
 #include "verify/suite.h"
 
-#define RADIUS 0.005 ///< m
-#define DENSITY 2500.0
-#define STIFFNESS 1e5 ///< N/m: the grain sinks in by 1e-5 of its radius or so
-#define GRAVITY 9.81
-#define STEP 1e-5
-#define LOOK 10 ///< steps from look to look
+#define RADIUS CLOD_VERIFY_COURSE_RADIUS
+#define GRAVITY CLOD_VERIFY_COURSE_GRAVITY
+#define HELD CLOD_VERIFY_COURSE_HELD
+#define WEIGHT (clod_verify_course_mass() * GRAVITY)
+#define DEGREES (180.0 / M_PI)
 
-/** What the case of a test has beside the material. */
-typedef struct course {
-    const char *name;
-    const char *rolling; ///< keys of the contact
-    double friction;
-    const char *shape;  ///< of the wall
-    double tilt;        ///< rad, of gravity about y: it points along x and -z
-    double place[3];    ///< m, of the centre at the start
-    double velocity[3]; ///< m/s
-    double spin;        ///< rad/s about y
-    double duration;    ///< s
-} course;
-
-/** Where the grain is. */
-typedef struct sight {
-    double time;
-    clod_vec3 place, velocity;
-} sight;
-
-/** Look at a grain; false: it has been seen for long enough. */
-typedef bool (*watch)(void *context, const sight *now);
-
-static double mass(void)
+static bool last_sight(void *context, const clod_verify_sight *now)
 {
-    return DENSITY * 4.0 / 3.0 * M_PI * RADIUS * RADIUS * RADIUS;
-}
-
-static bool advance(clod_step *step, const course *self, watch look, void *context,
-                    clod_status *status)
-{
-    clod_state *state = step->state;
-    clod_new_grain grain = {
-        .id = 1,
-        .position = {self->place[0], self->place[1], self->place[2], RADIUS},
-        .angular_velocity = {0.0, self->spin, 0.0},
-        .density = DENSITY};
-    memcpy(grain.velocity, self->velocity, sizeof self->velocity);
-    clod_changes_add_grain(&state->changes, &grain);
-    if (!clod_step_change(step, status)) {
-        return false;
-    }
-    bool wanted = true;
-    while (wanted && state->time < self->duration) {
-        if (!clod_step_advance(step, LOOK, status)) {
-            return false;
-        }
-        const sight now = {state->time, clod_vec3_of(state->grains.position[0]),
-                           clod_vec3_of(state->grains.velocity[0])};
-        wanted = look(context, &now);
-    }
-    return true;
-}
-
-/** Run a course from its case file on. */
-static bool run(const clod_verify_bench *bench, const course *self, watch look, void *context,
-                clod_status *status)
-{
-    char text[2048], path[4096];
-    snprintf(text, sizeof text,
-             "# Written by clod verify, which puts one grain of 5 mm at (%.9g, %.9g, %.9g) m\n"
-             "# with the velocity (%.9g, %.9g, %.9g) m/s.\n"
-             "title: \"%s\"\n"
-             "materials: {ore: {density: 2500 kg/m3}}\n"
-             "contacts: {default: {law: hooke, k1: 1e5 N/m, restitution: 1, friction: %.17g,\n"
-             "  %s}}\n"
-             "gravity: [%.17g m/s2, 0 m/s2, %.17g m/s2]\n"
-             "domain: {min: [-20 m, -20 m, -20 m], max: [20 m, 20 m, 20 m]}\n"
-             "time: {step: 1e-5 s, design_stress: 1 kPa}\n"
-             "walls: {wall: {material: ore, shapes: [%s]}}\n"
-             "stages: [{name: run, duration: %.17g s}]\n",
-             self->place[0], self->place[1], self->place[2], self->velocity[0],
-             self->velocity[1], self->velocity[2], self->name, self->friction, self->rolling,
-             GRAVITY * sin(self->tilt), -GRAVITY * cos(self->tilt), self->shape,
-             self->duration);
-    if (!clod_verify_case_file(bench->directory, self->name, text, path, status)) {
-        return false;
-    }
-    clod_case *from = clod_case_load(path, NULL, 0, status);
-    clod_state state = {0};
-    clod_laws laws = {0};
-    clod_step step = {0};
-    const clod_step_options options = {.threads = 1};
-    const bool good = from != NULL && clod_setup_state(from, 1, &state, status) &&
-                      clod_laws_init(&laws, from, status) &&
-                      clod_step_init(&step, &state, &laws, &options, status) &&
-                      advance(&step, self, look, context, status);
-    clod_step_fini(&step);
-    clod_laws_fini(&laws);
-    clod_state_fini(&state);
-    clod_case_destroy(&from);
-    return good;
-}
-
-#define HELD "rolling: epsd2, rolling_friction: 1"
-#define FREE "rolling: none"
-
-static bool last_sight(void *context, const sight *now)
-{
-    *(sight *)context = *now;
+    *(clod_verify_sight *)context = *now;
     return true;
 }
 
 /** Height of a grain that lies on z = 0 under a force [m]. */
 static double resting(double force)
 {
-    return RADIUS - force / STIFFNESS;
+    return RADIUS - clod_verify_course_overlap(force);
 }
 
 // ---- belts and a straight chute
 
 #define BELT_SPEED 2.0
 #define BELT_FRICTION 0.5
+#define BELT "{plane: {point: [0 m, 0 m, 0 m], surface: {velocity: [2 m/s, 0 m/s, 0 m/s]}}}"
 #define PICK_UP "point of mass: v/(mu g), v^2/(2 mu g)"
 #define ROLLS_FREE "rigid ball: 2 v/7 when slip ends"
 #define STRAIGHT "v^2 = v0^2 + 2 g (sin a - mu cos a) s"
@@ -135,18 +36,16 @@ static double resting(double force)
 static bool on_a_belt(const clod_verify_bench *bench, clod_status *status)
 {
     const double until = BELT_SPEED / (BELT_FRICTION * GRAVITY);
-    course self = {.name = "chute-pick-up",
-                   .rolling = HELD,
-                   .friction = BELT_FRICTION,
-                   .shape =
-                       "{plane: {point: [0 m, 0 m, 0 m], surface: {velocity: [2 m/s, 0 m/s, "
-                       "0 m/s]}}}",
-                   .place = {0.0, 0.0, resting(mass() * GRAVITY)},
-                   .duration = 0.5 * until};
-    sight half, end, ball;
-    bool good = run(bench, &self, last_sight, &half, status);
+    clod_verify_course self = {.name = "chute-pick-up",
+                               .rolling = HELD,
+                               .friction = BELT_FRICTION,
+                               .shape = BELT,
+                               .place = {0.0, 0.0, resting(WEIGHT)},
+                               .duration = 0.5 * until};
+    clod_verify_sight half, end;
+    bool good = clod_verify_course_run(bench, &self, last_sight, &half, status);
     self.duration = 1.25 * until;
-    good = good && run(bench, &self, last_sight, &end, status);
+    good = good && clod_verify_course_run(bench, &self, last_sight, &end, status);
     const clod_verify_expect speed = {0.5 * BELT_SPEED, 1e-3, true, PICK_UP};
     const clod_verify_expect slip = {0.5 * BELT_SPEED * until, 1e-3, true, PICK_UP};
     good = good &&
@@ -154,22 +53,57 @@ static bool on_a_belt(const clod_verify_bench *bench, clod_status *status)
                                    status, "picked up: speed at half of the time [m/s]") &&
            clod_verify_bench_check(bench, &slip, BELT_SPEED * end.time - end.place.x, status,
                                    "picked up: way of the belt beneath it [m]");
-    self.name = "chute-ball";
-    self.rolling = FREE;
-    const clod_verify_expect rolls = {2.0 / 7.0 * BELT_SPEED, 1e-3, true, ROLLS_FREE};
-    return good && run(bench, &self, last_sight, &ball, status) &&
-           clod_verify_bench_check(bench, &rolls, ball.velocity.x, status,
-                                   "ball without rolling resistance on a belt: speed [m/s]");
+    return good;
+}
+
+/** The moment at which a grain on the belt stops to slip. */
+typedef struct grip {
+    double time; ///< s; 0: it slips
+    double slip; ///< m/s, of the look before
+    clod_verify_sight last;
+} grip;
+
+static bool wait_for_grip(void *context, const clod_verify_sight *now)
+{
+    grip *self = context;
+    const double slip = BELT_SPEED - now->velocity.x + RADIUS * now->spin;
+    if (self->time == 0.0 && slip <= 0.0) {
+        const double share = self->slip / (self->slip - slip);
+        self->time = self->last.time + share * (now->time - self->last.time);
+    }
+    self->slip = slip;
+    self->last = *now;
+    return true;
+}
+
+/** Without rolling resistance a ball comes to 2/7 of the belt's speed: 0.571 m/s after 0.1165 s. */
+static bool ball_on_a_belt(const clod_verify_bench *bench, clod_status *status)
+{
+    const double until = 2.0 / 7.0 * BELT_SPEED / (BELT_FRICTION * GRAVITY);
+    const clod_verify_course self = {.name = "chute-ball",
+                                     .rolling = CLOD_VERIFY_COURSE_FREE,
+                                     .friction = BELT_FRICTION,
+                                     .shape = BELT,
+                                     .place = {0.0, 0.0, resting(WEIGHT)},
+                                     .duration = 4.0 * until};
+    grip found = {.time = 0.0};
+    const clod_verify_expect speed = {2.0 / 7.0 * BELT_SPEED, 1e-3, true, ROLLS_FREE};
+    const clod_verify_expect time = {until, 1e-3, true, ROLLS_FREE};
+    return clod_verify_course_run(bench, &self, wait_for_grip, &found, status) &&
+           clod_verify_bench_check(bench, &speed, found.last.velocity.x, status,
+                                   "ball without rolling resistance on a belt: speed [m/s]") &&
+           clod_verify_bench_check(bench, &time, found.time, status,
+                                   "ball without rolling resistance on a belt: slips for [s]");
 }
 
 /** The speed where a way is over. */
 typedef struct gate {
     double way;   ///< m along x
     double found; ///< m/s there
-    sight before;
+    clod_verify_sight before;
 } gate;
 
-static bool pass(void *context, const sight *now)
+static bool pass(void *context, const clod_verify_sight *now)
 {
     gate *self = context;
     if (now->place.x < self->way) {
@@ -186,20 +120,50 @@ static bool pass(void *context, const sight *now)
 static bool down_a_chute(const clod_verify_bench *bench, clod_status *status)
 {
     const double tilt = M_PI / 4.0, way = 2.0, mu = 0.5;
-    const course self = {.name = "chute-straight",
-                         .rolling = HELD,
-                         .friction = mu,
-                         .shape = "{plane: {point: [0 m, 0 m, 0 m]}}",
-                         .tilt = tilt,
-                         .place = {0.0, 0.0, resting(mass() * GRAVITY * cos(tilt))},
-                         .velocity = {1.0, 0.0, 0.0},
-                         .duration = 2.0};
+    const clod_verify_course self = {.name = "chute-straight",
+                                     .rolling = HELD,
+                                     .friction = mu,
+                                     .shape = "{plane: {point: [0 m, 0 m, 0 m]}}",
+                                     .tilt = tilt,
+                                     .place = {0.0, 0.0, resting(WEIGHT * cos(tilt))},
+                                     .velocity = {1.0, 0.0, 0.0},
+                                     .duration = 2.0};
     gate end = {.way = way};
     const double v = sqrt(1.0 + 2.0 * GRAVITY * (sin(tilt) - mu * cos(tilt)) * way); // 3.856609
     const clod_verify_expect expect = {v, 1e-3, true, STRAIGHT};
-    return run(bench, &self, pass, &end, status) &&
+    return clod_verify_course_run(bench, &self, pass, &end, status) &&
            clod_verify_bench_check(bench, &expect, end.found, status,
                                    "straight chute of 45 deg: speed after 2 m [m/s]");
+}
+
+/** Half of the speed across the plate comes back or so, without a dash-pot: that would end within
+ *  a step or so of the contact, and with it some impulse. */
+#define PLASTIC "mepa, exponent: 1, k1: 1e5 N/m, k2: 5e5 N/m, k_adh: 0 N/m"
+#define KEPT "V2/V1 = cos t - sin t tan phi: nothing of the speed across the plate is left"
+
+/**
+ * A grain flies onto a plate at the angle t and slides on. On a plate that is tilted by the angle
+ * of friction phi nothing drives or brakes a grain that slides, and however often it hops,
+ * friction takes tan phi times all that it loses across the plate.
+ */
+static bool onto_a_plate(const clod_verify_bench *bench, clod_status *status)
+{
+    const double v1 = 4.0, t = 40.0 / DEGREES, phi = 25.0 / DEGREES;
+    const clod_verify_course self = {.name = "chute-plate",
+                                     .law = PLASTIC,
+                                     .rolling = HELD,
+                                     .friction = tan(phi),
+                                     .shape = "{plane: {point: [0 m, 0 m, 0 m]}}",
+                                     .tilt = phi,
+                                     .place = {0.0, 0.0, RADIUS},
+                                     .velocity = {v1 * cos(t), 0.0, -v1 * sin(t)},
+                                     .duration = 1.0};
+    clod_verify_sight end;
+    const clod_verify_expect expect = {cos(t) - sin(t) * tan(phi), 1e-3, true,
+                                       KEPT}; // 0.466308
+    return clod_verify_course_run(bench, &self, last_sight, &end, status) &&
+           clod_verify_bench_check(bench, &expect, end.velocity.x / v1, status,
+                                   "grain onto a plate at 40 deg, phi 25 deg: V2/V1 [1]");
 }
 
 // ---- round a cylinder about y through the origin
@@ -221,7 +185,7 @@ static double angle_of(const turn *self, clod_vec3 place)
     return a < -0.5 ? a + 2.0 * M_PI : a;
 }
 
-static bool look_round(void *context, const sight *now)
+static bool look_round(void *context, const clod_verify_sight *now)
 {
     turn *self = context;
     const double a = angle_of(self, now->place);
@@ -271,17 +235,18 @@ static bool in_a_circle(const clod_verify_bench *bench, bool hood, double v0, do
         "{cylinder: {foot: [0 m, -1 m, 0 m], axis: [0, 1, 0], radius: %.17g m, length: 2 m, "
         "side: inside}}",
         r + RADIUS);
-    const double press = mass() * (v0 * v0 / r - (hood ? GRAVITY : 0.0)) / STIFFNESS;
-    course self = {.name = hood ? "chute-hood" : "chute-spoon",
-                   .rolling = HELD,
-                   .friction = mu,
-                   .shape = shape,
-                   .duration = 3.0};
+    const double press = clod_verify_course_overlap(clod_verify_course_mass() *
+                                                    (v0 * v0 / r - (hood ? GRAVITY : 0.0)));
+    clod_verify_course self = {.name = hood ? "chute-hood" : "chute-spoon",
+                               .rolling = HELD,
+                               .friction = mu,
+                               .shape = shape,
+                               .duration = 3.0};
     self.place[hood ? 2 : 0] = r + press;
     self.velocity[hood ? 0 : 2] = hood ? v0 : -v0;
     turn found = {.angle = angle, .from = hood ? 0.0 : 0.5 * M_PI, .radius = r};
     const clod_verify_expect expect = {expected, 1e-3, true, ROUND};
-    return run(bench, &self, look_round, &found, status) &&
+    return clod_verify_course_run(bench, &self, look_round, &found, status) &&
            clod_verify_bench_check(bench, &expect, found.found, status,
                                    "%s of %g m, mu %g, from %g m/s: speed after %g deg [m/s]",
                                    hood ? "hood" : "spoon", r, mu, v0, angle * 180.0 / M_PI);
@@ -311,41 +276,117 @@ static double leaving_angle(double mu, double share)
     return leaves;
 }
 
-static bool round_a_pulley(const clod_verify_bench *bench, double mu, clod_status *status)
+#define PULLEY_RADIUS 0.5 ///< m, of the way of the grain's centre
+#define PULLEY_SPEED 1.0  ///< m/s, of the grain's centre
+#define BOOTH "Booth 1934, one friction at rest and in motion"
+
+/** The angle at which a grain leaves a head pulley [deg], found and by Booth's theory. */
+static bool round_a_pulley(const clod_verify_bench *bench, double mu, double *angle,
+                           clod_status *status)
 {
-    const double r = 0.5, v = 1.0, wall = r - RADIUS; // r and v: of the grain's centre
-    char shape[320];
+    const double r = PULLEY_RADIUS, v = PULLEY_SPEED, wall = r - RADIUS;
+    char shape[320], rolling[64];
     snprintf(
         shape, sizeof shape,
         "{cylinder: {foot: [0 m, -1 m, 0 m], axis: [0, 1, 0], radius: %.17g m, length: 2 m, "
         "side: outside, surface: {spin: %.17g rad/s, spin_axis: [0, 1, 0]}}}",
         wall, v / r);
+    snprintf(rolling, sizeof rolling, "rolling: epsd2, rolling_friction: %g", fmax(mu, 1.0));
     const double share = v * v / (GRAVITY * r);
-    const course self = {.name = "chute-pulley",
-                         .rolling = HELD,
-                         .friction = mu,
-                         .shape = shape,
-                         .place = {0.0, 0.0, r - mass() * GRAVITY * (1.0 - share) / STIFFNESS},
-                         .velocity = {v, 0.0, 0.0},
-                         .spin = v / r,
-                         .duration = 1.0};
+    const clod_verify_course self = {
+        .name = "chute-pulley",
+        .rolling = rolling,
+        .friction = mu,
+        .shape = shape,
+        .place = {0.0, 0.0, r - clod_verify_course_overlap(WEIGHT * (1.0 - share))},
+        .velocity = {v, 0.0, 0.0},
+        .spin = v / r,
+        .duration = 1.0};
     turn found = {.angle = 0.5 * M_PI, .radius = wall};
-    const clod_verify_expect expect = {leaving_angle(mu, share) * 180.0 / M_PI, 0.2, false,
-                                       "Booth 1934, one friction at rest and in motion"};
-    return run(bench, &self, look_round, &found, status) &&
-           clod_verify_bench_check(bench, &expect, found.leaves * 180.0 / M_PI, status,
+    const clod_verify_expect expect = {leaving_angle(mu, share) * DEGREES, 0.2, false, BOOTH};
+    const bool good = clod_verify_course_run(bench, &self, look_round, &found, status);
+    *angle = found.leaves * DEGREES;
+    return good &&
+           clod_verify_bench_check(bench, &expect, *angle, status,
                                    "head pulley of 0.5 m, 1 m/s, mu %g: leaves at [deg]", mu);
+}
+
+/** Booth's angle goes as 1/mu to that without slip, cos a = v^2/(g r). */
+static bool round_pulleys(const clod_verify_bench *bench, clod_status *status)
+{
+    const double share = PULLEY_SPEED * PULLEY_SPEED / (GRAVITY * PULLEY_RADIUS);
+    const clod_verify_expect cema = {acos(share) * DEGREES, 0.5, false, // 78.236
+                                     "CEMA: cos a = v^2/(g r)"};
+    double angle, five, ten;
+    return round_a_pulley(bench, 0.5, &angle, status) &&
+           round_a_pulley(bench, 0.3, &angle, status) &&
+           round_a_pulley(bench, 5.0, &five, status) &&
+           round_a_pulley(bench, 10.0, &ten, status) &&
+           clod_verify_bench_check(
+               bench, &cema, 2.0 * ten - five, status,
+               "head pulley without slip, from mu 5 and 10: leaves at [deg]");
+}
+
+// ---- off a belt
+
+/** Heights of a grain where it is above places. */
+typedef struct flight {
+    double way[3], height[3]; ///< m
+    int passed;
+    clod_verify_sight before;
+} flight;
+
+static bool fly(void *context, const clod_verify_sight *now)
+{
+    flight *self = context;
+    if (now->place.x >= self->way[self->passed]) {
+        const double share = (self->way[self->passed] - self->before.place.x) /
+                             (now->place.x - self->before.place.x);
+        self->height[self->passed++] =
+            self->before.place.z + share * (now->place.z - self->before.place.z);
+    }
+    self->before = *now;
+    return self->passed < 3;
+}
+
+/** Faster than sqrt(g r), 2.215 m/s, a grain flies from where the belt meets the pulley. */
+static bool off_a_belt(const clod_verify_bench *bench, clod_status *status)
+{
+    const double v = 4.0;
+    const clod_verify_course self = {
+        .name = "chute-flight",
+        .rolling = HELD,
+        .friction = 0.5,
+        .shape = "{belt: {from: [-0.4 m, 0 m, 0 m], runs: [{length: 0.4 m}], width: 400 mm, "
+                 "speed: 4 m/s, pulley: {radius: 495 mm}}}",
+        .place = {-0.3, 0.0, resting(WEIGHT)},
+        .velocity = {v, 0.0, 0.0},
+        .duration = 1.5};
+    flight found = {.way = {1.0, 2.0, 3.0}};
+    bool good = clod_verify_course_run(bench, &self, fly, &found, status);
+    for (int k = 0; good && k < 3; k++) { // -0.306563, -1.22625, -2.759063 m
+        const double time = found.way[k] / v;
+        // as the weight goes the contact springs back, with this speed at most
+        const double spring = sqrt(GRAVITY * clod_verify_course_overlap(WEIGHT)) * time + 1e-6;
+        const clod_verify_expect expect = {-0.5 * GRAVITY * time * time, spring, false,
+                                           "parabola; what the weight's spring gives"};
+        good =
+            clod_verify_bench_check(bench, &expect, found.height[k] - RADIUS, status,
+                                    "off a belt of 4 m/s: height after %g m [m]", found.way[k]);
+    }
+    return good;
 }
 
 bool clod_verify_chute(const clod_verify_bench *bench, clod_status *status)
 {
-    return on_a_belt(bench, status) && down_a_chute(bench, status) &&
+    return on_a_belt(bench, status) && ball_on_a_belt(bench, status) &&
+           down_a_chute(bench, status) && onto_a_plate(bench, status) &&
            in_a_circle(bench, false, 4.0, 3.0, 0.5, M_PI / 3.0,
                        spoon_speed(4.0, 3.0, 0.5, M_PI / 3.0), status) && // 4.993939
            in_a_circle(bench, false, 1.0, 1.0, 0.2, M_PI / 2.0,
                        spoon_speed(1.0, 1.0, 0.2, M_PI / 2.0), status) &&
            in_a_circle(bench, true, 5.0, 1.0, 0.3, 75.0 * M_PI / 180.0,
                        hood_speed(5.0, 1.0, 0.3, 75.0 * M_PI / 180.0), status) && // 5.125595
-           round_a_pulley(bench, 0.5, status) &&
-           round_a_pulley(bench, 0.3, status);
+           round_pulleys(bench, status) &&
+           off_a_belt(bench, status);
 }

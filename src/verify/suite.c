@@ -50,6 +50,12 @@ static const entry TESTS[] = {
     {"beverloo", clod_verify_beverloo, "discharge rate of a flat-bottomed silo", true},
     {"repose", clod_verify_repose, "angle of repose against friction and rolling friction",
      true},
+    {"stream-belt", clod_verify_stream_belt, "a stream of grains that a belt takes along",
+     true},
+    {"trough", clod_verify_trough, "cross-section of a heap on a troughed belt", true},
+    {"mesh-drum", clod_verify_mesh_drum, "rotating drum as mesh beside the cylinder", true},
+    {"mesh-hopper", clod_verify_mesh_hopper, "hopper as mesh beside cone and cylinder", true},
+    {"mesh-ring", clod_verify_mesh_ring, "ring shear cell as meshes beside its shapes", true},
 };
 #define TEST_COUNT (sizeof TESTS / sizeof *TESTS)
 

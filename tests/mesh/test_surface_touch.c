@@ -246,6 +246,34 @@ static void a_slit_pushes_from_both_rims(void **state)
     clod_surface_release(surface);
 }
 
+/** Over a hole of six sides: of those seen in one quarter of the plane the nearest pushes, so four
+ *  do (adr/0033, slots). */
+static void a_hole_pushes_from_each_quarter(void **state)
+{
+    (void)state;
+    maker *made = maker_new();
+    for (int k = 0; k < 6; k++) {
+        const double a = M_PI / 3.0 * k, b = M_PI / 3.0 * (k + 1);
+        const float xa = (float)cos(a), ya = (float)sin(a), xb = (float)cos(b),
+                    yb = (float)sin(b);
+        quad(made, (float[3]){0.1f * xa, 0.1f * ya, 0}, (float[3]){xa, ya, 0},
+             (float[3]){xb, yb, 0}, (float[3]){0.1f * xb, 0.1f * yb, 0});
+    }
+    clod_surface *surface = surface_of(made);
+    assert_int_equal(surface->patch_count, 1);
+    const clod_surface_hit *contact[8];
+    const clod_vec3 p = {0.0011, 0.0007, 0.15};
+    assert_int_equal(contacts_of(surface, p, 0.2, contact), 4);
+    for (int k = 0; k < 4; k++) {
+        const double x = contact[k]->at.point.x, y = contact[k]->at.point.y;
+        check_close(contact[k]->at.distance, hypot(hypot(x - p.x, y - p.y), p.z), 1e-12);
+        for (int other = 0; other < k; other++) {
+            assert_int_not_equal(contact[k]->slot, contact[other]->slot);
+        }
+    }
+    clod_surface_release(surface);
+}
+
 /** In a pipe of 36 sides one contact, deepest at the nearest side; around it one too. */
 static void a_pipe_is_smooth(void **state)
 {
@@ -289,6 +317,7 @@ int main(void)
         cmocka_unit_test(corners_of_a_box),
         cmocka_unit_test(a_thin_plate_pushes_once),
         cmocka_unit_test(a_slit_pushes_from_both_rims),
+        cmocka_unit_test(a_hole_pushes_from_each_quarter),
         cmocka_unit_test(a_pipe_is_smooth),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
