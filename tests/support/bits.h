@@ -54,8 +54,8 @@ static inline bool bits_same_walls(const clod_walls *a, const clod_walls *b)
                memcmp(&x->turned, &y->turned, sizeof x->turned) == 0 &&
                memcmp((const char *)x + force, (const char *)y + force,
                       offsetof(clod_wall, wear) - force) == 0 &&
-               (x->wear == NULL || memcmp(x->wear, y->wear,
-                                          (size_t)x->wear_rows * sizeof *x->wear) == 0);
+               (x->wear == NULL ||
+                memcmp(x->wear, y->wear, (size_t)x->wear_rows * sizeof *x->wear) == 0);
     }
     return same;
 }
