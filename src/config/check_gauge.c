@@ -103,8 +103,9 @@ static void check_belt(clod_loader *loader, const clod_case *self, const clod_ca
             clod_suggest_offer(&near, self->walls[w].name);
         }
     }
+    const char *found = clod_suggest_text(&near, hint, sizeof hint);
     snprintf(text, sizeof text, "there is no wall %s with a belt among its shapes%s",
-             gauge->belt, clod_suggest_text(&near, hint, sizeof hint));
+             gauge->belt, found[0] != '\0' ? found : "; name one that has, or remove this key");
     fail(loader, gauge, "belt", text);
 }
 

@@ -58,6 +58,35 @@ static const clod_param TRAJECTORY[] = {
 static const clod_table TRAJECTORY_TABLE = {.title = "Path of the stream.",
                                             CLOD_ROWS(TRAJECTORY)};
 
+static bool is_given(const double v[3])
+{
+    return v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0;
+}
+
+static bool has_direction(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return is_given(((const G *)self)->direction);
+}
+
+static bool has_across(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return is_given(((const G *)self)->across);
+}
+
+static bool has_profile(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const G *)self)->profile_bins > 0;
+}
+
+static bool has_trajectory(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const G *)self)->trajectory_bins > 0;
+}
+
 static const clod_param GAUGE[] = {
     {.key = "region",
      .kind = CLOD_PARAM_SECTION,
@@ -76,6 +105,7 @@ static const clod_param GAUGE[] = {
      .nonzero = true,
      .example = "[1, 0, 0]",
      CLOD_AT(G, direction),
+     .used = has_direction,
      .help = "Direction of the stream, of any length: gives mass flow and angle.",
      .source = "docs/gauges.md"},
     {.key = "across",
@@ -87,6 +117,7 @@ static const clod_param GAUGE[] = {
      .nonzero = true,
      .example = "[0, 1, 0]",
      CLOD_AT(G, across),
+     .used = has_across,
      .help = "Direction across the stream, of any length: gives offset, width and sorting. "
              "Without it the level one at right angles to direction, to the left of the "
              "stream; an upright direction has none.",
@@ -110,12 +141,14 @@ static const clod_param GAUGE[] = {
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,
      .table = &PROFILE_TABLE,
+     .used = has_profile,
      .help = "Measure the cross-section of the load, looking along direction.",
      .source = "docs/gauges.md"},
     {.key = "trajectory",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,
      .table = &TRAJECTORY_TABLE,
+     .used = has_trajectory,
      .help = "Measure lower edge, mean and upper edge of the stream along direction.",
      .source = "docs/gauges.md"},
 };

@@ -36,7 +36,7 @@ clod_gauge_axis clod_gauge_axis_of(const clod_gauge *gauge, clod_vec3 along, int
  * first and last bin. Sums are exact: they do not depend on the order of rows.
  *
  * Errors  CLOD_FAILED: memory; nothing is added then.   Threads  one per state.
- * Test    tests/measure/test_gauge_bins.c
+ * Test    tests/measure/test_gauge.c
  */
 bool clod_gauge_bins_look(clod_gauge_bins *self, const clod_gauge *gauge,
                           const clod_gauge_axis *axis, const clod_state *state,
@@ -68,7 +68,7 @@ typedef struct clod_gauge_section {
  *
  * Threads  pure.
  * Source   ISO 5048: the load above the edges is a parabola of area width^2 tan(surcharge)/6
- * Test     tests/measure/test_gauge_bins.c
+ * Test     tests/measure/test_gauge.c
  */
 clod_gauge_section clod_gauge_bins_section(const clod_gauge_bins *self,
                                            const clod_gauge_axis *axis);

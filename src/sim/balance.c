@@ -106,11 +106,13 @@ static const char *name_of(const clod_case *from, int way)
                               : "removed";
 }
 
-/** Whether grains can go this way. */
+/** Whether this way is told: an outlet, or a side that grains have left by, or can where there
+ *  are no outlets. */
 static bool is_way(const clod_case *from, const clod_balance_count *now, int way)
 {
     if (way < CLOD_FACES) {
-        return from->open == CLOD_OPEN_DELETE && !from->periodic[way / 2];
+        return now->out[way] > 0 || (from->outlet_count == 0 && !from->periodic[way / 2] &&
+                                     from->open == CLOD_OPEN_DELETE);
     }
     return way < CLOD_EXITS ? (size_t)(way - CLOD_FACES) < from->outlet_count
                             : now->out[way] > 0;

@@ -52,6 +52,6 @@ bool clod_gauges_write(const clod_folder *folder, const void *memory,
 
 /**
  * Errors  CLOD_FAILED: memory.   Threads  one per state.
- * Test    tests/sim/test_gauges.c, tests/cli/test_gauges.py
+ * Test    tests/cli/test_gauges.py
  */
 extern const clod_free_measure CLOD_MEASURE_GAUGES;
