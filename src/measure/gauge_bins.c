@@ -147,7 +147,7 @@ static double curvature(const clod_gauge_bins *self, int first, int last)
 clod_gauge_section clod_gauge_bins_section(const clod_gauge_bins *self,
                                            const clod_gauge_axis *axis)
 {
-    clod_gauge_section section = {.surcharge = NAN};
+    clod_gauge_section section = {.surcharge = (double)NAN};
     int first = -1, last = -1, loaded = 0;
     for (int k = 0; k < axis->count; k++) {
         section.area += over(self->upper[k] - self->lower[k], self->looks) * axis->width;

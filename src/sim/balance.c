@@ -175,7 +175,7 @@ static void flow_of(const clod_balance *self, const clod_case *from, int flow, d
             amount(from, &self->edge[b + 1], flow) - amount(from, &self->edge[b], flow);
         each[b] = gain / (self->edge[b + 1].time - self->edge[b].time);
     }
-    told[0] = told[1] = NAN;
+    told[0] = told[1] = (double)NAN;
     if (blocks > 0) {
         const clod_balance_count *first = &self->edge[0], *last = &self->edge[blocks];
         told[0] =
@@ -283,7 +283,7 @@ static json_t *balance_json(const void *memory, const clod_free_moment *now)
     int64_t spilled, grains;
     const double spilled_mass = sum_out(from, &count, true, &spilled);
     const double mass = lost(from, self, &count, &grains);
-    const double nan = NAN;
+    const double nan = (double)NAN;
     const bool steady = self->edges > 1;
     return json_pack("{s:o, s:o, s:{s:I, s:f}, s:o, s:o, s:o, s:o, s:{s:I, s:f}}", "since_s",
                      number(steady ? self->edge[0].time : nan), "until_s",

@@ -3,7 +3,11 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "output/folder_files.h"
+#include "output/series.h"
 #include "sim/gauges.h"
+
+/** Of a table. */
+#define COLUMNS 6
 
 /** Owned text of a table; NULL without memory. */
 static char *make_table(const char *at, const clod_gauge_bins *bins,
@@ -17,8 +21,13 @@ static char *make_table(const char *at, const clod_gauge_bins *bins,
     fprintf(out, "%s [m],lower [m],mean [m],upper [m],mass [kg],share [1]\n", at);
     for (int k = 0; k < axis->count; k++) {
         const clod_gauge_bin bin = clod_gauge_bins_of(bins, axis, k);
-        fprintf(out, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", bin.at, bin.lower, bin.mean, bin.upper,
-                bin.mass, bin.share);
+        const double row[COLUMNS] = {bin.at,    bin.lower, bin.mean,
+                                     bin.upper, bin.mass,  bin.share};
+        for (int c = 0; c < COLUMNS; c++) {
+            char number[CLOD_SERIES_NUMBER];
+            clod_series_number(number, row[c]);
+            fprintf(out, "%s%s", number, c + 1 < COLUMNS ? "," : "\n");
+        }
     }
     return clod_text_close(&text);
 }
