@@ -149,13 +149,23 @@ static void a_sphere_is_cut_by_bins(void **unused)
     (void)unused;
     clod_state state = {0};
     add(&state, 1.0, 0.0, 1.0, 1.0, 8.0, NONE);
-    add(&state, 1.0, 1.75, 0.5, 0.5, 1.0, NONE); // reaches beyond the end by half
+    add(&state, 1.0, 1.75, 0.5, 0.5, 1.0, NONE);   // reaches beyond the end by half
+    add(&state, 1.0, -1.6, 0.3, 0.2, 1.0, NONE);   // its middle is 0.1 m from the border
+    add(&state, 1.0, -1.7, 0.05, 0.05, 1.0, NONE); // below it
     const clod_gauge gauge =
         clod_gauge_of(&BOX, (const double[]){1.0, 0.0, 0.0}, NONE, GRAVITY);
     const clod_gauge_axis axis = clod_gauge_axis_of(&gauge, gauge.across, 8); // of 0.5 m
     clod_gauge_bins bins = {0};
     assert_true(clod_gauge_bins_look(&bins, &gauge, &axis, &state, &status));
-    clod_gauge_bin bin = clod_gauge_bins_of(&bins, &axis, 1); // -1.5 to -1: touches nothing
+    clod_gauge_bin bin = clod_gauge_bins_of(&bins, &axis, 0); // -2 to -1.5
+    check_close(bin.lower, 0.0, 1e-15);
+    check_close(bin.upper, 0.5, 1e-15);
+    check_close(bin.mass, 1.0 + 27.0 / 32.0, 1e-14);
+    check_close(bin.mean, (0.05 + 0.3 * 27.0 / 32.0) / (59.0 / 32.0), 1e-14);
+    bin = clod_gauge_bins_of(&bins, &axis, 1); // -1.5 to -1
+    check_close(bin.upper, 0.3 + sqrt(0.03), 1e-14);
+    check_close(bin.mass, 5.0 / 32.0, 1e-14);
+    bin = clod_gauge_bins_of(&(clod_gauge_bins){.looks = 1.0}, &axis, 1); // nothing
     assert_true(isnan(bin.upper) && isnan(bin.mean));
     check_close(bin.mass, 0.0, 0.0);
     bin = clod_gauge_bins_of(&bins, &axis, 2); // -1 to -0.5
