@@ -121,8 +121,11 @@ static bool is_way(const clod_case *from, const clod_balance_count *now, int way
 /** Whether what goes this way has missed the one that was meant. */
 static bool is_spillage(const clod_case *from, int way)
 {
-    return way < CLOD_FACES ? from->outlet_count > 0
-                            : way < CLOD_EXITS && from->outlets[way - CLOD_FACES].spillage;
+    if (way < CLOD_FACES) {
+        return from->outlet_count > 0;
+    }
+    const size_t outlet = (size_t)(way - CLOD_FACES);
+    return outlet < from->outlet_count && from->outlets[outlet].spillage;
 }
 
 /** What has come and gone since the beginning. */

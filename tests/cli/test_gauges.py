@@ -266,6 +266,18 @@ outlets:""").replace("    profile", "    belt: feed\n    profile"))
         self.assertEqual(whole, clod.without_clock(clod.read(self.path("cut/summary.json"))))
         self.assertGreater(whole["gauges"]["fall"]["belt_power_W"]["mean"], 0.0)
 
+    def test_the_balance_of_a_run_without_outlets(self):
+        """Nothing is spilled where no way is the right one."""
+        head, rest = FALL.replace("DURATION", "0.5 s").split("outlets:")
+        self.write(head + "gauges:" + rest.split("gauges:")[1])
+        done = self.go("out")
+        balance, last = self.summary("out")["balance"], clod.table(self.path("out/series.csv"))[-1]
+        self.assertEqual(balance["lost"]["grains"], 0)
+        self.assertEqual(balance["spillage"]["grains"], 0)
+        self.assertEqual(balance["out"]["left_z_min"]["grains"], last["left_z_min.grains"])
+        self.assertGreater(last["left_z_min.grains"], 100)
+        self.assertNotIn("spilled", done.stdout)
+
     def test_tables_of_before_go(self):
         self.write(FALL.replace("DURATION", "0.5 s"))
         self.go("out")
