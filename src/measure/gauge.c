@@ -247,7 +247,8 @@ void clod_gauge_values(const clod_gauge *self, const double *sums, double *value
     const double *p = &sums[CLOD_GAUGE_MOMENTUM];
     values[CLOD_GAUGE_OF_GRAINS] = over(sums[CLOD_GAUGE_GRAINS], looks);
     values[CLOD_GAUGE_OF_MASS] = over(mass, looks);
-    values[CLOD_GAUGE_OF_FLOW] = over(p[self->flow_axis], looks) / self->flow_length;
+    values[CLOD_GAUGE_OF_FLOW] = // no flow is 0, never -0
+        over(p[self->flow_axis], looks) / self->flow_length + 0.0;
     for (int a = 0; a < 3; a++) {
         values[CLOD_GAUGE_OF_VELOCITY + a] = over(p[a], mass);
     }
