@@ -115,7 +115,7 @@ static bool is_way(const clod_case *from, const clod_balance_count *now, int way
                                      from->open == CLOD_OPEN_DELETE);
     }
     return way < CLOD_EXITS ? (size_t)(way - CLOD_FACES) < from->outlet_count
-                            : now->out[way] > 0;
+                            : now->out[CLOD_EXITS] > 0;
 }
 
 /** Whether what goes this way has missed the one that was meant. */
