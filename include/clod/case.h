@@ -132,10 +132,36 @@ typedef struct clod_case_grains {
 typedef struct clod_case_outlet {
     char *name;
     clod_case_region region;
+    bool spillage; ///< what leaves here has missed its way
 } clod_case_outlet;
 
 /** Most outlets. */
 #define CLOD_CASE_OUTLETS 8
+
+/** When a gauge counts as blocked. */
+typedef struct clod_case_blocked {
+    double mass_above;  ///< kg inside, at least
+    double speed_below; ///< m/s, mean of what is inside, at most
+    double duration;    ///< s for which both hold
+} clod_case_blocked;
+
+/** A region in which the stream is measured (docs/gauges.md). */
+typedef struct clod_case_gauge {
+    char *name;
+    clod_case_region region;
+    double direction[3]; ///< of the stream; 0: none
+    double across[3];    ///< across the stream; 0: level and across `direction`
+    char *belt;          ///< wall whose belt carries what is inside; NULL: none
+    bool has_blocked;
+    clod_case_blocked blocked;
+    int64_t profile_bins;    ///< across; 0: no profile
+    int64_t trajectory_bins; ///< along `direction`; 0: no trajectory
+} clod_case_gauge;
+
+/** Most gauges. */
+#define CLOD_CASE_GAUGES 16
+/** Most bins of a profile or a trajectory. */
+#define CLOD_CASE_GAUGE_BINS 200
 
 /** Change of one wall at the start of a stage; `has_` says which keys were given. */
 typedef struct clod_case_wall_change {
@@ -165,6 +191,8 @@ typedef struct clod_case_output {
     bool energy;                ///< keep the energy ledger
     bool surfaces;              ///< sum what grains do to the surfaces of walls
     double surfaces_from;       ///< s, when these sums begin
+    double steady_since;   ///< s from the beginning of the run, of means; see has_steady_since
+    bool has_steady_since; ///< else the last third of the stages counts
 } clod_case_output;
 
 /** Largest overlap_limit: at 1 nothing tells out of which side of a wall a grain is to go. */
@@ -300,6 +328,8 @@ typedef struct clod_case {
     size_t wall_count;
     clod_case_outlet *outlets;
     size_t outlet_count;
+    clod_case_gauge *gauges;
+    size_t gauge_count;
     clod_case_stage *stages;
     size_t stage_count;
     clod_case_output output;

@@ -81,6 +81,8 @@ extern const clod_table CLOD_TABLE_CONTACT;
 extern const clod_table CLOD_TABLE_CONTACTS;
 extern const clod_table CLOD_TABLE_GRAINS;
 extern const clod_table CLOD_TABLE_OUTLET;
+extern const clod_table CLOD_TABLE_GAUGE;
+extern const clod_table CLOD_TABLE_REGION;
 extern const clod_table CLOD_TABLE_WALL;
 extern const clod_table CLOD_TABLE_SHAPE;
 extern const clod_table CLOD_TABLE_BELT;

@@ -11,15 +11,13 @@
 #include "output/file.h"
 #include "output/folder_files.h"
 
-#define NUMBER_BYTES 32 // "%.17g" of a double and a comma need at most 25
-
 struct clod_series {
     const clod_folder *folder; ///< borrowed
     int descriptor;
     size_t columns;
     clod_series_mark mark; ///< end of the file
     char *name;            ///< owned
-    char *row;             ///< owned, [columns * NUMBER_BYTES]
+    char *row;             ///< owned, [columns * CLOD_SERIES_NUMBER]
 };
 
 static bool fail(const clod_series *self, const char *action, int error, clod_status *status)
@@ -151,7 +149,7 @@ clod_series *clod_series_open(const clod_folder *folder, const char *name,
         self->descriptor = -1;
         self->columns = column_count;
         self->name = clod_memory_text(name);
-        self->row = clod_memory_alloc(column_count, NUMBER_BYTES);
+        self->row = clod_memory_alloc(column_count, CLOD_SERIES_NUMBER);
     }
     bool good = header != NULL && self != NULL && self->name != NULL && self->row != NULL;
     if (!good) {
@@ -165,15 +163,14 @@ clod_series *clod_series_open(const clod_folder *folder, const char *name,
     return self;
 }
 
-/** Print with as few digits as read back exactly; returns the length. */
-static size_t print_number(char text[NUMBER_BYTES], double value)
+size_t clod_series_number(char text[CLOD_SERIES_NUMBER], double value)
 {
     if (value != value) {
-        return (size_t)snprintf(text, NUMBER_BYTES, "nan");
+        return (size_t)snprintf(text, CLOD_SERIES_NUMBER, "nan");
     }
     int length = 0;
     for (int digits = 15; digits <= 17; digits++) {
-        length = snprintf(text, NUMBER_BYTES, "%.*g", digits, value);
+        length = snprintf(text, CLOD_SERIES_NUMBER, "%.*g", digits, value);
         if (strtod(text, NULL) == value) {
             break;
         }
@@ -185,7 +182,7 @@ bool clod_series_row(clod_series *self, const double *values, clod_status *statu
 {
     size_t length = 0;
     for (size_t c = 0; c < self->columns; c++) {
-        length += print_number(self->row + length, values[c]);
+        length += clod_series_number(self->row + length, values[c]);
         self->row[length++] = c + 1 < self->columns ? ',' : '\n';
     }
     return append(self, self->row, length, status);

@@ -36,6 +36,11 @@ clod_series *clod_series_open(const clod_folder *folder, const char *name,
 bool clod_series_check(const clod_folder *folder, const char *name,
                        const clod_series_mark *mark, clod_status *status);
 
+#define CLOD_SERIES_NUMBER 32 // "%.17g" of a double and a comma need at most 25
+
+/** Print a number with as few digits as read back exactly, or nan; returns the length. */
+size_t clod_series_number(char text[CLOD_SERIES_NUMBER], double value);
+
 /** Append a row of [column_count] values, printed so that they read back exactly. */
 bool clod_series_row(clod_series *self, const double *values, clod_status *status);
 

@@ -61,8 +61,7 @@ bool clod_setup_bounds(const clod_state *state, double low[3], double high[3])
     return low[0] <= high[0];
 }
 
-/** The outlet of a region of the case. */
-static clod_outlet make_outlet(const clod_case_region *from)
+clod_outlet clod_setup_domain_region(const clod_case_region *from)
 {
     clod_outlet self = {0};
     if (from->kind == CLOD_REGION_BOX) {
@@ -84,7 +83,7 @@ static void make_outlets(const clod_case *from, clod_domain *domain)
 {
     domain->outlets = (int32_t)from->outlet_count; // checked at load
     for (int32_t k = 0; k < domain->outlets; k++) {
-        domain->outlet[k] = make_outlet(&from->outlets[k].region);
+        domain->outlet[k] = clod_setup_domain_region(&from->outlets[k].region);
     }
 }
 

@@ -18,3 +18,6 @@ bool clod_setup_bounds(const clod_state *state, double low[3], double high[3]);
  * side.
  */
 void clod_setup_domain(const clod_case *from, clod_state *state);
+
+/** A region of the case as the state has those of outlets. Threads: pure. */
+clod_outlet clod_setup_domain_region(const clod_case_region *from);

@@ -1,5 +1,8 @@
 #include "sim/free_measures.h"
 
+#include "sim/balance.h"
+#include "sim/belt_loads.h"
+#include "sim/gauges.h"
 #include "sim/inlets.h"
 #include "sim/leavers.h"
 #include "sim/residence.h"
@@ -10,6 +13,7 @@
 static const clod_free_measure *const MEASURES[] = {
     &CLOD_MEASURE_LEAVERS,   &CLOD_MEASURE_INLETS,     &CLOD_MEASURE_OUTLETS,
     &CLOD_MEASURE_RESIDENCE, &CLOD_MEASURE_WALL_LOADS, &CLOD_MEASURE_SURFACES,
+    &CLOD_MEASURE_BALANCE,   &CLOD_MEASURE_BELT_LOADS, &CLOD_MEASURE_GAUGES,
 };
 enum { COUNT = sizeof MEASURES / sizeof *MEASURES };
 
@@ -136,4 +140,15 @@ void clod_free_measures_json(json_t *summary, const void *memory, const clod_fre
             json_object_set_new(summary, MEASURES[k]->key, told);
         }
     }
+}
+
+bool clod_free_measures_write(const clod_folder *folder, const void *memory,
+                              const clod_free_moment *now, clod_status *status)
+{
+    bool good = true;
+    for (int k = 0; good && k < COUNT; k++) {
+        good = MEASURES[k]->write == NULL ||
+               MEASURES[k]->write(folder, memory_of(memory, now->from, k), now, status);
+    }
+    return good;
 }

@@ -14,6 +14,7 @@
 #include <stdio.h>
 
 #include "clod/case.h"
+#include "output/folder.h"
 #include "state/contact_source.h"
 
 /** What a measure looks at. */
@@ -47,6 +48,9 @@ typedef struct clod_free_measure {
     void (*report)(FILE *out, const void *memory, const clod_free_moment *now);
     /** The same for programs: a new object or array; NULL when there is nothing to tell. */
     json_t *(*json)(const void *memory, const clod_free_moment *now);
+    /** Files of its own at the end; their names stand in output/folder_names.c. */
+    bool (*write)(const clod_folder *folder, const void *memory, const clod_free_moment *now,
+                  clod_status *status);
 } clod_free_measure;
 
 /** Bytes that all measures of a case remember. */
@@ -77,3 +81,7 @@ void clod_free_measures_report(FILE *out, const void *memory, const clod_free_mo
 
 /** Put each measure's object into the summary under its key. */
 void clod_free_measures_json(json_t *summary, const void *memory, const clod_free_moment *now);
+
+/** Write the files that measures have of their own. */
+bool clod_free_measures_write(const clod_folder *folder, const void *memory,
+                              const clod_free_moment *now, clod_status *status);

@@ -220,8 +220,10 @@ static bool write_summary(clod_job *job, clod_status *status)
         json_object_set_new(root, "from", json_string(job->memory.origin));
     }
     const clod_free_moment now = {sim->from, state, NULL};
-    clod_free_measures_json(root, measures_of(job->procedure.data, sim->from), &now);
-    const bool ok = root != NULL
+    const void *measures = measures_of(job->procedure.data, sim->from);
+    clod_free_measures_json(root, measures, &now);
+    const bool ok = !clod_free_measures_write(sim->folder, measures, &now, status) ? false
+                    : root != NULL
                         ? clod_folder_write_json(sim->folder, "summary.json", root, status)
                         : clod_status_fail(status, CLOD_FAILED, "no memory for %s/summary.json",
                                            sim->directory);

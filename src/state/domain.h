@@ -28,19 +28,24 @@ typedef struct clod_domain {
     clod_outlet outlet[CLOD_OUTLETS];
 } clod_domain;
 
+/** Whether a point is in a region. Threads: pure. */
+static inline bool clod_outlet_has(const clod_outlet *self, const double p[3])
+{
+    bool in = true;
+    for (int a = 0; a < 3; a++) {
+        in = in && p[a] >= self->low[a] && p[a] <= self->high[a];
+    }
+    const double x = p[0] - self->middle[0], y = p[1] - self->middle[1];
+    const double r2 = x * x + y * y;
+    return in && (self->outer == 0.0 ||
+                  (r2 >= self->inner * self->inner && r2 <= self->outer * self->outer));
+}
+
 /** The first outlet that a point is in, or -1. Threads: pure. */
 static inline int clod_domain_outlet(const clod_domain *self, const double p[3])
 {
     for (int32_t k = 0; k < self->outlets; k++) {
-        const clod_outlet *o = &self->outlet[k];
-        bool in = true;
-        for (int a = 0; a < 3; a++) {
-            in = in && p[a] >= o->low[a] && p[a] <= o->high[a];
-        }
-        const double x = p[0] - o->middle[0], y = p[1] - o->middle[1];
-        const double r2 = x * x + y * y;
-        if (in &&
-            (o->outer == 0.0 || (r2 >= o->inner * o->inner && r2 <= o->outer * o->outer))) {
+        if (clod_outlet_has(&self->outlet[k], p)) {
             return (int)k;
         }
     }

@@ -208,6 +208,17 @@ static void defaults_of_time_output_and_bench(void **state)
     same(made->output.snapshot_interval, 0.0);
     same(made->output.checkpoint_interval, 60.0);
     assert_false(made->output.contacts);
+    assert_false(made->output.has_steady_since);
+    assert_int_equal(made->gauge_count, 2);
+    const clod_case_gauge *gauge = &made->gauges[0];
+    same(gauge->direction[0], 2.0);
+    same(gauge->across[1], -1.0);
+    same(gauge->blocked.mass_above, 0.01);
+    same(gauge->blocked.speed_below, 0.02);
+    same(gauge->blocked.duration, 0.3);
+    assert_int_equal(gauge->profile_bins, 20);
+    assert_int_equal(gauge->trajectory_bins, 3);
+    same(made->gauges[1].region.outer_radius, 0.05);
     const clod_case_contact_bench *bench = &made->contact_bench;
     assert_true(bench->present && bench->wall);
     same(bench->adhesion, 1.0);

@@ -1,0 +1,146 @@
+// Rules for gauges, and for the time from which means count.
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/vec3.h"
+#include "config/check.h"
+#include "config/suggest.h"
+
+/** Cosine of the angle between two directions below which they are at right angles. */
+#define ACROSS 1e-6
+
+static void fail(clod_loader *loader, const clod_case_gauge *gauge, const char *key,
+                 const char *text)
+{
+    char path[CLOD_LOAD_PATH];
+    snprintf(path, sizeof path, "gauges.%s%s%s", gauge->name, key[0] == '\0' ? "" : ".", key);
+    clod_check_fail(loader, path, "%s", text);
+}
+
+static bool is_given(const double v[3])
+{
+    return v[0] != 0.0 || v[1] != 0.0 || v[2] != 0.0;
+}
+
+static double cosine(const double a[3], const double b[3])
+{
+    return clod_vec3_dot(clod_vec3_unit(clod_vec3_of(a)), clod_vec3_unit(clod_vec3_of(b)));
+}
+
+static void check_region(clod_loader *loader, const clod_case_gauge *gauge)
+{
+    const clod_case_region *region = &gauge->region;
+    if (region->kind == CLOD_REGION_ANNULUS) {
+        if (region->inner_radius >= region->outer_radius) {
+            fail(loader, gauge, "region.annulus.inner_radius",
+                 "must be smaller than outer_radius");
+        }
+        return;
+    }
+    for (int a = 0; a < 3; a++) {
+        if (region->min[a] >= region->max[a]) {
+            fail(loader, gauge, "region.box.max", "must be larger than min in x, y and z");
+            return;
+        }
+    }
+}
+
+static void check_directions(clod_loader *loader, const clod_case *self,
+                             const clod_case_gauge *gauge)
+{
+    const double *n = gauge->direction;
+    const bool bins = gauge->profile_bins > 0 || gauge->trajectory_bins > 0;
+    const char *which = gauge->profile_bins > 0 ? "profile" : "trajectory";
+    if (!is_given(n)) {
+        if (bins) {
+            fail(loader, gauge, which,
+                 "needs the direction of the stream, for instance direction: [1, 0, 0]");
+        }
+        return;
+    }
+    if (gauge->region.kind == CLOD_REGION_ANNULUS &&
+        fabs(n[2]) < fmax(fabs(n[0]), fabs(n[1]))) {
+        fail(loader, gauge, "direction",
+             "an upright annulus or cylinder measures a stream that goes through its top and "
+             "bottom; where it is more level than upright, make the region a box");
+    }
+    if (is_given(gauge->across)) {
+        if (fabs(cosine(n, gauge->across)) > ACROSS) {
+            fail(loader, gauge, "across", "must be at right angles to direction");
+        }
+    } else if (bins &&
+               (!is_given(self->gravity) || fabs(cosine(n, self->gravity)) > 1.0 - ACROSS)) {
+        fail(loader, gauge, which,
+             "no level direction is across the stream: direction is upright, or there is no "
+             "gravity; give one, for instance across: [0, 1, 0]");
+    }
+}
+
+static bool has_belt(const clod_case_wall *wall)
+{
+    bool found = false;
+    for (size_t s = 0; s < wall->shape_count; s++) {
+        found = found || wall->shapes[s].kind == CLOD_SHAPE_CONVEYOR;
+    }
+    return found;
+}
+
+static void check_belt(clod_loader *loader, const clod_case *self, const clod_case_gauge *gauge)
+{
+    if (gauge->belt == NULL) {
+        return;
+    }
+    char text[160], hint[64];
+    clod_suggest near = clod_suggest_start(gauge->belt);
+    for (size_t w = 0; w < self->wall_count; w++) {
+        const bool belt = has_belt(&self->walls[w]);
+        if (belt && strcmp(self->walls[w].name, gauge->belt) == 0) {
+            return;
+        }
+        if (belt) {
+            clod_suggest_offer(&near, self->walls[w].name);
+        }
+    }
+    const char *found = clod_suggest_text(&near, hint, sizeof hint);
+    snprintf(text, sizeof text, "there is no wall %s with a belt among its shapes%s",
+             gauge->belt, found[0] != '\0' ? found : "; name one that has, or remove this key");
+    fail(loader, gauge, "belt", text);
+}
+
+/** Whether the means begin before the run ends. */
+static void check_since(clod_loader *loader, const clod_case *self)
+{
+    double whole = 0.0;
+    for (size_t s = 0; s < self->stage_count; s++) {
+        whole += self->stages[s].duration;
+    }
+    if (self->output.has_steady_since && self->stage_count > 0 &&
+        self->output.steady_since >= whole) {
+        clod_check_fail(loader, "output.steady_since",
+                        "must be before the end of the run: its stages last %.6g s together",
+                        whole);
+    }
+}
+
+void clod_check_gauges(clod_loader *loader, const clod_case *self)
+{
+    for (size_t k = 0; k < self->gauge_count; k++) {
+        const clod_case_gauge *gauge = &self->gauges[k];
+        char path[CLOD_LOAD_PATH];
+        snprintf(path, sizeof path, "gauges.%s", gauge->name);
+        if (clod_report_clean(loader->report, path)) {
+            check_region(loader, gauge);
+            check_directions(loader, self, gauge);
+            check_belt(loader, self, gauge);
+        }
+    }
+    if (self->gauge_count > CLOD_CASE_GAUGES) {
+        clod_check_fail(loader, "gauges", "has %zu gauges; at most %d", self->gauge_count,
+                        CLOD_CASE_GAUGES);
+    }
+    if (clod_report_clean(loader->report, "stages")) {
+        check_since(loader, self);
+    }
+}

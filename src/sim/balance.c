@@ -1,0 +1,308 @@
+#include "sim/balance.h"
+
+#include <inttypes.h>
+#include <math.h>
+
+#include "parallel/exact.h"
+#include "setup/grains.h"
+
+/** Ways out, and removal by the run itself. */
+#define WAYS (CLOD_EXITS + 1)
+
+static const char *const SIDE[CLOD_FACES] = {"x_min", "x_max", "y_min",
+                                             "y_max", "z_min", "z_max"};
+
+/** Whether grains can come or go. */
+static bool is_open(const clod_case *from)
+{
+    return from->open == CLOD_OPEN_DELETE ||
+           clod_setup_grains_coming(from) + from->outlet_count > 0;
+}
+
+clod_balance_count clod_balance_of(const clod_state *state)
+{
+    const clod_exchange *gone = &state->exchange;
+    clod_balance_count self = {.time = state->time,
+                               .mass_in = gone->added_mass,
+                               .in = gone->added,
+                               .inside = (int64_t)state->grains.count};
+    clod_exact mass = {0};
+    for (size_t g = 0; g < state->grains.count; g++) {
+        clod_exact_add(&mass, state->grains.velocity[g][3]);
+    }
+    self.mass_inside = clod_exact_value(&mass);
+    for (int e = 0; e < CLOD_EXITS; e++) {
+        self.mass_out[e] = gone->left_mass[e];
+        self.out[e] = gone->left[e];
+    }
+    self.mass_out[CLOD_EXITS] = gone->removed_mass;
+    self.out[CLOD_EXITS] = gone->removed;
+    return self;
+}
+
+static size_t balance_size(const clod_case *from)
+{
+    return is_open(from) ? sizeof(clod_balance) : 0;
+}
+
+/** Note the edges of blocks that are behind by now. */
+static void note(clod_balance *self, const clod_case *from, const clod_state *state)
+{
+    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
+    const int edges = clod_steady_time_edges(&steady, state->time);
+    if (self->edges < edges) {
+        const clod_balance_count now = clod_balance_of(state);
+        while (self->edges < edges) {
+            self->edge[self->edges++] = now;
+        }
+    }
+}
+
+static void balance_begin(void *memory, const clod_case *from, const clod_state *state)
+{
+    clod_balance *self = memory;
+    if (is_open(from)) {
+        self->begin = state->time;
+        self->start = clod_balance_of(state);
+        note(self, from, state);
+    }
+}
+
+static bool balance_act(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    (void)status;
+    if (is_open(now->from)) {
+        note(memory, now->from, now->state);
+    }
+    return true;
+}
+
+/** Steps to the next edge, or one of those before it. */
+static int64_t balance_plan(const void *memory, const clod_case *from, const clod_state *state)
+{
+    const clod_balance *self = memory;
+    if (!is_open(from) || self->edges > CLOD_STEADY_BLOCKS) {
+        return INT64_MAX;
+    }
+    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
+    const double at = steady.since + (double)self->edges * steady.block;
+    const double steps = ceil((at - state->time) / state->dt - 1e-6);
+    return steps > 1.0 ? (int64_t)fmin(steps, 1e15) : 1;
+}
+
+/** The end of the run is seen here: after it nothing acts. */
+static bool balance_look(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    return balance_act(memory, now, status);
+}
+
+// ---- what is told
+
+/** Name of a way out. */
+static const char *name_of(const clod_case *from, int way)
+{
+    return way < CLOD_FACES   ? SIDE[way]
+           : way < CLOD_EXITS ? from->outlets[way - CLOD_FACES].name
+                              : "removed";
+}
+
+/** Whether this way is told: an outlet, or a side that grains have left by, or can where there
+ *  are no outlets. */
+static bool is_way(const clod_case *from, const clod_balance_count *now, int way)
+{
+    if (way < CLOD_FACES) {
+        return now->out[way] > 0 || (from->outlet_count == 0 && !from->periodic[way / 2] &&
+                                     from->open == CLOD_OPEN_DELETE);
+    }
+    return way < CLOD_EXITS ? (size_t)(way - CLOD_FACES) < from->outlet_count
+                            : now->out[CLOD_EXITS] > 0;
+}
+
+/** Whether what goes this way has missed the one that was meant. */
+static bool is_spillage(const clod_case *from, int way)
+{
+    if (way < CLOD_FACES) {
+        return from->outlet_count > 0;
+    }
+    const size_t outlet = (size_t)(way - CLOD_FACES);
+    return outlet < from->outlet_count && from->outlets[outlet].spillage;
+}
+
+/** What has come and gone since the beginning. */
+static clod_balance_count since_start(const clod_balance_count *start, const clod_state *state)
+{
+    clod_balance_count self = clod_balance_of(state);
+    self.in -= start->in;
+    self.mass_in -= start->mass_in;
+    for (int e = 0; e < WAYS; e++) {
+        self.out[e] -= start->out[e];
+        self.mass_out[e] -= start->mass_out[e];
+    }
+    return self;
+}
+
+/** Sums of ways out: of all of them, or only of spillage. */
+static double sum_out(const clod_case *from, const clod_balance_count *now, bool only_spillage,
+                      int64_t *grains)
+{
+    double mass = 0.0;
+    *grains = 0;
+    for (int e = 0; e < WAYS; e++) {
+        if (!only_spillage || is_spillage(from, e)) {
+            mass += now->mass_out[e];
+            *grains += now->out[e];
+        }
+    }
+    return mass;
+}
+
+/** Which flow. */
+enum { FLOW_IN = WAYS, FLOW_SPILLED, FLOW_STORED };
+
+static double amount(const clod_case *from, const clod_balance_count *count, int flow)
+{
+    int64_t unused;
+    return flow == FLOW_IN        ? count->mass_in
+           : flow == FLOW_SPILLED ? sum_out(from, count, true, &unused)
+           : flow == FLOW_STORED  ? count->mass_inside
+                                  : count->mass_out[flow];
+}
+
+/** Mean over the blocks, and their standard deviation [kg/s]; NAN without a whole block. */
+static void flow_of(const clod_balance *self, const clod_case *from, int flow, double told[2])
+{
+    double each[CLOD_STEADY_BLOCKS];
+    const int blocks = (int)self->edges - 1;
+    for (int b = 0; b < blocks; b++) {
+        const double gain =
+            amount(from, &self->edge[b + 1], flow) - amount(from, &self->edge[b], flow);
+        each[b] = gain / (self->edge[b + 1].time - self->edge[b].time);
+    }
+    told[0] = told[1] = (double)NAN;
+    if (blocks > 0) {
+        const clod_balance_count *first = &self->edge[0], *last = &self->edge[blocks];
+        told[0] =
+            (amount(from, last, flow) - amount(from, first, flow)) / (last->time - first->time);
+        told[1] = clod_steady_time_deviation(each, blocks);
+    }
+}
+
+static void put_line(FILE *out, const char *kind, const char *name, int64_t grains, double mass,
+                     const double flow[2])
+{
+    char text[64];
+    snprintf(text, sizeof text, "%s%s", kind, name);
+    fprintf(out, "    %-19s %12" PRId64 " %14.6g", text, grains, mass);
+    if (flow != NULL && !isnan(flow[0])) {
+        fprintf(out, " %12.4g +- %.2g", flow[0], isnan(flow[1]) ? 0.0 : flow[1]);
+    }
+    fprintf(out, "\n");
+}
+
+/** Grains and mass that are missing: what came and was there, less what left and is there. */
+static double lost(const clod_case *from, const clod_balance *self,
+                   const clod_balance_count *now, int64_t *grains)
+{
+    int64_t out;
+    const double mass_out = sum_out(from, now, false, &out);
+    *grains = self->start.inside + now->in - out - now->inside;
+    return self->start.mass_inside + now->mass_in - mass_out - now->mass_inside;
+}
+
+static void balance_report(FILE *out, const void *memory, const clod_free_moment *now)
+{
+    const clod_balance *self = memory;
+    const clod_case *from = now->from;
+    if (!is_open(from)) {
+        return;
+    }
+    const clod_balance_count count = since_start(&self->start, now->state);
+    double flow[2];
+    int64_t grains;
+    fprintf(out, "  balance                     grains             kg");
+    if (self->edges > 1) {
+        fprintf(out, "         kg/s, %.4g to %.4g s", self->edge[0].time,
+                self->edge[self->edges - 1].time);
+    }
+    fprintf(out, "\n");
+    put_line(out, "at the start", "", self->start.inside, self->start.mass_inside, NULL);
+    flow_of(self, from, FLOW_IN, flow);
+    put_line(out, "came in", "", count.in, count.mass_in, flow);
+    for (int e = 0; e < WAYS; e++) {
+        if (is_way(from, &count, e)) {
+            flow_of(self, from, e, flow);
+            put_line(out, is_spillage(from, e) ? "spilled " : "left ", name_of(from, e),
+                     count.out[e], count.mass_out[e], flow);
+        }
+    }
+    flow_of(self, from, FLOW_STORED, flow);
+    put_line(out, "inside", "", count.inside, count.mass_inside, flow);
+    const double mass = lost(from, self, &count, &grains);
+    put_line(out, "lost", "", grains, mass, NULL);
+}
+
+static json_t *number(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
+static json_t *entry(const clod_balance *self, const clod_case *from, int64_t grains,
+                     double mass, int flow)
+{
+    double told[2];
+    flow_of(self, from, flow, told);
+    return json_pack("{s:I, s:f, s:{s:o, s:o}}", "grains", (json_int_t)grains, "mass_kg", mass,
+                     "flow_kg_per_s", "mean", number(told[0]), "deviation", number(told[1]));
+}
+
+/** As in the columns of the series. */
+static const char *key_of(const clod_case *from, int way, char *text, size_t size)
+{
+    snprintf(text, size, "%s%s",
+             way < CLOD_FACES   ? "left_"
+             : way < CLOD_EXITS ? "outlet_"
+                                : "",
+             name_of(from, way));
+    return text;
+}
+
+static json_t *balance_json(const void *memory, const clod_free_moment *now)
+{
+    const clod_balance *self = memory;
+    const clod_case *from = now->from;
+    if (!is_open(from)) {
+        return NULL;
+    }
+    const clod_balance_count count = since_start(&self->start, now->state);
+    json_t *exits = json_object();
+    char key[64];
+    for (int e = 0; e < WAYS; e++) {
+        if (is_way(from, &count, e)) {
+            json_t *one = entry(self, from, count.out[e], count.mass_out[e], e);
+            json_object_set_new(one, "spillage", json_boolean(is_spillage(from, e)));
+            json_object_set_new(exits, key_of(from, e, key, sizeof key), one);
+        }
+    }
+    int64_t spilled, grains;
+    const double spilled_mass = sum_out(from, &count, true, &spilled);
+    const double mass = lost(from, self, &count, &grains);
+    const double nan = (double)NAN;
+    const bool steady = self->edges > 1;
+    return json_pack("{s:o, s:o, s:{s:I, s:f}, s:o, s:o, s:o, s:o, s:{s:I, s:f}}", "since_s",
+                     number(steady ? self->edge[0].time : nan), "until_s",
+                     number(steady ? self->edge[self->edges - 1].time : nan), "start", "grains",
+                     (json_int_t)self->start.inside, "mass_kg", self->start.mass_inside, "in",
+                     entry(self, from, count.in, count.mass_in, FLOW_IN), "out", exits,
+                     "spillage", entry(self, from, spilled, spilled_mass, FLOW_SPILLED),
+                     "inside", entry(self, from, count.inside, count.mass_inside, FLOW_STORED),
+                     "lost", "grains", (json_int_t)grains, "mass_kg", mass);
+}
+
+const clod_free_measure CLOD_MEASURE_BALANCE = {.key = "balance",
+                                                .size = balance_size,
+                                                .begin = balance_begin,
+                                                .act = balance_act,
+                                                .plan = balance_plan,
+                                                .look = balance_look,
+                                                .report = balance_report,
+                                                .json = balance_json};

@@ -1,0 +1,277 @@
+#include "sim/belt_loads.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "sim/outputs.h"
+#include "sim/steady_time.h"
+
+/** Simulated time from one look to the next [s]: blocks of the means begin at one. */
+#define INTERVAL 1e-3
+
+/** What one belt remembers; plain data. */
+typedef struct belt_memory {
+    double seen;  ///< J since the last row that have been taken
+    double since; ///< s, time up to which they are
+    double row_work, row_travel, row_time;
+    double work[CLOD_STEADY_BLOCKS];   ///< J
+    double travel[CLOD_STEADY_BLOCKS]; ///< m
+    double time[CLOD_STEADY_BLOCKS];   ///< s
+} belt_memory;
+
+typedef struct belts {
+    double begin; ///< s, time at which the run began
+    int64_t next; ///< step of the next look
+    belt_memory belt[];
+} belts;
+
+static bool is_still(const double v[3])
+{
+    return v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0;
+}
+
+static bool surface_rests(const clod_case_surface *surface)
+{
+    return is_still(surface->velocity) && surface->speed == 0.0 && surface->spin == 0.0;
+}
+
+static bool shape_rests(const clod_case_shape *shape)
+{
+    bool rests = surface_rests(&shape->surface);
+    for (size_t p = 0; p < shape->part_count; p++) {
+        rests = rests && surface_rests(&shape->parts[p]);
+    }
+    return rests;
+}
+
+/** Whether a stage moves the wall. */
+static bool is_moved(const clod_case *from, const char *name)
+{
+    for (size_t s = 0; s < from->stage_count; s++) {
+        for (size_t c = 0; c < from->stages[s].wall_count; c++) {
+            const clod_case_wall_change *change = &from->stages[s].walls[c];
+            if (strcmp(change->name, name) == 0) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/** The one speed of a wall's belts; 0 when there is none. */
+static double speed_of(const clod_case *from, const clod_case_wall *wall)
+{
+    double speed = 0.0;
+    bool good = is_still(wall->velocity) && is_still(wall->surface_velocity) &&
+                wall->spin == 0.0 && wall->load == CLOD_LOAD_NONE &&
+                wall->oscillation.frequency == 0.0 && !is_moved(from, wall->name);
+    for (size_t s = 0; s < wall->shape_count; s++) {
+        const clod_case_shape *shape = &wall->shapes[s];
+        if (shape->kind == CLOD_SHAPE_CONVEYOR) {
+            good = good && (speed == 0.0 || speed == shape->belt.speed);
+            speed = shape->belt.speed;
+        } else {
+            good = good && shape_rests(shape);
+        }
+    }
+    return good ? speed : 0.0;
+}
+
+/** Wall of the belt with a number, from 0; its count when there are fewer. */
+static size_t wall_of(const clod_case *from, size_t number)
+{
+    size_t w = 0;
+    for (; w < from->wall_count; w++) {
+        if (speed_of(from, &from->walls[w]) != 0.0 && number-- == 0) {
+            break;
+        }
+    }
+    return w;
+}
+
+static size_t count_of(const clod_case *from)
+{
+    size_t count = 0;
+    while (wall_of(from, count) < from->wall_count) {
+        count++;
+    }
+    return count;
+}
+
+/** Time for which a belt of this start-up would have run at full speed for its way so far. */
+static double running_time(const clod_case_start_up *start_up, double time)
+{
+    const double since = fmax(0.0, time - start_up->at), ramp = start_up->duration;
+    return since < ramp ? 0.5 * since * since / ramp : since - 0.5 * ramp;
+}
+
+static size_t belts_size(const clod_case *from)
+{
+    const size_t count = count_of(from);
+    return count > 0 ? sizeof(belts) + count * sizeof(belt_memory) : 0;
+}
+
+static void belts_begin(void *memory, const clod_case *from, const clod_state *state)
+{
+    belts *self = memory;
+    const size_t count = count_of(from);
+    if (count == 0) {
+        return;
+    }
+    self->begin = state->time;
+    self->next = state->step;
+    for (size_t k = 0; k < count; k++) {
+        self->belt[k].since = state->time;
+    }
+}
+
+static int64_t belts_plan(const void *memory, const clod_case *from, const clod_state *state)
+{
+    const belts *self = memory;
+    return count_of(from) > 0 && self->next > state->step ? self->next - state->step
+                                                          : INT64_MAX;
+}
+
+/** Take what belt k has done since the last time. */
+static void take(belts *self, const clod_case *from, const clod_state *state, size_t k)
+{
+    const size_t w = wall_of(from, k);
+    const clod_case_wall *wall = &from->walls[w];
+    belt_memory *mine = &self->belt[k];
+    const double work = state->walls.wall[w].sum_power * state->dt;
+    const double travel =
+        fabs(speed_of(from, wall)) * (running_time(&wall->start_up, state->time) -
+                                      running_time(&wall->start_up, mine->since));
+    const double time = state->time - mine->since;
+    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
+    const int block = clod_steady_time_block(&steady, mine->since);
+    mine->row_work += work - mine->seen;
+    mine->row_travel += travel;
+    mine->row_time += time;
+    if (block >= 0) {
+        mine->work[block] += work - mine->seen;
+        mine->travel[block] += travel;
+        mine->time[block] += time;
+    }
+    mine->seen = work;
+    mine->since = state->time;
+}
+
+static bool belts_act(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    (void)status;
+    belts *self = memory;
+    const size_t count = count_of(now->from);
+    if (count == 0 || now->state->step != self->next) {
+        return true;
+    }
+    self->next = clod_outputs_next(INTERVAL, now->state->dt, now->state->step);
+    for (size_t k = 0; k < count; k++) {
+        take(self, now->from, now->state, k);
+    }
+    return true;
+}
+
+// ---- what is told
+
+static const char *const COLUMN[] = {"belt_speed [m/s]", "pull [N]"};
+#define PER_BELT (sizeof COLUMN / sizeof *COLUMN)
+
+static size_t belts_columns(const clod_case *from, const clod_state *state)
+{
+    (void)state;
+    return PER_BELT * count_of(from);
+}
+
+static void belts_column(const clod_case *from, const clod_state *state, size_t k, char *text,
+                         size_t size)
+{
+    (void)state;
+    snprintf(text, size, "%s.%s", from->walls[wall_of(from, k / PER_BELT)].name,
+             COLUMN[k % PER_BELT]);
+}
+
+static double over(double a, double b)
+{
+    return b > 0.0 ? a / b : (double)NAN;
+}
+
+static void belts_row(void *memory, const clod_free_moment *now, double *row)
+{
+    belts *self = memory;
+    for (size_t k = 0; k < count_of(now->from); k++) {
+        belt_memory *mine = &self->belt[k];
+        take(self, now->from, now->state, k);
+        row[PER_BELT * k] = over(mine->row_travel, mine->row_time);
+        row[PER_BELT * k + 1] = over(mine->row_work, mine->row_travel);
+        mine->seen = 0.0; // the walls' sums begin anew after a row
+        mine->row_work = mine->row_travel = mine->row_time = 0.0;
+    }
+}
+
+/** Mean over the blocks, and their standard deviation, of one sum over another. */
+static void spread(const double *a, const double *b, double told[2])
+{
+    double each[CLOD_STEADY_BLOCKS], sum_a = 0.0, sum_b = 0.0;
+    for (int k = 0; k < CLOD_STEADY_BLOCKS; k++) {
+        each[k] = over(a[k], b[k]);
+        sum_a += a[k];
+        sum_b += b[k];
+    }
+    told[0] = over(sum_a, sum_b);
+    told[1] = clod_steady_time_deviation(each, CLOD_STEADY_BLOCKS);
+}
+
+static void belts_report(FILE *out, const void *memory, const clod_free_moment *now)
+{
+    const belts *self = memory;
+    for (size_t k = 0; k < count_of(now->from); k++) {
+        const belt_memory *mine = &self->belt[k];
+        double power[2], pull[2];
+        spread(mine->work, mine->time, power);
+        spread(mine->work, mine->travel, pull);
+        if (!isnan(power[0])) {
+            fprintf(out, "  belt %-16s power %.4g +- %.2g W, pull of the load %.4g +- %.2g N\n",
+                    now->from->walls[wall_of(now->from, k)].name, power[0], power[1], pull[0],
+                    pull[1]);
+        }
+    }
+}
+
+static json_t *number(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
+static json_t *belts_json(const void *memory, const clod_free_moment *now)
+{
+    const belts *self = memory;
+    if (count_of(now->from) == 0) {
+        return NULL;
+    }
+    json_t *all = json_object();
+    for (size_t k = 0; k < count_of(now->from); k++) {
+        const belt_memory *mine = &self->belt[k];
+        double power[2], pull[2], speed[2];
+        spread(mine->work, mine->time, power);
+        spread(mine->work, mine->travel, pull);
+        spread(mine->travel, mine->time, speed);
+        json_object_set_new(all, now->from->walls[wall_of(now->from, k)].name,
+                            json_pack("{s:o, s:{s:o, s:o}, s:{s:o, s:o}}", "speed_m_per_s",
+                                      number(speed[0]), "power_W", "mean", number(power[0]),
+                                      "deviation", number(power[1]), "pull_N", "mean",
+                                      number(pull[0]), "deviation", number(pull[1])));
+    }
+    return all;
+}
+
+const clod_free_measure CLOD_MEASURE_BELT_LOADS = {.key = "belts",
+                                                   .size = belts_size,
+                                                   .begin = belts_begin,
+                                                   .act = belts_act,
+                                                   .plan = belts_plan,
+                                                   .columns = belts_columns,
+                                                   .column = belts_column,
+                                                   .row = belts_row,
+                                                   .report = belts_report,
+                                                   .json = belts_json};

@@ -1,0 +1,265 @@
+#include "sim/gauges.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "setup/domain.h"
+#include "sim/outputs.h"
+
+clod_gauge clod_gauges_make(const clod_case *from, const clod_case_gauge *gauge)
+{
+    const clod_outlet region = clod_setup_domain_region(&gauge->region);
+    return clod_gauge_of(&region, gauge->direction, gauge->across, from->gravity);
+}
+
+bool clod_gauges_tell(const clod_case *from, const clod_case_gauge *gauge, int value)
+{
+    const clod_gauge made = clod_gauges_make(from, gauge);
+    switch (CLOD_GAUGE_VALUE[value].need) {
+    case CLOD_GAUGE_DIRECTION:
+        return clod_vec3_length(made.direction) > 0.0;
+    case CLOD_GAUGE_ACROSS:
+        return clod_vec3_length(made.across) > 0.0;
+    case CLOD_GAUGE_ALARM:
+        return gauge->has_blocked;
+    case CLOD_GAUGE_BELT:
+        return gauge->belt != NULL;
+    default:
+        return true;
+    }
+}
+
+static size_t gauges_size(const clod_case *from)
+{
+    return from->gauge_count > 0
+               ? sizeof(clod_gauges) + from->gauge_count * sizeof(clod_gauge_memory)
+               : 0;
+}
+
+static void gauges_begin(void *memory, const clod_case *from, const clod_state *state)
+{
+    clod_gauges *self = memory;
+    if (from->gauge_count == 0) {
+        return;
+    }
+    self->begin = state->time;
+    self->next = state->step;
+    for (size_t k = 0; k < from->gauge_count; k++) {
+        self->gauge[k].work_step = state->step;
+        self->gauge[k].alarm = (clod_gauge_alarm){.slow_since = -1, .first = -1};
+    }
+}
+
+static int64_t gauges_plan(const void *memory, const clod_case *from, const clod_state *state)
+{
+    const clod_gauges *self = memory;
+    return from->gauge_count > 0 && self->next > state->step ? self->next - state->step
+                                                             : INT64_MAX;
+}
+
+// ---- one look
+
+static void add_sums(double *to, const double *sums)
+{
+    for (int k = 0; k < CLOD_GAUGE_SUMS; k++) {
+        to[k] += sums[k];
+    }
+}
+
+static const clod_wall *find_wall(const clod_state *state, const char *name)
+{
+    for (int32_t w = 0; name != NULL && w < state->walls.count; w++) {
+        if (strcmp(state->walls.wall[w].name, name) == 0) {
+            return &state->walls.wall[w];
+        }
+    }
+    return NULL;
+}
+
+/** What the belt has done since this was asked last. */
+static void take_work(clod_gauge_memory *self, const clod_case_gauge *gauge,
+                      const clod_state *state, double *sums)
+{
+    const clod_wall *wall = find_wall(state, gauge->belt);
+    if (wall != NULL) {
+        const double work = wall->sum_power * state->dt;
+        sums[CLOD_GAUGE_WORK] = work - self->work_seen;
+        sums[CLOD_GAUGE_TIME] = (double)(state->step - self->work_step) * state->dt;
+        self->work_seen = work;
+    }
+    self->work_step = state->step;
+}
+
+/** Whether there is an alarm at this look. */
+static bool watch(clod_gauge_alarm *self, const clod_case_gauge *gauge, const double *sums,
+                  const clod_state *state)
+{
+    const clod_case_blocked *limit = &gauge->blocked;
+    const double mass = sums[CLOD_GAUGE_MASS];
+    const bool slow = gauge->has_blocked && mass >= limit->mass_above &&
+                      sums[CLOD_GAUGE_SPEED] <= limit->speed_below * mass;
+    if (!slow) {
+        self->slow_since = -1;
+        self->on = 0;
+        return false;
+    }
+    self->slow_since = self->slow_since < 0 ? state->step : self->slow_since;
+    const double steps = (double)(state->step - self->slow_since);
+    const bool on = steps >= round(limit->duration / state->dt);
+    if (on && self->on == 0) {
+        self->alarms++;
+        self->first = self->first < 0 ? self->slow_since : self->first;
+    }
+    self->on = on;
+    return on;
+}
+
+/** Bins count only in the steady time. */
+static bool look_at_bins(clod_gauge_memory *self, const clod_case_gauge *from,
+                         const clod_gauge *gauge, const clod_state *state, clod_status *status)
+{
+    const clod_gauge_axis across = clod_gauge_axis_of(gauge, gauge->across, from->profile_bins);
+    const clod_gauge_axis along =
+        clod_gauge_axis_of(gauge, gauge->direction, from->trajectory_bins);
+    return (across.count == 0 ||
+            clod_gauge_bins_look(&self->profile, gauge, &across, state, status)) &&
+           (along.count == 0 ||
+            clod_gauge_bins_look(&self->trajectory, gauge, &along, state, status));
+}
+
+static bool gauges_act(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    clod_gauges *self = memory;
+    const clod_case *from = now->from;
+    const clod_state *state = now->state;
+    if (from->gauge_count == 0 || state->step != self->next) {
+        return true;
+    }
+    self->next = clod_outputs_next(CLOD_GAUGES_INTERVAL, state->dt, state->step);
+    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
+    const int block = clod_steady_time_block(&steady, state->time);
+    double all[CLOD_GAUGE_SUMS] = {0}, sums[CLOD_GAUGE_SUMS];
+    clod_gauge_look_at_all(state, all);
+    for (size_t k = 0; k < from->gauge_count; k++) {
+        clod_gauge_memory *mine = &self->gauge[k];
+        const clod_gauge gauge = clod_gauges_make(from, &from->gauges[k]);
+        clod_gauge_look(&gauge, state, sums);
+        sums[CLOD_GAUGE_ALL_MASS] = all[CLOD_GAUGE_ALL_MASS];
+        sums[CLOD_GAUGE_ALL_RADIUS] = all[CLOD_GAUGE_ALL_RADIUS];
+        sums[CLOD_GAUGE_BLOCKED] = watch(&mine->alarm, &from->gauges[k], sums, state);
+        take_work(mine, &from->gauges[k], state, sums);
+        add_sums(mine->row, sums);
+        if (block >= 0) {
+            add_sums(mine->block[block], sums);
+            if (!look_at_bins(mine, &from->gauges[k], &gauge, state, status)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/** A row with no look since the last one has that of its own moment. */
+static bool gauges_look(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    (void)status;
+    clod_gauges *self = memory;
+    const clod_case *from = now->from;
+    double sums[CLOD_GAUGE_SUMS];
+    for (size_t k = 0; k < from->gauge_count; k++) {
+        clod_gauge_memory *mine = &self->gauge[k];
+        if (mine->row[CLOD_GAUGE_LOOKS] == 0.0) {
+            const clod_gauge gauge = clod_gauges_make(from, &from->gauges[k]);
+            clod_gauge_look(&gauge, now->state, sums);
+            clod_gauge_look_at_all(now->state, sums);
+            sums[CLOD_GAUGE_BLOCKED] = (double)mine->alarm.on;
+            add_sums(mine->row, sums);
+        }
+    }
+    return true;
+}
+
+// ---- the series
+
+/** Number of columns of one gauge. */
+static size_t columns_of(const clod_case *from, const clod_case_gauge *gauge)
+{
+    size_t count = 0;
+    for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
+        count += clod_gauges_tell(from, gauge, v);
+    }
+    return count;
+}
+
+static size_t gauges_columns(const clod_case *from, const clod_state *state)
+{
+    (void)state;
+    size_t count = 0;
+    for (size_t k = 0; k < from->gauge_count; k++) {
+        count += columns_of(from, &from->gauges[k]);
+    }
+    return count;
+}
+
+static void gauges_column(const clod_case *from, const clod_state *state, size_t k, char *text,
+                          size_t size)
+{
+    (void)state;
+    const clod_case_gauge *gauge = from->gauges;
+    for (size_t columns; k >= (columns = columns_of(from, gauge)); gauge++) {
+        k -= columns;
+    }
+    int value = 0;
+    for (; !clod_gauges_tell(from, gauge, value) || k > 0; value++) {
+        k -= clod_gauges_tell(from, gauge, value);
+    }
+    snprintf(text, size, "gauge_%s.%s [%s]", gauge->name, CLOD_GAUGE_VALUE[value].name,
+             CLOD_GAUGE_VALUE[value].unit);
+}
+
+/** The work up to now counts in this row; after it the walls' sums begin anew. */
+static void finish_row(clod_gauge_memory *self, const clod_case_gauge *gauge,
+                       const clod_state *state, int block)
+{
+    double sums[CLOD_GAUGE_SUMS] = {0};
+    take_work(self, gauge, state, sums);
+    self->work_seen = 0.0;
+    add_sums(self->row, sums);
+    if (block >= 0) {
+        add_sums(self->block[block], sums);
+    }
+}
+
+static void gauges_row(void *memory, const clod_free_moment *now, double *row)
+{
+    clod_gauges *self = memory;
+    const clod_case *from = now->from;
+    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
+    const int block = clod_steady_time_block(&steady, now->state->time);
+    for (size_t k = 0; k < from->gauge_count; k++) {
+        clod_gauge_memory *mine = &self->gauge[k];
+        const clod_gauge gauge = clod_gauges_make(from, &from->gauges[k]);
+        double values[CLOD_GAUGE_VALUES];
+        finish_row(mine, &from->gauges[k], now->state, block);
+        clod_gauge_values(&gauge, mine->row, values);
+        memset(mine->row, 0, sizeof mine->row);
+        for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
+            if (clod_gauges_tell(from, &from->gauges[k], v)) {
+                *row++ = values[v];
+            }
+        }
+    }
+}
+
+const clod_free_measure CLOD_MEASURE_GAUGES = {.key = "gauges",
+                                               .size = gauges_size,
+                                               .begin = gauges_begin,
+                                               .act = gauges_act,
+                                               .plan = gauges_plan,
+                                               .look = gauges_look,
+                                               .columns = gauges_columns,
+                                               .column = gauges_column,
+                                               .row = gauges_row,
+                                               .report = clod_gauges_report,
+                                               .json = clod_gauges_json,
+                                               .write = clod_gauges_write};

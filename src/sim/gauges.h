@@ -1,0 +1,57 @@
+#pragma once
+/**
+ * @file gauges.h
+ * The stream in the gauges of the case (docs/gauges.md): a measure of free runs. They are looked
+ * at every CLOD_GAUGES_INTERVAL of simulated time.
+ */
+
+#include "measure/gauge_bins.h"
+#include "sim/free_measures.h"
+#include "sim/steady_time.h"
+
+/** Simulated time from one look to the next [s]. */
+#define CLOD_GAUGES_INTERVAL 1e-3
+
+/** Alarm of one gauge. */
+typedef struct clod_gauge_alarm {
+    int64_t
+        slow_since; ///< step since which it has held much that hardly moves; -1: it does not
+    int64_t first;  ///< step at which what led to the first alarm began; -1: none yet
+    int64_t alarms; ///< so many so far
+    int64_t on;     ///< there is one now
+} clod_gauge_alarm;
+
+/** What one gauge remembers; plain data. */
+typedef struct clod_gauge_memory {
+    double row[CLOD_GAUGE_SUMS]; ///< since the last row of the series
+    double block[CLOD_STEADY_BLOCKS][CLOD_GAUGE_SUMS];
+    double work_seen;  ///< J of the belt since the last row that are in the sums
+    int64_t work_step; ///< up to which they are
+    clod_gauge_alarm alarm;
+    clod_gauge_bins profile, trajectory; ///< of the steady time
+} clod_gauge_memory;
+
+/** All gauges of a case. */
+typedef struct clod_gauges {
+    double begin; ///< s, time at which the run began
+    int64_t next; ///< step of the next look
+    clod_gauge_memory gauge[];
+} clod_gauges;
+
+/** A gauge of the case. */
+clod_gauge clod_gauges_make(const clod_case *from, const clod_case_gauge *gauge);
+
+/** Whether a gauge of the case has what a value needs. */
+bool clod_gauges_tell(const clod_case *from, const clod_case_gauge *gauge, int value);
+
+/** Lines of the report, object of the summary, tables (gauges_report.c, gauges_table.c). */
+void clod_gauges_report(FILE *out, const void *memory, const clod_free_moment *now);
+json_t *clod_gauges_json(const void *memory, const clod_free_moment *now);
+bool clod_gauges_write(const clod_folder *folder, const void *memory,
+                       const clod_free_moment *now, clod_status *status);
+
+/**
+ * Errors  CLOD_FAILED: memory.   Threads  one per state.
+ * Test    tests/cli/test_gauges.py
+ */
+extern const clod_free_measure CLOD_MEASURE_GAUGES;

@@ -1,0 +1,219 @@
+// What gauges tell at the end: lines of the report, and their object in the summary.
+
+#include <inttypes.h>
+#include <math.h>
+
+#include "base/plural.h"
+#include "sim/gauges.h"
+
+#define DEGREE (180.0 / M_PI)
+
+/** Means over the steady time, and the standard deviation of those of its blocks. */
+typedef struct means {
+    int looks;
+    double mean[CLOD_GAUGE_VALUES];
+    double deviation[CLOD_GAUGE_VALUES];
+} means;
+
+static means means_of(const clod_gauge *gauge, const clod_gauge_memory *memory)
+{
+    means self;
+    double whole[CLOD_GAUGE_SUMS] = {0};
+    double values[CLOD_GAUGE_VALUES], each[CLOD_GAUGE_VALUES][CLOD_STEADY_BLOCKS];
+    for (int b = 0; b < CLOD_STEADY_BLOCKS; b++) {
+        for (int k = 0; k < CLOD_GAUGE_SUMS; k++) {
+            whole[k] += memory->block[b][k];
+        }
+        clod_gauge_values(gauge, memory->block[b], values);
+        for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
+            each[v][b] = values[v];
+        }
+    }
+    clod_gauge_values(gauge, whole, self.mean);
+    self.looks = (int)whole[CLOD_GAUGE_LOOKS];
+    for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
+        self.deviation[v] = clod_steady_time_deviation(each[v], CLOD_STEADY_BLOCKS);
+    }
+    return self;
+}
+
+// ---- the report
+
+/** Text of a value with its deviation: "2.5 +- 0.1 m/s". */
+static const char *text_of(const means *self, int value, char *text, size_t size)
+{
+    const double deviation = self->deviation[value];
+    snprintf(text, size, "%.4g +- %.2g%s%s", self->mean[value],
+             isnan(deviation) ? 0.0 : deviation,
+             CLOD_GAUGE_VALUE[value].unit[0] == '1' ? "" : " ", // "1": a pure number
+             CLOD_GAUGE_VALUE[value].unit[0] == '1' ? "" : CLOD_GAUGE_VALUE[value].unit);
+    return text;
+}
+#define TEXT 64
+
+static void report_stream(FILE *out, const clod_case *from, const clod_case_gauge *gauge,
+                          const means *self)
+{
+    char a[TEXT], b[TEXT];
+    fprintf(out, "  gauge %-15s %s inside", gauge->name,
+            text_of(self, CLOD_GAUGE_OF_MASS, a, sizeof a));
+    if (clod_gauges_tell(from, gauge, CLOD_GAUGE_OF_FLOW)) {
+        fprintf(out, ", %s", text_of(self, CLOD_GAUGE_OF_FLOW, a, sizeof a));
+    }
+    if (isnan(self->mean[CLOD_GAUGE_OF_SPEED])) {
+        fprintf(out, "\n");
+        return;
+    }
+    fprintf(out, ", %s", text_of(self, CLOD_GAUGE_OF_SPEED, a, sizeof a));
+    if (clod_gauges_tell(from, gauge, CLOD_GAUGE_OF_ANGLE)) {
+        fprintf(out, ", %s off direction", text_of(self, CLOD_GAUGE_OF_ANGLE, a, sizeof a));
+    }
+    fprintf(out, "\n");
+    if (clod_gauges_tell(from, gauge, CLOD_GAUGE_OF_OFFSET)) {
+        fprintf(out, "  %-21s %s off its middle across, standard deviation %s\n", "",
+                text_of(self, CLOD_GAUGE_OF_OFFSET, a, sizeof a),
+                text_of(self, CLOD_GAUGE_OF_WIDTH, b, sizeof b));
+    }
+}
+
+static clod_gauge_section section_of(const clod_case_gauge *from, const clod_gauge *gauge,
+                                     const clod_gauge_memory *memory)
+{
+    const clod_gauge_axis axis = clod_gauge_axis_of(gauge, gauge->across, from->profile_bins);
+    return clod_gauge_bins_section(&memory->profile, &axis);
+}
+
+static void report_extras(FILE *out, const clod_case_gauge *from, const clod_gauge *gauge,
+                          const clod_gauge_memory *memory, const means *self)
+{
+    if (from->profile_bins > 0) {
+        const clod_gauge_section section = section_of(from, gauge, memory);
+        fprintf(out, "  %-21s cross-section %.4g m2, %.4g m wide", "", section.area,
+                section.width);
+        if (!isnan(section.surcharge)) {
+            fprintf(out, ", surcharge angle %.3g deg", section.surcharge * DEGREE);
+        }
+        fprintf(out, "\n");
+    }
+    if (from->belt != NULL) {
+        fprintf(
+            out, "  %-21s belt %s %.4g W: lifting %.4g W, acceleration %.4g W, heat %.4g W\n",
+            "", from->belt, self->mean[CLOD_GAUGE_OF_POWER], self->mean[CLOD_GAUGE_OF_LIFTING],
+            self->mean[CLOD_GAUGE_OF_ACCELERATION], self->mean[CLOD_GAUGE_OF_HEAT]);
+    }
+}
+
+static void report_alarm(FILE *out, const clod_gauge_alarm *alarm, double dt)
+{
+    if (alarm->alarms > 0) {
+        fprintf(out, "  WARNING               it was blocked, the first time from %.6g s on",
+                (double)alarm->first * dt);
+        if (alarm->on != 0) {
+            fprintf(out, "; it is, since %.6g s", (double)alarm->slow_since * dt);
+        }
+        fprintf(out, " (%" PRId64 " alarm%s)\n", alarm->alarms,
+                clod_plural((double)alarm->alarms));
+    }
+}
+
+void clod_gauges_report(FILE *out, const void *memory, const clod_free_moment *now)
+{
+    const clod_gauges *all = memory;
+    const clod_case *from = now->from;
+    for (size_t k = 0; k < from->gauge_count; k++) {
+        const clod_case_gauge *mine = &from->gauges[k];
+        const clod_gauge gauge = clod_gauges_make(from, mine);
+        const means told = means_of(&gauge, &all->gauge[k]);
+        if (told.looks > 0) {
+            report_stream(out, from, mine, &told);
+            report_extras(out, mine, &gauge, &all->gauge[k], &told);
+        } else {
+            const clod_steady_time steady = clod_steady_time_of(from, all->begin);
+            fprintf(out, "  gauge %-15s no means: the run ended before %.6g s\n", mine->name,
+                    steady.since);
+        }
+        report_alarm(out, &all->gauge[k].alarm, now->state->dt);
+    }
+}
+
+// ---- the summary
+
+static json_t *number(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
+static json_t *bins_json(const clod_gauge_bins *bins, const clod_gauge_axis *axis)
+{
+    json_t *at = json_array(), *lower = json_array(), *mean = json_array();
+    json_t *upper = json_array(), *mass = json_array(), *share = json_array();
+    for (int k = 0; k < axis->count; k++) {
+        const clod_gauge_bin bin = clod_gauge_bins_of(bins, axis, k);
+        json_array_append_new(at, number(bin.at));
+        json_array_append_new(lower, number(bin.lower));
+        json_array_append_new(mean, number(bin.mean));
+        json_array_append_new(upper, number(bin.upper));
+        json_array_append_new(mass, number(bin.mass));
+        json_array_append_new(share, number(bin.share));
+    }
+    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "at_m", at, "lower_m", lower, "mean_m",
+                     mean, "upper_m", upper, "mass_kg", mass, "share", share);
+}
+
+static void put_bins(json_t *object, const clod_case_gauge *from, const clod_gauge *gauge,
+                     const clod_gauge_memory *memory)
+{
+    if (from->profile_bins > 0) {
+        const clod_gauge_axis axis =
+            clod_gauge_axis_of(gauge, gauge->across, from->profile_bins);
+        const clod_gauge_section section = section_of(from, gauge, memory);
+        json_t *profile = bins_json(&memory->profile, &axis);
+        json_object_set_new(profile, "area_m2", number(section.area));
+        json_object_set_new(profile, "width_m", number(section.width));
+        json_object_set_new(profile, "surcharge_deg", number(section.surcharge * DEGREE));
+        json_object_set_new(object, "profile", profile);
+    }
+    if (from->trajectory_bins > 0) {
+        const clod_gauge_axis axis =
+            clod_gauge_axis_of(gauge, gauge->direction, from->trajectory_bins);
+        json_object_set_new(object, "trajectory", bins_json(&memory->trajectory, &axis));
+    }
+}
+
+static void put_alarm(json_t *object, const clod_gauge_alarm *alarm, double dt)
+{
+    json_object_set_new(object, "alarms", json_integer(alarm->alarms));
+    json_object_set_new(object, "blocked_since_s",
+                        alarm->first < 0 ? json_null() : json_real((double)alarm->first * dt));
+    json_object_set_new(object, "blocked_at_end", json_boolean(alarm->on != 0));
+}
+
+json_t *clod_gauges_json(const void *memory, const clod_free_moment *now)
+{
+    const clod_gauges *all = memory;
+    const clod_case *from = now->from;
+    if (from->gauge_count == 0) {
+        return NULL;
+    }
+    const clod_steady_time steady = clod_steady_time_of(from, all->begin);
+    json_t *object = json_object();
+    for (size_t k = 0; k < from->gauge_count; k++) {
+        const clod_case_gauge *mine = &from->gauges[k];
+        const clod_gauge gauge = clod_gauges_make(from, mine);
+        const means told = means_of(&gauge, &all->gauge[k]);
+        json_t *one = json_pack("{s:f, s:i}", "since_s", steady.since, "looks", told.looks);
+        for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
+            if (clod_gauges_tell(from, mine, v)) {
+                json_object_set_new(one, CLOD_GAUGE_VALUE[v].key,
+                                    json_pack("{s:o, s:o}", "mean", number(told.mean[v]),
+                                              "deviation", number(told.deviation[v])));
+            }
+        }
+        put_bins(one, mine, &gauge, &all->gauge[k]);
+        if (mine->has_blocked) {
+            put_alarm(one, &all->gauge[k].alarm, now->state->dt);
+        }
+        json_object_set_new(object, mine->name, one);
+    }
+    return object;
+}

@@ -1,0 +1,46 @@
+#include "sim/steady_time.h"
+
+#include <math.h>
+
+/** Of a block: times are sums and products of decimal numbers. */
+#define ROUNDING 1e-6
+
+clod_steady_time clod_steady_time_of(const clod_case *from, double begin)
+{
+    double whole = 0.0;
+    for (size_t s = 0; s < from->stage_count; s++) {
+        whole += from->stages[s].duration;
+    }
+    const double since =
+        from->output.has_steady_since ? from->output.steady_since : whole * (2.0 / 3.0);
+    return (clod_steady_time){begin + since, (whole - since) / CLOD_STEADY_BLOCKS};
+}
+
+int clod_steady_time_edges(const clod_steady_time *self, double time)
+{
+    const double blocks = floor((time - self->since) / self->block + ROUNDING);
+    return (int)fmin(fmax(blocks + 1.0, 0.0), CLOD_STEADY_BLOCKS + 1);
+}
+
+int clod_steady_time_block(const clod_steady_time *self, double time)
+{
+    const int block = clod_steady_time_edges(self, time) - 1;
+    return block < CLOD_STEADY_BLOCKS ? block : CLOD_STEADY_BLOCKS - 1;
+}
+
+double clod_steady_time_deviation(const double *values, int count)
+{
+    double sum = 0.0, squares = 0.0;
+    int number = 0;
+    for (int k = 0; k < count; k++) {
+        if (!isnan(values[k])) {
+            sum += values[k];
+            number++;
+        }
+    }
+    for (int k = 0; k < count; k++) {
+        const double off = isnan(values[k]) ? 0.0 : values[k] - sum / number;
+        squares += off * off;
+    }
+    return number > 1 ? sqrt(squares / (number - 1)) : (double)NAN;
+}

@@ -1,0 +1,29 @@
+#pragma once
+/**
+ * @file steady_time.h
+ * The part of a free run over which the means of its report are taken, in blocks: their scatter
+ * is that of the means.
+ */
+
+#include "clod/case.h"
+
+#define CLOD_STEADY_BLOCKS 10
+
+/** From a time to the end of the stages. */
+typedef struct clod_steady_time {
+    double since; ///< s, of simulated time
+    double block; ///< s
+} clod_steady_time;
+
+/** @param begin  s, time at which the run began.   Threads: pure. */
+clod_steady_time clod_steady_time_of(const clod_case *from, double begin);
+
+/** Block edges that are behind a time: 0 before the first block, CLOD_STEADY_BLOCKS + 1 at the
+ *  end of the last one. Threads: pure. */
+int clod_steady_time_edges(const clod_steady_time *self, double time);
+
+/** Block that a time is in, or -1 before the first; the end belongs to the last. */
+int clod_steady_time_block(const clod_steady_time *self, double time);
+
+/** Standard deviation of the values that are not NAN; NAN with fewer than two. Threads: pure. */
+double clod_steady_time_deviation(const double *values, int count);
