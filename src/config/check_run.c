@@ -432,6 +432,7 @@ void clod_check_run(clod_loader *loader, clod_case *self)
         check_grains(loader, self, i);
     }
     clod_check_outlets(loader, self);
+    clod_check_clumps(loader, self);
     clod_check_walls(loader, self);
     clod_index stage_names = {0};
     for (size_t i = 0; i < self->stage_count; i++) {

@@ -142,10 +142,10 @@ static const clod_param REGION[] = {
      .help = "An upright annulus or cylinder.",
      .source = "convention"},
 };
-static const clod_table REGION_TABLE = {.title = "Where grains are put: one of these.",
-                                        CLOD_ROWS(REGION),
-                                        .one_of = true,
-                                        .kind = offsetof(R, kind)};
+const clod_table CLOD_TABLE_REGION = {.title = "Where grains are put: one of these.",
+                                      CLOD_ROWS(REGION),
+                                      .one_of = true,
+                                      .kind = offsetof(R, kind)};
 
 static bool has_radius(const clod_case *whole, const void *self)
 {
@@ -293,7 +293,7 @@ static const clod_param GRAINS[] = {
     {.key = "region",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,
-     .table = &REGION_TABLE,
+     .table = &CLOD_TABLE_REGION,
      CLOD_AT(G, region),
      .used = has_region,
      .help = "Where grains are put, at random and without overlap.",
@@ -328,7 +328,7 @@ static const clod_param OUTLET[] = {
     {.key = "region",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_REQUIRED,
-     .table = &REGION_TABLE,
+     .table = &CLOD_TABLE_REGION,
      CLOD_AT(clod_case_outlet, region),
      .example = "{box: {min: [0 m, 0 m, 0 m], max: [1 m, 1 m, 0.1 m]}}",
      .help = "Where grains are removed: when their centre is in it. Thicker than a grain.",

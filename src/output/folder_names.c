@@ -18,6 +18,7 @@
 #define RESULT                                                                                 \
     "log[.]jsonl|(series|energy|" PART "(-energy)?)[.]csv|case(-complete)?[.]yaml[.]part|"     \
     "(summary[.]json|report[.]txt|points[.]csv|flow_function[.]csv|"                           \
+    "clumps[.]csv|history_map[.]hdf|"                                                          \
     "restart(-" PART ")?(-failed|-at-[0-9]+)?_[ab][.]h5|"                                      \
     "(" PART "_)?(snap|walls|contacts)_[0-9]{6,}[.]hdf|"                                       \
     "(run|" PART ")(_walls|_contacts)?[.]hdf[.]series)([.]part)?"

@@ -1,5 +1,8 @@
 #include "sim/free_measures.h"
 
+#include "sim/build_up.h"
+#include "sim/clumps.h"
+#include "sim/history_map.h"
 #include "sim/inlets.h"
 #include "sim/leavers.h"
 #include "sim/residence.h"
@@ -10,6 +13,7 @@
 static const clod_free_measure *const MEASURES[] = {
     &CLOD_MEASURE_LEAVERS,   &CLOD_MEASURE_INLETS,     &CLOD_MEASURE_OUTLETS,
     &CLOD_MEASURE_RESIDENCE, &CLOD_MEASURE_WALL_LOADS, &CLOD_MEASURE_SURFACES,
+    &CLOD_MEASURE_CLUMPS,    &CLOD_MEASURE_BUILD_UP,   &CLOD_MEASURE_HISTORY_MAP,
 };
 enum { COUNT = sizeof MEASURES / sizeof *MEASURES };
 
@@ -82,6 +86,15 @@ bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_sta
     return good;
 }
 
+bool clod_free_measures_picture(const clod_free_moment *now, clod_status *status)
+{
+    bool good = true;
+    for (int k = 0; good && k < COUNT; k++) {
+        good = MEASURES[k]->picture == NULL || MEASURES[k]->picture(now, status);
+    }
+    return good;
+}
+
 static size_t columns_of(int k, const clod_case *from, const clod_state *state)
 {
     return MEASURES[k]->columns != NULL ? MEASURES[k]->columns(from, state) : 0;
@@ -136,4 +149,15 @@ void clod_free_measures_json(json_t *summary, const void *memory, const clod_fre
             json_object_set_new(summary, MEASURES[k]->key, told);
         }
     }
+}
+
+bool clod_free_measures_files(const void *memory, const clod_free_moment *now,
+                              const clod_folder *folder, clod_status *status)
+{
+    bool good = true;
+    for (int k = 0; good && k < COUNT; k++) {
+        good = MEASURES[k]->files == NULL ||
+               MEASURES[k]->files(memory_of(memory, now->from, k), now, folder, status);
+    }
+    return good;
 }

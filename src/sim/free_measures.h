@@ -14,6 +14,7 @@
 #include <stdio.h>
 
 #include "clod/case.h"
+#include "output/folder.h"
 #include "state/contact_source.h"
 
 /** What a measure looks at. */
@@ -36,6 +37,8 @@ typedef struct clod_free_measure {
     int64_t (*plan)(const void *memory, const clod_case *from, const clod_state *state);
     /** A row is due: look at grains and contacts. */
     bool (*look)(void *memory, const clod_free_moment *now, clod_status *status);
+    /** A snapshot is due: fill the columns of grains that it shows. */
+    bool (*picture)(const clod_free_moment *now, clod_status *status);
     /** Number of its columns in the series. */
     size_t (*columns)(const clod_case *from, const clod_state *state);
     /** Header text of column k, with its unit: "exit.mass_flow [kg s-1]". */
@@ -47,6 +50,9 @@ typedef struct clod_free_measure {
     void (*report)(FILE *out, const void *memory, const clod_free_moment *now);
     /** The same for programs: a new object or array; NULL when there is nothing to tell. */
     json_t *(*json)(const void *memory, const clod_free_moment *now);
+    /** Files of its own at the end. */
+    bool (*files)(const void *memory, const clod_free_moment *now, const clod_folder *folder,
+                  clod_status *status);
 } clod_free_measure;
 
 /** Bytes that all measures of a case remember. */
@@ -63,6 +69,8 @@ int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
 
 bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_status *status);
 
+bool clod_free_measures_picture(const clod_free_moment *now, clod_status *status);
+
 /** Number of all columns. */
 size_t clod_free_measures_columns(const clod_case *from, const clod_state *state);
 
@@ -77,3 +85,7 @@ void clod_free_measures_report(FILE *out, const void *memory, const clod_free_mo
 
 /** Put each measure's object into the summary under its key. */
 void clod_free_measures_json(json_t *summary, const void *memory, const clod_free_moment *now);
+
+/** Write the files that measures leave at the end. */
+bool clod_free_measures_files(const void *memory, const clod_free_moment *now,
+                              const clod_folder *folder, clod_status *status);

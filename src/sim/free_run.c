@@ -72,6 +72,14 @@ static bool free_measure(void *data, const void *context, clod_state *state,
     return clod_free_measures_look(measures_of(data, context), &now, status);
 }
 
+static bool free_picture(void *data, const void *context, clod_state *state,
+                         const clod_contact_source *contacts, clod_status *status)
+{
+    (void)data;
+    const clod_free_moment now = {context, state, contacts};
+    return clod_free_measures_picture(&now, status);
+}
+
 static bool free_sample(void *data, const void *context, clod_state *state, double *row)
 {
     free_data *self = data;
@@ -229,6 +237,14 @@ static bool write_summary(clod_job *job, clod_status *status)
     return ok;
 }
 
+/** What measures write at the end. */
+static bool write_files(clod_job *job, clod_status *status)
+{
+    const clod_free_moment now = {job->sim->from, &job->state, NULL};
+    return clod_free_measures_files(measures_of(job->procedure.data, now.from), &now,
+                                    job->sim->folder, status);
+}
+
 /** The state to begin with; only its walls when everything else is in a checkpoint. */
 static bool make_state(clod_job *job, clod_status *status)
 {
@@ -302,11 +318,12 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
                                      .look = free_look,
                                      .measure = free_measure,
                                      .sample = free_sample,
+                                     .picture = free_picture,
                                      .phase = free_phase,
                                      .fraction = free_fraction,
                                      .reason = free_reason};
     ok = ok && clod_job_resume(&job, status) && run_stages(&job, status) &&
-         write_summary(&job, status);
+         write_files(&job, status) && write_summary(&job, status);
     if (ok) {
         *report = make_report(&job);
     }
