@@ -213,9 +213,12 @@ static void name_target(const target *self, const clod_state *state, char *text,
     const clod_wall *wall = &state->walls.wall[self->wall];
     if (self->part < 0) {
         snprintf(text, size, "%s", wall->name);
-    } else {
-        snprintf(text, size, "%s.%s", wall->name,
-                 wall->shapes[self->first].surface->part_name[self->part]);
+        return;
+    }
+    snprintf(text, size, "%s.%s", wall->name,
+             wall->shapes[self->first].surface->part_name[self->part]);
+    for (char *c = text; *c != '\0'; c++) { // a name of a mesh file may have anything in it
+        *c = strchr(" ,\"[]\t", *c) != NULL ? '_' : *c;
     }
 }
 
