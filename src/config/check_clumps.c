@@ -74,11 +74,11 @@ static void check_map(clod_loader *loader, const clod_case *self)
     const double *high = map->has_region ? map->region.max : self->domain_max;
     const double cells = cells_of(low, high, map->cell);
     if (cells > CLOD_CASE_MAP_CELLS) {
-        clod_check_fail(loader, "history_map.cell",
-                        "makes %.3g cells of the region, at most %d are allowed; make it %.3g m "
-                        "or the region smaller",
-                        cells, CLOD_CASE_MAP_CELLS,
-                        1.1 * map->cell * cbrt(cells / CLOD_CASE_MAP_CELLS));
+        clod_check_fail(
+            loader, "history_map.cell",
+            "makes %.3g cells of the region, at most %d are allowed; make it %.3g m "
+            "or the region smaller",
+            cells, CLOD_CASE_MAP_CELLS, 1.1 * map->cell * cbrt(cells / CLOD_CASE_MAP_CELLS));
     }
 }
 

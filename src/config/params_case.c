@@ -259,8 +259,9 @@ static const clod_param ROWS[] = {
      .table = &CLOD_TABLE_CLUMPS,
      CLOD_AT(C, clumps),
      .given = offsetof(C, clumps.present),
-     .help = "Finds clumps, grains that hang together by adhesive contacts, at every row of the "
-             "series and in every snapshot of a free run.",
+     .help =
+         "Finds clumps, grains that hang together by adhesive contacts, at every row of the "
+         "series and in every snapshot of a free run.",
      .source = "docs/clumps.md"},
     {.key = "build_up",
      .kind = CLOD_PARAM_SECTION,
@@ -268,8 +269,9 @@ static const clod_param ROWS[] = {
      .table = &CLOD_TABLE_BUILD_UP,
      CLOD_AT(C, build_up),
      .given = offsetof(C, build_up.present),
-     .help = "Weighs the solid that rests on each wall, and on each part of a mesh, at every row "
-             "of the series of a free run.",
+     .help =
+         "Weighs the solid that rests on each wall, and on each part of a mesh, at every row "
+         "of the series of a free run.",
      .source = "docs/clumps.md"},
     {.key = "history_map",
      .kind = CLOD_PARAM_SECTION,

@@ -30,8 +30,10 @@ static const clod_param COUNT[] = {
      .help = "Whether only clumps count of which no grain touches a wall.",
      .source = "docs/clumps.md"},
 };
-static const clod_table COUNT_TABLE = {
-    .title = "Clumps that are counted on their own, by name.", CLOD_ROWS(COUNT), .size = sizeof(K)};
+static const clod_table COUNT_TABLE = {.title =
+                                           "Clumps that are counted on their own, by name.",
+                                       CLOD_ROWS(COUNT),
+                                       .size = sizeof(K)};
 
 static const clod_param CLUMPS[] = {
     {.key = "bond",
@@ -42,8 +44,9 @@ static const clod_param CLUMPS[] = {
      .fallback = "1",
      .example = "10",
      CLOD_AT(C, bond),
-     .help = "Bond number: a closed contact joins two grains when its pull-off force exceeds so "
-             "many times the weight of the lighter one. With 1 it can hang from the other.",
+     .help =
+         "Bond number: a closed contact joins two grains when its pull-off force exceeds so "
+         "many times the weight of the lighter one. With 1 it can hang from the other.",
      .source = "docs/clumps.md"},
     {.key = "least",
      .kind = CLOD_PARAM_INTEGER,
@@ -77,8 +80,9 @@ static const clod_param BUILD_UP[] = {
      .fallback = "50 mm/s",
      .example = "20 mm/s",
      CLOD_AT(U, speed),
-     .help = "A grain rests when it is slower than this against the wall's material where it, or "
-             "the grains below it, touch the wall.",
+     .help =
+         "A grain rests when it is slower than this against the wall's material where it, or "
+         "the grains below it, touch the wall.",
      .source = "docs/clumps.md"},
 };
 const clod_table CLOD_TABLE_BUILD_UP = {.title = "Solid that rests on walls.",

@@ -82,12 +82,12 @@ void clod_bonds_fini(clod_bonds *self)
 /** Grains that hang together, as a tree over each grain's place among the ids: its root is the
  *  first of them. */
 typedef struct forest {
-    int32_t *above;  ///< [grains] place of a grain before it in its tree; its own: a root
-    int32_t *size;   ///< [grains] of the tree of a root
-    int32_t *clump;  ///< [grains] number of the clump of a root; -1: none
-    bool *walled;    ///< [grains] whether any of the tree of a root touches a wall
-    bool *in;        ///< [grains] whether it is looked at
-    int32_t *place;  ///< [grains] of each row
+    int32_t *above; ///< [grains] place of a grain before it in its tree; its own: a root
+    int32_t *size;  ///< [grains] of the tree of a root
+    int32_t *clump; ///< [grains] number of the clump of a root; -1: none
+    bool *walled;   ///< [grains] whether any of the tree of a root touches a wall
+    bool *in;       ///< [grains] whether it is looked at
+    int32_t *place; ///< [grains] of each row
 } forest;
 
 static void forest_fini(forest *self)
@@ -257,8 +257,8 @@ static bool find_quantiles(const clod_clumps *self, clod_clump_stats *stats)
     return true;
 }
 
-bool clod_clumps_tell(const clod_clumps *self, clod_clump_stats *stats,
-                      clod_clump_sizes *sizes, clod_status *status)
+bool clod_clumps_tell(const clod_clumps *self, clod_clump_stats *stats, clod_clump_sizes *sizes,
+                      clod_status *status)
 {
     *stats = (clod_clump_stats){.number = (double)self->count};
     *sizes = (clod_clump_sizes){0};

@@ -44,10 +44,10 @@ typedef struct clod_clump_choice {
 } clod_clump_choice;
 
 typedef struct clod_clump {
-    uint64_t id;    ///< smallest of its grains'
+    uint64_t id; ///< smallest of its grains'
     int32_t grains;
-    double mass;    ///< kg
-    double volume;  ///< m3, of its grains
+    double mass;   ///< kg
+    double volume; ///< m3, of its grains
 } clod_clump;
 
 typedef struct clod_clumps {
@@ -71,15 +71,15 @@ void clod_clumps_fini(clod_clumps *self);
 
 /** What clumps of a moment are, all together. */
 typedef struct clod_clump_stats {
-    double number;          ///< of clumps
-    double grains;          ///< in clumps
-    double mass;            ///< kg, in clumps
-    double share;           ///< of the mass of all grains that were looked at
-    double mean;            ///< grains of a clump
-    double mean_by_mass;    ///< grains of the clump that a kg in clumps is in
-    double largest;         ///< grains
-    double largest_mass;    ///< kg, of the clump with most mass
-    double d10, d50, d90;   ///< m, diameter of a ball of the solid volume, by mass
+    double number;        ///< of clumps
+    double grains;        ///< in clumps
+    double mass;          ///< kg, in clumps
+    double share;         ///< of the mass of all grains that were looked at
+    double mean;          ///< grains of a clump
+    double mean_by_mass;  ///< grains of the clump that a kg in clumps is in
+    double largest;       ///< grains
+    double largest_mass;  ///< kg, of the clump with most mass
+    double d10, d50, d90; ///< m, diameter of a ball of the solid volume, by mass
 } clod_clump_stats;
 
 /** Number and mass of clumps by class. */
@@ -94,5 +94,5 @@ typedef struct clod_clump_sizes {
  *
  * Errors  CLOD_FAILED: memory.   Threads  pure.   Test  tests/measure/test_clumps.c
  */
-bool clod_clumps_tell(const clod_clumps *self, clod_clump_stats *stats,
-                      clod_clump_sizes *sizes, clod_status *status);
+bool clod_clumps_tell(const clod_clumps *self, clod_clump_stats *stats, clod_clump_sizes *sizes,
+                      clod_status *status);

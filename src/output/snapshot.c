@@ -57,8 +57,8 @@ static void put_clumps(clod_hdf *hdf, const clod_grains *grains)
 {
     const size_t row = sizeof *grains->clump;
     const clod_hdf_column columns[] = {
-        {"VTKHDF/PointData/clump", "1", CLOD_HDF_I64, 1, grains->count,
-         &grains->clump->number, row},
+        {"VTKHDF/PointData/clump", "1", CLOD_HDF_I64, 1, grains->count, &grains->clump->number,
+         row},
         {"VTKHDF/PointData/clump_size", "1", CLOD_HDF_I32, 1, grains->count,
          &grains->clump->size, row},
     };

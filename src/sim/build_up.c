@@ -185,8 +185,8 @@ static bool build_up_look(void *memory, const clod_free_moment *now, clod_status
         clod_status_fail(status, CLOD_FAILED, "no memory for what rests of %zu grains",
                          now->state->grains.count);
     }
-    good = good && clod_resting_find(on, now->state, now->contacts, now->from->build_up.speed,
-                                     status);
+    good = good &&
+           clod_resting_find(on, now->state, now->contacts, now->from->build_up.speed, status);
     if (good) {
         const size_t count = list_targets(targets, now->from, now->state);
         weigh(mass, targets, count, now->state, on);
@@ -201,9 +201,8 @@ static bool build_up_look(void *memory, const clod_free_moment *now, clod_status
 /** The targets of a run, and how many; owned. */
 static target *targets_of(const clod_case *from, const clod_state *state, size_t *count)
 {
-    target *targets = from->build_up.present
-                          ? clod_memory_alloc(most_targets(from), sizeof *targets)
-                          : NULL;
+    target *targets =
+        from->build_up.present ? clod_memory_alloc(most_targets(from), sizeof *targets) : NULL;
     *count = targets != NULL ? list_targets(targets, from, state) : 0;
     return targets;
 }
@@ -260,12 +259,12 @@ static void build_up_report(FILE *out, const void *memory, const clod_free_momen
         char name[72];
         const past *of = &self->of[t];
         name_target(&targets[t], now->state, name, sizeof name);
-        const clod_build_up_line line =
-            clod_build_up_rate(self->time, of->mass, self->points);
-        fprintf(out,
-                "  resting on %-11s %.4g kg, %+.3g kg/s over the last third; largest %.4g kg at "
-                "%.4g s\n",
-                name, of->now, line.rate, of->most, of->most_time);
+        const clod_build_up_line line = clod_build_up_rate(self->time, of->mass, self->points);
+        fprintf(
+            out,
+            "  resting on %-11s %.4g kg, %+.3g kg/s over the last third; largest %.4g kg at "
+            "%.4g s\n",
+            name, of->now, line.rate, of->most, of->most_time);
     }
     clod_memory_free(targets);
 }
@@ -283,8 +282,7 @@ static json_t *build_up_json(const void *memory, const clod_free_moment *now)
         char name[72];
         const past *of = &self->of[t];
         name_target(&targets[t], now->state, name, sizeof name);
-        const clod_build_up_line line =
-            clod_build_up_rate(self->time, of->mass, self->points);
+        const clod_build_up_line line = clod_build_up_rate(self->time, of->mass, self->points);
         json_object_set_new(all, name,
                             json_pack("{s:f, s:f, s:f, s:f}", "mass_kg", of->now, "rate_kg_s",
                                       line.rate, "largest_kg", of->most, "largest_at_s",

@@ -21,8 +21,7 @@ static void clumps_begin(void *memory, const clod_case *from, const clod_state *
 static bool clumps_act(void *memory, const clod_free_moment *now, clod_status *status)
 {
     (void)memory;
-    return !now->from->clumps.present ||
-           clod_grains_keep_clumps(&now->state->grains, status);
+    return !now->from->clumps.present || clod_grains_keep_clumps(&now->state->grains, status);
 }
 
 /** Number and size of each grain's clump. */
@@ -141,11 +140,11 @@ static bool clumps_look(void *memory, const clod_free_moment *now, clod_status *
     const double time = (double)(now->state->step - self->step) * now->state->dt;
     self->step = now->state->step;
     self->time += time;
-    const bool good = clod_grains_keep_clumps(&now->state->grains, status) &&
-                      clod_bonds_find(&bonds, now->state, now->contacts,
-                                      now->from->clumps.bond, status) &&
-                      look_at_all(self, now, &bonds, time, status) &&
-                      look_at_counts(self, now, &bonds, time, status);
+    const bool good =
+        clod_grains_keep_clumps(&now->state->grains, status) &&
+        clod_bonds_find(&bonds, now->state, now->contacts, now->from->clumps.bond, status) &&
+        look_at_all(self, now, &bonds, time, status) &&
+        look_at_counts(self, now, &bonds, time, status);
     clod_bonds_fini(&bonds);
     return good;
 }
@@ -158,10 +157,10 @@ static bool clumps_picture(const clod_free_moment *now, clod_status *status)
     clod_bonds bonds = {0};
     clod_clumps clumps = {0};
     const clod_clump_choice choice = {.least = now->from->clumps.least};
-    const bool good = clod_grains_keep_clumps(&now->state->grains, status) &&
-                      clod_bonds_find(&bonds, now->state, now->contacts,
-                                      now->from->clumps.bond, status) &&
-                      clod_clumps_find(&clumps, now->state, &bonds, &choice, status);
+    const bool good =
+        clod_grains_keep_clumps(&now->state->grains, status) &&
+        clod_bonds_find(&bonds, now->state, now->contacts, now->from->clumps.bond, status) &&
+        clod_clumps_find(&clumps, now->state, &bonds, &choice, status);
     if (good) {
         show(&clumps, &now->state->grains);
     }

@@ -11,9 +11,12 @@
 #include "sim/clumps.h"
 
 /** Columns of each count, in the order of clod_clump_stats. */
-static const char *const COLUMNS[] = {
-    "number [1]",  "grains [1]",       "mass [kg]", "mass_share [1]", "mean_size [1]",
-    "mass_mean_size [1]", "largest [1]", "largest_mass [kg]", "d10 [m]", "d50 [m]", "d90 [m]"};
+static const char *const COLUMNS[] = {"number [1]",    "grains [1]",
+                                      "mass [kg]",     "mass_share [1]",
+                                      "mean_size [1]", "mass_mean_size [1]",
+                                      "largest [1]",   "largest_mass [kg]",
+                                      "d10 [m]",       "d50 [m]",
+                                      "d90 [m]"};
 enum { PER_COUNT = sizeof COLUMNS / sizeof *COLUMNS };
 _Static_assert(sizeof(clod_clump_stats) == PER_COUNT * sizeof(double), "one column each");
 
@@ -173,12 +176,11 @@ static json_t *sizes_json(const clod_clump_memory *self, const clod_clump_sizes 
 {
     json_t *list = json_array();
     for (int k = 0; k <= last_class(sizes); k++) {
-        json_array_append_new(list,
-                              json_pack("{s:i, s:i, s:f, s:f}", "from",
-                                        (int)clod_clump_class_least(k), "to",
-                                        (int)CLOD_CLUMP_CLASS_MOST[k], "number",
-                                        mean_of(self, sizes->number[k]), "mass_kg",
-                                        mean_of(self, sizes->mass[k])));
+        json_array_append_new(list, json_pack("{s:i, s:i, s:f, s:f}", "from",
+                                              (int)clod_clump_class_least(k), "to",
+                                              (int)CLOD_CLUMP_CLASS_MOST[k], "number",
+                                              mean_of(self, sizes->number[k]), "mass_kg",
+                                              mean_of(self, sizes->mass[k])));
     }
     return list;
 }
@@ -186,13 +188,13 @@ static json_t *sizes_json(const clod_clump_memory *self, const clod_clump_sizes 
 static json_t *count_json(const clod_clump_memory *self, const clod_clump_count *count)
 {
     const clod_clump_stats *mean = &count->mean;
-    return json_pack(
-        "{s:{s:f, s:f, s:f, s:f, s:f}, s:o, s:f, s:f, s:o}", "mean", "number",
-        mean_of(self, mean->number), "grains", mean_of(self, mean->grains), "mass_kg",
-        mean_of(self, mean->mass), "mass_share", mean_of(self, mean->share), "mean_size",
-        ratio(mean->grains, mean->number), "end", stats_json(&count->now), "largest",
-        count->most.largest, "largest_mass_kg", count->most.largest_mass, "sizes",
-        sizes_json(self, &count->sizes));
+    return json_pack("{s:{s:f, s:f, s:f, s:f, s:f}, s:o, s:f, s:f, s:o}", "mean", "number",
+                     mean_of(self, mean->number), "grains", mean_of(self, mean->grains),
+                     "mass_kg", mean_of(self, mean->mass), "mass_share",
+                     mean_of(self, mean->share), "mean_size", ratio(mean->grains, mean->number),
+                     "end", stats_json(&count->now), "largest", count->most.largest,
+                     "largest_mass_kg", count->most.largest_mass, "sizes",
+                     sizes_json(self, &count->sizes));
 }
 
 /** Grains that left the space, by the size of the clump they were in. */
@@ -201,10 +203,10 @@ static json_t *left_json(const clod_exchange *gone)
     json_t *sizes = json_array();
     for (int k = 0; k < CLOD_CLUMP_CLASSES; k++) {
         if (gone->left_clumps[1 + k] > 0) {
-            json_array_append_new(
-                sizes, json_pack("{s:i, s:i, s:I}", "from", (int)clod_clump_class_least(k),
-                                 "to", (int)CLOD_CLUMP_CLASS_MOST[k], "grains",
-                                 (json_int_t)gone->left_clumps[1 + k]));
+            json_array_append_new(sizes, json_pack("{s:i, s:i, s:I}", "from",
+                                                   (int)clod_clump_class_least(k), "to",
+                                                   (int)CLOD_CLUMP_CLASS_MOST[k], "grains",
+                                                   (json_int_t)gone->left_clumps[1 + k]));
         }
     }
     return json_pack("{s:I, s:I, s:o}", "alone", (json_int_t)gone->left_clumps[0], "in_clumps",

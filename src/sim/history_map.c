@@ -212,11 +212,10 @@ static json_t *map_json(const void *memory, const clod_free_moment *now)
     if (best != NULL) {
         double corner[3];
         place_of(&grid, best - self->cell, corner);
-        json_object_set_new(
-            told, "strongest",
-            json_pack("{s:[fff], s:f, s:f}", "corner_m", corner[0], corner[1], corner[2],
-                      "largest_past_force_N", best->most_pressed, "largest_pull_off_N",
-                      best->most_pull_off));
+        json_object_set_new(told, "strongest",
+                            json_pack("{s:[fff], s:f, s:f}", "corner_m", corner[0], corner[1],
+                                      corner[2], "largest_past_force_N", best->most_pressed,
+                                      "largest_pull_off_N", best->most_pull_off));
     }
     return told;
 }

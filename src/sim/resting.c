@@ -9,7 +9,7 @@
 typedef struct search {
     const clod_state *state;
     clod_resting *to;
-    double square;       ///< m2/s2, of the speed
+    double square; ///< m2/s2, of the speed
     clod_wall_rows walls;
     double (*carrier)[3]; ///< [grains] m/s, of the wall's material that a grain rests on
     uint64_t *from;       ///< [grains] id of the grain that it rests on; 0 on a wall
@@ -108,8 +108,8 @@ static void carry(search *self, int32_t g, int32_t partner)
     const uint64_t id = self->state->grains.id[g];
     const bool known = to->steps > 0;
     if ((known && to->steps <= under->steps) ||
-        (known && (to->wall < under->wall ||
-                   (to->wall == under->wall && self->from[partner] <= id))) ||
+        (known &&
+         (to->wall < under->wall || (to->wall == under->wall && self->from[partner] <= id))) ||
         !is_slow(self, partner, self->carrier[g])) {
         return;
     }
@@ -161,6 +161,6 @@ bool clod_resting_find(clod_resting *to, const clod_state *state,
     clod_memory_free(self.row);
     clod_memory_free(self.first);
     clod_memory_free(self.partner);
-    return good || clod_status_fail(status, CLOD_FAILED,
-                                    "no memory for what rests of %zu grains", n);
+    return good ||
+           clod_status_fail(status, CLOD_FAILED, "no memory for what rests of %zu grains", n);
 }

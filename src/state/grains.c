@@ -38,8 +38,7 @@ bool clod_grains_keep_clumps(clod_grains *self, clod_status *status)
 static bool grow_asked(clod_grains *self, size_t rows)
 {
     if (self->clump != NULL) {
-        void *clump =
-            clod_memory_grow(self->clump, self->capacity, rows, sizeof *self->clump);
+        void *clump = clod_memory_grow(self->clump, self->capacity, rows, sizeof *self->clump);
         self->clump = clump != NULL ? clump : self->clump;
         return clump != NULL;
     }

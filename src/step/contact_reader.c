@@ -56,9 +56,8 @@ static clod_contact_strength strength_of(const void *laws, const clod_contact *c
 clod_contact_source clod_step_contacts(clod_step *self, clod_step_reader *reader)
 {
     *reader = (clod_step_reader){.step = self};
-    clod_contact_source source = {.context = reader,
-                                  .begin = begin_blocks,
-                                  .next = next_of_blocks};
+    clod_contact_source source = {
+        .context = reader, .begin = begin_blocks, .next = next_of_blocks};
     if (!self->near.made) { // then the state has them
         source = clod_contact_source_of(&reader->list, self->state);
     }

@@ -20,10 +20,8 @@ typedef struct found {
 static void find(found *self, contact_graph *graph, double bond, const clod_clump_choice *of)
 {
     clod_status status;
-    assert_true(
-        clod_bonds_find(&self->bonds, &graph->state, &graph->contacts, bond, &status));
-    assert_true(
-        clod_clumps_find(&self->clumps, &graph->state, &self->bonds, of, &status));
+    assert_true(clod_bonds_find(&self->bonds, &graph->state, &graph->contacts, bond, &status));
+    assert_true(clod_clumps_find(&self->clumps, &graph->state, &self->bonds, of, &status));
     assert_true(clod_clumps_tell(&self->clumps, &self->stats, &self->sizes, &status));
 }
 

@@ -47,8 +47,8 @@ static inline int32_t graph_grain(contact_graph *self, uint64_t id, double x, do
     clod_status status;
     const double place[4] = {x, 0.0, z, radius};
     const double none[3] = {0.0, 0.0, 0.0};
-    assert_true(clod_grains_add(&self->state.grains, place, none, none, GRAPH_DENSITY, 0, id,
-                                &status));
+    assert_true(
+        clod_grains_add(&self->state.grains, place, none, none, GRAPH_DENSITY, 0, id, &status));
     return (int32_t)self->state.grains.count - 1;
 }
 
