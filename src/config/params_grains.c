@@ -142,7 +142,7 @@ static const clod_param REGION[] = {
      .help = "An upright annulus or cylinder.",
      .source = "convention"},
 };
-const clod_table CLOD_TABLE_REGION = {.title = "Where grains are put: one of these.",
+const clod_table CLOD_TABLE_REGION = {.title = "A region of space: one of these.",
                                       CLOD_ROWS(REGION),
                                       .one_of = true,
                                       .kind = offsetof(R, kind)};

@@ -22,7 +22,7 @@ typedef struct clod_voxels {
  * Write the cubes into a file of the folder; its old content is replaced at one stroke.
  *
  * Errors  CLOD_FAILED: memory, disk, folder.   Threads  one at a time.
- * Test    tests/output/test_snapshot.c
+ * Test    tests/output/test_snapshot_clumps.c
  */
 bool clod_voxels_write(const clod_folder *folder, const char *name, const clod_voxels *self,
                        clod_status *status);

@@ -27,7 +27,7 @@ static double pressed(const clod_law *law, double memory)
     return clod_law_cycle_force(law, R_STAR, clod_law_cycle_pressed(law, memory));
 }
 
-/** shared/PHYSICS.md, section 1: printed to seven digits. */
+/** Check values of docs/theory/mepa.md, printed to seven digits. */
 static void pull_off_of_the_ore(void **state)
 {
     (void)state;

@@ -13,9 +13,9 @@
 #include <cmocka.h>
 
 #include "output/snapshot.h"
-#include "output/voxels.h"
 
 #include "temp_folder.h"
+#include "vtk_file.h"
 
 #define GRAINS 4
 
@@ -57,108 +57,6 @@ static clod_state sample_state(void)
                      .center = {0.0, 0.0, 0.01},
                      .axis = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
     return state;
-}
-
-static hid_t open_file(void **folder, const char *name)
-{
-    char path[PATH_MAX];
-    const hid_t file = H5Fopen(temp_path(path, folder, name), H5F_ACC_RDONLY, H5P_DEFAULT);
-    assert_true(file >= 0);
-    return file;
-}
-
-/** Read a dataset after checking its class, size in the file and dimensions (0: none). */
-static void read_array(hid_t file, const char *name, H5T_class_t class, size_t bytes,
-                       hsize_t rows, hsize_t columns, hid_t memory, void *data)
-{
-    const hid_t set = H5Dopen2(file, name, H5P_DEFAULT);
-    assert_true(set >= 0);
-    const hid_t type = H5Dget_type(set);
-    const hid_t space = H5Dget_space(set);
-    hsize_t found[2] = {0, 0};
-    assert_int_equal(H5Tget_class(type), class);
-    assert_int_equal(H5Tget_size(type), bytes);
-    assert_int_equal(H5Sget_simple_extent_ndims(space), columns == 0 ? 1 : 2);
-    H5Sget_simple_extent_dims(space, found, NULL);
-    assert_int_equal(found[0], rows);
-    assert_int_equal(found[1], columns);
-    if (rows > 0) {
-        assert_true(H5Dread(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0);
-    }
-    H5Sclose(space);
-    H5Tclose(type);
-    H5Dclose(set);
-}
-
-static void read_reals(hid_t file, const char *name, hsize_t rows, hsize_t columns, float *data)
-{
-    read_array(file, name, H5T_FLOAT, 4, rows, columns, H5T_NATIVE_FLOAT, data);
-}
-
-static void read_longs(hid_t file, const char *name, hsize_t rows, int64_t *data)
-{
-    read_array(file, name, H5T_INTEGER, 8, rows, 0, H5T_NATIVE_INT64, data);
-}
-
-/** The group's Version [1, 0], and its Type, a scalar ASCII string of fixed length. */
-static void check_head(hid_t file)
-{
-    int64_t version[2];
-    const hid_t group = H5Gopen2(file, "VTKHDF", H5P_DEFAULT);
-    assert_true(group >= 0);
-    hid_t attribute = H5Aopen(group, "Version", H5P_DEFAULT);
-    hid_t space = H5Aget_space(attribute);
-    assert_int_equal(H5Sget_simple_extent_npoints(space), 2);
-    H5Aread(attribute, H5T_NATIVE_INT64, version);
-    assert_int_equal(version[0], 1);
-    assert_int_equal(version[1], 0);
-    H5Sclose(space);
-    H5Aclose(attribute);
-    attribute = H5Aopen(group, "Type", H5P_DEFAULT);
-    space = H5Aget_space(attribute);
-    const hid_t type = H5Aget_type(attribute);
-    char text[17] = "";
-    assert_int_equal(H5Sget_simple_extent_type(space), H5S_SCALAR);
-    assert_int_equal(H5Tget_class(type), H5T_STRING);
-    assert_int_equal(H5Tis_variable_str(type), 0);
-    assert_int_equal(H5Tget_cset(type), H5T_CSET_ASCII);
-    assert_int_equal(H5Tget_size(type), 16);
-    H5Aread(attribute, type, text);
-    assert_string_equal(text, "UnstructuredGrid");
-    H5Tclose(type);
-    H5Sclose(space);
-    H5Aclose(attribute);
-    H5Gclose(group);
-}
-
-/** Counts, types, connectivity and offsets of `cells` separate cells with `corners` points. */
-static void check_cells(hid_t file, int64_t cells, int64_t corners, uint8_t type)
-{
-    const int64_t points = cells * corners;
-    int64_t number;
-    read_longs(file, "VTKHDF/NumberOfPoints", 1, &number);
-    assert_int_equal(number, points);
-    read_longs(file, "VTKHDF/NumberOfCells", 1, &number);
-    assert_int_equal(number, cells);
-    read_longs(file, "VTKHDF/NumberOfConnectivityIds", 1, &number);
-    assert_int_equal(number, points);
-    int64_t *numbers = clod_memory_alloc((size_t)points + 1, sizeof *numbers);
-    uint8_t *types = clod_memory_alloc((size_t)cells, 1);
-    read_longs(file, "VTKHDF/Connectivity", (hsize_t)points, numbers);
-    for (int64_t p = 0; p < points; p++) {
-        assert_int_equal(numbers[p], p);
-    }
-    read_longs(file, "VTKHDF/Offsets", (hsize_t)cells + 1, numbers);
-    for (int64_t c = 0; c <= cells; c++) {
-        assert_int_equal(numbers[c], c * corners);
-    }
-    read_array(file, "VTKHDF/Types", H5T_INTEGER, 1, (hsize_t)cells, 0, H5T_NATIVE_UINT8,
-               types);
-    for (int64_t c = 0; c < cells; c++) {
-        assert_int_equal(types[c], type);
-    }
-    clod_memory_free(numbers);
-    clod_memory_free(types);
 }
 
 static void grains_are_vertices_with_the_arrays_people_look_for(void **folder)
@@ -244,79 +142,6 @@ static void contacts_are_lines_that_stay_together_over_a_periodic_border(void **
     }
     H5Fclose(file);
     clod_state_fini(&state);
-}
-
-/** Seven times the plastic overlap, for the files to have. */
-static clod_contact_strength sample_strength(const void *laws, const clod_contact *contact)
-{
-    const double *factor = laws;
-    return (clod_contact_strength){.pull_off = *factor * contact->history[0]};
-}
-
-static void clumps_and_pull_off_are_there_when_they_are_known(void **folder)
-{
-    clod_status status;
-    clod_state state = sample_state();
-    const double seven = 7.0;
-    clod_contact_list list;
-    clod_contact_source from = clod_contact_source_of(&list, &state);
-    from.laws = &seven;
-    from.strength = sample_strength;
-    assert_true(clod_snapshot_write(temp_folder(folder), "run", 0, &state, NULL, true,
-                                    &(clod_snapshot_film){{0}}, &status));
-    assert_true(clod_grains_keep_clumps(&state.grains, &status));
-    state.grains.clump[1] = (clod_grain_clump){.number = (uint64_t)1 << 60, .size = 3};
-    assert_true(clod_snapshot_write(temp_folder(folder), "run", 1, &state, &from, true,
-                                    &(clod_snapshot_film){{0}}, &status));
-    hid_t file = open_file(folder, "snap_000000.hdf");
-    assert_true(H5Lexists(file, "VTKHDF/PointData/clump", H5P_DEFAULT) == 0);
-    H5Fclose(file);
-    int64_t clump[GRAINS];
-    int32_t size[GRAINS];
-    file = open_file(folder, "snap_000001.hdf");
-    read_longs(file, "VTKHDF/PointData/clump", GRAINS, clump);
-    read_array(file, "VTKHDF/PointData/clump_size", H5T_INTEGER, 4, GRAINS, 0, H5T_NATIVE_INT32,
-               size);
-    assert_true(clump[1] == (int64_t)1 << 60 && clump[0] == 0);
-    assert_true(size[1] == 3 && size[0] == 0);
-    H5Fclose(file);
-    float pull[2];
-    file = open_file(folder, "contacts_000000.hdf");
-    read_reals(file, "VTKHDF/CellData/pull_off", 2, 0, pull);
-    assert_true(pull[0] == 0.0F && pull[1] == 0.0F);
-    H5Fclose(file);
-    file = open_file(folder, "contacts_000001.hdf");
-    read_reals(file, "VTKHDF/CellData/pull_off", 2, 0, pull);
-    assert_true(pull[0] == 7.0F && pull[1] == 77.0F);
-    H5Fclose(file);
-    clod_state_fini(&state);
-}
-
-/** Two cubes of 0.5 m: eight corners each, x fastest, as VTK_VOXEL has them. */
-static void voxels_are_cubes(void **folder)
-{
-    clod_status status;
-    const double corner[2][3] = {{1.0, 2.0, 3.0}, {-1.0, 0.0, 0.5}};
-    const double force[2] = {4.0, 8.0};
-    const clod_hdf_column column = {
-        "VTKHDF/CellData/force", "N", CLOD_HDF_F64, 1, 2, force, sizeof *force};
-    const clod_voxels voxels = {corner, 2, 0.5, &column, 1, 7, 0.25};
-    assert_true(clod_voxels_write(temp_folder(folder), "map.hdf", &voxels, &status));
-    const hid_t file = open_file(folder, "map.hdf");
-    check_head(file);
-    check_cells(file, 2, 8, 11); // VTK_VOXEL
-    float points[16][3], found[2];
-    read_reals(file, "VTKHDF/Points", 16, 3, &points[0][0]);
-    read_reals(file, "VTKHDF/CellData/force", 2, 0, found);
-    assert_true(found[0] == 4.0F && found[1] == 8.0F);
-    const float expected[8][3] = {{1.0F, 2.0F, 3.0F}, {1.5F, 2.0F, 3.0F}, {1.0F, 2.5F, 3.0F},
-                                  {1.5F, 2.5F, 3.0F}, {1.0F, 2.0F, 3.5F}, {1.5F, 2.0F, 3.5F},
-                                  {1.0F, 2.5F, 3.5F}, {1.5F, 2.5F, 3.5F}};
-    assert_memory_equal(points, expected, sizeof expected);
-    assert_true(points[8][0] == -1.0F && points[15][2] == 1.0F);
-    H5Fclose(file);
-    const clod_voxels none = {NULL, 0, 0.5, NULL, 0, 7, 0.25};
-    assert_true(clod_voxels_write(temp_folder(folder), "map.hdf", &none, &status));
 }
 
 static void walls_are_triangles(void **folder)
@@ -510,8 +335,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         FOLDER_TEST(grains_are_vertices_with_the_arrays_people_look_for),
         FOLDER_TEST(contacts_are_lines_that_stay_together_over_a_periodic_border),
-        FOLDER_TEST(clumps_and_pull_off_are_there_when_they_are_known),
-        FOLDER_TEST(voxels_are_cubes),
         FOLDER_TEST(walls_are_triangles),
         FOLDER_TEST(an_empty_state_makes_empty_pictures),
         FOLDER_TEST(a_series_resumes_without_the_later_snapshots),
