@@ -217,7 +217,9 @@ static void name_target(const target *self, const clod_state *state, char *text,
     snprintf(text, size, "%s.%s", wall->name,
              wall->shapes[self->first].surface->part_name[self->part]);
     for (char *c = text; *c != '\0'; c++) { // a name of a mesh file may have anything in it
-        *c = strchr(" ,\"[]\t", *c) != NULL ? '_' : *c;
+        if (strchr(" ,\"[]\t", *c) != NULL) {
+            *c = '_';
+        }
     }
 }
 
