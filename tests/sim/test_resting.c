@@ -135,6 +135,34 @@ static void in_a_corner_the_first_wall_counts(void **state)
     graph_fini(&graph);
 }
 
+/** A floor of two shapes; the third grain lies on both others: it counts where 5 does, not 9. */
+static void of_two_below_the_smaller_id_counts(void **state)
+{
+    (void)state;
+    contact_graph graph;
+    clod_resting on[3];
+    graph_init(&graph, 4);
+    add_walls(&graph);
+    clod_wall *floor = &graph.state.walls.wall[0];
+    floor->shapes = clod_memory_grow(floor->shapes, 1, 2, sizeof *floor->shapes);
+    floor->shapes[1] = floor->shapes[0];
+    floor->shape_count = 2;
+    graph_grain(&graph, 9, 1.0, R, R);
+    graph_grain(&graph, 5, 1.0 + 2.0 * R, R, R);
+    graph_grain(&graph, 7, 1.0 + R, R * (1.0 + sqrt(3.0)), R);
+    graph_touch(&graph, 0, 2, 0.0);
+    graph_touch(&graph, 1, 2, 0.0);
+    graph_touch_wall(&graph, 0, 0);
+    graph_touch_wall(&graph, 1, 0);
+    graph.state.contacts[3].shape = 1;
+    find(&graph, on);
+    assert_int_equal(on[0].shape, 0);
+    assert_int_equal(on[1].shape, 1);
+    assert_int_equal(on[2].shape, 1);
+    assert_int_equal(on[2].steps, 2);
+    graph_fini(&graph);
+}
+
 #define MANY 300
 
 /** The same in whatever order rows and contacts stand: two belts of different speed. */
@@ -204,6 +232,7 @@ int main(void)
         cmocka_unit_test(a_belt_carries),
         cmocka_unit_test(the_nearest_wall_counts),
         cmocka_unit_test(in_a_corner_the_first_wall_counts),
+        cmocka_unit_test(of_two_below_the_smaller_id_counts),
         cmocka_unit_test(the_order_does_not_count),
         cmocka_unit_test(the_rate_is_that_of_the_last_third),
     };
