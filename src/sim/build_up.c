@@ -140,7 +140,7 @@ clod_build_up_line clod_build_up_rate(const double *time, const double *mass, in
         return line;
     }
     const double from = time[count - 1] - (time[count - 1] - time[0]) / 3.0;
-    while (time[first] < from && first < count - 3) {
+    while (first < count - 3 && time[first] < from) {
         first++;
     }
     line.points = count - first;
