@@ -163,6 +163,43 @@ typedef struct clod_case_gauge {
 /** Most bins of a profile or a trajectory. */
 #define CLOD_CASE_GAUGE_BINS 200
 
+/** Clumps of which numbers of their own are told: those in a region, those in flight, or both. */
+typedef struct clod_case_clump_count {
+    char *name;
+    bool has_region;
+    clod_case_region region;
+    bool free; ///< only clumps of which no grain touches a wall
+} clod_case_clump_count;
+
+/** Most counts. */
+#define CLOD_CASE_CLUMP_COUNTS 8
+
+/** Clumps: grains that hang together by adhesive contacts (docs/clumps.md). */
+typedef struct clod_case_clumps {
+    bool present;
+    double bond;   ///< pull-off force as a multiple of the lighter grain's weight
+    int64_t least; ///< grains of a clump
+    clod_case_clump_count *counts;
+    size_t count_count;
+} clod_case_clumps;
+
+/** Solid that rests on walls (docs/clumps.md). */
+typedef struct clod_case_build_up {
+    bool present;
+    double speed; ///< m/s, below which a grain rests
+} clod_case_build_up;
+
+/** Map of what contacts remember (docs/clumps.md). */
+typedef struct clod_case_history_map {
+    bool present;
+    double cell; ///< m
+    bool has_region;
+    clod_case_region region;
+} clod_case_history_map;
+
+/** Most cells of a map. */
+#define CLOD_CASE_MAP_CELLS 100000
+
 /** Change of one wall at the start of a stage; `has_` says which keys were given. */
 typedef struct clod_case_wall_change {
     char *name; ///< wall
@@ -333,6 +370,9 @@ typedef struct clod_case {
     clod_case_stage *stages;
     size_t stage_count;
     clod_case_output output;
+    clod_case_clumps clumps;
+    clod_case_build_up build_up;
+    clod_case_history_map history_map;
     clod_case_ring_shear ring_shear;
     clod_case_jenike jenike;
     clod_case_uniaxial uniaxial;

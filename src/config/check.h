@@ -41,6 +41,9 @@ void clod_check_outlets(clod_loader *loader, const clod_case *self);
 /** Checks of the gauges, and of the time from which means count (check_gauge.c). */
 void clod_check_gauges(clod_loader *loader, const clod_case *self);
 
+/** Checks of clumps, build-up and the map of histories (check_clumps.c). */
+void clod_check_clumps(clod_loader *loader, const clod_case *self);
+
 /** Checks of a shape that is a belt; `path` is that of the shape (check_belt.c). */
 void clod_check_belt(clod_loader *loader, const char *path, const clod_case_shape *shape);
 

@@ -81,3 +81,8 @@ clod_law_pull clod_law_cycle_pull(const clod_law *law, double r_star, double ove
 {
     return clod_law_kinds_row(law->kind)->pull(law, r_star, overlap);
 }
+
+double clod_law_cycle_pressed(const clod_law *law, double memory)
+{
+    return clod_law_kinds_row(law->kind)->pressed(law, memory);
+}

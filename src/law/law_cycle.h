@@ -36,3 +36,14 @@ double clod_law_cycle_impact(const clod_law *law, double r_star, double energy);
  * Test    tests/law/test_law_cycle.c
  */
 clod_law_pull clod_law_cycle_pull(const clod_law *law, double r_star, double overlap);
+
+/**
+ * Overlap [m] to which a contact would have to be pressed for the first time to remember this:
+ * with it the functions above tell what the contact has carried, and with what it will pull.
+ *
+ * @param memory  P = plastic overlap^n [m^n], of luding d_max [m]: clod_history.plastic
+ * @return        0 for a law that remembers nothing; of luding at most d*
+ * Errors  none.   Threads  pure.   Source  docs/theory/mepa.md, luding.md, eepa.md.
+ * Test    tests/law/test_law_pressed.c
+ */
+double clod_law_cycle_pressed(const clod_law *law, double memory);

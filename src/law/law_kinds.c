@@ -109,12 +109,24 @@ static double plastic_luding(const clod_law *self, double r_star, double memory)
     return rise / (self->k1 + rise) * memory; // d0 = (1 - k1/k2) d_max
 }
 
+static double pressed_power(const clod_law *self, double memory)
+{
+    return memory > 0.0 ? pow(memory / self->virgin, 1.0 / self->exponent) : 0.0;
+}
+
+static double pressed_luding(const clod_law *self, double memory)
+{
+    (void)self;
+    return memory; // d_max, up to d*
+}
+
 static const clod_law_kind_row LAWS[CLOD_LAW_KINDS] = {
     [CLOD_LAW_MEPA] = {.make = make_mepa,
                        .speed_free = true,
                        .stiffest = stiffest_k2,
                        .pull = pull_clamp,
                        .plastic = plastic_power,
+                       .pressed = pressed_power,
                        .stiffness_keys = "its k1 (and k2)"},
     [CLOD_LAW_HERTZ] = {.make = make_hertz,
                         .elastic = true,
@@ -123,6 +135,7 @@ static const clod_law_kind_row LAWS[CLOD_LAW_KINDS] = {
                         .stiffest = stiffest_k2,
                         .pull = pull_clamp,
                         .plastic = plastic_power,
+                        .pressed = pressed_power,
                         .stiffness_keys = "youngs_modulus"},
     [CLOD_LAW_HOOKE] = {.make = make_hooke,
                         .elastic = true,
@@ -130,17 +143,20 @@ static const clod_law_kind_row LAWS[CLOD_LAW_KINDS] = {
                         .stiffest = stiffest_k2,
                         .pull = pull_clamp,
                         .plastic = plastic_power,
+                        .pressed = pressed_power,
                         .stiffness_keys = "its k1 (and k2)"},
     [CLOD_LAW_LUDING] = {.make = make_luding,
                          .stiffest = stiffest_k2,
                          .flow = flow_luding,
                          .pull = pull_luding,
                          .plastic = plastic_luding,
+                         .pressed = pressed_luding,
                          .stiffness_keys = "its k1 (and k2)"},
     [CLOD_LAW_EEPA] = {.make = make_eepa,
                        .stiffest = stiffest_k2,
                        .pull = pull_clamp,
                        .plastic = plastic_power,
+                       .pressed = pressed_power,
                        .stiffness_keys = "its k1 (and k2)"},
 };
 

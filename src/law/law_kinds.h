@@ -23,6 +23,8 @@ typedef struct clod_law_kind_row {
     clod_law_pull (*pull)(const clod_law *self, double r_star, double overlap);
     /** Plastic overlap [m] from what the contact remembers. */
     double (*plastic)(const clod_law *self, double r_star, double memory);
+    /** Overlap [m] of virgin loading that leaves this memory; 0: it remembers nothing. */
+    double (*pressed)(const clod_law *self, double memory);
     const char *stiffness_keys; ///< what the user raises when grains are too soft
 } clod_law_kind_row;
 

@@ -113,7 +113,9 @@ static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
     const size_t grains = clod_hdf_rows(hdf, "grains/id");
     const size_t contacts = clod_hdf_rows(hdf, "contacts/shape");
     if (!clod_limits_contacts(contacts, status) ||
-        !clod_grains_reserve(&state->grains, grains, status)) {
+        !clod_grains_reserve(&state->grains, grains, status) ||
+        (clod_hdf_rows(hdf, "grains/clump_since") > 0 &&
+         !clod_grains_keep_clumps(&state->grains, status))) {
         return false;
     }
     clod_memory_free(state->build_position);

@@ -58,6 +58,7 @@ static void add_state(clod_checkpoint_columns *self, const clod_state *state)
     ADD(exchange.residence, "residence", "s", F64, 1);
     ADD(exchange.residence_squared, "residence_squared", "s2", F64, 1);
     ADD(exchange.residence_count, "residence_count", "1", I64, CLOD_RESIDENCE_BINS);
+    ADD(exchange.left_clumps, "left_clumps", "1", I64, 1 + CLOD_CLUMP_CLASSES);
     ADD(domain.removes, "domain_removes", "1", U8, 1);
     ADD(domain.outlets, "outlets", "1", I32, 1);
     ADD(domain.outlet, "outlet", "m", F64, CLOD_OUTLETS * CLOD_OUTLET_NUMBERS);
@@ -81,6 +82,13 @@ static void add_grains(clod_checkpoint_columns *self, const clod_state *state)
     const clod_rows load = {grains->load, n, sizeof *grains->load};
     add(self, id, 0, "grains/id", "1", CLOD_HDF_U64, 1);
     add(self, birth, 0, "grains/birth", "s", CLOD_HDF_F64, 1);
+    if (grains->clump != NULL) {
+        const clod_rows clump = {grains->clump, n, sizeof *grains->clump};
+        add(self, clump, offsetof(clod_grain_clump, since), "grains/clump_since", "s",
+            CLOD_HDF_F64, 1);
+        add(self, clump, offsetof(clod_grain_clump, seen), "grains/clump_size", "1",
+            CLOD_HDF_I32, 1);
+    }
     add(self, material, 0, "grains/material", "1", CLOD_HDF_U16, 1);
     add(self, position, 0, "grains/position", "m", CLOD_HDF_F64, 3);
     add(self, position, 3 * real, "grains/radius", "m", CLOD_HDF_F64, 1);

@@ -13,12 +13,8 @@
 #include "output/folder_files.h"
 #include "output/hdf.h"
 #include "output/hdf_series.h"
+#include "output/vtk_cells.h"
 #include "output/wall_mesh.h"
-
-// cell types of VTK, vtkCellType.h
-#define VTK_VERTEX 1
-#define VTK_LINE 3
-#define VTK_TRIANGLE 5
 
 /** The kinds of picture, in the names of their files and series. */
 static const char *const KINDS[] = {"snap", "walls", "contacts"};
@@ -29,45 +25,6 @@ static void put_columns(clod_hdf *hdf, const clod_hdf_column *columns, size_t co
     for (size_t c = 0; c < count; c++) {
         clod_hdf_put(hdf, &columns[c]);
     }
-}
-
-/** The numbers 0, step, 2 step, ... */
-static bool put_multiples(clod_hdf *hdf, const char *name, size_t rows, int64_t step,
-                          clod_status *status)
-{
-    const size_t most = rows < CLOD_HDF_SLAB ? rows : CLOD_HDF_SLAB;
-    int64_t *numbers = clod_memory_alloc(most + 1, sizeof *numbers);
-    if (numbers == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "No memory for a snapshot.");
-    }
-    clod_hdf_column column = {name, NULL, CLOD_HDF_I64, 1, rows, numbers, sizeof *numbers};
-    clod_hdf_make(hdf, &column);
-    for (size_t first = 0; first < rows; first += column.rows) {
-        column.rows = rows - first < most ? rows - first : most;
-        for (size_t r = 0; r < column.rows; r++) {
-            numbers[r] = (int64_t)(first + r) * step;
-        }
-        clod_hdf_put_rows(hdf, &column, first);
-    }
-    clod_memory_free(numbers);
-    return true;
-}
-
-/** The cells: number c has the points c * corners ... c * corners + corners - 1. */
-static bool put_cells(clod_hdf *hdf, size_t cells, uint8_t type, int64_t corners,
-                      clod_status *status)
-{
-    const size_t points = cells * (size_t)corners;
-    const int64_t sizes[3] = {(int64_t)points, (int64_t)cells, (int64_t)points};
-    const clod_hdf_column columns[] = {
-        {"VTKHDF/NumberOfPoints", NULL, CLOD_HDF_I64, 1, 1, &sizes[0], 8},
-        {"VTKHDF/NumberOfCells", NULL, CLOD_HDF_I64, 1, 1, &sizes[1], 8},
-        {"VTKHDF/NumberOfConnectivityIds", NULL, CLOD_HDF_I64, 1, 1, &sizes[2], 8},
-        {"VTKHDF/Types", NULL, CLOD_HDF_U8, 1, cells, &type, 0}, // all of one type
-    };
-    put_columns(hdf, columns, sizeof columns / sizeof *columns);
-    return put_multiples(hdf, "VTKHDF/Connectivity", points, 1, status) &&
-           put_multiples(hdf, "VTKHDF/Offsets", cells + 1, corners, status);
 }
 
 /** Contacts of each grain with grains and walls; owned [grains.count], or NULL. */
@@ -94,6 +51,18 @@ static int32_t *coordination(const clod_state *state, const clod_contact_source 
         clod_memory_free(number);
     }
     return good ? number : NULL;
+}
+
+static void put_clumps(clod_hdf *hdf, const clod_grains *grains)
+{
+    const size_t row = sizeof *grains->clump;
+    const clod_hdf_column columns[] = {
+        {"VTKHDF/PointData/clump", "1", CLOD_HDF_I64, 1, grains->count, &grains->clump->number,
+         row},
+        {"VTKHDF/PointData/clump_size", "1", CLOD_HDF_I32, 1, grains->count,
+         &grains->clump->size, row},
+    };
+    put_columns(hdf, columns, sizeof columns / sizeof *columns);
 }
 
 static bool put_grains(clod_hdf *hdf, const clod_state *state, const clod_contact_source *from,
@@ -126,7 +95,10 @@ static bool put_grains(clod_hdf *hdf, const clod_state *state, const clod_contac
     };
     put_columns(hdf, columns, sizeof columns / sizeof *columns);
     clod_memory_free(contacts);
-    return put_cells(hdf, n, VTK_VERTEX, 1, status);
+    if (grains->clump != NULL) {
+        put_clumps(hdf, grains);
+    }
+    return clod_vtk_cells_put(hdf, n, VTK_VERTEX, 1, status);
 }
 
 /** What grains did to the triangles, if that was measured. */
@@ -169,7 +141,7 @@ static bool put_walls(clod_hdf *hdf, const clod_state *state, clod_status *statu
         };
         put_columns(hdf, columns, sizeof columns / sizeof *columns);
         put_wear(hdf, &mesh);
-        good = put_cells(hdf, n, VTK_TRIANGLE, 3, status);
+        good = clod_vtk_cells_put(hdf, n, VTK_TRIANGLE, 3, status);
     }
     clod_wall_mesh_fini(&mesh);
     return good;
@@ -179,6 +151,7 @@ static bool put_walls(clod_hdf *hdf, const clod_state *state, clod_status *statu
 typedef struct clod_contact_line {
     double end[2][3]; ///< m
     double overlap;   ///< m
+    double pull_off;  ///< N
     uint64_t id[2];
 } clod_contact_line;
 
@@ -203,7 +176,7 @@ static clod_contact_line contact_line(const clod_state *state, const clod_contac
     return line;
 }
 
-enum { LINE_COLUMNS = 3 + CLOD_HISTORY_FIELDS };
+enum { LINE_COLUMNS = 4 + CLOD_HISTORY_FIELDS };
 
 /** Contacts on their way into a picture. */
 typedef struct slab {
@@ -226,10 +199,12 @@ static void list_lines(slab *self, size_t count)
                                   self->lines[0].id,    row};
     column[2] = (clod_hdf_column){"VTKHDF/CellData/overlap", "m", CLOD_HDF_F64, 1, count,
                                   &self->lines[0].overlap,   row};
+    column[3] = (clod_hdf_column){"VTKHDF/CellData/pull_off", "N", CLOD_HDF_F64, 1, count,
+                                  &self->lines[0].pull_off,   row};
     for (int f = 0; f < CLOD_HISTORY_FIELDS; f++) {
         const clod_history_field *field = &CLOD_HISTORY[f];
         snprintf(self->name[f], sizeof self->name[f], "VTKHDF/CellData/%s", field->name);
-        column[3 + f] = (clod_hdf_column){.name = self->name[f],
+        column[4 + f] = (clod_hdf_column){.name = self->name[f],
                                           .units = field->unit,
                                           .type = CLOD_HDF_F64,
                                           .components = (size_t)field->components,
@@ -240,11 +215,15 @@ static void list_lines(slab *self, size_t count)
 }
 
 /** Write lines from number `first` on, of contacts that were just read. */
-static void put_lines(clod_hdf *hdf, const clod_state *state, slab *self, size_t first,
-                      size_t count)
+static void put_lines(clod_hdf *hdf, const clod_state *state, const clod_contact_source *from,
+                      slab *self, const size_t range[2])
 {
+    const size_t first = range[0], count = range[1];
     for (size_t c = 0; c < count; c++) {
         self->lines[c] = contact_line(state, &self->contacts[c]);
+        if (from->strength != NULL) {
+            self->lines[c].pull_off = from->strength(from->laws, &self->contacts[c]).pull_off;
+        }
         memcpy(self->ends[2 * c], self->lines[c].end, sizeof self->lines[c].end);
     }
     list_lines(self, count);
@@ -275,7 +254,7 @@ static bool put_contacts(clod_hdf *hdf, const clod_state *state,
     for (size_t first = 0, count = 0; good && first < n; first += count) {
         count = from->next(from->context, some.contacts, n - first < most ? n - first : most);
         CLOD_ASSERT(count > 0);
-        put_lines(hdf, state, &some, first, count);
+        put_lines(hdf, state, from, &some, (const size_t[2]){first, count});
     }
     clod_memory_free(some.contacts);
     clod_memory_free(some.lines);
@@ -284,7 +263,7 @@ static bool put_contacts(clod_hdf *hdf, const clod_state *state,
         return clod_status_fail(status, CLOD_FAILED,
                                 "No memory for a snapshot of the contacts.");
     }
-    return put_cells(hdf, n, VTK_LINE, 2, status);
+    return clod_vtk_cells_put(hdf, n, VTK_LINE, 2, status);
 }
 
 /** Write one picture into an open file. */
@@ -295,10 +274,7 @@ static bool put_picture(const clod_hdf_place *place, const clod_state *state,
     if (hdf == NULL) {
         return false;
     }
-    const int64_t version[2] = {1, 0};
-    clod_hdf_group(hdf, "VTKHDF");
-    clod_hdf_put_ints(hdf, "VTKHDF", "Version", version, 2);
-    clod_hdf_put_text(hdf, "VTKHDF", "Type", "UnstructuredGrid");
+    clod_vtk_cells_head(hdf);
     clod_hdf_put_ints(hdf, "/", "step", &state->step, 1);
     clod_hdf_put_real(hdf, "/", "time_s", state->time);
     const bool good = kind == GRAINS  ? put_grains(hdf, state, from, status)

@@ -2,7 +2,10 @@
 
 #include "sim/balance.h"
 #include "sim/belt_loads.h"
+#include "sim/build_up.h"
+#include "sim/clumps.h"
 #include "sim/gauges.h"
+#include "sim/history_map.h"
 #include "sim/inlets.h"
 #include "sim/leavers.h"
 #include "sim/residence.h"
@@ -14,6 +17,7 @@ static const clod_free_measure *const MEASURES[] = {
     &CLOD_MEASURE_LEAVERS,   &CLOD_MEASURE_INLETS,     &CLOD_MEASURE_OUTLETS,
     &CLOD_MEASURE_RESIDENCE, &CLOD_MEASURE_WALL_LOADS, &CLOD_MEASURE_SURFACES,
     &CLOD_MEASURE_BALANCE,   &CLOD_MEASURE_BELT_LOADS, &CLOD_MEASURE_GAUGES,
+    &CLOD_MEASURE_CLUMPS,    &CLOD_MEASURE_BUILD_UP,   &CLOD_MEASURE_HISTORY_MAP,
 };
 enum { COUNT = sizeof MEASURES / sizeof *MEASURES };
 
@@ -82,6 +86,15 @@ bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_sta
     for (int k = 0; good && k < COUNT; k++) {
         good = MEASURES[k]->look == NULL ||
                MEASURES[k]->look(memory_of(memory, now->from, k), now, status);
+    }
+    return good;
+}
+
+bool clod_free_measures_picture(const clod_free_moment *now, clod_status *status)
+{
+    bool good = true;
+    for (int k = 0; good && k < COUNT; k++) {
+        good = MEASURES[k]->picture == NULL || MEASURES[k]->picture(now, status);
     }
     return good;
 }

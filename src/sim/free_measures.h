@@ -37,6 +37,8 @@ typedef struct clod_free_measure {
     int64_t (*plan)(const void *memory, const clod_case *from, const clod_state *state);
     /** A row is due: look at grains and contacts. */
     bool (*look)(void *memory, const clod_free_moment *now, clod_status *status);
+    /** A snapshot is due: fill the columns of grains that it shows. */
+    bool (*picture)(const clod_free_moment *now, clod_status *status);
     /** Number of its columns in the series. */
     size_t (*columns)(const clod_case *from, const clod_state *state);
     /** Header text of column k, with its unit: "exit.mass_flow [kg s-1]". */
@@ -66,6 +68,8 @@ int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
                                 const clod_state *state);
 
 bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_status *status);
+
+bool clod_free_measures_picture(const clod_free_moment *now, clod_status *status);
 
 /** Number of all columns. */
 size_t clod_free_measures_columns(const clod_case *from, const clod_state *state);

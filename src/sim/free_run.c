@@ -72,6 +72,14 @@ static bool free_measure(void *data, const void *context, clod_state *state,
     return clod_free_measures_look(measures_of(data, context), &now, status);
 }
 
+static bool free_picture(void *data, const void *context, clod_state *state,
+                         const clod_contact_source *contacts, clod_status *status)
+{
+    (void)data;
+    const clod_free_moment now = {context, state, contacts};
+    return clod_free_measures_picture(&now, status);
+}
+
 static bool free_sample(void *data, const void *context, clod_state *state, double *row)
 {
     free_data *self = data;
@@ -304,6 +312,7 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
                                      .look = free_look,
                                      .measure = free_measure,
                                      .sample = free_sample,
+                                     .picture = free_picture,
                                      .phase = free_phase,
                                      .fraction = free_fraction,
                                      .reason = free_reason};

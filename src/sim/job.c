@@ -64,9 +64,26 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
            clod_job_store(job, &contacts, suffix, status);
 }
 
+/** Something of the procedure that looks at the state with its contacts; NULL: nothing. */
+static bool with_contacts(job_loop *loop,
+                          bool (*todo)(void *data, const void *context, clod_state *state,
+                                       const clod_contact_source *contacts,
+                                       clod_status *status),
+                          clod_status *status)
+{
+    clod_job *job = loop->job;
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
+    return todo == NULL ||
+           todo(job->procedure.data, job->procedure.context, &job->state, &contacts, status);
+}
+
 static bool write_snapshot(job_loop *loop, clod_status *status)
 {
     loop->last_picture = loop->job->state.step;
+    if (!with_contacts(loop, loop->job->procedure.picture, status)) {
+        return false;
+    }
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
     return clod_job_picture(loop->job, &contacts, status);
@@ -156,20 +173,6 @@ static bool can_go_on(job_loop *loop, clod_status *status)
     write_checkpoint(loop, "-failed", &ignored);
     return clod_status_fail(status, CLOD_FAILED, "%s, step %lld: %s", loop->job->name,
                             (long long)loop->job->state.step, text);
-}
-
-/** Something of the procedure that looks at the state with its contacts; NULL: nothing. */
-static bool with_contacts(job_loop *loop,
-                          bool (*todo)(void *data, const void *context, clod_state *state,
-                                       const clod_contact_source *contacts,
-                                       clod_status *status),
-                          clod_status *status)
-{
-    clod_job *job = loop->job;
-    clod_step_reader reader;
-    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
-    return todo == NULL ||
-           todo(job->procedure.data, job->procedure.context, &job->state, &contacts, status);
 }
 
 /**

@@ -32,6 +32,9 @@ typedef struct clod_procedure {
                     const clod_contact_source *contacts, clod_status *status);
     /** Fill the row [column_count], change walls and adhesion; true when finished. */
     bool (*sample)(void *data, const void *context, clod_state *state, double *row);
+    /** Before a snapshot: fill the columns of grains that it shows. NULL: nothing. */
+    bool (*picture)(void *data, const void *context, clod_state *state,
+                    const clod_contact_source *contacts, clod_status *status);
     const char *(*phase)(const void *data, const void *context);
     double (*fraction)(const void *data, const void *context);
     /** Why the phase that a sample has just ended is over. NULL: nobody asks. */

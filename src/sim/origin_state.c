@@ -269,6 +269,8 @@ static void move_grains(moving *self)
     for (size_t g = 0; g < grains->count; g++) {
         grains->material[g] = (uint16_t)self->material[grains->material[g]];
     }
+    clod_memory_free(grains->clump); // this run looks for its own
+    grains->clump = NULL;
     self->other.contacts = NULL; // they have moved
     self->other.grains = (clod_grains){0};
 }

@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "clod/status.h"
+#include "state/clump_class.h"
 #include "state/domain.h"
 #include "state/walls.h"
 
@@ -58,6 +59,8 @@ typedef struct clod_exchange {
     double residence;               ///< s, sum of the times that these were in
     double residence_squared;       ///< s2, of their squares
     int64_t residence_count[CLOD_RESIDENCE_BINS]; ///< how many were in for so long
+    int64_t left_clumps[1 + CLOD_CLUMP_CLASSES]; ///< how many were alone, and in clumps of each
+                                                 ///< class, at the last look; 0: nobody looks
 } clod_exchange;
 
 /**

@@ -7,8 +7,14 @@
 
 #include "state/state.h"
 
+/** What a contact remembers of its past, as forces. */
+typedef struct clod_contact_strength {
+    double pull_off; ///< N, largest pull that it can carry from now on; 0: none
+    double pressed;  ///< N, largest past force that it remembers; 0: none
+} clod_contact_strength;
+
 typedef struct clod_contact_source {
-    void *context; ///< of the two functions, borrowed
+    void *context; ///< of the first two functions, borrowed
 
     /** Go before the first contact; how many there are of two grains and with walls. */
     void (*begin)(void *context, size_t *pairs, size_t *walls);
@@ -20,6 +26,10 @@ typedef struct clod_contact_source {
      * @return      how many there were, fewer than `room` only at the end
      */
     size_t (*next)(void *context, clod_contact *to, size_t room);
+
+    const void *laws; ///< of the next function, borrowed
+    /** Strength of a contact; NULL: nobody knows the laws. Threads: pure. */
+    clod_contact_strength (*strength)(const void *laws, const clod_contact *contact);
 } clod_contact_source;
 
 /** A place in a state's own list of contacts. */

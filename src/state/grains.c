@@ -18,6 +18,33 @@ bool clod_grains_keep_before(clod_grains *self, clod_status *status)
                             self->count);
 }
 
+bool clod_grains_keep_clumps(clod_grains *self, clod_status *status)
+{
+    if (self->clump != NULL) {
+        return true;
+    }
+    self->clump = clod_memory_alloc(self->capacity + 1, sizeof *self->clump);
+    if (self->clump == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the clumps of %zu grains",
+                                self->count);
+    }
+    for (size_t g = 0; g < self->count; g++) {
+        self->clump[g] = CLOD_GRAIN_CLUMP_NONE;
+    }
+    return true;
+}
+
+/** More rows for the columns that exist only when asked for. */
+static bool grow_asked(clod_grains *self, size_t rows)
+{
+    if (self->clump != NULL) {
+        void *clump = clod_memory_grow(self->clump, self->capacity, rows, sizeof *self->clump);
+        self->clump = clump != NULL ? clump : self->clump;
+        return clump != NULL;
+    }
+    return true;
+}
+
 bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
 {
     const size_t capacity = count + PADDING;
@@ -48,7 +75,7 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
     self->birth = birth != NULL ? birth : self->birth;
     self->material = material != NULL ? material : self->material;
     if (position == NULL || velocity == NULL || angular_velocity == NULL || load == NULL ||
-        id == NULL || birth == NULL || material == NULL ||
+        id == NULL || birth == NULL || material == NULL || !grow_asked(self, rows) ||
         (self->before != NULL && before == NULL)) {
         clod_memory_free(before);
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", count);
@@ -84,6 +111,9 @@ bool clod_grains_add(clod_grains *self, const double place[4], const double spee
     self->id[g] = id;
     self->birth[g] = 0.0;
     self->material[g] = material;
+    if (self->clump != NULL) {
+        self->clump[g] = CLOD_GRAIN_CLUMP_NONE;
+    }
     clod_grains_pad(self);
     return true;
 }
@@ -118,6 +148,12 @@ bool clod_grains_copy(clod_grains *self, const clod_grains *from, clod_status *s
     memcpy(self->id, from->id, n * sizeof *self->id);
     memcpy(self->birth, from->birth, n * sizeof *self->birth);
     memcpy(self->material, from->material, n * sizeof *self->material);
+    if (from->clump != NULL) {
+        if (!clod_grains_keep_clumps(self, status)) {
+            return false;
+        }
+        memcpy(self->clump, from->clump, n * sizeof *self->clump);
+    }
     clod_grains_pad(self);
     return true;
 }
@@ -132,5 +168,6 @@ void clod_grains_fini(clod_grains *self)
     clod_memory_free(self->id);
     clod_memory_free(self->birth);
     clod_memory_free(self->material);
+    clod_memory_free(self->clump);
     *self = (clod_grains){0};
 }

@@ -11,6 +11,17 @@
 
 #include "clod/status.h"
 
+/** The clump that a grain is in (docs/clumps.md). */
+typedef struct clod_grain_clump {
+    uint64_t number; ///< id of its first grain, 0: none; when it was last shown or looked at
+    double since;    ///< s, first look of those without a break that saw it in one; < 0: none
+    int32_t size;    ///< grains, with `number`
+    int32_t seen;    ///< the same at the last look
+} clod_grain_clump;
+
+/** Of a grain that is in none. */
+#define CLOD_GRAIN_CLUMP_NONE ((clod_grain_clump){.since = -1.0})
+
 typedef struct clod_grains {
     size_t count;
     size_t capacity;               ///< rows allocated, at least count + 2
@@ -23,6 +34,7 @@ typedef struct clod_grains {
     uint64_t *id;        ///< global, never changes
     double *birth;       ///< s, time at which it came; 0: it was there at the start
     uint16_t *material;
+    clod_grain_clump *clump; ///< NULL unless somebody asked for it
 } clod_grains;
 
 /** Reserve rows for at least `count` grains; keeps what is there. */
@@ -44,6 +56,9 @@ bool clod_grains_add(clod_grains *self, const double position[4], const double s
 
 /** From now on keep the loads of the step before. */
 bool clod_grains_keep_before(clod_grains *self, clod_status *status);
+
+/** From now on know the clump of each grain; in none at first. */
+bool clod_grains_keep_clumps(clod_grains *self, clod_status *status);
 
 /** Put the two padding rows behind the last grain. */
 void clod_grains_pad(clod_grains *self);

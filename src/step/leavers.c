@@ -51,6 +51,16 @@ static void add_residence(leaver_sums *sums, clod_state *state, size_t row)
     state->exchange.residence_count[residence_bin(time)]++;
 }
 
+/** In what clump it was when somebody last looked. */
+static void add_clump(clod_state *state, size_t row)
+{
+    if (state->grains.clump != NULL) {
+        const clod_grain_clump *clump = &state->grains.clump[row];
+        state->exchange
+            .left_clumps[clump->since >= 0.0 ? 1 + clod_clump_class(clump->seen) : 0]++;
+    }
+}
+
 static void add_leaver(leaver_sums *sums, const clod_state *state, size_t row, int face,
                        double half_kick)
 {
@@ -85,6 +95,7 @@ size_t clod_leavers_mark(clod_state *state, double half_kick, int32_t *rank)
             state->exchange.left[face]++;
             add_leaver(&sums, state, g, face, half_kick);
             add_residence(&sums, state, g);
+            add_clump(state, g);
             leavers++;
         }
     }

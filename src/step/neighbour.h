@@ -144,7 +144,7 @@ typedef struct clod_row_column {
     size_t stride, size;
 } clod_row_column;
 
-#define CLOD_ROW_COLUMNS 10
+#define CLOD_ROW_COLUMNS 11
 
 /** All that goes with the grains; how many columns there are. */
 int clod_neighbour_columns(const clod_grains *grains,

@@ -174,6 +174,9 @@ int clod_neighbour_columns(const clod_grains *grains, clod_row_column columns[CL
     ADD(grains->id, 0, sizeof *grains->id);
     ADD(grains->birth, 0, sizeof *grains->birth);
     ADD(grains->material, 0, sizeof *grains->material);
+    if (grains->clump != NULL) {
+        ADD(grains->clump, 0, sizeof *grains->clump);
+    }
 #undef ADD
     return count;
 }

@@ -58,6 +58,7 @@ static void every_law_has_its_numbers(void **state)
         assert_non_null(row->stiffest);
         assert_non_null(row->pull);
         assert_non_null(row->plastic);
+        assert_non_null(row->pressed);
         assert_non_null(row->stiffness_keys);
     }
 }

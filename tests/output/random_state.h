@@ -163,6 +163,15 @@ static inline clod_state random_state(uint64_t seed)
     state.domain.outlets = CLOD_OUTLETS;
     random_reals(&source, state.domain.outlet, (size_t)CLOD_OUTLETS * CLOD_OUTLET_NUMBERS);
     random_reals(&source, state.grains.birth, state.grains.count);
+    clod_status lacking;
+    assert_true(clod_grains_keep_clumps(&state.grains, &lacking));
+    for (size_t g = 0; g < state.grains.count; g++) {
+        state.grains.clump[g].since = random_real(&source);
+        state.grains.clump[g].seen = random_int(&source);
+    }
+    for (int k = 0; k <= CLOD_CLUMP_CLASSES; k++) {
+        state.exchange.left_clumps[k] = random_int(&source);
+    }
     state.exchange.residence = random_real(&source);
     state.exchange.residence_squared = random_real(&source);
     for (int b = 0; b < CLOD_RESIDENCE_BINS; b++) {
@@ -234,6 +243,11 @@ static inline void assert_states_equal(const clod_state *a, const clod_state *b)
     assert_memory_equal(a->grains.id, b->grains.id, n * sizeof *a->grains.id);
     assert_memory_equal(a->grains.material, b->grains.material, n * sizeof(uint16_t));
     assert_memory_equal(a->grains.birth, b->grains.birth, n * sizeof *a->grains.birth);
+    for (size_t g = 0; g < n; g++) {
+        assert_memory_equal(&a->grains.clump[g].since, &b->grains.clump[g].since,
+                            sizeof(double));
+        assert_int_equal(a->grains.clump[g].seen, b->grains.clump[g].seen);
+    }
     assert_memory_equal(a->build_position, b->build_position, n * sizeof *a->build_position);
     assert_memory_equal(a->build_walls, b->build_walls,
                         RANDOM_STATE_WALLS * sizeof *a->build_walls);

@@ -22,6 +22,12 @@ PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_kind", "clod_ring_shear_p
          ("src/measure/peak.h", ["CLOD_PEAK_BINS", "clod_peak"]),
          ("src/sim/free_stages.h", ["clod_free_end", "clod_free_stages",
                                      "clod_free_stage_end"]),
+         ("src/state/clump_class.h", ["CLOD_CLUMP_CLASSES"]),
+         ("src/measure/clumps.h", ["clod_clump_stats", "clod_clump_sizes"]),
+         ("src/sim/clumps.h", ["clod_clump_count", "clod_clump_memory"]),
+         ("src/sim/build_up.h", ["CLOD_BUILD_UP_PARTS", "CLOD_BUILD_UP_POINTS"]),
+         ("src/sim/build_up.c", ["past", "build_up"]),
+         ("src/sim/history_map.c", ["force_sum", "map_cell", "history_map"]),
          ("src/output/series.h", ["clod_series_mark"]),
          ("src/output/snapshot.h", ["clod_snapshot_film"]),
          ("src/sim/job.h", ["clod_job_memory"])]

@@ -1,0 +1,94 @@
+// Rules for clumps, build-up and the map of histories.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "config/check.h"
+
+/** What is wrong with the shape of a region; NULL: nothing. */
+static const char *fault_of(const clod_case_region *region)
+{
+    if (region->kind == CLOD_REGION_BOX) {
+        bool rises = true;
+        for (int a = 0; a < 3; a++) {
+            rises = rises && region->min[a] < region->max[a];
+        }
+        return rises ? NULL : "box: max must be larger than min in x, y and z";
+    }
+    return region->inner_radius < region->outer_radius
+               ? NULL
+               : "annulus: inner_radius must be smaller than outer_radius";
+}
+
+static void check_counts(clod_loader *loader, const clod_case_clumps *clumps)
+{
+    char key[CLOD_LOAD_PATH];
+    if (clumps->count_count > CLOD_CASE_CLUMP_COUNTS) {
+        clod_check_fail(loader, "clumps.counts", "has %zu counts; at most %d",
+                        clumps->count_count, CLOD_CASE_CLUMP_COUNTS);
+    }
+    for (size_t k = 0; k < clumps->count_count; k++) {
+        const clod_case_clump_count *count = &clumps->counts[k];
+        const char *fault = count->has_region ? fault_of(&count->region) : NULL;
+        snprintf(key, sizeof key, "clumps.counts.%s", count->name);
+        if (strcmp(count->name, "all") == 0) {
+            clod_check_fail(loader, key, "all are told anyway; take another name");
+        } else if (!count->has_region && !count->free) {
+            clod_check_fail(loader, key,
+                            "counts what all clumps are; give it a region, free: true or both");
+        } else if (fault != NULL) {
+            snprintf(key, sizeof key, "clumps.counts.%s.region", count->name);
+            clod_check_fail(loader, key, "%s", fault);
+        }
+    }
+}
+
+/** Cells of a box [m]. */
+static double cells_of(const double low[3], const double high[3], double cell)
+{
+    double cells = 1.0;
+    for (int a = 0; a < 3; a++) {
+        cells *= fmax(1.0, ceil((high[a] - low[a]) / cell * (1.0 - 1e-12)));
+    }
+    return cells;
+}
+
+static void check_map(clod_loader *loader, const clod_case *self)
+{
+    const clod_case_history_map *map = &self->history_map;
+    if (map->has_region && map->region.kind != CLOD_REGION_BOX) {
+        clod_check_fail(loader, "history_map.region", "must be a box, which is cut into cells");
+        return;
+    }
+    if (map->has_region && fault_of(&map->region) != NULL) {
+        clod_check_fail(loader, "history_map.region", "%s", fault_of(&map->region));
+        return;
+    }
+    if (!map->has_region && !self->has_domain) {
+        clod_check_fail(loader, "history_map",
+                        "needs a region, a box that is cut into cells; or give the case a "
+                        "domain");
+        return;
+    }
+    const double *low = map->has_region ? map->region.min : self->domain_min;
+    const double *high = map->has_region ? map->region.max : self->domain_max;
+    const double cells = cells_of(low, high, map->cell);
+    if (cells > CLOD_CASE_MAP_CELLS) {
+        clod_check_fail(
+            loader, "history_map.cell",
+            "makes %.3g cells of the region, at most %d are allowed; make it %.3g m "
+            "or the region smaller",
+            cells, CLOD_CASE_MAP_CELLS, 1.1 * map->cell * cbrt(cells / CLOD_CASE_MAP_CELLS));
+    }
+}
+
+void clod_check_clumps(clod_loader *loader, const clod_case *self)
+{
+    if (self->clumps.present && clod_report_clean(loader->report, "clumps")) {
+        check_counts(loader, &self->clumps);
+    }
+    if (self->history_map.present && clod_report_clean(loader->report, "history_map") &&
+        clod_report_clean(loader->report, "domain")) {
+        check_map(loader, self);
+    }
+}

@@ -1,0 +1,33 @@
+#pragma once
+/**
+ * @file clumps.h
+ * Clumps of a free run: a measure (docs/clumps.md). It looks at every row of the series.
+ */
+
+#include "measure/clumps.h"
+#include "parallel/exact.h"
+#include "sim/free_measures.h"
+
+/** Classes of the times that grains were in clumps: ten a decade from 1 ms on, as those of
+ *  residence. */
+#define CLOD_CLUMP_TIMES CLOD_RESIDENCE_BINS
+
+/** All clumps, or those of one of the case's counts. */
+typedef struct clod_clump_count {
+    clod_clump_stats now;   ///< at the last look
+    clod_clump_stats mean;  ///< times s
+    clod_clump_stats most;  ///< the largest of each
+    clod_clump_sizes sizes; ///< times s
+} clod_clump_count;
+
+/** What the measure remembers. */
+typedef struct clod_clump_memory {
+    int64_t step;                          ///< of the last look
+    double time;                           ///< s, from the beginning of the run until then
+    int64_t left;                          ///< grains that were in a clump and are not any more
+    clod_exact lived;                      ///< s, sum of the times that they were
+    int64_t lived_count[CLOD_CLUMP_TIMES]; ///< how many were for so long
+    clod_clump_count count[1 + CLOD_CASE_CLUMP_COUNTS]; ///< all, then those of the case
+} clod_clump_memory;
+
+extern const clod_free_measure CLOD_MEASURE_CLUMPS;

@@ -1,0 +1,274 @@
+#include "sim/clumps_told.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/plural.h"
+#include "base/text.h"
+#include "output/folder_files.h"
+#include "sim/clumps.h"
+
+/** Columns of each count, in the order of clod_clump_stats. */
+static const char *const COLUMNS[] = {"number [1]",    "grains [1]",
+                                      "mass [kg]",     "mass_share [1]",
+                                      "mean_size [1]", "mass_mean_size [1]",
+                                      "largest [1]",   "largest_mass [kg]",
+                                      "d10 [m]",       "d50 [m]",
+                                      "d90 [m]"};
+enum { PER_COUNT = sizeof COLUMNS / sizeof *COLUMNS };
+_Static_assert(sizeof(clod_clump_stats) == PER_COUNT * sizeof(double), "one column each");
+
+/** Number of counts; all clumps are the first. */
+static size_t counts_of(const clod_case *from)
+{
+    return from->clumps.present ? 1 + from->clumps.count_count : 0;
+}
+
+/** Name of a count, "" of all clumps. */
+static const char *name_of(const clod_case *from, size_t count)
+{
+    return count == 0 ? "" : from->clumps.counts[count - 1].name;
+}
+
+size_t clod_clumps_told_columns(const clod_case *from, const clod_state *state)
+{
+    (void)state;
+    return PER_COUNT * counts_of(from);
+}
+
+void clod_clumps_told_column(const clod_case *from, const clod_state *state, size_t k,
+                             char *text, size_t size)
+{
+    (void)state;
+    const char *name = name_of(from, k / PER_COUNT);
+    snprintf(text, size, "clumps%s%s.%s", name[0] == '\0' ? "" : "_", name,
+             COLUMNS[k % PER_COUNT]);
+}
+
+void clod_clumps_told_row(void *memory, const clod_free_moment *now, double *row)
+{
+    const clod_clump_memory *self = memory;
+    for (size_t c = 0; c < counts_of(now->from); c++) {
+        memcpy(row + c * PER_COUNT, &self->count[c].now, sizeof self->count[c].now);
+    }
+}
+
+/** Over the time of the run; 0 before there was any. */
+static double mean_of(const clod_clump_memory *self, double times)
+{
+    return self->time > 0.0 ? times / self->time : 0.0;
+}
+
+static double ratio(double a, double b)
+{
+    return b > 0.0 ? a / b : 0.0;
+}
+
+// ---- times in clumps
+
+/** Lower end of a class of times [s]. */
+static double end_of(int bin)
+{
+    return CLOD_RESIDENCE_LEAST * pow(10.0, (double)bin / CLOD_RESIDENCE_PER_DECADE);
+}
+
+/** Time that a fraction of the grains were not in a clump for longer [s]: along the logarithm
+ *  within its class. */
+static double time_quantile(const clod_clump_memory *self, double fraction)
+{
+    double left = fraction * (double)self->left;
+    int bin = 0;
+    while (bin < CLOD_CLUMP_TIMES - 1 && left > (double)self->lived_count[bin]) {
+        left -= (double)self->lived_count[bin++];
+    }
+    const double share = ratio(left, (double)self->lived_count[bin]);
+    return end_of(bin) * pow(10.0, share / CLOD_RESIDENCE_PER_DECADE);
+}
+
+static double mean_time(const clod_clump_memory *self)
+{
+    return ratio(clod_exact_value(&self->lived), (double)self->left);
+}
+
+// ---- report
+
+static void report_count(FILE *out, const clod_clump_memory *self, const clod_case *from,
+                         size_t c)
+{
+    const clod_clump_count *count = &self->count[c];
+    const clod_clump_stats *mean = &count->mean, *end = &count->now;
+    const char *name = name_of(from, c);
+    fprintf(out,
+            "  clumps %-14s mean %.4g clump%s of %.3g grains, %.4g kg, %.3g %% of the mass; "
+            "largest %.0f grains, %.3g kg\n",
+            name, mean_of(self, mean->number), clod_plural(mean_of(self, mean->number)),
+            ratio(mean->grains, mean->number), mean_of(self, mean->mass),
+            100.0 * mean_of(self, mean->share), count->most.largest, count->most.largest_mass);
+    if (end->number > 0.0) {
+        fprintf(out,
+                "                        at the end %.0f clump%s, %.0f grains, %.4g kg; d10, "
+                "d50, d90 by mass %.3g, %.3g, %.3g mm\n",
+                end->number, clod_plural(end->number), end->grains, end->mass, 1e3 * end->d10,
+                1e3 * end->d50, 1e3 * end->d90);
+    }
+}
+
+/** Grains that left the space through sides and outlets. */
+static int64_t left_in_all(const clod_exchange *gone, bool alone)
+{
+    int64_t sum = 0;
+    for (int k = alone ? 0 : 1; k <= CLOD_CLUMP_CLASSES; k++) {
+        sum += gone->left_clumps[k];
+    }
+    return sum;
+}
+
+void clod_clumps_told_report(FILE *out, const void *memory, const clod_free_moment *now)
+{
+    const clod_clump_memory *self = memory;
+    for (size_t c = 0; c < counts_of(now->from); c++) {
+        report_count(out, self, now->from, c);
+    }
+    if (counts_of(now->from) == 0) {
+        return;
+    }
+    if (self->left > 0) {
+        fprintf(out,
+                "  time in clumps        %.4g s (10, 50, 90 %%: %.3g, %.3g, %.3g s) of the "
+                "%" PRId64 " time%s that a grain left its clump\n",
+                mean_time(self), time_quantile(self, 0.1), time_quantile(self, 0.5),
+                time_quantile(self, 0.9), self->left, clod_plural((double)self->left));
+    }
+    const int64_t gone = left_in_all(&now->state->exchange, true);
+    if (gone > 0) {
+        const int64_t clumped = left_in_all(&now->state->exchange, false);
+        fprintf(out, "  left in clumps        %" PRId64 " of %" PRId64 " grain%s, %.3g %%\n",
+                clumped, gone, clod_plural((double)gone),
+                100.0 * (double)clumped / (double)gone);
+    }
+}
+
+// ---- summary
+
+static json_t *stats_json(const clod_clump_stats *stats)
+{
+    return json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f}", "number",
+                     stats->number, "grains", stats->grains, "mass_kg", stats->mass,
+                     "mass_share", stats->share, "mean_size", stats->mean, "mass_mean_size",
+                     stats->mean_by_mass, "largest", stats->largest, "largest_mass_kg",
+                     stats->largest_mass, "d10_m", stats->d10, "d50_m", stats->d50, "d90_m",
+                     stats->d90);
+}
+
+/** Largest class that ever had a clump; -1: none. */
+static int last_class(const clod_clump_sizes *sizes)
+{
+    int last = CLOD_CLUMP_CLASSES - 1;
+    while (last >= 0 && sizes->number[last] == 0.0) {
+        last--;
+    }
+    return last;
+}
+
+static json_t *sizes_json(const clod_clump_memory *self, const clod_clump_sizes *sizes)
+{
+    json_t *list = json_array();
+    for (int k = 0; k <= last_class(sizes); k++) {
+        json_array_append_new(list, json_pack("{s:i, s:i, s:f, s:f}", "from",
+                                              (int)clod_clump_class_least(k), "to",
+                                              (int)CLOD_CLUMP_CLASS_MOST[k], "number",
+                                              mean_of(self, sizes->number[k]), "mass_kg",
+                                              mean_of(self, sizes->mass[k])));
+    }
+    return list;
+}
+
+static json_t *count_json(const clod_clump_memory *self, const clod_clump_count *count)
+{
+    const clod_clump_stats *mean = &count->mean;
+    return json_pack("{s:{s:f, s:f, s:f, s:f, s:f}, s:o, s:f, s:f, s:o}", "mean", "number",
+                     mean_of(self, mean->number), "grains", mean_of(self, mean->grains),
+                     "mass_kg", mean_of(self, mean->mass), "mass_share",
+                     mean_of(self, mean->share), "mean_size", ratio(mean->grains, mean->number),
+                     "end", stats_json(&count->now), "largest", count->most.largest,
+                     "largest_mass_kg", count->most.largest_mass, "sizes",
+                     sizes_json(self, &count->sizes));
+}
+
+/** Grains that left the space, by the size of the clump they were in. */
+static json_t *left_json(const clod_exchange *gone)
+{
+    json_t *sizes = json_array();
+    for (int k = 0; k < CLOD_CLUMP_CLASSES; k++) {
+        if (gone->left_clumps[1 + k] > 0) {
+            json_array_append_new(sizes, json_pack("{s:i, s:i, s:I}", "from",
+                                                   (int)clod_clump_class_least(k), "to",
+                                                   (int)CLOD_CLUMP_CLASS_MOST[k], "grains",
+                                                   (json_int_t)gone->left_clumps[1 + k]));
+        }
+    }
+    return json_pack("{s:I, s:I, s:o}", "alone", (json_int_t)gone->left_clumps[0], "in_clumps",
+                     (json_int_t)left_in_all(gone, false), "sizes", sizes);
+}
+
+json_t *clod_clumps_told_json(const void *memory, const clod_free_moment *now)
+{
+    const clod_clump_memory *self = memory;
+    if (counts_of(now->from) == 0) {
+        return NULL;
+    }
+    json_t *all = count_json(self, &self->count[0]);
+    json_t *counts = json_object();
+    for (size_t c = 1; c < counts_of(now->from); c++) {
+        json_object_set_new(counts, name_of(now->from, c), count_json(self, &self->count[c]));
+    }
+    json_object_set_new(all, "counts", counts);
+    json_object_set_new(
+        all, "time_in_clumps",
+        self->left == 0
+            ? json_pack("{s:i}", "grains", 0)
+            : json_pack("{s:I, s:f, s:f, s:f, s:f}", "grains", (json_int_t)self->left, "mean_s",
+                        mean_time(self), "p10_s", time_quantile(self, 0.1), "p50_s",
+                        time_quantile(self, 0.5), "p90_s", time_quantile(self, 0.9)));
+    json_object_set_new(all, "left", left_json(&now->state->exchange));
+    return all;
+}
+
+// ---- clumps.csv
+
+static void print_sizes(FILE *out, const clod_clump_memory *self, const char *name,
+                        const clod_clump_count *count)
+{
+    for (int k = 0; k <= last_class(&count->sizes); k++) {
+        fprintf(out, "%s,%d,%d,%.17g,%.17g,%.17g\n", name[0] == '\0' ? "all" : name,
+                (int)clod_clump_class_least(k), (int)CLOD_CLUMP_CLASS_MOST[k],
+                mean_of(self, count->sizes.number[k]), mean_of(self, count->sizes.mass[k]),
+                ratio(count->sizes.mass[k], count->mean.mass));
+    }
+}
+
+bool clod_clumps_told_files(const clod_folder *folder, const void *memory,
+                            const clod_free_moment *now, clod_status *status)
+{
+    const clod_clump_memory *self = memory;
+    if (counts_of(now->from) == 0) {
+        return true;
+    }
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    char *made = NULL;
+    if (out != NULL) {
+        fputs("count,from [1],to [1],clumps [1],mass [kg],share [1]\n", out);
+        for (size_t c = 0; c < counts_of(now->from); c++) {
+            print_sizes(out, self, name_of(now->from, c), &self->count[c]);
+        }
+        made = clod_text_close(&text);
+    }
+    const bool good = made != NULL
+                          ? clod_folder_write(folder, "clumps.csv", made, status)
+                          : clod_status_fail(status, CLOD_FAILED, "no memory for clumps.csv");
+    clod_memory_free(made);
+    return good;
+}
