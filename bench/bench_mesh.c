@@ -189,15 +189,19 @@ static void add_wall(const scene *s, run *self)
 
 // ---- the grains
 
-/** Distance of a point from the surface. */
+/** Distance of a point that is near it from the surface. */
 static double gap_of(const clod_walls *walls, clod_vec3 p)
 {
     double least = INFINITY;
     for (int32_t k = 0; k < walls->wall[0].shape_count; k++) {
         const clod_shape *shape = &walls->wall[0].shapes[k];
-        if (shape->slot == 0) {
-            least = fmin(least, clod_wall_gap(shape, p).distance);
-        }
+        const double gap = shape->surface == NULL ? clod_wall_gap(shape, p).distance
+                           : shape->slot > 0
+                               ? INFINITY
+                               : clod_surface_patch_closest(
+                                     shape->surface, (uint32_t)shape->patch, p, 2.0 * RADIUS)
+                                     .distance;
+        least = fmin(least, gap);
     }
     return least;
 }
