@@ -11,6 +11,7 @@ pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
 
 set(CLOD_TEST_SECONDS 1200) # only ends what hangs, on a busy machine too
 set(CLOD_FUZZ_SECONDS 20)
+set(CLOD_FUZZ_SECONDS_fuzz_mesh 60) # it has a library of others behind it, and three formats
 set(CLOD_TEST_ENVIRONMENT CLOD_BINARY=${CMAKE_BINARY_DIR}/clod)
 if(CLOD_SANITIZE)
   set(CLOD_TEST_SECONDS 2400)
@@ -170,10 +171,14 @@ foreach(source IN LISTS CLOD_FUZZ_SOURCES)
   target_link_libraries(${name} PRIVATE clod_core_fuzz)
   target_include_directories(${name} PRIVATE tests)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  set(seconds ${CLOD_FUZZ_SECONDS})
+  if(DEFINED CLOD_FUZZ_SECONDS_${name})
+    set(seconds ${CLOD_FUZZ_SECONDS_${name}})
+  endif()
   set(work ${CMAKE_BINARY_DIR}/fuzz/${name})
   file(MAKE_DIRECTORY ${work})
   add_test(NAME fuzz/${name} WORKING_DIRECTORY ${work} COMMAND ${name} -seed=1 -timeout=30
-    -rss_limit_mb=2048 -max_len=65536 -max_total_time=${CLOD_FUZZ_SECONDS} ${work} ${seeds})
+    -rss_limit_mb=2048 -max_len=65536 -max_total_time=${seconds} ${work} ${seeds})
   set_tests_properties(fuzz/${name} PROPERTIES LABELS fuzz TIMEOUT ${CLOD_TEST_SECONDS}
     ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 endforeach()

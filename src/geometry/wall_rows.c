@@ -211,8 +211,7 @@ bool clod_wall_rows_is_near(const clod_wall_rows *self, int32_t w, int32_t shape
     const clod_wall_pose pose = clod_wall_facets_pose(row);
     const clod_vec3 q = clod_wall_to_frame(&pose, clod_vec3_of(p));
     return at->slot == 0
-               ? clod_surface_patch_closest(at->surface, (uint32_t)at->patch, q, reach)
-                         .distance < reach
+               ? clod_surface_patch_is_near(at->surface, (uint32_t)at->patch, q, reach)
                : clod_surface_rim_is_near(at->surface, (uint32_t)at->patch, q, reach);
 }
 

@@ -123,6 +123,10 @@ clod_surface_closest clod_surface_patch_closest(const clod_surface *self, uint32
 /** Whether any facet is within `reach` of p [m]. Threads: pure. */
 bool clod_surface_is_near(const clod_surface *self, clod_vec3 p, double reach);
 
+/** Whether a patch is within `reach` of p [m]. Threads: pure. */
+bool clod_surface_patch_is_near(const clod_surface *self, uint32_t patch, clod_vec3 p,
+                                double reach);
+
 /**
  * Whether a rim of a patch is within `reach` of p [m]: an edge that is open or sharp.
  * Threads  pure.   Test  tests/mesh/test_surface_touch.c

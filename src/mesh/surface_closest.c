@@ -1,10 +1,5 @@
 // The closest points of facets.
-#include "mesh/surface.h"
-
-#include <math.h>
-
-/** Rounding of an edge function that counts as inside, as a fraction of the edge's length. */
-#define INSIDE 1e-12
+#include "mesh/surface_facet.h"
 
 static clod_vec3 corner(const clod_surface *self, uint32_t facet, int c)
 {
@@ -29,36 +24,44 @@ static uint8_t edges_at(int e, int end)
     return (uint8_t)(1 << e | 1 << other);
 }
 
-/** Whether a point of the facet's plane is within its edges. */
-static bool is_inside(const clod_vec3 v[3], clod_vec3 normal, clod_vec3 at)
+clod_surface_facet clod_surface_facet_of(const clod_surface *self, uint32_t number)
 {
+    const clod_surface_plane *plane = &self->planes[self->plane[number]];
+    clod_surface_facet facet = {.normal = plane->normal,
+                                .point = plane->point,
+                                .number = number,
+                                .plane = self->plane[number],
+                                .patch = self->patch[number],
+                                .cylinder = plane->cylinder,
+                                .rims = self->rims[number]};
+    clod_vec3 *v = facet.corner;
+    for (int c = 0; c < 3; c++) {
+        v[c] = corner(self, number, c);
+    }
     const clod_vec3 area =
         clod_vec3_cross(clod_vec3_sub(v[1], v[0]), clod_vec3_sub(v[2], v[0]));
-    const double turn = clod_vec3_dot(area, normal) < 0.0 ? -1.0 : 1.0;
+    const double turn = clod_vec3_dot(area, plane->normal) < 0.0 ? -1.0 : 1.0;
     for (int e = 0; e < 3; e++) {
         const clod_vec3 along = clod_vec3_sub(v[(e + 1) % 3], v[e]);
-        const clod_vec3 out = clod_vec3_cross(along, clod_vec3_sub(at, v[e]));
-        if (turn * clod_vec3_dot(out, normal) < -INSIDE * clod_vec3_dot(along, along)) {
-            return false;
-        }
+        facet.inward[e] = clod_vec3_scale(clod_vec3_cross(plane->normal, along), turn);
+        facet.square[e] = clod_vec3_dot(along, along);
     }
-    return true;
+    return facet;
 }
 
 /** Closest point of the triangle of a facet. */
-static clod_surface_closest of_triangle(const clod_surface_plane *plane, const clod_vec3 v[3],
-                                        clod_vec3 p)
+static clod_surface_closest of_triangle(const clod_surface_facet *facet, clod_vec3 p)
 {
-    const double height = clod_vec3_dot(clod_vec3_sub(p, plane->point), plane->normal);
-    const clod_vec3 side = height < 0.0 ? clod_vec3_scale(plane->normal, -1.0) : plane->normal;
-    const clod_vec3 foot = clod_vec3_axpy(p, -height, plane->normal);
-    if (is_inside(v, plane->normal, foot)) {
+    const double height = clod_surface_facet_height(facet, p);
+    const clod_vec3 side = clod_surface_facet_side(facet, height);
+    const clod_vec3 foot = clod_vec3_axpy(p, -height, facet->normal);
+    if (clod_surface_facet_holds(facet, foot)) {
         return (clod_surface_closest){fabs(height), foot, side, 0};
     }
     clod_surface_closest best = {INFINITY, foot, side, 0};
     for (int e = 0; e < 3; e++) {
         int end;
-        const clod_vec3 at = on_edge(v, e, p, &end);
+        const clod_vec3 at = on_edge(facet->corner, e, p, &end);
         const clod_vec3 away = clod_vec3_sub(p, at);
         const double distance = clod_vec3_length(away);
         if (distance < best.distance) {
@@ -143,16 +146,20 @@ static clod_surface_closest of_cylinder(const clod_surface_cylinder *self, const
     return (clod_surface_closest){distance, point, direction, flat.edges};
 }
 
+clod_surface_closest clod_surface_facet_beside(const clod_surface *self,
+                                               const clod_surface_facet *facet, clod_vec3 p)
+{
+    const clod_surface_closest flat = of_triangle(facet, p);
+    return facet->cylinder == 0
+               ? flat
+               : of_cylinder(&self->cylinders[facet->cylinder - 1], facet->corner, p, flat);
+}
+
 clod_surface_closest clod_surface_closest_of(const clod_surface *self, uint32_t facet,
                                              clod_vec3 p)
 {
-    const clod_surface_plane *plane = &self->planes[self->plane[facet]];
-    const clod_vec3 v[3] = {corner(self, facet, 0), corner(self, facet, 1),
-                            corner(self, facet, 2)};
-    const clod_surface_closest flat = of_triangle(plane, v, p);
-    return plane->cylinder == 0
-               ? flat
-               : of_cylinder(&self->cylinders[plane->cylinder - 1], v, p, flat);
+    const clod_surface_facet made = clod_surface_facet_of(self, facet);
+    return clod_surface_facet_closest(self, &made, p);
 }
 
 /** The nearest facet of a patch so far. */
@@ -187,9 +194,12 @@ clod_surface_closest clod_surface_patch_closest(const clod_surface *self, uint32
     return best.at;
 }
 
-/** Whether any facet has been found. */
+#define ANY_PATCH UINT32_MAX
+
+/** Whether a facet has been found. */
 typedef struct any_facet {
     const clod_surface *surface;
+    uint32_t patch; ///< of it, or ANY_PATCH
     clod_vec3 from;
     bool found;
 } any_facet;
@@ -197,15 +207,26 @@ typedef struct any_facet {
 static double take_any(void *context, uint32_t facet, double reach)
 {
     any_facet *self = context;
-    self->found = self->found ||
-                  clod_surface_closest_of(self->surface, facet, self->from).distance < reach;
+    const clod_surface *surface = self->surface;
+    self->found = (self->patch == ANY_PATCH || self->patch == surface->patch[facet]) &&
+                  clod_surface_closest_of(surface, facet, self->from).distance < reach;
     return self->found ? -1.0 : reach;
 }
 
 bool clod_surface_is_near(const clod_surface *self, clod_vec3 p, double reach)
 {
-    any_facet any = {.surface = self, .from = p};
+    any_facet any = {.surface = self, .patch = ANY_PATCH, .from = p};
     clod_surface_near(self, p, reach, take_any, &any);
+    return any.found;
+}
+
+bool clod_surface_patch_is_near(const clod_surface *self, uint32_t patch, clod_vec3 p,
+                                double reach)
+{
+    any_facet any = {.surface = self, .patch = patch, .from = p};
+    if (clod_surface_patch_box(self, patch, p) <= reach) {
+        clod_surface_near(self, p, reach, take_any, &any);
+    }
     return any.found;
 }
 

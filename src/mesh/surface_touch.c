@@ -3,12 +3,13 @@
 #include <math.h>
 
 /** Slot of a contact in its patch. */
-static int32_t slot_of(const clod_surface *self, uint32_t facet, const clod_surface_closest *at)
+static int32_t slot_of(const clod_surface *self, const clod_surface_facet *facet,
+                       const clod_surface_closest *at)
 {
-    if ((at->edges & self->rims[facet]) == 0) {
+    if ((at->edges & facet->rims) == 0) {
         return 0;
     }
-    const clod_vec3 *axis = self->patches[self->patch[facet]].axis;
+    const clod_vec3 *axis = self->patches[facet->patch].axis;
     const double x = -clod_vec3_dot(at->direction, axis[0]);
     const double y = -clod_vec3_dot(at->direction, axis[1]);
     return x >= 0.0 ? (y >= 0.0 ? 0 : 3) : (y >= 0.0 ? 1 : 2);
@@ -49,13 +50,12 @@ static int32_t root_of(const clod_surface *self, const clod_surface_hit *hits, i
                        clod_vec3 p)
 {
     const clod_surface_hit *hit = &hits[number];
-    const uint32_t patch = self->patch[hit->facet];
     for (int32_t k = 0; k < number; k++) {
         const clod_surface_hit *nearer = &hits[k];
         const bool contact = nearer->root == k;
         if ((contact && is_one_bend(self, nearer, hit)) || holds(self, nearer, hit) ||
             hides(self, nearer, hit, p) ||
-            (contact && self->patch[nearer->facet] == patch && nearer->slot == hit->slot)) {
+            (contact && nearer->patch == hit->patch && nearer->slot == hit->slot)) {
             return nearer->root;
         }
     }
@@ -68,17 +68,22 @@ static bool is_before(const clod_surface_hit *a, const clod_surface_hit *b)
            (a->at.distance == b->at.distance && a->facet < b->facet);
 }
 
-int32_t clod_surface_touch(const clod_surface *self, const uint32_t *facets, int32_t count,
-                           clod_vec3 p, double radius, clod_surface_hit *hits)
+int32_t clod_surface_touch(const clod_surface *self, const clod_surface_facet *facets,
+                           int32_t count, clod_vec3 p, double radius, clod_surface_hit *hits)
 {
     int32_t found = 0;
     for (int32_t k = 0; k < count; k++) {
-        clod_surface_hit hit = {.at = clod_surface_closest_of(self, facets[k], p),
-                                .facet = facets[k]};
+        const clod_surface_facet *facet = &facets[k];
+        if (clod_surface_facet_is_beyond(self, facet, p, radius)) {
+            continue;
+        }
+        clod_surface_hit hit = {.at = clod_surface_facet_closest(self, facet, p),
+                                .facet = facet->number,
+                                .patch = facet->patch};
         if (hit.at.distance >= radius) {
             continue;
         }
-        hit.slot = slot_of(self, hit.facet, &hit.at);
+        hit.slot = slot_of(self, facet, &hit.at);
         int32_t at = found++;
         for (; at > 0 && is_before(&hit, &hits[at - 1]); at--) {
             hits[at] = hits[at - 1];

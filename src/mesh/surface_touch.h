@@ -14,7 +14,7 @@
  * It goes with the contact for which it was left out, which takes over its history.
  */
 
-#include "mesh/surface.h"
+#include "mesh/surface_facet.h"
 
 /** Contacts that a grain can have with one patch at the same time. */
 #define CLOD_SURFACE_SLOTS 4
@@ -23,6 +23,7 @@
 typedef struct clod_surface_hit {
     clod_surface_closest at;
     uint32_t facet;
+    uint32_t patch;
     int32_t slot; ///< of its patch
     int32_t root; ///< the contact with which it goes: a hit; its own number if it is one
 } clod_surface_hit;
@@ -36,5 +37,5 @@ typedef struct clod_surface_hit {
  * @return        how many those are
  * Errors  none.   Threads  pure.   Test  tests/mesh/test_surface_touch.c
  */
-int32_t clod_surface_touch(const clod_surface *self, const uint32_t *facets, int32_t count,
-                           clod_vec3 p, double radius, clod_surface_hit *hits);
+int32_t clod_surface_touch(const clod_surface *self, const clod_surface_facet *facets,
+                           int32_t count, clod_vec3 p, double radius, clod_surface_hit *hits);

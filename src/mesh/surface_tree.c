@@ -97,35 +97,68 @@ bool clod_surface_tree_make(clod_surface *self)
     return true;
 }
 
+/** Whether the box about a facet is farther from p than `reach`. */
+static bool is_far(const clod_surface *self, uint32_t facet, clod_vec3 p, double reach)
+{
+    const double *a = self->vertex[self->facet[facet][0]];
+    const double *b = self->vertex[self->facet[facet][1]];
+    const double *c = self->vertex[self->facet[facet][2]];
+    const double at[3] = {p.x, p.y, p.z};
+    double square = 0.0;
+    for (int k = 0; k < 3; k++) {
+        const double least = a[k] < b[k] ? a[k] : b[k], most = a[k] < b[k] ? b[k] : a[k];
+        const double low = least < c[k] ? least : c[k], high = most < c[k] ? c[k] : most;
+        const double below = low - at[k], above = at[k] - high;
+        const double out = below > above ? below : above;
+        square += out > 0.0 ? out * out : 0.0;
+    }
+    return square > reach * reach;
+}
+
+/** Squared distance of a point from the box of a node [m2]. */
+static double square_from(const clod_surface_node *node, clod_vec3 p)
+{
+    const double at[3] = {p.x, p.y, p.z};
+    double square = 0.0;
+    for (int a = 0; a < 3; a++) {
+        const double below = node->low[a] - at[a], above = at[a] - node->high[a];
+        const double out = below > above ? below : above;
+        square += out > 0.0 ? out * out : 0.0;
+    }
+    return square;
+}
+
 void clod_surface_near(const clod_surface *self, clod_vec3 p, double reach,
                        clod_surface_take take, void *context)
 {
     struct {
         uint32_t node;
-        double distance;
+        double square;
     } stack[DEPTH];
     int depth = 0;
     stack[depth].node = 0;
-    stack[depth++].distance =
-        clod_surface_box_distance(self->node[0].low, self->node[0].high, p);
-    while (depth > 0) {
+    stack[depth++].square = square_from(&self->node[0], p);
+    while (depth > 0 && reach >= 0.0) {
         depth--;
         const clod_surface_node *node = &self->node[stack[depth].node];
-        if (stack[depth].distance > reach + self->bulge) {
+        const double most = reach + self->bulge;
+        if (stack[depth].square > most * most) {
             continue;
         }
-        for (uint32_t k = node->first; k < node->first + node->count; k++) {
-            reach = take(context, self->leaf[k], reach);
+        for (uint32_t k = node->first; k < node->first + node->count && reach >= 0.0; k++) {
+            if (!is_far(self, self->leaf[k], p, reach + self->bulge)) {
+                reach = take(context, self->leaf[k], reach);
+            }
         }
         if (node->count == 0) {
             const clod_surface_node *child = &self->node[node->first];
-            const double first = clod_surface_box_distance(child[0].low, child[0].high, p);
-            const double second = clod_surface_box_distance(child[1].low, child[1].high, p);
+            const double first = square_from(&child[0], p);
+            const double second = square_from(&child[1], p);
             const uint32_t far = second < first ? 0 : 1; // looked at last
             stack[depth].node = node->first + far;
-            stack[depth++].distance = far == 0 ? first : second;
+            stack[depth++].square = far == 0 ? first : second;
             stack[depth].node = node->first + 1 - far;
-            stack[depth++].distance = far == 0 ? second : first;
+            stack[depth++].square = far == 0 ? second : first;
         }
     }
 }

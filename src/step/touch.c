@@ -26,7 +26,8 @@ static double note_facet(void *context, uint32_t facet, double reach)
 {
     finding *self = context;
     clod_touch_part *part = self->part;
-    if (clod_surface_closest_of(self->surface, facet, self->from).distance > reach) {
+    const clod_surface_facet made = clod_surface_facet_of(self->surface, facet);
+    if (clod_surface_facet_is_beyond(self->surface, &made, self->from, reach)) {
         return reach;
     }
     if (!clod_room_for_one(&part->facet, &part->facet_room, part->facets,
@@ -34,7 +35,7 @@ static double note_facet(void *context, uint32_t facet, double reach)
         part->lacks_memory = true;
         return -1.0;
     }
-    part->facet[part->facets++] = facet;
+    part->facet[part->facets++] = made;
     return reach;
 }
 
@@ -70,14 +71,12 @@ static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *pa
 /** All facets of a site lie in one plane and no rim is near: the plane, or -1. */
 static int32_t plane_of(const clod_touch_part *part, const clod_touch_site *site)
 {
-    const uint32_t *facet = part->facet + site->facet;
-    const clod_surface *surface = site->surface;
-    bool flat = site->lanes == 1 && site->facets > 0 &&
-                surface->planes[surface->plane[facet[0]]].cylinder == 0;
+    const clod_surface_facet *facet = part->facet + site->facet;
+    bool flat = site->lanes == 1 && site->facets > 0 && facet[0].cylinder == 0;
     for (size_t k = 1; flat && k < site->facets; k++) {
-        flat = surface->plane[facet[k]] == surface->plane[facet[0]];
+        flat = facet[k].plane == facet[0].plane;
     }
-    return flat ? (int32_t)surface->plane[facet[0]] : -1;
+    return flat ? (int32_t)facet[0].plane : -1;
 }
 
 void clod_touch_add(const clod_near_job *job, int number, const clod_wall_candidate *candidate)
@@ -157,13 +156,11 @@ static bool has_history(const lanes *self, size_t lane)
 }
 
 /** Lane of a contact. */
-static size_t lane_of(const lanes *self, const clod_surface *surface,
-                      const clod_surface_hit *hit)
+static size_t lane_of(const lanes *self, const clod_surface_hit *hit)
 {
-    const int32_t patch = (int32_t)surface->patch[hit->facet];
     size_t lane = 0;
-    while (lane < self->count &&
-           (self->lane[lane].patch != patch || self->lane[lane].slot != hit->slot)) {
+    while (lane < self->count && (self->lane[lane].patch != (int32_t)hit->patch ||
+                                  self->lane[lane].slot != hit->slot)) {
         lane++;
     }
     CLOD_ASSERT(lane < self->count); // what touches was near when the list was made
@@ -179,14 +176,14 @@ static void put_row(double row[4], const clod_wall_pose *pose, clod_vec3 directi
 
 /** The history of a lane that has lost its contact goes to that with which its nearest facet
  *  goes, if that is new. */
-static void hand_over(const lanes *self, const clod_surface *surface,
-                      const clod_surface_hit *hits, int32_t count, size_t from)
+static void hand_over(const lanes *self, const clod_surface_hit *hits, int32_t count,
+                      size_t from)
 {
     for (int32_t k = 0; k < count; k++) {
-        if ((int32_t)surface->patch[hits[k].facet] != self->lane[from].patch) {
+        if ((int32_t)hits[k].patch != self->lane[from].patch) {
             continue;
         }
-        const size_t to = lane_of(self, surface, &hits[hits[k].root]);
+        const size_t to = lane_of(self, &hits[hits[k].root]);
         if (!has_history(self, to)) {
             double history[CLOD_HISTORY_NUMBERS];
             clod_history_get(history_of(self, from), self->lane[from].lane, history);
@@ -200,18 +197,17 @@ static void hand_over(const lanes *self, const clod_surface *surface,
 static void find_contacts(const clod_touch_part *part, const clod_touch_site *site,
                           const clod_wall_pose *pose, const double p[4], const lanes *at)
 {
-    const clod_surface *surface = site->surface;
     const clod_vec3 from = clod_wall_to_frame(pose, clod_vec3_of(p));
     clod_surface_hit *hits = part->hit;
-    const int32_t count = clod_surface_touch(surface, part->facet + site->facet,
+    const int32_t count = clod_surface_touch(site->surface, part->facet + site->facet,
                                              (int32_t)site->facets, from, p[3], hits);
     const double open = 2.0 * p[3];
     for (size_t l = 0; l < at->count; l++) {
-        put_row(at->row[l], pose, (clod_vec3){0.0, 0.0, 1.0}, open);
+        memcpy(at->row[l], (double[4]){0.0, 0.0, 1.0, open}, sizeof at->row[l]);
     }
     for (int32_t k = 0; k < count; k++) {
         if (hits[k].root == k) {
-            const size_t lane = lane_of(at, surface, &hits[k]);
+            const size_t lane = lane_of(at, &hits[k]);
             put_row(at->row[lane], pose, hits[k].at.direction, hits[k].at.distance);
             if (at->facet != NULL) {
                 at->facet[lane] = (int32_t)hits[k].facet;
@@ -220,7 +216,7 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
     }
     for (size_t l = 0; l < at->count; l++) {
         if (at->row[l][3] == open && has_history(at, l)) {
-            hand_over(at, surface, hits, count, l);
+            hand_over(at, hits, count, l);
         }
     }
 }
@@ -229,15 +225,16 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
 static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site *site,
                              clod_vec3 from)
 {
-    const uint32_t *facet = part->facet + site->facet;
+    const clod_surface_facet *facet = part->facet + site->facet;
     double least = INFINITY;
     size_t nearest = 0;
     for (size_t k = 0; k < site->facets; k++) {
-        const double d = clod_surface_closest_of(site->surface, facet[k], from).distance;
-        nearest = d < least || (d == least && facet[k] < facet[nearest]) ? k : nearest;
+        const double d = clod_surface_facet_closest(site->surface, &facet[k], from).distance;
+        const bool first = facet[k].number < facet[nearest].number;
+        nearest = d < least || (d == least && first) ? k : nearest;
         least = fmin(least, d);
     }
-    return (int32_t)facet[nearest];
+    return (int32_t)facet[nearest].number;
 }
 
 /** The contact of a grain with nothing but a plane near it. */

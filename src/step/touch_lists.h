@@ -28,7 +28,7 @@ typedef struct clod_touch_lane {
 typedef struct clod_touch_part {
     clod_touch_site *site;
     clod_touch_lane *lane;
-    uint32_t *facet;
+    clod_surface_facet *facet;
     clod_surface_hit *hit; ///< scratch, [hit_room]
     size_t sites, lanes, facets;
     size_t site_room, lane_room, facet_room, hit_room;

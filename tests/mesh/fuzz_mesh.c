@@ -61,7 +61,8 @@ static void report(const clod_mesh *mesh)
 
 /** Facets near a grain, as far as there is room. */
 typedef struct near_list {
-    uint32_t facet[NEAR_MOST];
+    const clod_surface *surface;
+    clod_surface_facet facet[NEAR_MOST];
     int32_t count;
 } near_list;
 
@@ -69,7 +70,7 @@ static double note(void *context, uint32_t facet, double reach)
 {
     near_list *self = context;
     if (self->count < NEAR_MOST) {
-        self->facet[self->count++] = facet;
+        self->facet[self->count++] = clod_surface_facet_of(self->surface, facet);
     }
     return reach;
 }
@@ -89,6 +90,7 @@ static void touch(const clod_mesh *mesh)
         const double radius = 0.25 * surface->weld * 2097152.0; // of the size of the mesh
         const clod_vec3 at = clod_vec3_axpy(clod_vec3_of(surface->vertex[v[0]]), 0.9 * radius,
                                             surface->planes[surface->plane[f]].normal);
+        list.surface = surface;
         list.count = 0;
         clod_surface_near(surface, at, radius, note, &list);
         const int32_t count =

@@ -75,10 +75,16 @@ static void the_closest_point_is_on_the_circle(void **state)
     clod_surface_release(surface);
 }
 
+/** Facets near a grain. */
+typedef struct taken {
+    const clod_surface *surface;
+    clod_surface_facet *next;
+} taken;
+
 static double take(void *context, uint32_t facet, double reach)
 {
-    uint32_t **next = context;
-    *(*next)++ = facet;
+    taken *self = context;
+    *self->next++ = clod_surface_facet_of(self->surface, facet);
     return reach;
 }
 
@@ -95,11 +101,12 @@ static void a_grain_has_one_contact_along_the_radius(void **state)
         const double r = 1.0 + side * (radius - overlap);
         const clod_vec3 out = {0.0, cos(a), sin(a)};
         const clod_vec3 p = clod_vec3_axpy((clod_vec3){1.0, 0.0, 0.0}, r, out);
-        uint32_t facets[2 * SIDES], *end = facets;
+        clod_surface_facet facets[2 * SIDES];
+        taken all = {surface, facets};
         clod_surface_hit hits[2 * SIDES];
-        clod_surface_near(surface, p, radius, take, &end);
+        clod_surface_near(surface, p, radius, take, &all);
         const int32_t count =
-            clod_surface_touch(surface, facets, (int32_t)(end - facets), p, radius, hits);
+            clod_surface_touch(surface, facets, (int32_t)(all.next - facets), p, radius, hits);
         assert_true(count > 0);
         check_close(hits[0].at.distance, radius - overlap, ROUNDING);
         // where a corner stands out by its rounding, it is nearer than the circle beside it

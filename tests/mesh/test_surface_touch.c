@@ -8,7 +8,7 @@
 #define SMOOTH (20.0 * M_PI / 180.0)
 #define MOST 65536
 
-static uint32_t near_facets[MOST];
+static clod_surface_facet near_facets[MOST];
 static clod_surface_hit hits[MOST];
 
 /** The surface of what was made. */
@@ -23,6 +23,7 @@ static clod_surface *surface_of(const maker *made)
 }
 
 typedef struct list {
+    const clod_surface *surface;
     int32_t count;
 } list;
 
@@ -30,7 +31,7 @@ static double note(void *context, uint32_t facet, double reach)
 {
     list *self = context;
     assert_true(self->count < MOST);
-    near_facets[self->count++] = facet;
+    near_facets[self->count++] = clod_surface_facet_of(self->surface, facet);
     return reach;
 }
 
@@ -38,7 +39,7 @@ static double note(void *context, uint32_t facet, double reach)
 static int contacts_of(const clod_surface *surface, clod_vec3 p, double radius,
                        const clod_surface_hit *contact[8])
 {
-    list found = {0};
+    list found = {surface, 0};
     clod_surface_near(surface, p, 1.3 * radius, note, &found);
     const int32_t count =
         clod_surface_touch(surface, near_facets, found.count, p, radius, hits);

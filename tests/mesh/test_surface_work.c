@@ -39,22 +39,28 @@ static clod_surface *cube(void)
     return surface;
 }
 
+/** Facets near a grain. */
+typedef struct taken {
+    const clod_surface *surface;
+    clod_surface_facet *next;
+} taken;
+
 static double take(void *context, uint32_t facet, double reach)
 {
-    uint32_t **next = context;
-    *(*next)++ = facet;
+    taken *self = context;
+    *self->next++ = clod_surface_facet_of(self->surface, facet);
     return reach;
 }
 
 /** Sum of the overlaps along their directions, the force for a stiffness of 1; how many contacts. */
 static clod_vec3 force_at(const clod_surface *surface, clod_vec3 p, int *contacts)
 {
-    static uint32_t facets[MOST];
+    static clod_surface_facet facets[MOST];
     static clod_surface_hit hits[MOST];
-    uint32_t *end = facets;
-    clod_surface_near(surface, p, RADIUS, take, &end);
+    taken all = {surface, facets};
+    clod_surface_near(surface, p, RADIUS, take, &all);
     const int32_t count =
-        clod_surface_touch(surface, facets, (int32_t)(end - facets), p, RADIUS, hits);
+        clod_surface_touch(surface, facets, (int32_t)(all.next - facets), p, RADIUS, hits);
     clod_vec3 force = {0.0, 0.0, 0.0};
     *contacts = 0;
     for (int32_t k = 0; k < count; k++) {
