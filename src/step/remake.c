@@ -156,16 +156,32 @@ static void begin_search(clod_step *self, int part)
     }
     clod_neighbour_give_back(&self->neighbour);
     clod_neighbour_choose_skin(&self->neighbour, state, self->remake.speed);
-    self->failed = !good || !clod_neighbour_note(&self->neighbour, state, &self->status) ||
-                   !clod_neighbour_build_begin(&self->neighbour, state, self->laws,
-                                               self->near.parts, &self->status);
+    self->failed =
+        !good || !clod_neighbour_note(&self->neighbour, state, &self->status) ||
+        !clod_neighbour_build_begin(&self->neighbour, state, self->near.parts, &self->status);
+}
+
+/** Where each cell begins; grains are entered into their cells next. */
+static void add_cells(clod_step *self, int part)
+{
+    (void)part;
+    if (self->remake.again) {
+        clod_neighbour_build_add(&self->neighbour, self->state);
+    }
+}
+
+static void enter_cells(clod_step *self, int part)
+{
+    if (self->remake.again) {
+        clod_neighbour_build_enter(&self->neighbour, self->state, part);
+    }
 }
 
 /** At a rebuild the candidates are found anew. */
 static void search(clod_step *self, int part)
 {
     if (self->remake.again) {
-        clod_neighbour_build_part(&self->neighbour, self->state, part);
+        clod_neighbour_build_part(&self->neighbour, self->state, self->laws, part);
     }
 }
 
@@ -180,9 +196,13 @@ static void join(clod_step *self, int part)
     }
 }
 
-/** Shapes of walls that move, where they are now: until now only those with grains near. */
+/** Shapes of walls that move, where they are now: until now only those with grains near. At a
+ *  rebuild grains are counted by cell. */
 static void place_walls(clod_step *self, int part)
 {
+    if (self->remake.again) {
+        clod_neighbour_build_count(&self->neighbour, self->state, part);
+    }
     const clod_walls *walls = &self->state->walls;
     for (int32_t k = 0; k < self->moving_count; k++) {
         const int32_t w = self->moving[k];
@@ -255,6 +275,8 @@ static const list_phase PHASES[] = {
     {.together = reorder_rows},
     {.run = begin_search},
     {.run = place_walls, .all = true},
+    {.run = add_cells},
+    {.run = enter_cells, .all = true},
     {.run = search, .all = true},
     {.run = join},
     {.run = mark, .all = true},
