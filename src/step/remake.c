@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "parallel/threads.h"
 #include "state/alter.h"
-#include "step/equip.h"
+#include "step/derived.h"
 #include "step/leavers.h"
 
 /** The list that is being made. */
@@ -129,7 +129,7 @@ static bool change_walls(clod_step *self)
     clod_memory_free(state->build_walls);
     state->build_position = NULL;
     state->build_walls = NULL;
-    if (!clod_step_equip(self, &self->status)) {
+    if (!clod_step_derive(self, &self->status)) {
         return false;
     }
     clod_step_list_moving(self);
@@ -207,11 +207,11 @@ static void place_walls(clod_step *self, int part)
     for (int32_t k = 0; k < self->moving_count; k++) {
         const int32_t w = self->moving[k];
         const clod_wall *wall = &walls->wall[w];
-        const clod_wall_stand stand = clod_wall_stand_of(wall);
+        const clod_wall_placement placement = clod_wall_placement_of(wall);
         const clod_chunk c =
             clod_threads_chunk((size_t)wall->shape_count, part, self->near.parts);
         for (size_t s = c.begin; s < c.end; s++) {
-            clod_wall_rows_place_shape(&self->walls, w, &stand, (int32_t)s);
+            clod_wall_rows_place_shape(&self->walls, w, &placement, (int32_t)s);
         }
         if (part == 0) {
             clod_wall_rows_note(&self->walls, w, wall);
@@ -251,7 +251,7 @@ static void end(clod_step *self, int part)
 {
     (void)part;
     clod_near_end(&self->remake.job);
-    clod_step_list_feeling(self);
+    clod_step_list_summed(self);
     clod_step_look(self);
     if (self->remake.changes || self->remake.going > 0) {
         clod_step_book(self, self->remake.before);
