@@ -132,6 +132,7 @@ endforeach()
 # The verification suite as users run it; it fails when any quantity misses its tolerance.
 add_test(NAME verify/suite COMMAND clod verify -o ${CMAKE_BINARY_DIR}/verify)
 set_tests_properties(verify/suite PROPERTIES LABELS verify TIMEOUT ${CLOD_TEST_SECONDS}
+  COST 100 # long: begun early, it ends beside others
   ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 
 # Whole beds of grains, minutes each; not in `make test`.

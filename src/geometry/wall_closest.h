@@ -37,7 +37,7 @@ enum {
     CLOD_SHAPE_ROWS
 };
 
-/** What closest points are computed by: contacts of one form stand together. */
+/** What closest points are computed by: contacts of one form lie together. */
 typedef enum clod_wall_form {
     CLOD_FORM_PLANE,
     CLOD_FORM_BOX,   ///< box, bar

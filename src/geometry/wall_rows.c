@@ -54,19 +54,21 @@ void clod_wall_rows_update(clod_wall_rows *self, const clod_walls *walls)
     }
 }
 
-clod_wall_stand clod_wall_stand_of(const clod_wall *wall)
+clod_wall_placement clod_wall_placement_of(const clod_wall *wall)
 {
-    return (clod_wall_stand){.wall = wall,
-                             .now = clod_wall_pose_now(wall),
-                             .rest = clod_wall_pose_at_rest(wall),
-                             .turned = wall->angle != 0.0,
-                             .given = clod_quat_is_none(wall->orientation),
-                             .velocity = clod_wall_velocity(wall),
-                             .spin = clod_vec3_scale(wall->spin_axis, clod_wall_spin(wall))};
+    return (clod_wall_placement){.wall = wall,
+                                 .now = clod_wall_pose_now(wall),
+                                 .rest = clod_wall_pose_at_rest(wall),
+                                 .turned = wall->angle != 0.0,
+                                 .given = clod_quat_is_none(wall->orientation),
+                                 .velocity = clod_wall_velocity(wall),
+                                 .spin =
+                                     clod_vec3_scale(wall->spin_axis, clod_wall_spin(wall))};
 }
 
 /** A shape where it is: shifted, and turned if there is an angle or an orientation. */
-static void place_shape(const clod_wall_stand *self, const clod_shape *shape, double (*row)[4])
+static void place_shape(const clod_wall_placement *self, const clod_shape *shape,
+                        double (*row)[4])
 {
     if (shape->surface != NULL) {
         clod_wall_facets_put(self->turned ? &self->now : &self->rest, row);
@@ -88,7 +90,8 @@ static void place_shape(const clod_wall_stand *self, const clod_shape *shape, do
 
 /** How the material of a shape moves: with its wall, and as a belt, which turns with the wall.
  */
-static void place_motion(const clod_wall_stand *self, const clod_belt *belt, double (*row)[4])
+static void place_motion(const clod_wall_placement *self, const clod_belt *belt,
+                         double (*row)[4])
 {
     const clod_wall_pose *pose = &self->now;
     const clod_vec3 all = self->wall->surface_velocity;
@@ -112,12 +115,12 @@ static void place_motion(const clod_wall_stand *self, const clod_belt *belt, dou
     }
 }
 
-void clod_wall_rows_place_shape(clod_wall_rows *self, int32_t w, const clod_wall_stand *stand,
-                                int32_t shape)
+void clod_wall_rows_place_shape(clod_wall_rows *self, int32_t w,
+                                const clod_wall_placement *placement, int32_t shape)
 {
     double(*row)[4] = self->shape + clod_wall_rows_shape(self, w, shape);
-    place_shape(stand, &stand->wall->shapes[shape], row);
-    place_motion(stand, &stand->wall->shapes[shape].belt, row);
+    place_shape(placement, &placement->wall->shapes[shape], row);
+    place_motion(placement, &placement->wall->shapes[shape].belt, row);
 }
 
 /** Copy numbers; whether any is another one. */
@@ -158,9 +161,9 @@ void clod_wall_rows_forget(clod_wall_rows *self, int32_t w)
 void clod_wall_rows_place(clod_wall_rows *self, int32_t w, const clod_wall *wall)
 {
     if (note(self, w, wall)) {
-        const clod_wall_stand stand = clod_wall_stand_of(wall);
+        const clod_wall_placement placement = clod_wall_placement_of(wall);
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            clod_wall_rows_place_shape(self, w, &stand, s);
+            clod_wall_rows_place_shape(self, w, &placement, s);
         }
     }
 }

@@ -40,16 +40,16 @@ typedef struct clod_wall_rows {
     double *reach;                              ///< [walls] clod_wall_reach [m]
 } clod_wall_rows;
 
-/** How a wall stands and moves, in all that its shapes need to know of it. */
-typedef struct clod_wall_stand {
+/** Where a wall is and how it moves, in all that its shapes need to know of it. */
+typedef struct clod_wall_placement {
     const clod_wall *wall;
     clod_wall_pose now, rest; ///< rest: at angle 0
     clod_vec3 velocity, spin; ///< m/s, rad/s
     bool turned, given;       ///< has an angle; has the orientation in which it was given
-} clod_wall_stand;
+} clod_wall_placement;
 
-/** How a wall stands; `wall` is borrowed. Threads: pure. */
-clod_wall_stand clod_wall_stand_of(const clod_wall *wall);
+/** Where a wall is and how it moves; `wall` is borrowed. Threads: pure. */
+clod_wall_placement clod_wall_placement_of(const clod_wall *wall);
 
 /**
  * Rows of the walls where they are now.
@@ -67,11 +67,11 @@ void clod_wall_rows_update(clod_wall_rows *self, const clod_walls *walls);
 void clod_wall_rows_place(clod_wall_rows *self, int32_t w, const clod_wall *wall);
 
 /**
- * Rows of one shape of wall `w`, as its wall stands, whatever they were for. Threads: other
+ * Rows of one shape of wall `w`, as its wall is placed, whatever they were for. Threads: other
  * shapes may be placed at the same time.
  */
-void clod_wall_rows_place_shape(clod_wall_rows *self, int32_t w, const clod_wall_stand *stand,
-                                int32_t shape);
+void clod_wall_rows_place_shape(clod_wall_rows *self, int32_t w,
+                                const clod_wall_placement *placement, int32_t shape);
 
 /** Place wall `w` anew the next time: belts of its shapes have changed. */
 void clod_wall_rows_forget(clod_wall_rows *self, int32_t w);

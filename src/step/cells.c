@@ -31,19 +31,18 @@ bool clod_cells_all_pairs(clod_neighbour *self, const clod_state *state)
     return true;
 }
 
-/** Extent of the grid along one axis. */
-static void extent(const clod_state *state, int axis, double *min, double *max)
+/** Extent of the grid along each axis. */
+static void extent(const clod_state *state, double min[3], double max[3])
 {
-    if (state->domain.periodic[axis]) {
-        *min = state->domain.min[axis];
-        *max = state->domain.max[axis];
-        return;
-    }
-    *min = INFINITY;
-    *max = -INFINITY;
-    for (size_t g = 0; g < state->grains.count; g++) {
-        *min = fmin(*min, state->build_position[g][axis]);
-        *max = fmax(*max, state->build_position[g][axis]);
+    for (int a = 0; a < 3; a++) {
+        const bool periodic = state->domain.periodic[a];
+        min[a] = periodic ? state->domain.min[a] : state->build_position[0][a];
+        max[a] = periodic ? state->domain.max[a] : state->build_position[0][a];
+        for (size_t g = 1; !periodic && g < state->grains.count; g++) {
+            const double x = state->build_position[g][a]; // finite: no need of fmin
+            min[a] = x < min[a] ? x : min[a];
+            max[a] = x > max[a] ? x : max[a];
+        }
     }
 }
 
@@ -55,15 +54,15 @@ double clod_cells_most(size_t grains)
 clod_cells_grid clod_cells_grid_of(const clod_neighbour *self, const clod_state *state)
 {
     clod_cells_grid grid;
+    double max[3];
+    extent(state, grid.min, max);
     double width = 2.0 * self->radius_max + self->skin;
     const double most = clod_cells_most(state->grains.count);
     double cells = INFINITY;
     while (cells > most) {
         cells = 1.0;
         for (int a = 0; a < 3; a++) {
-            double max;
-            extent(state, a, &grid.min[a], &max);
-            const double length = max - grid.min[a];
+            const double length = max[a] - grid.min[a];
             const double n = fmin(fmax(floor(length / width), 1.0), 1e6);
             grid.n[a] = (int32_t)n;
             grid.inverse_width[a] = length > 0.0 ? n / length : 0.0;
@@ -75,12 +74,14 @@ clod_cells_grid clod_cells_grid_of(const clod_neighbour *self, const clod_state 
     return grid;
 }
 
-/** Grains by cell, in ascending order within each (a counting sort is stable). */
-bool clod_cells_fill(clod_neighbour *self, const clod_state *state)
+static size_t cells_of(const clod_cells_grid *grid)
 {
-    const clod_cells_grid *grid = &self->grid;
-    const size_t grains = state->grains.count;
-    const size_t cells = (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
+    return (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
+}
+
+bool clod_cells_begin(clod_neighbour *self)
+{
+    const size_t cells = cells_of(&self->grid);
     if (cells + 1 > self->cell_capacity) {
         clod_memory_free(self->cell_start);
         self->cell_capacity = cells + cells / 2 + 1;
@@ -91,22 +92,43 @@ bool clod_cells_fill(clod_neighbour *self, const clod_state *state)
         }
     }
     memset(self->cell_start, 0, (cells + 1) * sizeof *self->cell_start);
-    for (size_t g = 0; g < grains; g++) {
-        const double *p = state->build_position[g];
-        const int32_t x = clod_cells_along(grid, 0, p[0]);
-        const int32_t y = clod_cells_along(grid, 1, p[1]);
-        const int32_t z = clod_cells_along(grid, 2, p[2]);
-        self->cell_of[g] = (z * grid->n[1] + y) * grid->n[0] + x;
-        self->cell_start[self->cell_of[g] + 1]++;
+    return true;
+}
+
+/** Add to a number that other threads may add to; what it was. */
+static int32_t add(int32_t *number, int32_t by, bool shared)
+{
+    if (shared) {
+        return __atomic_fetch_add(number, by, __ATOMIC_RELAXED);
     }
+    const int32_t was = *number;
+    *number = was + by;
+    return was;
+}
+
+void clod_cells_count(clod_neighbour *self, const clod_state *state, clod_chunk grains,
+                      bool shared)
+{
+    for (size_t g = grains.begin; g < grains.end; g++) {
+        self->cell_of[g] = clod_cells_at(&self->grid, state->build_position[g]);
+        add(&self->cell_start[self->cell_of[g] + 1], 1, shared);
+    }
+}
+
+void clod_cells_add(clod_neighbour *self)
+{
+    const size_t cells = cells_of(&self->grid);
     for (size_t c = 0; c < cells; c++) {
         self->cell_start[c + 1] += self->cell_start[c];
     }
-    for (size_t g = grains;
-         g-- > 0;) { // from behind: afterwards start[c + 1] is the start of c
-        self->cell_item[--self->cell_start[self->cell_of[g] + 1]] = (int32_t)g;
+}
+
+void clod_cells_enter(clod_neighbour *self, clod_chunk grains, bool shared)
+{
+    for (size_t g = grains.end; g-- > grains.begin;) { // each cell is filled from behind
+        int32_t *start = &self->cell_start[self->cell_of[g] + 1];
+        self->cell_item[add(start, -1, shared) - 1] = (int32_t)g;
     }
-    return true;
 }
 
 /** Cells to look at along one axis: up to three, none twice. */
@@ -169,7 +191,7 @@ bool clod_cells_find_pairs(const clod_neighbour *self, const clod_state *state, 
                            size_t end, clod_pairs *to)
 {
     const clod_cells_grid *grid = &self->grid;
-    const size_t cells = (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
+    const size_t cells = cells_of(grid);
     for (size_t i = begin; i < end; i++) {
         const size_t first = to->count;
         to->start[i] = (uint32_t)first;

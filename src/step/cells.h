@@ -18,12 +18,32 @@ static inline int32_t clod_cells_along(const clod_cells_grid *grid, int axis, do
     return !(at > 0.0) ? 0 : at >= (double)last ? last : (int32_t)at;
 }
 
+/** Number of the cell of a place. */
+static inline int32_t clod_cells_at(const clod_cells_grid *grid, const double p[3])
+{
+    const int32_t z = clod_cells_along(grid, 2, p[2]);
+    const int32_t y = clod_cells_along(grid, 1, p[1]);
+    return (z * grid->n[1] + y) * grid->n[0] + clod_cells_along(grid, 0, p[0]);
+}
+
 /** Most cells that a grid for so many grains has: coarser for scattered ones, and int32 counts.
  */
 double clod_cells_most(size_t grains);
 
-/** Grains by cell of self->grid, for the search; false without memory. */
-bool clod_cells_fill(clod_neighbour *self, const clod_state *state);
+/**
+ * Grains by cell of self->grid, for the search, in four steps: room for the cells, which are empty;
+ * the grains of a chunk counted; the numbers added up; the grains of a chunk entered. Afterwards
+ * cell_start[c + 1] is where cell c begins in cell_item; the order within a cell is any.
+ *
+ * @param shared  other threads do other chunks at the same time
+ * @return        begin: false without memory
+ * Threads        count and enter: several, each with other grains
+ */
+bool clod_cells_begin(clod_neighbour *self);
+void clod_cells_count(clod_neighbour *self, const clod_state *state, clod_chunk grains,
+                      bool shared);
+void clod_cells_add(clod_neighbour *self);
+void clod_cells_enter(clod_neighbour *self, clod_chunk grains, bool shared);
 
 /**
  * Later partners of grains [begin, end), in ascending (i, j), behind those that are in `to`;

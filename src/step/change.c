@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "parallel/exact.h"
-#include "step/equip.h"
+#include "step/derived.h"
 #include "step/remake.h"
 #include "step/requests.h"
 #include "step/team.h"

@@ -23,13 +23,13 @@ static double move_walls(clod_step *self)
 void clod_step_place(clod_step *self, int part)
 {
     const clod_chunk c = clod_threads_chunk(self->placed_count, part, self->threads);
-    clod_wall_stand stand;
+    clod_wall_placement placement;
     for (size_t k = c.begin; k < c.end; k++) {
         const clod_step_shape at = self->placed[k];
         if (k == c.begin || at.wall != self->placed[k - 1].wall) {
-            stand = clod_wall_stand_of(&self->state->walls.wall[at.wall]);
+            placement = clod_wall_placement_of(&self->state->walls.wall[at.wall]);
         }
-        clod_wall_rows_place_shape(&self->walls, at.wall, &stand, at.shape);
+        clod_wall_rows_place_shape(&self->walls, at.wall, &placement, at.shape);
     }
     clod_gate_open(&self->placed_gate[part]);
 }
@@ -119,8 +119,8 @@ void clod_step_servo(clod_step *self, int part)
         return;
     }
     clod_exact work = {0};
-    for (int32_t k = 0; k < self->feeling_count; k++) {
-        const int32_t w = self->feeling[k];
+    for (int32_t k = 0; k < self->summed_count; k++) {
+        const int32_t w = self->summed[k];
         clod_wall *wall = &self->state->walls.wall[w];
         // the force before with the way of this step
         const double before = power_of(wall) + wall->belt_power;

@@ -6,9 +6,9 @@
  * list itself never changes a bit.
  *
  * The grains are cut into parts, runs of rows with about as much work each, one part for each
- * thread. Blocks stand in groups: for each part and law the contacts within the part, then for
+ * thread. Blocks lie in groups: for each part and law the contacts within the part, then for
  * each part and law those with grains of earlier parts; within a group contacts ascend by
- * (i, j). Contacts with walls stand in a group for each part, law and form of shape, ascending
+ * (i, j). Contacts with walls lie in a group for each part, law and form of shape, ascending
  * by (i, wall, shape).
  */
 
@@ -109,7 +109,7 @@ static inline size_t clod_near_wall_groups(const clod_near *self)
     return clod_near_wall_group(self, self->parts, 0, (clod_wall_form)0);
 }
 
-/** Most groups and runs that a part's contacts of one list stand in. */
+/** Most groups and runs that a part's contacts of one list lie in. */
 static inline size_t clod_near_sources(const clod_near *self)
 {
     const size_t most = self->parts > CLOD_FORMS ? (size_t)self->parts : CLOD_FORMS;

@@ -2,7 +2,7 @@
 /**
  * @file near_cursor.h
  * Every contact of a near list, ascending by (i, j) or by (i, shape's row), whatever the groups
- * in which they stand: in each group contacts ascend, so those of a part are merged by key.
+ * in which they lie: in each group contacts ascend, so those of a part are merged by key.
  * What a contact is follows from its block alone. And one contact, found by its key.
  */
 

@@ -147,8 +147,26 @@ bool clod_neighbour_fail_to_add(const clod_neighbour *self, size_t grains, clod_
                             "no memory for the contact candidates of %zu grains", grains);
 }
 
-bool clod_neighbour_build_begin(clod_neighbour *self, const clod_state *state,
-                                const clod_laws *laws, int parts, clod_status *status)
+/** Room for what so many parts find; what is there stays. */
+static bool reserve_found(clod_neighbour *self, size_t parts)
+{
+    if (parts > self->found_capacity) {
+        clod_neighbour_found *grown =
+            clod_memory_grow(self->found, self->found_capacity, parts, sizeof *self->found);
+        if (grown == NULL) {
+            return false;
+        }
+        for (size_t p = self->found_capacity; p < parts; p++) {
+            grown[p] = (clod_neighbour_found){0};
+        }
+        self->found = grown;
+        self->found_capacity = parts;
+    }
+    return true;
+}
+
+bool clod_neighbour_build_begin(clod_neighbour *self, const clod_state *state, int parts,
+                                clod_status *status)
 {
     const size_t grains = state->grains.count;
     self->pairs.count = 0;
@@ -159,47 +177,76 @@ bool clod_neighbour_build_begin(clod_neighbour *self, const clod_state *state,
         clod_memory_free(self->pairs.item);
         reserve_pairs(&self->pairs, LIKELY_PAIRS * grains);
     }
-    bool good =
-        walls_at_rebuild(self, state) &&
-        clod_room_for(&self->found, &self->found_capacity, (size_t)parts, sizeof *self->found);
-    if (self->brute_force) {
-        good = good && clod_wall_cells_find_all(self, state, laws);
-    } else if (grains > 0) {
+    bool good = walls_at_rebuild(self, state) && reserve_found(self, (size_t)parts);
+    if (!self->brute_force && grains > 0) {
         self->grid = clod_cells_grid_of(self, state);
-        good = good && clod_wall_cells_find(self, state, laws) && clod_cells_fill(self, state);
+        good = good && clod_wall_cells_fill(self, state) && clod_cells_begin(self);
     }
     return good || clod_neighbour_fail_to_add(self, grains, status);
 }
 
-void clod_neighbour_build_part(clod_neighbour *self, const clod_state *state, int part)
+static clod_chunk grains_of(const clod_neighbour *self, const clod_state *state, int part)
 {
-    if (self->brute_force || self->parts == 1) { // with room to grow, in the end
-        return;
-    }
-    const clod_chunk grains = clod_threads_chunk(state->grains.count, part, self->parts);
-    const clod_chunk room = clod_threads_chunk(self->pairs.capacity, part, self->parts);
-    clod_pairs *found = &self->found[part];
-    *found = (clod_pairs){.start = self->pairs.start,
-                          .item = self->pairs.item + room.begin,
-                          .capacity = room.end - room.begin,
-                          .fixed = true};
-    if (!clod_cells_find_pairs(self, state, grains.begin, grains.end, found)) {
-        found->item = NULL; // too little room
+    return clod_threads_chunk(state->grains.count, part, self->parts);
+}
+
+void clod_neighbour_build_count(clod_neighbour *self, const clod_state *state, int part)
+{
+    if (!self->brute_force) {
+        clod_cells_count(self, state, grains_of(self, state, part), self->parts > 1);
     }
 }
 
-/** What the parts have found, one behind the other; false when a part had too little room. */
-static bool join(clod_neighbour *self, const clod_state *state)
+void clod_neighbour_build_add(clod_neighbour *self, const clod_state *state)
+{
+    if (!self->brute_force && state->grains.count > 0) {
+        clod_cells_add(self);
+    }
+}
+
+void clod_neighbour_build_enter(clod_neighbour *self, const clod_state *state, int part)
+{
+    if (!self->brute_force) {
+        clod_cells_enter(self, grains_of(self, state, part), self->parts > 1);
+    }
+}
+
+void clod_neighbour_build_part(clod_neighbour *self, const clod_state *state,
+                               const clod_laws *laws, int part)
+{
+    const clod_chunk grains = grains_of(self, state, part);
+    clod_neighbour_found *found = &self->found[part];
+    found->walls.count = 0;
+    found->walls_fit = self->brute_force
+                           ? clod_wall_cells_find_all(self, state, laws, grains, &found->walls)
+                           : clod_wall_cells_find(self, state, laws, grains, &found->walls);
+    if (self->brute_force || self->parts == 1) { // pairs with room to grow, in the end
+        return;
+    }
+    const clod_chunk room = clod_threads_chunk(self->pairs.capacity, part, self->parts);
+    clod_pairs *pairs = &found->pairs;
+    *pairs = (clod_pairs){.start = self->pairs.start,
+                          .item = self->pairs.item + room.begin,
+                          .capacity = room.end - room.begin,
+                          .fixed = true};
+    if (!clod_cells_find_pairs(self, state, grains.begin, grains.end, pairs)) {
+        pairs->item = NULL; // too little room
+    }
+}
+
+/** The pairs that the parts have found, one behind the other; false when a part had too little
+ *  room. */
+static bool join_pairs(clod_neighbour *self, const clod_state *state)
 {
     clod_pairs *pairs = &self->pairs;
     bool all = self->parts > 1;
     for (int p = 0; all && p < self->parts; p++) {
-        all = self->found[p].item != NULL;
+        all = self->found[p].pairs.item != NULL;
     }
     pairs->count = 0;
     for (int p = 0; all && p < self->parts; p++) {
-        const clod_pairs *found = &self->found[p];
-        const clod_chunk grains = clod_threads_chunk(state->grains.count, p, self->parts);
+        const clod_pairs *found = &self->found[p].pairs;
+        const clod_chunk grains = grains_of(self, state, p);
         for (size_t i = grains.begin; i < grains.end; i++) {
             pairs->start[i] += (uint32_t)pairs->count;
         }
@@ -214,13 +261,47 @@ static bool join(clod_neighbour *self, const clod_state *state)
     return all;
 }
 
+/** The candidates with walls that the parts have found; false without memory, or too many. */
+static bool join_walls(clod_neighbour *self)
+{
+    clod_wall_candidates *walls = &self->walls;
+    size_t count = 0;
+    bool fit = true;
+    for (int p = 0; p < self->parts; p++) {
+        count += self->found[p].walls.count;
+        fit = fit && self->found[p].walls_fit;
+    }
+    walls->count = count < CLOD_LIMITS_WALL_PAIRS ? count : CLOD_LIMITS_WALL_PAIRS;
+    if (!fit || count > CLOD_LIMITS_WALL_PAIRS) {
+        return false;
+    }
+    if (self->parts == 1) { // the arrays change places
+        const clod_wall_candidates old = *walls;
+        *walls = self->found[0].walls;
+        self->found[0].walls = old;
+        return true;
+    }
+    if (!clod_room_for(&walls->item, &walls->capacity, count, sizeof *walls->item)) {
+        return false;
+    }
+    size_t at = 0;
+    for (int p = 0; p < self->parts; p++) {
+        const clod_wall_candidates *found = &self->found[p].walls;
+        if (found->count > 0) {
+            memcpy(walls->item + at, found->item, found->count * sizeof *found->item);
+        }
+        at += found->count;
+    }
+    return true;
+}
+
 /** All pairs there are, in ascending order; false without memory. */
 static bool find_all_pairs(clod_neighbour *self, const clod_state *state)
 {
     if (self->brute_force) {
         return clod_cells_all_pairs(self, state);
     }
-    if (!join(self, state) &&
+    if (!join_pairs(self, state) &&
         !clod_cells_find_pairs(self, state, 0, state->grains.count, &self->pairs)) {
         return false;
     }
@@ -231,7 +312,7 @@ static bool find_all_pairs(clod_neighbour *self, const clod_state *state)
 bool clod_neighbour_build_end(clod_neighbour *self, const clod_state *state,
                               clod_status *status)
 {
-    if (!find_all_pairs(self, state)) {
+    if (!join_walls(self) || !find_all_pairs(self, state)) {
         return clod_neighbour_fail_to_add(self, state->grains.count, status);
     }
     const size_t pairs = state->contact_count - state->wall_contact_count;
@@ -253,8 +334,14 @@ bool clod_neighbour_build_end(clod_neighbour *self, const clod_state *state,
 bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
                           clod_status *status)
 {
-    return clod_neighbour_build_begin(self, state, laws, 1, status) &&
-           clod_neighbour_build_end(self, state, status);
+    if (!clod_neighbour_build_begin(self, state, 1, status)) {
+        return false;
+    }
+    clod_neighbour_build_count(self, state, 0);
+    clod_neighbour_build_add(self, state);
+    clod_neighbour_build_enter(self, state, 0);
+    clod_neighbour_build_part(self, state, laws, 0);
+    return clod_neighbour_build_end(self, state, status);
 }
 
 void clod_neighbour_give_back(clod_neighbour *self)
@@ -274,6 +361,9 @@ void clod_neighbour_fini(clod_neighbour *self)
 {
     clod_memory_free(self->pairs.start);
     clod_memory_free(self->pairs.item);
+    for (size_t p = 0; p < self->found_capacity; p++) {
+        clod_memory_free(self->found[p].walls.item);
+    }
     clod_memory_free(self->found);
     clod_memory_free(self->walls.item);
     clod_wall_rows_fini(&self->build_rows);

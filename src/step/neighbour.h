@@ -63,6 +63,13 @@ typedef struct clod_wall_candidates {
     size_t count, capacity;
 } clod_wall_candidates;
 
+/** What one part has found in a search; the array of its walls is kept. */
+typedef struct clod_neighbour_found {
+    clod_pairs pairs;           ///< in the part's share of the room for all
+    clod_wall_candidates walls; ///< of the part's grains
+    bool walls_fit;             ///< there was memory for them, and they are not too many
+} clod_neighbour_found;
+
 typedef struct clod_neighbour {
     double skin; ///< m
     bool brute_force;
@@ -72,13 +79,13 @@ typedef struct clod_neighbour {
     clod_wall_candidates walls;
     clod_wall_rows build_rows; ///< of the walls at the last rebuild
     clod_wall_cells wall_cells;
-    clod_cells_grid grid; ///< of the search that is going on
-    clod_pairs *found;    ///< scratch [parts]: what each part has found
-    int parts;            ///< of the search that is going on
+    clod_cells_grid grid;        ///< of the search that is going on
+    clod_neighbour_found *found; ///< [found_capacity]: what each part has found
+    int parts;                   ///< of the search that is going on
     size_t found_capacity;
     // scratch, kept between rebuilds
     int32_t *cell_of, *cell_item; ///< [grains]; cell_of also counts contacts by grain
-    int32_t *cell_start;          ///< [cells + 1]
+    int32_t *cell_start;          ///< [cells + 1], see cells.h
     size_t cell_capacity, grain_capacity;
     clod_sort_item *sort, *sort_scratch; ///< [sort_capacity]; sort also has places of contacts
     size_t sort_capacity;
@@ -170,11 +177,17 @@ bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_
 
 /**
  * Candidates from state->build_position and build_walls; every contact must be among them. In
- * steps: the first and the last once, the middle one by each of the parts, at the same time.
+ * steps: begin, add and end once; count, enter and part by each of the parts, at the same time.
+ * Grains are counted by cell, the numbers added up to where each cell begins, the grains entered
+ * there; then each part searches the cells around its grains.
  */
-bool clod_neighbour_build_begin(clod_neighbour *self, const clod_state *state,
-                                const clod_laws *laws, int parts, clod_status *status);
-void clod_neighbour_build_part(clod_neighbour *self, const clod_state *state, int part);
+bool clod_neighbour_build_begin(clod_neighbour *self, const clod_state *state, int parts,
+                                clod_status *status);
+void clod_neighbour_build_count(clod_neighbour *self, const clod_state *state, int part);
+void clod_neighbour_build_add(clod_neighbour *self, const clod_state *state);
+void clod_neighbour_build_enter(clod_neighbour *self, const clod_state *state, int part);
+void clod_neighbour_build_part(clod_neighbour *self, const clod_state *state,
+                               const clod_laws *laws, int part);
 bool clod_neighbour_build_end(clod_neighbour *self, const clod_state *state,
                               clod_status *status);
 

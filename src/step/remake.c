@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "parallel/threads.h"
 #include "state/alter.h"
-#include "step/equip.h"
+#include "step/derived.h"
 #include "step/leavers.h"
 
 /** The list that is being made. */
@@ -129,7 +129,7 @@ static bool change_walls(clod_step *self)
     clod_memory_free(state->build_walls);
     state->build_position = NULL;
     state->build_walls = NULL;
-    if (!clod_step_equip(self, &self->status)) {
+    if (!clod_step_derive(self, &self->status)) {
         return false;
     }
     clod_step_list_moving(self);
@@ -156,16 +156,32 @@ static void begin_search(clod_step *self, int part)
     }
     clod_neighbour_give_back(&self->neighbour);
     clod_neighbour_choose_skin(&self->neighbour, state, self->remake.speed);
-    self->failed = !good || !clod_neighbour_note(&self->neighbour, state, &self->status) ||
-                   !clod_neighbour_build_begin(&self->neighbour, state, self->laws,
-                                               self->near.parts, &self->status);
+    self->failed =
+        !good || !clod_neighbour_note(&self->neighbour, state, &self->status) ||
+        !clod_neighbour_build_begin(&self->neighbour, state, self->near.parts, &self->status);
+}
+
+/** Where each cell begins; grains are entered into their cells next. */
+static void add_cells(clod_step *self, int part)
+{
+    (void)part;
+    if (self->remake.again) {
+        clod_neighbour_build_add(&self->neighbour, self->state);
+    }
+}
+
+static void enter_cells(clod_step *self, int part)
+{
+    if (self->remake.again) {
+        clod_neighbour_build_enter(&self->neighbour, self->state, part);
+    }
 }
 
 /** At a rebuild the candidates are found anew. */
 static void search(clod_step *self, int part)
 {
     if (self->remake.again) {
-        clod_neighbour_build_part(&self->neighbour, self->state, part);
+        clod_neighbour_build_part(&self->neighbour, self->state, self->laws, part);
     }
 }
 
@@ -180,18 +196,22 @@ static void join(clod_step *self, int part)
     }
 }
 
-/** Shapes of walls that move, where they are now: until now only those with grains near. */
+/** Shapes of walls that move, where they are now: until now only those with grains near. At a
+ *  rebuild grains are counted by cell. */
 static void place_walls(clod_step *self, int part)
 {
+    if (self->remake.again) {
+        clod_neighbour_build_count(&self->neighbour, self->state, part);
+    }
     const clod_walls *walls = &self->state->walls;
     for (int32_t k = 0; k < self->moving_count; k++) {
         const int32_t w = self->moving[k];
         const clod_wall *wall = &walls->wall[w];
-        const clod_wall_stand stand = clod_wall_stand_of(wall);
+        const clod_wall_placement placement = clod_wall_placement_of(wall);
         const clod_chunk c =
             clod_threads_chunk((size_t)wall->shape_count, part, self->near.parts);
         for (size_t s = c.begin; s < c.end; s++) {
-            clod_wall_rows_place_shape(&self->walls, w, &stand, (int32_t)s);
+            clod_wall_rows_place_shape(&self->walls, w, &placement, (int32_t)s);
         }
         if (part == 0) {
             clod_wall_rows_note(&self->walls, w, wall);
@@ -231,7 +251,7 @@ static void end(clod_step *self, int part)
 {
     (void)part;
     clod_near_end(&self->remake.job);
-    clod_step_list_feeling(self);
+    clod_step_list_summed(self);
     clod_step_look(self);
     if (self->remake.changes || self->remake.going > 0) {
         clod_step_book(self, self->remake.before);
@@ -255,6 +275,8 @@ static const list_phase PHASES[] = {
     {.together = reorder_rows},
     {.run = begin_search},
     {.run = place_walls, .all = true},
+    {.run = add_cells},
+    {.run = enter_cells, .all = true},
     {.run = search, .all = true},
     {.run = join},
     {.run = mark, .all = true},

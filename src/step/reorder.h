@@ -2,7 +2,7 @@
 /**
  * @file reorder.h
  * A new order of grains at a rebuild, by all threads: contacts go from the blocks of the old
- * near list straight to where they stand in the new order. Those of grains and walls that go
+ * near list straight to where they belong in the new order. Those of grains and walls that go
  * are left behind.
  *
  * After clod_neighbour_order: begin by one thread, count by all parts, room by one, copy by

@@ -4,7 +4,7 @@
 
 #include "base/memory.h"
 #include "parallel/threads.h"
-#include "step/equip.h"
+#include "step/derived.h"
 #include "step/stages.h"
 #include "step/team.h"
 #include "step/trouble.h"
@@ -105,7 +105,7 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     self->view.dt = self->state->dt;
     const int64_t first = self->state->step;
     clod_step_list_moving(self);
-    clod_step_list_feeling(self); // a load may have been put on
+    clod_step_list_summed(self); // a load may have been put on
     self->steps = steps;
     clod_team_run(self, advance_part);
     clod_step_count_steps(self, self->state->step - first);
@@ -182,7 +182,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
     if (fresh) { // nobody has touched yet
         state->contact_count = state->wall_contact_count = 0;
     }
-    if (!clod_step_equip(self, status) || !clod_step_build_lists(self, fresh, status)) {
+    if (!clod_step_derive(self, status) || !clod_step_build_lists(self, fresh, status)) {
         return false;
     }
     clod_barrier_init(&self->barrier, self->threads);
@@ -202,7 +202,7 @@ void clod_step_fini(clod_step *self)
     clod_memory_free(self->gate);
     clod_memory_free(self->placed_gate);
     clod_memory_free(self->moving);
-    clod_memory_free(self->feeling);
+    clod_memory_free(self->summed);
     clod_memory_free(self->placed);
     clod_memory_free(self->is_near);
     clod_wall_rows_fini(&self->walls);

@@ -78,8 +78,8 @@ typedef struct clod_step {
     clod_near near;           ///< contact blocks
     clod_wall_rows walls;     ///< where they are in this step
     int32_t *moving;          ///< [moving_count] walls that can move
-    int32_t *feeling; ///< [feeling_count] walls with contacts, a load, or a force before
-    int32_t moving_count, feeling_count;
+    int32_t *summed;          ///< [summed_count] walls with contacts, a load, or a force before
+    int32_t moving_count, summed_count;
     clod_step_shape *placed; ///< [placed_count] shapes of moving walls with grains near
     size_t placed_count;
     uint8_t *is_near;      ///< scratch [shapes]: whether grains are near
@@ -207,7 +207,7 @@ void clod_step_fini(clod_step *self);
 void clod_step_list_moving(clod_step *self);
 
 /** After a near list is made: which walls a step adds up, and which shapes it moves. */
-void clod_step_list_feeling(clod_step *self);
+void clod_step_list_summed(clod_step *self);
 
 /** After steps: how many went into the sums of every wall. */
 void clod_step_count_steps(clod_step *self, int64_t steps);

@@ -78,10 +78,17 @@ static bool enter_shape(clod_wall_cells *self, const clod_wall_rows *rows,
 }
 
 /** All shapes, in ascending order, and then by cell: a counting sort keeps that order. */
-static bool fill(clod_wall_cells *self, const clod_walls *walls, const clod_wall_rows *rows,
-                 const clod_cells_grid *grid, double reach)
+bool clod_wall_cells_fill(clod_neighbour *search, const clod_state *state)
 {
+    clod_wall_cells *self = &search->wall_cells;
+    const clod_walls *walls = &state->walls;
+    const clod_wall_rows *rows = &search->build_rows;
+    const clod_cells_grid *grid = &search->grid;
+    const double reach = search->radius_max + search->skin;
     self->count = 0;
+    if (walls->count == 0) {
+        return true;
+    }
     for (int32_t w = 0; w < walls->count; w++) {
         for (int32_t s = 0; s < walls->wall[w].shape_count; s++) {
             const clod_wall_entry shape = {.wall = w, .shape = s};
@@ -112,8 +119,9 @@ static bool fill(clod_wall_cells *self, const clod_walls *walls, const clod_wall
 // ---- which shapes are near which grains
 
 /** Add a grain and a shape to the candidates if they are within the skin. */
-static bool try_shape(clod_neighbour *self, const clod_state *state, const clod_laws *laws,
-                      size_t g, const clod_wall_entry *shape)
+static bool try_shape(const clod_neighbour *self, const clod_state *state,
+                      const clod_laws *laws, size_t g, const clod_wall_entry *shape,
+                      clod_wall_candidates *to)
 {
     const double *p = state->build_position[g];
     const double reach = p[3] + self->skin;
@@ -121,38 +129,29 @@ static bool try_shape(clod_neighbour *self, const clod_state *state, const clod_
     if (!clod_wall_rows_is_near(rows, shape->wall, shape->shape, p, reach)) {
         return true;
     }
-    clod_wall_candidates *walls = &self->walls;
-    if (walls->count == CLOD_LIMITS_WALL_PAIRS ||
-        !clod_room_for_one(&walls->item, &walls->capacity, walls->count, sizeof *walls->item)) {
+    if (to->count == CLOD_LIMITS_WALL_PAIRS ||
+        !clod_room_for_one(&to->item, &to->capacity, to->count, sizeof *to->item)) {
         return false;
     }
     const int32_t law =
         clod_laws_index(laws, state->grains.material[g],
                         clod_wall_material(&state->walls.wall[shape->wall], shape->shape));
-    walls->item[walls->count++] = (clod_wall_candidate){
+    to->item[to->count++] = (clod_wall_candidate){
         .i = (int32_t)g, .wall = shape->wall, .shape = shape->shape, .law = law};
     return true;
 }
 
-bool clod_wall_cells_find(clod_neighbour *self, const clod_state *state, const clod_laws *laws)
+bool clod_wall_cells_find(const clod_neighbour *self, const clod_state *state,
+                          const clod_laws *laws, clod_chunk grains, clod_wall_candidates *to)
 {
-    self->walls.count = 0;
-    if (state->grains.count == 0 || state->walls.count == 0) {
+    const clod_wall_cells *cells = &self->wall_cells;
+    if (cells->count == 0) {
         return true;
     }
-    clod_wall_cells *cells = &self->wall_cells;
-    const clod_cells_grid grid = clod_cells_grid_of(self, state);
-    if (!fill(cells, &state->walls, &self->build_rows, &grid, self->radius_max + self->skin)) {
-        return false;
-    }
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const double *p = state->build_position[g];
-        const int32_t x = clod_cells_along(&grid, 0, p[0]);
-        const int32_t y = clod_cells_along(&grid, 1, p[1]);
-        const int32_t z = clod_cells_along(&grid, 2, p[2]);
-        const int32_t cell = (z * grid.n[1] + y) * grid.n[0] + x;
+    for (size_t g = grains.begin; g < grains.end; g++) {
+        const int32_t cell = clod_cells_at(&self->grid, state->build_position[g]);
         for (size_t k = cells->start[cell]; k < cells->start[cell + 1]; k++) {
-            if (!try_shape(self, state, laws, g, &cells->sorted[k])) {
+            if (!try_shape(self, state, laws, g, &cells->sorted[k], to)) {
                 return false;
             }
         }
@@ -160,15 +159,15 @@ bool clod_wall_cells_find(clod_neighbour *self, const clod_state *state, const c
     return true;
 }
 
-bool clod_wall_cells_find_all(clod_neighbour *self, const clod_state *state,
-                              const clod_laws *laws)
+bool clod_wall_cells_find_all(const clod_neighbour *self, const clod_state *state,
+                              const clod_laws *laws, clod_chunk grains,
+                              clod_wall_candidates *to)
 {
-    self->walls.count = 0;
-    for (size_t g = 0; g < state->grains.count; g++) {
+    for (size_t g = grains.begin; g < grains.end; g++) {
         for (int32_t w = 0; w < state->walls.count; w++) {
             for (int32_t s = 0; s < state->walls.wall[w].shape_count; s++) {
                 const clod_wall_entry shape = {.wall = w, .shape = s};
-                if (!try_shape(self, state, laws, g, &shape)) {
+                if (!try_shape(self, state, laws, g, &shape, to)) {
                     return false;
                 }
             }

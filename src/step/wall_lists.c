@@ -56,15 +56,15 @@ static void list_placed(clod_step *self)
     }
 }
 
-void clod_step_list_feeling(clod_step *self)
+void clod_step_list_summed(clod_step *self)
 {
     const clod_walls *walls = &self->state->walls;
     const int32_t *sums = self->near.sum_start;
-    self->feeling_count = 0;
+    self->summed_count = 0;
     for (int32_t w = 0; w < walls->count; w++) {
         const clod_wall *wall = &walls->wall[w];
         if (sums[w] < sums[w + 1] || wall->load != CLOD_LOAD_NONE || has_felt(wall)) {
-            self->feeling[self->feeling_count++] = w;
+            self->summed[self->summed_count++] = w;
         }
     }
     list_placed(self);

@@ -77,7 +77,9 @@ static void compare(scene *s)
     const size_t count = search->walls.count;
     clod_wall_candidate *found = clod_memory_alloc(count + 1, sizeof *found);
     memcpy(found, search->walls.item, count * sizeof *found);
-    assert_true(clod_wall_cells_find_all(search, &s->state, &s->laws));
+    search->walls.count = 0;
+    assert_true(clod_wall_cells_find_all(
+        search, &s->state, &s->laws, (clod_chunk){0, s->state.grains.count}, &search->walls));
     assert_int_equal(count, search->walls.count);
     assert_true(count > 0);
     for (size_t k = 0; k < count; k++) {

@@ -1,6 +1,6 @@
 #pragma once
 /**
- * @file equip.h
+ * @file derived.h
  * What a step derives from the grains and walls that there are: radii and skins, rows of walls,
  * lists, and what the kernels read. Made when a step begins, and when grains or walls change.
  */
@@ -8,7 +8,7 @@
 #include "step/step.h"
 
 /** Radii, skins, padding, rows of walls; false: no memory, or a period that is too short. */
-bool clod_step_equip(clod_step *self, clod_status *status);
+bool clod_step_derive(clod_step *self, clod_status *status);
 
 /**
  * Both lists, and what kernels read.

@@ -1,4 +1,4 @@
-#include "step/equip.h"
+#include "step/derived.h"
 
 #include <math.h>
 
@@ -41,14 +41,14 @@ void clod_step_look(clod_step *self)
     }
 }
 
-bool clod_step_equip(clod_step *self, clod_status *status)
+bool clod_step_derive(clod_step *self, clod_status *status)
 {
     clod_grains_pad(&self->state->grains);
     clod_neighbour_size(&self->neighbour, self->state);
     clod_wall_rows_fini(&self->neighbour.build_rows); // made at the next rebuild
     clod_wall_rows_fini(&self->walls);
     clod_memory_free(self->moving);
-    clod_memory_free(self->feeling);
+    clod_memory_free(self->summed);
     clod_memory_free(self->placed);
     clod_memory_free(self->is_near);
     const size_t walls = (size_t)self->state->walls.count;
@@ -59,11 +59,11 @@ bool clod_step_equip(clod_step *self, clod_status *status)
         self->near.wear |= self->state->walls.wall[w].wear != NULL;
     }
     self->moving = clod_memory_alloc(walls + 1, sizeof *self->moving);
-    self->feeling = clod_memory_alloc(walls + 1, sizeof *self->feeling);
+    self->summed = clod_memory_alloc(walls + 1, sizeof *self->summed);
     self->placed = clod_memory_alloc(shapes + 1, sizeof *self->placed);
     self->is_near = clod_memory_alloc(shapes + 1, sizeof *self->is_near);
     self->felt_finite = true;
-    if (self->moving == NULL || self->feeling == NULL || self->placed == NULL ||
+    if (self->moving == NULL || self->summed == NULL || self->placed == NULL ||
         self->is_near == NULL || !clod_wall_rows_init(&self->walls, &self->state->walls)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %d walls",
                                 (int)self->state->walls.count);
@@ -95,7 +95,7 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
         return false;
     }
     clod_step_list_moving(self);
-    clod_step_list_feeling(self);
+    clod_step_list_summed(self);
     clod_step_look(self);
     return true;
 }
