@@ -37,6 +37,9 @@ chute: build ## run the small transfer chute, dry and at 8 % moisture, and compa
 	$(RELEASE)/clod run cases/transfer-chute/dry.yaml -o run/chute-dry -t 1 $(ARGS) >run/chute-dry.txt & \
 		$(RELEASE)/clod run cases/transfer-chute/case.yaml -o run/chute-8 -t 1 $(ARGS); wait
 	@cases/transfer-chute/table run/chute-dry run/chute-8
+	@$(RELEASE)/clod picture run/chute-dry --beside run/chute-8 --time 2.75 --range 0,4 --size 1600x800 \
+		-o run/chutes.png
+	@$(RELEASE)/clod picture run/chute-8 --color clump_size --hide feed --size 1000x1000 -o run/clumps.png
 
 test: setup-test ## build and run every test and check
 	@cmake --preset test --log-level=WARNING

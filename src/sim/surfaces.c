@@ -65,7 +65,7 @@ static face *make_faces(const clod_wall *wall, double now)
     return faces;
 }
 
-/** Angle of impact, weighted with energy [deg]; not a number without impacts. */
+/** Angle of impact, weighted with energy [deg]; there was one. */
 static double angle_of(const face *self)
 {
     return 180.0 / M_PI * self->sum[CLOD_WEAR_ANGLE] / self->sum[CLOD_WEAR_ENERGY];
@@ -187,10 +187,14 @@ static void report_wall(FILE *out, const clod_wall *wall, double now)
         if (of->sum[CLOD_WEAR_IMPACTS] == 0.0 && of->sum[CLOD_WEAR_SHEAR] == 0.0) {
             continue;
         }
-        fprintf(out, "  %-22s %9.4g %9.4g %9.4g %9.4g %9.4g %6.1f %10.4g %10.4g\n", name,
+        char angle[16] = "-"; // no impact
+        if (of->sum[CLOD_WEAR_ENERGY] > 0.0) {
+            snprintf(angle, sizeof angle, "%.1f", angle_of(of));
+        }
+        fprintf(out, "  %-22s %9.4g %9.4g %9.4g %9.4g %9.4g %6s %10.4g %10.4g\n", name,
                 of->sum[CLOD_WEAR_PRESS] / time, 1e-3 * of->pressure,
                 of->sum[CLOD_WEAR_SHEAR] / time, of->sum[CLOD_WEAR_IMPACTS] / time,
-                of->sum[CLOD_WEAR_ENERGY] / time, angle_of(of),
+                of->sum[CLOD_WEAR_ENERGY] / time, angle,
                 1e9 * 3600.0 * of->archard / time, 1e9 * 3600.0 * of->finnie / time);
     }
     clod_memory_free(faces);
