@@ -194,8 +194,8 @@ static void report_wall(FILE *out, const clod_wall *wall, double now)
         fprintf(out, "  %-22s %9.4g %9.4g %9.4g %9.4g %9.4g %6s %10.4g %10.4g\n", name,
                 of->sum[CLOD_WEAR_PRESS] / time, 1e-3 * of->pressure,
                 of->sum[CLOD_WEAR_SHEAR] / time, of->sum[CLOD_WEAR_IMPACTS] / time,
-                of->sum[CLOD_WEAR_ENERGY] / time, angle,
-                1e9 * 3600.0 * of->archard / time, 1e9 * 3600.0 * of->finnie / time);
+                of->sum[CLOD_WEAR_ENERGY] / time, angle, 1e9 * 3600.0 * of->archard / time,
+                1e9 * 3600.0 * of->finnie / time);
     }
     clod_memory_free(faces);
 }
