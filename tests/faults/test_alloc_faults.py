@@ -167,8 +167,10 @@ class Fault:
             return "failed without a text"
         if self.whose == "own" and "memory" not in self.told:
             return "the text does not name memory"
-        half = [name for name, content in self.files.items() if name not in good.files
-                or (os.path.dirname(name) == "" and content != good.files[name])]
+        # a step without memory leaves the state in which it broke down, as every broken step does
+        half = [name for name, content in self.files.items() if "-failed_" not in name
+                and (name not in good.files
+                     or (os.path.dirname(name) == "" and content != good.files[name]))]
         return f"left behind: {half}" if half else None
 
     def told_same(self, good):
