@@ -3,7 +3,7 @@
  * What a contact with triangles costs beside one with a plane, and beside one with the cylinder
  * that the triangles stand for, as rows of a table.
  *
- *   bench_mesh [--steps N] [--takes N] [--speed V] [--simd SET] [--only SCENE]
+ *   bench_mesh [--steps N] [--speed V] [--only SCENE]
  *
  * The same grains, apart from each other, each in contact with one surface: they roll over it
  * aslant, without weight (a fast grain leaves the roller then). A contact's cost is the time of the grains with the surface less that
@@ -33,7 +33,7 @@
 #define SIDE 0.6       // m, of the sheet; length of trough and roller
 #define OVERLAP 1e-7   // m
 #define SMOOTH 0.35    // rad, as a case has it
-#define TAKES_MOST 99
+#define TAKES 15       // odd
 
 typedef enum form {
     FORM_NONE,   ///< no surface
@@ -67,16 +67,15 @@ static const scene SCENES[] = {
 
 typedef struct options {
     int64_t steps;
-    int takes;
     double speed; ///< m/s
-    const char *simd, *only;
+    const char *only;
 } options;
 
 typedef struct run {
     clod_state state;
     clod_step step;
     size_t facets, patches;
-    double seconds[TAKES_MOST]; ///< per step
+    double seconds[TAKES]; ///< per step
 } run;
 
 static void give_up(const char *text)
@@ -198,10 +197,10 @@ static double gap_of(const clod_walls *walls, clod_vec3 p)
         if (shape->surface == NULL) {
             least = fmin(least, clod_wall_gap(shape, p).distance);
         } else if (shape->slot == 0) {
-            const uint32_t patch = (uint32_t)shape->patch;
-            least = fmin(
-                least,
-                clod_surface_patch_closest(shape->surface, patch, p, 2.0 * RADIUS).distance);
+            const uint32_t at = (uint32_t)shape->patch;
+            const double most = 2.0 * RADIUS;
+            least =
+                fmin(least, clod_surface_patch_closest(shape->surface, at, p, most).distance);
         }
     }
     return least;
@@ -233,18 +232,12 @@ static void add_grains(const scene *s, run *self, double speed)
         for (int j = 0; j < ROWS; j++) {
             const double x = (i - 0.5 * ROWS + 0.5) * apart, y = (j - 0.5 * ROWS + 0.5) * apart;
             const double turn = x / ROUND;
-            if (s->form == FORM_TROUGH) {
-                const double at = ROUND - RADIUS - 1e-3;
-                add_grain(s, self, (clod_vec3){at * sin(turn), y, -at * cos(turn)},
-                          (clod_vec3){-sin(turn), 0.0, cos(turn)}, speed);
-            } else if (s->form == FORM_ROLLER) {
-                const double at = ROUND + RADIUS;
-                add_grain(s, self, (clod_vec3){at * sin(turn), y, at * cos(turn)},
-                          (clod_vec3){sin(turn), 0.0, cos(turn)}, speed);
-            } else {
-                add_grain(s, self, (clod_vec3){x, y, RADIUS}, (clod_vec3){0.0, 0.0, 1.0},
-                          speed);
-            }
+            const double side = s->form == FORM_TROUGH ? -1.0 : 1.0;
+            const double at = side * (ROUND + side * RADIUS);
+            const bool flat = s->form == FORM_FLAT || s->form == FORM_NONE;
+            const clod_vec3 n = {flat ? 0.0 : sin(turn), 0.0, flat ? 1.0 : cos(turn)};
+            const clod_vec3 p = {flat ? x : at * n.x, y, flat ? RADIUS : at * n.z};
+            add_grain(s, self, p, n, speed);
         }
     }
 }
@@ -261,7 +254,7 @@ static void begin(const scene *s, const options *o, const clod_laws *laws, run *
         add_wall(s, self);
     }
     add_grains(s, self, o->speed);
-    const clod_step_options step = {.threads = 1, .simd = o->simd};
+    const clod_step_options step = {.threads = 1};
     if (!clod_step_init(&self->step, &self->state, laws, &step, &status) ||
         !clod_step_advance(&self->step, 100, &status)) {
         give_up(status.text);
@@ -296,18 +289,18 @@ static double contacts_of(run *self)
     return (double)(pairs + walls);
 }
 
-static int ascending(const void *a, const void *b)
+/** Sorts the values. */
+static double median(double values[TAKES])
 {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(const double *values, int count)
-{
-    double sorted[TAKES_MOST];
-    memcpy(sorted, values, (size_t)count * sizeof *values);
-    qsort(sorted, (size_t)count, sizeof *sorted, ascending);
-    return 0.5 * (sorted[(count - 1) / 2] + sorted[count / 2]);
+    for (int k = 1; k < TAKES; k++) {
+        const double v = values[k];
+        int at = k;
+        for (; at > 0 && v < values[at - 1]; at--) {
+            values[at] = values[at - 1];
+        }
+        values[at] = v;
+    }
+    return values[TAKES / 2];
 }
 
 /** Time of a contact in a step, in one take [ns]. */
@@ -316,7 +309,7 @@ static double cost(const run *runs, const double *contacts, size_t s, int take)
     return 1e9 * (runs[s].seconds[take] - runs[0].seconds[take]) / contacts[s];
 }
 
-static void report(run *runs, int takes)
+static void report(run *runs)
 {
     double contacts[SCENE_COUNT];
     puts("| surface | facets | patches | contacts | ns/contact | of the plane's | of its "
@@ -326,43 +319,38 @@ static void report(run *runs, int takes)
     for (size_t s = 0; s < SCENE_COUNT; s++) {
         contacts[s] = contacts_of(&runs[s]);
         twin = SCENES[s].around == 0 ? s : twin;
-        double ns[TAKES_MOST], plane[TAKES_MOST], own[TAKES_MOST];
-        for (int t = 0; s > 0 && t < takes; t++) {
+        double ns[TAKES], plane[TAKES], own[TAKES];
+        for (int t = 0; s > 0 && t < TAKES; t++) {
             ns[t] = cost(runs, contacts, s, t);
             plane[t] = ns[t] / cost(runs, contacts, PLANE, t);
             own[t] = ns[t] / cost(runs, contacts, twin, t);
         }
         if (s > 0) {
             printf("| %s | %zu | %zu | %.0f | %.1f | %.2f | %.2f |\n", SCENES[s].name,
-                   runs[s].facets, runs[s].patches, contacts[s], median(ns, takes),
-                   median(plane, takes), median(own, takes));
+                   runs[s].facets, runs[s].patches, contacts[s], median(ns), median(plane),
+                   median(own));
         }
     }
 }
 
 static const struct option OPTIONS[] = {
-    {"steps", required_argument, NULL, 's'}, {"takes", required_argument, NULL, 't'},
-    {"speed", required_argument, NULL, 'v'}, {"simd", required_argument, NULL, 'i'},
-    {"only", required_argument, NULL, 'o'},  {0},
+    {"steps", required_argument, NULL, 's'},
+    {"speed", required_argument, NULL, 'v'},
+    {"only", required_argument, NULL, 'o'},
+    {0},
 };
 
 static options read_options(int argc, char **argv)
 {
-    options o = {.steps = 300, .takes = 15, .speed = 0.1};
+    options o = {.steps = 300, .speed = 0.1};
     int key;
     while ((key = getopt_long(argc, argv, "", OPTIONS, NULL)) != -1) {
         switch (key) {
         case 's':
             o.steps = strtoll(optarg, NULL, 10);
             break;
-        case 't':
-            o.takes = (int)strtol(optarg, NULL, 10);
-            break;
         case 'v':
             o.speed = strtod(optarg, NULL);
-            break;
-        case 'i':
-            o.simd = optarg;
             break;
         case 'o':
             o.only = optarg;
@@ -371,7 +359,7 @@ static options read_options(int argc, char **argv)
             exit(2);
         }
     }
-    if (optind != argc || o.steps < 1 || o.takes < 1 || o.takes > TAKES_MOST || o.speed < 0.0) {
+    if (optind != argc || o.steps < 1 || o.speed < 0.0) {
         give_up("usage: bench_mesh [options], see bench/bench_mesh.c");
     }
     return o;
@@ -388,10 +376,11 @@ int main(int argc, char **argv)
     }
     const clod_laws laws = {.materials = 1, .count = 1, .law = &law};
     for (size_t s = 0; s < SCENE_COUNT; s++) {
-        if (o.only == NULL) {
-            begin(&SCENES[s], &o, &laws, &runs[s]);
-        } else if (strcmp(o.only, SCENES[s].name) == 0) {
-            begin(&SCENES[s], &o, &laws, &runs[s]);
+        if (o.only != NULL && strcmp(o.only, SCENES[s].name) != 0) {
+            continue;
+        }
+        begin(&SCENES[s], &o, &laws, &runs[s]);
+        if (o.only != NULL) {
             advance(&runs[s], o.steps);
             printf("%.0f\n", contacts_of(&runs[s]));
             return 0;
@@ -400,11 +389,11 @@ int main(int argc, char **argv)
     if (o.only != NULL) {
         give_up("--only: no such scene, see the table SCENES of bench/bench_mesh.c");
     }
-    for (int t = 0; t < o.takes; t++) {
+    for (int t = 0; t < TAKES; t++) {
         for (size_t s = 0; s < SCENE_COUNT; s++) {
             runs[s].seconds[t] = advance(&runs[s], o.steps);
         }
     }
-    report(runs, o.takes);
+    report(runs);
     return 0;
 }
