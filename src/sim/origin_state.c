@@ -275,13 +275,16 @@ static void move_grains(moving *self)
     self->other.grains = (clod_grains){0};
 }
 
+/** Every grain is in the domain; where it removes grains, one that is about to go may be beyond. */
 static bool check_domain(const moving *self, clod_status *status)
 {
     const clod_state *state = self->state;
     for (size_t g = 0; g < state->grains.count; g++) {
+        const double *p = state->grains.position[g];
+        const double beyond = state->domain.removes ? 2.0 * p[3] : 0.0;
         for (int a = 0; a < 3; a++) {
-            const double x = state->grains.position[g][a];
-            if (!(x >= state->domain.min[a] && x <= state->domain.max[a])) {
+            const double x = p[a];
+            if (!(x >= state->domain.min[a] - beyond && x <= state->domain.max[a] + beyond)) {
                 return clod_status_fail(status, CLOD_USAGE,
                                         "--from %s: its grain %llu at %c = %.6g m is outside "
                                         "the domain of this case (%.6g to %.6g m)",

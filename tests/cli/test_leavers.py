@@ -30,6 +30,30 @@ output: {{series_interval: 10 ms, energy: true}}
 SIDES = ("x_min", "x_max", "z_min", "z_max")
 
 
+# One grain falls from 0.1 m at 1 m/s, so it is below the floor of the domain at 73.8 ms: 1 m/s t +
+# g t^2/2 = 0.1005 m. The other one stays.
+FALL = """\
+materials: {ore: {density: 2500 kg/m3}}
+contacts:
+  default: {law: hooke, k1: 1e4 N/m, restitution: 0.5, friction: 0.5}
+gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]
+time: {step: 1e-5 s}
+domain: {min: [-0.1 m, -0.1 m, 0 m], max: [0.1 m, 0.1 m, 0.2 m], open: delete}
+grains:
+  - material: ore
+    count: 1
+    radius: {distribution: uniform, min: 5 mm, max: 5.0001 mm}
+    region: {box: {min: [-5.1 mm, -5.1 mm, 94.9 mm], max: [5.1 mm, 5.1 mm, 105.2 mm]}}
+    velocity: [0 m/s, 0 m/s, -1 m/s]
+  - material: ore
+    count: 1
+    radius: {distribution: uniform, min: 5 mm, max: 5.0001 mm}
+    region: {box: {min: [50 mm, 50 mm, 184 mm], max: [61 mm, 61 mm, 195 mm]}}
+stages: [{name: run, duration: 73.8 ms}]
+output: {series_interval: 1 ms}
+"""
+
+
 class Leavers(clod.Case):
 
     def write(self, mode):
@@ -80,6 +104,15 @@ class Leavers(clod.Case):
         self.assertEqual(done.returncode, 1)
         self.assertIn("has left the domain: ", done.stderr)
         self.assertIn("set domain.open: delete", done.stderr)
+
+    def test_a_run_goes_on_with_a_grain_that_is_about_to_go(self):
+        with open(self.path("case.yaml"), "w") as file:
+            file.write(FALL)
+        self.assertEqual(self.go("first").returncode, 0)
+        self.assertEqual(clod.table(self.path("first/series.csv"))[-1]["grains"], 2)
+        done = self.go("second", "1", "--from", "first")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(clod.table(self.path("second/series.csv"))[-1]["left_z_min.grains"], 1)
 
     def test_a_wrong_word_is_explained(self):
         self.write(", open: remove")
