@@ -34,8 +34,9 @@ run: build ## run the 5 % copper ore into run/copper-ore-5, with ARGS
 
 chute: build ## run the small transfer chute, dry and at 8 % moisture, and compare them
 	@mkdir -p run
-	$(RELEASE)/clod run cases/transfer-chute/dry.yaml -o run/chute-dry -t 1 $(ARGS) >run/chute-dry.txt & \
-		$(RELEASE)/clod run cases/transfer-chute/case.yaml -o run/chute-8 -t 1 $(ARGS); wait
+	$(RELEASE)/clod run cases/transfer-chute/dry.yaml -o run/chute-dry -t 1 $(ARGS) >run/chute-dry.txt & dry=$$!; \
+		$(RELEASE)/clod run cases/transfer-chute/case.yaml -o run/chute-8 -t 1 $(ARGS); wet=$$?; \
+		wait $$dry && exit $$wet
 	@cases/transfer-chute/table run/chute-dry run/chute-8
 	@$(RELEASE)/clod picture run/chute-dry --beside run/chute-8 --time 2.75 --range 0,4 --size 1600x800 \
 		-o run/chutes.png

@@ -23,7 +23,7 @@ static clod_law_exponent exponent_kind(double exponent)
 clod_case_material clod_law_soften_material(const clod_case_material *from, double soften)
 {
     clod_case_material made = *from;
-    made.youngs_modulus /= soften > 0.0 ? soften : 1.0;
+    made.youngs_modulus /= fmax(soften, 1.0); // 0: the case does not say
     return made;
 }
 
@@ -31,7 +31,7 @@ clod_case_material clod_law_soften_material(const clod_case_material *from, doub
 static clod_case_contact soften_contact(const clod_case_contact *from)
 {
     clod_case_contact made = *from;
-    const double soften = from->soften > 0.0 ? from->soften : 1.0;
+    const double soften = fmax(from->soften, 1.0);
     made.k1 /= soften;
     made.k2 /= soften;
     made.k_adh /= soften;

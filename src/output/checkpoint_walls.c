@@ -72,15 +72,35 @@ bool clod_checkpoint_walls_put(clod_hdf *hdf, const clod_walls *walls, clod_stat
                             count);
 }
 
+/** Whether the file has the sums of places that its walls speak of. */
+static bool has_wear(clod_hdf *hdf, const clod_walls *walls)
+{
+    size_t count = 0;
+    for (int32_t w = 0; w < walls->count; w++) {
+        count += (size_t)walls->wall[w].wear_rows;
+    }
+    return count == 0 || count == clod_hdf_rows(hdf, "walls/wear");
+}
+
+/** Whether a wall's sums are those of its places; where its facets are not there nobody asks. */
+static bool wear_fits(clod_wall *wall)
+{
+    const int32_t places = clod_wear_number(wall);
+    for (int32_t s = 0; s < wall->shape_count; s++) {
+        if (wall->shapes[s].kind == CLOD_SHAPE_MESH && wall->shapes[s].surface == NULL) {
+            return true;
+        }
+    }
+    return wall->wear == NULL || (wall->wear_places == places &&
+                                  wall->wear_rows == places + 2 * clod_wear_faces(wall));
+}
+
 /** Sums of the places of walls that have them; false without memory. */
 static bool read_wear(clod_hdf *hdf, clod_walls *walls)
 {
     size_t count = 0;
     for (int32_t w = 0; w < walls->count; w++) {
         count += (size_t)walls->wall[w].wear_rows;
-    }
-    if (count > 0 && count != clod_hdf_rows(hdf, "walls/wear")) {
-        return true; // the failure that this notes is told
     }
     double(*sums)[CLOD_WEAR_SUMS] = clod_memory_alloc(count + 1, sizeof *sums);
     clod_checkpoint_columns columns;
@@ -165,7 +185,7 @@ static bool read_walls(clod_hdf *hdf, clod_walls *walls, const char *path, clod_
     bool memory = shapes != NULL, good = memory;
     if (good) {
         read_columns(hdf, walls, shapes, count);
-        good = clod_hdf_has_failed(hdf) || fit(walls, shapes, count);
+        good = clod_hdf_has_failed(hdf) || (fit(walls, shapes, count) && has_wear(hdf, walls));
         memory = !good || clod_hdf_has_failed(hdf) ||
                  (share_out(walls, shapes) && read_wear(hdf, walls));
     }
@@ -198,7 +218,6 @@ static void share_surfaces(const clod_walls *before, clod_walls *walls)
                 shape->surface = clod_surface_share(other->surface);
             }
         }
-        clod_wear_number(wall);
     }
 }
 
@@ -220,5 +239,13 @@ bool clod_checkpoint_walls_get(clod_hdf *hdf, clod_walls *walls, const char *pat
     }
     share_surfaces(&before, walls);
     clod_walls_fini(&before);
+    for (int32_t w = 0; good && w < walls->count; w++) {
+        if (!wear_fits(&walls->wall[w])) {
+            return clod_status_fail(status, CLOD_FAILED,
+                                    "%s holds sums of surfaces that are not those of the wall "
+                                    "%s. Start over with --fresh.",
+                                    path, walls->wall[w].name);
+        }
+    }
     return good;
 }

@@ -22,7 +22,7 @@
 static const char *const FIRST[] = {"time [s]", "stage [1]", "kinetic_energy [J]",
                                     "max_speed [m/s]"};
 #define FIRST_COUNT (sizeof FIRST / sizeof *FIRST)
-#define COLUMN_TEXT 80
+#define COLUMN_TEXT 128
 
 /** Data of the procedure: where it is, how each stage that is over ended, and behind that what
  *  the measures remember. */

@@ -73,6 +73,14 @@ static double angle_of(const face *self)
 
 // ---- when the sums begin
 
+static void surfaces_begin(void *memory, const clod_case *from, const clod_state *state)
+{
+    (void)memory;
+    for (int32_t w = 0; from->output.surfaces && w < state->walls.count; w++) {
+        clod_wear_reset(&state->walls.wall[w], state->time);
+    }
+}
+
 /** Step at which they begin, when that is not the start. */
 static int64_t first_step(const clod_case *from, const clod_state *state)
 {
@@ -261,6 +269,7 @@ static json_t *surfaces_json(const void *memory, const clod_free_moment *now)
 }
 
 const clod_free_measure CLOD_MEASURE_SURFACES = {.key = "surfaces",
+                                                 .begin = surfaces_begin,
                                                  .act = surfaces_act,
                                                  .plan = surfaces_plan,
                                                  .look = surfaces_look,

@@ -128,8 +128,8 @@ static inline void random_state_walls(clod_state *state)
         wall->shapes = clod_memory_alloc((size_t)w + 1, sizeof(clod_shape));
         if (w % 2 == 0) { // the others have none
             wall->wear_places = w + 1;
-            wall->wear_rows = w + 3;
-            wall->wear = clod_memory_alloc((size_t)w + 3, sizeof *wall->wear);
+            wall->wear_rows = 3 * (w + 1); // a place and two rows for each shape
+            wall->wear = clod_memory_alloc(3 * ((size_t)w + 1), sizeof *wall->wear);
         }
     }
 }
