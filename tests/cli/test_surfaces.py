@@ -81,6 +81,21 @@ class Surfaces(clod.Case):
                         for k, row in enumerate(late))
             self.assertAlmostEqual(total / (times[-1] - times[0]) / upper[key], 1.0, 6)
 
+    def test_sums_begin_with_a_run_that_goes_on(self):
+        """Means are over the time of the second run, which begins at 0.8 s."""
+        self.go("first")
+        done = clod.run("run", "case.yaml", "-o", "second", "-t", "1", "--from", "first",
+                        cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("second/summary.json")) as file:
+            press = {face["name"]: face["press_N"] for face in json.load(file)["surfaces"]}
+        rows = clod.table(self.path("second/series.csv"))
+        times = [0.8] + [row["time"] for row in rows]
+        for name in ("plate.upper", "plate.lower"):
+            total = sum(row[f"surface_{name}.press"] * (times[k + 1] - times[k])
+                        for k, row in enumerate(rows))
+            self.assertAlmostEqual(total / (times[-1] - times[0]) / press[name], 1.0, 6)
+
     def test_same_bytes_on_two_threads_and_after_a_stop(self):
         self.go("one")
         self.go("two", threads="2")
