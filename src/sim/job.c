@@ -66,16 +66,15 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
 
 /** Something of the procedure that looks at the state with its contacts; NULL: nothing. */
 static bool with_contacts(job_loop *loop,
-                          bool (*todo)(void *data, const void *context, clod_state *state,
-                                       const clod_contact_source *contacts,
-                                       clod_status *status),
+                          bool (*run)(void *data, const void *context, clod_state *state,
+                                      const clod_contact_source *contacts, clod_status *status),
                           clod_status *status)
 {
     clod_job *job = loop->job;
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
-    return todo == NULL ||
-           todo(job->procedure.data, job->procedure.context, &job->state, &contacts, status);
+    return run == NULL ||
+           run(job->procedure.data, job->procedure.context, &job->state, &contacts, status);
 }
 
 static bool write_snapshot(job_loop *loop, clod_status *status)
