@@ -227,7 +227,6 @@ typedef struct clod_case_output {
     bool contacts;              ///< snapshots with contacts
     bool energy;                ///< keep the energy ledger
     bool surfaces;              ///< sum what grains do to the surfaces of walls
-    double surfaces_from;       ///< s, when these sums begin
     double steady_since;   ///< s from the beginning of the run, of means; see has_steady_since
     bool has_steady_since; ///< else the last third of the stages counts
 } clod_case_output;

@@ -1,5 +1,6 @@
 #include "base/json.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 static _Thread_local bool lost; ///< jansson was left without memory since the last text
@@ -31,4 +32,9 @@ char *clod_json_text(const json_t *value, size_t flags)
 bool clod_json_lacks_memory(void)
 {
     return lost;
+}
+
+json_t *clod_json_number(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
 }

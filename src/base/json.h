@@ -19,5 +19,8 @@
  */
 char *clod_json_text(const json_t *value, size_t flags);
 
+/** A new real number; null for one that is not finite. Threads: safe. */
+json_t *clod_json_number(double value);
+
 /** Whether jansson found no memory for something in this thread since the last text. */
 bool clod_json_lacks_memory(void);

@@ -41,13 +41,18 @@ static bool check_keys(clod_loader *self, const clod_table *table, const clod_no
             continue;
         }
         char hint[64];
+        const char *now = NULL;
         clod_suggest near = clod_suggest_start(item->key);
         for (size_t k = 0; k < table->count; k++) {
+            const char *formerly = table->params[k].formerly;
+            now = formerly != NULL && strcmp(formerly, item->key) == 0 ? table->params[k].key
+                                                                       : now;
             clod_suggest_offer(&near, table->params[k].key);
         }
         const size_t length = clod_load_enter(self, item->key);
-        clod_report_add(self->report, item->key_place, self->path, "this key is not known%s",
-                        clod_suggest_text(&near, hint, sizeof hint));
+        clod_report_add(self->report, item->key_place, self->path, "this key is not known%s%s",
+                        now != NULL ? "; it is called now " : "",
+                        now != NULL ? now : clod_suggest_text(&near, hint, sizeof hint));
         clod_load_leave(self, length);
         good = false;
     }

@@ -60,6 +60,7 @@ typedef struct clod_param {
     const struct clod_table *beside;
     /** Whether the value has any effect, and so whether the echo writes it; NULL: always. */
     bool (*used)(const clod_case *whole, const void *self);
+    const char *formerly; ///< its name in earlier versions: an error that tells the new one
     const char *unused; ///< error for a key that is written but not used; NULL: told elsewhere
     /** Whether a contact law has the key; NULL: all do. Help and error name those that have it,
      * and `unused` says why the others do not: ": a reason", or "". */

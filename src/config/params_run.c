@@ -181,9 +181,11 @@ static const clod_param OUTPUT_ROWS[] = {
      CLOD_AT(O, steady_since),
      .given = offsetof(O, has_steady_since),
      .used = has_free_run,
-     .unused = "only a free run has gauges and a balance; remove this key",
-     .help = "Time from the beginning of the run from which on the means of gauges and "
-             "balance count; without it the last third of the stages' durations.",
+     .unused = "only a free run has these means; remove this key",
+     .formerly = "surfaces_from",
+     .help = "Time from the beginning of the run from which on all means are taken: those of "
+             "gauges, belts, balance, clumps, build-up, history map and surfaces; without it "
+             "the last third of the stages' durations.",
      .source = "docs/gauges.md"},
     {.key = "snapshot_interval",
      .kind = CLOD_PARAM_REAL,
@@ -232,15 +234,6 @@ static const clod_param OUTPUT_ROWS[] = {
          "shape: force, pressure, shear and impact work, impacts, wear. In snapshots of the "
          "walls, and by surface in series, report and summary. It costs time and changes no "
          "bit of the rest.",
-     .source = "docs/theory/wear.md"},
-    {.key = "surfaces_from",
-     .kind = CLOD_PARAM_REAL,
-     .need = CLOD_PARAM_OPTIONAL,
-     .unit = "s",
-     CLOD_FROM(0, 1e9),
-     .fallback = "0 s",
-     CLOD_AT(O, surfaces_from),
-     .help = "Time of the simulation at which the sums of surfaces begin: when flow is steady.",
      .source = "docs/theory/wear.md"},
 };
 const clod_table CLOD_TABLE_OUTPUT = {.title = "What is written, and how often.",

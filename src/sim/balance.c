@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "base/json.h"
 #include "parallel/exact.h"
 #include "setup/grains.h"
 
@@ -46,14 +47,13 @@ static size_t balance_size(const clod_case *from)
 }
 
 /** Note the edges of blocks that are behind by now. */
-static void note(clod_balance *self, const clod_case *from, const clod_state *state)
+static void note(clod_balance *self, const clod_free_moment *now)
 {
-    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
-    const int edges = clod_steady_time_edges(&steady, state->time);
+    const int edges = clod_steady_time_edges(&now->steady, now->state->time);
     if (self->edges < edges) {
-        const clod_balance_count now = clod_balance_of(state);
+        const clod_balance_count count = clod_balance_of(now->state);
         while (self->edges < edges) {
-            self->edge[self->edges++] = now;
+            self->edge[self->edges++] = count;
         }
     }
 }
@@ -62,9 +62,7 @@ static void balance_begin(void *memory, const clod_case *from, const clod_state 
 {
     clod_balance *self = memory;
     if (is_open(from)) {
-        self->begin = state->time;
         self->start = clod_balance_of(state);
-        note(self, from, state);
     }
 }
 
@@ -72,22 +70,22 @@ static bool balance_act(void *memory, const clod_free_moment *now, clod_status *
 {
     (void)status;
     if (is_open(now->from)) {
-        note(memory, now->from, now->state);
+        note(memory, now);
     }
     return true;
 }
 
 /** Steps to the next edge, or one of those before it. */
-static int64_t balance_plan(const void *memory, const clod_case *from, const clod_state *state)
+static int64_t balance_plan(const void *memory, const clod_case *from, const clod_state *state,
+                            const clod_steady_time *steady)
 {
     const clod_balance *self = memory;
     if (!is_open(from) || self->edges > CLOD_STEADY_BLOCKS) {
         return INT64_MAX;
     }
-    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
-    const double at = steady.since + (double)self->edges * steady.block;
-    const double steps = ceil((at - state->time) / state->dt - 1e-6);
-    return steps > 1.0 ? (int64_t)fmin(steps, 1e15) : 1;
+    const double at = steady->since + (double)self->edges * steady->block;
+    const int64_t steps = clod_steady_time_steps(at, state->time, state->dt);
+    return steps > 1 ? steps : 1;
 }
 
 /** The end of the run is seen here: after it nothing acts. */
@@ -241,18 +239,14 @@ static void balance_report(FILE *out, const void *memory, const clod_free_moment
     put_line(out, "lost", "", grains, mass, NULL);
 }
 
-static json_t *number(double value)
-{
-    return isfinite(value) ? json_real(value) : json_null();
-}
-
 static json_t *entry(const clod_balance *self, const clod_case *from, int64_t grains,
                      double mass, int flow)
 {
     double told[2];
     flow_of(self, from, flow, told);
     return json_pack("{s:I, s:f, s:{s:o, s:o}}", "grains", (json_int_t)grains, "mass_kg", mass,
-                     "flow_kg_per_s", "mean", number(told[0]), "deviation", number(told[1]));
+                     "flow_kg_per_s", "mean", clod_json_number(told[0]), "deviation",
+                     clod_json_number(told[1]));
 }
 
 /** As in the columns of the series. */
@@ -289,9 +283,10 @@ static json_t *balance_json(const void *memory, const clod_free_moment *now)
     const double nan = (double)NAN;
     const bool steady = self->edges > 1;
     return json_pack("{s:o, s:o, s:{s:I, s:f}, s:o, s:o, s:o, s:o, s:{s:I, s:f}}", "since_s",
-                     number(steady ? self->edge[0].time : nan), "until_s",
-                     number(steady ? self->edge[self->edges - 1].time : nan), "start", "grains",
-                     (json_int_t)self->start.inside, "mass_kg", self->start.mass_inside, "in",
+                     clod_json_number(steady ? self->edge[0].time : nan), "until_s",
+                     clod_json_number(steady ? self->edge[self->edges - 1].time : nan), "start",
+                     "grains", (json_int_t)self->start.inside, "mass_kg",
+                     self->start.mass_inside, "in",
                      entry(self, from, count.in, count.mass_in, FLOW_IN), "out", exits,
                      "spillage", entry(self, from, spilled, spilled_mass, FLOW_SPILLED),
                      "inside", entry(self, from, count.inside, count.mass_inside, FLOW_STORED),

@@ -6,7 +6,6 @@
  */
 
 #include "sim/free_measures.h"
-#include "sim/steady_time.h"
 
 /** What had come and gone at a moment; plain data. */
 typedef struct clod_balance_count {
@@ -19,7 +18,6 @@ typedef struct clod_balance_count {
 
 /** What the balance remembers. */
 typedef struct clod_balance {
-    double begin;  ///< s
     int64_t edges; ///< edges of the steady time's blocks that have been noted
     clod_balance_count start;
     clod_balance_count edge[CLOD_STEADY_BLOCKS + 1];

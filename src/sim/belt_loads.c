@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "sim/outputs.h"
 #include "sim/steady_time.h"
 
@@ -20,7 +21,6 @@ typedef struct belt_memory {
 } belt_memory;
 
 typedef struct belts {
-    double begin; ///< s, time at which the run began
     int64_t next; ///< step of the next look
     belt_memory belt[];
 } belts;
@@ -118,23 +118,26 @@ static void belts_begin(void *memory, const clod_case *from, const clod_state *s
     if (count == 0) {
         return;
     }
-    self->begin = state->time;
     self->next = state->step;
     for (size_t k = 0; k < count; k++) {
         self->belt[k].since = state->time;
     }
 }
 
-static int64_t belts_plan(const void *memory, const clod_case *from, const clod_state *state)
+static int64_t belts_plan(const void *memory, const clod_case *from, const clod_state *state,
+                          const clod_steady_time *steady)
 {
+    (void)steady;
     const belts *self = memory;
     return count_of(from) > 0 && self->next > state->step ? self->next - state->step
                                                           : INT64_MAX;
 }
 
 /** Take what belt k has done since the last time. */
-static void take(belts *self, const clod_case *from, const clod_state *state, size_t k)
+static void take(belts *self, const clod_free_moment *now, size_t k)
 {
+    const clod_case *from = now->from;
+    const clod_state *state = now->state;
     const size_t w = wall_of(from, k);
     const clod_case_wall *wall = &from->walls[w];
     belt_memory *mine = &self->belt[k];
@@ -143,8 +146,7 @@ static void take(belts *self, const clod_case *from, const clod_state *state, si
         fabs(speed_of(from, wall)) * (running_time(&wall->start_up, state->time) -
                                       running_time(&wall->start_up, mine->since));
     const double time = state->time - mine->since;
-    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
-    const int block = clod_steady_time_block(&steady, mine->since);
+    const int block = clod_steady_time_block(&now->steady, mine->since);
     mine->row_work += work - mine->seen;
     mine->row_travel += travel;
     mine->row_time += time;
@@ -167,7 +169,7 @@ static bool belts_act(void *memory, const clod_free_moment *now, clod_status *st
     }
     self->next = clod_outputs_next(INTERVAL, now->state->dt, now->state->step);
     for (size_t k = 0; k < count; k++) {
-        take(self, now->from, now->state, k);
+        take(self, now, k);
     }
     return true;
 }
@@ -201,7 +203,7 @@ static void belts_row(void *memory, const clod_free_moment *now, double *row)
     belts *self = memory;
     for (size_t k = 0; k < count_of(now->from); k++) {
         belt_memory *mine = &self->belt[k];
-        take(self, now->from, now->state, k);
+        take(self, now, k);
         row[PER_BELT * k] = over(mine->row_travel, mine->row_time);
         row[PER_BELT * k + 1] = over(mine->row_work, mine->row_travel);
         mine->seen = 0.0; // the walls' sums begin anew after a row
@@ -238,11 +240,6 @@ static void belts_report(FILE *out, const void *memory, const clod_free_moment *
     }
 }
 
-static json_t *number(double value)
-{
-    return isfinite(value) ? json_real(value) : json_null();
-}
-
 static json_t *belts_json(const void *memory, const clod_free_moment *now)
 {
     const belts *self = memory;
@@ -256,11 +253,12 @@ static json_t *belts_json(const void *memory, const clod_free_moment *now)
         spread(mine->work, mine->time, power);
         spread(mine->work, mine->travel, pull);
         spread(mine->travel, mine->time, speed);
-        json_object_set_new(all, now->from->walls[wall_of(now->from, k)].name,
-                            json_pack("{s:o, s:{s:o, s:o}, s:{s:o, s:o}}", "speed_m_per_s",
-                                      number(speed[0]), "power_W", "mean", number(power[0]),
-                                      "deviation", number(power[1]), "pull_N", "mean",
-                                      number(pull[0]), "deviation", number(pull[1])));
+        json_object_set_new(
+            all, now->from->walls[wall_of(now->from, k)].name,
+            json_pack("{s:o, s:{s:o, s:o}, s:{s:o, s:o}}", "speed_m_per_s",
+                      clod_json_number(speed[0]), "power_W", "mean", clod_json_number(power[0]),
+                      "deviation", clod_json_number(power[1]), "pull_N", "mean",
+                      clod_json_number(pull[0]), "deviation", clod_json_number(pull[1])));
     }
     return all;
 }

@@ -1,7 +1,9 @@
 #include "sim/build_up.h"
 
+#include <math.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "base/memory.h"
 #include "parallel/exact.h"
 #include "sim/resting.h"
@@ -15,12 +17,14 @@ typedef struct target {
 /** What is remembered of one. */
 typedef struct past {
     double now, most, most_time; ///< kg, kg, s
+    double sum;                  ///< kg s, over the steady time
     double mass[CLOD_BUILD_UP_POINTS];
 } past;
 
 /** The past of all; `of` goes on over all targets that may be. */
 typedef struct build_up {
-    int64_t looks, points, every; ///< a point at every so many looks
+    double looked, steady;        ///< s, time of the last look; of the steady time until then
+    int64_t looks, points, every; ///< in the steady time; a point at every so many looks
     double time[CLOD_BUILD_UP_POINTS];
     past of[];
 } build_up;
@@ -37,10 +41,10 @@ static size_t build_up_size(const clod_case *from)
 
 static void build_up_begin(void *memory, const clod_case *from, const clod_state *state)
 {
-    (void)state;
     build_up *self = memory;
     if (from->build_up.present) {
         self->every = 1;
+        self->looked = state->time;
     }
 }
 
@@ -107,17 +111,22 @@ static void thin_out(build_up *self, size_t targets)
     self->every *= 2;
 }
 
-/** Note the masses of a look. */
-static void note(build_up *self, const clod_exact *mass, size_t targets, double time)
+/** Note the masses of a look; `steady` is how much of the steady time has passed since the one
+ *  before [s], 0 before it begins. */
+static void note(build_up *self, const clod_exact *mass, size_t targets, double time,
+                 double steady)
 {
-    self->looks++;
+    const bool counts = steady > 0.0;
+    self->looks += counts;
+    self->steady += steady;
     if (self->points == CLOD_BUILD_UP_POINTS) {
         thin_out(self, targets);
     }
-    const bool point = self->looks % self->every == 0;
+    const bool point = counts && self->looks % self->every == 0;
     for (size_t t = 0; t < targets; t++) {
         past *of = &self->of[t];
         of->now = clod_exact_value(&mass[t]);
+        of->sum += steady * of->now;
         if (of->now > of->most) {
             of->most = of->now;
             of->most_time = time;
@@ -131,29 +140,21 @@ static void note(build_up *self, const clod_exact *mass, size_t targets, double 
     }
 }
 
-clod_build_up_line clod_build_up_rate(const double *time, const double *mass, int64_t count)
+double clod_build_up_rate(const double *time, const double *mass, int64_t count)
 {
-    clod_build_up_line line = {0};
     double t_mean = 0.0, m_mean = 0.0, above = 0.0, below = 0.0;
-    int64_t first = 0;
     if (count < 3) {
-        return line;
+        return (double)NAN;
     }
-    const double from = time[count - 1] - (time[count - 1] - time[0]) / 3.0;
-    while (first < count - 3 && time[first] < from) {
-        first++;
+    for (int64_t k = 0; k < count; k++) {
+        t_mean += time[k] / (double)count;
+        m_mean += mass[k] / (double)count;
     }
-    line.points = count - first;
-    for (int64_t k = first; k < count; k++) {
-        t_mean += time[k] / (double)line.points;
-        m_mean += mass[k] / (double)line.points;
-    }
-    for (int64_t k = first; k < count; k++) {
+    for (int64_t k = 0; k < count; k++) {
         above += (time[k] - t_mean) * (mass[k] - m_mean);
         below += (time[k] - t_mean) * (time[k] - t_mean);
     }
-    line.rate = above / below;
-    return line;
+    return above / below;
 }
 
 // ---- the measure
@@ -173,6 +174,7 @@ static void weigh(clod_exact *mass, const target *targets, size_t count,
 
 static bool build_up_look(void *memory, const clod_free_moment *now, clod_status *status)
 {
+    build_up *self = memory;
     if (!now->from->build_up.present) {
         return true;
     }
@@ -190,7 +192,9 @@ static bool build_up_look(void *memory, const clod_free_moment *now, clod_status
     if (good) {
         const size_t count = list_targets(targets, now->from, now->state);
         weigh(mass, targets, count, now->state, on);
-        note(memory, mass, count, now->state->time);
+        note(self, mass, count, now->state->time,
+             clod_steady_time_within(&now->steady, self->looked, now->state->time));
+        self->looked = now->state->time;
     }
     clod_memory_free(on);
     clod_memory_free(targets);
@@ -261,12 +265,13 @@ static void build_up_report(FILE *out, const void *memory, const clod_free_momen
         char name[72];
         const past *of = &self->of[t];
         name_target(&targets[t], now->state, name, sizeof name);
-        const clod_build_up_line line = clod_build_up_rate(self->time, of->mass, self->points);
-        fprintf(
-            out,
-            "  resting on %-11s %.4g kg, %+.3g kg/s over the last third; largest %.4g kg at "
-            "%.4g s\n",
-            name, of->now, line.rate, of->most, of->most_time);
+        fprintf(out, "  resting on %-11s %.4g kg at the end, largest %.4g kg at %.4g s", name,
+                of->now, of->most, of->most_time);
+        if (self->steady > 0.0) {
+            fprintf(out, "; mean %.4g kg", of->sum / self->steady);
+        }
+        const double rate = clod_build_up_rate(self->time, of->mass, self->points);
+        fprintf(out, isnan(rate) ? "\n" : ", grows by %+.3g kg/s\n", rate);
     }
     clod_memory_free(targets);
 }
@@ -284,11 +289,13 @@ static json_t *build_up_json(const void *memory, const clod_free_moment *now)
         char name[72];
         const past *of = &self->of[t];
         name_target(&targets[t], now->state, name, sizeof name);
-        const clod_build_up_line line = clod_build_up_rate(self->time, of->mass, self->points);
+        const double rate = clod_build_up_rate(self->time, of->mass, self->points);
         json_object_set_new(all, name,
-                            json_pack("{s:f, s:f, s:f, s:f}", "mass_kg", of->now, "rate_kg_s",
-                                      line.rate, "largest_kg", of->most, "largest_at_s",
-                                      of->most_time));
+                            json_pack("{s:f, s:f, s:o, s:o, s:f, s:f}", "since_s",
+                                      now->steady.since, "mass_kg", of->now, "mean_kg",
+                                      clod_json_number(of->sum / self->steady), "rate_kg_s",
+                                      clod_json_number(rate), "largest_kg", of->most,
+                                      "largest_at_s", of->most_time));
     }
     clod_memory_free(targets);
     return all;

@@ -9,21 +9,15 @@
 
 /** Parts of meshes whose mass is told, of all walls together; those beyond are not. */
 #define CLOD_BUILD_UP_PARTS 64
-/** Points of the past that are kept; every second one goes when there is no room. */
+/** Points of the steady time that are kept; every second one goes when there is no room. */
 #define CLOD_BUILD_UP_POINTS 128
 
-/** Least squares of mass over time. */
-typedef struct clod_build_up_line {
-    int64_t points;
-    double rate; ///< kg/s; 0 with fewer than 3 points
-} clod_build_up_line;
-
 /**
- * Slope of the last third of points over time.
+ * Slope of mass over time by least squares [kg/s]; NAN with fewer than 3 points.
  *
  * @param time, mass  [count] ascending times [s], kg
- * Threads  pure.   Test  tests/sim/test_build_up.c
+ * Threads  pure.   Test  tests/sim/test_resting.c
  */
-clod_build_up_line clod_build_up_rate(const double *time, const double *mass, int64_t count);
+double clod_build_up_rate(const double *time, const double *mass, int64_t count);
 
 extern const clod_free_measure CLOD_MEASURE_BUILD_UP;

@@ -14,7 +14,7 @@ static void clumps_begin(void *memory, const clod_case *from, const clod_state *
 {
     clod_clump_memory *self = memory;
     if (from->clumps.present) {
-        self->step = state->step;
+        self->looked = state->time;
     }
 }
 
@@ -42,8 +42,9 @@ static int time_bin(double time)
     return (int)fmin(place, CLOD_CLUMP_TIMES - 1);
 }
 
-/** Grains that have come into a clump, or are in none any more, since the last look. */
-static void note_grains(clod_clump_memory *self, clod_state *state)
+/** Grains that have come into a clump, or are in none any more, since the last look; those count
+ *  in the steady time. */
+static void note_grains(clod_clump_memory *self, clod_state *state, bool steady)
 {
     for (size_t g = 0; g < state->grains.count; g++) {
         clod_grain_clump *clump = &state->grains.clump[g];
@@ -52,10 +53,12 @@ static void note_grains(clod_clump_memory *self, clod_state *state)
             clump->since = state->time;
         } else if (clump->size == 0 && clump->since >= 0.0) {
             const double time = state->time - clump->since;
-            self->left++;
-            self->lived_count[time_bin(time)]++;
-            clod_exact_add(&self->lived, time);
             clump->since = -1.0;
+            if (steady) {
+                self->left++;
+                self->lived_count[time_bin(time)]++;
+                clod_exact_add(&self->lived, time);
+            }
         }
     }
 }
@@ -103,7 +106,7 @@ static bool look_at_all(clod_clump_memory *self, const clod_free_moment *now,
                       note_count(&self->count[0], &clumps, time, status);
     if (good) {
         show(&clumps, &now->state->grains);
-        note_grains(self, now->state);
+        note_grains(self, now->state, time > 0.0);
     }
     clod_clumps_fini(&clumps);
     return good;
@@ -137,8 +140,8 @@ static bool clumps_look(void *memory, const clod_free_moment *now, clod_status *
         return true;
     }
     clod_bonds bonds = {0};
-    const double time = (double)(now->state->step - self->step) * now->state->dt;
-    self->step = now->state->step;
+    const double time = clod_steady_time_within(&now->steady, self->looked, now->state->time);
+    self->looked = now->state->time;
     self->time += time;
     const bool good =
         clod_grains_keep_clumps(&now->state->grains, status) &&

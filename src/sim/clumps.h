@@ -15,16 +15,16 @@
 /** All clumps, or those of one of the case's counts. */
 typedef struct clod_clump_count {
     clod_clump_stats now;   ///< at the last look
-    clod_clump_stats mean;  ///< times s
-    clod_clump_stats most;  ///< the largest of each
-    clod_clump_sizes sizes; ///< times s
+    clod_clump_stats mean;  ///< times s of the steady time
+    clod_clump_stats most;  ///< the largest of each, in all the run
+    clod_clump_sizes sizes; ///< times s of the steady time
 } clod_clump_count;
 
 /** What the measure remembers. */
 typedef struct clod_clump_memory {
-    int64_t step;                          ///< of the last look
-    double time;                           ///< s, from the beginning of the run until then
-    int64_t left;                          ///< grains that were in a clump and are not any more
+    double looked;                         ///< s, time of the last look
+    double time;                           ///< s, of the steady time until then
+    int64_t left;                          ///< times in it that a grain left its clump
     clod_exact lived;                      ///< s, sum of the times that they were
     int64_t lived_count[CLOD_CLUMP_TIMES]; ///< how many were for so long
     clod_clump_count count[1 + CLOD_CASE_CLUMP_COUNTS]; ///< all, then those of the case

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "base/memory.h"
 #include "base/plural.h"
 #include "base/text.h"
@@ -55,10 +56,10 @@ void clod_clumps_told_row(void *memory, const clod_free_moment *now, double *row
     }
 }
 
-/** Over the time of the run; 0 before there was any. */
+/** Over the steady time; NAN before there was any. */
 static double mean_of(const clod_clump_memory *self, double times)
 {
-    return self->time > 0.0 ? times / self->time : 0.0;
+    return self->time > 0.0 ? times / self->time : (double)NAN;
 }
 
 static double ratio(double a, double b)
@@ -128,11 +129,16 @@ static int64_t left_in_all(const clod_exchange *gone, bool alone)
 void clod_clumps_told_report(FILE *out, const void *memory, const clod_free_moment *now)
 {
     const clod_clump_memory *self = memory;
-    for (size_t c = 0; c < counts_of(now->from); c++) {
-        report_count(out, self, now->from, c);
-    }
     if (counts_of(now->from) == 0) {
         return;
+    }
+    if (self->time > 0.0) {
+        for (size_t c = 0; c < counts_of(now->from); c++) {
+            report_count(out, self, now->from, c);
+        }
+    } else {
+        fprintf(out, "  clumps                no means: the run ended before %.6g s\n",
+                now->steady.since);
     }
     if (self->left > 0) {
         fprintf(out,
@@ -188,13 +194,14 @@ static json_t *sizes_json(const clod_clump_memory *self, const clod_clump_sizes 
 static json_t *count_json(const clod_clump_memory *self, const clod_clump_count *count)
 {
     const clod_clump_stats *mean = &count->mean;
-    return json_pack("{s:{s:f, s:f, s:f, s:f, s:f}, s:o, s:f, s:f, s:o}", "mean", "number",
-                     mean_of(self, mean->number), "grains", mean_of(self, mean->grains),
-                     "mass_kg", mean_of(self, mean->mass), "mass_share",
-                     mean_of(self, mean->share), "mean_size", ratio(mean->grains, mean->number),
-                     "end", stats_json(&count->now), "largest", count->most.largest,
-                     "largest_mass_kg", count->most.largest_mass, "sizes",
-                     sizes_json(self, &count->sizes));
+    return json_pack("{s:{s:o, s:o, s:o, s:o, s:f}, s:o, s:f, s:f, s:o}", "mean", "number",
+                     clod_json_number(mean_of(self, mean->number)), "grains",
+                     clod_json_number(mean_of(self, mean->grains)), "mass_kg",
+                     clod_json_number(mean_of(self, mean->mass)), "mass_share",
+                     clod_json_number(mean_of(self, mean->share)), "mean_size",
+                     ratio(mean->grains, mean->number), "end", stats_json(&count->now),
+                     "largest", count->most.largest, "largest_mass_kg",
+                     count->most.largest_mass, "sizes", sizes_json(self, &count->sizes));
 }
 
 /** Grains that left the space, by the size of the clump they were in. */
@@ -220,6 +227,7 @@ json_t *clod_clumps_told_json(const void *memory, const clod_free_moment *now)
         return NULL;
     }
     json_t *all = count_json(self, &self->count[0]);
+    json_object_set_new(all, "since_s", json_real(now->steady.since));
     json_t *counts = json_object();
     for (size_t c = 1; c < counts_of(now->from); c++) {
         json_object_set_new(counts, name_of(now->from, c), count_json(self, &self->count[c]));

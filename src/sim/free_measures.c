@@ -68,12 +68,13 @@ bool clod_free_measures_act(void *memory, const clod_free_moment *now, clod_stat
 }
 
 int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
-                                const clod_state *state)
+                                const clod_state *state, const clod_steady_time *steady)
 {
     int64_t first = INT64_MAX;
     for (int k = 0; k < COUNT; k++) {
         if (MEASURES[k]->plan != NULL) {
-            const int64_t steps = MEASURES[k]->plan(memory_of(memory, from, k), from, state);
+            const int64_t steps =
+                MEASURES[k]->plan(memory_of(memory, from, k), from, state, steady);
             first = steps < first ? steps : first;
         }
     }

@@ -15,6 +15,7 @@
 
 #include "clod/case.h"
 #include "output/folder.h"
+#include "sim/steady_time.h"
 #include "state/contact_source.h"
 
 /** What a measure looks at. */
@@ -22,6 +23,7 @@ typedef struct clod_free_moment {
     const clod_case *from;
     clod_state *state; ///< a measure changes only what is its own, or asks for changes
     const clod_contact_source *contacts; ///< of this moment; NULL in report and json
+    clod_steady_time steady;             ///< of this run: all means are those over it
 } clod_free_moment;
 
 /** One measure. Members may be NULL where nothing is to be done. */
@@ -34,7 +36,8 @@ typedef struct clod_free_measure {
     /** Before every plan, at steps of its own: once for a step, however often it is called. */
     bool (*act)(void *memory, const clod_free_moment *now, clod_status *status);
     /** Steps until it must act; 1 or more. */
-    int64_t (*plan)(const void *memory, const clod_case *from, const clod_state *state);
+    int64_t (*plan)(const void *memory, const clod_case *from, const clod_state *state,
+                    const clod_steady_time *steady);
     /** A row is due: look at grains and contacts. */
     bool (*look)(void *memory, const clod_free_moment *now, clod_status *status);
     /** A snapshot is due: fill the columns of grains that it shows. */
@@ -65,7 +68,7 @@ bool clod_free_measures_act(void *memory, const clod_free_moment *now, clod_stat
 
 /** Steps until one must act; INT64_MAX when none ever must. */
 int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
-                                const clod_state *state);
+                                const clod_state *state, const clod_steady_time *steady);
 
 bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_status *status);
 

@@ -28,6 +28,7 @@ static const char *const FIRST[] = {"time [s]", "stage [1]", "kinetic_energy [J]
  *  the measures remember. */
 typedef struct free_data {
     clod_free_stages at;
+    double begin;                             ///< s, time at which the run began
     _Alignas(16) clod_free_stage_end ended[]; ///< [stage_count]; step 0: not yet
 } free_data;
 
@@ -44,18 +45,28 @@ static void *measures_of(const void *data, const clod_case *from)
     return (unsigned char *)data + stages_size(from);
 }
 
+/** The moment that measures look at. */
+static clod_free_moment moment_of(const void *data, const clod_case *from, clod_state *state,
+                                  const clod_contact_source *contacts)
+{
+    const free_data *self = data;
+    return (clod_free_moment){from, state, contacts, clod_steady_time_of(from, self->begin)};
+}
+
 static int64_t free_plan(const void *data, const void *context, const clod_state *state)
 {
     const free_data *self = data;
     const int64_t stage = clod_free_stages_plan(&self->at, context, state);
-    const int64_t next = clod_free_measures_plan(measures_of(data, context), context, state);
+    const clod_steady_time steady = clod_steady_time_of(context, self->begin);
+    const int64_t next =
+        clod_free_measures_plan(measures_of(data, context), context, state, &steady);
     return stage < next ? stage : next;
 }
 
 static bool free_act(void *data, const void *context, clod_state *state,
                      const clod_contact_source *contacts, clod_status *status)
 {
-    const clod_free_moment now = {context, state, contacts};
+    const clod_free_moment now = moment_of(data, context, state, contacts);
     return clod_free_measures_act(measures_of(data, context), &now, status);
 }
 
@@ -68,7 +79,7 @@ static bool free_look(void *data, const void *context, const clod_state *state)
 static bool free_measure(void *data, const void *context, clod_state *state,
                          const clod_contact_source *contacts, clod_status *status)
 {
-    const clod_free_moment now = {context, state, contacts};
+    const clod_free_moment now = moment_of(data, context, state, contacts);
     return clod_free_measures_look(measures_of(data, context), &now, status);
 }
 
@@ -76,14 +87,14 @@ static bool free_picture(void *data, const void *context, clod_state *state,
                          const clod_contact_source *contacts, clod_status *status)
 {
     (void)data;
-    const clod_free_moment now = {context, state, contacts};
+    const clod_free_moment now = moment_of(data, context, state, contacts);
     return clod_free_measures_picture(&now, status);
 }
 
 static bool free_sample(void *data, const void *context, clod_state *state, double *row)
 {
     free_data *self = data;
-    const clod_free_moment now = {context, state, NULL};
+    const clod_free_moment now = moment_of(data, context, state, NULL);
     const double first[FIRST_COUNT] = {state->time, (double)self->at.stage,
                                        clod_measure_kinetic_energy(state),
                                        clod_measure_max_speed(state)};
@@ -191,7 +202,7 @@ static char *make_report(clod_job *job)
             state->grains.count, clod_plural((double)state->grains.count), bed.pairs,
             clod_plural((double)bed.pairs), bed.coordination, 100.0 * bed.max_overlap);
     report_stages(out, job);
-    const clod_free_moment now = {job->sim->from, state, NULL};
+    const clod_free_moment now = moment_of(job->procedure.data, job->sim->from, state, NULL);
     clod_free_measures_report(out, measures_of(job->procedure.data, now.from), &now);
     return clod_text_close(&text);
 }
@@ -227,7 +238,7 @@ static bool write_summary(clod_job *job, clod_status *status)
     if (job->memory.origin[0] != '\0') {
         json_object_set_new(root, "from", json_string(job->memory.origin));
     }
-    const clod_free_moment now = {sim->from, state, NULL};
+    const clod_free_moment now = moment_of(job->procedure.data, sim->from, state, NULL);
     const void *measures = measures_of(job->procedure.data, sim->from);
     clod_free_measures_json(root, measures, &now);
     const bool ok = !clod_free_measures_write(sim->folder, measures, &now, status) ? false
@@ -277,6 +288,7 @@ static bool run_stages(clod_job *job, clod_status *status)
 {
     if (!job->resumed) {
         free_data *data = job->procedure.data;
+        data->begin = job->state.time;
         clod_free_stages_begin(&data->at, job->sim->from, &job->state);
         clod_free_measures_begin(measures_of(data, job->sim->from), job->sim->from,
                                  &job->state);

@@ -42,7 +42,6 @@ static void gauges_begin(void *memory, const clod_case *from, const clod_state *
     if (from->gauge_count == 0) {
         return;
     }
-    self->begin = state->time;
     self->next = state->step;
     for (size_t k = 0; k < from->gauge_count; k++) {
         self->gauge[k].work_step = state->step;
@@ -50,8 +49,10 @@ static void gauges_begin(void *memory, const clod_case *from, const clod_state *
     }
 }
 
-static int64_t gauges_plan(const void *memory, const clod_case *from, const clod_state *state)
+static int64_t gauges_plan(const void *memory, const clod_case *from, const clod_state *state,
+                           const clod_steady_time *steady)
 {
+    (void)steady;
     const clod_gauges *self = memory;
     return from->gauge_count > 0 && self->next > state->step ? self->next - state->step
                                                              : INT64_MAX;
@@ -136,8 +137,7 @@ static bool gauges_act(void *memory, const clod_free_moment *now, clod_status *s
         return true;
     }
     self->next = clod_outputs_next(CLOD_GAUGES_INTERVAL, state->dt, state->step);
-    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
-    const int block = clod_steady_time_block(&steady, state->time);
+    const int block = clod_steady_time_block(&now->steady, state->time);
     double all[CLOD_GAUGE_SUMS] = {0}, sums[CLOD_GAUGE_SUMS];
     clod_gauge_look_at_all(state, all);
     for (size_t k = 0; k < from->gauge_count; k++) {
@@ -234,8 +234,7 @@ static void gauges_row(void *memory, const clod_free_moment *now, double *row)
 {
     clod_gauges *self = memory;
     const clod_case *from = now->from;
-    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
-    const int block = clod_steady_time_block(&steady, now->state->time);
+    const int block = clod_steady_time_block(&now->steady, now->state->time);
     for (size_t k = 0; k < from->gauge_count; k++) {
         clod_gauge_memory *mine = &self->gauge[k];
         const clod_gauge gauge = clod_gauges_make(from, &from->gauges[k]);

@@ -7,7 +7,6 @@
 
 #include "measure/gauge_bins.h"
 #include "sim/free_measures.h"
-#include "sim/steady_time.h"
 
 /** Simulated time from one look to the next [s]. */
 #define CLOD_GAUGES_INTERVAL 1e-3
@@ -33,7 +32,6 @@ typedef struct clod_gauge_memory {
 
 /** All gauges of a case. */
 typedef struct clod_gauges {
-    double begin; ///< s, time at which the run began
     int64_t next; ///< step of the next look
     clod_gauge_memory gauge[];
 } clod_gauges;

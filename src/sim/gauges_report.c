@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "base/json.h"
 #include "base/plural.h"
 #include "sim/gauges.h"
 
@@ -128,9 +129,8 @@ void clod_gauges_report(FILE *out, const void *memory, const clod_free_moment *n
             report_stream(out, from, mine, &told);
             report_extras(out, mine, &gauge, &all->gauge[k], &told);
         } else {
-            const clod_steady_time steady = clod_steady_time_of(from, all->begin);
             fprintf(out, "  gauge %-15s no means: the run ended before %.6g s\n", mine->name,
-                    steady.since);
+                    now->steady.since);
         }
         report_alarm(out, &all->gauge[k].alarm, now->state->dt);
     }
@@ -138,23 +138,18 @@ void clod_gauges_report(FILE *out, const void *memory, const clod_free_moment *n
 
 // ---- the summary
 
-static json_t *number(double value)
-{
-    return isfinite(value) ? json_real(value) : json_null();
-}
-
 static json_t *bins_json(const clod_gauge_bins *bins, const clod_gauge_axis *axis)
 {
     json_t *at = json_array(), *lower = json_array(), *mean = json_array();
     json_t *upper = json_array(), *mass = json_array(), *share = json_array();
     for (int k = 0; k < axis->count; k++) {
         const clod_gauge_bin bin = clod_gauge_bins_of(bins, axis, k);
-        json_array_append_new(at, number(bin.at));
-        json_array_append_new(lower, number(bin.lower));
-        json_array_append_new(mean, number(bin.mean));
-        json_array_append_new(upper, number(bin.upper));
-        json_array_append_new(mass, number(bin.mass));
-        json_array_append_new(share, number(bin.share));
+        json_array_append_new(at, clod_json_number(bin.at));
+        json_array_append_new(lower, clod_json_number(bin.lower));
+        json_array_append_new(mean, clod_json_number(bin.mean));
+        json_array_append_new(upper, clod_json_number(bin.upper));
+        json_array_append_new(mass, clod_json_number(bin.mass));
+        json_array_append_new(share, clod_json_number(bin.share));
     }
     return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o}", "at_m", at, "lower_m", lower, "mean_m",
                      mean, "upper_m", upper, "mass_kg", mass, "share", share);
@@ -168,9 +163,10 @@ static void put_bins(json_t *object, const clod_case_gauge *from, const clod_gau
             clod_gauge_axis_of(gauge, gauge->across, from->profile_bins);
         const clod_gauge_section section = section_of(from, gauge, memory);
         json_t *profile = bins_json(&memory->profile, &axis);
-        json_object_set_new(profile, "area_m2", number(section.area));
-        json_object_set_new(profile, "width_m", number(section.width));
-        json_object_set_new(profile, "surcharge_deg", number(section.surcharge * DEGREE));
+        json_object_set_new(profile, "area_m2", clod_json_number(section.area));
+        json_object_set_new(profile, "width_m", clod_json_number(section.width));
+        json_object_set_new(profile, "surcharge_deg",
+                            clod_json_number(section.surcharge * DEGREE));
         json_object_set_new(object, "profile", profile);
     }
     if (from->trajectory_bins > 0) {
@@ -195,18 +191,19 @@ json_t *clod_gauges_json(const void *memory, const clod_free_moment *now)
     if (from->gauge_count == 0) {
         return NULL;
     }
-    const clod_steady_time steady = clod_steady_time_of(from, all->begin);
     json_t *object = json_object();
     for (size_t k = 0; k < from->gauge_count; k++) {
         const clod_case_gauge *mine = &from->gauges[k];
         const clod_gauge gauge = clod_gauges_make(from, mine);
         const means told = means_of(&gauge, &all->gauge[k]);
-        json_t *one = json_pack("{s:f, s:i}", "since_s", steady.since, "looks", told.looks);
+        json_t *one =
+            json_pack("{s:f, s:i}", "since_s", now->steady.since, "looks", told.looks);
         for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
             if (clod_gauges_tell(from, mine, v)) {
                 json_object_set_new(one, CLOD_GAUGE_VALUE[v].key,
-                                    json_pack("{s:o, s:o}", "mean", number(told.mean[v]),
-                                              "deviation", number(told.deviation[v])));
+                                    json_pack("{s:o, s:o}", "mean",
+                                              clod_json_number(told.mean[v]), "deviation",
+                                              clod_json_number(told.deviation[v])));
             }
         }
         put_bins(one, mine, &gauge, &all->gauge[k]);

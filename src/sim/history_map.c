@@ -16,7 +16,7 @@ typedef struct force_sum {
 } force_sum;
 #define SMALL_BITS 40
 
-/** What the contacts of a cell remembered, over all looks. */
+/** What the contacts of a cell remembered, over all looks of the steady time. */
 typedef struct map_cell {
     int64_t contacts;
     force_sum pull_off, pressed;
@@ -122,7 +122,8 @@ static bool map_look(void *memory, const clod_free_moment *now, clod_status *sta
 {
     (void)status;
     history_map *self = memory;
-    if (!now->from->history_map.present || now->contacts->strength == NULL) {
+    if (!now->from->history_map.present || now->contacts->strength == NULL ||
+        clod_steady_time_block(&now->steady, now->state->time) < 0) {
         return true;
     }
     const map_grid grid = grid_of(now->from);
@@ -206,8 +207,9 @@ static json_t *map_json(const void *memory, const clod_free_moment *now)
     }
     const map_grid grid = grid_of(now->from);
     const map_cell *best = strongest(self, &grid);
-    json_t *told = json_pack("{s:I, s:I, s:I, s:f}", "cells", (json_int_t)cells_of(&grid),
-                             "used_cells", (json_int_t)used_cells(self, &grid), "looks",
+    json_t *told = json_pack("{s:f, s:I, s:I, s:I, s:f}", "since_s", now->steady.since, "cells",
+                             (json_int_t)cells_of(&grid), "used_cells",
+                             (json_int_t)used_cells(self, &grid), "looks",
                              (json_int_t)self->looks, "cell_m", grid.edge);
     if (best != NULL) {
         double corner[3];

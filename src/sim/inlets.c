@@ -39,8 +39,10 @@ static void inlets_begin(void *memory, const clod_case *from, const clod_state *
     }
 }
 
-static int64_t inlets_plan(const void *memory, const clod_case *from, const clod_state *state)
+static int64_t inlets_plan(const void *memory, const clod_case *from, const clod_state *state,
+                           const clod_steady_time *steady)
 {
+    (void)steady;
     const clod_inlets *self = memory;
     const bool some = clod_setup_grains_coming(from) > 0;
     return some && self->next > state->step ? self->next - state->step : NO_INLET_STEPS;

@@ -2,8 +2,9 @@
 
 #include <math.h>
 
-/** Of a block: times are sums and products of decimal numbers. */
+/** Of a block or a step: times are sums and products of decimal numbers. */
 #define ROUNDING 1e-6
+#define FAR_AWAY 1e15 ///< steps
 
 clod_steady_time clod_steady_time_of(const clod_case *from, double begin)
 {
@@ -14,6 +15,17 @@ clod_steady_time clod_steady_time_of(const clod_case *from, double begin)
     const double since =
         from->output.has_steady_since ? from->output.steady_since : whole * (2.0 / 3.0);
     return (clod_steady_time){begin + since, (whole - since) / CLOD_STEADY_BLOCKS};
+}
+
+int64_t clod_steady_time_steps(double moment, double time, double dt)
+{
+    const double steps = ceil((moment - time) / dt - ROUNDING);
+    return (int64_t)fmax(fmin(steps, FAR_AWAY), -FAR_AWAY);
+}
+
+double clod_steady_time_within(const clod_steady_time *self, double from, double to)
+{
+    return fmax(0.0, to - fmax(from, self->since));
 }
 
 int clod_steady_time_edges(const clod_steady_time *self, double time)

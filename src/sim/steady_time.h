@@ -1,9 +1,12 @@
 #pragma once
 /**
  * @file steady_time.h
- * The part of a free run over which the means of its report are taken, in blocks: their scatter
- * is that of the means.
+ * The part of a free run over which all means of its report are taken (output.steady_since):
+ * those of gauges, belts, balance, clumps, build-up, history map and surfaces. It is cut into
+ * blocks: their scatter is that of the means.
  */
+
+#include <stdint.h>
 
 #include "clod/case.h"
 
@@ -17,6 +20,17 @@ typedef struct clod_steady_time {
 
 /** @param begin  s, time at which the run began.   Threads: pure. */
 clod_steady_time clod_steady_time_of(const clod_case *from, double begin);
+
+/**
+ * Steps from a time to a moment of the steady time; 0 in the first step at it or behind it.
+ *
+ * @param moment  s;  @param time  s, now;  @param dt  s
+ * Threads  pure.   Test  tests/sim/test_steady_time.c
+ */
+int64_t clod_steady_time_steps(double moment, double time, double dt);
+
+/** Time of an interval that is in the steady time [s]; 0 when it ended before. Threads: pure. */
+double clod_steady_time_within(const clod_steady_time *self, double from, double to);
 
 /** Block edges that are behind a time: 0 before the first block, CLOD_STEADY_BLOCKS + 1 at the
  *  end of the last one. Threads: pure. */

@@ -81,18 +81,14 @@ static void surfaces_begin(void *memory, const clod_case *from, const clod_state
     }
 }
 
-/** Step at which they begin, when that is not the start. */
-static int64_t first_step(const clod_case *from, const clod_state *state)
-{
-    return (int64_t)ceil(from->output.surfaces_from / state->dt);
-}
-
+/** In the first step of the steady time they begin anew. */
 static bool surfaces_act(void *memory, const clod_free_moment *now, clod_status *status)
 {
     (void)memory;
     (void)status;
     clod_state *state = now->state;
-    if (now->from->output.surfaces && state->step == first_step(now->from, state)) {
+    if (now->from->output.surfaces &&
+        clod_steady_time_steps(now->steady.since, state->time, state->dt) == 0) {
         for (int32_t w = 0; w < state->walls.count; w++) {
             clod_wear_reset(&state->walls.wall[w], state->time);
         }
@@ -100,11 +96,12 @@ static bool surfaces_act(void *memory, const clod_free_moment *now, clod_status 
     return true;
 }
 
-static int64_t surfaces_plan(const void *memory, const clod_case *from, const clod_state *state)
+static int64_t surfaces_plan(const void *memory, const clod_case *from, const clod_state *state,
+                             const clod_steady_time *steady)
 {
     (void)memory;
-    const int64_t first = first_step(from, state);
-    return from->output.surfaces && first > state->step ? first - state->step : INT64_MAX;
+    const int64_t steps = clod_steady_time_steps(steady->since, state->time, state->dt);
+    return from->output.surfaces && steps > 0 ? steps : INT64_MAX;
 }
 
 // ---- series
@@ -212,13 +209,15 @@ static void surfaces_report(FILE *out, const void *memory, const clod_free_momen
 {
     (void)memory;
     const clod_walls *walls = &now->state->walls;
-    if (!now->from->output.surfaces) {
+    if (!now->from->output.surfaces || walls->count == 0) {
         return;
     }
+    char title[32];
+    snprintf(title, sizeof title, "surface, from %.4g s", walls->wall[0].wear_since);
     fprintf(out,
             "  %-22s %9s %9s %9s %9s %9s %6s %10s %10s\n"
             "  %-22s %9s %9s %9s %9s %9s %6s %10s %10s\n",
-            "surface", "press", "largest", "shear", "impacts", "impact", "angle", "Archard",
+            title, "press", "largest", "shear", "impacts", "impact", "angle", "Archard",
             "Finnie", "", "N", "kPa", "W", "1/s", "W", "deg", "mm3/h", "mm3/h");
     for (int32_t w = 0; w < walls->count; w++) {
         report_wall(out, &walls->wall[w], now->state->time);
@@ -231,13 +230,13 @@ static json_t *face_json(const clod_wall *wall, int32_t number, const face *of, 
     clod_wear_name(wall, number, name, sizeof name);
     const double *sum = of->sum;
     json_t *one = json_pack(
-        "{s:s, s:[fff], s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f}", "name", name,
-        "force_N", sum[0] / time, sum[1] / time, sum[2] / time, "press_N",
-        sum[CLOD_WEAR_PRESS] / time, "largest_pressure_Pa", of->pressure, "shear_power_W",
-        sum[CLOD_WEAR_SHEAR] / time, "squeeze_power_W", sum[CLOD_WEAR_SQUEEZE] / time,
-        "impacts_per_s", sum[CLOD_WEAR_IMPACTS] / time, "impact_power_W",
-        sum[CLOD_WEAR_ENERGY] / time, "archard_m3_per_s", of->archard / time, "finnie_m3_per_s",
-        of->finnie / time, "archard_depth_m_per_s", of->archard_depth / time,
+        "{s:s, s:f, s:[fff], s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f}", "name", name,
+        "since_s", wall->wear_since, "force_N", sum[0] / time, sum[1] / time, sum[2] / time,
+        "press_N", sum[CLOD_WEAR_PRESS] / time, "largest_pressure_Pa", of->pressure,
+        "shear_power_W", sum[CLOD_WEAR_SHEAR] / time, "squeeze_power_W",
+        sum[CLOD_WEAR_SQUEEZE] / time, "impacts_per_s", sum[CLOD_WEAR_IMPACTS] / time,
+        "impact_power_W", sum[CLOD_WEAR_ENERGY] / time, "archard_m3_per_s", of->archard / time,
+        "finnie_m3_per_s", of->finnie / time, "archard_depth_m_per_s", of->archard_depth / time,
         "finnie_depth_m_per_s", of->finnie_depth / time);
     if (of->area > 0.0) {
         json_object_set_new(one, "area_m2", json_real(of->area));

@@ -10,7 +10,8 @@
 static int64_t plan(const clod_verify_bed *self)
 {
     const int64_t stage = clod_free_stages_plan(&self->stages, self->from, &self->state);
-    const int64_t inlet = CLOD_MEASURE_INLETS.plan(&self->inlets, self->from, &self->state);
+    const int64_t inlet =
+        CLOD_MEASURE_INLETS.plan(&self->inlets, self->from, &self->state, NULL);
     return stage < inlet ? stage : inlet;
 }
 
@@ -19,7 +20,7 @@ static bool run_stages(clod_verify_bed *self, clod_verify_bed_look look, void *c
 {
     clod_free_stages_begin(&self->stages, self->from, &self->state);
     CLOD_MEASURE_INLETS.begin(&self->inlets, self->from, &self->state);
-    const clod_free_moment now = {self->from, &self->state, NULL};
+    const clod_free_moment now = {.from = self->from, .state = &self->state};
     bool ok = look(context, self, status);
     for (bool finished = false; ok && !finished;) {
         ok = CLOD_MEASURE_INLETS.act(&self->inlets, &now, status) &&

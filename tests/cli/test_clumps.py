@@ -180,6 +180,31 @@ class Clumps(clod.Case):
         self.assertLess(abs(math.log10(times["p50_s"] / 0.02)), 0.1)
         self.assertIn("time in clumps", done.stdout)
 
+    def test_all_means_begin_where_the_steady_time_does(self):
+        """Two clumps for 20 ms, none for 5 ms: the last third has them for 10/3 of 25/3 ms, from
+        15 ms on for half of the time, from 20.5 ms on for none. Lives end at 21 ms."""
+        self.write_rows()
+        with open(self.path("case.yaml")) as file:
+            text = file.read()
+        text = text.replace("[{name: run, duration: 5 ms}]",
+                            "[{name: wet, duration: 20 ms}, "
+                            "{name: dry, duration: 5 ms, adhesion: 0}]")
+        for key, since, number, lives, looks in (("", 50 / 3e3, 0.8, 5, 9),
+                                                 (", steady_since: 15 ms", 0.015, 1, 5, 11),
+                                                 (", steady_since: 20.5 ms", 0.0205, 0, 5, 5),
+                                                 (", steady_since: 21.5 ms", 0.0215, 0, 0, 4)):
+            with open(self.path("case.yaml"), "w") as file:
+                file.write(text.replace("snapshot_interval: 5 ms", "snapshot_interval: 5 ms" + key))
+            self.go("out", "--fresh")
+            summary = self.summary("out")
+            clumps = summary["clumps"]
+            self.assertAlmostEqual(clumps["since_s"], since, delta=1e-12)
+            self.assertAlmostEqual(clumps["mean"]["number"], number, delta=1e-9)
+            self.assertEqual(clumps["time_in_clumps"]["grains"], lives)
+            self.assertEqual(clumps["largest"], 3) # of all the run
+            self.assertEqual(summary["history_map"]["looks"], looks)
+            self.assertEqual(summary["history_map"]["since_s"], clumps["since_s"])
+
     def test_rain_wet_and_dry(self):
         """Wet grains that touch are clumps, dry ones are none; what rests is no more than is
         there, and most of what is on the floor at the end."""
@@ -202,6 +227,10 @@ class Clumps(clod.Case):
         self.assertEqual(build_up["mass_kg"], last["floor.resting_mass"])
         masses = [row["floor.resting_mass"] for row in self.rows("wet")]
         self.assertEqual(build_up["largest_kg"], max(masses))
+        # the last third of 0.4 s is that from row 27 on, a third of whose time is in it
+        weight = [1 / 3] + 13 * [1]
+        mean = sum(w * m for w, m in zip(weight, masses[26:])) / sum(weight)
+        self.assertAlmostEqual(build_up["mean_kg"] / mean, 1, 9)
         self.assertIn("resting on floor", done.stdout)
         left = self.summary("wet")["clumps"]["left"]
         self.assertEqual(left["alone"] + left["in_clumps"], last["outlet_below.grains"])

@@ -41,7 +41,7 @@ walls:
   plate: {material: steel, shapes: [{mesh: {file: plate.obj, unit: 1 mm}}]}
   floor: {material: ore, shapes: [{box: {center: [0.2 m, 0 m, -0.35 m], size: [0.6 m, 0.4 m, 20 mm]}}]}
 stages: [{name: run, duration: 0.8 s}]
-output: {series_interval: 50 ms, snapshot_interval: 0.4 s, surfaces: true, surfaces_from: 0.3 s}
+output: {series_interval: 50 ms, snapshot_interval: 0.4 s, surfaces: true, steady_since: 0.3 s}
 """
 
 
@@ -63,6 +63,7 @@ class Surfaces(clod.Case):
         upper, lower = faces["plate.upper"], faces["plate.lower"]
         for name, face in (("upper", upper), ("lower", lower)):
             self.assertIn(f"plate.{name}", report)
+            self.assertAlmostEqual(face["since_s"], 0.3, 9)
             self.assertAlmostEqual(face["area_m2"], 0.2 * 0.1 * 2 ** 0.5, 12)
             # friction is limited by mu N, and what slides wears: V = k F s/H
             self.assertGreater(face["press_N"], 0.0)
@@ -82,15 +83,18 @@ class Surfaces(clod.Case):
             self.assertAlmostEqual(total / (times[-1] - times[0]) / upper[key], 1.0, 6)
 
     def test_sums_begin_with_a_run_that_goes_on(self):
-        """Means are over the time of the second run, which begins at 0.8 s."""
+        """Means are from 0.3 s after the beginning of the second run on, which is at 0.8 s."""
         self.go("first")
         done = clod.run("run", "case.yaml", "-o", "second", "-t", "1", "--from", "first",
                         cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(self.path("second/summary.json")) as file:
-            press = {face["name"]: face["press_N"] for face in json.load(file)["surfaces"]}
-        rows = clod.table(self.path("second/series.csv"))
-        times = [0.8] + [row["time"] for row in rows]
+            faces = json.load(file)["surfaces"]
+        press = {face["name"]: face["press_N"] for face in faces}
+        self.assertAlmostEqual(faces[0]["since_s"], 1.1, 9)
+        rows = [row for row in clod.table(self.path("second/series.csv"))
+                if row["time"] > 1.1 + 1e-9]
+        times = [1.1] + [row["time"] for row in rows]
         for name in ("plate.upper", "plate.lower"):
             total = sum(row[f"surface_{name}.press"] * (times[k + 1] - times[k])
                         for k, row in enumerate(rows))

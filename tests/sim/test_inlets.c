@@ -38,7 +38,7 @@ static void made(clod_case **from, clod_state *state)
 
 static bool act(clod_inlets *inlets, const clod_case *from, clod_state *state)
 {
-    const clod_free_moment now = {from, state, NULL};
+    const clod_free_moment now = {.from = from, .state = state};
     return CLOD_MEASURE_INLETS.act(inlets, &now, &status);
 }
 
