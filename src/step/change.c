@@ -94,6 +94,11 @@ bool clod_step_change(clod_step *self, clod_status *status)
     if (!clod_changes_any(&state->changes)) {
         return true;
     }
+    if (self->crew != NULL) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "grains and walls cannot come, go or be moved on more than one "
+                                "rank yet: run it without mpirun");
+    }
     clod_requests found;
     const bool good = clod_requests_check(&found, state, self->laws, status) &&
                       make_room(self, status) && rebuild(self, &found, status);

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/memory.h"
+#include "step/spread.h"
 
 double clod_step_fastest(const clod_state *state)
 {
@@ -82,16 +83,26 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
     }
     const bool sorted = sort ? clod_neighbour_sort(&self->neighbour, state, status)
                              : clod_neighbour_sort_as_built(&self->neighbour, state, status);
-    if (!sorted || !clod_neighbour_build(&self->neighbour, state, self->laws, status)) {
+    if (!clod_spread_agree(self->spread, sorted, status) ||
+        (self->spread != NULL && !clod_spread_sorted(self, status))) {
         return false;
+    }
+    const bool built = clod_neighbour_build(&self->neighbour, state, self->laws, status);
+    if (!clod_spread_agree(self->spread, built, status)) {
+        return false;
+    }
+    double skin = clod_step_thin_skin(self, speed);
+    if (self->spread != NULL) {
+        clod_spread_leave_out(self->spread, &self->neighbour, state->grains.count);
+        skin = clod_spread_least_skin(self->spread, &self->neighbour, skin);
     }
     const clod_near_job job = {.near = &self->near,
                                .neighbour = &self->neighbour,
                                .state = state,
                                .laws = self->laws,
                                .walls = &self->walls,
-                               .skin = clod_step_thin_skin(self, speed)};
-    if (!clod_near_make(&job, status)) {
+                               .skin = skin};
+    if (!clod_spread_agree(self->spread, clod_near_make(&job, status), status)) {
         return false;
     }
     clod_step_list_moving(self);

@@ -37,8 +37,9 @@ void clod_step_near(clod_step *self, int part)
     mine->near_motion += speed * self->state->dt;
     const bool again = 2.0 * mine->build_motion > self->neighbour.skin;
     const bool thin = 2.0 * mine->near_motion > self->near.skin;
-    const bool empty = self->state->grains.count == 0; // the next change makes lists
-    if (!finite || empty || !(again || thin)) {        // what is not finite cannot be sorted
+    // the next change makes lists; where other ranks have grains, all make lists together
+    const bool empty = self->state->grains.count == 0 && self->spread == NULL;
+    if (!finite || empty || !(again || thin)) { // what is not finite cannot be sorted
         return;
     }
     if (part == 0) {

@@ -8,16 +8,28 @@
 #include "state/alter.h"
 #include "step/derived.h"
 #include "step/leavers.h"
+#include "step/migrate.h"
+
+/** Whether grains get a new order among themselves: where they are spread over ranks they
+ *  migrate instead. */
+static bool reorders(const clod_step *self)
+{
+    return self->remake.again && self->spread == NULL;
+}
 
 /** The list that is being made. */
 static clod_near_job job_of(clod_step *self)
 {
+    double skin = clod_step_thin_skin(self, self->remake.speed);
+    if (self->spread != NULL) {
+        skin = clod_spread_least_skin(self->spread, &self->neighbour, skin);
+    }
     return (clod_near_job){.near = &self->near,
                            .neighbour = &self->neighbour,
                            .state = self->state,
                            .laws = self->laws,
                            .walls = &self->walls,
-                           .skin = clod_step_thin_skin(self, self->remake.speed)};
+                           .skin = skin};
 }
 
 // ---- the phases, in the order of the table below
@@ -29,6 +41,10 @@ static void begin(clod_step *self, int part)
     clod_step_remake *remake = &self->remake;
     clod_state *state = self->state;
     if (!remake->again) {
+        return;
+    }
+    if (self->spread != NULL) { // before anything is taken apart
+        self->failed = !clod_neighbour_wrap(&self->neighbour, state, 0, &self->status);
         return;
     }
     if (state->domain.removes || state->domain.outlets > 0) {
@@ -57,7 +73,7 @@ static void begin(clod_step *self, int part)
 
 static void count_old(clod_step *self, int part)
 {
-    if (self->remake.again) {
+    if (reorders(self)) {
         clod_reorder_count(&self->remake.reorder, part);
     } else {
         clod_near_gather_count(&self->near, part);
@@ -67,7 +83,7 @@ static void count_old(clod_step *self, int part)
 static void make_room(clod_step *self, int part)
 {
     (void)part;
-    self->failed = self->remake.again
+    self->failed = reorders(self)
                        ? !clod_reorder_room(&self->remake.reorder, &self->status)
                        : !clod_near_gather_room(&self->near, self->state, &self->status);
 }
@@ -75,7 +91,7 @@ static void make_room(clod_step *self, int part)
 /** Histories into the state. */
 static void copy_old(clod_step *self, int part)
 {
-    if (self->remake.again) {
+    if (reorders(self)) {
         clod_reorder_copy(&self->remake.reorder, part);
     } else {
         clod_near_gather_copy(&self->near, self->state, &self->walls, part, true);
@@ -84,7 +100,7 @@ static void copy_old(clod_step *self, int part)
 
 static void ascend(clod_step *self, int part)
 {
-    if (self->remake.again) {
+    if (reorders(self)) {
         clod_reorder_ascend(&self->remake.reorder, part);
     }
 }
@@ -92,7 +108,7 @@ static void ascend(clod_step *self, int part)
 /** Rows of grains into the new order, column by column. */
 static void reorder_rows(clod_step *self, clod_chunk parts)
 {
-    if (!self->remake.again) {
+    if (!reorders(self)) {
         return;
     }
     const int all = self->near.parts;
@@ -110,6 +126,15 @@ static void reorder_rows(clod_step *self, clod_chunk parts)
                                      clod_threads_chunk(grains, (int)p, all));
         }
         clod_barrier_wait(&self->barrier);
+    }
+}
+
+/** Grains that are spread over ranks go to their new owners, and into the new order there. */
+static void migrate(clod_step *self, int part)
+{
+    (void)part;
+    if (self->remake.again && self->spread != NULL) {
+        self->failed = !clod_spread_rebuild(self, self->remake.speed, &self->status);
     }
 }
 
@@ -146,7 +171,9 @@ static void begin_search(clod_step *self, int part)
     if (!self->remake.again) {
         return;
     }
-    state->grains.count = self->remake.reorder.grains;
+    if (reorders(self)) {
+        state->grains.count = self->remake.reorder.grains;
+    }
     bool good = true;
     if (self->remake.changes) {
         good = change_walls(self);
@@ -190,7 +217,12 @@ static void join(clod_step *self, int part)
     (void)part;
     self->failed = self->remake.again &&
                    !clod_neighbour_build_end(&self->neighbour, self->state, &self->status);
-    if (!self->failed) {
+    if (!clod_spread_agree(self->spread, !self->failed, &self->status)) {
+        self->failed = true;
+    } else {
+        if (self->remake.again && self->spread != NULL) {
+            clod_spread_leave_out(self->spread, &self->neighbour, self->state->grains.count);
+        }
         self->remake.job = job_of(self);
         self->failed = !clod_near_begin(&self->remake.job, &self->status);
     }
@@ -273,6 +305,7 @@ static const list_phase PHASES[] = {
     {.run = copy_old, .all = true},
     {.run = ascend, .all = true},
     {.together = reorder_rows},
+    {.run = migrate},
     {.run = begin_search},
     {.run = place_walls, .all = true},
     {.run = add_cells},
@@ -313,6 +346,7 @@ void clod_remake_lists(clod_step *self, int part)
             PHASES[k].together(self, mine);
         } else if (!PHASES[k].all && part == 0) {
             PHASES[k].run(self, 0);
+            self->failed = !clod_spread_agree(self->spread, !self->failed, &self->status);
             if (self->failed) {
                 atomic_store(&self->remake.failed, k);
             }
