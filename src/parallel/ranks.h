@@ -24,19 +24,20 @@ typedef struct clod_message {
     size_t bytes;
 } clod_message;
 
-typedef struct clod_ranks {
+typedef struct clod_ranks clod_ranks;
+struct clod_ranks {
     int rank, size;
     /** The bytes of every rank, the same number of each, to all: [size][bytes]. */
-    void (*share)(struct clod_ranks *self, const void *mine, size_t bytes, void *all);
+    void (*share)(clod_ranks *self, const void *mine, size_t bytes, void *all);
     /** Messages between pairs of ranks: at most one from each to each, which both name with the
      *  same number of bytes; empty ones may be named by one of them alone. */
-    void (*exchange)(struct clod_ranks *self, const clod_message *out, int outs,
+    void (*exchange)(clod_ranks *self, const clod_message *out, int outs,
                      const clod_message *in, int ins);
     void *group;           ///< what the two need
     char *room;            ///< scratch of the functions below; owned
     size_t room_bytes;     ///< of it
     clod_message *message; ///< [2 * size] scratch; owned
-} clod_ranks;
+};
 
 /** Scratch of the functions below; false without memory. Then clod_ranks_fini. */
 bool clod_ranks_init(clod_ranks *self, clod_status *status);
