@@ -46,7 +46,7 @@ typedef struct alone_row {
 } alone_row;
 
 static const alone_row ALONE[] = {
-    {"walls.NAME.shape: mesh or belt", has_meshes},
+    {"walls.NAME.shapes: mesh", has_meshes},
     {"grains.NAME.inlet", has_inlets},
     {"outlets", has_outlets},
     {"domain.open: delete", is_open},

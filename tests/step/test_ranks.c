@@ -5,7 +5,7 @@
 #include "support/bits.h"
 #include "support/ranks_threads.h"
 
-#define STEPS 2500
+#define STEPS 1500
 
 /** A bed, stepped by rank 0 and those that serve it. */
 typedef struct rank_bed {
