@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "parallel/exact.h"
+#include "step/crew.h"
 #include "step/derived.h"
 #include "step/remake.h"
 #include "step/requests.h"
@@ -95,9 +96,7 @@ bool clod_step_change(clod_step *self, clod_status *status)
         return true;
     }
     if (self->crew != NULL) {
-        return clod_status_fail(status, CLOD_USAGE,
-                                "grains and walls cannot come, go or be moved on more than one "
-                                "rank yet: run it without mpirun");
+        return clod_crew_change(self, status);
     }
     clod_requests found;
     const bool good = clod_requests_check(&found, state, self->laws, status) &&

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "step/crew_state.h"
+#include "step/derived.h"
 #include "step/migrate.h"
 #include "step/trouble.h"
 
@@ -12,6 +13,8 @@ struct clod_crew {
     clod_ranks *ranks; ///< borrowed
     clod_step *whole;  ///< of rank 0; NULL on the others
     bool stale;        ///< the whole state's grains are those of an earlier step
+    clod_step_options options;    ///< that it began with
+    int64_t rebuilds, refreshes; ///< of the whole step before it began
     clod_state state;  ///< of this rank
     clod_laws laws;
     clod_spread spread;
@@ -109,25 +112,12 @@ static bool see(clod_crew *self, clod_status *status)
                                self->whole != NULL ? self->whole->state : NULL, status);
 }
 
-static void merge_stored(const void *context, void *into, const void *from)
-{
-    (void)context;
-    clod_step_stored *mine = into;
-    const clod_step_stored *other = from;
-    clod_exact_merge(&mine->translation, &other->translation);
-    clod_exact_merge(&mine->rotation, &other->rotation);
-    clod_exact_merge(&mine->potential, &other->potential);
-    clod_exact_merge(&mine->normal, &other->normal);
-    clod_exact_merge(&mine->sliding, &other->sliding);
-    clod_exact_merge(&mine->turning, &other->turning);
-}
-
 static void store(clod_crew *self, clod_step_stored *sums)
 {
     clod_status status = {0};
     update(self, &status); // what it cannot keep now the next advance tells
     clod_step_store(&self->step, sums);
-    clod_ranks_merge(self->ranks, sums, sizeof *sums, merge_stored, NULL);
+    clod_spread_merge_stored(&self->spread, sums);
 }
 
 static void end(clod_crew *self)
@@ -153,10 +143,6 @@ static bool check(const clod_state *state, clod_status *status)
 {
     static const char ALONE[] = "on more than one rank %s cannot be computed yet: run it "
                                 "without mpirun, or with mpirun -n 1";
-    if (state->domain.removes || state->domain.outlets > 0) {
-        return clod_status_fail(status, CLOD_USAGE, ALONE,
-                                "a domain that grains leave (domain.open, domain.outlets)");
-    }
     if (state->grains.clump != NULL) {
         return clod_status_fail(status, CLOD_USAGE, ALONE, "clumps");
     }
@@ -164,11 +150,6 @@ static bool check(const clod_state *state, clod_status *status)
         const clod_wall *wall = &state->walls.wall[w];
         if (wall->wear != NULL) {
             return clod_status_fail(status, CLOD_USAGE, ALONE, "wear (output.surfaces)");
-        }
-        for (int32_t s = 0; s < wall->shape_count; s++) {
-            if (wall->shapes[s].surface != NULL) {
-                return clod_status_fail(status, CLOD_USAGE, ALONE, "a wall that is a mesh");
-            }
         }
     }
     return true;
@@ -194,6 +175,9 @@ bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_st
     }
     self->ranks = options->ranks;
     self->whole = whole;
+    self->options = *options;
+    self->rebuilds = whole->rebuilds;
+    self->refreshes = whole->refreshes;
     order what = {.what = ORDER_BEGIN,
                   .threads = whole->threads,
                   .brute_force = options->brute_force,
@@ -250,8 +234,8 @@ bool clod_crew_advance(clod_crew *self, int64_t steps, clod_status *status)
     const bool good = advance(self, steps, status);
     clod_crew_state_copy(whole->state, &self->state);
     self->stale = true;
-    whole->rebuilds = self->step.rebuilds;
-    whole->refreshes = self->step.refreshes;
+    whole->rebuilds = self->rebuilds + self->step.rebuilds;
+    whole->refreshes = self->refreshes + self->step.refreshes;
     if (!good && !self->step.failed) {
         return report_trouble(self, status);
     }
@@ -260,6 +244,19 @@ bool clod_crew_advance(clod_crew *self, int64_t steps, clod_status *status)
         whole->status = *status;
     }
     return good;
+}
+
+bool clod_crew_change(clod_step *whole, clod_status *status)
+{
+    if (!clod_crew_see(whole->crew, status)) {
+        return false;
+    }
+    const clod_step_options options = whole->crew->options;
+    clod_crew_end(&whole->crew);
+    whole->near.parts = whole->threads;
+    whole->near.ledger = whole->state->ledger.open != 0;
+    return clod_step_build_lists(whole, false, status) && clod_step_change(whole, status) &&
+           clod_crew_begin(whole, &options, status);
 }
 
 void clod_crew_store(clod_crew *self, clod_step_stored *sums)

@@ -28,6 +28,14 @@ bool clod_crew_advance(clod_crew *self, int64_t steps, clod_status *status);
 /** Gather the whole state, if steps have been made since. Threads: rank 0. */
 bool clod_crew_see(clod_crew *self, clod_status *status);
 
+/**
+ * As clod_step_change: the bed is gathered, changed by rank 0, and dealt anew.
+ *
+ * @param whole  a step with a crew
+ * @return       as clod_step_change; then the crew may be gone. Threads: rank 0.
+ */
+bool clod_crew_change(clod_step *whole, clod_status *status);
+
 /** As clod_step_store, of the whole bed. Threads: rank 0. */
 void clod_crew_store(clod_crew *self, clod_step_stored *sums);
 

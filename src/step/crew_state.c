@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/room.h"
+#include "mesh/surface_bytes.h"
 
 /** The numbers of a state. */
 typedef struct numbers {
@@ -11,6 +13,7 @@ typedef struct numbers {
     double dt, time, adhesion, build_motion, build_skin;
     int64_t step;
     clod_ledger ledger;
+    clod_exchange exchange;
 } numbers;
 
 static void get_numbers(numbers *to, const clod_state *from)
@@ -22,7 +25,8 @@ static void get_numbers(numbers *to, const clod_state *from)
                     .build_motion = from->build_motion,
                     .build_skin = from->build_skin,
                     .step = from->step,
-                    .ledger = from->ledger};
+                    .ledger = from->ledger,
+                    .exchange = from->exchange};
     memcpy(to->gravity, from->gravity, sizeof to->gravity);
 }
 
@@ -36,6 +40,7 @@ static void put_numbers(clod_state *to, const numbers *from)
     to->build_skin = from->build_skin;
     to->step = from->step;
     to->ledger = from->ledger;
+    to->exchange = from->exchange;
     memcpy(to->gravity, from->gravity, sizeof to->gravity);
 }
 
@@ -99,6 +104,68 @@ static bool tell_shapes(clod_ranks *ranks, clod_walls *walls, clod_status *statu
     return true;
 }
 
+/** A surface of a wall that the shape before it does not have. */
+static bool begins_surface(const clod_wall *wall, int32_t shape)
+{
+    const clod_surface *surface = wall->shapes[shape].surface;
+    return surface != NULL && (shape == 0 || wall->shapes[shape - 1].surface != surface);
+}
+
+/** Bytes of all surfaces, of rank 0; false without memory. */
+static bool pack_surfaces(const clod_walls *walls, clod_bytes *to)
+{
+    for (int32_t w = 0; w < walls->count; w++) {
+        for (int32_t s = 0; s < walls->wall[w].shape_count; s++) {
+            if (begins_surface(&walls->wall[w], s)) {
+                clod_surface_pack(walls->wall[w].shapes[s].surface, to);
+            }
+        }
+    }
+    return !to->lacks_memory;
+}
+
+/** Surfaces in place of the pointers that came from rank 0, or NULL if it is not `good`; whether
+ *  it is. */
+static bool unpack_surfaces(clod_wall *wall, bool good, const char **at)
+{
+    const clod_surface *before = NULL; // as rank 0 knows it
+    clod_surface *surface = NULL;
+    for (int32_t s = 0; s < wall->shape_count; s++) {
+        clod_shape *shape = &wall->shapes[s];
+        const clod_surface *there = shape->surface;
+        if (there != NULL && there != before) {
+            surface = good ? clod_surface_unpack(at) : NULL;
+            good = surface != NULL;
+            shape->surface = surface;
+        } else if (there != NULL) {
+            shape->surface = clod_surface_share(surface);
+        }
+        before = there;
+    }
+    return good;
+}
+
+static bool tell_surfaces(clod_ranks *ranks, clod_walls *walls, clod_status *status)
+{
+    clod_bytes all = {0};
+    const bool first = ranks->rank == 0;
+    bool good = !first || pack_surfaces(walls, &all);
+    size_t bytes = all.count;
+    clod_ranks_tell(ranks, &bytes, sizeof bytes);
+    good = good && (first || clod_room_for(&all.data, &all.capacity, bytes, 1));
+    good = clod_ranks_agree(ranks, good || fail(status), status);
+    if (good) {
+        clod_ranks_tell(ranks, all.data, bytes);
+    }
+    const char *at = all.data;
+    bool unpacked = good;
+    for (int32_t w = 0; !first && w < walls->count; w++) {
+        unpacked = unpack_surfaces(&walls->wall[w], unpacked, &at);
+    }
+    clod_bytes_fini(&all);
+    return good && clod_ranks_agree(ranks, unpacked || fail(status), status);
+}
+
 bool clod_crew_state_begin(clod_ranks *ranks, clod_state *state, clod_laws *laws,
                            clod_status *status)
 {
@@ -119,5 +186,6 @@ bool clod_crew_state_begin(clod_ranks *ranks, clod_state *state, clod_laws *laws
     state->walls.count = counts[0];
     clod_ranks_tell(ranks, laws->law, (size_t)laws->count * sizeof *laws->law);
     clod_crew_state_tell(ranks, state);
-    return tell_shapes(ranks, &state->walls, status);
+    return tell_shapes(ranks, &state->walls, status) &&
+           tell_surfaces(ranks, &state->walls, status);
 }

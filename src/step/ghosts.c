@@ -159,3 +159,23 @@ void clod_step_merge(clod_step *self, int part)
     self->thread[0].excess = sums->excess != 0;
     self->thread[0].spent = sums->spent;
 }
+
+static void merge_stored(const void *context, void *into, const void *from)
+{
+    (void)context;
+    clod_step_stored *mine = into;
+    const clod_step_stored *other = from;
+    clod_exact_merge(&mine->translation, &other->translation);
+    clod_exact_merge(&mine->rotation, &other->rotation);
+    clod_exact_merge(&mine->potential, &other->potential);
+    clod_exact_merge(&mine->normal, &other->normal);
+    clod_exact_merge(&mine->sliding, &other->sliding);
+    clod_exact_merge(&mine->turning, &other->turning);
+}
+
+void clod_spread_merge_stored(const clod_spread *self, clod_step_stored *sums)
+{
+    if (self != NULL) {
+        clod_ranks_merge(self->ranks, sums, sizeof *sums, merge_stored, NULL);
+    }
+}

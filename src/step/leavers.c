@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "parallel/exact.h"
 #include "step/neighbour.h"
 
 int clod_leavers_face(const clod_domain *domain, const double *position)
@@ -28,13 +27,6 @@ static double kinetic(const double *velocity, double mass, const double *angular
     return 0.5 * mass * v2 + 0.5 / angular_velocity[3] * w2;
 }
 
-/** What leaves at one rebuild. */
-typedef struct leaver_sums {
-    clod_exact mass[CLOD_EXITS], energy[CLOD_EXITS];
-    clod_exact kick; ///< J that the half kick to come would have brought
-    clod_exact time, time_squared;
-} leaver_sums;
-
 /** Class of a time that a grain was in. */
 static int residence_bin(double time)
 {
@@ -43,25 +35,24 @@ static int residence_bin(double time)
     return (int)fmin(place, CLOD_RESIDENCE_BINS - 1);
 }
 
-static void add_residence(leaver_sums *sums, clod_state *state, size_t row)
+static void add_residence(clod_leavers *sums, const clod_state *state, size_t row)
 {
     const double time = (double)state->step * state->dt - state->grains.birth[row];
     clod_exact_add(&sums->time, time);
     clod_exact_add(&sums->time_squared, time * time);
-    state->exchange.residence_count[residence_bin(time)]++;
+    sums->residence_count[residence_bin(time)]++;
 }
 
 /** In what clump it was when somebody last looked. */
-static void add_clump(clod_state *state, size_t row)
+static void add_clump(clod_leavers *sums, const clod_state *state, size_t row)
 {
     if (state->grains.clump != NULL) {
         const clod_grain_clump *clump = &state->grains.clump[row];
-        state->exchange
-            .left_clumps[clump->since >= 0.0 ? 1 + clod_clump_class(clump->seen) : 0]++;
+        sums->left_clumps[clump->since >= 0.0 ? 1 + clod_clump_class(clump->seen) : 0]++;
     }
 }
 
-static void add_leaver(leaver_sums *sums, const clod_state *state, size_t row, int face,
+static void add_leaver(clod_leavers *sums, const clod_state *state, size_t row, int face,
                        double half_kick)
 {
     const double *v = state->grains.velocity[row];
@@ -84,29 +75,61 @@ static int exit_of(const clod_domain *domain, const double *position)
     return outlet >= 0 ? CLOD_FACES + outlet : face;
 }
 
-size_t clod_leavers_mark(clod_state *state, double half_kick, int32_t *rank)
+size_t clod_leavers_mark(clod_leavers *sums, const clod_state *state, double half_kick,
+                         int32_t *rank)
 {
-    leaver_sums sums = {0};
     size_t leavers = 0;
     for (size_t g = 0; g < state->grains.count; g++) {
         const int face = exit_of(&state->domain, state->grains.position[g]);
         if (face >= 0 && rank[g] != CLOD_NEIGHBOUR_GOES) {
             rank[g] = CLOD_NEIGHBOUR_GOES;
-            state->exchange.left[face]++;
-            add_leaver(&sums, state, g, face, half_kick);
-            add_residence(&sums, state, g);
-            add_clump(state, g);
+            sums->left[face]++;
+            add_leaver(sums, state, g, face, half_kick);
+            add_residence(sums, state, g);
+            add_clump(sums, state, g);
             leavers++;
         }
     }
-    for (int f = 0; f < CLOD_EXITS; f++) {
-        state->exchange.left_mass[f] += clod_exact_value(&sums.mass[f]);
-        state->exchange.left_energy[f] += clod_exact_value(&sums.energy[f]);
-    }
-    state->exchange.residence += clod_exact_value(&sums.time);
-    state->exchange.residence_squared += clod_exact_value(&sums.time_squared);
-    if (state->ledger.open != 0) {
-        state->ledger.exchanged -= clod_exact_value(&sums.kick);
-    }
+    sums->grains += (int64_t)leavers;
     return leavers;
+}
+
+void clod_leavers_merge(clod_leavers *self, const clod_leavers *other)
+{
+    self->grains += other->grains;
+    for (int f = 0; f < CLOD_EXITS; f++) {
+        self->left[f] += other->left[f];
+        clod_exact_merge(&self->mass[f], &other->mass[f]);
+        clod_exact_merge(&self->energy[f], &other->energy[f]);
+    }
+    clod_exact_merge(&self->kick, &other->kick);
+    clod_exact_merge(&self->time, &other->time);
+    clod_exact_merge(&self->time_squared, &other->time_squared);
+    for (int k = 0; k < CLOD_RESIDENCE_BINS; k++) {
+        self->residence_count[k] += other->residence_count[k];
+    }
+    for (int k = 0; k < 1 + CLOD_CLUMP_CLASSES; k++) {
+        self->left_clumps[k] += other->left_clumps[k];
+    }
+}
+
+void clod_leavers_book(const clod_leavers *self, clod_state *state)
+{
+    clod_exchange *exchange = &state->exchange;
+    for (int f = 0; f < CLOD_EXITS; f++) {
+        exchange->left[f] += self->left[f];
+        exchange->left_mass[f] += clod_exact_value(&self->mass[f]);
+        exchange->left_energy[f] += clod_exact_value(&self->energy[f]);
+    }
+    exchange->residence += clod_exact_value(&self->time);
+    exchange->residence_squared += clod_exact_value(&self->time_squared);
+    for (int k = 0; k < CLOD_RESIDENCE_BINS; k++) {
+        exchange->residence_count[k] += self->residence_count[k];
+    }
+    for (int k = 0; k < 1 + CLOD_CLUMP_CLASSES; k++) {
+        exchange->left_clumps[k] += self->left_clumps[k];
+    }
+    if (state->ledger.open != 0) {
+        state->ledger.exchanged -= clod_exact_value(&self->kick);
+    }
 }

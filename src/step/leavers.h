@@ -7,14 +7,26 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "parallel/exact.h"
 #include "state/state.h"
 
 /** The open side that a position is beyond, as in clod_exchange, or -1. */
 int clod_leavers_face(const clod_domain *domain, const double *position);
 
+/** Grains that leave at one rebuild. Sums are exact: the order of rows does not matter, nor how
+ *  they are dealt to ranks. All zero: none. */
+typedef struct clod_leavers {
+    int64_t grains;
+    int64_t left[CLOD_EXITS];
+    clod_exact mass[CLOD_EXITS], energy[CLOD_EXITS]; ///< kg, J
+    clod_exact kick; ///< J that the half kick to come would have brought
+    clod_exact time, time_squared; ///< s, s2, that they were in
+    int64_t residence_count[CLOD_RESIDENCE_BINS];
+    int64_t left_clumps[1 + CLOD_CLUMP_CLASSES];
+} clod_leavers;
+
 /**
- * At a rebuild: count them in state->exchange and mark them. Sums are exact: the order of rows
- * does not matter.
+ * At a rebuild: add and mark them.
  *
  * @param half_kick  s for which the velocities still lack their weight: dt/2 in the middle of a
  *                   step, of whose forces only that is known; 0 between steps
@@ -23,4 +35,11 @@ int clod_leavers_face(const clod_domain *domain, const double *position);
  * @return           how many
  * Errors  none.   Threads  one, the others wait.   Test  tests/step/test_leave.c
  */
-size_t clod_leavers_mark(clod_state *state, double half_kick, int32_t *rank);
+size_t clod_leavers_mark(clod_leavers *sums, const clod_state *state, double half_kick,
+                         int32_t *rank);
+
+/** Add those of another rank. */
+void clod_leavers_merge(clod_leavers *self, const clod_leavers *other);
+
+/** Into state->exchange, and the ledger. */
+void clod_leavers_book(const clod_leavers *self, clod_state *state);

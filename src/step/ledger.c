@@ -184,6 +184,7 @@ clod_energies clod_step_energies(clod_step *self)
         clod_crew_store(self->crew, &sums);
     } else {
         clod_step_store(self, &sums);
+        clod_spread_merge_stored(self->spread, &sums);
     }
     return (clod_energies){.translation = clod_exact_value(&sums.translation),
                            .rotation = clod_exact_value(&sums.rotation),

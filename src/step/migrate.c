@@ -47,6 +47,11 @@ static bool is_own(const clod_spread *self, size_t row)
     return self->owner == NULL || clod_spread_owns(self, (int32_t)row);
 }
 
+static bool is_nobodys(const clod_spread *self, size_t row)
+{
+    return self->owner != NULL && self->owner[row] == CLOD_SPREAD_NOBODY;
+}
+
 static int new_owner(const clod_spread *self, const clod_state *state, int32_t row)
 {
     return clod_partition_owner(&self->partition, state->build_position[row]);
@@ -109,7 +114,8 @@ static void pack_contacts(const clod_spread *self, const clod_state *state, clod
 {
     for (size_t k = 0; k < state->contact_count; k++) {
         const clod_contact *contact = &state->contacts[k];
-        if (!is_own(self, (size_t)contact->i)) {
+        const bool leaves = contact->shape < 0 && is_nobodys(self, (size_t)contact->j);
+        if (!is_own(self, (size_t)contact->i) || leaves) {
             continue;
         }
         const int first = new_owner(self, state, contact->i);

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "step/remake.h"
+#include "step/spread.h"
 
 /** What a near list costs for each grain, over what a pair costs in a step (docs/adr/0020). */
 #define LIST_COST 47.0
@@ -37,8 +38,9 @@ void clod_step_near(clod_step *self, int part)
     mine->near_motion += speed * self->state->dt;
     const bool again = 2.0 * mine->build_motion > self->neighbour.skin;
     const bool thin = 2.0 * mine->near_motion > self->near.skin;
-    // the next change makes lists; where other ranks have grains, all make lists together
-    const bool empty = self->state->grains.count == 0 && self->spread == NULL;
+    const size_t grains =
+        self->spread == NULL ? self->state->grains.count : self->spread->bed.count;
+    const bool empty = grains == 0; // the next change makes lists
     if (!finite || empty || !(again || thin)) { // what is not finite cannot be sorted
         return;
     }

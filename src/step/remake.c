@@ -34,6 +34,31 @@ static clod_near_job job_of(clod_step *self)
 
 // ---- the phases, in the order of the table below
 
+/** Grains that leave at this rebuild are marked, counted and, on all ranks, told. */
+static void mark_leavers(clod_step *self)
+{
+    clod_step_remake *remake = &self->remake;
+    clod_state *state = self->state;
+    if (!state->domain.removes && state->domain.outlets == 0) {
+        return;
+    }
+    if (!remake->changes) {
+        memset(self->neighbour.rank, 0, state->grains.count * sizeof(int32_t));
+    }
+    clod_leavers leavers = {0};
+    const double half_kick = remake->changes ? 0.0 : 0.5 * state->dt;
+    if (self->spread != NULL) {
+        clod_spread_mark_leavers(self, half_kick, &leavers);
+    } else {
+        remake->going += clod_leavers_mark(&leavers, state, half_kick, self->neighbour.rank);
+    }
+    clod_leavers_book(&leavers, state);
+    if (leavers.grains > 0 && !remake->changes) {
+        remake->left = true;
+        remake->before = clod_step_balance(self);
+    }
+}
+
 /** At a rebuild: which grains go, and the new order of the others. */
 static void begin(clod_step *self, int part)
 {
@@ -43,20 +68,10 @@ static void begin(clod_step *self, int part)
     if (!remake->again) {
         return;
     }
+    mark_leavers(self);
     if (self->spread != NULL) { // before anything is taken apart
-        self->failed = !clod_neighbour_wrap(&self->neighbour, state, 0, &self->status);
+        self->failed = !clod_spread_wrap(self, &self->status);
         return;
-    }
-    if (state->domain.removes || state->domain.outlets > 0) {
-        if (!remake->changes) {
-            memset(self->neighbour.rank, 0, state->grains.count * sizeof(int32_t));
-        }
-        const double half_kick = remake->changes ? 0.0 : 0.5 * state->dt;
-        const size_t leavers = clod_leavers_mark(state, half_kick, self->neighbour.rank);
-        remake->going += leavers;
-        if (leavers > 0 && !remake->changes) {
-            remake->before = clod_step_balance(self);
-        }
     }
     self->failed = !clod_neighbour_order(&self->neighbour, state, remake->going, &self->status);
     remake->reorder = (clod_reorder){.neighbour = &self->neighbour,
@@ -285,7 +300,7 @@ static void end(clod_step *self, int part)
     clod_near_end(&self->remake.job);
     clod_step_list_summed(self);
     clod_step_look(self);
-    if (self->remake.changes || self->remake.going > 0) {
+    if (self->remake.changes || self->remake.left) {
         clod_step_book(self, self->remake.before);
     }
     self->rebuilds += self->remake.again;
@@ -327,6 +342,7 @@ void clod_remake_begin(clod_step *self, bool again, double speed)
     self->remake.speed = speed;
     self->remake.changes = false;
     self->remake.going = 0;
+    self->remake.left = false;
     self->remake.wall_rank = NULL;
     atomic_store(&self->remake.failed, PHASE_COUNT);
 }

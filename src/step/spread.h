@@ -12,6 +12,7 @@
 #include "parallel/fixed.h"
 #include "parallel/ranks.h"
 #include "step/layers.h"
+#include "step/leavers.h"
 #include "step/partition.h"
 #include "step/step.h"
 
@@ -29,6 +30,9 @@ typedef struct clod_spread_sums {
     _Alignas(64) int64_t excess;       ///< an overlap beyond the laws' range
     _Alignas(64) clod_step_heat spent; ///< sent with the ledger only
 } clod_spread_sums;
+
+/** Owner of a grain that leaves. */
+#define CLOD_SPREAD_NOBODY (-1)
 
 typedef struct clod_spread {
     clod_ranks *ranks;        ///< borrowed
@@ -69,6 +73,13 @@ static inline bool clod_spread_agree(const clod_spread *self, bool good, clod_st
     return self == NULL ? good : clod_ranks_agree(self->ranks, good, status);
 }
 
+/** Grains that leave at a rebuild, of all ranks: neighbour.rank marks those of the rows here. */
+void clod_spread_mark_leavers(clod_step *step, double half_kick, clod_leavers *sums);
+
+/** Wrap the rows, ghosts too; those that leave have no owner from now on. False on this
+ *  rank alone: a grain is beyond an open side that stops the run. */
+bool clod_spread_wrap(clod_step *step, clod_status *status);
+
 /**
  * A rebuild, up to the search: grains, which are in the domain, migrate with their contacts in
  * state->contacts; rows and contacts are in order then.
@@ -87,6 +98,9 @@ void clod_spread_leave_out(const clod_spread *self, clod_neighbour *neighbour, s
 /** The least of all ranks' skins; a rank without candidates has no say. */
 double clod_spread_least_skin(const clod_spread *self, const clod_neighbour *neighbour,
                               double skin);
+
+/** Energies of all ranks; with NULL they are this one's alone. */
+void clod_spread_merge_stored(const clod_spread *self, clod_step_stored *sums);
 
 /** Whether a grain is this rank's. Threads: any. */
 static inline bool clod_spread_owns(const clod_spread *self, int32_t row)

@@ -24,6 +24,42 @@ static double choose_skin(const void *context, const clod_layers_extent *bed)
     return choice->neighbour->skin;
 }
 
+static void merge_leavers(const void *context, void *into, const void *from)
+{
+    (void)context;
+    clod_leavers_merge(into, from);
+}
+
+void clod_spread_mark_leavers(clod_step *step, double half_kick, clod_leavers *sums)
+{
+    const clod_state *state = step->state;
+    int32_t *rank = step->neighbour.rank;
+    clod_leavers elsewhere = {0};
+    for (size_t g = 0; g < state->grains.count; g++) { // ghosts are counted by their owners
+        rank[g] = clod_spread_owns(step->spread, (int32_t)g) ? 0 : CLOD_NEIGHBOUR_GOES;
+    }
+    clod_leavers_mark(sums, state, half_kick, rank);
+    for (size_t g = 0; g < state->grains.count; g++) {
+        rank[g] = clod_spread_owns(step->spread, (int32_t)g) ? rank[g] : 0;
+    }
+    clod_leavers_mark(&elsewhere, state, half_kick, rank);
+    clod_ranks_merge(step->spread->ranks, sums, sizeof *sums, merge_leavers, NULL);
+}
+
+bool clod_spread_wrap(clod_step *step, clod_status *status)
+{
+    clod_state *state = step->state;
+    const bool some_go = state->domain.removes || state->domain.outlets > 0;
+    const bool inside =
+        clod_neighbour_wrap(&step->neighbour, state, some_go ? 1 : 0, status);
+    for (size_t g = 0; some_go && g < state->grains.count; g++) {
+        if (step->neighbour.rank[g] == CLOD_NEIGHBOUR_GOES) {
+            step->spread->owner[g] = CLOD_SPREAD_NOBODY;
+        }
+    }
+    return inside;
+}
+
 bool clod_spread_sorted(clod_step *step, clod_status *status)
 {
     note_radii(&step->neighbour, &step->spread->bed);

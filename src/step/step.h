@@ -63,6 +63,7 @@ typedef struct clod_step_remake {
     bool changes;             ///< what state->changes asks for is done in it
     double speed;             ///< m/s, of the fastest point now
     size_t going;             ///< grains that go
+    bool left;                ///< some leave through a way out
     const int32_t *wall_rank; ///< [walls] new numbers, -1: it goes; NULL: all stay; borrowed
     double before;            ///< J, energy before anything came or went
     _Atomic int failed;       ///< the phase that did, or one behind the last
