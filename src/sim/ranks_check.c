@@ -5,11 +5,6 @@ static bool has_surfaces(const clod_case *from)
     return from->output.surfaces;
 }
 
-static bool has_clumps(const clod_case *from)
-{
-    return from->clumps.present;
-}
-
 /** A key that only one rank can do. */
 typedef struct alone_row {
     const char *key;
@@ -18,7 +13,6 @@ typedef struct alone_row {
 
 static const alone_row ALONE[] = {
     {"output.surfaces", has_surfaces},
-    {"clumps", has_clumps},
 };
 
 bool clod_ranks_check(const clod_case *from, clod_status *status)

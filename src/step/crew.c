@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "step/crew_clumps.h"
 #include "step/crew_state.h"
 #include "step/derived.h"
 #include "step/migrate.h"
@@ -34,6 +35,7 @@ typedef enum order_kind {
 typedef struct order {
     order_kind what;
     int64_t steps; ///< of an advance
+    bool clumps;   ///< somebody may have found other clumps, or any at a beginning
     // of a beginning
     int threads;
     bool brute_force;
@@ -44,7 +46,7 @@ typedef struct order {
 // ---- what all ranks do together
 
 /** All that is this rank's; rank 0 begins with a copy of everything. */
-static bool make_part(clod_crew *self, clod_status *status)
+static bool make_part(clod_crew *self, bool clumps, clod_status *status)
 {
     bool good = clod_grains_reserve(&self->state.grains, 0, status);
     if (self->whole != NULL) {
@@ -56,7 +58,9 @@ static bool make_part(clod_crew *self, clod_status *status)
         !clod_crew_state_begin(self->ranks, &self->state, &self->laws, status)) {
         return false;
     }
-    good = self->state.ledger.open == 0 || clod_grains_keep_before(&self->state.grains, status);
+    clod_grains *grains = &self->state.grains;
+    good = (self->state.ledger.open == 0 || clod_grains_keep_before(grains, status)) &&
+           (!clumps || clod_grains_keep_clumps(grains, status));
     return clod_ranks_agree(self->ranks, good, status);
 }
 
@@ -70,7 +74,7 @@ static double same_skin(const void *context, const clod_layers_extent *bed)
 
 static bool begin(clod_crew *self, const order *what, clod_status *status)
 {
-    if (!make_part(self, status) ||
+    if (!make_part(self, what->clumps, status) ||
         !clod_spread_init(&self->spread, self->ranks, self->state.walls.count, status) ||
         !clod_migrate(&self->spread, &self->state, same_skin, &self->state, status)) {
         return false;
@@ -98,9 +102,13 @@ static bool update(clod_crew *self, clod_status *status)
            clod_spread_list(&self->spread, &self->state, self->step.neighbour.skin, status);
 }
 
-static bool advance(clod_crew *self, int64_t steps, clod_status *status)
+static bool advance(clod_crew *self, const order *what, clod_status *status)
 {
-    const bool good = update(self, status) && clod_step_advance(&self->step, steps, status);
+    const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
+    const bool good =
+        update(self, status) &&
+        (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status)) &&
+        clod_step_advance(&self->step, what->steps, status);
     return clod_ranks_agree(self->ranks, good, status);
 }
 
@@ -143,9 +151,6 @@ static bool check(const clod_state *state, clod_status *status)
 {
     static const char ALONE[] = "on more than one rank %s cannot be computed yet: run it "
                                 "without mpirun, or with mpirun -n 1";
-    if (state->grains.clump != NULL) {
-        return clod_status_fail(status, CLOD_USAGE, ALONE, "clumps");
-    }
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         if (wall->wear != NULL) {
@@ -179,6 +184,7 @@ bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_st
     self->rebuilds = whole->rebuilds;
     self->refreshes = whole->refreshes;
     order what = {.what = ORDER_BEGIN,
+                  .clumps = whole->state->grains.clump != NULL,
                   .threads = whole->threads,
                   .brute_force = options->brute_force,
                   .overlap_limit = options->overlap_limit};
@@ -230,8 +236,11 @@ bool clod_crew_advance(clod_crew *self, int64_t steps, clod_status *status)
 {
     clod_step *whole = self->whole;
     clod_crew_state_copy(&self->state, whole->state);
-    give_order(self, (order){.what = ORDER_ADVANCE, .steps = steps});
-    const bool good = advance(self, steps, status);
+    const order what = {.what = ORDER_ADVANCE,
+                        .steps = steps,
+                        .clumps = !self->stale && whole->state->grains.clump != NULL};
+    give_order(self, what);
+    const bool good = advance(self, &what, status);
     clod_crew_state_copy(whole->state, &self->state);
     self->stale = true;
     whole->rebuilds = self->rebuilds + self->step.rebuilds;
@@ -255,6 +264,7 @@ bool clod_crew_change(clod_step *whole, clod_status *status)
     clod_crew_end(&whole->crew);
     whole->near.parts = whole->threads;
     whole->near.ledger = whole->state->ledger.open != 0;
+    clod_wall_rows_update(&whole->walls, &whole->state->walls);
     return clod_step_build_lists(whole, false, status) && clod_step_change(whole, status) &&
            clod_crew_begin(whole, &options, status);
 }
@@ -297,7 +307,7 @@ static void obey(clod_crew *self, clod_ranks *ranks, const order *what)
         }
         break;
     case ORDER_ADVANCE:
-        advance(self, what->steps, &status);
+        advance(self, what, &status);
         break;
     case ORDER_SEE:
         see(self, &status);
