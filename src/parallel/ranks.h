@@ -8,7 +8,7 @@
  * All ranks make the same calls in the same order. What a rank gets does not depend on who comes
  * first, so neither does any result.
  *
- * Threads  one of each rank.   Test  tests/parallel/test_messages.c
+ * Threads  one of each rank.   Test  tests/parallel/test_rank_messages.c
  */
 
 #include <stdbool.h>

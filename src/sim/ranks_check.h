@@ -10,7 +10,7 @@
 /**
  * Whether several ranks can run a case.
  *
- * Errors  CLOD_USAGE: names the first key that they cannot.   Threads  pure.
+ * Errors  CLOD_USAGE: names the key that they cannot.   Threads  pure.
  * Test    tests/cli/test_mpirun.py
  */
 bool clod_ranks_check(const clod_case *from, clod_status *status);
