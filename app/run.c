@@ -269,7 +269,7 @@ int clod_app_run(int argc, char **argv)
             "writes "
             "a snapshot and a permanent checkpoint of each active part, and continues. The "
             "results folder holds results and log; the result table also goes to standard "
-            "output.",
+            "output. mpirun -n N clod run CASE computes it on N processes, with the same bits.",
     };
     clod_status status = {0};
     ranks = clod_ranks_open(&status);
