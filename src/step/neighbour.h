@@ -40,10 +40,20 @@ typedef struct clod_cells_grid {
 /** A grain and a shape of a wall that may touch. */
 typedef struct clod_wall_candidate {
     int32_t i, wall;
-    int32_t shape; ///< of the wall
-    int32_t law;   ///< row of clod_laws
-    int32_t near;  ///< 1: it is on the near list
+    int32_t shape;  ///< of the wall
+    int32_t law;    ///< row of clod_laws
+    int32_t near;   ///< 1: it is on the near list
+    int32_t facets; ///< of a mesh's patch, near its grain at the rebuild
+    size_t facet;   ///< the first of them in the list
 } clod_wall_candidate;
+
+/** A facet of a mesh that a grain may touch before the next rebuild. */
+typedef struct clod_wall_facet {
+    uint32_t number : 31;
+    uint32_t near : 1; ///< within the thin skin when the near list was made
+} clod_wall_facet;
+
+typedef struct clod_wall_facet_found clod_wall_facet_found;
 
 /** A shape that may be near the grains of a cell. */
 typedef struct clod_wall_entry {
@@ -61,6 +71,10 @@ typedef struct clod_wall_cells {
 typedef struct clod_wall_candidates {
     clod_wall_candidate *item; ///< [count], in ascending (i, wall, shape)
     size_t count, capacity;
+    clod_wall_facet *facet; ///< [facets] by candidate
+    size_t facets, facet_capacity;
+    clod_wall_facet_found *found; ///< scratch of a search (wall_mesh.c)
+    size_t found_count, found_capacity;
 } clod_wall_candidates;
 
 /** What one part has found in a search; the array of its walls is kept. */
