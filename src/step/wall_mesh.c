@@ -33,6 +33,20 @@ static double slack_of(const clod_surface *surface)
     return 2.0 * surface->weld;
 }
 
+/** How far a facet is; `listed`: whether it is within reach for a list. The distance from a piece
+ *  of a cylinder may jump as the place moves, that from the box about it does not. */
+static double distance_of(const clod_surface *surface, const clod_surface_facet *facet,
+                          clod_vec3 from, double reach, bool *listed)
+{
+    *listed = !clod_surface_facet_is_beyond(surface, facet, from, reach);
+    if (!*listed) {
+        return INFINITY;
+    }
+    const double distance = clod_surface_facet_closest(surface, facet, from).distance;
+    *listed = facet->cylinder != 0 || distance < reach + slack_of(surface);
+    return distance;
+}
+
 // ---- at a rebuild
 
 typedef struct walk {
@@ -48,12 +62,10 @@ static double take(void *context, uint32_t number, double most)
     walk *self = context;
     clod_wall_candidates *to = self->to;
     const clod_surface_facet facet = clod_surface_facet_of(self->surface, number);
-    if (clod_surface_facet_is_beyond(self->surface, &facet, self->from, self->reach)) {
-        return most;
-    }
+    bool listed;
     const double distance =
-        clod_surface_facet_closest(self->surface, &facet, self->from).distance;
-    if (!(distance < most)) {
+        distance_of(self->surface, &facet, self->from, self->reach, &listed);
+    if (!listed) {
         return most;
     }
     if (!clod_room_for_one(&to->found, &to->found_capacity, to->found_count,
@@ -157,14 +169,13 @@ bool clod_wall_mesh_mark(clod_wall_candidates *self, const clod_wall_candidate *
             near = near || clod_surface_facet_rim_is_near(&facet, from, reach);
             continue;
         }
+        bool listed = false;
         double distance = INFINITY;
         if (!clod_surface_facet_box_is_far(surface, number, from, most)) {
             const clod_surface_facet facet = clod_surface_facet_of(surface, number);
-            if (!clod_surface_facet_is_beyond(surface, &facet, from, reach)) {
-                distance = clod_surface_facet_closest(surface, &facet, from).distance;
-            }
+            distance = distance_of(surface, &facet, from, reach, &listed);
         }
-        list[k].near = distance < most;
+        list[k].near = listed;
         near = near || distance < reach;
     }
     return near;
