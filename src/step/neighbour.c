@@ -22,7 +22,7 @@
 
 void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool brute_force)
 {
-    *self = (clod_neighbour){.brute_force = brute_force};
+    *self = (clod_neighbour){.brute_force = brute_force, .kernel = clod_kernel_choose(NULL)};
     clod_neighbour_size(self, state);
     clod_neighbour_choose_skin(self, state, 0.0);
 }
@@ -180,7 +180,7 @@ bool clod_neighbour_build_begin(clod_neighbour *self, const clod_state *state, i
     bool good = walls_at_rebuild(self, state) && reserve_found(self, (size_t)parts);
     if (!self->brute_force && grains > 0) {
         self->grid = clod_cells_grid_of(self, state);
-        good = good && clod_wall_cells_fill(self, state) && clod_cells_begin(self);
+        good = good && clod_wall_cells_fill(self, state) && clod_cells_begin(self, grains);
     }
     return good || clod_neighbour_fail_to_add(self, grains, status);
 }
@@ -207,7 +207,7 @@ void clod_neighbour_build_add(clod_neighbour *self, const clod_state *state)
 void clod_neighbour_build_enter(clod_neighbour *self, const clod_state *state, int part)
 {
     if (!self->brute_force) {
-        clod_cells_enter(self, grains_of(self, state, part), self->parts > 1);
+        clod_cells_enter(self, state, grains_of(self, state, part), self->parts > 1);
     }
 }
 
@@ -366,6 +366,8 @@ void clod_neighbour_give_back(clod_neighbour *self)
     clod_memory_give_back(self->cell_of, grains, grains);
     clod_memory_give_back(self->cell_item, grains, grains);
     clod_memory_give_back(self->rank, grains, grains);
+    const size_t places = self->place_capacity * sizeof *self->cell_place;
+    clod_memory_give_back(self->cell_place, places, places);
     clod_memory_give_back(self->cell_start, cells, cells);
 }
 
@@ -390,6 +392,7 @@ void clod_neighbour_fini(clod_neighbour *self)
     clod_memory_free(self->cell_of);
     clod_memory_free(self->cell_item);
     clod_memory_free(self->cell_start);
+    clod_memory_free(self->cell_place);
     clod_memory_free(self->sort);
     clod_memory_free(self->sort_scratch);
     clod_memory_free(self->rank);

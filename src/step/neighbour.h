@@ -16,6 +16,7 @@
 #include "law/law.h"
 #include "parallel/threads.h"
 #include "state/state.h"
+#include "step/kernel.h"
 
 /** A later grain that a grain may touch before the next rebuild. */
 typedef struct clod_partner {
@@ -87,6 +88,7 @@ typedef struct clod_neighbour_found {
 typedef struct clod_neighbour {
     double skin; ///< m
     bool brute_force;
+    const clod_kernel *kernel; ///< the machine's best, or what the step has
     double radius_min, radius_max;
     size_t lead; ///< rows behind a grain among which are most of its partners
     clod_pairs pairs;
@@ -100,7 +102,9 @@ typedef struct clod_neighbour {
     // scratch, kept between rebuilds
     int32_t *cell_of, *cell_item; ///< [grains]; cell_of also counts contacts by grain
     int32_t *cell_start;          ///< [cells + 1], see cells.h
-    size_t cell_capacity, grain_capacity;
+    double *
+        cell_place; ///< [4][place_stride] x, y, z and radius of grains in the order of cell_item
+    size_t cell_capacity, grain_capacity, place_stride, place_capacity;
     clod_sort_item *sort, *sort_scratch; ///< [sort_capacity]; sort also has places of contacts
     size_t sort_capacity;
     int32_t *rank; ///< [grains] new row of each old one, or CLOD_NEIGHBOUR_GOES
