@@ -11,6 +11,7 @@
 #include "step/near_walk.h"
 #include "step/near_walls.h"
 #include "step/touch.h"
+#include "step/wall_mesh.h"
 
 // ---- which candidates are near
 
@@ -25,11 +26,13 @@ static bool pair_is_near(const clod_state *state, size_t i, size_t j, double ski
     return x * x + y * y + z * z < reach * reach;
 }
 
-static bool wall_is_near(const clod_state *state, const clod_wall_candidate *c,
-                         const clod_wall_rows *walls, double skin)
+static bool wall_is_near(const clod_near_job *job, const clod_wall_candidate *c)
 {
-    const double *p = state->grains.position[c->i];
-    return clod_wall_rows_is_near(walls, c->wall, c->shape, p, p[3] + skin);
+    const double *p = job->state->grains.position[c->i];
+    const double reach = p[3] + job->skin;
+    return clod_wall_rows_patch(job->walls, c->wall, c->shape)->surface != NULL
+               ? clod_wall_mesh_mark(&job->neighbour->walls, c, job->walls, p, reach)
+               : clod_wall_rows_is_near(job->walls, c->wall, c->shape, p, reach);
 }
 
 /** Add work to a grain's: several threads may, and the sum does not depend on their order. */
@@ -66,7 +69,7 @@ void clod_near_mark(const clod_near_job *job, int part)
     const size_t last = share_of(walls->count, part + 1, parts);
     for (size_t k = share_of(walls->count, part, parts); k < last; k++) {
         clod_wall_candidate *c = &walls->item[k];
-        c->near = wall_is_near(state, c, job->walls, job->skin);
+        c->near = wall_is_near(job, c);
         if (c->near != 0) {
             add_work(job, (size_t)c->i, CLOD_NEAR_WALL_WORK);
         }

@@ -170,6 +170,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
     self->threads = options->threads > 0 ? options->threads : clod_threads_available();
     self->near.parts = self->threads;
     clod_neighbour_init(&self->neighbour, state, options->brute_force);
+    self->neighbour.kernel = self->kernel;
     if (!allocate(self)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the step");
     }

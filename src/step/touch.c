@@ -15,31 +15,25 @@ void clod_touch_begin(clod_touch_part *self)
     self->lacks_memory = false;
 }
 
-/** Facets near a grain, as they are found. */
-typedef struct finding {
-    clod_touch_part *part;
-    const clod_surface *surface;
-    clod_vec3 from;
-} finding;
-
-static double note_facet(void *context, uint32_t facet, double reach)
+/** The facets of a candidate that are near, behind those of its site. */
+static void add_facets(const clod_near_job *job, clod_touch_part *part,
+                       const clod_wall_candidate *candidate, const clod_surface *surface)
 {
-    finding *self = context;
-    clod_touch_part *part = self->part;
-    const clod_surface_facet made = clod_surface_facet_of(self->surface, facet);
-    if (clod_surface_facet_is_beyond(self->surface, &made, self->from, reach)) {
-        return reach;
+    const clod_wall_facet *facet = job->neighbour->walls.facet + candidate->facet;
+    for (int32_t k = 0; k < candidate->facets && !part->lacks_memory; k++) {
+        if (facet[k].near == 0) {
+            continue;
+        }
+        if (!clod_room_for_one(&part->facet, &part->facet_room, part->facets,
+                               sizeof *part->facet)) {
+            part->lacks_memory = true;
+            return;
+        }
+        part->facet[part->facets++] = clod_surface_facet_of(surface, facet[k].number);
     }
-    if (!clod_room_for_one(&part->facet, &part->facet_room, part->facets,
-                           sizeof *part->facet)) {
-        part->lacks_memory = true;
-        return -1.0;
-    }
-    part->facet[part->facets++] = made;
-    return reach;
 }
 
-/** A site for a grain and a mesh, with the facets near it. */
+/** A site for a grain and a mesh. */
 static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *part,
                                    const clod_wall_candidate *candidate,
                                    const clod_surface *surface)
@@ -49,9 +43,6 @@ static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *pa
         return NULL;
     }
     const int32_t row = clod_wall_rows_shape(job->walls, candidate->wall, candidate->shape);
-    const clod_wall_pose pose =
-        clod_wall_facets_pose((const double(*)[4])job->walls->shape + row);
-    const double *p = job->state->grains.position[candidate->i];
     clod_touch_site *site = &part->site[part->sites++];
     *site = (clod_touch_site){.surface = surface,
                               .i = candidate->i,
@@ -59,12 +50,6 @@ static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *pa
                               .pose = row,
                               .lane = part->lanes,
                               .facet = part->facets};
-    finding all = {part, surface, clod_wall_to_frame(&pose, clod_vec3_of(p))};
-    clod_surface_near(surface, all.from, p[3] + job->skin, note_facet, &all);
-    site->facets = part->facets - site->facet;
-    if (!clod_room_for(&part->hit, &part->hit_room, site->facets, sizeof *part->hit)) {
-        part->lacks_memory = true;
-    }
     return site;
 }
 
@@ -99,6 +84,15 @@ void clod_touch_add(const clod_near_job *job, int number, const clod_wall_candid
     }
     part->lane[part->lanes++] = (clod_touch_lane){.patch = at->patch, .slot = at->slot};
     site->lanes = part->lanes - site->lane;
+    if (at->slot == 0) {
+        add_facets(job, part, candidate, at->surface);
+        site->facets = part->facets - site->facet;
+    }
+    if (part->lacks_memory ||
+        !clod_room_for(&part->hit, &part->hit_room, site->facets, sizeof *part->hit)) {
+        part->lacks_memory = true;
+        return;
+    }
     site->plane = plane_of(part, site);
 }
 
