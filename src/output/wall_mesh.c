@@ -155,18 +155,12 @@ static void draw_box(clod_mesh_pen *pen)
     }
 }
 
-/** Whether a shape is the first of a mesh, which has the shapes of all its patches behind it. */
-static bool begins_mesh(const clod_shape *shape)
-{
-    return shape->kind == CLOD_SHAPE_MESH && shape->patch == 0 && shape->slot == 0;
-}
-
 /** All facets of a mesh, each with the shape of its patch. */
 static void draw_facets(clod_mesh_pen *pen)
 {
     const clod_shape *first = pen->shape;
     const clod_surface *surface = first->surface;
-    for (size_t f = 0; begins_mesh(first) && f < surface->facet_count; f++) {
+    for (size_t f = 0; clod_shape_begins_mesh(first) && f < surface->facet_count; f++) {
         const uint32_t *v = surface->facet[f];
         pen->shape = first + CLOD_SURFACE_SLOTS * surface->patch[f];
         pen->place = first->place + (int32_t)f;
@@ -206,8 +200,9 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
             triangles += SHAPES[wall->shapes[s].kind].triangles;
-            triangles +=
-                begins_mesh(&wall->shapes[s]) ? wall->shapes[s].surface->facet_count : 0;
+            triangles += clod_shape_begins_mesh(&wall->shapes[s])
+                             ? wall->shapes[s].surface->facet_count
+                             : 0;
         }
     }
     *self = (clod_wall_mesh){
