@@ -134,6 +134,7 @@ static bool put_walls(clod_hdf *hdf, const clod_state *state, clod_status *statu
             {VTK_CELL_DATA "/wall", "1", CLOD_HDF_I32, 1, n, mesh.wall, sizeof *mesh.wall},
             {VTK_CELL_DATA "/type", "1", CLOD_HDF_I32, 1, n, mesh.material,
              sizeof *mesh.material},
+            {VTK_CELL_DATA "/shape", "1", CLOD_HDF_I32, 1, n, mesh.shape, sizeof *mesh.shape},
             {VTK_CELL_DATA "/velocity", "m s-1", CLOD_HDF_F64, 3, n, mesh.velocity,
              sizeof *mesh.velocity},
         };

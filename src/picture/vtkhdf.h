@@ -7,7 +7,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "output/folder.h"
 #include "output/hdf.h"
 
 /** What the rows of a column belong to. */
