@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "measure/region.h"
 
 #define AT_A_TIME 256 // contacts
 
@@ -101,7 +100,7 @@ static void forest_fini(forest *self)
 }
 
 static bool forest_init(forest *self, const clod_state *state, const clod_bonds *bonds,
-                        const clod_case_region *region)
+                        const clod_outlet *region)
 {
     const size_t n = state->grains.count;
     *self = (forest){.above = clod_memory_alloc(n + 1, sizeof *self->above),
@@ -119,7 +118,7 @@ static bool forest_init(forest *self, const clod_state *state, const clod_bonds 
         self->above[k] = (int32_t)k;
         self->clump[k] = -1;
         self->place[row] = (int32_t)k;
-        self->in[k] = region == NULL || clod_region_has(region, state->grains.position[row]);
+        self->in[k] = region == NULL || clod_outlet_has(region, state->grains.position[row]);
     }
     return true;
 }

@@ -38,9 +38,9 @@ void clod_bonds_fini(clod_bonds *self);
 
 /** Which clumps are looked for. */
 typedef struct clod_clump_choice {
-    int64_t least;                  ///< grains of a clump, 2 or more
-    const clod_case_region *region; ///< only grains in it, and bonds between them; NULL: all
-    bool free;                      ///< only clumps of which no grain touches a wall
+    int64_t least;             ///< grains of a clump, 2 or more
+    const clod_outlet *region; ///< only grains in it, and bonds between them; NULL: all
+    bool free;                 ///< only clumps of which no grain touches a wall
 } clod_clump_choice;
 
 typedef struct clod_clump {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/json.h"
+#include "sim/belt_work.h"
 #include "sim/outputs.h"
 #include "sim/steady_time.h"
 
@@ -12,8 +13,7 @@
 
 /** What one belt remembers; plain data. */
 typedef struct belt_memory {
-    double seen;  ///< J since the last row that have been taken
-    double since; ///< s, time up to which they are
+    clod_belt_work taken;
     double row_work, row_travel, row_time;
     double work[CLOD_STEADY_BLOCKS];   ///< J
     double travel[CLOD_STEADY_BLOCKS]; ///< m
@@ -120,7 +120,7 @@ static void belts_begin(void *memory, const clod_case *from, const clod_state *s
     }
     self->next = state->step;
     for (size_t k = 0; k < count; k++) {
-        self->belt[k].since = state->time;
+        self->belt[k].taken.since = state->time;
     }
 }
 
@@ -141,22 +141,21 @@ static void take(belts *self, const clod_free_moment *now, size_t k)
     const size_t w = wall_of(from, k);
     const clod_case_wall *wall = &from->walls[w];
     belt_memory *mine = &self->belt[k];
-    const double work = state->walls.wall[w].sum_power * state->dt;
+    const double since = mine->taken.since;
     const double travel =
-        fabs(speed_of(from, wall)) * (running_time(&wall->start_up, state->time) -
-                                      running_time(&wall->start_up, mine->since));
-    const double time = state->time - mine->since;
-    const int block = clod_steady_time_block(&now->steady, mine->since);
-    mine->row_work += work - mine->seen;
+        fabs(speed_of(from, wall)) *
+        (running_time(&wall->start_up, state->time) - running_time(&wall->start_up, since));
+    const int block = clod_steady_time_block(&now->steady, since);
+    const clod_belt_portion portion =
+        clod_belt_work_take(&mine->taken, &state->walls.wall[w], state);
+    mine->row_work += portion.work;
     mine->row_travel += travel;
-    mine->row_time += time;
+    mine->row_time += portion.time;
     if (block >= 0) {
-        mine->work[block] += work - mine->seen;
+        mine->work[block] += portion.work;
         mine->travel[block] += travel;
-        mine->time[block] += time;
+        mine->time[block] += portion.time;
     }
-    mine->seen = work;
-    mine->since = state->time;
 }
 
 static bool belts_act(void *memory, const clod_free_moment *now, clod_status *status)
@@ -206,7 +205,7 @@ static void belts_row(void *memory, const clod_free_moment *now, double *row)
         take(self, now, k);
         row[PER_BELT * k] = over(mine->row_travel, mine->row_time);
         row[PER_BELT * k + 1] = over(mine->row_work, mine->row_travel);
-        mine->seen = 0.0; // the walls' sums begin anew after a row
+        mine->taken.seen = 0.0; // the walls' sums begin anew after a row
         mine->row_work = mine->row_travel = mine->row_time = 0.0;
     }
 }

@@ -50,11 +50,6 @@ static void build_up_begin(void *memory, const clod_case *from, const clod_state
 
 // ---- what grains rest on
 
-static bool begins_mesh(const clod_shape *shape)
-{
-    return shape->surface != NULL && shape->patch == 0 && shape->slot == 0;
-}
-
 /** All walls, then their meshes' parts that have names, where there are several. */
 static size_t list_targets(target *to, const clod_case *from, const clod_state *state)
 {
@@ -69,7 +64,7 @@ static size_t list_targets(target *to, const clod_case *from, const clod_state *
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
             const clod_surface *surface = wall->shapes[s].surface;
-            if (!begins_mesh(&wall->shapes[s]) || surface->part_count < 2) {
+            if (!clod_shape_begins_mesh(&wall->shapes[s]) || surface->part_count < 2) {
                 continue;
             }
             for (size_t p = 0; p < surface->part_count && count < most_targets(from); p++) {

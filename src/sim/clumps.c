@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "setup/domain.h"
 #include "sim/clumps_told.h"
 
 static size_t clumps_size(const clod_case *from)
@@ -121,9 +122,10 @@ static bool look_at_counts(clod_clump_memory *self, const clod_free_moment *now,
     for (size_t k = 0; good && k < asked->count_count; k++) {
         clod_clumps clumps = {0};
         const clod_case_clump_count *count = &asked->counts[k];
+        const clod_outlet region = clod_setup_domain_region(&count->region);
         const clod_clump_choice choice = {
             .least = asked->least,
-            .region = count->has_region ? &count->region : NULL,
+            .region = count->has_region ? &region : NULL,
             .free = count->free,
         };
         good = clod_clumps_find(&clumps, now->state, bonds, &choice, status) &&

@@ -44,7 +44,7 @@ static void gauges_begin(void *memory, const clod_case *from, const clod_state *
     }
     self->next = state->step;
     for (size_t k = 0; k < from->gauge_count; k++) {
-        self->gauge[k].work_step = state->step;
+        self->gauge[k].work.since = state->time;
         self->gauge[k].alarm = (clod_gauge_alarm){.slow_since = -1, .first = -1};
     }
 }
@@ -83,12 +83,10 @@ static void take_work(clod_gauge_memory *self, const clod_case_gauge *gauge,
 {
     const clod_wall *wall = find_wall(state, gauge->belt);
     if (wall != NULL) {
-        const double work = wall->sum_power * state->dt;
-        sums[CLOD_GAUGE_WORK] = work - self->work_seen;
-        sums[CLOD_GAUGE_TIME] = (double)(state->step - self->work_step) * state->dt;
-        self->work_seen = work;
+        const clod_belt_portion portion = clod_belt_work_take(&self->work, wall, state);
+        sums[CLOD_GAUGE_WORK] = portion.work;
+        sums[CLOD_GAUGE_TIME] = portion.time;
     }
-    self->work_step = state->step;
 }
 
 /** Whether there is an alarm at this look. */
@@ -223,7 +221,7 @@ static void finish_row(clod_gauge_memory *self, const clod_case_gauge *gauge,
 {
     double sums[CLOD_GAUGE_SUMS] = {0};
     take_work(self, gauge, state, sums);
-    self->work_seen = 0.0;
+    self->work.seen = 0.0;
     add_sums(self->row, sums);
     if (block >= 0) {
         add_sums(self->block[block], sums);

@@ -6,6 +6,7 @@
  */
 
 #include "measure/gauge_bins.h"
+#include "sim/belt_work.h"
 #include "sim/free_measures.h"
 
 /** Simulated time from one look to the next [s]. */
@@ -24,8 +25,7 @@ typedef struct clod_gauge_alarm {
 typedef struct clod_gauge_memory {
     double row[CLOD_GAUGE_SUMS]; ///< since the last row of the series
     double block[CLOD_STEADY_BLOCKS][CLOD_GAUGE_SUMS];
-    double work_seen;  ///< J of the belt since the last row that are in the sums
-    int64_t work_step; ///< up to which they are
+    clod_belt_work work; ///< of the belt
     clod_gauge_alarm alarm;
     clod_gauge_bins profile, trajectory; ///< of the steady time
 } clod_gauge_memory;

@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "output/voxels.h"
+#include "output/vtk_cells.h"
 
 #define AT_A_TIME 256 // contacts
 
@@ -250,7 +251,7 @@ static bool write_cells(const told_cell *told, double (*corner)[3], size_t count
     const size_t row = sizeof *told;
 #define COLUMN(name, unit, field)                                                              \
     {                                                                                          \
-        "VTKHDF/CellData/" name, unit, CLOD_HDF_F64, 1, count, &told->field, row               \
+        VTK_CELL_DATA "/" name, unit, CLOD_HDF_F64, 1, count, &told->field, row                \
     }
     const clod_hdf_column columns[] = {
         COLUMN("contacts", "1", contacts),

@@ -66,6 +66,12 @@ static inline double clod_shape_end_radius(const clod_shape *self)
     return clod_shape_kinds_row(self->kind)->straight ? self->outer : self->inner;
 }
 
+/** Whether it is the first shape of a mesh, which has those of all its patches behind it. */
+static inline bool clod_shape_begins_mesh(const clod_shape *self)
+{
+    return self->surface != NULL && self->patch == 0 && self->slot == 0;
+}
+
 /** Harmonic motion: displacement amplitude sin(2 pi frequency t + phase), along and about. */
 typedef struct clod_oscillation {
     clod_vec3 direction; ///< unit, or 0 without amplitude

@@ -43,7 +43,7 @@ void clod_wear_visit(const clod_wall *wall, clod_wear_look look, void *context)
         const clod_surface *surface = shape->surface;
         if (surface == NULL) {
             look(context, wall, (clod_wear_place){s, shape->place, shape->face});
-        } else if (shape->patch == 0 && shape->slot == 0) { // the mesh's other shapes follow
+        } else if (clod_shape_begins_mesh(shape)) { // the mesh's other shapes follow
             for (int32_t f = 0; f < (int32_t)surface->facet_count; f++) {
                 look(context, wall,
                      (clod_wear_place){s + CLOD_SURFACE_SLOTS * (int32_t)surface->patch[f],

@@ -25,6 +25,8 @@ PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_kind", "clod_ring_shear_p
          ("src/sim/inlets.h", ["clod_inlet", "clod_inlets"]),
          ("src/measure/gauge.h", ["clod_gauge"]),
          ("src/measure/gauge_bins.h", ["clod_gauge_bin", "clod_gauge_section"]),
+         ("src/sim/belt_work.h", ["clod_belt_work"]),
+         ("src/sim/belt_loads.c", ["belt_memory", "belts"]),
          ("src/sim/gauges.h", ["clod_gauge_alarm", "clod_gauge_memory", "clod_gauges"]),
          ("src/sim/balance.h", ["clod_balance_count", "clod_balance"]),
          ("src/sim/steady_time.h", ["clod_steady_time"]),
