@@ -158,7 +158,7 @@ static void draw_box(clod_mesh_pen *pen)
 /** Whether a shape is the first of a mesh, which has the shapes of all its patches behind it. */
 static bool begins_mesh(const clod_shape *shape)
 {
-    return shape->kind == CLOD_SHAPE_MESH && shape->patch == 0 && shape->slot == 0;
+    return shape->surface != NULL && shape->patch == 0 && shape->slot == 0;
 }
 
 /** All facets of a mesh, each with the shape of its patch. */
