@@ -64,7 +64,7 @@ static bool has_belt(const clod_case_wall *wall)
 {
     bool found = false;
     for (size_t s = 0; s < wall->shape_count; s++) {
-        found = found || wall->shapes[s].kind == CLOD_SHAPE_CONVEYOR;
+        found = found || wall->shapes[s].belt.run_count > 0;
     }
     return found;
 }

@@ -67,7 +67,7 @@ static double speed_of(const clod_case *from, const clod_case_wall *wall)
                 wall->oscillation.frequency == 0.0 && !is_moved(from, wall->name);
     for (size_t s = 0; s < wall->shape_count; s++) {
         const clod_case_shape *shape = &wall->shapes[s];
-        if (shape->kind == CLOD_SHAPE_CONVEYOR) {
+        if (shape->belt.run_count > 0) {
             good = good && (speed == 0.0 || speed == shape->belt.speed);
             speed = shape->belt.speed;
         } else {

@@ -10,6 +10,7 @@
 #include "measure/contacts.h"
 #include "output/series.h"
 #include "parallel/threads.h"
+#include "setup/bound.h"
 #include "setup/grains.h"
 #include "sim/energy_series.h"
 #include "sim/job_store.h"
@@ -349,7 +350,9 @@ static bool open_loop(job_loop *loop, clod_status *status)
                             : job->threads;
     const clod_step_options options = {.threads = threads,
                                        .simd = job->sim->options->simd,
-                                       .overlap_limit = job->sim->from->time.overlap_limit};
+                                       .overlap_limit = job->sim->from->time.overlap_limit,
+                                       .accepts = clod_setup_bound_accepts,
+                                       .context = job->sim->from};
     if (loop->series == NULL || !clod_laws_init(&loop->laws, job->sim->from, status)) {
         return false;
     }

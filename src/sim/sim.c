@@ -7,6 +7,7 @@
 #include "measure/contacts.h"
 #include "parallel/threads.h"
 #include "setup/begin.h"
+#include "setup/bound.h"
 #include "setup/grains.h"
 
 pthread_mutex_t clod_sim_case_lock = PTHREAD_MUTEX_INITIALIZER;
@@ -32,7 +33,6 @@ void clod_sim_moved(clod_sim *self)
 bool clod_sim_take_up(clod_sim *self, clod_status *status)
 {
     clod_laws_set_adhesion(&self->laws, self->state.adhesion);
-    clod_setup_bound_fini(&self->bound); // it is another state
     if (!clod_step_init(&self->step, &self->state, &self->laws, &self->options, status)) {
         self->step.failed = true; // it says so from now on
         self->step.status = *status;
@@ -46,7 +46,9 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
 {
     self->options = (clod_step_options){.threads = options != NULL ? options->threads : 0,
                                         .simd = options != NULL ? options->simd : NULL,
-                                        .overlap_limit = self->from->time.overlap_limit};
+                                        .overlap_limit = self->from->time.overlap_limit,
+                                        .accepts = clod_setup_bound_accepts,
+                                        .context = self->from};
     if (clod_setup_grains_coming(self->from) > 0) {
         return clod_status_fail(
             status, CLOD_USAGE,
@@ -130,7 +132,6 @@ void clod_sim_destroy(clod_sim **self)
     clod_state_fini(&(*self)->state);
     clod_laws_fini(&(*self)->laws);
     clod_memory_free((*self)->contacts);
-    clod_setup_bound_fini(&(*self)->bound);
     clod_case_destroy(&(*self)->owned);
     clod_memory_free(*self);
     *self = NULL;

@@ -10,7 +10,6 @@
 #include "base/given.h"
 #include "clod/sim.h"
 #include "law/law.h"
-#include "setup/state.h"
 #include "state/state.h"
 #include "step/step.h"
 
@@ -23,7 +22,6 @@ struct clod_sim {
     clod_step step;
     clod_sim_contact *contacts; ///< [contact_capacity] lent by clod_sim_contacts
     size_t contact_capacity;
-    clod_setup_bound bound; ///< of the time step; made when something first comes
 };
 
 /** Cases, and walls from a text, are read one at a time. */
@@ -40,15 +38,6 @@ bool clod_sim_has_wall(const clod_sim *self, int32_t wall, const char *function,
 /** Whether there is such a wall, and it has a shape with this number; else CLOD_USAGE. */
 bool clod_sim_has_shape(const clod_sim *self, int32_t wall, int32_t shape, const char *function,
                         clod_status *status);
-
-/**
- * Whether the step of the case is stable with the bound as it is now; else CLOD_USAGE says what
- * must be.
- *
- * @param what  is new: "grain 7", "wall 'lid'"
- */
-bool clod_sim_step_is_stable(const clod_sim *self, const char *function, const char *what,
-                             clod_status *status);
 
 /** Changes that were asked for are made, and all contacts copied into the state. */
 bool clod_sim_hold(clod_sim *self, clod_status *status);

@@ -45,7 +45,7 @@ static bool has_meshes(const clod_state *state, clod_status *status)
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            if (wall->shapes[s].kind == CLOD_SHAPE_MESH && wall->shapes[s].surface == NULL) {
+            if (clod_shape_lacks_facets(&wall->shapes[s])) {
                 return clod_status_fail(status, CLOD_USAGE,
                                         "the checkpoint has the mesh of wall '%s', which this "
                                         "simulation has not: it was removed. Read it into a "

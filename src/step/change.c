@@ -96,6 +96,7 @@ bool clod_step_change(clod_step *self, clod_status *status)
     }
     clod_requests found;
     const bool good = clod_requests_check(&found, state, self->laws, status) &&
+                      (self->accepts == NULL || self->accepts(self->context, state, status)) &&
                       make_room(self, status) && rebuild(self, &found, status);
     clod_requests_fini(&found);
     const bool moved = !good && state->changes.moved; // true when the requests are dropped too

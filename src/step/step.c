@@ -158,7 +158,11 @@ static bool first_forces(clod_step *self, clod_status *status)
 bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
                     const clod_step_options *options, clod_status *status)
 {
-    *self = (clod_step){.state = state, .laws = laws, .begin = state->step};
+    *self = (clod_step){.state = state,
+                        .laws = laws,
+                        .accepts = options->accepts,
+                        .context = options->context,
+                        .begin = state->step};
     self->near.ledger = state->ledger.open != 0;
     self->kernel = clod_kernel_choose(options->simd);
     if (self->kernel == NULL) {

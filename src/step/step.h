@@ -27,6 +27,10 @@ typedef struct clod_step_options {
     const char *simd;     ///< instruction set, NULL = best
     bool brute_force;     ///< neighbour search over all pairs (tests)
     double overlap_limit; ///< of the smaller radius, at which to stop; 0 = CLOD_STEP_OVERLAP
+    /** Whether laws and time step suit what state->changes brings, before it is done
+     *  (clod_setup_bound_accepts); NULL: nobody asks. */
+    bool (*accepts)(const void *context, const clod_state *state, clod_status *status);
+    const void *context; ///< of accepts; borrowed until clod_step_fini
 } clod_step_options;
 
 /** What contacts turned into heat in one step [J]. */
@@ -88,7 +92,9 @@ typedef struct clod_step {
     clod_step_remake remake;
     int64_t begin; ///< step of the state when it was taken
     int64_t steps; ///< that the advance going on is to make
-    bool failed;   ///< a rebuild went wrong; status says why
+    bool (*accepts)(const void *context, const clod_state *state, clod_status *status);
+    const void *context; ///< of accepts; both as in clod_step_options
+    bool failed;         ///< a rebuild went wrong; status says why
     clod_status status;
     // for reports
     int64_t rebuilds, refreshes;
@@ -121,7 +127,8 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status);
  * Make the changes of state->changes now, at a rebuild; the queue is empty then. An advance
  * with changes asked for begins with this.
  *
- * @return  false: an id or a name that is not right (nothing is changed then), or no memory
+ * @return  false: an id or a name that is not right, a grain or wall that options.accepts
+ *          refuses (nothing is changed then), or no memory
  * Errors  CLOD_USAGE, CLOD_FAILED.   Threads  one per state.   Test  tests/step/test_change.c
  */
 bool clod_step_change(clod_step *self, clod_status *status);
