@@ -90,10 +90,11 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
                                .state = state,
                                .laws = self->laws,
                                .walls = &self->walls,
-                               .skin = clod_step_thin_skin(self, speed)};
+                               .ways = clod_step_ways(self, speed)};
     if (!clod_near_make(&job, status)) {
         return false;
     }
+    clod_step_begin_motion(self, 0);
     clod_step_list_moving(self);
     clod_step_list_summed(self);
     clod_step_look(self);

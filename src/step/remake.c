@@ -17,7 +17,7 @@ static clod_near_job job_of(clod_step *self)
                            .state = self->state,
                            .laws = self->laws,
                            .walls = &self->walls,
-                           .skin = clod_step_thin_skin(self, self->remake.speed)};
+                           .ways = clod_step_ways(self, self->remake.speed)};
 }
 
 // ---- the phases, in the order of the table below
@@ -219,6 +219,11 @@ static void place_walls(clod_step *self, int part)
     }
 }
 
+static void allow(clod_step *self, int part)
+{
+    clod_near_allow(&self->remake.job, part);
+}
+
 static void mark(clod_step *self, int part)
 {
     clod_near_mark(&self->remake.job, part);
@@ -279,6 +284,7 @@ static const list_phase PHASES[] = {
     {.run = enter_cells, .all = true},
     {.run = search, .all = true},
     {.run = join},
+    {.run = allow, .all = true},
     {.run = mark, .all = true},
     {.run = cut},
     {.run = count_new, .all = true},

@@ -101,6 +101,8 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].build_motion = self->state->build_motion;
         self->thread[t].near_motion = self->thread[0].near_motion;
+        self->thread[t].near_slack = self->thread[0].near_slack;
+        self->thread[t].wall_motion = self->thread[0].wall_motion;
     }
     self->view.dt = self->state->dt;
     const int64_t first = self->state->step;

@@ -189,13 +189,13 @@ static void hand_over(const lanes *self, const clod_surface_hit *hits, int32_t c
 
 /** Contacts of a grain with the facets near it. */
 static void find_contacts(const clod_touch_part *part, const clod_touch_site *site,
-                          const clod_wall_pose *pose, const double p[4], const lanes *at)
+                          const clod_wall_pose *pose, clod_vec3 from, double radius,
+                          const lanes *at)
 {
-    const clod_vec3 from = clod_wall_to_frame(pose, clod_vec3_of(p));
     clod_surface_hit *hits = part->hit;
     const int32_t count = clod_surface_touch(site->surface, part->facet + site->facet,
-                                             (int32_t)site->facets, from, p[3], hits);
-    const double open = 2.0 * p[3];
+                                             (int32_t)site->facets, from, radius, hits);
+    const double open = 2.0 * radius;
     for (size_t l = 0; l < at->count; l++) {
         memcpy(at->row[l], (double[4]){0.0, 0.0, 1.0, open}, sizeof at->row[l]);
     }
@@ -220,6 +220,9 @@ static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site 
                              clod_vec3 from)
 {
     const clod_surface_facet *facet = part->facet + site->facet;
+    if (site->facets == 1) {
+        return (int32_t)facet->number;
+    }
     double least = INFINITY;
     size_t nearest = 0;
     for (size_t k = 0; k < site->facets; k++) {
@@ -232,11 +235,10 @@ static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site 
 }
 
 /** The contact of a grain with nothing but a plane near it. */
-static void find_plane(const clod_touch_site *site, const clod_wall_pose *pose,
-                       const double p[4], double row[4])
+static void find_plane(const clod_touch_site *site, const clod_wall_pose *pose, clod_vec3 from,
+                       double row[4])
 {
     const clod_surface_plane *plane = &site->surface->planes[site->plane];
-    const clod_vec3 from = clod_wall_to_frame(pose, clod_vec3_of(p));
     const double height = clod_vec3_dot(clod_vec3_sub(from, plane->point), plane->normal);
     put_row(row, pose, height < 0.0 ? clod_vec3_scale(plane->normal, -1.0) : plane->normal,
             fabs(height));
@@ -246,10 +248,12 @@ void clod_touch_find(clod_near *near, const clod_state *state, const clod_wall_r
                      int number)
 {
     const clod_touch_part *part = &near->touch.part[number];
+    clod_wall_pose pose;
     for (size_t s = 0; s < part->sites; s++) {
         const clod_touch_site *site = &part->site[s];
-        const clod_wall_pose pose =
-            clod_wall_facets_pose((const double(*)[4])walls->shape + site->pose);
+        if (s == 0 || site->wall != part->site[s - 1].wall) {
+            pose = clod_wall_facets_pose((const double(*)[4])walls->shape + site->pose);
+        }
         const double *p = state->grains.position[site->i];
         const lanes at = {.lane = part->lane + site->lane,
                           .row = near->touch.row + part->row + site->lane,
@@ -258,14 +262,14 @@ void clod_touch_find(clod_near *near, const clod_state *state, const clod_wall_r
                                        : NULL,
                           .blocks = near->walls.block,
                           .count = site->lanes};
+        const clod_vec3 from = clod_wall_to_frame(&pose, clod_vec3_of(p));
         if (site->plane >= 0) {
-            find_plane(site, &pose, p, at.row[0]);
+            find_plane(site, &pose, from, at.row[0]);
             if (at.facet != NULL && at.row[0][3] < p[3]) {
-                at.facet[0] =
-                    nearest_facet(part, site, clod_wall_to_frame(&pose, clod_vec3_of(p)));
+                at.facet[0] = nearest_facet(part, site, from);
             }
         } else {
-            find_contacts(part, site, &pose, p, &at);
+            find_contacts(part, site, &pose, from, p[3], &at);
         }
     }
 }
