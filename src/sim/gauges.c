@@ -89,30 +89,6 @@ static void take_work(clod_gauge_memory *self, const clod_case_gauge *gauge,
     }
 }
 
-/** Whether there is an alarm at this look. */
-static bool watch(clod_gauge_alarm *self, const clod_case_gauge *gauge, const double *sums,
-                  const clod_state *state)
-{
-    const clod_case_blocked *limit = &gauge->blocked;
-    const double mass = sums[CLOD_GAUGE_MASS];
-    const bool slow = gauge->has_blocked && mass >= limit->mass_above &&
-                      sums[CLOD_GAUGE_SPEED] <= limit->speed_below * mass;
-    if (!slow) {
-        self->slow_since = -1;
-        self->on = 0;
-        return false;
-    }
-    self->slow_since = self->slow_since < 0 ? state->step : self->slow_since;
-    const double steps = (double)(state->step - self->slow_since);
-    const bool on = steps >= round(limit->duration / state->dt);
-    if (on && self->on == 0) {
-        self->alarms++;
-        self->first = self->first < 0 ? self->slow_since : self->first;
-    }
-    self->on = on;
-    return on;
-}
-
 /** Bins count only in the steady time. */
 static bool look_at_bins(clod_gauge_memory *self, const clod_case_gauge *from,
                          const clod_gauge *gauge, const clod_state *state, clod_status *status)
@@ -144,7 +120,8 @@ static bool gauges_act(void *memory, const clod_free_moment *now, clod_status *s
         clod_gauge_look(&gauge, state, sums);
         sums[CLOD_GAUGE_ALL_MASS] = all[CLOD_GAUGE_ALL_MASS];
         sums[CLOD_GAUGE_ALL_RADIUS] = all[CLOD_GAUGE_ALL_RADIUS];
-        sums[CLOD_GAUGE_BLOCKED] = watch(&mine->alarm, &from->gauges[k], sums, state);
+        sums[CLOD_GAUGE_BLOCKED] =
+            clod_gauges_watch(&mine->alarm, &from->gauges[k], sums, state);
         take_work(mine, &from->gauges[k], state, sums);
         add_sums(mine->row, sums);
         if (block >= 0) {
@@ -253,6 +230,7 @@ const clod_free_measure CLOD_MEASURE_GAUGES = {.key = "gauges",
                                                .begin = gauges_begin,
                                                .act = gauges_act,
                                                .plan = gauges_plan,
+                                               .news = clod_gauges_news,
                                                .look = gauges_look,
                                                .columns = gauges_columns,
                                                .column = gauges_column,

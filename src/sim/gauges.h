@@ -15,10 +15,12 @@
 /** Alarm of one gauge. */
 typedef struct clod_gauge_alarm {
     int64_t
-        slow_since; ///< step since which it has held much that hardly moves; -1: it does not
-    int64_t first;  ///< step at which what led to the first alarm began; -1: none yet
-    int64_t alarms; ///< so many so far
-    int64_t on;     ///< there is one now
+        slow_since;   ///< step since which it has held much that hardly moves; -1: it does not
+    int64_t first;    ///< step at which what led to the first alarm began; -1: none yet
+    int64_t alarms;   ///< so many so far
+    int64_t on;       ///< there is one now
+    int64_t reported; ///< `on` as it was said last
+    double mass, speed; ///< kg, m/s: inside at the last look
 } clod_gauge_alarm;
 
 /** What one gauge remembers; plain data. */
@@ -41,6 +43,14 @@ clod_gauge clod_gauges_make(const clod_case *from, const clod_case_gauge *gauge)
 
 /** Whether a gauge of the case has what a value needs. */
 bool clod_gauges_tell(const clod_case *from, const clod_case_gauge *gauge, int value);
+
+/** Note what a look says of the alarm (gauges_alarm.c). @return  whether there is one */
+bool clod_gauges_watch(clod_gauge_alarm *self, const clod_case_gauge *gauge, const double *sums,
+                       const clod_state *state);
+
+/** The next alarm that has begun or ended and was not reported (gauges_alarm.c). */
+bool clod_gauges_news(void *memory, const clod_case *from, const clod_state *state,
+                      clod_news *news);
 
 /** Lines of the report, object of the summary, tables (gauges_report.c, gauges_table.c). */
 void clod_gauges_report(FILE *out, const void *memory, const clod_free_moment *now);
