@@ -25,8 +25,8 @@ typedef struct past {
 
 /** The past of all; `of` goes on over all targets that may be. */
 typedef struct build_up {
-    double looked, steady;        ///< s, time of the last look; of the steady time until then
-    int64_t looks, points, every; ///< in the steady time; a point at every so many looks
+    double sampled, steady; ///< s, time of the last sample; of the steady time until then
+    int64_t samples, points, every; ///< in the steady time; a point at every so many
     double time[CLOD_BUILD_UP_POINTS];
     past of[];
 } build_up;
@@ -46,7 +46,7 @@ static void build_up_begin(void *memory, const clod_case *from, const clod_state
     build_up *self = memory;
     if (from->build_up.present) {
         self->every = 1;
-        self->looked = state->time;
+        self->sampled = state->time;
     }
 }
 
@@ -126,18 +126,18 @@ static void thin_out(build_up *self, size_t targets)
     self->every *= 2;
 }
 
-/** Note the masses of a look; `steady` is how much of the steady time has passed since the one
+/** Note the masses of a sample; `steady` is how much of the steady time has passed since the one
  *  before [s], 0 before it begins. */
 static void note(build_up *self, const clod_exact *mass, size_t targets, double time,
                  double steady)
 {
     const bool counts = steady > 0.0;
-    self->looks += counts;
+    self->samples += counts;
     self->steady += steady;
     if (self->points == CLOD_BUILD_UP_POINTS) {
         thin_out(self, targets);
     }
-    const bool point = counts && self->looks % self->every == 0;
+    const bool point = counts && self->samples % self->every == 0;
     for (size_t t = 0; t < targets; t++) {
         past *of = &self->of[t];
         of->now = clod_exact_value(&mass[t]);
@@ -187,7 +187,7 @@ static void weigh(clod_exact *mass, const target *targets, size_t count,
     }
 }
 
-static bool build_up_look(void *memory, const clod_free_moment *now, clod_status *status)
+static bool build_up_sample(void *memory, const clod_free_moment *now, clod_status *status)
 {
     build_up *self = memory;
     if (!now->from->build_up.present) {
@@ -208,8 +208,8 @@ static bool build_up_look(void *memory, const clod_free_moment *now, clod_status
         const size_t count = visit_targets(now->from, now->state, note_target, targets);
         weigh(mass, targets, count, now->state, on);
         note(self, mass, count, now->state->time,
-             clod_steady_time_within(&now->steady, self->looked, now->state->time));
-        self->looked = now->state->time;
+             clod_steady_time_within(&now->steady, self->sampled, now->state->time));
+        self->sampled = now->state->time;
     }
     clod_memory_free(on);
     clod_memory_free(targets);
@@ -344,7 +344,7 @@ static json_t *build_up_json(const void *memory, const clod_free_moment *now)
 const clod_free_measure CLOD_MEASURE_BUILD_UP = {.key = "build_up",
                                                  .size = build_up_size,
                                                  .begin = build_up_begin,
-                                                 .look = build_up_look,
+                                                 .look = build_up_sample,
                                                  .columns = build_up_columns,
                                                  .column = build_up_column,
                                                  .row = build_up_row,

@@ -30,8 +30,8 @@ bool clod_gauges_watch(clod_gauge_alarm *self, const clod_case_gauge *gauge, con
 }
 
 /** A sentence, and the same as fields. */
-static void tell(const clod_gauge_alarm *self, const char *name, const clod_state *state,
-                 clod_news *news)
+static void describe(const clod_gauge_alarm *self, const char *name, const clod_state *state,
+                     clod_news *news)
 {
     news->event = self->on != 0 ? "alarm begins" : "alarm ends";
     news->fields =
@@ -60,7 +60,7 @@ bool clod_gauges_news(void *memory, const clod_case *from, const clod_state *sta
         clod_gauge_alarm *alarm = &self->gauge[k].alarm;
         if (alarm->on != alarm->reported) {
             alarm->reported = alarm->on;
-            tell(alarm, from->gauges[k].name, state, news);
+            describe(alarm, from->gauges[k].name, state, news);
             return true;
         }
     }

@@ -16,13 +16,13 @@ static const int SUM_OF[] = {CLOD_WEAR_IMPULSE, CLOD_WEAR_IMPULSE + 1, CLOD_WEAR
 
 // ---- totals of surfaces
 
-/** All that is told of a surface. */
+/** Totals of a surface. */
 typedef struct face {
     double sum[CLOD_WEAR_SUMS];
     double area;                        ///< m2; 0: without bound
-    double pressure;                    ///< Pa, largest mean of a place
+    double pressure;                    ///< Pa, largest mean of an element
     double archard, finnie;             ///< m3
-    double archard_depth, finnie_depth; ///< m, of the place that wears most
+    double archard_depth, finnie_depth; ///< m, of the element that wears most
 } face;
 
 /** A surface of a wall as it is summed up. */
@@ -32,7 +32,7 @@ typedef struct summing {
     double time; ///< s, over which the sums go
 } summing;
 
-static void add_place(void *context, const clod_wall *wall, clod_wear_place at)
+static void add_element(void *context, const clod_wall *wall, clod_wear_place at)
 {
     const summing *self = context;
     face *to = self->face;
@@ -62,7 +62,7 @@ static face face_of(const clod_wall *wall, int32_t number, double now)
 {
     face total = {.area = 0.0};
     summing self = {&total, number, now - wall->wear_since};
-    clod_wear_visit(wall, add_place, &self);
+    clod_wear_visit(wall, add_element, &self);
     return total;
 }
 
@@ -150,7 +150,7 @@ static void add_sums(void *context, const clod_wall *wall, clod_wear_place at)
     }
 }
 
-static bool surfaces_look(void *memory, const clod_free_moment *now, clod_status *status)
+static bool surfaces_sample(void *memory, const clod_free_moment *now, clod_status *status)
 {
     (void)memory;
     (void)status;
@@ -269,7 +269,7 @@ const clod_free_measure CLOD_MEASURE_SURFACES = {.key = "surfaces",
                                                  .begin = surfaces_begin,
                                                  .act = surfaces_act,
                                                  .plan = surfaces_plan,
-                                                 .look = surfaces_look,
+                                                 .look = surfaces_sample,
                                                  .columns = surfaces_columns,
                                                  .column = surfaces_column,
                                                  .row = surfaces_row,

@@ -126,7 +126,7 @@ class Gauges(clod.Case):
         self.assertLess(abs(gauge["width_m"]["mean"] - 0.15 / math.sqrt(12.0)), 2e-3)
         self.assertLess(abs(gauge["offset_m"]["mean"]), 5e-3)
         self.assertLess(abs(gauge["radius_ratio"]["mean"] - 1.0), 0.01)
-        self.assertEqual(gauge["looks"], 1000)
+        self.assertEqual(gauge["samples"], 1000)
         # the same on the way in the series; means there are over 50 ms
         rows = clod.table(self.path("out/series.csv"))
         late = [row["gauge_fall.mass_flow"] for row in rows if row["time"] > 0.42]
