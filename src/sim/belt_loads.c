@@ -8,7 +8,7 @@
 #include "sim/outputs.h"
 #include "sim/steady_time.h"
 
-/** Simulated time from one look to the next [s]: blocks of the means begin at one. */
+/** Simulated time from one sample to the next [s]: blocks of the means begin at one. */
 #define INTERVAL 1e-3
 
 /** What one belt remembers; plain data. */
@@ -21,7 +21,7 @@ typedef struct belt_memory {
 } belt_memory;
 
 typedef struct belts {
-    int64_t next; ///< step of the next look
+    int64_t next; ///< step of the next sample
     belt_memory belt[];
 } belts;
 
@@ -173,7 +173,7 @@ static bool belts_act(void *memory, const clod_free_moment *now, clod_status *st
     return true;
 }
 
-// ---- what is told
+// ---- series, report, summary
 
 static const char *const COLUMN[] = {"belt_speed [m/s]", "pull [N]"};
 #define PER_BELT (sizeof COLUMN / sizeof *COLUMN)
@@ -211,7 +211,7 @@ static void belts_row(void *memory, const clod_free_moment *now, double *row)
 }
 
 /** Mean over the blocks, and their standard deviation, of one sum over another. */
-static void spread(const double *a, const double *b, double told[2])
+static void spread(const double *a, const double *b, double found[2])
 {
     double each[CLOD_STEADY_BLOCKS], sum_a = 0.0, sum_b = 0.0;
     for (int k = 0; k < CLOD_STEADY_BLOCKS; k++) {
@@ -219,8 +219,8 @@ static void spread(const double *a, const double *b, double told[2])
         sum_a += a[k];
         sum_b += b[k];
     }
-    told[0] = over(sum_a, sum_b);
-    told[1] = clod_steady_time_deviation(each, CLOD_STEADY_BLOCKS);
+    found[0] = over(sum_a, sum_b);
+    found[1] = clod_steady_time_deviation(each, CLOD_STEADY_BLOCKS);
 }
 
 static void belts_report(FILE *out, const void *memory, const clod_free_moment *now)

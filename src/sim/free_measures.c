@@ -81,6 +81,17 @@ int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
     return first;
 }
 
+bool clod_free_measures_news(void *memory, const clod_case *from, const clod_state *state,
+                             clod_news *news)
+{
+    bool found = false;
+    for (int k = 0; !found && k < COUNT; k++) {
+        found = MEASURES[k]->news != NULL &&
+                MEASURES[k]->news(memory_of(memory, from, k), from, state, news);
+    }
+    return found;
+}
+
 bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_status *status)
 {
     bool good = true;

@@ -15,6 +15,7 @@
 
 #include "clod/case.h"
 #include "output/folder.h"
+#include "sim/news.h"
 #include "sim/steady_time.h"
 #include "state/contact_source.h"
 
@@ -38,6 +39,9 @@ typedef struct clod_free_measure {
     /** Steps until it must act; 1 or more. */
     int64_t (*plan)(const void *memory, const clod_case *from, const clod_state *state,
                     const clod_steady_time *steady);
+    /** After every act: something that is to be said at once; false when there is nothing more.
+     *  What was said is remembered. */
+    bool (*news)(void *memory, const clod_case *from, const clod_state *state, clod_news *news);
     /** A row is due: look at grains and contacts. */
     bool (*look)(void *memory, const clod_free_moment *now, clod_status *status);
     /** A snapshot is due: fill the columns of grains that it shows. */
@@ -69,6 +73,9 @@ bool clod_free_measures_act(void *memory, const clod_free_moment *now, clod_stat
 /** Steps until one must act; INT64_MAX when none ever must. */
 int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
                                 const clod_state *state, const clod_steady_time *steady);
+
+bool clod_free_measures_news(void *memory, const clod_case *from, const clod_state *state,
+                             clod_news *news);
 
 bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_status *status);
 

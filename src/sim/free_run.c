@@ -70,6 +70,11 @@ static bool free_act(void *data, const void *context, clod_state *state,
     return clod_free_measures_act(measures_of(data, context), &now, status);
 }
 
+static bool free_news(void *data, const void *context, const clod_state *state, clod_news *news)
+{
+    return clod_free_measures_news(measures_of(data, context), context, state, news);
+}
+
 static bool free_look(void *data, const void *context, const clod_state *state)
 {
     free_data *self = data;
@@ -321,6 +326,7 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
                                      .column_count = count,
                                      .act = free_act,
                                      .plan = free_plan,
+                                     .news = free_news,
                                      .look = free_look,
                                      .measure = free_measure,
                                      .sample = free_sample,

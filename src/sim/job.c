@@ -229,6 +229,21 @@ static bool look(job_loop *loop, clod_status *status)
     return snapshot_if_due(loop, finished || before != after, status);
 }
 
+/** Say what the procedure has to say; in the log once, even when a run that was cut off comes by
+ *  again. */
+static void tell_news(const clod_job *job)
+{
+    const clod_procedure *p = &job->procedure;
+    const clod_run_options *options = job->sim->options;
+    clod_news news;
+    while (p->news != NULL && p->news(p->data, p->context, &job->state, &news)) {
+        if (options->notice != NULL) {
+            options->notice(options->context, news.text);
+        }
+        clod_eventlog_write_once(job->sim->log, news.event, news.fields);
+    }
+}
+
 /** One turn of the loop: steps, and when it is time for a look: measurement, output. */
 static bool turn(job_loop *loop, clod_status *status)
 {
@@ -238,6 +253,7 @@ static bool turn(job_loop *loop, clod_status *status)
         if (!with_contacts(loop, p->act, status)) {
             return false;
         }
+        tell_news(job);
         job->memory.planned = p->plan(p->data, p->context, &job->state);
     }
     if (!advance(loop, status)) {

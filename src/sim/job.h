@@ -12,6 +12,7 @@
 #include "output/folder.h"
 #include "output/series.h"
 #include "output/snapshot.h"
+#include "sim/news.h"
 #include "state/state.h"
 
 /** What decides what happens between steps; `data` is plain and goes into the checkpoint. */
@@ -24,6 +25,8 @@ typedef struct clod_procedure {
     /** Before every plan: ask for grains to come (state->changes), or measure. NULL: nothing. */
     bool (*act)(void *data, const void *context, clod_state *state,
                 const clod_contact_source *contacts, clod_status *status);
+    /** After every act: the next thing to be said at once; false: nothing more. NULL: nothing. */
+    bool (*news)(void *data, const void *context, const clod_state *state, clod_news *news);
     int64_t (*plan)(const void *data, const void *context, const clod_state *state);
     /** After the planned steps: whether it is time for a sample. NULL: it always is. */
     bool (*look)(void *data, const void *context, const clod_state *state);

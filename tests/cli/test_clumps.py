@@ -202,7 +202,7 @@ class Clumps(clod.Case):
             self.assertAlmostEqual(clumps["mean"]["number"], number, delta=1e-9)
             self.assertEqual(clumps["time_in_clumps"]["grains"], lives)
             self.assertEqual(clumps["largest"], 3) # of all the run
-            self.assertEqual(summary["history_map"]["looks"], looks)
+            self.assertEqual(summary["history_map"]["samples"], looks)
             self.assertEqual(summary["history_map"]["since_s"], clumps["since_s"])
 
     def test_rain_wet_and_dry(self):

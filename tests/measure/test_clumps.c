@@ -22,7 +22,7 @@ static void find(found *self, contact_graph *graph, double bond, const clod_clum
     clod_status status;
     assert_true(clod_bonds_find(&self->bonds, &graph->state, &graph->contacts, bond, &status));
     assert_true(clod_clumps_find(&self->clumps, &graph->state, &self->bonds, of, &status));
-    assert_true(clod_clumps_tell(&self->clumps, &self->stats, &self->sizes, &status));
+    assert_true(clod_clumps_sum_up(&self->clumps, &self->stats, &self->sizes, &status));
 }
 
 static void drop(found *self)
