@@ -180,7 +180,7 @@ static const clod_param CONTACT[] = {
      .choices = CLOD_LAW_NAMES,
      .fallback = "mepa",
      CLOD_AT(C, law),
-     .help = "Normal force:", // then what each law is
+     .help = "Law of the normal force.", // then what each is
      .source = "docs/theory/mepa.md"},
     {.key = "exponent",
      .kind = CLOD_PARAM_REAL,

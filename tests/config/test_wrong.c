@@ -61,9 +61,10 @@ static bool is_as_expected(const char *text, const char *expected)
     const size_t before = (size_t)(list - expected);
     bool same = strncmp(text, expected, before) == 0;
     bool good = false;
-    for (const char *rest = text + before; same && !good && *rest != '\0' && *rest != '\n';
-         rest++) {
+    const char *rest = text + before;
+    for (bool ends = !same; !ends && !good; rest++) { // a list ends in its line
         good = is_as_expected(rest, list + strlen(LAWS));
+        ends = *rest == '\0' || *rest == '\n';
     }
     return good;
 }
