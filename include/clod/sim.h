@@ -17,6 +17,7 @@
 #include <stdint.h>
 
 #include "clod/case.h"
+#include "clod/sim_series.h"
 #include "clod/sim_walls.h"
 #include "clod/status.h"
 

@@ -197,15 +197,24 @@ static double over(double a, double b)
     return b > 0.0 ? a / b : (double)NAN;
 }
 
-static void belts_row(void *memory, const clod_free_moment *now, double *row)
+/** What the belts have done up to now; the walls' sums begin anew after it. */
+static void belts_sums_end(void *memory, const clod_free_moment *now)
 {
     belts *self = memory;
     for (size_t k = 0; k < count_of(now->from); k++) {
-        belt_memory *mine = &self->belt[k];
         take(self, now, k);
+        self->belt[k].taken.seen = 0.0;
+    }
+}
+
+static void belts_row(void *memory, const clod_free_moment *now, double *row)
+{
+    belts *self = memory;
+    belts_sums_end(memory, now);
+    for (size_t k = 0; k < count_of(now->from); k++) {
+        belt_memory *mine = &self->belt[k];
         row[PER_BELT * k] = over(mine->row_travel, mine->row_time);
         row[PER_BELT * k + 1] = over(mine->row_work, mine->row_travel);
-        mine->taken.seen = 0.0; // the walls' sums begin anew after a row
         mine->row_work = mine->row_travel = mine->row_time = 0.0;
     }
 }
@@ -270,5 +279,6 @@ const clod_free_measure CLOD_MEASURE_BELT_LOADS = {.key = "belts",
                                                    .columns = belts_columns,
                                                    .column = belts_column,
                                                    .row = belts_row,
+                                                   .sums_end = belts_sums_end,
                                                    .report = belts_report,
                                                    .json = belts_json};

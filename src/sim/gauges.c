@@ -197,8 +197,8 @@ static void gauges_column(const clod_case *from, const clod_state *state, size_t
 }
 
 /** The work up to now counts in this row; after it the walls' sums begin anew. */
-static void finish_row(clod_gauge_memory *self, const clod_case_gauge *gauge,
-                       const clod_state *state, int block)
+static void take_rest(clod_gauge_memory *self, const clod_case_gauge *gauge,
+                      const clod_state *state, int block)
 {
     double sums[CLOD_GAUGE_SUMS] = {0};
     take_work(self, gauge, state, sums);
@@ -209,16 +209,24 @@ static void finish_row(clod_gauge_memory *self, const clod_case_gauge *gauge,
     }
 }
 
+static void gauges_sums_end(void *memory, const clod_free_moment *now)
+{
+    clod_gauges *self = memory;
+    const int block = clod_steady_time_block(&now->steady, now->state->time);
+    for (size_t k = 0; k < now->from->gauge_count; k++) {
+        take_rest(&self->gauge[k], &now->from->gauges[k], now->state, block);
+    }
+}
+
 static void gauges_row(void *memory, const clod_free_moment *now, double *row)
 {
     clod_gauges *self = memory;
     const clod_case *from = now->from;
-    const int block = clod_steady_time_block(&now->steady, now->state->time);
+    gauges_sums_end(memory, now);
     for (size_t k = 0; k < from->gauge_count; k++) {
         clod_gauge_memory *mine = &self->gauge[k];
         const clod_gauge gauge = clod_gauges_make(from, &from->gauges[k]);
         double values[CLOD_GAUGE_VALUES];
-        finish_row(mine, &from->gauges[k], now->state, block);
         clod_gauge_values(&gauge, mine->row, values);
         memset(mine->row, 0, sizeof mine->row);
         for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
@@ -239,6 +247,7 @@ const clod_free_measure CLOD_MEASURE_GAUGES = {.key = "gauges",
                                                .columns = gauges_columns,
                                                .column = gauges_column,
                                                .row = gauges_row,
+                                               .sums_end = gauges_sums_end,
                                                .report = clod_gauges_report,
                                                .json = clod_gauges_json,
                                                .write = clod_gauges_write};

@@ -18,7 +18,8 @@
 /** What decides what happens between steps; `data` is plain and goes into the checkpoint. */
 typedef struct clod_procedure {
     void *data;
-    size_t size;
+    size_t size;          ///< bytes of `data`
+    size_t measures_size; ///< bytes behind them: what measures remember; 0: there are none
     const void *context;
     const char *const *columns; ///< [column_count] of the series
     size_t column_count;

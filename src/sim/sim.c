@@ -49,13 +49,6 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
                                         .overlap_limit = self->from->time.overlap_limit,
                                         .accepts = clod_setup_bound_accepts,
                                         .context = self->from};
-    if (clod_setup_grains_coming(self->from) > 0) {
-        return clod_status_fail(
-            status, CLOD_USAGE,
-            "%s: grains come during the run (grains.N.inlet); clod run does "
-            "that. A program adds grains itself (clod_sim_add_grain)",
-            self->from->path);
-    }
     if (!clod_begin_state(self->from, self->from->seed, &self->state, status) ||
         !clod_laws_init(&self->laws, self->from, status)) {
         return false;
@@ -65,7 +58,8 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
                                 ? threads
                                 : clod_threads_worth(threads, self->state.grains.count);
     return clod_sim_take_up(self, status) &&
-           (!self->from->output.energy || clod_sim_open_ledger(self, status));
+           (!self->from->output.energy || clod_sim_open_ledger(self, status)) &&
+           (clod_setup_grains_coming(self->from) == 0 || clod_sim_open_series(self, status));
 }
 
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
@@ -132,6 +126,7 @@ void clod_sim_destroy(clod_sim **self)
     clod_state_fini(&(*self)->state);
     clod_laws_fini(&(*self)->laws);
     clod_memory_free((*self)->contacts);
+    clod_sim_close_series(*self);
     clod_case_destroy(&(*self)->owned);
     clod_memory_free(*self);
     *self = NULL;
@@ -146,7 +141,8 @@ bool clod_sim_advance(clod_sim *self, int64_t steps, clod_status *status)
         return clod_status_fail(status, CLOD_USAGE, "%s: %lld steps; give 0 or more", __func__,
                                 (long long)steps);
     }
-    return steps == 0 || clod_step_advance(&self->step, steps, status);
+    return self->measures != NULL ? clod_sim_advance_measured(self, steps, status)
+                                  : steps == 0 || clod_step_advance(&self->step, steps, status);
 }
 
 double clod_sim_time(const clod_sim *self)

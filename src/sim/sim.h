@@ -13,6 +13,8 @@
 #include "state/state.h"
 #include "step/step.h"
 
+#define CLOD_SIM_COLUMN_TEXT 128
+
 struct clod_sim {
     clod_case *owned;      ///< NULL: the case is borrowed
     const clod_case *from; ///< the case
@@ -22,6 +24,12 @@ struct clod_sim {
     clod_step step;
     clod_sim_contact *contacts; ///< [contact_capacity] lent by clod_sim_contacts
     size_t contact_capacity;
+    void *measures; ///< [measures_size] what the series remembers; NULL: it is not open
+    size_t measures_size;
+    clod_sim_column *columns;                  ///< [column_count] lent by clod_sim_series_row
+    char (*column_text)[CLOD_SIM_COLUMN_TEXT]; ///< names and units of them
+    double *row;                               ///< [column_count]
+    size_t column_count;
 };
 
 /** Cases, and walls from a text, are read one at a time. */
@@ -41,6 +49,22 @@ bool clod_sim_has_shape(const clod_sim *self, int32_t wall, int32_t shape, const
 
 /** Changes that were asked for are made, and all contacts copied into the state. */
 bool clod_sim_hold(clod_sim *self, clod_status *status);
+
+/**
+ * Whether walls may come and go: the measures of an open series know those of the case only.
+ *
+ * Errors  CLOD_USAGE.
+ */
+bool clod_sim_walls_are_free(const clod_sim *self, const char *function, clod_status *status);
+
+/** Steps with the measures of the open series, which act between them. */
+bool clod_sim_advance_measured(clod_sim *self, int64_t steps, clod_status *status);
+
+/** The measures take what the sums of walls have; the caller begins these anew. */
+void clod_sim_sums_end(clod_sim *self);
+
+/** Free what the series needs. */
+void clod_sim_close_series(clod_sim *self);
 
 /** Something moved that the step did not move: neighbours are looked for anew before all else.
  */

@@ -87,6 +87,9 @@ bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *
         !has_materials(self, wall, __func__, status)) {
         return false;
     }
+    if (!clod_sim_walls_are_free(self, __func__, status)) {
+        return false;
+    }
     if (wall->load != CLOD_LOAD_NONE || wall->oscillation.frequency != 0.0) {
         return clod_status_fail(
             status, CLOD_USAGE,
@@ -125,7 +128,8 @@ bool clod_sim_add_wall_from_text(clod_sim *self, const char *name, const char *t
 
 bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status)
 {
-    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(name, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(name, status) ||
+        !clod_sim_walls_are_free(self, __func__, status)) {
         return false;
     }
     if (strlen(name) >= sizeof self->state.walls.wall->name) {

@@ -22,6 +22,7 @@ PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_kind", "clod_ring_shear_p
          ("src/measure/peak.h", ["CLOD_PEAK_BINS", "clod_peak"]),
          ("src/sim/free_stages.h", ["clod_free_end", "clod_free_stages",
                                      "clod_free_stage_end"]),
+         ("src/sim/free_measures.c", ["clod_free_memory"]),
          ("src/sim/inlets.h", ["clod_inlet", "clod_inlets"]),
          ("src/measure/gauge.h", ["clod_gauge"]),
          ("src/measure/gauge_bins.h", ["clod_gauge_bin", "clod_gauge_section"]),
