@@ -17,6 +17,7 @@
 #include <stdint.h>
 
 #include "clod/case.h"
+#include "clod/sim_series.h"
 #include "clod/sim_walls.h"
 #include "clod/status.h"
 
@@ -168,10 +169,10 @@ typedef struct clod_sim_grain {
  * The time step stays that of the case. What comes and would make it unstable is refused: give
  * time.step in the case when much smaller grains or stiffer walls come.
  *
- * Errors  CLOD_USAGE: no such material, or one without a contact law for what it can meet; a
- *         time step beyond the critical one with this grain, under the load of now. An id that
- *         is taken or unknown, a position outside of the domain, numbers that are not finite,
- *         a period too short for it: by what does the changes, which then does none.
+ * Errors  CLOD_USAGE: no such material. By what does the changes, which then does none: an id
+ *         that is taken or unknown, a position outside of the domain, numbers that are not
+ *         finite, a period too short for it; no contact law for what it can meet; a time step
+ *         beyond the critical one with it, under the load of now.
  *         CLOD_FAILED: no memory for this request; those of before stay.
  * Test    tests/sim/test_sim_change.c, test_sim_memory.c
  */

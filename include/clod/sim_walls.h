@@ -141,10 +141,9 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
  * Ask for a wall to come, as clod_sim_add_grain.
  *
  * @param wall  as in a case (clod/case.h), with a name of its own and without a load; borrowed
- * Errors  CLOD_USAGE: an unknown material, or one without a contact law for the grains; a load,
- *         an oscillation, a plane that would turn out of itself; a time step beyond the
- *         critical one with its material; a name that is taken or unknown: by what does the
- *         changes.
+ * Errors  CLOD_USAGE: an unknown material; a load, an oscillation, a plane that would turn out
+ *         of itself. By what does the changes: a name that is taken or unknown, a material
+ *         without a contact law for the grains, a time step beyond the critical one with it.
  * Test    tests/sim/test_sim_change.c
  */
 bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *status);

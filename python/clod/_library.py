@@ -194,7 +194,11 @@ class Simulation:
     Arrays (position, velocity, angular_velocity, force, torque, radius, mass, inverse_inertia,
     id, material) are views: they are valid until the next advance, change, energies, contacts,
     measure or file, which may sort the rows. Copy what is to be kept.
+
+    series_units has the units of series_row() by name once a row was taken.
     """
+
+    series_units = {}
 
     def __init__(self, path=None, text=None, threads=0, simd=None):
         if (path is None) == (text is None):
@@ -400,6 +404,27 @@ class Simulation:
     def ledger(self):
         """J since it was opened: plastic, dash_pot, friction, rolling, lag, wall_work, exchanged, residual."""
         return self._numbers(lib.clod_sim_ledger_look, "clod_sim_ledger")
+
+    # ---- series
+
+    def open_series(self):
+        """Measure what the case asks for from now on: gauges, clumps, surfaces, belts, balance.
+
+        It is open from the start when the case has inlets.
+        """
+        self._call(lib.clod_sim_open_series)
+
+    def _row(self):
+        first, count = ffi.new("clod_sim_column **"), ffi.new("size_t *")
+        self._call(lib.clod_sim_series_row, first, count)
+        return [first[0][k] for k in range(count[0])]
+
+    def series_row(self):
+        """Take a row: values of the columns of series.csv by name, with rates and means since the
+        row before."""
+        row = self._row()
+        self.series_units = {ffi.string(c.name).decode(): ffi.string(c.unit).decode() for c in row}
+        return dict(zip(self.series_units, (c.value for c in row)))
 
     # ---- files
 

@@ -35,6 +35,9 @@ void clod_check_run(clod_loader *loader, clod_case *self);
 void clod_check_inlet(clod_loader *loader, const char *path, const clod_case *self,
                       const clod_case_grains *grains);
 
+/** Complain when a region is empty; `path` is that of what has it (check_region.c). */
+bool clod_check_region(clod_loader *loader, const char *path, const clod_case_region *region);
+
 /** Checks of the outlets (check_inlet.c). */
 void clod_check_outlets(clod_loader *loader, const clod_case *self);
 

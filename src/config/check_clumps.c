@@ -5,21 +5,6 @@
 
 #include "config/check.h"
 
-/** What is wrong with the shape of a region; NULL: nothing. */
-static const char *fault_of(const clod_case_region *region)
-{
-    if (region->kind == CLOD_REGION_BOX) {
-        bool rises = true;
-        for (int a = 0; a < 3; a++) {
-            rises = rises && region->min[a] < region->max[a];
-        }
-        return rises ? NULL : "box: max must be larger than min in x, y and z";
-    }
-    return region->inner_radius < region->outer_radius
-               ? NULL
-               : "annulus: inner_radius must be smaller than outer_radius";
-}
-
 static void check_counts(clod_loader *loader, const clod_case_clumps *clumps)
 {
     char key[CLOD_LOAD_PATH];
@@ -29,16 +14,14 @@ static void check_counts(clod_loader *loader, const clod_case_clumps *clumps)
     }
     for (size_t k = 0; k < clumps->count_count; k++) {
         const clod_case_clump_count *count = &clumps->counts[k];
-        const char *fault = count->has_region ? fault_of(&count->region) : NULL;
         snprintf(key, sizeof key, "clumps.counts.%s", count->name);
         if (strcmp(count->name, "all") == 0) {
             clod_check_fail(loader, key, "all are told anyway; take another name");
         } else if (!count->has_region && !count->free) {
             clod_check_fail(loader, key,
                             "counts what all clumps are; give it a region, free: true or both");
-        } else if (fault != NULL) {
-            snprintf(key, sizeof key, "clumps.counts.%s.region", count->name);
-            clod_check_fail(loader, key, "%s", fault);
+        } else if (count->has_region) {
+            clod_check_region(loader, key, &count->region);
         }
     }
 }
@@ -60,8 +43,7 @@ static void check_map(clod_loader *loader, const clod_case *self)
         clod_check_fail(loader, "history_map.region", "must be a box, which is cut into cells");
         return;
     }
-    if (map->has_region && fault_of(&map->region) != NULL) {
-        clod_check_fail(loader, "history_map.region", "%s", fault_of(&map->region));
+    if (map->has_region && !clod_check_region(loader, "history_map", &map->region)) {
         return;
     }
     if (!map->has_region && !self->has_domain) {

@@ -29,24 +29,6 @@ static double cosine(const double a[3], const double b[3])
     return clod_vec3_dot(clod_vec3_unit(clod_vec3_of(a)), clod_vec3_unit(clod_vec3_of(b)));
 }
 
-static void check_region(clod_loader *loader, const clod_case_gauge *gauge)
-{
-    const clod_case_region *region = &gauge->region;
-    if (region->kind == CLOD_REGION_ANNULUS) {
-        if (region->inner_radius >= region->outer_radius) {
-            fail(loader, gauge, "region.annulus.inner_radius",
-                 "must be smaller than outer_radius");
-        }
-        return;
-    }
-    for (int a = 0; a < 3; a++) {
-        if (region->min[a] >= region->max[a]) {
-            fail(loader, gauge, "region.box.max", "must be larger than min in x, y and z");
-            return;
-        }
-    }
-}
-
 static void check_directions(clod_loader *loader, const clod_case *self,
                              const clod_case_gauge *gauge)
 {
@@ -82,7 +64,7 @@ static bool has_belt(const clod_case_wall *wall)
 {
     bool found = false;
     for (size_t s = 0; s < wall->shape_count; s++) {
-        found = found || wall->shapes[s].kind == CLOD_SHAPE_CONVEYOR;
+        found = found || wall->shapes[s].belt.run_count > 0;
     }
     return found;
 }
@@ -131,7 +113,7 @@ void clod_check_gauges(clod_loader *loader, const clod_case *self)
         char path[CLOD_LOAD_PATH];
         snprintf(path, sizeof path, "gauges.%s", gauge->name);
         if (clod_report_clean(loader->report, path)) {
-            check_region(loader, gauge);
+            clod_check_region(loader, path, &gauge->region);
             check_directions(loader, self, gauge);
             check_belt(loader, self, gauge);
         }

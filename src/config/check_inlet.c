@@ -139,9 +139,12 @@ void clod_check_outlets(clod_loader *loader, const clod_case *self)
     }
     for (size_t k = 0; k < self->outlet_count; k++) {
         const clod_case_outlet *outlet = &self->outlets[k];
-        char key[CLOD_LOAD_PATH];
+        char path[CLOD_LOAD_PATH], key[CLOD_LOAD_PATH];
+        snprintf(path, sizeof path, "outlets.%s", outlet->name);
         snprintf(key, sizeof key, "outlets.%s.region", outlet->name);
-        if (clod_report_clean(loader->report, key) && !(thickness(&outlet->region) > radius)) {
+        if (clod_report_clean(loader->report, key) &&
+            clod_check_region(loader, path, &outlet->region) &&
+            !(thickness(&outlet->region) > radius)) {
             clod_check_fail(loader, key,
                             "is %.4g m thick; grains move by up to a radius between two looks, "
                             "so make it thicker than that of the largest, %.4g m",

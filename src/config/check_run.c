@@ -93,20 +93,6 @@ static void check_sizes(clod_loader *loader, const char *path, clod_case_grains 
     }
 }
 
-static void check_region(clod_loader *loader, const char *path, const clod_case_grains *grains)
-{
-    const clod_case_region *region = &grains->region;
-    if (!has(loader, path, "region")) {
-        fail(loader, path, "",
-             "needs the key region: where the grains are put, box or annulus");
-    } else if (region->kind == CLOD_REGION_BOX && !rises(region->min, region->max)) {
-        fail(loader, path, "region.box.max", "must be larger than min in x, y and z");
-    } else if (region->kind == CLOD_REGION_ANNULUS &&
-               region->inner_radius >= region->outer_radius) {
-        fail(loader, path, "region.annulus.inner_radius", "must be smaller than outer_radius");
-    }
-}
-
 /** Grains beyond an open border are lost at once, beyond a periodic one they come in elsewhere.
  */
 static void check_region_inside(clod_loader *loader, const char *path, const clod_case *self,
@@ -182,8 +168,11 @@ static void check_grains(clod_loader *loader, const clod_case *self, size_t inde
         fail(loader, path, "", "needs the key material, for instance material: ore");
     }
     check_sizes(loader, path, grains);
-    check_region(loader, path, grains);
-    if (self->has_domain && clean(loader, path) && clean(loader, "domain")) {
+    if (!has(loader, path, "region")) {
+        fail(loader, path, "",
+             "needs the key region: where the grains are put, box or annulus");
+    } else if (clod_check_region(loader, path, &grains->region) && self->has_domain &&
+               clean(loader, path) && clean(loader, "domain")) {
         check_region_inside(loader, path, self, &grains->region);
     }
 }

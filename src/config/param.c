@@ -23,6 +23,12 @@ bool clod_param_is_group(const clod_param *param)
 
 const char *clod_param_help(const clod_param *param, char *buffer, size_t size)
 {
+    if (param->choices == CLOD_LAW_NAMES) {
+        char about[CLOD_LAW_KEYS_ABOUT];
+        clod_law_keys_about(about);
+        snprintf(buffer, size, "%s It is one of %s.", param->help, about);
+        return buffer;
+    }
     if (param->law_has == NULL) {
         return param->help;
     }

@@ -10,8 +10,7 @@
 #include <stddef.h>
 
 #include "clod/case.h"
-
-struct clod_law_keys;
+#include "law/law_kinds.h"
 
 typedef enum clod_param_kind {
     CLOD_PARAM_REAL,      ///< double; number with unit
@@ -64,7 +63,7 @@ typedef struct clod_param {
     const char *unused; ///< error for a key that is written but not used; NULL: told elsewhere
     /** Whether a contact law has the key; NULL: all do. Help and error name those that have it,
      * and `unused` says why the others do not: ": a reason", or "". */
-    bool (*law_has)(const struct clod_law_keys *law);
+    bool (*law_has)(const clod_law_keys *law);
 } clod_param;
 
 typedef struct clod_table {

@@ -180,10 +180,7 @@ static const clod_param CONTACT[] = {
      .choices = CLOD_LAW_NAMES,
      .fallback = "mepa",
      CLOD_AT(C, law),
-     .help =
-         "Normal force: mepa (elasto-plastic with adhesion), eepa (mepa with a constant pull "
-         "or a pull from surface energy), luding (linear, k2 rises with the largest "
-         "overlap), hertz (elastic, from Young's modulus) or hooke (linear elastic, k1).",
+     .help = "Law of the normal force.", // then what each is
      .source = "docs/theory/mepa.md"},
     {.key = "exponent",
      .kind = CLOD_PARAM_REAL,
@@ -192,8 +189,8 @@ static const clod_param CONTACT[] = {
      CLOD_FROM(1, 4),
      .fallback = "1.5",
      CLOD_AT(C, exponent),
-     .help = "Exponent n of the overlap in the force; hooke and luding are always 1, hertz "
-             "always 1.5.",
+     .help =
+         "Exponent n of the overlap in the force; linear laws are always 1, hertz always 1.5.",
      .source = "eq. (1)-(3)"},
     {.key = "k1",
      .kind = CLOD_PARAM_STIFFNESS,

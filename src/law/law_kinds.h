@@ -1,14 +1,31 @@
 #pragma once
 /**
  * @file law_kinds.h
- * Contact laws as everything outside the hot loop sees them: one row for each clod_law_kind.
- * Which keys a law has is in src/config/law_keys.c; what the kernels ask of it in law_forms.h,
- * the force itself in law_normal.h.
+ * Contact laws as everything outside the hot loop sees them, the case file too: one row for
+ * each clod_law_kind. What the kernels ask of it is in law_forms.h, the force itself in
+ * law_normal.h.
  */
 
 #include "law/law_cycle.h"
 
+/** A key that a law needs is named by an example of its value; without one the law has none. */
+typedef struct clod_law_keys {
+    double exponent;              ///< n that the law always has; 0: the key exponent says it
+    const char *k1, *k2;          ///< N/m^n, examples; NULL: the law refuses the key
+    const char *plasticity_depth; ///< example; NULL: the law refuses the key
+    bool k_adh;                   ///< has the key k_adh
+    bool pull_off_force;          ///< has this key
+    bool surface_energy;          ///< has this key, in place of k_adh
+    bool k2_above;                ///< k2 is more than k1; else it may be the same
+    bool elastic_moduli; ///< stiffness from youngs_modulus and poissons_ratio of the materials
+} clod_law_keys;
+
+/** Names in the case file in the order of clod_law_kind, ended by NULL. */
+extern const char *const CLOD_LAW_NAMES[CLOD_LAW_KINDS + 1];
+
 typedef struct clod_law_kind_row {
+    clod_law_keys keys; ///< what it demands of its section in the case file
+    const char *about;  ///< what it is, in a few words
     /** Numbers of the law from its keys; exponent, k1, k2 and tangent_ratio hold the keys. */
     void (*make)(clod_law *self, const clod_case_contact *contact, const clod_case_material *a,
                  const clod_case_material *b);

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "measure/region.h"
 
 #define AT_A_TIME 256 // contacts
 
@@ -79,15 +78,15 @@ void clod_bonds_fini(clod_bonds *self)
 
 // ---- clumps
 
-/** Grains that hang together, as a tree over each grain's place among the ids: its root is the
+/** Grains that hang together, as a tree over each grain's index in the order of ids: its root is the
  *  first of them. */
 typedef struct forest {
-    int32_t *above; ///< [grains] place of a grain before it in its tree; its own: a root
+    int32_t *above; ///< [grains] index of a grain before it in its tree; its own: a root
     int32_t *size;  ///< [grains] of the tree of a root
     int32_t *clump; ///< [grains] number of the clump of a root; -1: none
     bool *walled;   ///< [grains] whether any of the tree of a root touches a wall
-    bool *in;       ///< [grains] whether it is looked at
-    int32_t *place; ///< [grains] of each row
+    bool *in;       ///< [grains] whether it counts
+    int32_t *index; ///< [grains] of each row
 } forest;
 
 static void forest_fini(forest *self)
@@ -97,11 +96,11 @@ static void forest_fini(forest *self)
     clod_memory_free(self->clump);
     clod_memory_free(self->walled);
     clod_memory_free(self->in);
-    clod_memory_free(self->place);
+    clod_memory_free(self->index);
 }
 
 static bool forest_init(forest *self, const clod_state *state, const clod_bonds *bonds,
-                        const clod_case_region *region)
+                        const clod_outlet *region)
 {
     const size_t n = state->grains.count;
     *self = (forest){.above = clod_memory_alloc(n + 1, sizeof *self->above),
@@ -109,22 +108,22 @@ static bool forest_init(forest *self, const clod_state *state, const clod_bonds 
                      .clump = clod_memory_alloc(n + 1, sizeof *self->clump),
                      .walled = clod_memory_alloc(n + 1, sizeof *self->walled),
                      .in = clod_memory_alloc(n + 1, sizeof *self->in),
-                     .place = clod_memory_alloc(n + 1, sizeof *self->place)};
+                     .index = clod_memory_alloc(n + 1, sizeof *self->index)};
     if (self->above == NULL || self->size == NULL || self->clump == NULL ||
-        self->walled == NULL || self->in == NULL || self->place == NULL) {
+        self->walled == NULL || self->in == NULL || self->index == NULL) {
         return false;
     }
     for (size_t k = 0; k < n; k++) {
         const size_t row = bonds->ids.item[k].index;
         self->above[k] = (int32_t)k;
         self->clump[k] = -1;
-        self->place[row] = (int32_t)k;
-        self->in[k] = region == NULL || clod_region_has(region, state->grains.position[row]);
+        self->index[row] = (int32_t)k;
+        self->in[k] = region == NULL || clod_outlet_has(region, state->grains.position[row]);
     }
     return true;
 }
 
-/** Root of a place; the way there gets shorter. */
+/** Root of an index; the path to it gets shorter. */
 static int32_t root_of(forest *self, int32_t k)
 {
     int32_t *above = self->above;
@@ -145,11 +144,11 @@ static void join(forest *self, int32_t a, int32_t b)
     }
 }
 
-/** Join what bonds join, and tell each root of its tree. */
+/** Join what bonds join, and let each root know its tree. */
 static void grow(forest *self, const clod_state *state, const clod_bonds *bonds)
 {
     for (size_t k = 0; k < bonds->count; k++) {
-        const int32_t a = self->place[bonds->bond[k].i], b = self->place[bonds->bond[k].j];
+        const int32_t a = self->index[bonds->bond[k].i], b = self->index[bonds->bond[k].j];
         if (self->in[a] && self->in[b]) {
             join(self, a, b);
         }
@@ -257,8 +256,8 @@ static bool find_quantiles(const clod_clumps *self, clod_clump_stats *stats)
     return true;
 }
 
-bool clod_clumps_tell(const clod_clumps *self, clod_clump_stats *stats, clod_clump_sizes *sizes,
-                      clod_status *status)
+bool clod_clumps_sum_up(const clod_clumps *self, clod_clump_stats *stats,
+                        clod_clump_sizes *sizes, clod_status *status)
 {
     *stats = (clod_clump_stats){.number = (double)self->count};
     *sizes = (clod_clump_sizes){0};

@@ -36,11 +36,11 @@ bool clod_bonds_find(clod_bonds *self, const clod_state *state,
 
 void clod_bonds_fini(clod_bonds *self);
 
-/** Which clumps are looked for. */
+/** Which clumps are searched for. */
 typedef struct clod_clump_choice {
-    int64_t least;                  ///< grains of a clump, 2 or more
-    const clod_case_region *region; ///< only grains in it, and bonds between them; NULL: all
-    bool free;                      ///< only clumps of which no grain touches a wall
+    int64_t least;             ///< grains of a clump, 2 or more
+    const clod_outlet *region; ///< only grains in it, and bonds between them; NULL: all
+    bool free;                 ///< only clumps of which no grain touches a wall
 } clod_clump_choice;
 
 typedef struct clod_clump {
@@ -54,7 +54,7 @@ typedef struct clod_clumps {
     clod_clump *clump; ///< [count] ascending by id; owned, as the rest
     size_t count;
     int32_t *of;        ///< [grains.count] number of each grain's clump; -1: none
-    double grains_mass; ///< kg, of all grains that were looked at
+    double grains_mass; ///< kg, of all grains that were counted
 } clod_clumps;
 
 /**
@@ -74,7 +74,7 @@ typedef struct clod_clump_stats {
     double number;        ///< of clumps
     double grains;        ///< in clumps
     double mass;          ///< kg, in clumps
-    double share;         ///< of the mass of all grains that were looked at
+    double share;         ///< of the mass of all grains that were counted
     double mean;          ///< grains of a clump
     double mean_by_mass;  ///< grains of the clump that a kg in clumps is in
     double largest;       ///< grains
@@ -89,10 +89,10 @@ typedef struct clod_clump_sizes {
 } clod_clump_sizes;
 
 /**
- * Tell what clumps are. d10 is the diameter of the smallest clump which with all smaller ones
+ * Sum up what clumps are. d10 is the diameter of the smallest clump which with all smaller ones
  * has 10 % of the mass in clumps; and so on. All 0 without clumps.
  *
  * Errors  CLOD_FAILED: memory.   Threads  pure.   Test  tests/measure/test_clumps.c
  */
-bool clod_clumps_tell(const clod_clumps *self, clod_clump_stats *stats, clod_clump_sizes *sizes,
-                      clod_status *status);
+bool clod_clumps_sum_up(const clod_clumps *self, clod_clump_stats *stats,
+                        clod_clump_sizes *sizes, clod_status *status);

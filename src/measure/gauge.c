@@ -3,8 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "parallel/exact.h"
-
 /** Variance of the radius over its square below which grains are of one size: rounding. */
 #define ONE_SIZE 1e-12
 /** Length of the product of two unit vectors below which they are parallel. */
@@ -101,14 +99,8 @@ void clod_gauge_extent(const clod_gauge *self, clod_vec3 axis, double *low, doub
     *high = middle + half;
 }
 
-/** Exact sums of one look. */
-typedef struct gauge_sums {
-    clod_exact mass, momentum[3], speed, speed2, moment[3], across2;
-    clod_exact radius, radius2, radius_across, energy, acceleration;
-} gauge_sums;
-
-static void add_place(gauge_sums *sums, const clod_gauge *self, const double position[4],
-                      double m)
+static void add_position(clod_gauge_exact *sums, const clod_gauge *self,
+                         const double position[4], double m)
 {
     const clod_vec3 arm = clod_vec3_sub(clod_vec3_of(position), self->middle);
     const double s = clod_vec3_dot(arm, self->across), r = position[3];
@@ -122,7 +114,7 @@ static void add_place(gauge_sums *sums, const clod_gauge *self, const double pos
     clod_exact_add(&sums->radius_across, m * r * s);
 }
 
-static void add_motion(gauge_sums *sums, const double v[4], const double w[4],
+static void add_motion(clod_gauge_exact *sums, const double v[4], const double w[4],
                        const double load[8])
 {
     const double m = v[3], v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
@@ -137,55 +129,41 @@ static void add_motion(gauge_sums *sums, const double v[4], const double w[4],
                                             load[4] * w[0] + load[5] * w[1] + load[6] * w[2]);
 }
 
-void clod_gauge_look(const clod_gauge *self, const clod_state *state, double *sums)
+void clod_gauge_add(clod_gauge_exact *self, const clod_gauge *gauge, const clod_grains *grains,
+                    size_t row)
 {
-    const clod_grains *grains = &state->grains;
-    gauge_sums exact = {0};
-    double count = 0.0;
-    for (size_t g = 0; g < grains->count; g++) {
-        if (clod_outlet_has(&self->region, grains->position[g])) {
-            count += 1.0;
-            add_place(&exact, self, grains->position[g], grains->velocity[g][3]);
-            add_motion(&exact, grains->velocity[g], grains->angular_velocity[g],
-                       grains->load[g]);
-        }
-    }
-    memset(sums, 0, CLOD_GAUGE_SUMS * sizeof *sums);
-    sums[CLOD_GAUGE_LOOKS] = 1.0;
-    sums[CLOD_GAUGE_GRAINS] = count;
-    if (count == 0.0) {
-        return;
-    }
-    const double mass = sums[CLOD_GAUGE_MASS] = clod_exact_value(&exact.mass);
-    double *p = &sums[CLOD_GAUGE_MOMENTUM], *moment = &sums[CLOD_GAUGE_MOMENT];
-    for (int a = 0; a < 3; a++) {
-        p[a] = clod_exact_value(&exact.momentum[a]);
-        moment[a] = clod_exact_value(&exact.moment[a]);
-        sums[CLOD_GAUGE_LIFTING] -= p[a] * state->gravity[a];
-    }
-    const double s = clod_vec3_dot(clod_vec3_of(moment), self->across) / mass;
-    const double r = clod_exact_value(&exact.radius) / mass;
-    const double p2 = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
-    sums[CLOD_GAUGE_SPEED] = clod_exact_value(&exact.speed);
-    sums[CLOD_GAUGE_SCATTER] = fmax(0.0, clod_exact_value(&exact.speed2) - p2 / mass);
-    sums[CLOD_GAUGE_SPREAD] = fmax(0.0, clod_exact_value(&exact.across2) - mass * s * s);
-    sums[CLOD_GAUGE_RADIUS] = mass * r;
-    sums[CLOD_GAUGE_RADIUS_SPREAD] = fmax(0.0, clod_exact_value(&exact.radius2) - mass * r * r);
-    sums[CLOD_GAUGE_SORTING] = clod_exact_value(&exact.radius_across) - mass * r * s;
-    sums[CLOD_GAUGE_ENERGY] = clod_exact_value(&exact.energy);
-    sums[CLOD_GAUGE_ACCELERATION] = clod_exact_value(&exact.acceleration);
+    self->count += 1.0;
+    add_position(self, gauge, grains->position[row], grains->velocity[row][3]);
+    add_motion(self, grains->velocity[row], grains->angular_velocity[row], grains->load[row]);
 }
 
-void clod_gauge_look_at_all(const clod_state *state, double *sums)
+void clod_gauge_sums_of(const clod_gauge_exact *self, const clod_gauge *gauge,
+                        const clod_state *state, double *sums)
 {
-    clod_exact mass = {0}, radius = {0};
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const double m = state->grains.velocity[g][3];
-        clod_exact_add(&mass, m);
-        clod_exact_add(&radius, m * state->grains.position[g][3]);
+    memset(sums, 0, CLOD_GAUGE_SUMS * sizeof *sums);
+    sums[CLOD_GAUGE_SAMPLES] = 1.0;
+    sums[CLOD_GAUGE_GRAINS] = self->count;
+    if (self->count == 0.0) {
+        return;
     }
-    sums[CLOD_GAUGE_ALL_MASS] = clod_exact_value(&mass);
-    sums[CLOD_GAUGE_ALL_RADIUS] = clod_exact_value(&radius);
+    const double mass = sums[CLOD_GAUGE_MASS] = clod_exact_value(&self->mass);
+    double *p = &sums[CLOD_GAUGE_MOMENTUM], *moment = &sums[CLOD_GAUGE_MOMENT];
+    for (int a = 0; a < 3; a++) {
+        p[a] = clod_exact_value(&self->momentum[a]);
+        moment[a] = clod_exact_value(&self->moment[a]);
+        sums[CLOD_GAUGE_LIFTING] -= p[a] * state->gravity[a];
+    }
+    const double s = clod_vec3_dot(clod_vec3_of(moment), gauge->across) / mass;
+    const double r = clod_exact_value(&self->radius) / mass;
+    const double p2 = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
+    sums[CLOD_GAUGE_SPEED] = clod_exact_value(&self->speed);
+    sums[CLOD_GAUGE_SCATTER] = fmax(0.0, clod_exact_value(&self->speed2) - p2 / mass);
+    sums[CLOD_GAUGE_SPREAD] = fmax(0.0, clod_exact_value(&self->across2) - mass * s * s);
+    sums[CLOD_GAUGE_RADIUS] = mass * r;
+    sums[CLOD_GAUGE_RADIUS_SPREAD] = fmax(0.0, clod_exact_value(&self->radius2) - mass * r * r);
+    sums[CLOD_GAUGE_SORTING] = clod_exact_value(&self->radius_across) - mass * r * s;
+    sums[CLOD_GAUGE_ENERGY] = clod_exact_value(&self->energy);
+    sums[CLOD_GAUGE_ACCELERATION] = clod_exact_value(&self->acceleration);
 }
 
 static double over(double a, double b)
@@ -193,7 +171,7 @@ static double over(double a, double b)
     return b > 0.0 ? a / b : (double)NAN;
 }
 
-/** Correlation of radius and place across; NAN when one of them does not vary. */
+/** Correlation of radius and position across; NAN when one of them does not vary. */
 static double sorting(const double *sums)
 {
     const double r = over(sums[CLOD_GAUGE_RADIUS], sums[CLOD_GAUGE_MASS]);
@@ -211,7 +189,7 @@ static double angle(clod_vec3 momentum, clod_vec3 direction)
     return sine == 0.0 && cosine == 0.0 ? (double)NAN : atan2(sine, cosine) * (180.0 / M_PI);
 }
 
-static void put_places(const clod_gauge *self, const double *sums, double *values)
+static void put_positions(const clod_gauge *self, const double *sums, double *values)
 {
     const double mass = sums[CLOD_GAUGE_MASS];
     const double *moment = &sums[CLOD_GAUGE_MOMENT];
@@ -231,10 +209,10 @@ static void put_places(const clod_gauge *self, const double *sums, double *value
 
 static void put_powers(const double *sums, double *values)
 {
-    const double looks = sums[CLOD_GAUGE_LOOKS];
+    const double samples = sums[CLOD_GAUGE_SAMPLES];
     const double power = over(sums[CLOD_GAUGE_WORK], sums[CLOD_GAUGE_TIME]);
-    const double lifting = over(sums[CLOD_GAUGE_LIFTING], looks);
-    const double acceleration = over(sums[CLOD_GAUGE_ACCELERATION], looks);
+    const double lifting = over(sums[CLOD_GAUGE_LIFTING], samples);
+    const double acceleration = over(sums[CLOD_GAUGE_ACCELERATION], samples);
     values[CLOD_GAUGE_OF_POWER] = power;
     values[CLOD_GAUGE_OF_LIFTING] = lifting;
     values[CLOD_GAUGE_OF_ACCELERATION] = acceleration;
@@ -243,20 +221,20 @@ static void put_powers(const double *sums, double *values)
 
 void clod_gauge_values(const clod_gauge *self, const double *sums, double *values)
 {
-    const double looks = sums[CLOD_GAUGE_LOOKS], mass = sums[CLOD_GAUGE_MASS];
+    const double samples = sums[CLOD_GAUGE_SAMPLES], mass = sums[CLOD_GAUGE_MASS];
     const double *p = &sums[CLOD_GAUGE_MOMENTUM];
-    values[CLOD_GAUGE_OF_GRAINS] = over(sums[CLOD_GAUGE_GRAINS], looks);
-    values[CLOD_GAUGE_OF_MASS] = over(mass, looks);
+    values[CLOD_GAUGE_OF_GRAINS] = over(sums[CLOD_GAUGE_GRAINS], samples);
+    values[CLOD_GAUGE_OF_MASS] = over(mass, samples);
     values[CLOD_GAUGE_OF_FLOW] = // no flow is 0, never -0
-        over(p[self->flow_axis], looks) / self->flow_length + 0.0;
+        over(p[self->flow_axis], samples) / self->flow_length + 0.0;
     for (int a = 0; a < 3; a++) {
         values[CLOD_GAUGE_OF_VELOCITY + a] = over(p[a], mass);
     }
     values[CLOD_GAUGE_OF_SPEED] = over(sums[CLOD_GAUGE_SPEED], mass);
     values[CLOD_GAUGE_OF_ANGLE] = angle(clod_vec3_of(p), self->direction);
     values[CLOD_GAUGE_OF_FLUCTUATION] = sqrt(over(sums[CLOD_GAUGE_SCATTER], mass));
-    put_places(self, sums, values);
-    values[CLOD_GAUGE_OF_ENERGY] = over(sums[CLOD_GAUGE_ENERGY], looks);
-    values[CLOD_GAUGE_OF_BLOCKED] = over(sums[CLOD_GAUGE_BLOCKED], looks);
+    put_positions(self, sums, values);
+    values[CLOD_GAUGE_OF_ENERGY] = over(sums[CLOD_GAUGE_ENERGY], samples);
+    values[CLOD_GAUGE_OF_BLOCKED] = over(sums[CLOD_GAUGE_BLOCKED], samples);
     put_powers(sums, values);
 }

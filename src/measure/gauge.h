@@ -2,10 +2,11 @@
 /**
  * @file gauge.h
  * The stream in a region: sums over the grains whose centre is in it, and what follows from
- * them. Means over time are those of sums: looks are added before anything is divided.
+ * them. Means over time are those of sums: samples are added before anything is divided.
  */
 
 #include "base/vec3.h"
+#include "parallel/exact.h"
 #include "state/state.h"
 
 /** A region with its directions. */
@@ -19,23 +20,23 @@ typedef struct clod_gauge {
     double flow_length;  ///< m, of the region along it; below 0 where direction is against it
 } clod_gauge;
 
-/** Sums over the grains inside, added up over looks. */
+/** Sums over the grains inside, added up over samples. */
 enum {
-    CLOD_GAUGE_LOOKS,
+    CLOD_GAUGE_SAMPLES,
     CLOD_GAUGE_GRAINS,
     CLOD_GAUGE_MASS,                            ///< kg
     CLOD_GAUGE_MOMENTUM,                        ///< kg m/s, x y z
     CLOD_GAUGE_SPEED = CLOD_GAUGE_MOMENTUM + 3, ///< kg m/s, of m |v|
-    CLOD_GAUGE_SCATTER,                         ///< kg m2/s2, of m |v - mean of the look|^2
+    CLOD_GAUGE_SCATTER,                         ///< kg m2/s2, of m |v - mean of the sample|^2
     CLOD_GAUGE_MOMENT,                          ///< kg m, x y z from the middle
-    CLOD_GAUGE_SPREAD = CLOD_GAUGE_MOMENT + 3,  ///< kg m2, of m (s - mean of the look)^2
+    CLOD_GAUGE_SPREAD = CLOD_GAUGE_MOMENT + 3,  ///< kg m2, of m (s - mean of the sample)^2
     CLOD_GAUGE_RADIUS,                          ///< kg m, of m r
-    CLOD_GAUGE_RADIUS_SPREAD,                   ///< kg m2, of m (r - mean of the look)^2
+    CLOD_GAUGE_RADIUS_SPREAD,                   ///< kg m2, of m (r - mean of the sample)^2
     CLOD_GAUGE_SORTING,                         ///< kg m2, of m (r - mean)(s - mean)
     CLOD_GAUGE_ENERGY,                          ///< J, kinetic, of rotation too
     CLOD_GAUGE_LIFTING,                         ///< W, - m g.v
     CLOD_GAUGE_ACCELERATION,                    ///< W, F.v + T.w with all forces
-    CLOD_GAUGE_BLOCKED,                         ///< looks at which there was an alarm
+    CLOD_GAUGE_BLOCKED,                         ///< samples at which there was an alarm
     CLOD_GAUGE_ALL_MASS,                        ///< kg, of all grains of the run
     CLOD_GAUGE_ALL_RADIUS,                      ///< kg m, of m r of all grains
     CLOD_GAUGE_WORK,                            ///< J, of the belt
@@ -43,7 +44,7 @@ enum {
     CLOD_GAUGE_SUMS
 };
 
-/** What is told of a gauge. */
+/** Values of a gauge. */
 enum {
     CLOD_GAUGE_OF_GRAINS,
     CLOD_GAUGE_OF_MASS,
@@ -100,24 +101,28 @@ clod_gauge clod_gauge_of(const clod_outlet *region, const double direction[3],
 /** Least and largest of x.axis over the region [m]; `axis` is a unit vector. Threads: pure. */
 void clod_gauge_extent(const clod_gauge *self, clod_vec3 axis, double *low, double *high);
 
-/**
- * Look at the grains inside. Sums are exact: they do not depend on the order of rows.
- *
- * @param sums  [CLOD_GAUGE_SUMS] [out] those of this look; of alarm, all grains and work none
- * Threads  one per state.   Test  tests/measure/test_gauge.c
- */
-void clod_gauge_look(const clod_gauge *self, const clod_state *state, double *sums);
+/** Exact sums over grains; all zero: of none. */
+typedef struct clod_gauge_exact {
+    double count;
+    clod_exact mass, momentum[3], speed, speed2, moment[3], across2;
+    clod_exact radius, radius2, radius_across, energy, acceleration;
+} clod_gauge_exact;
+
+/** Add a grain that is inside. @param row  of the grain */
+void clod_gauge_add(clod_gauge_exact *self, const clod_gauge *gauge, const clod_grains *grains,
+                    size_t row);
 
 /**
- * Mass and radius of all grains.
- * @param sums  [CLOD_GAUGE_SUMS] [in,out] CLOD_GAUGE_ALL_MASS and ALL_RADIUS are set
+ * The sums of one sample.
+ * @param sums  [CLOD_GAUGE_SUMS] [out] of alarm, all grains and work none
  */
-void clod_gauge_look_at_all(const clod_state *state, double *sums);
+void clod_gauge_sums_of(const clod_gauge_exact *self, const clod_gauge *gauge,
+                        const clod_state *state, double *sums);
 
 /**
  * What follows from sums.
  *
- * @param sums    [CLOD_GAUGE_SUMS] of any number of looks
+ * @param sums    [CLOD_GAUGE_SUMS] of any number of samples
  * @param values  [CLOD_GAUGE_VALUES] [out] NAN where there is none: of nothing, or without need
  * Threads  pure.   Test  tests/measure/test_gauge.c
  */

@@ -3,17 +3,9 @@
 #include <math.h>
 
 #include "base/memory.h"
-#include "parallel/exact.h"
 
-/** Share of the looks from which on a bin belongs to the load. */
+/** Share of the samples from which on a bin belongs to the load. */
 #define LOADED 0.5
-
-/** One bin at one look. */
-typedef struct bin_look {
-    clod_exact mass, moment;
-    double lower, upper;
-    bool seen;
-} bin_look;
 
 clod_gauge_axis clod_gauge_axis_of(const clod_gauge *gauge, clod_vec3 along, int64_t count)
 {
@@ -22,7 +14,7 @@ clod_gauge_axis clod_gauge_axis_of(const clod_gauge *gauge, clod_vec3 along, int
     return (clod_gauge_axis){along, low, (high - low) / (double)count, (int)count};
 }
 
-/** Number of the bin that a place is in; the first or last for what is beyond. */
+/** Number of the bin that a position is in; the first or last for what is beyond. */
 static int bin_of(const clod_gauge_axis *axis, double s)
 {
     const double k = floor((s - axis->low) / axis->width);
@@ -37,8 +29,8 @@ static double share_below(double t)
 }
 
 /** What of a grain is in bin k. */
-static void add_slice(bin_look *bin, const clod_gauge_axis *axis, int k, double s, double h,
-                      double r, double m)
+static void add_slice(clod_gauge_slice *bin, const clod_gauge_axis *axis, int k, double s,
+                      double h, double r, double m)
 {
     const double from = axis->low + k * axis->width, to = from + axis->width;
     const double below = k > 0 ? share_below((from - s) / r) : 0.0;
@@ -56,45 +48,36 @@ static void add_slice(bin_look *bin, const clod_gauge_axis *axis, int k, double 
     clod_exact_add(&bin->moment, mass * h);
 }
 
-static void add_grain(bin_look *bins, const clod_gauge *gauge, const clod_gauge_axis *axis,
-                      const double position[4], double mass)
+clod_gauge_slice *clod_gauge_bins_open(const clod_gauge_axis *axis)
 {
-    const clod_vec3 place = clod_vec3_of(position);
-    const double s = clod_vec3_dot(place, axis->along), h = clod_vec3_dot(place, gauge->up);
+    return clod_memory_alloc((size_t)axis->count + 1, sizeof(clod_gauge_slice)); // all zero
+}
+
+void clod_gauge_bins_add(clod_gauge_slice *slices, const clod_gauge *gauge,
+                         const clod_gauge_axis *axis, const double position[4], double mass)
+{
+    const clod_vec3 center = clod_vec3_of(position);
+    const double s = clod_vec3_dot(center, axis->along), h = clod_vec3_dot(center, gauge->up);
     const double r = position[3];
     const int last = bin_of(axis, s + r);
     for (int k = bin_of(axis, s - r); k <= last; k++) {
-        add_slice(&bins[k], axis, k, s, h, r, mass);
+        add_slice(&slices[k], axis, k, s, h, r, mass);
     }
 }
 
-bool clod_gauge_bins_look(clod_gauge_bins *self, const clod_gauge *gauge,
-                          const clod_gauge_axis *axis, const clod_state *state,
-                          clod_status *status)
+void clod_gauge_bins_take(clod_gauge_bins *self, const clod_gauge_axis *axis,
+                          const clod_gauge_slice *slices)
 {
-    bin_look *bins = clod_memory_alloc((size_t)axis->count, sizeof *bins); // all zero
-    if (bins == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for %d bins of a gauge",
-                                axis->count);
-    }
-    for (size_t g = 0; g < state->grains.count; g++) {
-        if (clod_outlet_has(&gauge->region, state->grains.position[g])) {
-            add_grain(bins, gauge, axis, state->grains.position[g],
-                      state->grains.velocity[g][3]);
-        }
-    }
-    self->looks += 1.0;
+    self->samples += 1.0;
     for (int k = 0; k < axis->count; k++) {
-        if (bins[k].seen) {
+        if (slices[k].seen) {
             self->seen[k] += 1.0;
-            self->lower[k] += bins[k].lower;
-            self->upper[k] += bins[k].upper;
-            self->mass[k] += clod_exact_value(&bins[k].mass);
-            self->moment[k] += clod_exact_value(&bins[k].moment);
+            self->lower[k] += slices[k].lower;
+            self->upper[k] += slices[k].upper;
+            self->mass[k] += clod_exact_value(&slices[k].mass);
+            self->moment[k] += clod_exact_value(&slices[k].moment);
         }
     }
-    clod_memory_free(bins);
-    return true;
 }
 
 static double over(double a, double b)
@@ -106,16 +89,16 @@ clod_gauge_bin clod_gauge_bins_of(const clod_gauge_bins *self, const clod_gauge_
                                   int k)
 {
     return (clod_gauge_bin){.at = axis->low + (k + 0.5) * axis->width,
-                            .share = over(self->seen[k], self->looks),
+                            .share = over(self->seen[k], self->samples),
                             .lower = over(self->lower[k], self->seen[k]),
                             .upper = over(self->upper[k], self->seen[k]),
                             .mean = over(self->moment[k], self->mass[k]),
-                            .mass = over(self->mass[k], self->looks)};
+                            .mass = over(self->mass[k], self->samples)};
 }
 
 static bool is_loaded(const clod_gauge_bins *self, int k)
 {
-    return self->seen[k] > 0.0 && self->seen[k] >= LOADED * self->looks;
+    return self->seen[k] > 0.0 && self->seen[k] >= LOADED * self->samples;
 }
 
 /** Determinant of the matrix of columns a, b, c. */
@@ -150,7 +133,7 @@ clod_gauge_section clod_gauge_bins_section(const clod_gauge_bins *self,
     clod_gauge_section section = {.surcharge = (double)NAN};
     int first = -1, last = -1, loaded = 0;
     for (int k = 0; k < axis->count; k++) {
-        section.area += over(self->upper[k] - self->lower[k], self->looks) * axis->width;
+        section.area += over(self->upper[k] - self->lower[k], self->samples) * axis->width;
         if (is_loaded(self, k)) {
             first = first < 0 ? k : first;
             last = k;

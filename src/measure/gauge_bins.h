@@ -9,10 +9,10 @@
 #include "clod/case.h"
 #include "measure/gauge.h"
 
-/** Sums over looks; plain data. Heights are x.up [m]. */
+/** Sums over samples; plain data. Heights are x.up [m]. */
 typedef struct clod_gauge_bins {
-    double looks;
-    double seen[CLOD_CASE_GAUGE_BINS];   ///< looks at which there was something
+    double samples;
+    double seen[CLOD_CASE_GAUGE_BINS];   ///< samples at which there was something
     double lower[CLOD_CASE_GAUGE_BINS];  ///< m, of the lowest height at each of those
     double upper[CLOD_CASE_GAUGE_BINS];  ///< m, of the largest
     double mass[CLOD_CASE_GAUGE_BINS];   ///< kg
@@ -30,25 +30,37 @@ typedef struct clod_gauge_axis {
 /** Cut a gauge into bins along a unit vector. Threads: pure. */
 clod_gauge_axis clod_gauge_axis_of(const clod_gauge *gauge, clod_vec3 along, int64_t count);
 
+/** One bin in one sample. */
+typedef struct clod_gauge_slice {
+    clod_exact mass, moment;
+    double lower, upper;
+    bool seen;
+} clod_gauge_slice;
+
+/** Owned slices [axis->count] of a sample, empty (clod_memory_free); NULL without memory. */
+clod_gauge_slice *clod_gauge_bins_open(const clod_gauge_axis *axis);
+
 /**
- * Look at the grains of a gauge, and add what is in each bin. A grain that reaches over several
- * bins is in each with what of the sphere is there; what reaches beyond the ends counts in the
- * first and last bin. Sums are exact: they do not depend on the order of rows.
+ * Add a grain. One that reaches over several bins is in each with what of the sphere is there;
+ * what reaches beyond the ends counts in the first and last bin.
  *
- * Errors  CLOD_FAILED: memory; nothing is added then.   Threads  one per state.
- * Test    tests/measure/test_gauge.c
+ * @param position  x, y, z, radius [m]
+ * @param mass      kg
  */
-bool clod_gauge_bins_look(clod_gauge_bins *self, const clod_gauge *gauge,
-                          const clod_gauge_axis *axis, const clod_state *state,
-                          clod_status *status);
+void clod_gauge_bins_add(clod_gauge_slice *slices, const clod_gauge *gauge,
+                         const clod_gauge_axis *axis, const double position[4], double mass);
+
+/** Add a sample to the sums. */
+void clod_gauge_bins_take(clod_gauge_bins *self, const clod_gauge_axis *axis,
+                          const clod_gauge_slice *slices);
 
 /** Means of one bin. */
 typedef struct clod_gauge_bin {
     double at;           ///< m, x.along of its middle
-    double share;        ///< of the looks at which there was something
+    double share;        ///< of the samples at which there was something
     double lower, upper; ///< m, means over those; NAN when there were none
     double mean;         ///< m, mean height by mass; NAN of nothing
-    double mass;         ///< kg, mean over all looks
+    double mass;         ///< kg, mean over all samples
 } clod_gauge_bin;
 
 /** Means of bin k. Threads: pure. */
@@ -57,8 +69,8 @@ clod_gauge_bin clod_gauge_bins_of(const clod_gauge_bins *self, const clod_gauge_
 
 /** Cross-section of a load. */
 typedef struct clod_gauge_section {
-    double area;      ///< m2, between lower and upper edges, mean over the looks
-    double width;     ///< m, of the bins that hold something at half of the looks or more
+    double area;      ///< m2, between lower and upper edges, mean over the samples
+    double width;     ///< m, of the bins that hold something at half of the samples or more
     double surcharge; ///< rad, slope at the edges of the parabola that fits their upper edges
                       ///< best; NAN with fewer than three such bins
 } clod_gauge_section;

@@ -105,6 +105,14 @@ static void close_stream(struct aiFileIO *io, struct aiFile *file)
     clod_memory_free(file);
 }
 
+static bool fail_vertices(const clod_mesh_source *source, clod_status *status)
+{
+    return clod_status_fail(status, CLOD_USAGE,
+                            "%s: Assimp counts other vertices in this file than clod does, so "
+                            "its facets would be wrong: export the mesh as a binary STL",
+                            source->path);
+}
+
 /** Triangles of a scene, whatever they are; the number of faces with other than three corners. */
 static size_t count_triangles(const struct aiScene *scene, size_t *others)
 {
@@ -118,6 +126,19 @@ static size_t count_triangles(const struct aiScene *scene, size_t *others)
         count += mesh->mNumFaces;
     }
     return count;
+}
+
+/** Whether Assimp counted the vertices as clod did: the last facet has the last vertex. */
+static bool check_end(const struct aiScene *scene, const clod_mesh_source *source,
+                      clod_status *status)
+{
+    const struct aiMesh *mesh = scene->mMeshes[scene->mNumMeshes - 1];
+    const struct aiVector3D *at =
+        &mesh->mVertices[mesh->mFaces[mesh->mNumFaces - 1].mIndices[0]];
+    return source->extra == 0 ||
+           (at->x == (ai_real)CLOD_MESH_END[0] && at->y == (ai_real)CLOD_MESH_END[1] &&
+            at->z == (ai_real)CLOD_MESH_END[2]) ||
+           fail_vertices(source, status);
 }
 
 static bool check_corner(const clod_mesh_source *source, size_t facet, int corner,
@@ -137,7 +158,7 @@ static bool copy(const struct aiScene *scene, const clod_mesh_source *source,
     size_t facet = 0;
     for (unsigned m = 0; m < scene->mNumMeshes; m++) {
         const struct aiMesh *mesh = scene->mMeshes[m];
-        for (unsigned f = 0; f < mesh->mNumFaces; f++, facet++) {
+        for (unsigned f = 0; f < mesh->mNumFaces && facet < source->facets; f++, facet++) {
             for (int c = 0; c < 3; c++) {
                 const struct aiVector3D *at = &mesh->mVertices[mesh->mFaces[f].mIndices[c]];
                 float *to = corners[facet][c];
@@ -157,13 +178,17 @@ static bool take(const struct aiScene *scene, const clod_mesh_source *source,
                  float (**corners)[3][3], clod_status *status)
 {
     size_t others = 0;
-    const size_t found = count_triangles(scene, &others);
+    const size_t all = count_triangles(scene, &others);
+    const size_t found = all - (all < source->extra ? all : source->extra);
     if (found != source->facets || others > 0) {
         return clod_status_fail(status, CLOD_USAGE,
                                 "%s: the polygons of the file should make %zu triangles, but "
                                 "%zu came out of them; one has no area or crosses itself: "
                                 "export triangles",
                                 source->path, source->facets, found - others);
+    }
+    if (!check_end(scene, source, status)) {
+        return false;
     }
     *corners = clod_memory_alloc(found, sizeof **corners);
     if (*corners == NULL) {
@@ -185,8 +210,11 @@ static void fail(const library *from, const char *reason, clod_status *status)
                         strstr(reason, "bad_alloc") != NULL;
     if (memory) {
         clod_status_fail(status, CLOD_FAILED, "%s: no memory to read it", from->source->path);
+    } else if (strstr(reason, "vertex index out of range") != NULL) {
+        fail_vertices(from->source, status);
     } else {
-        clod_status_fail(status, CLOD_USAGE, "%s: Assimp cannot read it: %s",
+        clod_status_fail(status, CLOD_USAGE,
+                         "%s: Assimp cannot read it: %s; export the mesh as a binary STL",
                          from->source->path, reason);
     }
 }

@@ -3,17 +3,23 @@
  * OBJ: vertices, faces, names. The content is written anew in its own place with nothing but
  * lines `v x y z` and `f i j k ...`, so that Assimp neither opens material files nor splits the
  * mesh by material.
+ *
+ * Assimp drops a vertex without a word where it takes a coordinate for no number, and those behind
+ * it move up. So numbers are written as it reads them (`.5` as `0.5`), and one more vertex and
+ * facet stand behind all others (CLOD_MESH_END): they tell whether it counted every vertex.
  */
 
+#include <stdio.h>
 #include <string.h>
 
+#include "base/memory.h"
 #include "mesh/mesh_source.h"
 #include "mesh/mesh_words.h"
 
 typedef struct reader {
     clod_mesh_source *source;
     clod_mesh_cursor at;
-    char *out; ///< end of what was written; never beyond what was read
+    char *out; ///< end of what was written; never beyond what was read, which begins behind it
     int64_t vertices;
     clod_status *status;
 } reader;
@@ -52,6 +58,19 @@ static void put(reader *r, const char *text, size_t length)
     *r->out++ = ' ';
     memmove(r->out, text, length);
     r->out += length;
+}
+
+/** Write a number with a digit in front, where Assimp looks for one. */
+static void put_number(reader *r, clod_mesh_word word)
+{
+    const bool pointed = word.text[0] == '.'; // put may write over it
+    put(r, word.text, word.length);
+    if (pointed) {
+        char *at = r->out - word.length;
+        memmove(at + 1, at, word.length); // into what make_room left free
+        *at = '0';
+        r->out++;
+    }
 }
 
 /** A fourth number is a weight, 1 for anything but rational curves; colours may follow. */
@@ -97,7 +116,7 @@ static bool read_vertex(reader *r)
         if (!clod_mesh_words_number(word)) {
             return fail(r, word, "a coordinate must be a finite number; export the mesh again");
         }
-        put(r, word.text, word.length);
+        put_number(r, word);
     }
     r->vertices++;
     if (!skip_rest_of_vertex(r)) {
@@ -175,6 +194,47 @@ static bool read_line(reader *r)
     return true;
 }
 
+/** Bytes for the last lines. */
+#define END_MOST 64
+
+/** Words that begin with a point: each may be written with one byte more than it has. */
+static size_t count_points(const clod_mesh_source *self)
+{
+    size_t count = 0;
+    for (size_t k = 1; k < self->length; k++) {
+        const char before = self->bytes[k - 1];
+        count += self->bytes[k] == '.' && (before == '\n' || clod_mesh_words_blank(before));
+    }
+    return count;
+}
+
+/** Room before the content, as much as numbers grow by, and behind it; where the content begins. */
+static char *make_room(clod_mesh_source *self, clod_status *status)
+{
+    const size_t before = count_points(self);
+    const size_t room = before + self->length + END_MOST;
+    char *bytes = clod_memory_grow(self->bytes, self->length + 1, room, 1);
+    if (bytes == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "%s: no memory for the mesh", self->path);
+        return NULL;
+    }
+    memmove(bytes + before, bytes, self->length);
+    self->bytes = bytes;
+    return bytes + before;
+}
+
+/** The last vertex, and a facet of it alone. */
+static void put_end(reader *r)
+{
+    if (r->source->facets == 0) {
+        return; // it is refused
+    }
+    r->source->extra = 1;
+    const long long number = (long long)r->vertices + 1;
+    r->out += snprintf(r->out, END_MOST, "v %d %d %d\nf %lld %lld %lld\n", CLOD_MESH_END[0],
+                       CLOD_MESH_END[1], CLOD_MESH_END[2], number, number, number);
+}
+
 bool clod_mesh_obj_check(clod_mesh_source *self, clod_status *status)
 {
     const char *zero = memchr(self->bytes, '\0', self->length);
@@ -185,8 +245,12 @@ bool clod_mesh_obj_check(clod_mesh_source *self, clod_status *status)
             "format with a wrong name, or damaged?",
             self->path, zero - self->bytes + 1);
     }
-    reader r = {self, {self->bytes, self->bytes + self->length, 1}, self->bytes, 0, status};
-    if (self->length >= 3 && memcmp(self->bytes, "\xEF\xBB\xBF", 3) == 0) {
+    char *begin = make_room(self, status);
+    if (begin == NULL) {
+        return false;
+    }
+    reader r = {self, {begin, begin + self->length, 1}, self->bytes, 0, status};
+    if (self->length >= 3 && memcmp(begin, "\xEF\xBB\xBF", 3) == 0) {
         r.at.at += 3;
     }
     while (r.at.at < r.at.end) {
@@ -198,8 +262,8 @@ bool clod_mesh_obj_check(clod_mesh_source *self, clod_status *status)
             r.at.line++;
         }
     }
-    const size_t written = (size_t)(r.out - self->bytes);
-    self->length = written < self->length ? written : self->length; // the last line may be open
-    self->bytes[self->length] = '\0';
+    put_end(&r);
+    self->length = (size_t)(r.out - self->bytes);
+    *r.out = '\0';
     return true;
 }

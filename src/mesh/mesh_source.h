@@ -19,6 +19,9 @@
 /** Vertices of a file: all that facets can have. */
 #define CLOD_MESH_VERTICES_MOST (3 * CLOD_MESH_FACETS_MOST)
 
+/** Place of a vertex behind those of the file, in its unit. */
+static const int CLOD_MESH_END[3] = {1, 2, 3};
+
 /** Triangles of one part that follow each other. */
 typedef struct clod_mesh_run {
     uint32_t part;
@@ -37,6 +40,8 @@ typedef struct clod_mesh_source {
     clod_mesh_run *runs; ///< [run_room] owned
     size_t run_count, run_room;
     size_t facets; ///< triangles
+    size_t
+        extra; ///< triangles behind them that no file has, 0 or 1, of a vertex at CLOD_MESH_END
 } clod_mesh_source;
 
 /** Find the format by the extension of `path`. Errors CLOD_USAGE: none of the three. */

@@ -230,6 +230,44 @@ bool clod_surface_patch_is_near(const clod_surface *self, uint32_t patch, clod_v
     return any.found;
 }
 
+bool clod_surface_facet_is_beyond_round(const clod_surface *self,
+                                        const clod_surface_facet *facet, clod_vec3 p,
+                                        double reach)
+{
+    // its closest points are along the axis and across it, in the plane, where its corners are,
+    // and no farther from the plane than cylinders bulge
+    const clod_vec3 axis = self->cylinders[facet->cylinder - 1].axis;
+    const clod_vec3 across = clod_vec3_cross(axis, facet->normal);
+    const clod_vec3 along[2] = {axis, across};
+    const double most = reach + 2.0 * self->weld;
+    const double off = fmax(fabs(clod_surface_facet_height(facet, p)) - self->bulge, 0.0);
+    double square = off * off;
+    for (int a = 0; a < 2; a++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int c = 0; c < 3; c++) {
+            const double at = clod_vec3_dot(clod_vec3_sub(facet->corner[c], p), along[a]);
+            low = fmin(low, at);
+            high = fmax(high, at);
+        }
+        const double gap = fmax(fmax(low, -high), 0.0);
+        square += gap * gap;
+    }
+    return square > most * most;
+}
+
+bool clod_surface_facet_rim_is_near(const clod_surface_facet *self, clod_vec3 p, double reach)
+{
+    bool near = false;
+    for (int e = 0; e < 3; e++) {
+        int end;
+        if ((self->rims >> e & 1) != 0) {
+            const clod_vec3 away = clod_vec3_sub(p, on_edge(self->corner, e, p, &end));
+            near = near || clod_vec3_dot(away, away) < reach * reach;
+        }
+    }
+    return near;
+}
+
 /** Whether a rim of a patch has been found. */
 typedef struct rim {
     const clod_surface *surface;
@@ -241,14 +279,9 @@ typedef struct rim {
 static double take_rim(void *context, uint32_t facet, double reach)
 {
     rim *self = context;
-    const clod_surface *surface = self->surface;
-    const clod_vec3 v[3] = {corner(surface, facet, 0), corner(surface, facet, 1),
-                            corner(surface, facet, 2)};
-    for (int e = 0; e < 3 && surface->patch[facet] == self->patch; e++) {
-        int end;
-        const clod_vec3 away = clod_vec3_sub(self->from, on_edge(v, e, self->from, &end));
-        self->found = self->found || ((surface->rims[facet] >> e & 1) != 0 &&
-                                      clod_vec3_dot(away, away) < reach * reach);
+    if (self->surface->patch[facet] == self->patch) {
+        const clod_surface_facet made = clod_surface_facet_of(self->surface, facet);
+        self->found = clod_surface_facet_rim_is_near(&made, self->from, reach);
     }
     return self->found ? -1.0 : reach;
 }

@@ -30,6 +30,19 @@ clod_surface_facet clod_surface_facet_of(const clod_surface *self, uint32_t numb
 clod_surface_closest clod_surface_facet_beside(const clod_surface *self,
                                                const clod_surface_facet *facet, clod_vec3 p);
 
+/** Whether a rim of a facet is within `reach` of p [m]. Threads: pure. */
+bool clod_surface_facet_rim_is_near(const clod_surface_facet *self, clod_vec3 p, double reach);
+
+/** Whether the box about a facet, with the cylinders' bulge, is farther from p than `reach` [m].
+ */
+bool clod_surface_facet_box_is_far(const clod_surface *self, uint32_t number, clod_vec3 p,
+                                   double reach);
+
+/** clod_surface_facet_is_beyond for a facet that stands for a cylinder. */
+bool clod_surface_facet_is_beyond_round(const clod_surface *self,
+                                        const clod_surface_facet *facet, clod_vec3 p,
+                                        double reach);
+
 /** Whether a point of the facet's plane is within its edges. */
 static inline bool clod_surface_facet_holds(const clod_surface_facet *self, clod_vec3 at)
 {
@@ -49,12 +62,15 @@ static inline double clod_surface_facet_height(const clod_surface_facet *self, c
 
 /**
  * Whether a facet is farther from p than `reach`, as far as its plane and the lines through its
- * edges tell; false where that is not sure.
+ * edges tell, or a box about its piece of a cylinder; false where that is not sure.
  */
 static inline bool clod_surface_facet_is_beyond(const clod_surface *self,
                                                 const clod_surface_facet *facet, clod_vec3 p,
                                                 double reach)
 {
+    if (facet->cylinder != 0) {
+        return clod_surface_facet_is_beyond_round(self, facet, p, reach);
+    }
     const double height = clod_surface_facet_height(facet, p);
     const clod_vec3 foot = clod_vec3_axpy(p, -height, facet->normal);
     const double most = reach + 2.0 * self->weld; // corners may be off their plane
@@ -65,7 +81,7 @@ static inline bool clod_surface_facet_is_beyond(const clod_surface *self,
             clod_vec3_dot(clod_vec3_sub(foot, facet->corner[e]), facet->inward[e]);
         beyond |= in < 0.0 && in * in > left * facet->square[e];
     }
-    return facet->cylinder == 0 && beyond;
+    return beyond;
 }
 
 /** Direction of the facet's plane towards the side of a height. */

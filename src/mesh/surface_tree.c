@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "base/sort.h"
+#include "mesh/surface_facet.h"
 
 #define LEAF 4   ///< facets of a leaf
 #define DEPTH 64 ///< more than the tree, which is cut in halves
@@ -126,6 +127,12 @@ static double square_from(const clod_surface_node *node, clod_vec3 p)
         square += out > 0.0 ? out * out : 0.0;
     }
     return square;
+}
+
+bool clod_surface_facet_box_is_far(const clod_surface *self, uint32_t number, clod_vec3 p,
+                                   double reach)
+{
+    return is_far(self, number, p, reach + self->bulge);
 }
 
 void clod_surface_near(const clod_surface *self, clod_vec3 p, double reach,

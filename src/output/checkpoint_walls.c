@@ -87,7 +87,7 @@ static bool wear_fits(clod_wall *wall)
 {
     const int32_t places = clod_wear_number(wall);
     for (int32_t s = 0; s < wall->shape_count; s++) {
-        if (wall->shapes[s].kind == CLOD_SHAPE_MESH && wall->shapes[s].surface == NULL) {
+        if (clod_shape_lacks_facets(&wall->shapes[s])) {
             return true;
         }
     }
@@ -213,7 +213,7 @@ static void share_surfaces(const clod_walls *before, clod_walls *walls)
         for (int32_t s = 0; was != NULL && s < wall->shape_count && s < was->shape_count; s++) {
             clod_shape *shape = &wall->shapes[s];
             const clod_shape *other = &was->shapes[s];
-            if (shape->kind == CLOD_SHAPE_MESH && other->kind == CLOD_SHAPE_MESH &&
+            if (clod_shape_lacks_facets(shape) && other->surface != NULL &&
                 shape->patch == other->patch && shape->slot == other->slot) {
                 shape->surface = clod_surface_share(other->surface);
             }

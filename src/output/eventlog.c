@@ -105,6 +105,50 @@ void clod_eventlog_write_json(clod_eventlog *self, const char *event, json_t *fi
     clod_memory_free(text);
 }
 
+/** Whether a line is this event with these fields, whatever its time. */
+static bool is_line(const char *line, size_t length, const char *event, const json_t *fields)
+{
+    json_t *found = json_loadb(line, length, 0, NULL);
+    const char *name = json_string_value(json_object_get(found, "event"));
+    bool same = name != NULL && strcmp(name, event) == 0;
+    if (same) {
+        json_object_del(found, "time");
+        json_object_del(found, "event");
+        same = json_equal(found, fields) != 0;
+    }
+    json_decref(found);
+    return same;
+}
+
+static bool has_line(const clod_eventlog *self, const char *event, const json_t *fields)
+{
+    void *bytes = NULL;
+    size_t size = 0;
+    bool found = false;
+    clod_status unused; // a log that cannot be read is told when it is written to
+    if (!clod_folder_read(self->folder, self->name, &bytes, &size, &unused)) {
+        return false;
+    }
+    const char *text = bytes;
+    for (size_t at = 0; !found && at < size;) {
+        const char *end = memchr(text + at, '\n', size - at);
+        const size_t length = end != NULL ? (size_t)(end - (text + at)) : size - at;
+        found = is_line(text + at, length, event, fields);
+        at += length + 1;
+    }
+    clod_memory_free(bytes);
+    return found;
+}
+
+void clod_eventlog_write_once(clod_eventlog *self, const char *event, json_t *fields)
+{
+    if (self != NULL && has_line(self, event, fields)) {
+        json_decref(fields);
+        return;
+    }
+    clod_eventlog_write_json(self, event, fields);
+}
+
 void clod_eventlog_write(clod_eventlog *self, const char *event, const char *format, ...)
 {
     json_t *fields = NULL;

@@ -35,5 +35,9 @@ void clod_eventlog_write(clod_eventlog *self, const char *event, const char *for
 /** The same with ready fields; takes over the reference to `fields`, which may be NULL. */
 void clod_eventlog_write_json(clod_eventlog *self, const char *event, json_t *fields);
 
+/** The same, unless the log has that event with those fields already: a run that goes on from an
+ *  earlier checkpoint comes by it again. */
+void clod_eventlog_write_once(clod_eventlog *self, const char *event, json_t *fields);
+
 /** Close and null the pointer; false with the first error since the log was opened. */
 bool clod_eventlog_close(clod_eventlog **self, clod_status *status);

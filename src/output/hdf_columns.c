@@ -14,15 +14,20 @@ static size_t type_size(clod_hdf_type type)
     return SIZES[type];
 }
 
-/** Owned type (H5Tclose) in memory. */
-static hid_t memory_type(const clod_hdf_column *column)
+hid_t clod_hdf_native(clod_hdf_type type)
 {
     const hid_t native[] = {
         [CLOD_HDF_F64] = H5T_NATIVE_DOUBLE, [CLOD_HDF_I64] = H5T_NATIVE_INT64,
         [CLOD_HDF_I32] = H5T_NATIVE_INT32,  [CLOD_HDF_U64] = H5T_NATIVE_UINT64,
         [CLOD_HDF_U16] = H5T_NATIVE_UINT16, [CLOD_HDF_U8] = H5T_NATIVE_UINT8,
         [CLOD_HDF_TEXT] = H5T_C_S1};
-    const hid_t type = H5Tcopy(native[column->type]);
+    return native[type];
+}
+
+/** Owned type (H5Tclose) in memory. */
+static hid_t memory_type(const clod_hdf_column *column)
+{
+    const hid_t type = H5Tcopy(clod_hdf_native(column->type));
     if (column->type == CLOD_HDF_TEXT) {
         H5Tset_size(type, column->components);
         H5Tset_strpad(type, H5T_STR_NULLPAD);

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file hdf_open.h
- * What hdf.c and hdf_columns.c share: an open HDF5 file, and its first error.
+ * What hdf.c, hdf_columns.c and hdf_look.c share: an open HDF5 file, and its first error.
  */
 
 #include "output/hdf.h"
@@ -24,6 +24,9 @@ void clod_hdf_keep_error(clod_hdf *self, const char *action, const char *name);
 
 /** Memory for a column, owned; without it that is what the first error says. */
 void *clod_hdf_take_memory(clod_hdf *self, size_t count, size_t size);
+
+/** Type of HDF5 of a number in memory; not owned. */
+hid_t clod_hdf_native(clod_hdf_type type);
 
 /** Owned link properties (H5Pclose) that make the groups above an object. */
 hid_t clod_hdf_links(void);

@@ -57,9 +57,9 @@ static void put_clumps(clod_hdf *hdf, const clod_grains *grains)
 {
     const size_t row = sizeof *grains->clump;
     const clod_hdf_column columns[] = {
-        {"VTKHDF/PointData/clump", "1", CLOD_HDF_I64, 1, grains->count, &grains->clump->number,
+        {VTK_POINT_DATA "/clump", "1", CLOD_HDF_I64, 1, grains->count, &grains->clump->number,
          row},
-        {"VTKHDF/PointData/clump_size", "1", CLOD_HDF_I32, 1, grains->count,
+        {VTK_POINT_DATA "/clump_size", "1", CLOD_HDF_I32, 1, grains->count,
          &grains->clump->size, row},
     };
     put_columns(hdf, columns, sizeof columns / sizeof *columns);
@@ -79,19 +79,18 @@ static bool put_grains(clod_hdf *hdf, const clod_state *state, const clod_contac
     const double *radius = some ? &grains->position[0][3] : NULL;
     const double *mass = some ? &grains->velocity[0][3] : NULL;
     const clod_hdf_column columns[] = {
-        {"VTKHDF/Points", "m", CLOD_HDF_F64, 3, n, grains->position, row},
-        {"VTKHDF/PointData/id", "1", CLOD_HDF_I64, 1, n, grains->id, sizeof *grains->id},
-        {"VTKHDF/PointData/birth", "s", CLOD_HDF_F64, 1, n, grains->birth,
+        {VTK_POINTS, "m", CLOD_HDF_F64, 3, n, grains->position, row},
+        {VTK_POINT_DATA "/id", "1", CLOD_HDF_I64, 1, n, grains->id, sizeof *grains->id},
+        {VTK_POINT_DATA "/birth", "s", CLOD_HDF_F64, 1, n, grains->birth,
          sizeof *grains->birth},
-        {"VTKHDF/PointData/type", "1", CLOD_HDF_U16, 1, n, grains->material,
+        {VTK_POINT_DATA "/type", "1", CLOD_HDF_U16, 1, n, grains->material,
          sizeof *grains->material},
-        {"VTKHDF/PointData/radius", "m", CLOD_HDF_F64, 1, n, radius, row},
-        {"VTKHDF/PointData/velocity", "m s-1", CLOD_HDF_F64, 3, n, grains->velocity, row},
-        {"VTKHDF/PointData/omega", "rad s-1", CLOD_HDF_F64, 3, n, grains->angular_velocity,
-         row},
-        {"VTKHDF/PointData/force", "N", CLOD_HDF_F64, 3, n, grains->load, sizeof *grains->load},
-        {"VTKHDF/PointData/mass", "kg", CLOD_HDF_F64, 1, n, mass, row},
-        {"VTKHDF/PointData/coordination", "1", CLOD_HDF_I32, 1, n, contacts, sizeof *contacts},
+        {VTK_POINT_DATA "/radius", "m", CLOD_HDF_F64, 1, n, radius, row},
+        {VTK_POINT_DATA "/velocity", "m s-1", CLOD_HDF_F64, 3, n, grains->velocity, row},
+        {VTK_POINT_DATA "/omega", "rad s-1", CLOD_HDF_F64, 3, n, grains->angular_velocity, row},
+        {VTK_POINT_DATA "/force", "N", CLOD_HDF_F64, 3, n, grains->load, sizeof *grains->load},
+        {VTK_POINT_DATA "/mass", "kg", CLOD_HDF_F64, 1, n, mass, row},
+        {VTK_POINT_DATA "/coordination", "1", CLOD_HDF_I32, 1, n, contacts, sizeof *contacts},
     };
     put_columns(hdf, columns, sizeof columns / sizeof *columns);
     clod_memory_free(contacts);
@@ -107,12 +106,12 @@ static void put_wear(clod_hdf *hdf, const clod_wall_mesh *mesh)
     static const struct {
         const char *name, *unit;
     } FIELD[CLOD_WALL_MESH_WEAR] = {
-        [CLOD_WALL_MESH_PRESSURE] = {"VTKHDF/CellData/pressure", "Pa"},
-        [CLOD_WALL_MESH_SHEAR_WORK] = {"VTKHDF/CellData/shear_work", "J m-2"},
-        [CLOD_WALL_MESH_IMPACT_ENERGY] = {"VTKHDF/CellData/impact_energy", "J m-2"},
-        [CLOD_WALL_MESH_IMPACTS] = {"VTKHDF/CellData/impacts", "m-2"},
-        [CLOD_WALL_MESH_ARCHARD_DEPTH] = {"VTKHDF/CellData/archard_depth", "m"},
-        [CLOD_WALL_MESH_FINNIE_DEPTH] = {"VTKHDF/CellData/finnie_depth", "m"},
+        [CLOD_WALL_MESH_PRESSURE] = {VTK_CELL_DATA "/pressure", "Pa"},
+        [CLOD_WALL_MESH_SHEAR_WORK] = {VTK_CELL_DATA "/shear_work", "J m-2"},
+        [CLOD_WALL_MESH_IMPACT_ENERGY] = {VTK_CELL_DATA "/impact_energy", "J m-2"},
+        [CLOD_WALL_MESH_IMPACTS] = {VTK_CELL_DATA "/impacts", "m-2"},
+        [CLOD_WALL_MESH_ARCHARD_DEPTH] = {VTK_CELL_DATA "/archard_depth", "m"},
+        [CLOD_WALL_MESH_FINNIE_DEPTH] = {VTK_CELL_DATA "/finnie_depth", "m"},
     };
     for (int f = 0; mesh->wears && f < CLOD_WALL_MESH_WEAR; f++) {
         const clod_hdf_column column = {
@@ -131,12 +130,12 @@ static bool put_walls(clod_hdf *hdf, const clod_state *state, clod_status *statu
     if (good) {
         const size_t n = mesh.count;
         const clod_hdf_column columns[] = {
-            {"VTKHDF/Points", "m", CLOD_HDF_F64, 3, 3 * n, mesh.corner,
-             sizeof mesh.corner[0][0]},
-            {"VTKHDF/CellData/wall", "1", CLOD_HDF_I32, 1, n, mesh.wall, sizeof *mesh.wall},
-            {"VTKHDF/CellData/type", "1", CLOD_HDF_I32, 1, n, mesh.material,
+            {VTK_POINTS, "m", CLOD_HDF_F64, 3, 3 * n, mesh.corner, sizeof mesh.corner[0][0]},
+            {VTK_CELL_DATA "/wall", "1", CLOD_HDF_I32, 1, n, mesh.wall, sizeof *mesh.wall},
+            {VTK_CELL_DATA "/type", "1", CLOD_HDF_I32, 1, n, mesh.material,
              sizeof *mesh.material},
-            {"VTKHDF/CellData/velocity", "m s-1", CLOD_HDF_F64, 3, n, mesh.velocity,
+            {VTK_CELL_DATA "/shape", "1", CLOD_HDF_I32, 1, n, mesh.shape, sizeof *mesh.shape},
+            {VTK_CELL_DATA "/velocity", "m s-1", CLOD_HDF_F64, 3, n, mesh.velocity,
              sizeof *mesh.velocity},
         };
         put_columns(hdf, columns, sizeof columns / sizeof *columns);
@@ -193,17 +192,17 @@ static void list_lines(slab *self, size_t count)
 {
     const size_t row = sizeof *self->lines;
     clod_hdf_column *column = self->column;
-    column[0] = (clod_hdf_column){"VTKHDF/Points", "m",        CLOD_HDF_F64,      3,
-                                  2 * count,       self->ends, sizeof *self->ends};
-    column[1] = (clod_hdf_column){"VTKHDF/CellData/id", "1", CLOD_HDF_I64, 2, count,
-                                  self->lines[0].id,    row};
-    column[2] = (clod_hdf_column){"VTKHDF/CellData/overlap", "m", CLOD_HDF_F64, 1, count,
-                                  &self->lines[0].overlap,   row};
-    column[3] = (clod_hdf_column){"VTKHDF/CellData/pull_off", "N", CLOD_HDF_F64, 1, count,
-                                  &self->lines[0].pull_off,   row};
+    column[0] = (clod_hdf_column){VTK_POINTS, "m",        CLOD_HDF_F64,      3,
+                                  2 * count,  self->ends, sizeof *self->ends};
+    column[1] = (clod_hdf_column){VTK_CELL_DATA "/id", "1", CLOD_HDF_I64, 2, count,
+                                  self->lines[0].id,   row};
+    column[2] = (clod_hdf_column){VTK_CELL_DATA "/overlap", "m", CLOD_HDF_F64, 1, count,
+                                  &self->lines[0].overlap,  row};
+    column[3] = (clod_hdf_column){VTK_CELL_DATA "/pull_off", "N", CLOD_HDF_F64, 1, count,
+                                  &self->lines[0].pull_off,  row};
     for (int f = 0; f < CLOD_HISTORY_FIELDS; f++) {
         const clod_history_field *field = &CLOD_HISTORY[f];
-        snprintf(self->name[f], sizeof self->name[f], "VTKHDF/CellData/%s", field->name);
+        snprintf(self->name[f], sizeof self->name[f], VTK_CELL_DATA "/%s", field->name);
         column[4 + f] = (clod_hdf_column){.name = self->name[f],
                                           .units = field->unit,
                                           .type = CLOD_HDF_F64,
@@ -276,7 +275,7 @@ static bool put_picture(const clod_hdf_place *place, const clod_state *state,
     }
     clod_vtk_cells_head(hdf);
     clod_hdf_put_ints(hdf, "/", "step", &state->step, 1);
-    clod_hdf_put_real(hdf, "/", "time_s", state->time);
+    clod_hdf_put_real(hdf, "/", VTK_TIME, state->time);
     const bool good = kind == GRAINS  ? put_grains(hdf, state, from, status)
                       : kind == WALLS ? put_walls(hdf, state, status)
                                       : put_contacts(hdf, state, from, status);

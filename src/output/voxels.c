@@ -26,11 +26,11 @@ static bool put_voxels(clod_hdf *hdf, const clod_voxels *self, clod_status *stat
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu cells of a map",
                                 self->count);
     }
-    const clod_hdf_column points = {"VTKHDF/Points",       "m", CLOD_HDF_F64, 3,
-                                    CORNERS * self->count, at,  sizeof *at};
+    const clod_hdf_column points = {VTK_POINTS, "m", CLOD_HDF_F64, 3, CORNERS * self->count, at,
+                                    sizeof *at};
     clod_vtk_cells_head(hdf);
     clod_hdf_put_ints(hdf, "/", "step", &self->step, 1);
-    clod_hdf_put_real(hdf, "/", "time_s", self->time);
+    clod_hdf_put_real(hdf, "/", VTK_TIME, self->time);
     clod_hdf_put(hdf, &points);
     for (size_t k = 0; k < self->column_count; k++) {
         clod_hdf_put(hdf, &self->columns[k]);

@@ -33,13 +33,13 @@ bool clod_vtk_cells_put(clod_hdf *hdf, size_t cells, uint8_t type, int64_t corne
         {"VTKHDF/NumberOfPoints", NULL, CLOD_HDF_I64, 1, 1, &sizes[0], 8},
         {"VTKHDF/NumberOfCells", NULL, CLOD_HDF_I64, 1, 1, &sizes[1], 8},
         {"VTKHDF/NumberOfConnectivityIds", NULL, CLOD_HDF_I64, 1, 1, &sizes[2], 8},
-        {"VTKHDF/Types", NULL, CLOD_HDF_U8, 1, cells, &type, 0}, // all of one type
+        {VTK_TYPES, NULL, CLOD_HDF_U8, 1, cells, &type, 0}, // all of one type
     };
     for (size_t k = 0; k < sizeof columns / sizeof *columns; k++) {
         clod_hdf_put(hdf, &columns[k]);
     }
-    return put_multiples(hdf, "VTKHDF/Connectivity", points, 1, status) &&
-           put_multiples(hdf, "VTKHDF/Offsets", cells + 1, corners, status);
+    return put_multiples(hdf, VTK_CONNECTIVITY, points, 1, status) &&
+           put_multiples(hdf, VTK_OFFSETS, cells + 1, corners, status);
 }
 
 void clod_vtk_cells_head(clod_hdf *hdf)

@@ -6,6 +6,15 @@
 
 #include "output/hdf.h"
 
+// datasets and groups of a grid
+#define VTK_POINTS "VTKHDF/Points"
+#define VTK_POINT_DATA "VTKHDF/PointData"
+#define VTK_CELL_DATA "VTKHDF/CellData"
+#define VTK_TYPES "VTKHDF/Types"
+#define VTK_OFFSETS "VTKHDF/Offsets"
+#define VTK_CONNECTIVITY "VTKHDF/Connectivity"
+#define VTK_TIME "time_s" ///< attribute of the root, clod's own [s]
+
 // cell types of VTK, vtkCellType.h
 #define VTK_VERTEX 1
 #define VTK_LINE 3

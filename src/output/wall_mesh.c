@@ -75,6 +75,7 @@ static void draw(clod_mesh_pen *pen, clod_vec3 a, clod_vec3 b, clod_vec3 c)
     memcpy(mesh->velocity[t], &velocity, sizeof mesh->velocity[t]);
     mesh->wall[t] = pen->number;
     mesh->material[t] = clod_wall_material(pen->wall, shape);
+    mesh->shape[t] = (int32_t)pen->shape->kind;
     if (mesh->wears) {
         wear_of(pen->state, pen->wall, shape, pen->place, mesh->wear[t]);
     }
@@ -155,18 +156,12 @@ static void draw_box(clod_mesh_pen *pen)
     }
 }
 
-/** Whether a shape is the first of a mesh, which has the shapes of all its patches behind it. */
-static bool begins_mesh(const clod_shape *shape)
-{
-    return shape->kind == CLOD_SHAPE_MESH && shape->patch == 0 && shape->slot == 0;
-}
-
 /** All facets of a mesh, each with the shape of its patch. */
 static void draw_facets(clod_mesh_pen *pen)
 {
     const clod_shape *first = pen->shape;
     const clod_surface *surface = first->surface;
-    for (size_t f = 0; begins_mesh(first) && f < surface->facet_count; f++) {
+    for (size_t f = 0; clod_shape_begins_mesh(first) && f < surface->facet_count; f++) {
         const uint32_t *v = surface->facet[f];
         pen->shape = first + CLOD_SURFACE_SLOTS * surface->patch[f];
         pen->place = first->place + (int32_t)f;
@@ -206,8 +201,9 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
             triangles += SHAPES[wall->shapes[s].kind].triangles;
-            triangles +=
-                begins_mesh(&wall->shapes[s]) ? wall->shapes[s].surface->facet_count : 0;
+            triangles += clod_shape_begins_mesh(&wall->shapes[s])
+                             ? wall->shapes[s].surface->facet_count
+                             : 0;
         }
     }
     *self = (clod_wall_mesh){
@@ -215,13 +211,14 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
         .velocity = clod_memory_alloc(triangles, sizeof *self->velocity),
         .wall = clod_memory_alloc(triangles, sizeof *self->wall),
         .material = clod_memory_alloc(triangles, sizeof *self->material),
+        .shape = clod_memory_alloc(triangles, sizeof *self->shape),
         .wears = wears(state),
     };
     if (self->wears) {
         self->wear = clod_memory_alloc(triangles, sizeof *self->wear);
     }
     if (self->corner == NULL || self->velocity == NULL || self->wall == NULL ||
-        self->material == NULL || (self->wears && self->wear == NULL)) {
+        self->material == NULL || self->shape == NULL || (self->wears && self->wear == NULL)) {
         return clod_status_fail(status, CLOD_FAILED, "No memory for a picture of the walls.");
     }
     for (int32_t w = 0; w < state->walls.count; w++) {
@@ -241,6 +238,7 @@ void clod_wall_mesh_fini(clod_wall_mesh *self)
     clod_memory_free(self->velocity);
     clod_memory_free(self->wall);
     clod_memory_free(self->material);
+    clod_memory_free(self->shape);
     clod_memory_free(self->wear);
     *self = (clod_wall_mesh){0};
 }

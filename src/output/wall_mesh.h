@@ -27,6 +27,7 @@ typedef struct clod_wall_mesh {
     double (*velocity)[3];  ///< owned [count]: of the wall's material at its middle [m/s]
     int32_t *wall;          ///< owned [count]: number of the wall
     int32_t *material;      ///< owned [count]
+    int32_t *shape;         ///< owned [count]: clod_shape_kind of what it is cut from
     bool wears;             ///< some wall has sums of its places (state/wear.h)
     double (*wear)[CLOD_WALL_MESH_WEAR]; ///< owned [count] if so: densities, in that order
 } clod_wall_mesh;

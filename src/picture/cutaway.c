@@ -18,31 +18,6 @@ void clod_cutaway_include(clod_cutaway_box *box, const double point[3])
     }
 }
 
-static double distance(const double a[3], const double b[3])
-{
-    return clod_vec3_length(clod_vec3_sub(clod_vec3_of(a), clod_vec3_of(b)));
-}
-
-bool clod_cutaway_is_square(double (*const corner)[3][3], const int32_t *wall, size_t t,
-                            size_t count, double *side)
-{
-    if (t + 1 >= count || wall[t] != wall[t + 1] ||
-        distance(corner[t][0], corner[t + 1][0]) > 0.0 ||
-        distance(corner[t][2], corner[t + 1][1]) > 0.0) {
-        return false;
-    }
-    const double *const q[4] = {corner[t][0], corner[t][1], corner[t][2], corner[t + 1][2]};
-    *side = distance(q[0], q[1]);
-    bool square = *side > 0.0;
-    for (int k = 0; k < 4; k++) {
-        square = square && fabs(distance(q[k], q[(k + 1) % 4]) - *side) < 1e-4 * *side;
-    }
-    for (int k = 0; k < 2; k++) {
-        square = square && fabs(distance(q[k], q[k + 2]) - M_SQRT2 * *side) < 1e-4 * *side;
-    }
-    return square;
-}
-
 /** Cut a polygon by one side of the box: what is beyond goes. */
 static size_t cut(double (*polygon)[3], size_t count, int d, double sign, double bound)
 {

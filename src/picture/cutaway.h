@@ -20,11 +20,6 @@ typedef struct clod_cutaway_box {
 /** Make a box contain a point. */
 void clod_cutaway_include(clod_cutaway_box *box, const double point[3]);
 
-/** Whether triangle t and the next are a square, as a plane of the calculation is drawn.
- *  @param side  [out] its length [m] */
-bool clod_cutaway_is_square(double (*const corner)[3][3], const int32_t *wall, size_t t,
-                            size_t count, double *side);
-
 /** Triangles at most of a square that was cut. */
 #define CLOD_CUTAWAY_PIECES 8
 

@@ -100,29 +100,26 @@ static bool look_at_walls(clod_scan *self, const char *path, size_t frames,
     const clod_cutaway_box grains = self->seen_now;
     clod_cutaway_box planes = ENDLESS;
     clod_vtkhdf *file = clod_vtkhdf_open(path, status);
-    int32_t *wall = NULL;
+    clod_stage_walls seen = {0};
     bool good = file != NULL && (self->walls.field == NULL ||
                                  clod_channel_add(&self->walls, file, frames, status));
-    double(*corner)[3][3] = good ? clod_stage_read_walls(file, &wall, status) : NULL;
-    good = corner != NULL;
-    const size_t count = good ? file->rows[CLOD_VTKHDF_CELLS] : 0;
-    for (size_t t = 0; t < count; t++) {
-        double side;
-        if (clod_cutaway_is_square(corner, wall, t, count, &side)) {
-            bound_by_plane(&planes, &grains, corner[t++]); // and its other half
+    good = good && clod_stage_walls_read(&seen, file, status);
+    for (size_t t = 0; good && t < seen.count; t++) {
+        if (seen.plane[t]) {
+            bound_by_plane(&planes, &grains, seen.corner[t++]); // and its other half
             continue;
         }
-        const bool hidden = wall[t] >= 0 && wall[t] < CLOD_SCAN_WALLS && self->hidden[wall[t]];
+        const int32_t wall = seen.wall[t];
+        const bool hidden = wall >= 0 && wall < CLOD_SCAN_WALLS && self->hidden[wall];
         for (int c = 0; c < 3 && !hidden; c++) {
-            clod_cutaway_include(box, corner[t][c]);
+            clod_cutaway_include(box, seen.corner[t][c]);
         }
     }
     for (int d = 0; d < 3; d++) {
         self->planes.min[d] = fmin(self->planes.min[d], planes.min[d]);
         self->planes.max[d] = fmax(self->planes.max[d], planes.max[d]);
     }
-    clod_memory_free(corner);
-    clod_memory_free(wall);
+    clod_stage_walls_fini(&seen);
     clod_vtkhdf_close(&file);
     return good;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "clod/case_walls.h"
 
 static const double STILL[3] = {0.84, 0.87, 0.91};  ///< steel
 static const double MOVING[3] = {0.53, 0.53, 0.55}; ///< belts are black
@@ -51,51 +52,68 @@ static bool load_grains(const clod_stage *self, const clod_vtkhdf *file, clod_sc
     return good;
 }
 
-double (*clod_stage_read_walls(const clod_vtkhdf *file, int32_t **wall,
-                               clod_status *status))[3][3]
+/** Note which triangles show planes: two each. */
+static bool find_planes(clod_stage_walls *self, const clod_vtkhdf *file, clod_status *status)
+{
+    clod_field shape = {0};
+    if (clod_vtkhdf_find(file, CLOD_VTKHDF_CELLS, "shape") == NULL) {
+        return true;
+    }
+    const bool good = clod_field_read(&shape, file, CLOD_VTKHDF_CELLS, "shape", status);
+    for (size_t t = 0; good && t + 1 < self->count; t++) {
+        if (shape.value[t] == CLOD_SHAPE_PLANE && shape.value[t + 1] == CLOD_SHAPE_PLANE) {
+            self->plane[t++] = true;
+        }
+    }
+    clod_field_fini(&shape);
+    return good;
+}
+
+bool clod_stage_walls_read(clod_stage_walls *self, const clod_vtkhdf *file, clod_status *status)
 {
     const size_t n = file->rows[CLOD_VTKHDF_CELLS];
     clod_field number = {0};
-    double(*corner)[3][3] = clod_memory_alloc(n + 1, sizeof *corner);
-    *wall = clod_memory_alloc(n + 1, sizeof **wall);
+    *self = (clod_stage_walls){n, clod_memory_alloc(n + 1, sizeof *self->corner),
+                               clod_memory_alloc(n + 1, sizeof *self->wall),
+                               clod_memory_alloc(n + 1, sizeof *self->plane)};
     double(*point)[3] = clod_vtkhdf_points(file, status);
     size_t(*triangle)[3] = point != NULL ? clod_vtkhdf_triangles(file, status) : NULL;
     bool good =
         triangle != NULL && clod_field_read(&number, file, CLOD_VTKHDF_CELLS, "wall", status);
-    if (good && (corner == NULL || *wall == NULL)) {
+    if (good && (self->corner == NULL || self->wall == NULL || self->plane == NULL)) {
         good = fail_memory(status);
     }
     for (size_t k = 0; good && k < 3 * n; k++) {
-        memcpy(corner[k / 3][k % 3], point[triangle[k / 3][k % 3]], sizeof corner[0][0]);
+        memcpy(self->corner[k / 3][k % 3], point[triangle[k / 3][k % 3]],
+               sizeof self->corner[0][0]);
     }
     for (size_t t = 0; good && t < n; t++) {
-        (*wall)[t] = (int32_t)number.value[t];
+        self->wall[t] = (int32_t)number.value[t];
     }
     clod_memory_free(point);
     clod_memory_free(triangle);
     clod_field_fini(&number);
-    if (!good) {
-        clod_memory_free(corner);
-        clod_memory_free(*wall);
-        corner = NULL;
-        *wall = NULL;
-    }
-    return corner;
+    return good && find_planes(self, file, status);
 }
 
-/** Walls as they are in a file. */
+void clod_stage_walls_fini(clod_stage_walls *self)
+{
+    clod_memory_free(self->corner);
+    clod_memory_free(self->wall);
+    clod_memory_free(self->plane);
+    *self = (clod_stage_walls){0};
+}
+
+/** Walls as they are in a file, and their colours. */
 typedef struct given {
-    size_t count;
-    double (*corner)[3][3]; ///< owned
-    int32_t *wall;          ///< owned
-    uint16_t *paint;        ///< owned
+    clod_stage_walls of;
+    uint16_t *paint; ///< owned
     clod_field speed, colour;
 } given;
 
 static void free_given(given *self)
 {
-    clod_memory_free(self->corner);
-    clod_memory_free(self->wall);
+    clod_stage_walls_fini(&self->of);
     clod_memory_free(self->paint);
     clod_field_fini(&self->speed);
     clod_field_fini(&self->colour);
@@ -104,16 +122,14 @@ static void free_given(given *self)
 static bool read_given(const clod_stage *self, const clod_vtkhdf *file, given *walls,
                        clod_status *status)
 {
-    walls->count = file->rows[CLOD_VTKHDF_CELLS];
-    walls->corner = clod_stage_read_walls(file, &walls->wall, status);
-    if (walls->corner == NULL ||
+    if (!clod_stage_walls_read(&walls->of, file, status) ||
         !clod_field_read(&walls->speed, file, CLOD_VTKHDF_CELLS, "velocity", status) ||
         (self->walls->field != NULL && !clod_field_read(&walls->colour, file, CLOD_VTKHDF_CELLS,
                                                         self->walls->field, status))) {
         return false;
     }
-    walls->paint = clod_memory_alloc(walls->count + 1, sizeof *walls->paint);
-    for (size_t t = 0; walls->paint != NULL && t < walls->count; t++) {
+    walls->paint = clod_memory_alloc(walls->of.count + 1, sizeof *walls->paint);
+    for (size_t t = 0; walls->paint != NULL && t < walls->of.count; t++) {
         const bool moves = walls->speed.value[t] > 0.0;
         walls->paint[t] =
             (uint16_t)(self->walls->field != NULL
@@ -129,24 +145,17 @@ static void put_triangle(clod_scene *scene, double (*const corner)[3], const giv
                          size_t t)
 {
     memcpy(scene->corner[scene->triangles], corner, sizeof scene->corner[0]);
-    scene->wall[scene->triangles] = walls->wall[t];
+    scene->wall[scene->triangles] = walls->of.wall[t];
     scene->paint[scene->triangles++] = walls->paint[t];
-}
-
-/** Whether triangles t and t + 1 are a square, which may be a plane without an end. */
-static bool is_endless(const clod_stage *self, const given *walls, size_t t)
-{
-    double side;
-    return clod_cutaway_is_square(walls->corner, walls->wall, t, walls->count, &side) &&
-           self->clip.max[0] >= self->clip.min[0];
 }
 
 static bool put_walls(const clod_stage *self, const given *walls, clod_scene *scene,
                       clod_status *status)
 {
-    size_t room = walls->count + 1;
-    for (size_t t = 0; t < walls->count; t++) {
-        room += is_endless(self, walls, t) ? CLOD_CUTAWAY_PIECES : 0;
+    const bool clips = self->clip.max[0] >= self->clip.min[0];
+    size_t room = walls->of.count + 1;
+    for (size_t t = 0; t < walls->of.count; t++) {
+        room += walls->of.plane[t] ? CLOD_CUTAWAY_PIECES : 0;
     }
     scene->corner = clod_memory_alloc(room, sizeof *scene->corner);
     scene->paint = clod_memory_alloc(room, sizeof *scene->paint);
@@ -156,19 +165,19 @@ static bool put_walls(const clod_stage *self, const given *walls, clod_scene *sc
         scene->veiled == NULL) {
         return fail_memory(status);
     }
-    for (size_t t = 0; t < walls->count; t++) {
-        const int32_t wall = walls->wall[t];
+    for (size_t t = 0; t < walls->of.count; t++) {
+        const int32_t wall = walls->of.wall[t];
         const bool hidden =
             wall >= 0 && (size_t)wall < self->hidden_count && self->hidden[wall];
         double piece[CLOD_CUTAWAY_PIECES][3][3];
-        if (is_endless(self, walls, t)) {
-            const size_t pieces = clod_cutaway_clip(&self->clip, walls->corner + t, piece);
+        if (clips && walls->of.plane[t]) {
+            const size_t pieces = clod_cutaway_clip(&self->clip, walls->of.corner + t, piece);
             for (size_t k = 0; k < pieces && !hidden; k++) {
                 put_triangle(scene, piece[k], walls, t);
             }
             t++; // its other half
         } else if (!hidden) {
-            put_triangle(scene, walls->corner[t], walls, t);
+            put_triangle(scene, walls->of.corner[t], walls, t);
         }
     }
     return true;

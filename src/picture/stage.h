@@ -16,9 +16,26 @@ typedef struct clod_stage {
     clod_cutaway_box clip; ///< planes end here
 } clod_stage;
 
-/** Triangles of a file of walls; owned, or NULL. @param wall  [out] owned: their numbers */
-double (*clod_stage_read_walls(const clod_vtkhdf *file, int32_t **wall,
-                               clod_status *status))[3][3];
+/** Triangles of a file of walls; all owned. */
+typedef struct clod_stage_walls {
+    size_t count;
+    double (*corner)[3][3]; ///< [count] m
+    int32_t *wall;          ///< [count] number of the wall
+    bool *plane;            ///< [count] the first of two that show a plane without an end
+} clod_stage_walls;
+
+/**
+ * Read the triangles of a file of walls. Which of them show a plane is told by the column
+ * `shape`; in a file without it, written before there was one, none do: its planes are drawn as
+ * the squares that they are there.
+ *
+ * @param self  [out] clod_stage_walls_fini in any case
+ * Errors  CLOD_USAGE: a damaged file; CLOD_FAILED: no memory.
+ */
+bool clod_stage_walls_read(clod_stage_walls *self, const clod_vtkhdf *file,
+                           clod_status *status);
+
+void clod_stage_walls_fini(clod_stage_walls *self);
 
 /**
  * Load a frame.

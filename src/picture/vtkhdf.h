@@ -4,11 +4,10 @@
  * A snapshot of a run, read: the columns of a VTKHDF file, whichever it has.
  */
 
-#include <hdf5.h>
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "clod/status.h"
+#include "output/hdf.h"
 
 /** What the rows of a column belong to. */
 typedef enum clod_vtkhdf_place {
@@ -22,12 +21,15 @@ typedef struct clod_vtkhdf_column {
     size_t components;
 } clod_vtkhdf_column;
 
-/** An open file; the columns of one kind are listed in the order of their names. */
+/** An open file; the columns of one kind are listed in the order of their names. It holds HDF5,
+ *  as every clod_hdf does. */
 typedef struct clod_vtkhdf {
-    char *path; ///< owned
-    hid_t file;
-    double time;    ///< s
-    size_t rows[2]; ///< by clod_vtkhdf_place
+    char *path;          ///< owned
+    clod_folder *folder; ///< owned
+    int descriptor;      ///< of the file
+    clod_hdf *hdf;       ///< owned
+    double time;         ///< s
+    size_t rows[2];      ///< by clod_vtkhdf_place
     clod_vtkhdf_column *columns[2];
     size_t column_count[2];
 } clod_vtkhdf;

@@ -32,36 +32,6 @@ bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
 bool clod_setup_timestep(const clod_case *from, const clod_state *state, clod_timestep *result,
                          clod_status *status);
 
-/**
- * Most speed at which grains of a free run may meet [m/s]: of the fastest grain, of a fall
- * through the height of grains and walls, and of the fastest wall, added.
- *
- * Errors  none.   Threads  pure.   Test  tests/setup/test_setup_state.c
- */
-double clod_setup_impact_speed(const clod_state *state);
-
-/** What the critical time step follows from, kept while grains and walls come. */
-typedef struct clod_setup_bound {
-    clod_timestep_sizes *sizes; ///< [materials] of the grains; owned, as the next
-    bool *is_wall;              ///< [materials] of which there are walls
-    double stress;              ///< Pa that grains carry
-    double speed;               ///< m/s at which grains meet
-} clod_setup_bound;
-
-/**
- * Of the grains and walls of a state; stress and speed as for clod_setup_timestep.
- *
- * @param self  [out] clod_setup_bound_fini, also after a failure
- * Errors  CLOD_FAILED without memory.   Threads  pure.   Test  tests/sim/test_sim_change.c
- */
-bool clod_setup_bound_init(clod_setup_bound *self, const clod_case *from,
-                           const clod_state *state, clod_status *status);
-
-/** Time step of the case with the grains and walls that there are by now. */
-clod_timestep clod_setup_bound_timestep(const clod_setup_bound *self, const clod_case *from);
-
-void clod_setup_bound_fini(clod_setup_bound *self);
-
 /** Damping of all loaded walls from their fraction of critical and the bed's stiffness. */
 void clod_setup_damping(const clod_case *from, clod_state *state,
                         const clod_timestep *timestep);

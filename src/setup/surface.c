@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "clod/mesh.h"
 #include "mesh/surface_touch.h"
+#include "state/shape_kinds.h"
 
 /** Most patches of a surface: the shapes of each take 3 kB. */
 #define PATCHES_MOST 200000
@@ -55,13 +56,19 @@ static bool find_parts(clod_setup_mesh *self, const clod_mesh_view *view,
     return true;
 }
 
+/** Whether clod makes its mesh: a conveyor belt. */
+static bool is_conveyor(const clod_case_shape *shape)
+{
+    return clod_shape_kinds_row((clod_shape_kind)shape->kind)->conveyor;
+}
+
 /** The surface of a mesh, where it stands at the start; NULL: failed. */
 static clod_surface *make_surface(const clod_mesh *mesh, const clod_case_wall *wall,
                                   const clod_case_shape *shape, clod_status *status)
 {
     clod_mesh_placing then = {.unit = 1.0, .scale = 1.0, .rotate = wall->rotate};
     memcpy(then.move, wall->move, sizeof then.move);
-    const bool belt = shape->kind == CLOD_SHAPE_CONVEYOR;
+    const bool belt = is_conveyor(shape);
     const double smooth = belt ? BELT_SMOOTH : shape->smooth_angle;
     clod_surface *surface = clod_surface_make(mesh, &then, smooth, status);
     if (surface != NULL && surface->patch_count > PATCHES_MOST) {
@@ -128,7 +135,7 @@ clod_setup_mesh clod_setup_mesh_read(const clod_case_wall *wall, const clod_case
                                      clod_status *status)
 {
     clod_setup_mesh self = {0};
-    if (shape->kind == CLOD_SHAPE_CONVEYOR) {
+    if (is_conveyor(shape)) {
         read_belt(&self, wall, shape, status);
         return self;
     }

@@ -4,16 +4,16 @@
 #include <string.h>
 
 #include "base/json.h"
+#include "sim/belt_work.h"
 #include "sim/outputs.h"
 #include "sim/steady_time.h"
 
-/** Simulated time from one look to the next [s]: blocks of the means begin at one. */
+/** Simulated time from one sample to the next [s]: blocks of the means begin at one. */
 #define INTERVAL 1e-3
 
 /** What one belt remembers; plain data. */
 typedef struct belt_memory {
-    double seen;  ///< J since the last row that have been taken
-    double since; ///< s, time up to which they are
+    clod_belt_work taken;
     double row_work, row_travel, row_time;
     double work[CLOD_STEADY_BLOCKS];   ///< J
     double travel[CLOD_STEADY_BLOCKS]; ///< m
@@ -21,7 +21,7 @@ typedef struct belt_memory {
 } belt_memory;
 
 typedef struct belts {
-    int64_t next; ///< step of the next look
+    int64_t next; ///< step of the next sample
     belt_memory belt[];
 } belts;
 
@@ -67,7 +67,7 @@ static double speed_of(const clod_case *from, const clod_case_wall *wall)
                 wall->oscillation.frequency == 0.0 && !is_moved(from, wall->name);
     for (size_t s = 0; s < wall->shape_count; s++) {
         const clod_case_shape *shape = &wall->shapes[s];
-        if (shape->kind == CLOD_SHAPE_CONVEYOR) {
+        if (shape->belt.run_count > 0) {
             good = good && (speed == 0.0 || speed == shape->belt.speed);
             speed = shape->belt.speed;
         } else {
@@ -120,7 +120,7 @@ static void belts_begin(void *memory, const clod_case *from, const clod_state *s
     }
     self->next = state->step;
     for (size_t k = 0; k < count; k++) {
-        self->belt[k].since = state->time;
+        self->belt[k].taken.since = state->time;
     }
 }
 
@@ -141,22 +141,21 @@ static void take(belts *self, const clod_free_moment *now, size_t k)
     const size_t w = wall_of(from, k);
     const clod_case_wall *wall = &from->walls[w];
     belt_memory *mine = &self->belt[k];
-    const double work = state->walls.wall[w].sum_power * state->dt;
+    const double since = mine->taken.since;
     const double travel =
-        fabs(speed_of(from, wall)) * (running_time(&wall->start_up, state->time) -
-                                      running_time(&wall->start_up, mine->since));
-    const double time = state->time - mine->since;
-    const int block = clod_steady_time_block(&now->steady, mine->since);
-    mine->row_work += work - mine->seen;
+        fabs(speed_of(from, wall)) *
+        (running_time(&wall->start_up, state->time) - running_time(&wall->start_up, since));
+    const int block = clod_steady_time_block(&now->steady, since);
+    const clod_belt_portion portion =
+        clod_belt_work_take(&mine->taken, &state->walls.wall[w], state);
+    mine->row_work += portion.work;
     mine->row_travel += travel;
-    mine->row_time += time;
+    mine->row_time += portion.time;
     if (block >= 0) {
-        mine->work[block] += work - mine->seen;
+        mine->work[block] += portion.work;
         mine->travel[block] += travel;
-        mine->time[block] += time;
+        mine->time[block] += portion.time;
     }
-    mine->seen = work;
-    mine->since = state->time;
 }
 
 static bool belts_act(void *memory, const clod_free_moment *now, clod_status *status)
@@ -174,7 +173,7 @@ static bool belts_act(void *memory, const clod_free_moment *now, clod_status *st
     return true;
 }
 
-// ---- what is told
+// ---- series, report, summary
 
 static const char *const COLUMN[] = {"belt_speed [m/s]", "pull [N]"};
 #define PER_BELT (sizeof COLUMN / sizeof *COLUMN)
@@ -198,21 +197,30 @@ static double over(double a, double b)
     return b > 0.0 ? a / b : (double)NAN;
 }
 
-static void belts_row(void *memory, const clod_free_moment *now, double *row)
+/** What the belts have done up to now; the walls' sums begin anew after it. */
+static void belts_sums_end(void *memory, const clod_free_moment *now)
 {
     belts *self = memory;
     for (size_t k = 0; k < count_of(now->from); k++) {
-        belt_memory *mine = &self->belt[k];
         take(self, now, k);
+        self->belt[k].taken.seen = 0.0;
+    }
+}
+
+static void belts_row(void *memory, const clod_free_moment *now, double *row)
+{
+    belts *self = memory;
+    belts_sums_end(memory, now);
+    for (size_t k = 0; k < count_of(now->from); k++) {
+        belt_memory *mine = &self->belt[k];
         row[PER_BELT * k] = over(mine->row_travel, mine->row_time);
         row[PER_BELT * k + 1] = over(mine->row_work, mine->row_travel);
-        mine->seen = 0.0; // the walls' sums begin anew after a row
         mine->row_work = mine->row_travel = mine->row_time = 0.0;
     }
 }
 
 /** Mean over the blocks, and their standard deviation, of one sum over another. */
-static void spread(const double *a, const double *b, double told[2])
+static void spread(const double *a, const double *b, double found[2])
 {
     double each[CLOD_STEADY_BLOCKS], sum_a = 0.0, sum_b = 0.0;
     for (int k = 0; k < CLOD_STEADY_BLOCKS; k++) {
@@ -220,8 +228,8 @@ static void spread(const double *a, const double *b, double told[2])
         sum_a += a[k];
         sum_b += b[k];
     }
-    told[0] = over(sum_a, sum_b);
-    told[1] = clod_steady_time_deviation(each, CLOD_STEADY_BLOCKS);
+    found[0] = over(sum_a, sum_b);
+    found[1] = clod_steady_time_deviation(each, CLOD_STEADY_BLOCKS);
 }
 
 static void belts_report(FILE *out, const void *memory, const clod_free_moment *now)
@@ -271,5 +279,6 @@ const clod_free_measure CLOD_MEASURE_BELT_LOADS = {.key = "belts",
                                                    .columns = belts_columns,
                                                    .column = belts_column,
                                                    .row = belts_row,
+                                                   .sums_end = belts_sums_end,
                                                    .report = belts_report,
                                                    .json = belts_json};

@@ -14,6 +14,8 @@ typedef struct target {
     int32_t part;        ///< -1: all of the wall
 } target;
 
+#define NAME 72 ///< bytes of a target's
+
 /** What is remembered of one. */
 typedef struct past {
     double now, most, most_time; ///< kg, kg, s
@@ -23,8 +25,8 @@ typedef struct past {
 
 /** The past of all; `of` goes on over all targets that may be. */
 typedef struct build_up {
-    double looked, steady;        ///< s, time of the last look; of the steady time until then
-    int64_t looks, points, every; ///< in the steady time; a point at every so many looks
+    double sampled, steady; ///< s, time of the last sample; of the steady time until then
+    int64_t samples, points, every; ///< in the steady time; a point at every so many
     double time[CLOD_BUILD_UP_POINTS];
     past of[];
 } build_up;
@@ -44,42 +46,55 @@ static void build_up_begin(void *memory, const clod_case *from, const clod_state
     build_up *self = memory;
     if (from->build_up.present) {
         self->every = 1;
-        self->looked = state->time;
+        self->sampled = state->time;
     }
 }
 
 // ---- what grains rest on
 
-static bool begins_mesh(const clod_shape *shape)
+/** Look at one target; `number` counts them from 0. */
+typedef void (*target_visit)(void *context, size_t number, const target *self,
+                             const clod_state *state);
+
+static int32_t walls_of(const clod_case *from, const clod_state *state)
 {
-    return shape->surface != NULL && shape->patch == 0 && shape->slot == 0;
+    const int32_t walls = (int32_t)from->wall_count;
+    return state->walls.count < walls ? state->walls.count : walls;
 }
 
-/** All walls, then their meshes' parts that have names, where there are several. */
-static size_t list_targets(target *to, const clod_case *from, const clod_state *state)
+/** All walls, then their meshes' parts that have names, where there are several: one order. How
+ *  many there are. */
+static size_t visit_targets(const clod_case *from, const clod_state *state, target_visit visit,
+                            void *context)
 {
     size_t count = 0;
-    const int32_t walls = state->walls.count < (int32_t)from->wall_count
-                              ? state->walls.count
-                              : (int32_t)from->wall_count;
+    const int32_t walls = from->build_up.present ? walls_of(from, state) : 0;
     for (int32_t w = 0; w < walls; w++) {
-        to[count++] = (target){w, 0, -1};
+        visit(context, count++, &(target){w, 0, -1}, state);
     }
     for (int32_t w = 0; w < walls; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
             const clod_surface *surface = wall->shapes[s].surface;
-            if (!begins_mesh(&wall->shapes[s]) || surface->part_count < 2) {
+            if (!clod_shape_begins_mesh(&wall->shapes[s]) || surface->part_count < 2) {
                 continue;
             }
             for (size_t p = 0; p < surface->part_count && count < most_targets(from); p++) {
                 if (surface->part_name[p][0] != '\0') {
-                    to[count++] = (target){w, s, (int32_t)p};
+                    visit(context, count++, &(target){w, s, (int32_t)p}, state);
                 }
             }
         }
     }
     return count;
+}
+
+static void note_target(void *context, size_t number, const target *self,
+                        const clod_state *state)
+{
+    (void)state;
+    target *list = context;
+    list[number] = *self;
 }
 
 /** Whether a shape of a wall is of a target. */
@@ -111,18 +126,18 @@ static void thin_out(build_up *self, size_t targets)
     self->every *= 2;
 }
 
-/** Note the masses of a look; `steady` is how much of the steady time has passed since the one
+/** Note the masses of a sample; `steady` is how much of the steady time has passed since the one
  *  before [s], 0 before it begins. */
 static void note(build_up *self, const clod_exact *mass, size_t targets, double time,
                  double steady)
 {
     const bool counts = steady > 0.0;
-    self->looks += counts;
+    self->samples += counts;
     self->steady += steady;
     if (self->points == CLOD_BUILD_UP_POINTS) {
         thin_out(self, targets);
     }
-    const bool point = counts && self->looks % self->every == 0;
+    const bool point = counts && self->samples % self->every == 0;
     for (size_t t = 0; t < targets; t++) {
         past *of = &self->of[t];
         of->now = clod_exact_value(&mass[t]);
@@ -172,7 +187,7 @@ static void weigh(clod_exact *mass, const target *targets, size_t count,
     }
 }
 
-static bool build_up_look(void *memory, const clod_free_moment *now, clod_status *status)
+static bool build_up_sample(void *memory, const clod_free_moment *now, clod_status *status)
 {
     build_up *self = memory;
     if (!now->from->build_up.present) {
@@ -190,25 +205,16 @@ static bool build_up_look(void *memory, const clod_free_moment *now, clod_status
     good = good &&
            clod_resting_find(on, now->state, now->contacts, now->from->build_up.speed, status);
     if (good) {
-        const size_t count = list_targets(targets, now->from, now->state);
+        const size_t count = visit_targets(now->from, now->state, note_target, targets);
         weigh(mass, targets, count, now->state, on);
         note(self, mass, count, now->state->time,
-             clod_steady_time_within(&now->steady, self->looked, now->state->time));
-        self->looked = now->state->time;
+             clod_steady_time_within(&now->steady, self->sampled, now->state->time));
+        self->sampled = now->state->time;
     }
     clod_memory_free(on);
     clod_memory_free(targets);
     clod_memory_free(mass);
     return good;
-}
-
-/** The targets of a run, and how many; owned. */
-static target *targets_of(const clod_case *from, const clod_state *state, size_t *count)
-{
-    target *targets =
-        from->build_up.present ? clod_memory_alloc(most_targets(from), sizeof *targets) : NULL;
-    *count = targets != NULL ? list_targets(targets, from, state) : 0;
-    return targets;
 }
 
 static void name_target(const target *self, const clod_state *state, char *text, size_t size)
@@ -227,24 +233,41 @@ static void name_target(const target *self, const clod_state *state, char *text,
     }
 }
 
+static void pass_by(void *context, size_t number, const target *self, const clod_state *state)
+{
+    (void)context;
+    (void)number;
+    (void)self;
+    (void)state;
+}
+
 static size_t build_up_columns(const clod_case *from, const clod_state *state)
 {
-    size_t count;
-    clod_memory_free(targets_of(from, state, &count));
-    return count;
+    return visit_targets(from, state, pass_by, NULL);
+}
+
+/** A header that is asked for. */
+typedef struct header {
+    size_t number;
+    char *text;
+    size_t size;
+} header;
+
+static void put_header(void *context, size_t number, const target *self,
+                       const clod_state *state)
+{
+    const header *asked = context;
+    char name[NAME];
+    if (number == asked->number) {
+        name_target(self, state, name, sizeof name);
+        snprintf(asked->text, asked->size, "%s.resting_mass [kg]", name);
+    }
 }
 
 static void build_up_column(const clod_case *from, const clod_state *state, size_t k,
                             char *text, size_t size)
 {
-    size_t count;
-    char name[72] = "";
-    target *targets = targets_of(from, state, &count);
-    if (k < count) {
-        name_target(&targets[k], state, name, sizeof name);
-    }
-    clod_memory_free(targets);
-    snprintf(text, size, "%s.resting_mass [kg]", name);
+    visit_targets(from, state, put_header, &(header){k, text, size});
 }
 
 static void build_up_row(void *memory, const clod_free_moment *now, double *row)
@@ -256,55 +279,72 @@ static void build_up_row(void *memory, const clod_free_moment *now, double *row)
     }
 }
 
+/** Where lines of the report go. */
+typedef struct line_pen {
+    FILE *out;
+    const build_up *self;
+} line_pen;
+
+static void put_line(void *context, size_t number, const target *of, const clod_state *state)
+{
+    const line_pen *pen = context;
+    const past *mass = &pen->self->of[number];
+    const double rate = clod_build_up_rate(pen->self->time, mass->mass, pen->self->points);
+    char name[NAME];
+    name_target(of, state, name, sizeof name);
+    fprintf(pen->out, "  resting on %-11s %.4g kg at the end, largest %.4g kg at %.4g s", name,
+            mass->now, mass->most, mass->most_time);
+    if (pen->self->steady > 0.0) {
+        fprintf(pen->out, "; mean %.4g kg", mass->sum / pen->self->steady);
+    }
+    if (!isnan(rate)) {
+        fprintf(pen->out, ", grows by %+.3g kg/s", rate);
+    }
+    fputs("\n", pen->out);
+}
+
 static void build_up_report(FILE *out, const void *memory, const clod_free_moment *now)
 {
-    const build_up *self = memory;
-    size_t count;
-    target *targets = targets_of(now->from, now->state, &count);
-    for (size_t t = 0; t < count; t++) {
-        char name[72];
-        const past *of = &self->of[t];
-        name_target(&targets[t], now->state, name, sizeof name);
-        fprintf(out, "  resting on %-11s %.4g kg at the end, largest %.4g kg at %.4g s", name,
-                of->now, of->most, of->most_time);
-        if (self->steady > 0.0) {
-            fprintf(out, "; mean %.4g kg", of->sum / self->steady);
-        }
-        const double rate = clod_build_up_rate(self->time, of->mass, self->points);
-        fprintf(out, isnan(rate) ? "\n" : ", grows by %+.3g kg/s\n", rate);
-    }
-    clod_memory_free(targets);
+    visit_targets(now->from, now->state, put_line, &(line_pen){out, memory});
+}
+
+/** Where the objects of the summary go. */
+typedef struct json_pen {
+    json_t *all;
+    const build_up *self;
+    double since; ///< s
+} json_pen;
+
+static void put_object(void *context, size_t number, const target *of, const clod_state *state)
+{
+    const json_pen *pen = context;
+    const past *mass = &pen->self->of[number];
+    const double rate = clod_build_up_rate(pen->self->time, mass->mass, pen->self->points);
+    char name[NAME];
+    name_target(of, state, name, sizeof name);
+    json_object_set_new(pen->all, name,
+                        json_pack("{s:f, s:f, s:o, s:o, s:f, s:f}", "since_s", pen->since,
+                                  "mass_kg", mass->now, "mean_kg",
+                                  clod_json_number(mass->sum / pen->self->steady), "rate_kg_s",
+                                  clod_json_number(rate), "largest_kg", mass->most,
+                                  "largest_at_s", mass->most_time));
 }
 
 static json_t *build_up_json(const void *memory, const clod_free_moment *now)
 {
-    const build_up *self = memory;
-    size_t count;
-    target *targets = targets_of(now->from, now->state, &count);
     if (!now->from->build_up.present) {
         return NULL;
     }
     json_t *all = json_object();
-    for (size_t t = 0; t < count; t++) {
-        char name[72];
-        const past *of = &self->of[t];
-        name_target(&targets[t], now->state, name, sizeof name);
-        const double rate = clod_build_up_rate(self->time, of->mass, self->points);
-        json_object_set_new(all, name,
-                            json_pack("{s:f, s:f, s:o, s:o, s:f, s:f}", "since_s",
-                                      now->steady.since, "mass_kg", of->now, "mean_kg",
-                                      clod_json_number(of->sum / self->steady), "rate_kg_s",
-                                      clod_json_number(rate), "largest_kg", of->most,
-                                      "largest_at_s", of->most_time));
-    }
-    clod_memory_free(targets);
+    visit_targets(now->from, now->state, put_object,
+                  &(json_pen){all, memory, now->steady.since});
     return all;
 }
 
 const clod_free_measure CLOD_MEASURE_BUILD_UP = {.key = "build_up",
                                                  .size = build_up_size,
                                                  .begin = build_up_begin,
-                                                 .look = build_up_look,
+                                                 .look = build_up_sample,
                                                  .columns = build_up_columns,
                                                  .column = build_up_column,
                                                  .row = build_up_row,

@@ -2,12 +2,12 @@
 /**
  * @file build_up.h
  * Mass that rests on walls and on the named parts of their meshes, and how it grows: a measure
- * of free runs (docs/clumps.md). It looks at every row of the series.
+ * of free runs (docs/clumps.md). It is sampled at every row of the series.
  */
 
 #include "sim/free_measures.h"
 
-/** Parts of meshes whose mass is told, of all walls together; those beyond are not. */
+/** Parts of meshes whose mass is reported, of all walls together; those beyond are not. */
 #define CLOD_BUILD_UP_PARTS 64
 /** Points of the steady time that are kept; every second one goes when there is no room. */
 #define CLOD_BUILD_UP_POINTS 128

@@ -9,6 +9,8 @@
 #include "base/memory.h"
 #include "law/law_cycle.h"
 #include "law/law_kinds.h"
+#include "setup/bed.h"
+#include "setup/bound.h"
 #include "setup/collision.h"
 #include "setup/state.h"
 #include "sim/check_testers.h"

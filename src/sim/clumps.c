@@ -3,7 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "sim/clumps_told.h"
+#include "setup/domain.h"
+#include "sim/clumps_report.h"
 
 static size_t clumps_size(const clod_case *from)
 {
@@ -14,7 +15,7 @@ static void clumps_begin(void *memory, const clod_case *from, const clod_state *
 {
     clod_clump_memory *self = memory;
     if (from->clumps.present) {
-        self->looked = state->time;
+        self->sampled = state->time;
     }
 }
 
@@ -38,11 +39,11 @@ static void show(const clod_clumps *clumps, clod_grains *grains)
 static int time_bin(double time)
 {
     const double least = CLOD_RESIDENCE_LEAST;
-    const double place = CLOD_RESIDENCE_PER_DECADE * log10(fmax(time, least) / least);
-    return (int)fmin(place, CLOD_CLUMP_TIMES - 1);
+    const double bin = CLOD_RESIDENCE_PER_DECADE * log10(fmax(time, least) / least);
+    return (int)fmin(bin, CLOD_CLUMP_TIMES - 1);
 }
 
-/** Grains that have come into a clump, or are in none any more, since the last look; those count
+/** Grains that have come into a clump, or are in none any more, since the last sample; those count
  *  in the steady time. */
 static void note_grains(clod_clump_memory *self, clod_state *state, bool steady)
 {
@@ -87,7 +88,7 @@ static bool note_count(clod_clump_count *self, const clod_clumps *clumps, double
                        clod_status *status)
 {
     clod_clump_sizes sizes;
-    if (!clod_clumps_tell(clumps, &self->now, &sizes, status)) {
+    if (!clod_clumps_sum_up(clumps, &self->now, &sizes, status)) {
         return false;
     }
     add_times(&self->mean, &self->now, sizeof self->now, time);
@@ -97,8 +98,8 @@ static bool note_count(clod_clump_count *self, const clod_clumps *clumps, double
 }
 
 /** All clumps, whose grains know them then. */
-static bool look_at_all(clod_clump_memory *self, const clod_free_moment *now,
-                        const clod_bonds *bonds, double time, clod_status *status)
+static bool sample_all(clod_clump_memory *self, const clod_free_moment *now,
+                       const clod_bonds *bonds, double time, clod_status *status)
 {
     clod_clumps clumps = {0};
     const clod_clump_choice choice = {.least = now->from->clumps.least};
@@ -113,17 +114,18 @@ static bool look_at_all(clod_clump_memory *self, const clod_free_moment *now,
 }
 
 /** Those of the case's counts. */
-static bool look_at_counts(clod_clump_memory *self, const clod_free_moment *now,
-                           const clod_bonds *bonds, double time, clod_status *status)
+static bool sample_counts(clod_clump_memory *self, const clod_free_moment *now,
+                          const clod_bonds *bonds, double time, clod_status *status)
 {
     const clod_case_clumps *asked = &now->from->clumps;
     bool good = true;
     for (size_t k = 0; good && k < asked->count_count; k++) {
         clod_clumps clumps = {0};
         const clod_case_clump_count *count = &asked->counts[k];
+        const clod_outlet region = clod_setup_domain_region(&count->region);
         const clod_clump_choice choice = {
             .least = asked->least,
-            .region = count->has_region ? &count->region : NULL,
+            .region = count->has_region ? &region : NULL,
             .free = count->free,
         };
         good = clod_clumps_find(&clumps, now->state, bonds, &choice, status) &&
@@ -133,21 +135,21 @@ static bool look_at_counts(clod_clump_memory *self, const clod_free_moment *now,
     return good;
 }
 
-static bool clumps_look(void *memory, const clod_free_moment *now, clod_status *status)
+static bool clumps_sample(void *memory, const clod_free_moment *now, clod_status *status)
 {
     clod_clump_memory *self = memory;
     if (!now->from->clumps.present) {
         return true;
     }
     clod_bonds bonds = {0};
-    const double time = clod_steady_time_within(&now->steady, self->looked, now->state->time);
-    self->looked = now->state->time;
+    const double time = clod_steady_time_within(&now->steady, self->sampled, now->state->time);
+    self->sampled = now->state->time;
     self->time += time;
     const bool good =
         clod_grains_keep_clumps(&now->state->grains, status) &&
         clod_bonds_find(&bonds, now->state, now->contacts, now->from->clumps.bond, status) &&
-        look_at_all(self, now, &bonds, time, status) &&
-        look_at_counts(self, now, &bonds, time, status);
+        sample_all(self, now, &bonds, time, status) &&
+        sample_counts(self, now, &bonds, time, status);
     clod_bonds_fini(&bonds);
     return good;
 }
@@ -176,11 +178,11 @@ const clod_free_measure CLOD_MEASURE_CLUMPS = {.key = "clumps",
                                                .size = clumps_size,
                                                .begin = clumps_begin,
                                                .act = clumps_act,
-                                               .look = clumps_look,
+                                               .look = clumps_sample,
                                                .picture = clumps_picture,
-                                               .columns = clod_clumps_told_columns,
-                                               .column = clod_clumps_told_column,
-                                               .row = clod_clumps_told_row,
-                                               .report = clod_clumps_told_report,
-                                               .json = clod_clumps_told_json,
-                                               .write = clod_clumps_told_files};
+                                               .columns = clod_clumps_report_columns,
+                                               .column = clod_clumps_report_column,
+                                               .row = clod_clumps_report_row,
+                                               .report = clod_clumps_report_lines,
+                                               .json = clod_clumps_report_json,
+                                               .write = clod_clumps_report_files};

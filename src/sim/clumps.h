@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file clumps.h
- * Clumps of a free run: a measure (docs/clumps.md). It looks at every row of the series.
+ * Clumps of a free run: a measure (docs/clumps.md). It is sampled at every row of the series.
  */
 
 #include "measure/clumps.h"
@@ -14,7 +14,7 @@
 
 /** All clumps, or those of one of the case's counts. */
 typedef struct clod_clump_count {
-    clod_clump_stats now;   ///< at the last look
+    clod_clump_stats now;   ///< at the last sample
     clod_clump_stats mean;  ///< times s of the steady time
     clod_clump_stats most;  ///< the largest of each, in all the run
     clod_clump_sizes sizes; ///< times s of the steady time
@@ -22,7 +22,7 @@ typedef struct clod_clump_count {
 
 /** What the measure remembers. */
 typedef struct clod_clump_memory {
-    double looked;                         ///< s, time of the last look
+    double sampled;                        ///< s, time of the last sample
     double time;                           ///< s, of the steady time until then
     int64_t left;                          ///< times in it that a grain left its clump
     clod_exact lived;                      ///< s, sum of the times that they were

@@ -23,6 +23,12 @@ enum { COUNT = sizeof MEASURES / sizeof *MEASURES };
 
 #define ALIGNMENT 16
 
+/** Before what each measure remembers. */
+typedef struct clod_free_memory {
+    _Alignas(ALIGNMENT) double begin; ///< s, time at which the run began
+    double unused;                    ///< no gap with chance bytes
+} clod_free_memory;
+
 static size_t size_of(const clod_free_measure *self, const clod_case *from)
 {
     const size_t size = self->size != NULL ? self->size(from) : 0;
@@ -32,7 +38,7 @@ static size_t size_of(const clod_free_measure *self, const clod_case *from)
 /** The memory of measure number k. */
 static void *memory_of(const void *memory, const clod_case *from, int k)
 {
-    const unsigned char *at = memory;
+    const unsigned char *at = (const unsigned char *)memory + sizeof(clod_free_memory);
     for (int m = 0; m < k; m++) {
         at += size_of(MEASURES[m], from);
     }
@@ -41,7 +47,7 @@ static void *memory_of(const void *memory, const clod_case *from, int k)
 
 size_t clod_free_measures_size(const clod_case *from)
 {
-    size_t size = 0;
+    size_t size = sizeof(clod_free_memory);
     for (int k = 0; k < COUNT; k++) {
         size += size_of(MEASURES[k], from);
     }
@@ -50,11 +56,21 @@ size_t clod_free_measures_size(const clod_case *from)
 
 void clod_free_measures_begin(void *memory, const clod_case *from, const clod_state *state)
 {
+    clod_free_memory *self = memory;
+    self->begin = state->time;
     for (int k = 0; k < COUNT; k++) {
         if (MEASURES[k]->begin != NULL) {
             MEASURES[k]->begin(memory_of(memory, from, k), from, state);
         }
     }
+}
+
+clod_free_moment clod_free_measures_moment(const void *memory, const clod_case *from,
+                                           clod_state *state,
+                                           const clod_contact_source *contacts)
+{
+    const clod_free_memory *self = memory;
+    return (clod_free_moment){from, state, contacts, clod_steady_time_of(from, self->begin)};
 }
 
 bool clod_free_measures_act(void *memory, const clod_free_moment *now, clod_status *status)
@@ -68,17 +84,30 @@ bool clod_free_measures_act(void *memory, const clod_free_moment *now, clod_stat
 }
 
 int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
-                                const clod_state *state, const clod_steady_time *steady)
+                                const clod_state *state)
 {
+    const clod_free_memory *self = memory;
+    const clod_steady_time steady = clod_steady_time_of(from, self->begin);
     int64_t first = INT64_MAX;
     for (int k = 0; k < COUNT; k++) {
         if (MEASURES[k]->plan != NULL) {
             const int64_t steps =
-                MEASURES[k]->plan(memory_of(memory, from, k), from, state, steady);
+                MEASURES[k]->plan(memory_of(memory, from, k), from, state, &steady);
             first = steps < first ? steps : first;
         }
     }
     return first;
+}
+
+bool clod_free_measures_news(void *memory, const clod_case *from, const clod_state *state,
+                             clod_news *news)
+{
+    bool found = false;
+    for (int k = 0; !found && k < COUNT; k++) {
+        found = MEASURES[k]->news != NULL &&
+                MEASURES[k]->news(memory_of(memory, from, k), from, state, news);
+    }
+    return found;
 }
 
 bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_status *status)
@@ -131,6 +160,15 @@ void clod_free_measures_row(void *memory, const clod_free_moment *now, double *r
         if (columns > 0) {
             MEASURES[k]->row(memory_of(memory, now->from, k), now, row);
             row += columns;
+        }
+    }
+}
+
+void clod_free_measures_sums_end(void *memory, const clod_free_moment *now)
+{
+    for (int k = 0; k < COUNT; k++) {
+        if (MEASURES[k]->sums_end != NULL) {
+            MEASURES[k]->sums_end(memory_of(memory, now->from, k), now);
         }
     }
 }

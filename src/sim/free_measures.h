@@ -15,6 +15,7 @@
 
 #include "clod/case.h"
 #include "output/folder.h"
+#include "sim/news.h"
 #include "sim/steady_time.h"
 #include "state/contact_source.h"
 
@@ -38,6 +39,9 @@ typedef struct clod_free_measure {
     /** Steps until it must act; 1 or more. */
     int64_t (*plan)(const void *memory, const clod_case *from, const clod_state *state,
                     const clod_steady_time *steady);
+    /** After every act: something that is to be said at once; false when there is nothing more.
+     *  What was said is remembered. */
+    bool (*news)(void *memory, const clod_case *from, const clod_state *state, clod_news *news);
     /** A row is due: look at grains and contacts. */
     bool (*look)(void *memory, const clod_free_moment *now, clod_status *status);
     /** A snapshot is due: fill the columns of grains that it shows. */
@@ -49,6 +53,8 @@ typedef struct clod_free_measure {
                    size_t size);
     /** Values of its columns, after `look`; means over the time since the last row end here. */
     void (*row)(void *memory, const clod_free_moment *now, double *row);
+    /** The sums of walls begin anew, and not by a row: take what they have. */
+    void (*sums_end)(void *memory, const clod_free_moment *now);
     /** Lines for people at the end. */
     void (*report)(FILE *out, const void *memory, const clod_free_moment *now);
     /** The same for programs: a new object or array; NULL when there is nothing to tell. */
@@ -58,17 +64,25 @@ typedef struct clod_free_measure {
                   clod_status *status);
 } clod_free_measure;
 
-/** Bytes that all measures of a case remember. */
+/** Bytes that all measures of a case remember, with the time at which the run began. */
 size_t clod_free_measures_size(const clod_case *from);
 
 /** The run begins. `memory` is [clod_free_measures_size], zero. */
 void clod_free_measures_begin(void *memory, const clod_case *from, const clod_state *state);
 
+/** What measures with this memory look at now; contacts may be NULL in report and json. */
+clod_free_moment clod_free_measures_moment(const void *memory, const clod_case *from,
+                                           clod_state *state,
+                                           const clod_contact_source *contacts);
+
 bool clod_free_measures_act(void *memory, const clod_free_moment *now, clod_status *status);
 
 /** Steps until one must act; INT64_MAX when none ever must. */
 int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
-                                const clod_state *state, const clod_steady_time *steady);
+                                const clod_state *state);
+
+bool clod_free_measures_news(void *memory, const clod_case *from, const clod_state *state,
+                             clod_news *news);
 
 bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_status *status);
 
@@ -83,6 +97,9 @@ void clod_free_measures_column(const clod_case *from, const clod_state *state, s
 
 /** Values of all columns. */
 void clod_free_measures_row(void *memory, const clod_free_moment *now, double *row);
+
+/** Before the sums of walls begin anew otherwise than by a row. */
+void clod_free_measures_sums_end(void *memory, const clod_free_moment *now);
 
 void clod_free_measures_report(FILE *out, const void *memory, const clod_free_moment *now);
 

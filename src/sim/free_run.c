@@ -24,11 +24,10 @@ static const char *const FIRST[] = {"time [s]", "stage [1]", "kinetic_energy [J]
 #define FIRST_COUNT (sizeof FIRST / sizeof *FIRST)
 #define COLUMN_TEXT 128
 
-/** Data of the procedure: where it is, how each stage that is over ended, and behind that what
- *  the measures remember. */
+/** Data of the procedure: where it is, and how each stage that is over ended. What the measures
+ *  remember lies behind it. */
 typedef struct free_data {
     clod_free_stages at;
-    double begin;                             ///< s, time at which the run began
     _Alignas(16) clod_free_stage_end ended[]; ///< [stage_count]; step 0: not yet
 } free_data;
 
@@ -45,21 +44,18 @@ static void *measures_of(const void *data, const clod_case *from)
     return (unsigned char *)data + stages_size(from);
 }
 
-/** The moment that measures look at. */
+/** What the measures look at. */
 static clod_free_moment moment_of(const void *data, const clod_case *from, clod_state *state,
                                   const clod_contact_source *contacts)
 {
-    const free_data *self = data;
-    return (clod_free_moment){from, state, contacts, clod_steady_time_of(from, self->begin)};
+    return clod_free_measures_moment(measures_of(data, from), from, state, contacts);
 }
 
 static int64_t free_plan(const void *data, const void *context, const clod_state *state)
 {
     const free_data *self = data;
     const int64_t stage = clod_free_stages_plan(&self->at, context, state);
-    const clod_steady_time steady = clod_steady_time_of(context, self->begin);
-    const int64_t next =
-        clod_free_measures_plan(measures_of(data, context), context, state, &steady);
+    const int64_t next = clod_free_measures_plan(measures_of(data, context), context, state);
     return stage < next ? stage : next;
 }
 
@@ -68,6 +64,11 @@ static bool free_act(void *data, const void *context, clod_state *state,
 {
     const clod_free_moment now = moment_of(data, context, state, contacts);
     return clod_free_measures_act(measures_of(data, context), &now, status);
+}
+
+static bool free_news(void *data, const void *context, const clod_state *state, clod_news *news)
+{
+    return clod_free_measures_news(measures_of(data, context), context, state, news);
 }
 
 static bool free_look(void *data, const void *context, const clod_state *state)
@@ -288,7 +289,6 @@ static bool run_stages(clod_job *job, clod_status *status)
 {
     if (!job->resumed) {
         free_data *data = job->procedure.data;
-        data->begin = job->state.time;
         clod_free_stages_begin(&data->at, job->sim->from, &job->state);
         clod_free_measures_begin(measures_of(data, job->sim->from), job->sim->from,
                                  &job->state);
@@ -303,8 +303,8 @@ bool clod_free_try_origin(const clod_job_shared *sim, clod_status *status)
 
 bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *status)
 {
-    const size_t data_size = stages_size(sim->from) + clod_free_measures_size(sim->from);
-    free_data *data = clod_memory_alloc(1, data_size);
+    const size_t own = stages_size(sim->from), measures = clod_free_measures_size(sim->from);
+    free_data *data = clod_memory_alloc(1, own + measures);
     clod_job job = {.sim = sim, .name = "run", .threads = sim->options->threads};
     bool ok = make_state(&job, status);
     const size_t count = FIRST_COUNT + clod_free_measures_columns(sim->from, &job.state);
@@ -315,12 +315,14 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
         ok = clod_status_fail(status, CLOD_FAILED, "no memory for %zu columns", count);
     }
     job.procedure = (clod_procedure){.data = data,
-                                     .size = data_size,
+                                     .size = own,
+                                     .measures_size = measures,
                                      .context = sim->from,
                                      .columns = columns,
                                      .column_count = count,
                                      .act = free_act,
                                      .plan = free_plan,
+                                     .news = free_news,
                                      .look = free_look,
                                      .measure = free_measure,
                                      .sample = free_sample,

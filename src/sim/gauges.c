@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "measure/gauge_pass.h"
 #include "setup/domain.h"
 #include "sim/outputs.h"
 
@@ -12,7 +13,7 @@ clod_gauge clod_gauges_make(const clod_case *from, const clod_case_gauge *gauge)
     return clod_gauge_of(&region, gauge->direction, gauge->across, from->gravity);
 }
 
-bool clod_gauges_tell(const clod_case *from, const clod_case_gauge *gauge, int value)
+bool clod_gauges_has(const clod_case *from, const clod_case_gauge *gauge, int value)
 {
     const clod_gauge made = clod_gauges_make(from, gauge);
     switch (CLOD_GAUGE_VALUE[value].need) {
@@ -44,7 +45,7 @@ static void gauges_begin(void *memory, const clod_case *from, const clod_state *
     }
     self->next = state->step;
     for (size_t k = 0; k < from->gauge_count; k++) {
-        self->gauge[k].work_step = state->step;
+        self->gauge[k].work.since = state->time;
         self->gauge[k].alarm = (clod_gauge_alarm){.slow_since = -1, .first = -1};
     }
 }
@@ -58,7 +59,7 @@ static int64_t gauges_plan(const void *memory, const clod_case *from, const clod
                                                              : INT64_MAX;
 }
 
-// ---- one look
+// ---- one sample
 
 static void add_sums(double *to, const double *sums)
 {
@@ -83,49 +84,31 @@ static void take_work(clod_gauge_memory *self, const clod_case_gauge *gauge,
 {
     const clod_wall *wall = find_wall(state, gauge->belt);
     if (wall != NULL) {
-        const double work = wall->sum_power * state->dt;
-        sums[CLOD_GAUGE_WORK] = work - self->work_seen;
-        sums[CLOD_GAUGE_TIME] = (double)(state->step - self->work_step) * state->dt;
-        self->work_seen = work;
+        const clod_belt_portion portion = clod_belt_work_take(&self->work, wall, state);
+        sums[CLOD_GAUGE_WORK] = portion.work;
+        sums[CLOD_GAUGE_TIME] = portion.time;
     }
-    self->work_step = state->step;
 }
 
-/** Whether there is an alarm at this look. */
-static bool watch(clod_gauge_alarm *self, const clod_case_gauge *gauge, const double *sums,
-                  const clod_state *state)
+/** All gauges in one pass over the grains; bins count only in the steady time. */
+static bool sample(clod_gauges *self, const clod_free_moment *now, bool steady,
+                   double (*sums)[CLOD_GAUGE_SUMS], clod_status *status)
 {
-    const clod_case_blocked *limit = &gauge->blocked;
-    const double mass = sums[CLOD_GAUGE_MASS];
-    const bool slow = gauge->has_blocked && mass >= limit->mass_above &&
-                      sums[CLOD_GAUGE_SPEED] <= limit->speed_below * mass;
-    if (!slow) {
-        self->slow_since = -1;
-        self->on = 0;
-        return false;
+    const clod_case *from = now->from;
+    clod_gauge_part parts[CLOD_CASE_GAUGES];
+    for (size_t k = 0; k < from->gauge_count; k++) {
+        const clod_case_gauge *asked = &from->gauges[k];
+        const clod_gauge gauge = clod_gauges_make(from, asked);
+        clod_gauge_memory *mine = &self->gauge[k];
+        parts[k] = (clod_gauge_part){
+            .gauge = gauge,
+            .sums = sums[k],
+            .profile = steady && asked->profile_bins > 0 ? &mine->profile : NULL,
+            .trajectory = steady && asked->trajectory_bins > 0 ? &mine->trajectory : NULL,
+            .across = clod_gauge_axis_of(&gauge, gauge.across, asked->profile_bins),
+            .along = clod_gauge_axis_of(&gauge, gauge.direction, asked->trajectory_bins)};
     }
-    self->slow_since = self->slow_since < 0 ? state->step : self->slow_since;
-    const double steps = (double)(state->step - self->slow_since);
-    const bool on = steps >= round(limit->duration / state->dt);
-    if (on && self->on == 0) {
-        self->alarms++;
-        self->first = self->first < 0 ? self->slow_since : self->first;
-    }
-    self->on = on;
-    return on;
-}
-
-/** Bins count only in the steady time. */
-static bool look_at_bins(clod_gauge_memory *self, const clod_case_gauge *from,
-                         const clod_gauge *gauge, const clod_state *state, clod_status *status)
-{
-    const clod_gauge_axis across = clod_gauge_axis_of(gauge, gauge->across, from->profile_bins);
-    const clod_gauge_axis along =
-        clod_gauge_axis_of(gauge, gauge->direction, from->trajectory_bins);
-    return (across.count == 0 ||
-            clod_gauge_bins_look(&self->profile, gauge, &across, state, status)) &&
-           (along.count == 0 ||
-            clod_gauge_bins_look(&self->trajectory, gauge, &along, state, status));
+    return clod_gauge_pass(parts, from->gauge_count, now->state, status);
 }
 
 static bool gauges_act(void *memory, const clod_free_moment *now, clod_status *status)
@@ -138,43 +121,39 @@ static bool gauges_act(void *memory, const clod_free_moment *now, clod_status *s
     }
     self->next = clod_outputs_next(CLOD_GAUGES_INTERVAL, state->dt, state->step);
     const int block = clod_steady_time_block(&now->steady, state->time);
-    double all[CLOD_GAUGE_SUMS] = {0}, sums[CLOD_GAUGE_SUMS];
-    clod_gauge_look_at_all(state, all);
+    double sums[CLOD_CASE_GAUGES][CLOD_GAUGE_SUMS];
+    if (!sample(self, now, block >= 0, sums, status)) {
+        return false;
+    }
     for (size_t k = 0; k < from->gauge_count; k++) {
         clod_gauge_memory *mine = &self->gauge[k];
-        const clod_gauge gauge = clod_gauges_make(from, &from->gauges[k]);
-        clod_gauge_look(&gauge, state, sums);
-        sums[CLOD_GAUGE_ALL_MASS] = all[CLOD_GAUGE_ALL_MASS];
-        sums[CLOD_GAUGE_ALL_RADIUS] = all[CLOD_GAUGE_ALL_RADIUS];
-        sums[CLOD_GAUGE_BLOCKED] = watch(&mine->alarm, &from->gauges[k], sums, state);
-        take_work(mine, &from->gauges[k], state, sums);
-        add_sums(mine->row, sums);
+        sums[k][CLOD_GAUGE_BLOCKED] =
+            clod_gauges_watch(&mine->alarm, &from->gauges[k], sums[k], state);
+        take_work(mine, &from->gauges[k], state, sums[k]);
+        add_sums(mine->row, sums[k]);
         if (block >= 0) {
-            add_sums(mine->block[block], sums);
-            if (!look_at_bins(mine, &from->gauges[k], &gauge, state, status)) {
-                return false;
-            }
+            add_sums(mine->block[block], sums[k]);
         }
     }
     return true;
 }
 
-/** A row with no look since the last one has that of its own moment. */
-static bool gauges_look(void *memory, const clod_free_moment *now, clod_status *status)
+/** Rows with no sample since the last one have that of their own moment. */
+static bool gauges_sample(void *memory, const clod_free_moment *now, clod_status *status)
 {
-    (void)status;
     clod_gauges *self = memory;
     const clod_case *from = now->from;
-    double sums[CLOD_GAUGE_SUMS];
+    double sums[CLOD_CASE_GAUGES][CLOD_GAUGE_SUMS];
+    if (from->gauge_count == 0 || self->gauge[0].row[CLOD_GAUGE_SAMPLES] > 0.0) {
+        return true; // all are sampled together
+    }
+    if (!sample(self, now, false, sums, status)) {
+        return false;
+    }
     for (size_t k = 0; k < from->gauge_count; k++) {
         clod_gauge_memory *mine = &self->gauge[k];
-        if (mine->row[CLOD_GAUGE_LOOKS] == 0.0) {
-            const clod_gauge gauge = clod_gauges_make(from, &from->gauges[k]);
-            clod_gauge_look(&gauge, now->state, sums);
-            clod_gauge_look_at_all(now->state, sums);
-            sums[CLOD_GAUGE_BLOCKED] = (double)mine->alarm.on;
-            add_sums(mine->row, sums);
-        }
+        sums[k][CLOD_GAUGE_BLOCKED] = (double)mine->alarm.on;
+        add_sums(mine->row, sums[k]);
     }
     return true;
 }
@@ -186,7 +165,7 @@ static size_t columns_of(const clod_case *from, const clod_case_gauge *gauge)
 {
     size_t count = 0;
     for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
-        count += clod_gauges_tell(from, gauge, v);
+        count += clod_gauges_has(from, gauge, v);
     }
     return count;
 }
@@ -210,23 +189,32 @@ static void gauges_column(const clod_case *from, const clod_state *state, size_t
         k -= columns;
     }
     int value = 0;
-    for (; !clod_gauges_tell(from, gauge, value) || k > 0; value++) {
-        k -= clod_gauges_tell(from, gauge, value);
+    for (; !clod_gauges_has(from, gauge, value) || k > 0; value++) {
+        k -= clod_gauges_has(from, gauge, value);
     }
     snprintf(text, size, "gauge_%s.%s [%s]", gauge->name, CLOD_GAUGE_VALUE[value].name,
              CLOD_GAUGE_VALUE[value].unit);
 }
 
 /** The work up to now counts in this row; after it the walls' sums begin anew. */
-static void finish_row(clod_gauge_memory *self, const clod_case_gauge *gauge,
-                       const clod_state *state, int block)
+static void take_rest(clod_gauge_memory *self, const clod_case_gauge *gauge,
+                      const clod_state *state, int block)
 {
     double sums[CLOD_GAUGE_SUMS] = {0};
     take_work(self, gauge, state, sums);
-    self->work_seen = 0.0;
+    self->work.seen = 0.0;
     add_sums(self->row, sums);
     if (block >= 0) {
         add_sums(self->block[block], sums);
+    }
+}
+
+static void gauges_sums_end(void *memory, const clod_free_moment *now)
+{
+    clod_gauges *self = memory;
+    const int block = clod_steady_time_block(&now->steady, now->state->time);
+    for (size_t k = 0; k < now->from->gauge_count; k++) {
+        take_rest(&self->gauge[k], &now->from->gauges[k], now->state, block);
     }
 }
 
@@ -234,16 +222,15 @@ static void gauges_row(void *memory, const clod_free_moment *now, double *row)
 {
     clod_gauges *self = memory;
     const clod_case *from = now->from;
-    const int block = clod_steady_time_block(&now->steady, now->state->time);
+    gauges_sums_end(memory, now);
     for (size_t k = 0; k < from->gauge_count; k++) {
         clod_gauge_memory *mine = &self->gauge[k];
         const clod_gauge gauge = clod_gauges_make(from, &from->gauges[k]);
         double values[CLOD_GAUGE_VALUES];
-        finish_row(mine, &from->gauges[k], now->state, block);
         clod_gauge_values(&gauge, mine->row, values);
         memset(mine->row, 0, sizeof mine->row);
         for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
-            if (clod_gauges_tell(from, &from->gauges[k], v)) {
+            if (clod_gauges_has(from, &from->gauges[k], v)) {
                 *row++ = values[v];
             }
         }
@@ -255,10 +242,12 @@ const clod_free_measure CLOD_MEASURE_GAUGES = {.key = "gauges",
                                                .begin = gauges_begin,
                                                .act = gauges_act,
                                                .plan = gauges_plan,
-                                               .look = gauges_look,
+                                               .news = clod_gauges_news,
+                                               .look = gauges_sample,
                                                .columns = gauges_columns,
                                                .column = gauges_column,
                                                .row = gauges_row,
+                                               .sums_end = gauges_sums_end,
                                                .report = clod_gauges_report,
                                                .json = clod_gauges_json,
                                                .write = clod_gauges_write};

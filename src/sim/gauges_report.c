@@ -1,4 +1,4 @@
-// What gauges tell at the end: lines of the report, and their object in the summary.
+// What gauges report at the end: lines of the report, and their object in the summary.
 
 #include <inttypes.h>
 #include <math.h>
@@ -11,7 +11,7 @@
 
 /** Means over the steady time, and the standard deviation of those of its blocks. */
 typedef struct means {
-    int looks;
+    int samples;
     double mean[CLOD_GAUGE_VALUES];
     double deviation[CLOD_GAUGE_VALUES];
 } means;
@@ -31,7 +31,7 @@ static means means_of(const clod_gauge *gauge, const clod_gauge_memory *memory)
         }
     }
     clod_gauge_values(gauge, whole, self.mean);
-    self.looks = (int)whole[CLOD_GAUGE_LOOKS];
+    self.samples = (int)whole[CLOD_GAUGE_SAMPLES];
     for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
         self.deviation[v] = clod_steady_time_deviation(each[v], CLOD_STEADY_BLOCKS);
     }
@@ -58,7 +58,7 @@ static void report_stream(FILE *out, const clod_case *from, const clod_case_gaug
     char a[TEXT], b[TEXT];
     fprintf(out, "  gauge %-15s %s inside", gauge->name,
             text_of(self, CLOD_GAUGE_OF_MASS, a, sizeof a));
-    if (clod_gauges_tell(from, gauge, CLOD_GAUGE_OF_FLOW)) {
+    if (clod_gauges_has(from, gauge, CLOD_GAUGE_OF_FLOW)) {
         fprintf(out, ", %s", text_of(self, CLOD_GAUGE_OF_FLOW, a, sizeof a));
     }
     if (isnan(self->mean[CLOD_GAUGE_OF_SPEED])) {
@@ -66,11 +66,11 @@ static void report_stream(FILE *out, const clod_case *from, const clod_case_gaug
         return;
     }
     fprintf(out, ", %s", text_of(self, CLOD_GAUGE_OF_SPEED, a, sizeof a));
-    if (clod_gauges_tell(from, gauge, CLOD_GAUGE_OF_ANGLE)) {
+    if (clod_gauges_has(from, gauge, CLOD_GAUGE_OF_ANGLE)) {
         fprintf(out, ", %s off direction", text_of(self, CLOD_GAUGE_OF_ANGLE, a, sizeof a));
     }
     fprintf(out, "\n");
-    if (clod_gauges_tell(from, gauge, CLOD_GAUGE_OF_OFFSET)) {
+    if (clod_gauges_has(from, gauge, CLOD_GAUGE_OF_OFFSET)) {
         fprintf(out, "  %-21s %s off its middle across, standard deviation %s\n", "",
                 text_of(self, CLOD_GAUGE_OF_OFFSET, a, sizeof a),
                 text_of(self, CLOD_GAUGE_OF_WIDTH, b, sizeof b));
@@ -124,10 +124,10 @@ void clod_gauges_report(FILE *out, const void *memory, const clod_free_moment *n
     for (size_t k = 0; k < from->gauge_count; k++) {
         const clod_case_gauge *mine = &from->gauges[k];
         const clod_gauge gauge = clod_gauges_make(from, mine);
-        const means told = means_of(&gauge, &all->gauge[k]);
-        if (told.looks > 0) {
-            report_stream(out, from, mine, &told);
-            report_extras(out, mine, &gauge, &all->gauge[k], &told);
+        const means found = means_of(&gauge, &all->gauge[k]);
+        if (found.samples > 0) {
+            report_stream(out, from, mine, &found);
+            report_extras(out, mine, &gauge, &all->gauge[k], &found);
         } else {
             fprintf(out, "  gauge %-15s no means: the run ended before %.6g s\n", mine->name,
                     now->steady.since);
@@ -195,15 +195,15 @@ json_t *clod_gauges_json(const void *memory, const clod_free_moment *now)
     for (size_t k = 0; k < from->gauge_count; k++) {
         const clod_case_gauge *mine = &from->gauges[k];
         const clod_gauge gauge = clod_gauges_make(from, mine);
-        const means told = means_of(&gauge, &all->gauge[k]);
+        const means found = means_of(&gauge, &all->gauge[k]);
         json_t *one =
-            json_pack("{s:f, s:i}", "since_s", now->steady.since, "looks", told.looks);
+            json_pack("{s:f, s:i}", "since_s", now->steady.since, "samples", found.samples);
         for (int v = 0; v < CLOD_GAUGE_VALUES; v++) {
-            if (clod_gauges_tell(from, mine, v)) {
+            if (clod_gauges_has(from, mine, v)) {
                 json_object_set_new(one, CLOD_GAUGE_VALUE[v].key,
                                     json_pack("{s:o, s:o}", "mean",
-                                              clod_json_number(told.mean[v]), "deviation",
-                                              clod_json_number(told.deviation[v])));
+                                              clod_json_number(found.mean[v]), "deviation",
+                                              clod_json_number(found.deviation[v])));
             }
         }
         put_bins(one, mine, &gauge, &all->gauge[k]);

@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "output/voxels.h"
+#include "output/vtk_cells.h"
 
 #define AT_A_TIME 256 // contacts
 
@@ -16,7 +17,7 @@ typedef struct force_sum {
 } force_sum;
 #define SMALL_BITS 40
 
-/** What the contacts of a cell remembered, over all looks of the steady time. */
+/** What the contacts of a cell remembered, over all samples of the steady time. */
 typedef struct map_cell {
     int64_t contacts;
     force_sum pull_off, pressed;
@@ -24,7 +25,7 @@ typedef struct map_cell {
 } map_cell;
 
 typedef struct history_map {
-    int64_t looks;
+    int64_t samples;
     map_cell cell[]; ///< x fastest
 } history_map;
 
@@ -77,16 +78,16 @@ static double force_of(const force_sum *sum)
 }
 
 /** Coordinate of a contact, seen from the grain with the smaller id, within the domain [m]. */
-static double place_along(const clod_domain *domain, int axis, const double a[4],
-                          const double b[4])
+static double position_along(const clod_domain *domain, int axis, const double a[4],
+                             const double b[4])
 {
     const double way = clod_domain_separation(domain, axis, b[axis], a[axis]);
-    const double place = a[axis] + way * (a[3] / (a[3] + b[3]));
+    const double position = a[axis] + way * (a[3] / (a[3] + b[3]));
     const double low = domain->min[axis], high = domain->max[axis];
-    if (domain->periodic[axis] && (place < low || place >= high)) {
-        return place < low ? place + (high - low) : place - (high - low);
+    if (domain->periodic[axis] && (position < low || position >= high)) {
+        return position < low ? position + (high - low) : position - (high - low);
     }
-    return place;
+    return position;
 }
 
 /** Cell of a contact; NULL: outside. */
@@ -99,8 +100,8 @@ static map_cell *cell_of(history_map *self, const map_grid *grid, const clod_sta
     const double *b = grains->position[rises ? contact->j : contact->i];
     int64_t at[3];
     for (int c = 0; c < 3; c++) {
-        const double place = place_along(&state->domain, c, a, b);
-        const double k = floor((place - grid->low[c]) / grid->edge);
+        const double position = position_along(&state->domain, c, a, b);
+        const double k = floor((position - grid->low[c]) / grid->edge);
         if (!(k >= 0.0 && k < (double)grid->cells[c])) {
             return NULL;
         }
@@ -130,7 +131,7 @@ static bool map_look(void *memory, const clod_free_moment *now, clod_status *sta
     const clod_contact_source *contacts = now->contacts;
     clod_contact some[AT_A_TIME];
     size_t pairs, walls, count;
-    self->looks++;
+    self->samples++;
     contacts->begin(contacts->context, &pairs, &walls);
     do {
         count = contacts->next(contacts->context, some, AT_A_TIME);
@@ -144,7 +145,7 @@ static bool map_look(void *memory, const clod_free_moment *now, clod_status *sta
     return true;
 }
 
-// ---- what is told
+// ---- report, summary, file
 
 /** Cells that ever had a contact. */
 static size_t used_cells(const history_map *self, const map_grid *grid)
@@ -169,7 +170,7 @@ static const map_cell *strongest(const history_map *self, const map_grid *grid)
     return best;
 }
 
-static void place_of(const map_grid *grid, int64_t k, double corner[3])
+static void corner_of(const map_grid *grid, int64_t k, double corner[3])
 {
     for (int a = 0; a < 3; a++) {
         corner[a] = grid->low[a] + grid->edge * (double)(k % grid->cells[a]);
@@ -189,7 +190,7 @@ static void map_report(FILE *out, const void *memory, const clod_free_moment *no
             used_cells(self, &grid), cells_of(&grid));
     if (best != NULL) {
         double corner[3];
-        place_of(&grid, best - self->cell, corner);
+        corner_of(&grid, best - self->cell, corner);
         fprintf(out,
                 "; pressed most, %.4g N, in the one at (%.4g, %.4g, %.4g) m, which pulls with "
                 "up to %.4g N",
@@ -207,50 +208,50 @@ static json_t *map_json(const void *memory, const clod_free_moment *now)
     }
     const map_grid grid = grid_of(now->from);
     const map_cell *best = strongest(self, &grid);
-    json_t *told = json_pack("{s:f, s:I, s:I, s:I, s:f}", "since_s", now->steady.since, "cells",
-                             (json_int_t)cells_of(&grid), "used_cells",
-                             (json_int_t)used_cells(self, &grid), "looks",
-                             (json_int_t)self->looks, "cell_m", grid.edge);
+    json_t *object = json_pack("{s:f, s:I, s:I, s:I, s:f}", "since_s", now->steady.since,
+                               "cells", (json_int_t)cells_of(&grid), "used_cells",
+                               (json_int_t)used_cells(self, &grid), "samples",
+                               (json_int_t)self->samples, "cell_m", grid.edge);
     if (best != NULL) {
         double corner[3];
-        place_of(&grid, best - self->cell, corner);
-        json_object_set_new(told, "strongest",
+        corner_of(&grid, best - self->cell, corner);
+        json_object_set_new(object, "strongest",
                             json_pack("{s:[fff], s:f, s:f}", "corner_m", corner[0], corner[1],
                                       corner[2], "largest_past_force_N", best->most_pressed,
                                       "largest_pull_off_N", best->most_pull_off));
     }
-    return told;
+    return object;
 }
 
 /** Numbers of a cell in the file. */
-typedef struct told_cell {
+typedef struct cell_row {
     double corner[3];
-    double contacts; ///< mean of a look
+    double contacts; ///< mean of a sample
     double mean_pressed, most_pressed, mean_pull_off, most_pull_off;
-} told_cell;
+} cell_row;
 
-static told_cell tell(const history_map *self, const map_grid *grid, int64_t k)
+static cell_row row_of(const history_map *self, const map_grid *grid, int64_t k)
 {
     const map_cell *cell = &self->cell[k];
     const double count = (double)cell->contacts;
-    told_cell told = {.contacts = count / (double)self->looks,
-                      .mean_pressed = force_of(&cell->pressed) / count,
-                      .most_pressed = cell->most_pressed,
-                      .mean_pull_off = force_of(&cell->pull_off) / count,
-                      .most_pull_off = cell->most_pull_off};
-    place_of(grid, k, told.corner);
-    return told;
+    cell_row row = {.contacts = count / (double)self->samples,
+                    .mean_pressed = force_of(&cell->pressed) / count,
+                    .most_pressed = cell->most_pressed,
+                    .mean_pull_off = force_of(&cell->pull_off) / count,
+                    .most_pull_off = cell->most_pull_off};
+    corner_of(grid, k, row.corner);
+    return row;
 }
 
-/** Write the told cells; `corner` has room for those of all. */
-static bool write_cells(const told_cell *told, double (*corner)[3], size_t count, double edge,
+/** Write the rows; `corner` has room for those of all. */
+static bool write_cells(const cell_row *rows, double (*corner)[3], size_t count, double edge,
                         const clod_free_moment *now, const clod_folder *folder,
                         clod_status *status)
 {
-    const size_t row = sizeof *told;
+    const size_t row = sizeof *rows;
 #define COLUMN(name, unit, field)                                                              \
     {                                                                                          \
-        "VTKHDF/CellData/" name, unit, CLOD_HDF_F64, 1, count, &told->field, row               \
+        VTK_CELL_DATA "/" name, unit, CLOD_HDF_F64, 1, count, &rows->field, row                \
     }
     const clod_hdf_column columns[] = {
         COLUMN("contacts", "1", contacts),
@@ -261,7 +262,7 @@ static bool write_cells(const told_cell *told, double (*corner)[3], size_t count
     };
 #undef COLUMN
     for (size_t k = 0; k < count; k++) {
-        memcpy(corner[k], told[k].corner, sizeof *corner);
+        memcpy(corner[k], rows[k].corner, sizeof *corner);
     }
     const clod_voxels voxels = {(const double(*)[3])corner,
                                 count,
@@ -282,18 +283,18 @@ static bool map_files(const clod_folder *folder, const void *memory,
     }
     const map_grid grid = grid_of(now->from);
     const size_t used = used_cells(self, &grid);
-    told_cell *told = clod_memory_alloc(used + 1, sizeof *told);
+    cell_row *rows = clod_memory_alloc(used + 1, sizeof *rows);
     double(*corner)[3] = clod_memory_alloc(used + 1, sizeof *corner);
-    bool good = told != NULL && corner != NULL;
+    bool good = rows != NULL && corner != NULL;
     size_t count = 0;
     for (int64_t k = 0; good && k < cells_of(&grid); k++) {
         if (self->cell[k].contacts > 0) {
-            told[count++] = tell(self, &grid, k);
+            rows[count++] = row_of(self, &grid, k);
         }
     }
-    good = good ? write_cells(told, corner, count, grid.edge, now, folder, status)
+    good = good ? write_cells(rows, corner, count, grid.edge, now, folder, status)
                 : clod_status_fail(status, CLOD_FAILED, "no memory for history_map.hdf");
-    clod_memory_free(told);
+    clod_memory_free(rows);
     clod_memory_free(corner);
     return good;
 }

@@ -2,7 +2,7 @@
 /**
  * @file history_map.h
  * What grain-grain contacts remember, by cells of space: a measure of free runs
- * (docs/clumps.md). It looks at every row of the series, and leaves history_map.hdf.
+ * (docs/clumps.md). It is taken at every row of the series, and leaves history_map.hdf.
  */
 
 #include "sim/free_measures.h"

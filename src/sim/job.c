@@ -11,6 +11,7 @@
 #include "measure/contacts.h"
 #include "output/series.h"
 #include "parallel/threads.h"
+#include "setup/bound.h"
 #include "setup/grains.h"
 #include "sim/energy_series.h"
 #include "sim/job_store.h"
@@ -84,7 +85,8 @@ static bool with_contacts(job_loop *loop,
 static bool write_snapshot(job_loop *loop, clod_status *status)
 {
     loop->last_picture = loop->job->state.step;
-    if (!clod_step_see(&loop->step, status) || !with_contacts(loop, loop->job->procedure.picture, status)) {
+    if (!clod_step_see(&loop->step, status) ||
+        !with_contacts(loop, loop->job->procedure.picture, status)) {
         return false;
     }
     clod_step_reader reader;
@@ -235,6 +237,21 @@ static bool look(job_loop *loop, clod_status *status)
     return snapshot_if_due(loop, finished || before != after, status);
 }
 
+/** Say what the procedure has to say; in the log once, even when a run that was cut off comes by
+ *  again. */
+static void tell_news(const clod_job *job)
+{
+    const clod_procedure *p = &job->procedure;
+    const clod_run_options *options = job->sim->options;
+    clod_news news;
+    while (p->news != NULL && p->news(p->data, p->context, &job->state, &news)) {
+        if (options->notice != NULL) {
+            options->notice(options->context, news.text);
+        }
+        clod_eventlog_write_once(job->sim->log, news.event, news.fields);
+    }
+}
+
 /** One turn of the loop: steps, and when it is time for a look: measurement, output. */
 static bool turn(job_loop *loop, clod_status *status)
 {
@@ -244,6 +261,7 @@ static bool turn(job_loop *loop, clod_status *status)
         if (!with_contacts(loop, p->act, status)) {
             return false;
         }
+        tell_news(job);
         job->memory.planned = p->plan(p->data, p->context, &job->state);
     }
     if (!advance(loop, status)) {
@@ -366,7 +384,9 @@ static bool open_loop(job_loop *loop, clod_status *status)
     const clod_step_options options = {.threads = threads_of(job),
                                        .ranks = job->sim->options->ranks,
                                        .simd = job->sim->options->simd,
-                                       .overlap_limit = job->sim->from->time.overlap_limit};
+                                       .overlap_limit = job->sim->from->time.overlap_limit,
+                                       .accepts = clod_setup_bound_accepts,
+                                       .context = job->sim->from};
     if (loop->series == NULL || !clod_laws_init(&loop->laws, job->sim->from, status)) {
         return false;
     }

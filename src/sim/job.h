@@ -12,18 +12,22 @@
 #include "output/folder.h"
 #include "output/series.h"
 #include "output/snapshot.h"
+#include "sim/news.h"
 #include "state/state.h"
 
 /** What decides what happens between steps; `data` is plain and goes into the checkpoint. */
 typedef struct clod_procedure {
     void *data;
-    size_t size;
+    size_t size;          ///< bytes of `data`
+    size_t measures_size; ///< bytes behind them: what measures remember; 0: there are none
     const void *context;
     const char *const *columns; ///< [column_count] of the series
     size_t column_count;
     /** Before every plan: ask for grains to come (state->changes), or measure. NULL: nothing. */
     bool (*act)(void *data, const void *context, clod_state *state,
                 const clod_contact_source *contacts, clod_status *status);
+    /** After every act: the next thing to be said at once; false: nothing more. NULL: nothing. */
+    bool (*news)(void *data, const void *context, const clod_state *state, clod_news *news);
     int64_t (*plan)(const void *data, const void *context, const clod_state *state);
     /** After the planned steps: whether it is time for a sample. NULL: it always is. */
     bool (*look)(void *data, const void *context, const clod_state *state);

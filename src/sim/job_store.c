@@ -15,11 +15,21 @@
 
 static pthread_mutex_t hdf5_lock = PTHREAD_MUTEX_INITIALIZER;
 
-static size_t parts_of(clod_job *self, clod_job_memory *memory, clod_checkpoint_part parts[2])
+/** Parts of a checkpoint, at most. */
+#define PARTS 3
+
+static size_t parts_of(clod_job *self, clod_job_memory *memory,
+                       clod_checkpoint_part parts[PARTS])
 {
-    parts[0] = (clod_checkpoint_part){"procedure", self->procedure.data, self->procedure.size};
+    const clod_procedure *p = &self->procedure;
+    parts[0] = (clod_checkpoint_part){"procedure", p->data, p->size};
     parts[1] = (clod_checkpoint_part){"job", memory, sizeof *memory};
-    return 2;
+    if (p->measures_size == 0) {
+        return 2;
+    }
+    unsigned char *measures = (unsigned char *)p->data + p->size;
+    parts[2] = (clod_checkpoint_part){"measures", measures, p->measures_size};
+    return 3;
 }
 
 bool clod_job_is_plain(const clod_job *self)
@@ -50,7 +60,7 @@ bool clod_job_store(clod_job *self, const clod_contact_source *contacts, const c
                     clod_status *status)
 {
     char stem[CLOD_JOB_STEM];
-    clod_checkpoint_part parts[2];
+    clod_checkpoint_part parts[PARTS];
     const size_t count = parts_of(self, &self->memory, parts);
     clod_job_stem(self->name, suffix, stem);
     pthread_mutex_lock(&hdf5_lock);
@@ -97,7 +107,7 @@ static bool read_checkpoint(clod_job *self, const shelf *where, const char *name
                             clod_job_memory *memory, char notice[1024], clod_status *status)
 {
     char stem[CLOD_JOB_STEM];
-    clod_checkpoint_part parts[2];
+    clod_checkpoint_part parts[PARTS];
     const size_t count = parts_of(self, memory, parts);
     clod_job_stem(name, "", stem);
     pthread_mutex_lock(&hdf5_lock);

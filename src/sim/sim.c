@@ -7,6 +7,7 @@
 #include "measure/contacts.h"
 #include "parallel/threads.h"
 #include "setup/begin.h"
+#include "setup/bound.h"
 #include "setup/grains.h"
 
 pthread_mutex_t clod_sim_case_lock = PTHREAD_MUTEX_INITIALIZER;
@@ -32,7 +33,6 @@ void clod_sim_moved(clod_sim *self)
 bool clod_sim_take_up(clod_sim *self, clod_status *status)
 {
     clod_laws_set_adhesion(&self->laws, self->state.adhesion);
-    clod_setup_bound_fini(&self->bound); // it is another state
     if (!clod_step_init(&self->step, &self->state, &self->laws, &self->options, status)) {
         self->step.failed = true; // it says so from now on
         self->step.status = *status;
@@ -46,14 +46,9 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
 {
     self->options = (clod_step_options){.threads = options != NULL ? options->threads : 0,
                                         .simd = options != NULL ? options->simd : NULL,
-                                        .overlap_limit = self->from->time.overlap_limit};
-    if (clod_setup_grains_coming(self->from) > 0) {
-        return clod_status_fail(
-            status, CLOD_USAGE,
-            "%s: grains come during the run (grains.N.inlet); clod run does "
-            "that. A program adds grains itself (clod_sim_add_grain)",
-            self->from->path);
-    }
+                                        .overlap_limit = self->from->time.overlap_limit,
+                                        .accepts = clod_setup_bound_accepts,
+                                        .context = self->from};
     if (!clod_begin_state(self->from, self->from->seed, &self->state, status) ||
         !clod_laws_init(&self->laws, self->from, status)) {
         return false;
@@ -63,7 +58,8 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
                                 ? threads
                                 : clod_threads_worth(threads, self->state.grains.count);
     return clod_sim_take_up(self, status) &&
-           (!self->from->output.energy || clod_sim_open_ledger(self, status));
+           (!self->from->output.energy || clod_sim_open_ledger(self, status)) &&
+           (clod_setup_grains_coming(self->from) == 0 || clod_sim_open_series(self, status));
 }
 
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
@@ -130,7 +126,7 @@ void clod_sim_destroy(clod_sim **self)
     clod_state_fini(&(*self)->state);
     clod_laws_fini(&(*self)->laws);
     clod_memory_free((*self)->contacts);
-    clod_setup_bound_fini(&(*self)->bound);
+    clod_sim_close_series(*self);
     clod_case_destroy(&(*self)->owned);
     clod_memory_free(*self);
     *self = NULL;
@@ -145,7 +141,8 @@ bool clod_sim_advance(clod_sim *self, int64_t steps, clod_status *status)
         return clod_status_fail(status, CLOD_USAGE, "%s: %lld steps; give 0 or more", __func__,
                                 (long long)steps);
     }
-    return steps == 0 || clod_step_advance(&self->step, steps, status);
+    return self->measures != NULL ? clod_sim_advance_measured(self, steps, status)
+                                  : steps == 0 || clod_step_advance(&self->step, steps, status);
 }
 
 double clod_sim_time(const clod_sim *self)

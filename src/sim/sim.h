@@ -10,9 +10,10 @@
 #include "base/given.h"
 #include "clod/sim.h"
 #include "law/law.h"
-#include "setup/state.h"
 #include "state/state.h"
 #include "step/step.h"
+
+#define CLOD_SIM_COLUMN_TEXT 128
 
 struct clod_sim {
     clod_case *owned;      ///< NULL: the case is borrowed
@@ -23,7 +24,12 @@ struct clod_sim {
     clod_step step;
     clod_sim_contact *contacts; ///< [contact_capacity] lent by clod_sim_contacts
     size_t contact_capacity;
-    clod_setup_bound bound; ///< of the time step; made when something first comes
+    void *measures; ///< [measures_size] what the series remembers; NULL: it is not open
+    size_t measures_size;
+    clod_sim_column *columns;                  ///< [column_count] lent by clod_sim_series_row
+    char (*column_text)[CLOD_SIM_COLUMN_TEXT]; ///< names and units of them
+    double *row;                               ///< [column_count]
+    size_t column_count;
 };
 
 /** Cases, and walls from a text, are read one at a time. */
@@ -41,17 +47,24 @@ bool clod_sim_has_wall(const clod_sim *self, int32_t wall, const char *function,
 bool clod_sim_has_shape(const clod_sim *self, int32_t wall, int32_t shape, const char *function,
                         clod_status *status);
 
-/**
- * Whether the step of the case is stable with the bound as it is now; else CLOD_USAGE says what
- * must be.
- *
- * @param what  is new: "grain 7", "wall 'lid'"
- */
-bool clod_sim_step_is_stable(const clod_sim *self, const char *function, const char *what,
-                             clod_status *status);
-
 /** Changes that were asked for are made, and all contacts copied into the state. */
 bool clod_sim_hold(clod_sim *self, clod_status *status);
+
+/**
+ * Whether walls may come and go: the measures of an open series know those of the case only.
+ *
+ * Errors  CLOD_USAGE.
+ */
+bool clod_sim_walls_are_free(const clod_sim *self, const char *function, clod_status *status);
+
+/** Steps with the measures of the open series, which act between them. */
+bool clod_sim_advance_measured(clod_sim *self, int64_t steps, clod_status *status);
+
+/** The measures take what the sums of walls have; the caller begins these anew. */
+void clod_sim_sums_end(clod_sim *self);
+
+/** Free what the series needs. */
+void clod_sim_close_series(clod_sim *self);
 
 /** Something moved that the step did not move: neighbours are looked for anew before all else.
  */

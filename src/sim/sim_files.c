@@ -30,10 +30,13 @@ bool clod_sim_write_checkpoint(clod_sim *self, const char *folder, clod_status *
     }
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&self->step, &reader);
+    const clod_checkpoint_part measures = {"measures", self->measures, self->measures_size};
+    const size_t count = self->measures != NULL;
     char *identity = make_identity(self->from, status);
     clod_folder *open = identity != NULL ? clod_folder_open(folder, status) : NULL;
-    const bool ok = open != NULL && clod_checkpoint_write(open, "restart", &self->state,
-                                                          &contacts, NULL, 0, identity, status);
+    const bool ok =
+        open != NULL && clod_checkpoint_write(open, "restart", &self->state, &contacts,
+                                              &measures, count, identity, status);
     clod_folder_close(&open);
     clod_memory_free(identity);
     return ok;
@@ -45,7 +48,7 @@ static bool has_meshes(const clod_state *state, clod_status *status)
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            if (wall->shapes[s].kind == CLOD_SHAPE_MESH && wall->shapes[s].surface == NULL) {
+            if (clod_shape_lacks_facets(&wall->shapes[s])) {
                 return clod_status_fail(status, CLOD_USAGE,
                                         "the checkpoint has the mesh of wall '%s', which this "
                                         "simulation has not: it was removed. Read it into a "
@@ -57,16 +60,19 @@ static bool has_meshes(const clod_state *state, clod_status *status)
     return true;
 }
 
-/** Fill an empty state from a checkpoint of the same case; meshes are those of `self`. */
+/** Fill an empty state from a checkpoint of the same case; meshes are those of `self`.
+ *  `measures` [measures_size] are filled when the series is open. */
 static bool read_state(const clod_sim *self, const char *folder, const char *stem,
-                       clod_state *state, clod_status *status)
+                       clod_state *state, void *measures, clod_status *status)
 {
     char notice[1024];
+    clod_checkpoint_part part = {"measures", measures, self->measures_size};
+    const size_t count = self->measures != NULL;
     char *identity = make_identity(self->from, status);
     clod_folder *open = identity != NULL ? clod_folder_look(folder, status) : NULL;
     const bool ok = open != NULL &&
                     clod_walls_copy(&state->walls, &self->state.walls, status) &&
-                    clod_checkpoint_read(open, stem, state, NULL, 0, identity, notice,
+                    clod_checkpoint_read(open, stem, state, &part, count, identity, notice,
                                          sizeof notice, status) &&
                     has_meshes(state, status);
     clod_folder_close(&open);
@@ -83,10 +89,19 @@ bool clod_sim_read_checkpoint(clod_sim *self, const char *folder, const char *pa
     char stem[CLOD_JOB_STEM];
     clod_state state = {.build_motion = -1.0};
     clod_job_stem(part != NULL ? part : "run", "", stem);
-    if (!read_state(self, folder, stem, &state, status)) {
+    void *measures = clod_memory_alloc(1, self->measures_size + 1);
+    if (measures == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory to read %s", folder);
+    }
+    if (!read_state(self, folder, stem, &state, measures, status)) {
+        clod_memory_free(measures);
         clod_state_fini(&state);
         return false;
     }
+    if (self->measures != NULL) {
+        memcpy(self->measures, measures, self->measures_size);
+    }
+    clod_memory_free(measures);
     clod_step_fini(&self->step);
     clod_state_fini(&self->state);
     self->state = state;

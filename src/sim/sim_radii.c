@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "base/memory.h"
+#include "setup/bound.h"
 #include "sim/sim.h"
 #include "step/neighbour.h"
 
@@ -42,16 +43,6 @@ static void copy(double *to, size_t to_stride, const double *from, size_t from_s
     }
 }
 
-/** Whether the time step is stable with the radii that the rows have now. */
-static bool fits_step(clod_sim *self, const char *function, clod_status *status)
-{
-    clod_setup_bound_fini(&self->bound); // of other radii
-    const bool good = clod_setup_bound_init(&self->bound, self->from, &self->state, status) &&
-                      clod_sim_step_is_stable(self, function, "these radii", status);
-    clod_setup_bound_fini(&self->bound); // made again when something comes
-    return good;
-}
-
 bool clod_sim_set_radii(clod_sim *self, const double *radii, clod_status *status)
 {
     if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(radii, status) ||
@@ -67,7 +58,7 @@ bool clod_sim_set_radii(clod_sim *self, const double *radii, clod_status *status
     double *rows = &grains->position[0][3];
     copy(before, 1, rows, 4, grains->count);
     copy(rows, 4, radii, 1, grains->count);
-    const bool good = fits_step(self, __func__, status);
+    const bool good = clod_setup_bound_fits(self->from, &self->state, "these radii", status);
     if (good) {
         for (size_t g = 0; g < grains->count; g++) {
             if (radii[g] != before[g]) {

@@ -235,5 +235,6 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
 void clod_sim_reset_wall_means(clod_sim *self)
 {
     CLOD_NEED(self);
+    clod_sim_sums_end(self);
     clod_walls_reset_sums(&self->state.walls);
 }

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "state/wear.h"
 
 /** Columns of each surface: means over the time since the last row. */
@@ -17,27 +16,31 @@ static const int SUM_OF[] = {CLOD_WEAR_IMPULSE, CLOD_WEAR_IMPULSE + 1, CLOD_WEAR
 
 // ---- totals of surfaces
 
-/** All that is told of a surface. */
+/** Totals of a surface. */
 typedef struct face {
     double sum[CLOD_WEAR_SUMS];
     double area;                        ///< m2; 0: without bound
-    double pressure;                    ///< Pa, largest mean of a place
+    double pressure;                    ///< Pa, largest mean of an element
     double archard, finnie;             ///< m3
-    double archard_depth, finnie_depth; ///< m, of the place that wears most
+    double archard_depth, finnie_depth; ///< m, of the element that wears most
 } face;
 
-/** Surfaces of a wall as they are summed up. */
+/** A surface of a wall as it is summed up. */
 typedef struct summing {
-    face *faces;
+    face *face;
+    int32_t number;
     double time; ///< s, over which the sums go
 } summing;
 
-static void add_place(void *context, const clod_wall *wall, clod_wear_place at)
+static void add_element(void *context, const clod_wall *wall, clod_wear_place at)
 {
     const summing *self = context;
-    face *to = &self->faces[at.face];
+    face *to = self->face;
     const double *sum = wall->wear[at.place];
     const clod_shape *shape = &wall->shapes[at.shape];
+    if (at.face != self->number) {
+        return;
+    }
     for (int c = 0; c < CLOD_WEAR_SUMS; c++) {
         to->sum[c] += sum[c];
     }
@@ -54,15 +57,13 @@ static void add_place(void *context, const clod_wall *wall, clod_wear_place at)
     }
 }
 
-/** All surfaces of a wall, owned [clod_wear_faces]; NULL without memory. */
-static face *make_faces(const clod_wall *wall, double now)
+/** Totals of one surface of a wall. */
+static face face_of(const clod_wall *wall, int32_t number, double now)
 {
-    face *faces = clod_memory_alloc((size_t)clod_wear_faces(wall) + 1, sizeof *faces);
-    if (faces != NULL) {
-        summing self = {faces, now - wall->wear_since};
-        clod_wear_visit(wall, add_place, &self);
-    }
-    return faces;
+    face total = {.area = 0.0};
+    summing self = {&total, number, now - wall->wear_since};
+    clod_wear_visit(wall, add_element, &self);
+    return total;
 }
 
 /** Angle of impact, weighted with energy [deg]; there was one. */
@@ -149,7 +150,7 @@ static void add_sums(void *context, const clod_wall *wall, clod_wear_place at)
     }
 }
 
-static bool surfaces_look(void *memory, const clod_free_moment *now, clod_status *status)
+static bool surfaces_sample(void *memory, const clod_free_moment *now, clod_status *status)
 {
     (void)memory;
     (void)status;
@@ -183,10 +184,9 @@ static void surfaces_row(void *memory, const clod_free_moment *now, double *row)
 
 static void report_wall(FILE *out, const clod_wall *wall, double now)
 {
-    face *faces = make_faces(wall, now);
     const double time = now - wall->wear_since;
-    for (int32_t f = 0; faces != NULL && time > 0.0 && f < clod_wear_faces(wall); f++) {
-        const face *of = &faces[f];
+    for (int32_t f = 0; time > 0.0 && f < clod_wear_faces(wall); f++) {
+        const face total = face_of(wall, f, now), *of = &total;
         char name[64];
         clod_wear_name(wall, f, name, sizeof name);
         if (of->sum[CLOD_WEAR_IMPACTS] == 0.0 && of->sum[CLOD_WEAR_SHEAR] == 0.0) {
@@ -202,7 +202,6 @@ static void report_wall(FILE *out, const clod_wall *wall, double now)
                 of->sum[CLOD_WEAR_ENERGY] / time, angle, 1e9 * 3600.0 * of->archard / time,
                 1e9 * 3600.0 * of->finnie / time);
     }
-    clod_memory_free(faces);
 }
 
 static void surfaces_report(FILE *out, const void *memory, const clod_free_moment *now)
@@ -258,11 +257,10 @@ static json_t *surfaces_json(const void *memory, const clod_free_moment *now)
     for (int32_t w = 0; w < walls->count; w++) {
         const clod_wall *wall = &walls->wall[w];
         const double time = now->state->time - wall->wear_since;
-        face *faces = make_faces(wall, now->state->time);
-        for (int32_t f = 0; faces != NULL && time > 0.0 && f < clod_wear_faces(wall); f++) {
-            json_array_append_new(all, face_json(wall, f, &faces[f], time));
+        for (int32_t f = 0; time > 0.0 && f < clod_wear_faces(wall); f++) {
+            const face total = face_of(wall, f, now->state->time);
+            json_array_append_new(all, face_json(wall, f, &total, time));
         }
-        clod_memory_free(faces);
     }
     return all;
 }
@@ -271,7 +269,7 @@ const clod_free_measure CLOD_MEASURE_SURFACES = {.key = "surfaces",
                                                  .begin = surfaces_begin,
                                                  .act = surfaces_act,
                                                  .plan = surfaces_plan,
-                                                 .look = surfaces_look,
+                                                 .look = surfaces_sample,
                                                  .columns = surfaces_columns,
                                                  .column = surfaces_column,
                                                  .row = surfaces_row,

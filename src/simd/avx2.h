@@ -73,6 +73,12 @@ static inline bool vmask_any(vmask m)
     return _mm256_movemask_pd(m) != 0;
 }
 
+/** Lane l of a mask in bit l. */
+static inline unsigned vmask_bits(vmask m)
+{
+    return (unsigned)_mm256_movemask_pd(m);
+}
+
 /** Transpose a 4 x 4 matrix held in four vectors. */
 static inline void vreal_transpose4(vreal out[4], vreal r0, vreal r1, vreal r2, vreal r3)
 {

@@ -73,6 +73,12 @@ static inline bool vmask_any(vmask m)
     return m != 0;
 }
 
+/** Lane l of a mask in bit l. */
+static inline unsigned vmask_bits(vmask m)
+{
+    return m;
+}
+
 /** Two rows of four doubles side by side. */
 static inline vreal vreal_pair_rows(const double *low, const double *high)
 {

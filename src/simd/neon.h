@@ -63,6 +63,12 @@ static inline bool vmask_any(vmask m)
     return vmaxvq_u32(vreinterpretq_u32_u64(m)) != 0;
 }
 
+/** Lane l of a mask in bit l. */
+static inline unsigned vmask_bits(vmask m)
+{
+    return (unsigned)(vgetq_lane_u64(m, 0) & 1u) | (unsigned)(vgetq_lane_u64(m, 1) & 2u);
+}
+
 /** Not vminq_f64: that one gives NaN when either is NaN, and the lesser of two zeros. */
 static inline vreal vreal_min(vreal a, vreal b)
 {

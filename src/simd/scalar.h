@@ -73,6 +73,12 @@ static inline bool vmask_any(vmask m)
     return m;
 }
 
+/** Lane l of a mask in bit l. */
+static inline unsigned vmask_bits(vmask m)
+{
+    return m ? 1u : 0u;
+}
+
 static inline void vreal_load_rows(vreal out[4], const double (*rows)[4], const int32_t *index)
 {
     for (int c = 0; c < 4; c++) {

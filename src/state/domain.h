@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** A region in which grains are removed: a box, or with an outer radius what of the box is
- *  between two radii from an upright axis. */
+/** A region, in which grains are removed or measured: a box, or with an outer radius what of the
+ *  box is between two radii from an upright axis. */
 typedef struct clod_outlet {
     double low[3], high[3]; ///< m
     double middle[2];       ///< m, x and y of the axis
@@ -28,7 +28,7 @@ typedef struct clod_domain {
     clod_outlet outlet[CLOD_OUTLETS];
 } clod_domain;
 
-/** Whether a point is in a region. Threads: pure. */
+/** Whether a point is in a region, its border included: the one test of this. Threads: pure. */
 static inline bool clod_outlet_has(const clod_outlet *self, const double p[3])
 {
     bool in = true;

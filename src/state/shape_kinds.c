@@ -11,7 +11,7 @@ static const clod_shape_kind_row SHAPES[CLOD_SHAPE_KINDS] = {
     [CLOD_SHAPE_BOX] = {.solid = true, .boxed = true},
     [CLOD_SHAPE_BAR] = {.solid = true, .boxed = true},
     [CLOD_SHAPE_MESH] = {.faceted = true, .boxed = true},
-    [CLOD_SHAPE_CONVEYOR] = {.faceted = true, .boxed = true}, // becomes a mesh
+    [CLOD_SHAPE_CONVEYOR] = {.faceted = true, .boxed = true, .conveyor = true},
 };
 
 const clod_shape_kind_row *clod_shape_kinds_row(clod_shape_kind kind)

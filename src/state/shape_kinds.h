@@ -16,6 +16,7 @@ typedef struct clod_shape_kind_row {
     bool solid;    ///< a box along axis[] with half sizes half[]
     bool boxed;    ///< within the box along axis[] with half sizes half[]
     bool faceted;  ///< facets of a mesh: clod_shape.surface
+    bool conveyor; ///< its mesh is not in a file: clod makes it (setup/belt.h)
     bool flat;     ///< across its axis, between the radii inner and outer
     bool shell;    ///< along its axis, with the grains on one `side`
     bool straight; ///< radius outer from foot to top; else inner at the top

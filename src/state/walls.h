@@ -51,6 +51,12 @@ typedef struct clod_shape {
     double archard, finnie; ///< m3/J, worn volume for a sum of work (wear.h)
 } clod_shape;
 
+/** Whether it is a mesh whose facets are not there: a checkpoint has none. */
+static inline bool clod_shape_lacks_facets(const clod_shape *self)
+{
+    return clod_shape_kinds_row(self->kind)->faceted && self->surface == NULL;
+}
+
 /** Copies of shapes, with users of their surfaces; NULL without memory. */
 clod_shape *clod_shapes_copy(const clod_shape *shapes, int32_t count);
 
@@ -64,6 +70,12 @@ void clod_shapes_free(clod_shape **shapes, int32_t count);
 static inline double clod_shape_end_radius(const clod_shape *self)
 {
     return clod_shape_kinds_row(self->kind)->straight ? self->outer : self->inner;
+}
+
+/** Whether it is the first shape of a mesh, which has those of all its patches behind it. */
+static inline bool clod_shape_begins_mesh(const clod_shape *self)
+{
+    return self->surface != NULL && self->patch == 0 && self->slot == 0;
 }
 
 /** Harmonic motion: displacement amplitude sin(2 pi frequency t + phase), along and about. */

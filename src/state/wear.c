@@ -43,7 +43,7 @@ void clod_wear_visit(const clod_wall *wall, clod_wear_look look, void *context)
         const clod_surface *surface = shape->surface;
         if (surface == NULL) {
             look(context, wall, (clod_wear_place){s, shape->place, shape->face});
-        } else if (shape->patch == 0 && shape->slot == 0) { // the mesh's other shapes follow
+        } else if (clod_shape_begins_mesh(shape)) { // the mesh's other shapes follow
             for (int32_t f = 0; f < (int32_t)surface->facet_count; f++) {
                 look(context, wall,
                      (clod_wear_place){s + CLOD_SURFACE_SLOTS * (int32_t)surface->patch[f],
@@ -113,23 +113,22 @@ static double facet_area(const clod_surface *surface, int32_t facet)
 double clod_wear_area(const clod_wall *wall, int32_t shape, int32_t place)
 {
     const clod_shape *self = &wall->shapes[shape];
+    const clod_shape_kind_row *row = clod_shape_kinds_row(self->kind);
     const double slant = hypot(2.0 * self->half[2], self->outer - clod_shape_end_radius(self));
-    switch (self->kind) {
-    case CLOD_SHAPE_MESH:
+    if (row->faceted) {
         return facet_area(self->surface, place - self->place);
-    case CLOD_SHAPE_DISC:
-    case CLOD_SHAPE_ANNULUS:
+    }
+    if (row->flat) {
         return M_PI * (self->outer * self->outer - self->inner * self->inner);
-    case CLOD_SHAPE_CYLINDER:
-    case CLOD_SHAPE_CONE:
+    }
+    if (row->shell) {
         return M_PI * (self->outer + clod_shape_end_radius(self)) * slant;
-    case CLOD_SHAPE_BOX:
-    case CLOD_SHAPE_BAR:
+    }
+    if (row->solid) {
         return 8.0 * (self->half[0] * self->half[1] + self->half[1] * self->half[2] +
                       self->half[2] * self->half[0]);
-    default:
-        return 0.0;
     }
+    return 0.0; // an endless plane
 }
 
 double clod_wear_finnie(double normal, double along)

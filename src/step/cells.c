@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/room.h"
 
 static bool within_skin(const clod_state *state, const double a[4], const double b[4],
                         double skin)
@@ -79,7 +80,7 @@ static size_t cells_of(const clod_cells_grid *grid)
     return (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
 }
 
-bool clod_cells_begin(clod_neighbour *self)
+bool clod_cells_begin(clod_neighbour *self, size_t grains)
 {
     const size_t cells = cells_of(&self->grid);
     if (cells + 1 > self->cell_capacity) {
@@ -92,7 +93,9 @@ bool clod_cells_begin(clod_neighbour *self)
         }
     }
     memset(self->cell_start, 0, (cells + 1) * sizeof *self->cell_start);
-    return true;
+    self->place_stride = grains + CLOD_LANES; // a vector may read beyond the last grain
+    return clod_room_for(&self->cell_place, &self->place_capacity, 4 * self->place_stride,
+                         sizeof *self->cell_place);
 }
 
 /** Add to a number that other threads may add to; what it was. */
@@ -123,11 +126,16 @@ void clod_cells_add(clod_neighbour *self)
     }
 }
 
-void clod_cells_enter(clod_neighbour *self, clod_chunk grains, bool shared)
+void clod_cells_enter(clod_neighbour *self, const clod_state *state, clod_chunk grains,
+                      bool shared)
 {
     for (size_t g = grains.end; g-- > grains.begin;) { // each cell is filled from behind
         int32_t *start = &self->cell_start[self->cell_of[g] + 1];
-        self->cell_item[add(start, -1, shared) - 1] = (int32_t)g;
+        const int32_t at = add(start, -1, shared) - 1;
+        self->cell_item[at] = (int32_t)g;
+        for (size_t c = 0; c < 4; c++) {
+            self->cell_place[c * self->place_stride + (size_t)at] = state->build_position[g][c];
+        }
     }
 }
 
@@ -154,23 +162,58 @@ static int around(const clod_cells_grid *grid, int axis, int32_t c, int32_t out[
     return count;
 }
 
-/** Later partners of i in one cell. */
-static bool search_cell(const clod_neighbour *self, const clod_state *state, size_t i,
-                        int32_t cell, size_t cells, clod_pairs *to)
+/** Runs of cells to look at along x, one behind the other in memory: at most two. */
+static int around_x(const clod_cells_grid *grid, int32_t c, int32_t first[2], int32_t last[2])
 {
-    const int32_t begin = self->cell_start[cell + 1];
-    const int32_t end =
-        (size_t)cell + 1 == cells ? (int32_t)state->grains.count : self->cell_start[cell + 2];
-    for (int32_t k = begin; k < end; k++) {
-        const size_t j = (size_t)self->cell_item[k];
-        if (j > i &&
-            within_skin(state, state->build_position[i], state->build_position[j],
-                        self->skin) &&
-            !clod_neighbour_add(to, j)) {
-            return false;
+    const int32_t n = grid->n[0];
+    const bool whole = grid->periodic[0] && n <= 3;
+    const bool wraps = grid->periodic[0] && !whole && (c == 0 || c == n - 1);
+    first[0] = whole || c == 0 ? 0 : c - 1;
+    last[0] = whole || c == n - 1 ? n - 1 : c + 1;
+    first[1] = last[1] = c == 0 ? n - 1 : 0;
+    return wraps ? 2 : 1;
+}
+
+/** Later partners of i in a run of cells. */
+static bool search_run(const clod_neighbour *self, const clod_kernel_search *search,
+                       const double p[4], size_t i, clod_chunk items, clod_pairs *to)
+{
+    for (size_t first = items.begin; first < items.end; first += 64) {
+        const size_t left = items.end - first;
+        uint64_t bits = self->kernel->within(search, p, first, left < 64 ? left : 64);
+        for (; bits != 0; bits &= bits - 1) {
+            const size_t j = (size_t)self->cell_item[first + (size_t)__builtin_ctzll(bits)];
+            if (j > i && !clod_neighbour_add(to, j)) {
+                return false;
+            }
         }
     }
     return true;
+}
+
+/** Grains of the cells [first, last], which lie one behind the other. */
+static clod_chunk items_of(const clod_neighbour *self, size_t grains, int32_t first,
+                           int32_t last)
+{
+    const size_t next = (size_t)last + 1;
+    return (clod_chunk){(size_t)self->cell_start[first + 1],
+                        next == cells_of(&self->grid) ? grains
+                                                      : (size_t)self->cell_start[next + 1]};
+}
+
+static clod_kernel_search search_of(const clod_neighbour *self, const clod_domain *domain)
+{
+    clod_kernel_search search = {.skin = self->skin};
+    for (size_t c = 0; c < 4; c++) {
+        search.place[c] = self->cell_place + c * self->place_stride;
+    }
+    for (int a = 0; a < 3; a++) {
+        if (domain->periodic[a]) {
+            search.period[a] = domain->max[a] - domain->min[a];
+            search.inverse_period[a] = 1.0 / search.period[a];
+        }
+    }
+    return search;
 }
 
 /** Put the candidates from `first` on into ascending j; a handful of items. */
@@ -187,25 +230,36 @@ static void order_tail(clod_pairs *self, size_t first)
     }
 }
 
+/** Later partners of i, in any order. */
+static bool search_around(const clod_neighbour *self, const clod_state *state,
+                          const clod_kernel_search *search, size_t i, clod_pairs *to)
+{
+    const clod_cells_grid *grid = &self->grid;
+    const double *p = state->build_position[i];
+    int32_t first[2], last[2], y[3], z[3];
+    const int nx = around_x(grid, clod_cells_along(grid, 0, p[0]), first, last);
+    const int ny = around(grid, 1, clod_cells_along(grid, 1, p[1]), y);
+    const int nz = around(grid, 2, clod_cells_along(grid, 2, p[2]), z);
+    for (int c = 0; c < nx * ny * nz; c++) {
+        const int32_t line = (z[c / (nx * ny)] * grid->n[1] + y[c / nx % ny]) * grid->n[0];
+        const clod_chunk items =
+            items_of(self, state->grains.count, line + first[c % nx], line + last[c % nx]);
+        if (!search_run(self, search, p, i, items, to)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 bool clod_cells_find_pairs(const clod_neighbour *self, const clod_state *state, size_t begin,
                            size_t end, clod_pairs *to)
 {
-    const clod_cells_grid *grid = &self->grid;
-    const size_t cells = cells_of(grid);
+    const clod_kernel_search search = search_of(self, &state->domain);
     for (size_t i = begin; i < end; i++) {
         const size_t first = to->count;
         to->start[i] = (uint32_t)first;
-        int32_t x[3], y[3], z[3];
-        const double *p = state->build_position[i];
-        const int nx = around(grid, 0, clod_cells_along(grid, 0, p[0]), x);
-        const int ny = around(grid, 1, clod_cells_along(grid, 1, p[1]), y);
-        const int nz = around(grid, 2, clod_cells_along(grid, 2, p[2]), z);
-        for (int c = 0; c < nx * ny * nz; c++) {
-            const int32_t cell =
-                (z[c / (nx * ny)] * grid->n[1] + y[c / nx % ny]) * grid->n[0] + x[c % nx];
-            if (!search_cell(self, state, i, cell, cells, to)) {
-                return false;
-            }
+        if (!search_around(self, state, &search, i, to)) {
+            return false;
         }
         order_tail(to, first);
     }

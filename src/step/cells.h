@@ -33,17 +33,19 @@ double clod_cells_most(size_t grains);
 /**
  * Grains by cell of self->grid, for the search, in four steps: room for the cells, which are empty;
  * the grains of a chunk counted; the numbers added up; the grains of a chunk entered. Afterwards
- * cell_start[c + 1] is where cell c begins in cell_item; the order within a cell is any.
+ * cell_start[c + 1] is where cell c begins in cell_item and cell_place; the order within a cell is
+ * any.
  *
  * @param shared  other threads do other chunks at the same time
  * @return        begin: false without memory
  * Threads        count and enter: several, each with other grains
  */
-bool clod_cells_begin(clod_neighbour *self);
+bool clod_cells_begin(clod_neighbour *self, size_t grains);
 void clod_cells_count(clod_neighbour *self, const clod_state *state, clod_chunk grains,
                       bool shared);
 void clod_cells_add(clod_neighbour *self);
-void clod_cells_enter(clod_neighbour *self, clod_chunk grains, bool shared);
+void clod_cells_enter(clod_neighbour *self, const clod_state *state, clod_chunk grains,
+                      bool shared);
 
 /**
  * Later partners of grains [begin, end), in ascending (i, j), behind those that are in `to`;

@@ -77,7 +77,7 @@ static bool rebuild(clod_step *self, const clod_requests *found, clod_status *st
     if (!self->failed) {
         mark_lost(self, found);
         clod_team_run(self, clod_remake_lists);
-        self->thread[0].near_motion = 0.0;
+        clod_step_begin_motion(self, 0);
     }
     if (self->failed) { // the lists are gone
         *status = self->status;
@@ -100,6 +100,7 @@ bool clod_step_change(clod_step *self, clod_status *status)
     }
     clod_requests found;
     const bool good = clod_requests_check(&found, state, self->laws, status) &&
+                      (self->accepts == NULL || self->accepts(self->context, state, status)) &&
                       make_room(self, status) && rebuild(self, &found, status);
     clod_requests_fini(&found);
     const bool moved = !good && state->changes.moved; // true when the requests are dropped too

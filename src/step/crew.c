@@ -11,12 +11,12 @@
 #include "step/trouble.h"
 
 struct clod_crew {
-    clod_ranks *ranks; ///< borrowed
-    clod_step *whole;  ///< of rank 0; NULL on the others
-    bool stale;        ///< the whole state's grains are those of an earlier step
-    clod_step_options options;    ///< that it began with
+    clod_ranks *ranks;           ///< borrowed
+    clod_step *whole;            ///< of rank 0; NULL on the others
+    bool stale;                  ///< the whole state's grains are those of an earlier step
+    clod_step_options options;   ///< that it began with
     int64_t rebuilds, refreshes; ///< of the whole step before it began
-    clod_state state;  ///< of this rank
+    clod_state state;            ///< of this rank
     clod_laws laws;
     clod_spread spread;
     clod_step step;
@@ -166,6 +166,7 @@ static void drop_lists(clod_step *whole, const clod_step_options *options)
     clod_near_fini(&whole->near);
     clod_neighbour_fini(&whole->neighbour);
     clod_neighbour_init(&whole->neighbour, whole->state, options->brute_force);
+    whole->neighbour.kernel = whole->kernel;
 }
 
 bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_status *status)

@@ -42,10 +42,10 @@ bool clod_crew_clumps_tell(clod_ranks *ranks, const clod_state *whole, clod_stat
     size_t count = whole != NULL ? whole->grains.count : 0;
     clod_ranks_tell(ranks, &count, sizeof count);
     clump_record *all = clod_memory_alloc(count + 1, sizeof *all);
-    bool good = (all != NULL || clod_status_fail(status, CLOD_FAILED,
-                                                 "no memory for the clumps of %zu grains",
-                                                 count)) &&
-                clod_grains_keep_clumps(&part->grains, status);
+    bool good =
+        (all != NULL || clod_status_fail(status, CLOD_FAILED,
+                                         "no memory for the clumps of %zu grains", count)) &&
+        clod_grains_keep_clumps(&part->grains, status);
     if (all != NULL && whole != NULL) {
         pack(&whole->grains, all);
     }

@@ -91,20 +91,19 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
     if (!clod_spread_agree(self->spread, built, status)) {
         return false;
     }
-    double skin = clod_step_thin_skin(self, speed);
     if (self->spread != NULL) {
         clod_spread_leave_out(self->spread, &self->neighbour, state->grains.count);
-        skin = clod_spread_least_skin(self->spread, &self->neighbour, skin);
     }
     const clod_near_job job = {.near = &self->near,
                                .neighbour = &self->neighbour,
                                .state = state,
                                .laws = self->laws,
                                .walls = &self->walls,
-                               .skin = skin};
+                               .ways = clod_step_ways(self, speed)};
     if (!clod_spread_agree(self->spread, clod_near_make(&job, status), status)) {
         return false;
     }
+    clod_step_begin_motion(self, 0);
     clod_step_list_moving(self);
     clod_step_list_summed(self);
     clod_step_look(self);

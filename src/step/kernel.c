@@ -4,6 +4,7 @@
 #include "step/kernel_contact.h"
 #include "step/kernel_ledger.h"
 #include "step/kernel_motion.h"
+#include "step/kernel_search.h"
 #include "step/kernel_wall.h"
 
 #define KERNEL_NAME_OF(suffix) clod_kernel_##suffix
@@ -22,5 +23,6 @@ const clod_kernel KERNEL_NAME(CLOD_SIMD_SUFFIX) = {
     .contact_stored = kernel_contact_stored,
     .wall_stored = kernel_wall_stored,
     .drift = kernel_drift,
+    .within = kernel_within,
     .kick = kernel_kick,
 };

@@ -60,6 +60,14 @@ typedef struct clod_stored_block {
     double normal[CLOD_LANES], sliding[CLOD_LANES], rolling[CLOD_LANES];
 } clod_stored_block;
 
+/** Places among which those near one are searched. */
+typedef struct clod_kernel_search {
+    const double *place[4];   ///< x, y, z and radius of each [m]; readable 8 beyond the last
+    double skin;              ///< m
+    double period[3];         ///< m; 0 where the domain is open
+    double inverse_period[3]; ///< 1/m
+} clod_kernel_search;
+
 /** What drift saw: the fastest grain, and whether every number is finite. */
 typedef struct clod_kernel_speed {
     double max_speed2; ///< m2/s2
@@ -113,6 +121,12 @@ typedef struct clod_kernel {
     /** Weight onto the loads of grains [begin, end), and their second half kick. */
     void (*kick)(double (*velocity)[4], double (*angular_velocity)[4], double (*load)[8],
                  const double gravity[3], double dt, size_t begin, size_t end);
+    /**
+     * Which of up to 64 grains, from number `first` on, are within their radii and the skin of
+     * one at p [x, y, z, radius]: bit k for grain first + k.
+     */
+    uint64_t (*within)(const clod_kernel_search *search, const double p[4], size_t first,
+                       size_t count);
 } clod_kernel;
 
 /**

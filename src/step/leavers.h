@@ -19,7 +19,7 @@ typedef struct clod_leavers {
     int64_t grains;
     int64_t left[CLOD_EXITS];
     clod_exact mass[CLOD_EXITS], energy[CLOD_EXITS]; ///< kg, J
-    clod_exact kick; ///< J that the half kick to come would have brought
+    clod_exact kick;               ///< J that the half kick to come would have brought
     clod_exact time, time_squared; ///< s, s2, that they were in
     int64_t residence_count[CLOD_RESIDENCE_BINS];
     int64_t left_clumps[1 + CLOD_CLUMP_CLASSES];

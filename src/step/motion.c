@@ -83,6 +83,7 @@ void clod_step_drift(clod_step *self, int part)
     if (part == 0) {
         const double walls = move_walls(self);
         mine->max_speed2 = fmax(mine->max_speed2, walls * walls);
+        mine->wall_speed = walls;
     }
 }
 

@@ -11,25 +11,64 @@
 #include "step/near_walk.h"
 #include "step/near_walls.h"
 #include "step/touch.h"
+#include "step/wall_mesh.h"
 
 // ---- which candidates are near
 
-static bool pair_is_near(const clod_state *state, size_t i, size_t j, double skin)
+/** Part of a radius that rounding may add to a way. */
+#define ROUNDING 1e-9
+
+/** Items [begin, end) of so many that are a part's to look at before there is a cut. */
+static size_t share_of(size_t count, int part, int parts)
 {
-    const double *a = state->grains.position[i];
-    const double *b = state->grains.position[j];
-    const double x = clod_domain_separation(&state->domain, 0, a[0], b[0]);
-    const double y = clod_domain_separation(&state->domain, 1, a[1], b[1]);
-    const double z = clod_domain_separation(&state->domain, 2, a[2], b[2]);
-    const double reach = a[3] + b[3] + skin;
+    return count * (size_t)part / (size_t)parts;
+}
+
+void clod_near_allow(const clod_near_job *job, int part)
+{
+    const clod_near_ways *ways = &job->ways;
+    const clod_grains *grains = &job->state->grains;
+    const int parts = job->near->parts;
+    const size_t end = share_of(grains->count, part + 1, parts);
+    for (size_t g = share_of(grains->count, part, parts); g < end; g++) {
+        const double *p = grains->position[g], *v = grains->velocity[g];
+        double *at = job->near->origin[g];
+        const double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        memcpy(at, p, 3 * sizeof *at);
+        at[3] = p[3] + fmin(ways->least + ways->time * speed, ways->most);
+    }
+}
+
+double clod_near_slack(const clod_near *self, const clod_state *state, size_t begin, size_t end)
+{
+    double least = INFINITY;
+    for (size_t g = begin; g < end; g++) {
+        const double *p = state->grains.position[g], *from = self->origin[g];
+        const double x = p[0] - from[0], y = p[1] - from[1], z = p[2] - from[2];
+        const double left = from[3] - p[3] - sqrt(x * x + y * y + z * z) - ROUNDING * p[3];
+        least = left < least ? left : least;
+    }
+    return least;
+}
+
+static bool pair_is_near(const clod_near_job *job, size_t i, size_t j)
+{
+    const clod_domain *domain = &job->state->domain;
+    const double *a = job->near->origin[i], *b = job->near->origin[j];
+    const double x = clod_domain_separation(domain, 0, a[0], b[0]);
+    const double y = clod_domain_separation(domain, 1, a[1], b[1]);
+    const double z = clod_domain_separation(domain, 2, a[2], b[2]);
+    const double reach = a[3] + b[3];
     return x * x + y * y + z * z < reach * reach;
 }
 
-static bool wall_is_near(const clod_state *state, const clod_wall_candidate *c,
-                         const clod_wall_rows *walls, double skin)
+static bool wall_is_near(const clod_near_job *job, const clod_wall_candidate *c)
 {
-    const double *p = state->grains.position[c->i];
-    return clod_wall_rows_is_near(walls, c->wall, c->shape, p, p[3] + skin);
+    const double *p = job->near->origin[c->i];
+    const double reach = p[3] + job->ways.wall;
+    return clod_wall_rows_patch(job->walls, c->wall, c->shape)->surface != NULL
+               ? clod_wall_mesh_mark(&job->neighbour->walls, c, job->walls, p, reach)
+               : clod_wall_rows_is_near(job->walls, c->wall, c->shape, p, reach);
 }
 
 /** Add work to a grain's: several threads may, and the sum does not depend on their order. */
@@ -38,12 +77,6 @@ static void add_work(const clod_near_job *job, size_t grain, int32_t work)
     if (job->near->parts > 1) {
         __atomic_fetch_add(&job->near->weight[grain], work, __ATOMIC_RELAXED);
     }
-}
-
-/** Items [begin, end) of so many that are a part's to look at before there is a cut. */
-static size_t share_of(size_t count, int part, int parts)
-{
-    return count * (size_t)part / (size_t)parts;
 }
 
 void clod_near_mark(const clod_near_job *job, int part)
@@ -55,7 +88,7 @@ void clod_near_mark(const clod_near_job *job, int part)
     for (size_t i = share_of(state->grains.count, part, parts); i < end; i++) {
         for (size_t k = pairs->start[i]; k < pairs->start[i + 1]; k++) {
             const size_t j = pairs->item[k].j;
-            const bool near = pair_is_near(state, i, j, job->skin);
+            const bool near = pair_is_near(job, i, j);
             pairs->item[k].near = near;
             if (near) {
                 add_work(job, j, CLOD_NEAR_PAIR_WORK);
@@ -66,7 +99,7 @@ void clod_near_mark(const clod_near_job *job, int part)
     const size_t last = share_of(walls->count, part + 1, parts);
     for (size_t k = share_of(walls->count, part, parts); k < last; k++) {
         clod_wall_candidate *c = &walls->item[k];
-        c->near = wall_is_near(state, c, job->walls, job->skin);
+        c->near = wall_is_near(job, c);
         if (c->near != 0) {
             add_work(job, (size_t)c->i, CLOD_NEAR_WALL_WORK);
         }
@@ -228,7 +261,9 @@ static bool reserve(const clod_near_job *job)
 {
     clod_near *self = job->near;
     const size_t walls = (size_t)job->state->walls.count;
-    return clod_room_for(&self->sum_start, &self->sum_start_capacity, walls + 1,
+    return clod_room_for(&self->origin, &self->origin_capacity, job->state->grains.count,
+                         sizeof *self->origin) &&
+           clod_room_for(&self->sum_start, &self->sum_start_capacity, walls + 1,
                          sizeof *self->sum_start) &&
            clod_room_for(&self->part_sum, &self->part_sum_capacity,
                          (size_t)self->parts * walls + 1, sizeof *self->part_sum) &&
@@ -239,7 +274,7 @@ static bool reserve(const clod_near_job *job)
 bool clod_near_begin(const clod_near_job *job, clod_status *status)
 {
     clod_near *self = job->near;
-    self->skin = job->skin;
+    self->wall_way = job->ways.wall;
     self->made = false;
     bool good = self->part_start != NULL;
     if (!good) {
@@ -286,6 +321,9 @@ bool clod_near_make(const clod_near_job *job, clod_status *status)
     }
     const int parts = job->near->parts;
     for (int p = 0; p < parts; p++) {
+        clod_near_allow(job, p);
+    }
+    for (int p = 0; p < parts; p++) {
         clod_near_mark(job, p);
     }
     clod_near_cut(job);
@@ -317,6 +355,7 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->between.run);
     clod_memory_free(self->between.run_start);
     clod_memory_free(self->part_start);
+    clod_memory_free(self->origin);
     clod_memory_free(self->weight);
     clod_memory_free(self->wall_sum);
     clod_memory_free(self->sum_start);

@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file near.h
- * The pairs the force loop looks at: candidates within a thin skin, as blocks of one law each.
- * Made anew when motion has used the skin up. Pairs that do not touch add exactly zero, so the
+ * The pairs the force loop looks at: candidates that can touch before one of the grains has gone
+ * its own way, as blocks of one law each. Made anew when a grain has. Pairs that do not touch add exactly zero, so the
  * list itself never changes a bit.
  *
  * The grains are cut into parts, runs of rows with about as much work each, one part for each
@@ -56,7 +56,9 @@ typedef struct clod_near_range {
 } clod_near_range;
 
 typedef struct clod_near {
-    double skin; ///< m, of the list as it is
+    double (*origin)[4]; ///< [grains] places when the list was made; radius and the own way [m]
+    size_t origin_capacity;
+    double wall_way; ///< m, how far walls may go
     int32_t laws;
     int parts;          ///< set before the first list
     size_t *part_start; ///< [parts + 1] first grain of each part
@@ -116,6 +118,13 @@ static inline size_t clod_near_sources(const clod_near *self)
     return (size_t)self->laws * most;
 }
 
+/** How far each grain may go until a list is made anew: the own way (docs/adr/0037). */
+typedef struct clod_near_ways {
+    double time;        ///< s, a grain's speed times this
+    double least, most; ///< m, and the first added, at most the second
+    double wall;        ///< m, the same of walls
+} clod_near_ways;
+
 /** What goes through the making of one list, for all threads. */
 typedef struct clod_near_job {
     clod_near *near;
@@ -123,7 +132,7 @@ typedef struct clod_near_job {
     clod_state *state;
     const clod_laws *laws;
     const clod_wall_rows *walls; ///< where they are now
-    double skin;                 ///< thin skin [m]
+    clod_near_ways ways;
 } clod_near_job;
 
 /**
@@ -135,12 +144,20 @@ typedef struct clod_near_job {
  * Errors  CLOD_FAILED.   Test  tests/step/test_near_parts.c, test_same_bits.c
  */
 bool clod_near_begin(const clod_near_job *job, clod_status *status);
-void clod_near_mark(const clod_near_job *job, int part); ///< which candidates are near
-void clod_near_cut(const clod_near_job *job);            ///< parts of about the same work
+void clod_near_allow(const clod_near_job *job, int part); ///< own ways of grains
+void clod_near_mark(const clod_near_job *job, int part);  ///< which candidates are near
+void clod_near_cut(const clod_near_job *job);             ///< parts of about the same work
 void clod_near_count(const clod_near_job *job, int part);
 bool clod_near_layout(const clod_near_job *job, clod_status *status); ///< and all walls
 void clod_near_place(const clod_near_job *job, int part);
 void clod_near_end(const clod_near_job *job);
+
+/**
+ * How far grains [begin, end) may still go, each on its own way: the least [m]; below 0 one has
+ * gone too far, and a pair that is not on the list may touch.
+ */
+double clod_near_slack(const clod_near *self, const clod_state *state, size_t begin,
+                       size_t end);
 
 /** All of that by one thread. */
 bool clod_near_make(const clod_near_job *job, clod_status *status);

@@ -22,7 +22,7 @@
 
 void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool brute_force)
 {
-    *self = (clod_neighbour){.brute_force = brute_force};
+    *self = (clod_neighbour){.brute_force = brute_force, .kernel = clod_kernel_choose(NULL)};
     clod_neighbour_size(self, state);
     clod_neighbour_choose_skin(self, state, 0.0);
 }
@@ -180,7 +180,7 @@ bool clod_neighbour_build_begin(clod_neighbour *self, const clod_state *state, i
     bool good = walls_at_rebuild(self, state) && reserve_found(self, (size_t)parts);
     if (!self->brute_force && grains > 0) {
         self->grid = clod_cells_grid_of(self, state);
-        good = good && clod_wall_cells_fill(self, state) && clod_cells_begin(self);
+        good = good && clod_wall_cells_fill(self, state) && clod_cells_begin(self, grains);
     }
     return good || clod_neighbour_fail_to_add(self, grains, status);
 }
@@ -207,7 +207,7 @@ void clod_neighbour_build_add(clod_neighbour *self, const clod_state *state)
 void clod_neighbour_build_enter(clod_neighbour *self, const clod_state *state, int part)
 {
     if (!self->brute_force) {
-        clod_cells_enter(self, grains_of(self, state, part), self->parts > 1);
+        clod_cells_enter(self, state, grains_of(self, state, part), self->parts > 1);
     }
 }
 
@@ -216,7 +216,7 @@ void clod_neighbour_build_part(clod_neighbour *self, const clod_state *state,
 {
     const clod_chunk grains = grains_of(self, state, part);
     clod_neighbour_found *found = &self->found[part];
-    found->walls.count = 0;
+    found->walls.count = found->walls.facets = 0;
     found->walls_fit = self->brute_force
                            ? clod_wall_cells_find_all(self, state, laws, grains, &found->walls)
                            : clod_wall_cells_find(self, state, laws, grains, &found->walls);
@@ -261,14 +261,29 @@ static bool join_pairs(clod_neighbour *self, const clod_state *state)
     return all;
 }
 
+/** Put what a part has found behind what is there; there is room. */
+static void append_walls(clod_wall_candidates *walls, const clod_wall_candidates *found)
+{
+    for (size_t k = 0; k < found->count; k++) {
+        walls->item[walls->count] = found->item[k];
+        walls->item[walls->count++].facet += walls->facets;
+    }
+    if (found->facets > 0) {
+        memcpy(walls->facet + walls->facets, found->facet,
+               found->facets * sizeof *found->facet);
+    }
+    walls->facets += found->facets;
+}
+
 /** The candidates with walls that the parts have found; false without memory, or too many. */
 static bool join_walls(clod_neighbour *self)
 {
     clod_wall_candidates *walls = &self->walls;
-    size_t count = 0;
+    size_t count = 0, facets = 0;
     bool fit = true;
     for (int p = 0; p < self->parts; p++) {
         count += self->found[p].walls.count;
+        facets += self->found[p].walls.facets;
         fit = fit && self->found[p].walls_fit;
     }
     walls->count = count < CLOD_LIMITS_WALL_PAIRS ? count : CLOD_LIMITS_WALL_PAIRS;
@@ -281,16 +296,13 @@ static bool join_walls(clod_neighbour *self)
         self->found[0].walls = old;
         return true;
     }
-    if (!clod_room_for(&walls->item, &walls->capacity, count, sizeof *walls->item)) {
+    if (!clod_room_for(&walls->item, &walls->capacity, count, sizeof *walls->item) ||
+        !clod_room_for(&walls->facet, &walls->facet_capacity, facets, sizeof *walls->facet)) {
         return false;
     }
-    size_t at = 0;
+    walls->count = walls->facets = 0;
     for (int p = 0; p < self->parts; p++) {
-        const clod_wall_candidates *found = &self->found[p].walls;
-        if (found->count > 0) {
-            memcpy(walls->item + at, found->item, found->count * sizeof *found->item);
-        }
-        at += found->count;
+        append_walls(walls, &self->found[p].walls);
     }
     return true;
 }
@@ -354,7 +366,16 @@ void clod_neighbour_give_back(clod_neighbour *self)
     clod_memory_give_back(self->cell_of, grains, grains);
     clod_memory_give_back(self->cell_item, grains, grains);
     clod_memory_give_back(self->rank, grains, grains);
+    const size_t places = self->place_capacity * sizeof *self->cell_place;
+    clod_memory_give_back(self->cell_place, places, places);
     clod_memory_give_back(self->cell_start, cells, cells);
+}
+
+static void free_walls(clod_wall_candidates *walls)
+{
+    clod_memory_free(walls->item);
+    clod_memory_free(walls->facet);
+    clod_memory_free(walls->found);
 }
 
 void clod_neighbour_fini(clod_neighbour *self)
@@ -362,15 +383,16 @@ void clod_neighbour_fini(clod_neighbour *self)
     clod_memory_free(self->pairs.start);
     clod_memory_free(self->pairs.item);
     for (size_t p = 0; p < self->found_capacity; p++) {
-        clod_memory_free(self->found[p].walls.item);
+        free_walls(&self->found[p].walls);
     }
     clod_memory_free(self->found);
-    clod_memory_free(self->walls.item);
+    free_walls(&self->walls);
     clod_wall_rows_fini(&self->build_rows);
     clod_wall_cells_fini(&self->wall_cells);
     clod_memory_free(self->cell_of);
     clod_memory_free(self->cell_item);
     clod_memory_free(self->cell_start);
+    clod_memory_free(self->cell_place);
     clod_memory_free(self->sort);
     clod_memory_free(self->sort_scratch);
     clod_memory_free(self->rank);

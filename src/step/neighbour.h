@@ -16,6 +16,7 @@
 #include "law/law.h"
 #include "parallel/threads.h"
 #include "state/state.h"
+#include "step/kernel.h"
 
 /** A later grain that a grain may touch before the next rebuild. */
 typedef struct clod_partner {
@@ -40,10 +41,20 @@ typedef struct clod_cells_grid {
 /** A grain and a shape of a wall that may touch. */
 typedef struct clod_wall_candidate {
     int32_t i, wall;
-    int32_t shape; ///< of the wall
-    int32_t law;   ///< row of clod_laws
-    int32_t near;  ///< 1: it is on the near list
+    int32_t shape;  ///< of the wall
+    int32_t law;    ///< row of clod_laws
+    int32_t near;   ///< 1: it is on the near list
+    int32_t facets; ///< of a mesh's patch, near its grain at the rebuild
+    size_t facet;   ///< the first of them in the list
 } clod_wall_candidate;
+
+/** A facet of a mesh that a grain may touch before the next rebuild. */
+typedef struct clod_wall_facet {
+    uint32_t number : 31;
+    uint32_t near : 1; ///< within the thin skin when the near list was made
+} clod_wall_facet;
+
+typedef struct clod_wall_facet_found clod_wall_facet_found;
 
 /** A shape that may be near the grains of a cell. */
 typedef struct clod_wall_entry {
@@ -61,6 +72,10 @@ typedef struct clod_wall_cells {
 typedef struct clod_wall_candidates {
     clod_wall_candidate *item; ///< [count], in ascending (i, wall, shape)
     size_t count, capacity;
+    clod_wall_facet *facet; ///< [facets] by candidate
+    size_t facets, facet_capacity;
+    clod_wall_facet_found *found; ///< scratch of a search (wall_mesh.c)
+    size_t found_count, found_capacity;
 } clod_wall_candidates;
 
 /** What one part has found in a search; the array of its walls is kept. */
@@ -73,6 +88,7 @@ typedef struct clod_neighbour_found {
 typedef struct clod_neighbour {
     double skin; ///< m
     bool brute_force;
+    const clod_kernel *kernel; ///< the machine's best, or what the step has
     double radius_min, radius_max;
     const struct clod_layers *layers; ///< of all ranks' grains; NULL: they follow from the rows
     size_t lead; ///< rows behind a grain among which are most of its partners
@@ -87,7 +103,9 @@ typedef struct clod_neighbour {
     // scratch, kept between rebuilds
     int32_t *cell_of, *cell_item; ///< [grains]; cell_of also counts contacts by grain
     int32_t *cell_start;          ///< [cells + 1], see cells.h
-    size_t cell_capacity, grain_capacity;
+    double *
+        cell_place; ///< [4][place_stride] x, y, z and radius of grains in the order of cell_item
+    size_t cell_capacity, grain_capacity, place_stride, place_capacity;
     clod_sort_item *sort, *sort_scratch; ///< [sort_capacity]; sort also has places of contacts
     size_t sort_capacity;
     int32_t *rank; ///< [grains] new row of each old one, or CLOD_NEIGHBOUR_GOES

@@ -20,16 +20,12 @@ static bool reorders(const clod_step *self)
 /** The list that is being made. */
 static clod_near_job job_of(clod_step *self)
 {
-    double skin = clod_step_thin_skin(self, self->remake.speed);
-    if (self->spread != NULL) {
-        skin = clod_spread_least_skin(self->spread, &self->neighbour, skin);
-    }
     return (clod_near_job){.near = &self->near,
                            .neighbour = &self->neighbour,
                            .state = self->state,
                            .laws = self->laws,
                            .walls = &self->walls,
-                           .skin = skin};
+                           .ways = clod_step_ways(self, self->remake.speed)};
 }
 
 // ---- the phases, in the order of the table below
@@ -232,9 +228,7 @@ static void join(clod_step *self, int part)
     (void)part;
     self->failed = self->remake.again &&
                    !clod_neighbour_build_end(&self->neighbour, self->state, &self->status);
-    if (!clod_spread_agree(self->spread, !self->failed, &self->status)) {
-        self->failed = true;
-    } else {
+    if (!self->failed) {
         if (self->remake.again && self->spread != NULL) {
             clod_spread_leave_out(self->spread, &self->neighbour, self->state->grains.count);
         }
@@ -264,6 +258,11 @@ static void place_walls(clod_step *self, int part)
             clod_wall_rows_note(&self->walls, w, wall);
         }
     }
+}
+
+static void allow(clod_step *self, int part)
+{
+    clod_near_allow(&self->remake.job, part);
 }
 
 static void mark(clod_step *self, int part)
@@ -327,6 +326,7 @@ static const list_phase PHASES[] = {
     {.run = enter_cells, .all = true},
     {.run = search, .all = true},
     {.run = join},
+    {.run = allow, .all = true},
     {.run = mark, .all = true},
     {.run = cut},
     {.run = count_new, .all = true},

@@ -157,13 +157,10 @@ static void least(const void *context, void *into, const void *from)
     *mine = fmin(*mine, *(const double *)from);
 }
 
-double clod_spread_least_skin(const clod_spread *self, const clod_neighbour *neighbour,
-                              double skin)
+double clod_spread_least(const clod_spread *self, double number)
 {
-    double thinnest =
-        neighbour->pairs.count + neighbour->walls.count > 0 ? skin : neighbour->skin;
-    clod_ranks_merge(self->ranks, &thinnest, sizeof thinnest, least, NULL);
-    return thinnest;
+    clod_ranks_merge(self->ranks, &number, sizeof number, least, NULL);
+    return number;
 }
 
 void clod_spread_fini(clod_spread *self)

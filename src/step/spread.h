@@ -3,7 +3,7 @@
  * @file spread.h
  * A bed spread over ranks, as one of them sees it: its own grains and ghosts, which are grains of
  * other ranks that own ones may touch before the next rebuild. A ghost is a row like any other,
- * in the one order of all grains (docs/adr/0037); its load is not read.
+ * in the one order of all grains (docs/adr/0038); its load is not read.
  *
  * Threads  thread 0 of each rank, all ranks at the same time, where not said otherwise.
  * Test     tests/step/test_ranks.c
@@ -95,9 +95,8 @@ bool clod_spread_sorted(clod_step *step, clod_status *status);
 /** Drop the candidates that no own grain has. Threads: one. */
 void clod_spread_leave_out(const clod_spread *self, clod_neighbour *neighbour, size_t rows);
 
-/** The least of all ranks' skins; a rank without candidates has no say. */
-double clod_spread_least_skin(const clod_spread *self, const clod_neighbour *neighbour,
-                              double skin);
+/** The least of the numbers of all ranks. */
+double clod_spread_least(const clod_spread *self, double number);
 
 /** Energies of all ranks; with NULL they are this one's alone. */
 void clod_spread_merge_stored(const clod_spread *self, clod_step_stored *sums);

@@ -50,8 +50,7 @@ bool clod_spread_wrap(clod_step *step, clod_status *status)
 {
     clod_state *state = step->state;
     const bool some_go = state->domain.removes || state->domain.outlets > 0;
-    const bool inside =
-        clod_neighbour_wrap(&step->neighbour, state, some_go ? 1 : 0, status);
+    const bool inside = clod_neighbour_wrap(&step->neighbour, state, some_go ? 1 : 0, status);
     for (size_t g = 0; some_go && g < state->grains.count; g++) {
         if (step->neighbour.rank[g] == CLOD_NEIGHBOUR_GOES) {
             step->spread->owner[g] = CLOD_SPREAD_NOBODY;

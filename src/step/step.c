@@ -108,6 +108,8 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     for (int t = 0; t < self->threads; t++) {
         self->thread[t].build_motion = self->state->build_motion;
         self->thread[t].near_motion = self->thread[0].near_motion;
+        self->thread[t].near_slack = self->thread[0].near_slack;
+        self->thread[t].wall_motion = self->thread[0].wall_motion;
     }
     self->view.dt = self->state->dt;
     const int64_t first = self->state->step;
@@ -166,8 +168,12 @@ static bool first_forces(clod_step *self, clod_status *status)
 static bool prepare(clod_step *self, clod_state *state, const clod_laws *laws,
                     const clod_step_options *options, clod_status *status)
 {
-    *self = (clod_step){
-        .state = state, .laws = laws, .begin = state->step, .spread = options->spread};
+    *self = (clod_step){.state = state,
+                        .laws = laws,
+                        .accepts = options->accepts,
+                        .context = options->context,
+                        .begin = state->step,
+                        .spread = options->spread};
     self->near.ledger = state->ledger.open != 0;
     self->kernel = clod_kernel_choose(options->simd);
     if (self->kernel == NULL) {
@@ -179,6 +185,7 @@ static bool prepare(clod_step *self, clod_state *state, const clod_laws *laws,
     self->threads = options->threads > 0 ? options->threads : clod_threads_available();
     self->near.parts = self->threads;
     clod_neighbour_init(&self->neighbour, state, options->brute_force);
+    self->neighbour.kernel = self->kernel;
     self->neighbour.layers = self->spread != NULL ? &self->spread->layers : NULL;
     if (!allocate(self)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the step");

@@ -28,7 +28,11 @@ typedef struct clod_step_options {
     const char *simd;     ///< instruction set, NULL = best
     bool brute_force;     ///< neighbour search over all pairs (tests)
     double overlap_limit; ///< of the smaller radius, at which to stop; 0 = CLOD_STEP_OVERLAP
-    clod_ranks *ranks;    ///< that step the bed together; borrowed; NULL: this process alone
+    /** Whether laws and time step suit what state->changes brings, before it is done
+     *  (clod_setup_bound_accepts); NULL: nobody asks. */
+    bool (*accepts)(const void *context, const clod_state *state, clod_status *status);
+    const void *context; ///< of accepts; borrowed until clod_step_fini
+    clod_ranks *ranks;   ///< that step the bed together; borrowed; NULL: this process alone
     struct clod_spread *spread; ///< the state is this rank's part of a bed (crew.h); borrowed
 } clod_step_options;
 
@@ -48,7 +52,11 @@ typedef struct clod_step_stored {
 typedef struct clod_step_thread {
     _Alignas(64) double max_speed2; ///< m2/s2, of its grains (and of the walls: thread 0)
     double build_motion;            ///< m, bound of any motion since the last rebuild
-    double near_motion;             ///< m, since the last near list
+    double near_motion;             ///< m, the same since grains' own ways were last looked at
+    double near_slack;              ///< m, what was left of any of them then
+    double wall_motion;             ///< m, bound of walls' motion since the last near list
+    double wall_speed;              ///< m/s, fastest of walls in this step (thread 0)
+    double slack;                   ///< m, least left of the own ways of its grains now
     bool finite;                    ///< its grains' numbers
     bool all_finite;                ///< those of all threads in this step
     bool excess;                    ///< an overlap beyond the laws' range
@@ -99,7 +107,9 @@ typedef struct clod_step {
     clod_step_remake remake;
     int64_t begin; ///< step of the state when it was taken
     int64_t steps; ///< that the advance going on is to make
-    bool failed;   ///< a rebuild went wrong; status says why
+    bool (*accepts)(const void *context, const clod_state *state, clod_status *status);
+    const void *context; ///< of accepts; both as in clod_step_options
+    bool failed;         ///< a rebuild went wrong; status says why
     clod_status status;
     // for reports
     int64_t rebuilds, refreshes;
@@ -134,7 +144,8 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status);
  * Make the changes of state->changes now, at a rebuild; the queue is empty then. An advance
  * with changes asked for begins with this.
  *
- * @return  false: an id or a name that is not right (nothing is changed then), or no memory
+ * @return  false: an id or a name that is not right, a grain or wall that options.accepts
+ *          refuses (nothing is changed then), or no memory
  * Errors  CLOD_USAGE, CLOD_FAILED.   Threads  one per state.   Test  tests/step/test_change.c
  */
 bool clod_step_change(clod_step *self, clod_status *status);
@@ -218,14 +229,16 @@ bool clod_step_wall_contact_of(const clod_step *self, uint64_t id, int32_t wall,
                                clod_contact *contact);
 
 /**
- * Thin skin of a near list that is made now. The thicker it is, the longer the list lasts and
- * the more of its pairs do not touch: this one costs least.
+ * Own ways of a near list that is made now. The farther grains may go, the longer the list lasts
+ * and the more of its pairs do not touch: these cost least.
  *
  * @param speed  of the fastest grain or point of a wall [m/s]
- * @return       m
- * Errors  none.   Threads  pure.   Source  docs/adr/0020.   Test  tests/step/test_thin_skin.c
+ * Errors  none.   Threads  pure.   Source  docs/adr/0037.   Test  tests/step/test_thin_skin.c
  */
-double clod_step_thin_skin(const clod_step *self, double speed);
+clod_near_ways clod_step_ways(const clod_step *self, double speed);
+
+/** A near list has been made: motion counts from now on, as thread `part` sees it. */
+void clod_step_begin_motion(clod_step *self, int part);
 
 void clod_step_fini(clod_step *self);
 

@@ -15,31 +15,25 @@ void clod_touch_begin(clod_touch_part *self)
     self->lacks_memory = false;
 }
 
-/** Facets near a grain, as they are found. */
-typedef struct finding {
-    clod_touch_part *part;
-    const clod_surface *surface;
-    clod_vec3 from;
-} finding;
-
-static double note_facet(void *context, uint32_t facet, double reach)
+/** The facets of a candidate that are near, behind those of its site. */
+static void add_facets(const clod_near_job *job, clod_touch_part *part,
+                       const clod_wall_candidate *candidate, const clod_surface *surface)
 {
-    finding *self = context;
-    clod_touch_part *part = self->part;
-    const clod_surface_facet made = clod_surface_facet_of(self->surface, facet);
-    if (clod_surface_facet_is_beyond(self->surface, &made, self->from, reach)) {
-        return reach;
+    const clod_wall_facet *facet = job->neighbour->walls.facet + candidate->facet;
+    for (int32_t k = 0; k < candidate->facets && !part->lacks_memory; k++) {
+        if (facet[k].near == 0) {
+            continue;
+        }
+        if (!clod_room_for_one(&part->facet, &part->facet_room, part->facets,
+                               sizeof *part->facet)) {
+            part->lacks_memory = true;
+            return;
+        }
+        part->facet[part->facets++] = clod_surface_facet_of(surface, facet[k].number);
     }
-    if (!clod_room_for_one(&part->facet, &part->facet_room, part->facets,
-                           sizeof *part->facet)) {
-        part->lacks_memory = true;
-        return -1.0;
-    }
-    part->facet[part->facets++] = made;
-    return reach;
 }
 
-/** A site for a grain and a mesh, with the facets near it. */
+/** A site for a grain and a mesh. */
 static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *part,
                                    const clod_wall_candidate *candidate,
                                    const clod_surface *surface)
@@ -49,9 +43,6 @@ static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *pa
         return NULL;
     }
     const int32_t row = clod_wall_rows_shape(job->walls, candidate->wall, candidate->shape);
-    const clod_wall_pose pose =
-        clod_wall_facets_pose((const double(*)[4])job->walls->shape + row);
-    const double *p = job->state->grains.position[candidate->i];
     clod_touch_site *site = &part->site[part->sites++];
     *site = (clod_touch_site){.surface = surface,
                               .i = candidate->i,
@@ -59,12 +50,6 @@ static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *pa
                               .pose = row,
                               .lane = part->lanes,
                               .facet = part->facets};
-    finding all = {part, surface, clod_wall_to_frame(&pose, clod_vec3_of(p))};
-    clod_surface_near(surface, all.from, p[3] + job->skin, note_facet, &all);
-    site->facets = part->facets - site->facet;
-    if (!clod_room_for(&part->hit, &part->hit_room, site->facets, sizeof *part->hit)) {
-        part->lacks_memory = true;
-    }
     return site;
 }
 
@@ -99,6 +84,15 @@ void clod_touch_add(const clod_near_job *job, int number, const clod_wall_candid
     }
     part->lane[part->lanes++] = (clod_touch_lane){.patch = at->patch, .slot = at->slot};
     site->lanes = part->lanes - site->lane;
+    if (at->slot == 0) {
+        add_facets(job, part, candidate, at->surface);
+        site->facets = part->facets - site->facet;
+    }
+    if (part->lacks_memory ||
+        !clod_room_for(&part->hit, &part->hit_room, site->facets, sizeof *part->hit)) {
+        part->lacks_memory = true;
+        return;
+    }
     site->plane = plane_of(part, site);
 }
 
@@ -195,13 +189,13 @@ static void hand_over(const lanes *self, const clod_surface_hit *hits, int32_t c
 
 /** Contacts of a grain with the facets near it. */
 static void find_contacts(const clod_touch_part *part, const clod_touch_site *site,
-                          const clod_wall_pose *pose, const double p[4], const lanes *at)
+                          const clod_wall_pose *pose, clod_vec3 from, double radius,
+                          const lanes *at)
 {
-    const clod_vec3 from = clod_wall_to_frame(pose, clod_vec3_of(p));
     clod_surface_hit *hits = part->hit;
     const int32_t count = clod_surface_touch(site->surface, part->facet + site->facet,
-                                             (int32_t)site->facets, from, p[3], hits);
-    const double open = 2.0 * p[3];
+                                             (int32_t)site->facets, from, radius, hits);
+    const double open = 2.0 * radius;
     for (size_t l = 0; l < at->count; l++) {
         memcpy(at->row[l], (double[4]){0.0, 0.0, 1.0, open}, sizeof at->row[l]);
     }
@@ -226,6 +220,9 @@ static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site 
                              clod_vec3 from)
 {
     const clod_surface_facet *facet = part->facet + site->facet;
+    if (site->facets == 1) {
+        return (int32_t)facet->number;
+    }
     double least = INFINITY;
     size_t nearest = 0;
     for (size_t k = 0; k < site->facets; k++) {
@@ -238,11 +235,10 @@ static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site 
 }
 
 /** The contact of a grain with nothing but a plane near it. */
-static void find_plane(const clod_touch_site *site, const clod_wall_pose *pose,
-                       const double p[4], double row[4])
+static void find_plane(const clod_touch_site *site, const clod_wall_pose *pose, clod_vec3 from,
+                       double row[4])
 {
     const clod_surface_plane *plane = &site->surface->planes[site->plane];
-    const clod_vec3 from = clod_wall_to_frame(pose, clod_vec3_of(p));
     const double height = clod_vec3_dot(clod_vec3_sub(from, plane->point), plane->normal);
     put_row(row, pose, height < 0.0 ? clod_vec3_scale(plane->normal, -1.0) : plane->normal,
             fabs(height));
@@ -252,10 +248,12 @@ void clod_touch_find(clod_near *near, const clod_state *state, const clod_wall_r
                      int number)
 {
     const clod_touch_part *part = &near->touch.part[number];
+    clod_wall_pose pose;
     for (size_t s = 0; s < part->sites; s++) {
         const clod_touch_site *site = &part->site[s];
-        const clod_wall_pose pose =
-            clod_wall_facets_pose((const double(*)[4])walls->shape + site->pose);
+        if (s == 0 || site->wall != part->site[s - 1].wall) {
+            pose = clod_wall_facets_pose((const double(*)[4])walls->shape + site->pose);
+        }
         const double *p = state->grains.position[site->i];
         const lanes at = {.lane = part->lane + site->lane,
                           .row = near->touch.row + part->row + site->lane,
@@ -264,14 +262,14 @@ void clod_touch_find(clod_near *near, const clod_state *state, const clod_wall_r
                                        : NULL,
                           .blocks = near->walls.block,
                           .count = site->lanes};
+        const clod_vec3 from = clod_wall_to_frame(&pose, clod_vec3_of(p));
         if (site->plane >= 0) {
-            find_plane(site, &pose, p, at.row[0]);
+            find_plane(site, &pose, from, at.row[0]);
             if (at.facet != NULL && at.row[0][3] < p[3]) {
-                at.facet[0] =
-                    nearest_facet(part, site, clod_wall_to_frame(&pose, clod_vec3_of(p)));
+                at.facet[0] = nearest_facet(part, site, from);
             }
         } else {
-            find_contacts(part, site, &pose, p, &at);
+            find_contacts(part, site, &pose, from, p[3], &at);
         }
     }
 }

@@ -7,6 +7,7 @@
 #include "base/room.h"
 #include "state/limits.h"
 #include "step/cells.h"
+#include "step/wall_mesh.h"
 
 // ---- which shapes are near which cells
 
@@ -92,6 +93,9 @@ bool clod_wall_cells_fill(clod_neighbour *search, const clod_state *state)
     for (int32_t w = 0; w < walls->count; w++) {
         for (int32_t s = 0; s < walls->wall[w].shape_count; s++) {
             const clod_wall_entry shape = {.wall = w, .shape = s};
+            if (clod_wall_rows_patch(rows, w, s)->slot > 0) {
+                continue; // what finds a patch finds its slots
+            }
             if (!enter_shape(self, rows, &shape, grid, reach)) {
                 return false;
             }
@@ -126,6 +130,11 @@ static bool try_shape(const clod_neighbour *self, const clod_state *state,
     const double *p = state->build_position[g];
     const double reach = p[3] + self->skin;
     const clod_wall_rows *rows = &self->build_rows;
+    if (clod_wall_rows_patch(rows, shape->wall, shape->shape)->surface != NULL) {
+        const int32_t first = clod_wall_mesh_first(rows, shape->wall, shape->shape);
+        const clod_wall_mesh_place at = {g, shape->wall, first};
+        return clod_wall_mesh_find(self, state, laws, at, to);
+    }
     if (!clod_wall_rows_is_near(rows, shape->wall, shape->shape, p, reach)) {
         return true;
     }
@@ -141,6 +150,17 @@ static bool try_shape(const clod_neighbour *self, const clod_state *state,
     return true;
 }
 
+/** Whether an entry is of the mesh of the one before: all its patches have been tried. */
+static bool is_known(const clod_neighbour *self, const clod_wall_entry *before,
+                     const clod_wall_entry *entry)
+{
+    const clod_wall_rows *rows = &self->build_rows;
+    return before != NULL && before->wall == entry->wall &&
+           clod_wall_rows_patch(rows, entry->wall, entry->shape)->surface != NULL &&
+           clod_wall_mesh_first(rows, before->wall, before->shape) ==
+               clod_wall_mesh_first(rows, entry->wall, entry->shape);
+}
+
 bool clod_wall_cells_find(const clod_neighbour *self, const clod_state *state,
                           const clod_laws *laws, clod_chunk grains, clod_wall_candidates *to)
 {
@@ -150,10 +170,13 @@ bool clod_wall_cells_find(const clod_neighbour *self, const clod_state *state,
     }
     for (size_t g = grains.begin; g < grains.end; g++) {
         const int32_t cell = clod_cells_at(&self->grid, state->build_position[g]);
+        const clod_wall_entry *before = NULL;
         for (size_t k = cells->start[cell]; k < cells->start[cell + 1]; k++) {
-            if (!try_shape(self, state, laws, g, &cells->sorted[k], to)) {
+            const clod_wall_entry *entry = &cells->sorted[k];
+            if (!is_known(self, before, entry) && !try_shape(self, state, laws, g, entry, to)) {
                 return false;
             }
+            before = entry;
         }
     }
     return true;
@@ -167,7 +190,9 @@ bool clod_wall_cells_find_all(const clod_neighbour *self, const clod_state *stat
         for (int32_t w = 0; w < state->walls.count; w++) {
             for (int32_t s = 0; s < state->walls.wall[w].shape_count; s++) {
                 const clod_wall_entry shape = {.wall = w, .shape = s};
-                if (!try_shape(self, state, laws, g, &shape, to)) {
+                const clod_wall_entry before = {.wall = w, .shape = s - 1};
+                if (!is_known(self, s > 0 ? &before : NULL, &shape) &&
+                    !try_shape(self, state, laws, g, &shape, to)) {
                     return false;
                 }
             }

@@ -10,7 +10,7 @@
 /** Places of all walls that a thread adds to: those of its share of the numbers. */
 static bool is_mine(const clod_step *self, int32_t place, int part)
 {
-    return place % self->threads == part;
+    return self->threads == 1 || place % self->threads == part;
 }
 
 static double length(double x, double y, double z)

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "setup/bound.h"
 #include "setup/state.h"
 #include "step/step.h"
 #include "verify/case_file.h"
@@ -79,7 +80,8 @@ bool clod_verify_course_run(const clod_verify_bench *bench, const clod_verify_co
     clod_state state = {0};
     clod_laws laws = {0};
     clod_step step = {0};
-    const clod_step_options options = {.threads = 1};
+    const clod_step_options options = {
+        .threads = 1, .accepts = clod_setup_bound_accepts, .context = from};
     const bool good = from != NULL && clod_setup_state(from, 1, &state, status) &&
                       clod_laws_init(&laws, from, status) &&
                       clod_step_init(&step, &state, &laws, &options, status) &&

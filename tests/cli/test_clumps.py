@@ -202,7 +202,7 @@ class Clumps(clod.Case):
             self.assertAlmostEqual(clumps["mean"]["number"], number, delta=1e-9)
             self.assertEqual(clumps["time_in_clumps"]["grains"], lives)
             self.assertEqual(clumps["largest"], 3) # of all the run
-            self.assertEqual(summary["history_map"]["looks"], looks)
+            self.assertEqual(summary["history_map"]["samples"], looks)
             self.assertEqual(summary["history_map"]["since_s"], clumps["since_s"])
 
     def test_rain_wet_and_dry(self):
@@ -284,13 +284,13 @@ class Clumps(clod.Case):
                 ("clumps={least: 1}", "clumps.least"),
                 ("clumps={counts: {some: {}}}", "give it a region, free: true or both"),
                 ("clumps={counts: {all: {free: true}}}", "take another name"),
-                (f"clumps={{counts: {{some: {{region: {box}}}}}}}", "max must be larger"),
+                (f"clumps={{counts: {{some: {{region: {box}}}}}}}", "must be larger than min"),
                 ("clumps={counts: {" + ", ".join(f"c{k}: {{free: true}}" for k in range(9)) +
                  "}}", "has 9 counts; at most 8"),
                 ("build_up={speed: 0 m/s}", "build_up.speed"),
                 ("history_map={cell: 1 mm}", "at most 100000 are allowed"),
                 (f"history_map={{cell: 20 mm, region: {ring}}}", "must be a box"),
-                (f"history_map={{cell: 20 mm, region: {box}}}", "max must be larger")):
+                (f"history_map={{cell: 20 mm, region: {box}}}", "must be larger than min")):
             self.write_rows()
             done = clod.run("check", "case.yaml", "--set", key, cwd=self.folder)
             self.assertEqual(done.returncode, 2, key)

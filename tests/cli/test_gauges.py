@@ -126,7 +126,7 @@ class Gauges(clod.Case):
         self.assertLess(abs(gauge["width_m"]["mean"] - 0.15 / math.sqrt(12.0)), 2e-3)
         self.assertLess(abs(gauge["offset_m"]["mean"]), 5e-3)
         self.assertLess(abs(gauge["radius_ratio"]["mean"] - 1.0), 0.01)
-        self.assertEqual(gauge["looks"], 1000)
+        self.assertEqual(gauge["samples"], 1000)
         # the same on the way in the series; means there are over 50 ms
         rows = clod.table(self.path("out/series.csv"))
         late = [row["gauge_fall.mass_flow"] for row in rows if row["time"] > 0.42]
@@ -216,10 +216,10 @@ class Gauges(clod.Case):
         pulls = [row["feed.pull"] for row in clod.table(self.path("out/series.csv"))]
         self.assertTrue(math.isnan(pulls[0]) and not math.isnan(pulls[-1]))
 
-    def fly(self, speed):
+    def fly(self, speed, step="1e-4 s"):
         self.write("x [m],y [m],z [m],radius [mm],vx [m/s]\n"
                    "0,0,0,10,0.5\n-0.4,0,0,10,0.5\n", "grains.csv")
-        self.write(ALARM.replace("SPEED", speed))
+        self.write(ALARM.replace("SPEED", speed).replace("1e-4 s", step))
         done = self.go("out", "1", "--fresh")
         return done, self.summary("out")["gauges"]["slot"]
 
@@ -237,6 +237,43 @@ class Gauges(clod.Case):
         _, gauge = self.fly("0.4 m/s")
         self.assertEqual(gauge["alarms"], 0)
         self.assertIsNone(gauge["blocked_since_s"])
+
+    def alarms(self, folder):
+        """Events of alarms in the log, without the time on the clock."""
+        return [{key: event[key] for key in event if key != "time"}
+                for event in clod.log(self.path(folder)) if event["event"].startswith("alarm")]
+
+    def test_alarms_are_said_when_they_begin_and_end(self):
+        """A grain at 0.5 m/s is in the slot of 0.2 m from 0.2 s to 0.6 s, another from 1 s on; an alarm
+        begins after 50 ms."""
+        done, gauge = self.fly("0.6 m/s")
+        events = self.alarms("out")
+        self.assertEqual([event["event"] for event in events],
+                         ["alarm begins", "alarm ends", "alarm begins"])
+        mass = 2500 * 4 / 3 * math.pi * 0.01**3
+        for event, time in zip(events, (0.25, 0.6, 1.05)):
+            self.assertEqual(event["gauge"], "slot")
+            self.assertLess(abs(event["time_s"] - time), 2.5e-3)
+            self.assertAlmostEqual(event["time_s"], event["step"] * 1e-4, 9)
+        self.assertAlmostEqual(events[0]["mass_kg"], mass, 9)
+        self.assertAlmostEqual(events[0]["since_s"], gauge["blocked_since_s"], 9)
+        self.assertAlmostEqual(events[0]["speed_m_per_s"], 0.5, 6)
+        self.assertEqual(events[1]["mass_kg"], 0.0)
+        self.assertEqual(done.stderr.count("gauge slot is blocked since"), 2)
+        self.assertEqual(done.stderr.count("gauge slot is not blocked any more"), 1)
+
+    def test_alarms_are_logged_once_when_a_run_is_killed(self):
+        """Killed after the first alarm it begins anew from its first checkpoint, before it."""
+        self.fly("0.6 m/s", "2e-7 s")
+        whole = self.alarms("out")
+        process = clod.start("run", self.path("case.yaml"), "-o", self.path("cut"), "-t", "1")
+        clod.wait_until(lambda: os.path.exists(self.path("cut/log.jsonl")) and
+                        len(self.alarms("cut")) > 0, process)
+        process.kill()
+        process.communicate()
+        self.go("cut")
+        self.assertTrue(any(event["event"] == "resume" for event in clod.log(self.path("cut"))))
+        self.assertEqual(self.alarms("cut"), whole)
 
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         text = FALL.replace("DURATION", "0.7 s").replace("steady_since: 0.4 s",

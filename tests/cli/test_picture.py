@@ -220,6 +220,31 @@ class Picture(clod.Case):
         bar = [shown.pixel(x, y) for y in range(150, 300) for x in range(300, 400)]
         self.assertTrue(any(max(abs(a - b) for a, b in zip(floor, pixel)) < 6 for pixel in bar))
 
+    def test_a_square_of_a_mesh_does_not_end_like_a_plane(self):
+        """From above, 1.3 m high: a plane ends with the domain, 50 mm from the middle; a mesh of two
+        triangles is 200 mm long to each side. In a snapshot without the column, a plane is the
+        square that it is shown as, as long as the domain."""
+        mesh = "v -200 -200 -60\nv 200 -200 -60\nv 200 200 -60\nv -200 200 -60\nf 1 2 3\nf 1 3 4\n"
+        with open(self.path("grains.csv"), "w") as file:
+            file.write("x [mm],y [mm],z [mm],radius [mm]\n0,0,0,4\n")
+        with open(self.path("floor.obj"), "w") as file:
+            file.write(mesh)
+        plane = "{plane: {point: [0 mm, 0 mm, -50 mm], normal: [0, 0, 1]}}"
+        ends = []
+        for shape in (plane, "{mesh: {file: floor.obj, unit: 1 mm}}"):
+            with open(self.path("case.yaml"), "w") as file:
+                file.write(CASE.format(title="Square").replace(plane, shape))
+            done = clod.run("run", "case.yaml", "-o", "square", "--fresh", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.picture("square", "-o", "a.png", "--from=0,0,1.25", "--at=0,0,-0.05",
+                         "--angle=30", "--size=600x400", "--quality=draft")
+            image = Image(self.path("a.png"))
+            white = (255, 255, 255)
+            row = 3 * image.height // 4 # below the grain, above the scale
+            ends.append(sum(image.pixel(x, row) != white for x in range(image.width)))
+        # as wide as the domain, or not at all in that row; and as wide as the mesh
+        self.assertGreater(ends[1], 2.5 * max(ends[0], 40))
+
     def test_fields(self):
         for field in ("speed", "age", "birth", "kinetic_energy", "mass", "type", "id",
                       "coordination", "force", "omega_x", "velocity_y"):
@@ -230,7 +255,7 @@ class Picture(clod.Case):
         self.assertIn("grains have no field moisture. Fields: ", said)
         for name in ("radius", "velocity (_x, _y, _z)", "speed", "age", "kinetic_energy"):
             self.assertIn(name, said)
-        self.assertIn("walls have no field wear. Fields: type, velocity",
+        self.assertIn("walls have no field wear. Fields: shape, type, velocity",
                       self.picture(self.results, "--wall-color=wear", code=2))
         self.assertIn("--time 7 s is outside of the run", self.picture(self.results, "-t7", code=2))
         self.assertIn("Walls: floor", self.picture(self.results, "--hide=roof", code=2))

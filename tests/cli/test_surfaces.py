@@ -1,7 +1,9 @@
 """output.surfaces: what grains do to facets and other surfaces: places, pictures, same bytes."""
 
 import json
+import math
 import os
+import shutil
 import signal
 import sys
 
@@ -44,8 +46,96 @@ stages: [{name: run, duration: 0.8 s}]
 output: {series_interval: 50 ms, snapshot_interval: 0.4 s, surfaces: true, steady_since: 0.3 s}
 """
 
+# One grain on a level plate, of two halves of 100 by 200 mm, each of two facets.
+LEVEL = """\
+o near
+v 0 -100 0
+v 100 -100 0
+v 100 100 0
+v 0 100 0
+f 1 2 3
+f 1 3 4
+o far
+v 200 -100 0
+v 200 100 0
+f 2 5 6
+f 2 6 3
+"""
+ALONE = """\
+materials:
+  ore: {{density: 2500 kg/m3}}
+  steel: {{hardness: 2 GPa, archard: 1e-3, finnie: 1e-4}}
+contacts: {{default: {{law: hooke, k1: 1e5 N/m, restitution: {restitution}, friction: {friction}}}}}
+gravity: [0 m/s2, 0 m/s2, -{gravity} m/s2]
+time: {{step: {step} s}}
+domain: {{min: [-0.5 m, -0.2 m, -0.1 m], max: [0.5 m, 0.2 m, 0.2 m]}}
+grains: [{{material: ore, file: grain.csv}}]
+walls: {{plate: {{material: steel, shapes: [{{mesh: {{file: plate.obj, unit: 1 mm}}}}]}}}}
+stages: [{{name: run, duration: {duration} s}}]
+output: {{series_interval: 10 ms, surfaces: true, steady_since: 0 s}}
+"""
+RADIUS, STIFFNESS, HARDNESS, ARCHARD, FINNIE = 5e-3, 1e5, 2e9, 1e-3, 1e-4
+MASS = 2500 * 4 / 3 * math.pi * RADIUS ** 3
+
 
 class Surfaces(clod.Case):
+
+    def go_alone(self, height, velocity, duration, **case):
+        """Faces of the plate after one grain at x = 60 mm, y = -30 mm: above one facet."""
+        with open(self.path("case.yaml"), "w") as file:
+            file.write(ALONE.format(duration=duration, **case))
+        with open(self.path("plate.obj"), "w") as file:
+            file.write(LEVEL)
+        with open(self.path("grain.csv"), "w") as file:
+            file.write("x [m],y [m],z [m],radius [m],vx [m/s],vz [m/s]\n"
+                       f"0.06,-0.03,{height!r},{RADIUS},{velocity[0]!r},{velocity[1]!r}\n")
+        done = clod.run("run", "case.yaml", "-o", "run", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("run/summary.json")) as file:
+            return {face["name"]: face for face in json.load(file)["surfaces"]}
+
+    def test_archard_of_a_slide(self):
+        """A sphere set down at speed v slips until it rolls at 5/7 v: the contact slips by
+        v^2/(7 mu g) under m g, so V = k m v^2/(7 mu H), and friction takes m v^2/7."""
+        speed, mu, duration = 0.3, 0.25, 0.06
+        faces = self.go_alone(RADIUS - MASS * 9.81 / STIFFNESS, (speed, 0.0), duration,
+                              restitution=0.3, friction=mu, gravity=9.81, step=1e-6)
+        near, far = faces["plate.near"], faces["plate.far"]
+        volume = ARCHARD * MASS * speed ** 2 / (7 * mu * HARDNESS)
+        self.assertAlmostEqual(near["archard_m3_per_s"] * duration / volume, 1.0, 2)
+        self.assertAlmostEqual(near["shear_power_W"] * duration / (MASS * speed ** 2 / 7), 1.0, 2)
+        self.assertAlmostEqual(near["archard_depth_m_per_s"] * duration / (volume / 0.01), 1.0, 2)
+        self.assertAlmostEqual(near["press_N"] / (MASS * 9.81), 1.0, 4)
+        self.assertEqual(far["archard_m3_per_s"], 0.0)
+        # nothing comes down on the plate: no cutting
+        self.assertLess(near["finnie_m3_per_s"], 1e-3 * near["archard_m3_per_s"] * FINNIE / ARCHARD)
+
+    def test_finnie_of_an_impact(self):
+        """Without friction the speed along the plate, t, stays; that into it, n, falls from n0 to 0 as
+        F dt = -m dn. V = k/H integral(2 m v f dn), v = (n^2 + t^2)^(1/2): with f = sin 2g - 3 sin^2 g
+        below n = t/3 and cos^2 g/3 above, both have primitives."""
+        for angle in (10, 30, 60):
+            along = 0.5 * math.cos(math.radians(angle))
+            into = 0.5 * math.sin(math.radians(angle))
+
+            def shallow(n):
+                v = math.hypot(n, along)
+                return 2 * along * v - 1.5 * (n * v - along ** 2 * math.asinh(n / along))
+
+            def steep(n):
+                return along ** 2 / 3 * math.asinh(n / along)
+
+            bend = min(into, along / 3)
+            integral = 2 * MASS * (shallow(bend) - shallow(0) + steep(max(into, bend)) - steep(bend))
+            duration = 5e-3
+            faces = self.go_alone(RADIUS + 1e-6, (along, -into), duration, restitution=1.0,
+                                  friction=0.0, gravity=0.0, step=2e-8)
+            volume = faces["plate.near"]["finnie_m3_per_s"] * duration
+            self.assertAlmostEqual(volume / (FINNIE * integral / HARDNESS), 1.0, 3, angle)
+            self.assertAlmostEqual(faces["plate.near"]["impact_angle_deg"], angle, 6)
+            self.assertEqual(faces["plate.far"]["finnie_m3_per_s"], 0.0)
+            self.assertEqual(faces["plate.near"]["impacts_per_s"] * duration, 1.0)
+            shutil.rmtree(self.path("run"))
 
     def go(self, folder, threads="1"):
         for name, text in (("case.yaml", CASE), ("plate.obj", MESH)):
@@ -65,7 +155,7 @@ class Surfaces(clod.Case):
             self.assertIn(f"plate.{name}", report)
             self.assertAlmostEqual(face["since_s"], 0.3, 9)
             self.assertAlmostEqual(face["area_m2"], 0.2 * 0.1 * 2 ** 0.5, 12)
-            # friction is limited by mu N, and what slides wears: V = k F s/H
+            # friction is limited by mu N
             self.assertGreater(face["press_N"], 0.0)
             self.assertLessEqual(face["shear_power_W"],
                                  0.3 * face["archard_m3_per_s"] * 2e9 / 1e-3 * 1.001)

@@ -34,6 +34,44 @@ static void every_law_has_its_keys(void **state)
     assert_true(clod_law_keys_exponent("no law") == 0.0);
 }
 
+static bool is_hertz(const clod_law_keys *law)
+{
+    return law->elastic_moduli;
+}
+
+static bool has_depth(const clod_law_keys *law)
+{
+    return law->plasticity_depth != NULL;
+}
+
+static bool is_cohesive_or_hertz(const clod_law_keys *law)
+{
+    return has_depth(law) || law->surface_energy || is_hertz(law);
+}
+
+static bool is_no_law(const clod_law_keys *law)
+{
+    (void)law;
+    return false;
+}
+
+/** Laws that have a key, as messages and help name them. */
+static void lists_of_laws_read_well(void **state)
+{
+    (void)state;
+    char text[CLOD_LAW_KEYS_TEXT], about[CLOD_LAW_KEYS_ABOUT];
+    assert_int_equal(clod_law_keys_list(is_hertz, text), 1);
+    assert_string_equal(text, "law hertz");
+    assert_int_equal(clod_law_keys_list(is_cohesive_or_hertz, text), 3);
+    assert_string_equal(text, "the laws hertz, luding and eepa");
+    assert_int_equal(clod_law_keys_list(is_no_law, text), 0);
+    clod_law_keys_about(about);
+    assert_non_null(strstr(about, "hooke (linear elastic, k1), luding (linear, k2 rises"));
+    for (int law = 0; law < CLOD_LAW_KINDS; law++) {
+        assert_non_null(strstr(about, CLOD_LAW_NAMES[law]));
+    }
+}
+
 static void every_law_has_a_page_of_theory(void **state)
 {
     (void)state;
@@ -190,6 +228,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_law_has_its_keys),
+        cmocka_unit_test(lists_of_laws_read_well),
         cmocka_unit_test(every_law_has_a_page_of_theory),
         cmocka_unit_test(every_law_has_its_numbers),
         cmocka_unit_test(the_tables_agree),

@@ -22,7 +22,7 @@ static void find(found *self, contact_graph *graph, double bond, const clod_clum
     clod_status status;
     assert_true(clod_bonds_find(&self->bonds, &graph->state, &graph->contacts, bond, &status));
     assert_true(clod_clumps_find(&self->clumps, &graph->state, &self->bonds, of, &status));
-    assert_true(clod_clumps_tell(&self->clumps, &self->stats, &self->sizes, &status));
+    assert_true(clod_clumps_sum_up(&self->clumps, &self->stats, &self->sizes, &status));
 }
 
 static void drop(found *self)
@@ -177,7 +177,7 @@ static void a_region_cuts(void **state)
     for (int32_t k = 0; k < 4; k++) {
         graph_touch(&graph, k, k + 1, 2.0);
     }
-    clod_case_region box = {.min = {0.5, -1.0, -1.0}, .max = {3.5, 1.0, 1.0}};
+    clod_outlet box = {.low = {0.5, -1.0, -1.0}, .high = {3.5, 1.0, 1.0}};
     clod_clump_choice choice = {.least = 2, .region = &box};
     find(&f, &graph, 1.0, &choice);
     assert_int_equal(f.clumps.count, 1);
@@ -186,11 +186,11 @@ static void a_region_cuts(void **state)
     check_relative(f.stats.share, 1.0, 1e-12); // of the grains in it
     drop(&f);
     // a ring about (2, 0) holds 0, 1, 3 and 4, and not the one in the middle
-    const clod_case_region ring = {.kind = CLOD_REGION_ANNULUS,
-                                   .center = {2.0, 0.0, -1.0},
-                                   .inner_radius = 0.9,
-                                   .outer_radius = 2.1,
-                                   .height = 2.0};
+    const clod_outlet ring = {.low = {-0.1, -2.1, -1.0},
+                              .high = {4.1, 2.1, 1.0},
+                              .middle = {2.0, 0.0},
+                              .inner = 0.9,
+                              .outer = 2.1};
     choice.region = &ring;
     find(&f, &graph, 1.0, &choice);
     assert_int_equal(f.clumps.count, 2);
@@ -287,7 +287,7 @@ static void random_graphs_as_by_hand(void **state)
 static void the_order_does_not_count(void **state)
 {
     (void)state;
-    const clod_case_region half = {.min = {0.0, -1.0, -1.0}, .max = {0.5, 1.0, 1.0}};
+    const clod_outlet half = {.low = {0.0, -1.0, -1.0}, .high = {0.5, 1.0, 1.0}};
     const clod_clump_choice choice[3] = {
         {.least = 2}, {.least = 3, .free = true}, {.least = 2, .region = &half}};
     for (uint64_t seed = 1; seed <= 20; seed++) {

@@ -4,8 +4,9 @@
 
 #include <string.h>
 
-#include "measure/gauge_bins.h"
+#include "measure/gauge_pass.h"
 #include "support/check.h"
+#include "support/dice.h"
 
 static clod_status status;
 static const double GRAVITY[3] = {0.0, 0.0, -10.0};
@@ -36,6 +37,12 @@ static void make_two(clod_state *state)
     state->grains.angular_velocity[1][3] = 0.5; // 1/I: 0.5 x 2 x 4 = 4 J
 }
 
+static void sample(const clod_gauge *gauge, const clod_state *state, double *sums)
+{
+    const clod_gauge_part part = {.gauge = *gauge, .sums = sums};
+    assert_true(clod_gauge_pass(&part, 1, state, &status));
+}
+
 static void two_grains_are_summed(void **unused)
 {
     (void)unused;
@@ -44,8 +51,7 @@ static void two_grains_are_summed(void **unused)
     make_two(&state);
     const clod_gauge gauge =
         clod_gauge_of(&BOX, (const double[]){5.0, 0.0, 0.0}, NONE, GRAVITY);
-    clod_gauge_look(&gauge, &state, sums);
-    clod_gauge_look_at_all(&state, sums);
+    sample(&gauge, &state, sums);
     clod_gauge_values(&gauge, sums, v);
     check_close(v[CLOD_GAUGE_OF_GRAINS], 2.0, 0.0);
     check_close(v[CLOD_GAUGE_OF_MASS], 4.0, 0.0);
@@ -72,7 +78,7 @@ static void two_grains_are_summed(void **unused)
 }
 
 /** Means are those of sums: a look at nothing halves what is inside, and not the velocity. */
-static void looks_are_added_before_they_are_divided(void **unused)
+static void samples_are_added_before_they_are_divided(void **unused)
 {
     (void)unused;
     clod_state state, empty = {.gravity = {0.0, 0.0, -10.0}};
@@ -80,8 +86,8 @@ static void looks_are_added_before_they_are_divided(void **unused)
     make_two(&state);
     const clod_gauge gauge =
         clod_gauge_of(&BOX, (const double[]){-1.0, 0.0, 0.5}, NONE, GRAVITY);
-    clod_gauge_look(&gauge, &state, sums);
-    clod_gauge_look(&gauge, &empty, more);
+    sample(&gauge, &state, sums);
+    sample(&gauge, &empty, more);
     clod_gauge_values(&gauge, more, v);
     check_close(v[CLOD_GAUGE_OF_MASS], 0.0, 0.0);
     assert_true(isnan(v[CLOD_GAUGE_OF_VELOCITY]) && isnan(v[CLOD_GAUGE_OF_WIDTH]));
@@ -113,7 +119,7 @@ static void one_size_has_no_sorting(void **unused)
     }
     const clod_gauge gauge =
         clod_gauge_of(&BOX, (const double[]){1.0, 0.0, 0.0}, NONE, GRAVITY);
-    clod_gauge_look(&gauge, &state, sums);
+    sample(&gauge, &state, sums);
     clod_gauge_values(&gauge, sums, v);
     assert_true(isnan(v[CLOD_GAUGE_OF_SORTING]));
     check_relative(v[CLOD_GAUGE_OF_RADIUS], 0.003175, 1e-15);
@@ -156,7 +162,10 @@ static void a_sphere_is_cut_by_bins(void **unused)
         clod_gauge_of(&BOX, (const double[]){1.0, 0.0, 0.0}, NONE, GRAVITY);
     const clod_gauge_axis axis = clod_gauge_axis_of(&gauge, gauge.across, 8); // of 0.5 m
     clod_gauge_bins bins = {0};
-    assert_true(clod_gauge_bins_look(&bins, &gauge, &axis, &state, &status));
+    double sums[CLOD_GAUGE_SUMS];
+    const clod_gauge_part part = {
+        .gauge = gauge, .sums = sums, .profile = &bins, .across = axis};
+    assert_true(clod_gauge_pass(&part, 1, &state, &status));
     clod_gauge_bin bin = clod_gauge_bins_of(&bins, &axis, 0); // -2 to -1.5
     check_close(bin.lower, 0.0, 1e-15);
     check_close(bin.upper, 0.5, 1e-15);
@@ -165,7 +174,7 @@ static void a_sphere_is_cut_by_bins(void **unused)
     bin = clod_gauge_bins_of(&bins, &axis, 1); // -1.5 to -1
     check_close(bin.upper, 0.3 + sqrt(0.03), 1e-14);
     check_close(bin.mass, 5.0 / 32.0, 1e-14);
-    bin = clod_gauge_bins_of(&(clod_gauge_bins){.looks = 1.0}, &axis, 1); // nothing
+    bin = clod_gauge_bins_of(&(clod_gauge_bins){.samples = 1.0}, &axis, 1); // nothing
     assert_true(isnan(bin.upper) && isnan(bin.mean));
     check_close(bin.mass, 0.0, 0.0);
     bin = clod_gauge_bins_of(&bins, &axis, 2); // -1 to -0.5
@@ -180,11 +189,60 @@ static void a_sphere_is_cut_by_bins(void **unused)
     bin = clod_gauge_bins_of(&bins, &axis, 7); // 1.5 to 2, and what is beyond; 1.25 is the edge
     check_close(bin.mass, 1.0 * 27.0 / 32.0, 1e-15); // all but a cap of half a radius
     check_close(bin.upper, 1.0, 1e-15);
-    bins.looks += 1.0; // a look at which there was nothing
+    bins.samples += 1.0; // one in which there was nothing
     bin = clod_gauge_bins_of(&bins, &axis, 2);
     check_close(bin.share, 0.5, 0.0);
     check_close(bin.mass, 4.0 * 5.0 / 32.0, 1e-15);
     clod_state_fini(&state);
+}
+
+#define MANY 300
+#define BOXES 5
+
+/** Boxes that overlap, with bins: in one pass each has the bits that it has alone, whatever the
+ *  order of the grains. */
+static void gauges_in_one_pass_are_each_alone(void **unused)
+{
+    (void)unused;
+    clod_state state = {.gravity = {0.0, 0.0, -10.0}}, turned = {.gravity = {0.0, 0.0, -10.0}};
+    dice d = {7};
+    double numbers[MANY][8];
+    for (int g = 0; g < MANY; g++) {
+        for (int k = 0; k < 8; k++) {
+            numbers[g][k] = dice_real(&d, -1.0, 1.0);
+        }
+    }
+    for (int g = 0; g < MANY; g++) {
+        const double *p = numbers[g], *q = numbers[MANY - 1 - g];
+        add(&state, p[0], p[1], p[2], 0.1 + 0.05 * p[3], 2.0 + p[4], p + 5);
+        add(&turned, q[0], q[1], q[2], 0.1 + 0.05 * q[3], 2.0 + q[4], q + 5);
+    }
+    double together[BOXES][CLOD_GAUGE_SUMS], alone[CLOD_GAUGE_SUMS];
+    static clod_gauge_bins bins[BOXES], one;
+    clod_gauge_part parts[BOXES];
+    for (int k = 0; k < BOXES; k++) {
+        const clod_outlet box = {.low = {-1.0 + 0.3 * k, -1.0, -0.9},
+                                 .high = {-0.4 + 0.3 * k, 0.5 + 0.1 * k, 0.9}};
+        const clod_gauge gauge =
+            clod_gauge_of(&box, (const double[]){1.0, 0.0, 0.0}, NONE, GRAVITY);
+        parts[k] = (clod_gauge_part){.gauge = gauge,
+                                     .sums = together[k],
+                                     .trajectory = &bins[k],
+                                     .along = clod_gauge_axis_of(&gauge, gauge.direction, 6)};
+    }
+    assert_true(clod_gauge_pass(parts, BOXES, &state, &status));
+    for (int k = 0; k < BOXES; k++) {
+        clod_gauge_part part = parts[k];
+        memset(&one, 0, sizeof one);
+        part.sums = alone;
+        part.trajectory = &one;
+        assert_true(clod_gauge_pass(&part, 1, &turned, &status));
+        assert_memory_equal(alone, together[k], sizeof alone);
+        assert_memory_equal(&one, &bins[k], sizeof one);
+        assert_true(alone[CLOD_GAUGE_GRAINS] > 10.0 && alone[CLOD_GAUGE_GRAINS] < 0.5 * MANY);
+    }
+    clod_state_fini(&state);
+    clod_state_fini(&turned);
 }
 
 /** Bins below a parabola of ISO 5048 and one more bin, rarely seen: its angle and area. */
@@ -193,7 +251,7 @@ static void a_parabola_has_its_surcharge_angle(void **unused)
     (void)unused;
     const clod_gauge_axis axis = {.low = -1.0, .width = 0.1, .count = 20};
     const double b = 1.2, slope = tan(20.0 * M_PI / 180.0);
-    clod_gauge_bins bins = {.looks = 4.0};
+    clod_gauge_bins bins = {.samples = 4.0};
     double area = 0.0;
     for (int k = 4; k < 16; k++) { // 12 bins: from -0.6 to 0.6
         const double u = 2.0 * (axis.low + (k + 0.5) * axis.width) / b;
@@ -219,9 +277,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_grains_are_summed),
-        cmocka_unit_test(looks_are_added_before_they_are_divided),
+        cmocka_unit_test(samples_are_added_before_they_are_divided),
         cmocka_unit_test(one_size_has_no_sorting),
         cmocka_unit_test(directions_follow),
+        cmocka_unit_test(gauges_in_one_pass_are_each_alone),
         cmocka_unit_test(a_sphere_is_cut_by_bins),
         cmocka_unit_test(a_parabola_has_its_surcharge_angle),
     };

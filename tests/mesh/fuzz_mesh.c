@@ -1,6 +1,7 @@
 /**
  * libFuzzer target: no STL, OBJ or PLY file may crash the reader (Assimp within it), and what is
- * refused is refused with a message. The content tells the format: seeds begin as files do.
+ * refused is refused with a message. What is accepted of the text formats has the facets that a
+ * second reader finds (fuzz_oracle.h). The content tells the format: seeds begin as files do.
  */
 
 #include <math.h>
@@ -10,6 +11,7 @@
 #include <string.h>
 
 #include "clod/mesh.h"
+#include "mesh/fuzz_oracle.h"
 #include "mesh/surface_touch.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -54,6 +56,39 @@ static void report(const clod_mesh *mesh)
             abort();
         }
         clod_mesh_free(texts[k]);
+    }
+}
+
+/** Facets stand where the oracle has them. */
+static void compare(const clod_mesh *mesh, const char *extension, const uint8_t *data,
+                    size_t size, double unit)
+{
+    static oracle second;
+    static char text[ORACLE_MOST];
+    static clod_status status;
+    clod_mesh_report found;
+    const size_t skip = size > 3 && memcmp(data, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    if (size >= sizeof text || memchr(data, '\0', size) != NULL) {
+        return;
+    }
+    memcpy(text, data + skip, size - skip);
+    text[size - skip] = '\0';
+    if (!oracle_read(&second, extension, text) ||
+        !clod_mesh_examine(mesh, 0.0, &found, &status)) {
+        return;
+    }
+    const double tolerance = 2.0 * found.weld + 1e-30; // joined, and rounded to floats
+    const clod_mesh_view *view = clod_mesh_look(mesh);
+    if (found.read_facets != second.triangle_count) {
+        abort();
+    }
+    for (size_t f = 0; f < view->facet_count; f++) {
+        for (int c = 0; c < 3; c++) {
+            if (!oracle_has(&second, view->number[f] - 1, view->vertices[view->facets[f][c]],
+                            unit, tolerance)) {
+                abort();
+            }
+        }
     }
 }
 
@@ -118,6 +153,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     clod_mesh *mesh = clod_mesh_parse(name, (const char *)data, size, &placing, &status);
     if (mesh != NULL) {
         check_mesh(mesh);
+        if (!binary || ply) {
+            compare(mesh, name + 5, data, size, placing.unit);
+        }
         report(mesh);
         touch(mesh);
     } else if (status.text[0] == '\0') {

@@ -5,45 +5,12 @@
 #include <unistd.h>
 
 #include "mesh/mesh_maker.h"
+#include "mesh/text_maker.h"
 
 static const float POINTS[8][3] = {{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0},
                                    {0, 0, 5}, {2, 0, 5}, {2, 3, 5}, {0, 3, 5}};
 static const int SIDES[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                 {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-
-/** A text that grows. */
-typedef struct text {
-    char bytes[32768];
-    size_t length;
-} text;
-
-static void __attribute__((format(printf, 2, 3))) put(text *self, const char *format, ...)
-{
-    va_list args;
-    va_start(args, format);
-    self->length += (size_t)vsnprintf(self->bytes + self->length,
-                                      sizeof self->bytes - self->length, format, args);
-    va_end(args);
-    assert_true(self->length < sizeof self->bytes);
-}
-
-static void put_bytes(text *self, const void *bytes, size_t length)
-{
-    assert_true(self->length + length < sizeof self->bytes);
-    memcpy(self->bytes + self->length, bytes, length);
-    self->length += length;
-}
-
-static clod_mesh *parse(const char *name, const text *content, const clod_mesh_placing *placing)
-{
-    clod_status status = {CLOD_OK, ""};
-    clod_mesh *mesh = clod_mesh_parse(name, content->bytes, content->length, placing, &status);
-    if (mesh == NULL) {
-        print_error("%s\n", status.text);
-    }
-    assert_non_null(mesh);
-    return mesh;
-}
 
 /** It is the box of 2 by 3 by 5, closed, with nothing to find. */
 static void check_box(const char *name, const text *content)

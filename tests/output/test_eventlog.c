@@ -180,12 +180,32 @@ static void a_log_is_not_written_through_a_link(void **folder)
 #define FOLDER_TEST(name)                                                                      \
     cmocka_unit_test_setup_teardown(name, temp_folder_make, temp_folder_remove)
 
+/** The same event is written once, over several runs; other fields or another name are another. */
+static void an_event_is_written_once(void **folder)
+{
+    clod_status status;
+    for (int run = 0; run < 2; run++) {
+        clod_eventlog *log = open_log(folder);
+        clod_eventlog_write_once(log, "alarm",
+                                 json_pack("{s:f, s:i}", "time_s", 0.1, "step", 7));
+        clod_eventlog_write_once(log, "alarm",
+                                 json_pack("{s:f, s:i}", "time_s", 0.1, "step", 8));
+        clod_eventlog_write_once(log, "end", json_pack("{s:f, s:i}", "time_s", 0.1, "step", 7));
+        assert_true(clod_eventlog_close(&log, &status));
+    }
+    json_t *last = line(folder, 2);
+    assert_string_equal(json_string_value(json_object_get(last, "event")), "end");
+    assert_null(line(folder, 3));
+    json_decref(last);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         FOLDER_TEST(an_event_has_time_name_and_fields),
         FOLDER_TEST(fields_that_json_cannot_hold_do_not_lose_the_event),
         FOLDER_TEST(a_second_run_starts_on_a_line_of_its_own),
+        FOLDER_TEST(an_event_is_written_once),
         FOLDER_TEST(threads_do_not_mix_their_lines),
         FOLDER_TEST(a_full_disk_is_told_at_the_end),
         FOLDER_TEST(no_log_is_fine),

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "output/folder_files.h"
-#include "output/hdf.h"
+#include "output/hdf_look.h"
 
 #include "temp_folder.h"
 
@@ -110,6 +110,49 @@ static void other_numbers_of_rows_are_refused(void **folder)
     clod_file_close(place.descriptor);
 }
 
+/** What a file holds is found without knowing it: names in their order, sizes, numbers of another
+ *  type; what is not there is none, and no error of the file. */
+static void a_file_tells_what_it_holds(void **folder)
+{
+    clod_status status;
+    const clod_hdf_place place = {temp_folder(folder), "told", open_file(folder, "told"), 0};
+    const int32_t whole[] = {3, -4};
+    const clod_hdf_column small = {"some/integers", NULL, CLOD_HDF_I32, 1, 2, whole, 4};
+    uint64_t size;
+    clod_hdf *hdf = clod_hdf_create(&place, CLOD_HDF_PICTURE, &status);
+    fill_table();
+    clod_hdf_put(hdf, &WHOLE);
+    clod_hdf_put(hdf, &small);
+    clod_hdf_put_real(hdf, "/", "time_s", 2.5);
+    assert_true(clod_hdf_finish(&hdf, &size, &status));
+    hdf = clod_hdf_open(&place, size, &status);
+    char name[16], tiny[8];
+    assert_int_equal(clod_hdf_members(hdf, "some"), 2);
+    assert_int_equal(clod_hdf_members(hdf, "none"), 0);
+    assert_true(clod_hdf_member(hdf, "some", 0, name, sizeof name));
+    assert_string_equal(name, "integers");
+    assert_true(clod_hdf_member(hdf, "some", 1, name, sizeof name));
+    assert_string_equal(name, "numbers");
+    assert_false(clod_hdf_member(hdf, "some", 1, tiny, 7)); // no room for its end
+    size_t rows, components;
+    assert_true(clod_hdf_size(hdf, "some/numbers", &rows, &components));
+    assert_int_equal(rows, ROWS);
+    assert_int_equal(components, 3);
+    assert_false(clod_hdf_size(hdf, "some/others", &rows, &components));
+    assert_false(clod_hdf_size(hdf, "some", &rows, &components));
+    double value, two[2];
+    assert_true(clod_hdf_get_real(hdf, "/", "time_s", &value) && value == 2.5);
+    assert_false(clod_hdf_get_real(hdf, "/", "time", &value));
+    assert_true(clod_hdf_get_text(hdf, "some/numbers", "units", tiny, sizeof tiny));
+    assert_string_equal(tiny, "m");
+    assert_false(clod_hdf_get_text(hdf, "some/integers", "units", tiny, sizeof tiny));
+    assert_true(clod_hdf_read(hdf, "some/integers", CLOD_HDF_F64, 2, two));
+    assert_true(two[0] == 3.0 && two[1] == -4.0);
+    assert_false(clod_hdf_read(hdf, "some/integers", CLOD_HDF_F64, 1, two));
+    assert_true(clod_hdf_end_reading(&hdf, &status));
+    clod_file_close(place.descriptor);
+}
+
 /** Nothing in front of HDF5's bytes is touched, and slabs or not, the data are the same. */
 static void the_file_is_what_was_asked_for(void **folder)
 {
@@ -177,6 +220,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         FOLDER_TEST(rows_come_back_whole_and_in_slabs),
         FOLDER_TEST(other_numbers_of_rows_are_refused),
+        FOLDER_TEST(a_file_tells_what_it_holds),
         FOLDER_TEST(the_file_is_what_was_asked_for),
         FOLDER_TEST(a_file_that_became_shorter_is_an_error_of_the_disk),
         FOLDER_TEST(a_file_that_cannot_be_written_is_told_by_its_name),

@@ -154,11 +154,12 @@ static void walls_are_triangles(void **folder)
     check_head(file);
     check_cells(file, 2, 3, 5); // VTK_TRIANGLE
     float points[6][3], velocity[2][3];
-    int32_t wall[2], type[2];
+    int32_t wall[2], type[2], shape[2];
     read_reals(file, "VTKHDF/Points", 6, 3, &points[0][0]);
     read_reals(file, "VTKHDF/CellData/velocity", 2, 3, &velocity[0][0]);
     read_array(file, "VTKHDF/CellData/wall", H5T_INTEGER, 4, 2, 0, H5T_NATIVE_INT32, wall);
     read_array(file, "VTKHDF/CellData/type", H5T_INTEGER, 4, 2, 0, H5T_NATIVE_INT32, type);
+    read_array(file, "VTKHDF/CellData/shape", H5T_INTEGER, 4, 2, 0, H5T_NATIVE_INT32, shape);
     // by hand: square of the domain's longest side, 0.3, about its middle (0.05, 0.1)
     for (int p = 0; p < 6; p++) {
         assert_near(fabs((double)points[p][0] - 0.05), 0.15, 1e-7);
@@ -168,6 +169,7 @@ static void walls_are_triangles(void **folder)
     for (int t = 0; t < 2; t++) {
         assert_int_equal(wall[t], 0);
         assert_int_equal(type[t], 2);
+        assert_int_equal(shape[t], 0); // plane, docs/howto/paraview.md
         assert_near((double)velocity[t][2], -0.5, 1e-7);
     }
     H5Fclose(file);

@@ -97,6 +97,7 @@ static void every_shape_has_its_area_and_place(void **context)
             }
             check_close(mesh.velocity[t][0], -2.0 * y, 1e-12);
             check_close(mesh.velocity[t][1], 2.0 * x, 1e-12);
+            assert_int_equal(mesh.shape[t], (int)cases[c].shape.kind);
         }
         clod_wall_mesh_fini(&mesh);
     }

@@ -34,6 +34,37 @@ def make(**more):
     return clod.Simulation(text=CASE, threads=1, **more)
 
 
+STREAM = """\
+materials: {ore: {density: 2500 kg/m3}}
+contacts: {default: {law: hooke, k1: 5e3 N/m, restitution: 0.2, friction: 0.5}}
+gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]
+time: {step: 1e-4 s, design_stress: 100 Pa}
+domain: {min: [-0.1 m, -0.3 m, -0.1 m], max: [1.2 m, 0.3 m, 0.2 m], open: delete}
+grains:
+  - material: ore
+    radius: {distribution: uniform, min: 4.9 mm, max: 5.1 mm}
+    inlet: {mass_flow: 0.6 kg/s}
+    region: {box: {min: [10 mm, -150 mm, 10 mm], max: [60 mm, 150 mm, 30 mm]}}
+    velocity: [0.5 m/s, 0 m/s, -0.5 m/s]
+walls:
+  feed:
+    material: ore
+    shapes:
+      - belt: {from: [0 m, 0 m, 0 m], runs: [{length: 0.3 m}], width: 400 mm, speed: 2 m/s}
+outlets:
+  head: {region: {box: {min: [0.25 m, -0.3 m, -0.1 m], max: [0.4 m, 0.3 m, 0.2 m]}}}
+gauges:
+  all:
+    region: {box: {min: [0 m, -0.3 m, -0.1 m], max: [0.2 m, 0.3 m, 0.2 m]}}
+    direction: [1, 0, 0]
+    belt: feed
+clumps: {}
+build_up: {}
+stages: [{name: run, duration: 0.4 s}]
+output: {series_interval: 50 ms, surfaces: true}
+"""
+
+
 class Python(program.Case):
 
     def test_arrays_are_views(self):
@@ -181,6 +212,43 @@ class Python(program.Case):
                 with self.assertRaisesRegex(clod.Error, "there is none of this name"):
                     sim.change()
         numpy.testing.assert_array_equal(*felt)
+
+    def test_the_series_is_that_of_a_run(self):
+        """Rows taken at its times have the bits that `clod run` writes: its numbers end in the
+        last digit that a double has. They go on through a checkpoint."""
+        path = self.path("stream.yaml")
+        with open(path, "w") as file:
+            file.write(STREAM)
+        folder = self.path("run")
+        done = program.run("run", path, "-o", folder, "-t", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        columns, units = clod.results(folder).table("series")
+        kept = self.path("kept")
+        sim = clod.Simulation(path, threads=2)
+        for row in range(8):
+            sim.advance(200)
+            sim.advance(300)
+            found = sim.series_row()
+            self.assertEqual(list(found), list(columns)[4:])
+            self.assertEqual(sim.series_units, {name: units[name] for name in found})
+            for name, value in found.items():
+                numpy.testing.assert_array_equal(value, columns[name][row], f"{name}, row {row}")
+            if row == 3:
+                sim.write_checkpoint(kept)
+                sim.close()
+                sim = clod.Simulation(path, threads=1)
+                sim.read_checkpoint(kept)
+        self.assertGreater(found["inlet_1.grains"], 100)
+        self.assertGreater(found["gauge_all.mass_flow"], 0.1)
+        with self.assertRaisesRegex(clod.Error, "clod_sim_remove_wall: the series is open"):
+            sim.remove_wall("feed")
+        sim.close()
+        with make() as sim:
+            with self.assertRaisesRegex(clod.Error, "call clod_sim_open_series"):
+                sim.series_row()
+            sim.open_series()
+            sim.advance(10)
+            self.assertIn("floor.force_z", sim.series_row())
 
     def test_a_belt_carries_what_lies_on_it(self):
         with make() as sim:

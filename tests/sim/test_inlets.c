@@ -103,20 +103,11 @@ static void the_same_state_gives_the_same_grains(void **unused)
     }
 }
 
-/** A simulation of the library does not let grains come: its program does. */
-static void the_library_refuses_inlets(void **unused)
-{
-    (void)unused;
-    clod_sim *sim = clod_sim_create_from_text("case.yaml", TEXT, NULL, &status);
-    expect_refused(sim != NULL, "grains come during the run");
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(grains_come_clear_of_all),
         cmocka_unit_test(the_same_state_gives_the_same_grains),
-        cmocka_unit_test(the_library_refuses_inlets),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

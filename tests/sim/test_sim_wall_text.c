@@ -132,8 +132,10 @@ static void what_is_wrong_is_told_as_in_a_case(void **state)
     clod_sim *sim = sim_made(HEAD, 1);
     for (size_t k = 0; k < sizeof WRONG / sizeof *WRONG; k++) {
         status = (clod_status){0};
-        expect_refused(clod_sim_add_wall_from_text(sim, WRONG[k].name, WRONG[k].text, &status),
-                       WRONG[k].words);
+        expect_refused(
+            clod_sim_add_wall_from_text(sim, WRONG[k].name, WRONG[k].text, &status) &&
+                clod_sim_change(sim, &status),
+            WRONG[k].words);
     }
     assert_false(clod_sim_add_wall_from_text(sim, NULL, "", &status));
     assert_non_null(strstr(status.text, "clod_sim_add_wall_from_text: name is NULL"));

@@ -19,6 +19,7 @@ static void every_shape_is_of_one_sort(void **state)
         assert_int_equal(row->endless + row->solid + row->faceted + row->flat + row->shell, 1);
         assert_true(row->boxed == (row->solid || row->faceted));
         assert_true(row->shell || !row->straight);
+        assert_true(row->faceted || !row->conveyor);
     }
 }
 

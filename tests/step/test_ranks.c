@@ -24,8 +24,8 @@ static void open_bed(clod_domain *domain)
     domain->max[0] = 0.0199;
     domain->removes = true;
     domain->outlets = 1;
-    domain->outlet[0] = (clod_outlet){{-1.0, 0.012, -1.0}, {1.0, 1.0, 0.008}, {0.0, 0.0}, 0.0,
-                                      0.0};
+    domain->outlet[0] =
+        (clod_outlet){{-1.0, 0.012, -1.0}, {1.0, 1.0, 0.008}, {0.0, 0.0}, 0.0, 0.0};
 }
 
 /** Two grains go, and smaller ones come in their places. */

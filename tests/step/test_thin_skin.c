@@ -1,7 +1,9 @@
-// The skins of both lists: from the speed of the fastest grain or wall when a list is made.
+// How far grains may go by the near list, from their speeds when it is made, and the skin of the
+// candidates, from the fastest speed.
 
 #include <math.h>
 
+#include "base/random.h"
 #include "support/scene.h"
 
 #define DT 1e-6
@@ -22,68 +24,93 @@ static void two_grains(scene *s, double speed, bool floor_moves)
     scene_start(s);
 }
 
-/** Four times the speed, twice the skin: twice the pairs, and lists twice as often. */
-static void it_goes_with_the_root_of_the_speed(void **state)
+/** How far a grain may go by the list there is [m]. */
+static double way_of(const scene *s, size_t row)
 {
-    (void)state;
-    scene s;
-    two_grains(&s, 0.1, false);
-    const double skin = clod_step_thin_skin(&s.step, 0.1);
-    // sqrt(47 x 2 grains / 1 pair x 2 x 0.1 m/s x 1 us x 0.3 x 6 mm): no candidate counts as one
-    check_relative(skin, 1.83957e-4, 1e-5);
-    check_relative(clod_step_thin_skin(&s.step, 0.4), 2.0 * skin, 1e-15);
-    scene_end(&s);
+    return s->step.near.origin[row][3] - s->state.grains.position[row][3];
 }
 
-/** At rest a thousandth of the smallest radius, however fast never more than candidates reach.
- */
-static void it_has_bounds(void **state)
+/** Row of the faster of two grains. */
+static size_t faster_of(const scene *s)
 {
-    (void)state;
-    scene s;
-    two_grains(&s, 0.0, false);
-    check_relative(clod_step_thin_skin(&s.step, 0.0), 1e-3 * RADIUS, 1e-15);
-    check_relative(s.step.near.skin, 1e-3 * RADIUS, 1e-15);
-    assert_true(clod_step_thin_skin(&s.step, 1e6) == s.step.neighbour.skin);
-    scene_end(&s);
+    const double(*v)[4] = (const double(*)[4])s->state.grains.velocity;
+    return fabs(v[0][1]) > fabs(v[1][1]) ? 0 : 1;
 }
 
-/** The first list knows how fast grains and walls are. */
-static void the_first_list_knows_the_speed(void **state)
+/** Four times the speed, twice the ways: twice the pairs, and lists twice as often. */
+static void they_go_with_the_root_of_the_speed(void **state)
 {
     (void)state;
-    for (int wall = 0; wall < 2; wall++) {
+    for (int k = 0; k < 2; k++) {
         scene s;
-        two_grains(&s, 0.1, wall != 0);
-        check_relative(s.step.near.skin, 1.83957e-4, 1e-5);
+        two_grains(&s, k == 0 ? 0.1 : 0.4, false);
+        // sqrt(47 x 2 grains x 1 us x 0.3 x 6 mm / (2 x (0.05 + 0.2 x 0.1) m/s x 1 pair)); no
+        // candidate counts as one
+        const double time = k == 0 ? 1.09935e-3 : 0.5 * 1.09935e-3;
+        const double speed = k == 0 ? 0.1 : 0.4;
+        const clod_near_ways ways = clod_step_ways(&s.step, speed);
+        check_relative(ways.time, time, 1e-5);
+        check_relative(ways.least, 0.2 * speed * time, 1e-5);
+        const size_t fast = faster_of(&s);
+        check_relative(way_of(&s, fast), 1.2 * speed * time, 1e-5); // the first list knows it
+        check_relative(way_of(&s, 1 - fast), 0.2 * speed * time, 1e-5);
         scene_end(&s);
     }
 }
 
-/** So does every later one. */
-static void later_lists_know_the_speed(void **state)
+/** At rest a two-thousandth of the smallest radius, however fast never more than half of what
+ *  candidates reach. */
+static void they_have_bounds(void **state)
 {
     (void)state;
     scene s;
     two_grains(&s, 0.0, false);
-    scene_move(&s, 0, 0.4, 0.0, 0.0);
-    while (s.step.refreshes == 0 && s.state.step < 100) {
-        scene_run(&s, 1);
-    }
-    assert_int_equal(s.step.refreshes, 1);
-    check_relative(s.step.near.skin, 3.67913e-4, 1e-5); // twice that of 0.1 m/s
-    scene_move(&s, 0, 0.0, 0.1, 0.0);
-    scene_run(&s, 2000); // 200 um: twice that is beyond the skin
-    assert_int_equal(s.step.refreshes, 2);
-    check_relative(s.step.near.skin, 1.83957e-4, 1e-5);
+    check_relative(way_of(&s, 0), 5e-4 * RADIUS, 1e-9);
+    check_relative(s.step.near.wall_way, 5e-4 * RADIUS, 1e-15);
+    check_relative(clod_step_ways(&s.step, 1e6).least, 0.5 * s.step.neighbour.skin, 1e-15);
+    assert_true(clod_step_ways(&s.step, 1e6).most == 0.5 * s.step.neighbour.skin);
     scene_end(&s);
 }
 
-/** Twice the candidates, and the list is thinner by the root of two. */
-static void it_is_thinner_among_many_candidates(void **state)
+/** A wall that moves has a way of its own. */
+static void the_first_list_knows_the_speed_of_walls(void **state)
 {
     (void)state;
-    double skin[2];
+    scene s;
+    two_grains(&s, 0.1, true);
+    // 1.3 x 0.1 m/s x sqrt(47 x 2 x 1 us x 1.8 mm / (2 x 0.02 m/s))
+    check_relative(s.step.near.wall_way, 2.67370e-4, 1e-5);
+    scene_run(&s, 2600);
+    assert_int_equal(s.step.refreshes, 0);
+    scene_run(&s, 100);
+    assert_int_equal(s.step.refreshes, 1);
+    scene_end(&s);
+}
+
+/** A list lasts until a grain has gone its own way, and no longer. */
+static void a_list_lasts_for_the_way(void **state)
+{
+    (void)state;
+    scene s;
+    two_grains(&s, 0.1, false);
+    scene_run(&s, 1318); // 1.2 x 1099.35 steps
+    assert_int_equal(s.step.refreshes, 0);
+    scene_run(&s, 2);
+    assert_int_equal(s.step.refreshes, 1);
+    const size_t slow = 1 - faster_of(&s);
+    scene_move(&s, slow, 0.0, 0.0, 0.2); // its way is a sixth of the other's
+    scene_run(&s, 108);
+    assert_int_equal(s.step.refreshes, 1);
+    scene_run(&s, 3);
+    assert_int_equal(s.step.refreshes, 2);
+    scene_end(&s);
+}
+
+/** Twice the candidates, and the ways are shorter by the root of two. */
+static void they_are_shorter_among_many_candidates(void **state)
+{
+    (void)state;
+    double time[2];
     for (int k = 0; k < 2; k++) {
         scene s;
         const clod_case_contact ore = contact_ore();
@@ -94,10 +121,75 @@ static void it_is_thinner_among_many_candidates(void **state)
         }
         scene_start(&s);
         assert_int_equal(s.step.neighbour.pairs.count, k == 0 ? 0 : 2);
-        skin[k] = clod_step_thin_skin(&s.step, 0.01);
+        time[k] = clod_step_ways(&s.step, 0.01).time;
         scene_end(&s);
     }
-    check_relative(skin[1], skin[0] / sqrt(2.0), 1e-15); // none counts as one
+    check_relative(time[1], time[0] / sqrt(2.0), 1e-15); // none counts as one
+}
+
+/** Every pair that touches, and every grain at a wall, is on the list. */
+static void check_complete(const scene *s, int *touching)
+{
+    const clod_neighbour *search = &s->step.neighbour;
+    for (size_t i = 0; i < s->state.grains.count; i++) {
+        const double *a = s->state.grains.position[i];
+        size_t k = search->pairs.start[i];
+        for (size_t j = i + 1; j < s->state.grains.count; j++) {
+            const double *b = s->state.grains.position[j];
+            const clod_vec3 apart = clod_vec3_sub(clod_vec3_of(a), clod_vec3_of(b));
+            for (; k < search->pairs.start[i + 1] && search->pairs.item[k].j < j; k++) {
+            }
+            const bool listed = k < search->pairs.start[i + 1] &&
+                                search->pairs.item[k].j == j && search->pairs.item[k].near != 0;
+            const bool touches = clod_vec3_length(apart) < a[3] + b[3];
+            assert_true(listed || !touches);
+            *touching += touches;
+        }
+        const bool at_wall = a[2] - s->state.walls.wall[0].shift.z < a[3];
+        bool listed = false;
+        for (size_t c = 0; c < search->walls.count; c++) {
+            listed |= (size_t)search->walls.item[c].i == i && search->walls.item[c].near != 0;
+        }
+        assert_true(listed || !at_wall);
+        *touching += at_wall;
+    }
+}
+
+/** Grains that are kicked at random, over a floor that goes up and down: whatever touches has
+ *  been on the list before. */
+static void what_touches_is_on_the_list(void **state)
+{
+    (void)state;
+    for (int threads = 1; threads <= 2; threads++) {
+        const clod_case_contact ore = contact_ore();
+        scene s;
+        uint64_t draw = 0;
+        scene_init(&s, 2.0 * DT, &ore);
+        for (int g = 0; g < 64; g++) {
+            const double gap = 2.3 * RADIUS;
+            scene_grain(&s, gap * (g % 4), gap * (g / 4 % 4), RADIUS + gap * (g / 16), RADIUS);
+        }
+        clod_wall *floor = scene_wall(&s, "floor", shape_floor(0.0));
+        scene_start_with(&s, (clod_step_options){.threads = threads});
+        int touching = 0;
+        for (int k = 0; k < 1000; k++) {
+            for (int kick = 0; kick < 2; kick++) {
+                double v[4];
+                for (int a = 0; a < 4; a++) {
+                    v[a] = clod_random_uniform(7, CLOD_RANDOM_TEST, (uint64_t)threads, draw++);
+                }
+                const size_t row = (size_t)(64.0 * v[3]);
+                scene_move(&s, row, 2.0 * v[0] - 1.0, 2.0 * v[1] - 1.0, 2.0 * v[2] - 1.0);
+            }
+            floor->velocity.z = k / 100 % 2 == 0 ? 0.3 : -0.3;
+            scene_run(&s, 5);
+            check_complete(&s, &touching);
+        }
+        assert_true(touching > 1000);
+        assert_true(s.step.refreshes > 10 && s.step.rebuilds > 3);
+        assert_true(s.step.refreshes + s.step.rebuilds < 800);
+        scene_end(&s);
+    }
 }
 
 /** The skin of the candidates: 0.3 of the largest radius, more for fast grains, at most one. */
@@ -141,11 +233,12 @@ static void the_wide_skin_is_part_of_the_state(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_goes_with_the_root_of_the_speed),
-        cmocka_unit_test(it_has_bounds),
-        cmocka_unit_test(the_first_list_knows_the_speed),
-        cmocka_unit_test(later_lists_know_the_speed),
-        cmocka_unit_test(it_is_thinner_among_many_candidates),
+        cmocka_unit_test(they_go_with_the_root_of_the_speed),
+        cmocka_unit_test(they_have_bounds),
+        cmocka_unit_test(the_first_list_knows_the_speed_of_walls),
+        cmocka_unit_test(a_list_lasts_for_the_way),
+        cmocka_unit_test(they_are_shorter_among_many_candidates),
+        cmocka_unit_test(what_touches_is_on_the_list),
         cmocka_unit_test(the_wide_skin_goes_with_the_root_of_the_speed),
         cmocka_unit_test(the_wide_skin_is_part_of_the_state),
     };

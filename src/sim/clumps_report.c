@@ -1,4 +1,4 @@
-#include "sim/clumps_told.h"
+#include "sim/clumps_report.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -33,14 +33,14 @@ static const char *name_of(const clod_case *from, size_t count)
     return count == 0 ? "" : from->clumps.counts[count - 1].name;
 }
 
-size_t clod_clumps_told_columns(const clod_case *from, const clod_state *state)
+size_t clod_clumps_report_columns(const clod_case *from, const clod_state *state)
 {
     (void)state;
     return PER_COUNT * counts_of(from);
 }
 
-void clod_clumps_told_column(const clod_case *from, const clod_state *state, size_t k,
-                             char *text, size_t size)
+void clod_clumps_report_column(const clod_case *from, const clod_state *state, size_t k,
+                               char *text, size_t size)
 {
     (void)state;
     const char *name = name_of(from, k / PER_COUNT);
@@ -48,7 +48,7 @@ void clod_clumps_told_column(const clod_case *from, const clod_state *state, siz
              COLUMNS[k % PER_COUNT]);
 }
 
-void clod_clumps_told_row(void *memory, const clod_free_moment *now, double *row)
+void clod_clumps_report_row(void *memory, const clod_free_moment *now, double *row)
 {
     const clod_clump_memory *self = memory;
     for (size_t c = 0; c < counts_of(now->from); c++) {
@@ -126,7 +126,7 @@ static int64_t left_in_all(const clod_exchange *gone, bool alone)
     return sum;
 }
 
-void clod_clumps_told_report(FILE *out, const void *memory, const clod_free_moment *now)
+void clod_clumps_report_lines(FILE *out, const void *memory, const clod_free_moment *now)
 {
     const clod_clump_memory *self = memory;
     if (counts_of(now->from) == 0) {
@@ -220,7 +220,7 @@ static json_t *left_json(const clod_exchange *gone)
                      (json_int_t)left_in_all(gone, false), "sizes", sizes);
 }
 
-json_t *clod_clumps_told_json(const void *memory, const clod_free_moment *now)
+json_t *clod_clumps_report_json(const void *memory, const clod_free_moment *now)
 {
     const clod_clump_memory *self = memory;
     if (counts_of(now->from) == 0) {
@@ -257,8 +257,8 @@ static void print_sizes(FILE *out, const clod_clump_memory *self, const char *na
     }
 }
 
-bool clod_clumps_told_files(const clod_folder *folder, const void *memory,
-                            const clod_free_moment *now, clod_status *status)
+bool clod_clumps_report_files(const clod_folder *folder, const void *memory,
+                              const clod_free_moment *now, clod_status *status)
 {
     const clod_clump_memory *self = memory;
     if (counts_of(now->from) == 0) {
