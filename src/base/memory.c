@@ -5,6 +5,11 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
+#if defined(__linux__)
+#include <malloc.h>
+#endif
+
+#include "base/assert.h"
 
 #define PAGE 4096         ///< bytes, or a multiple where pages are larger
 #define GIVE_FROM 1048576 ///< bytes from which on an array's pages are given back
@@ -60,6 +65,7 @@ void *clod_memory_grow(void *memory, size_t old_count, size_t new_count, size_t 
 void clod_memory_give_back(void *memory, size_t bytes, size_t array)
 {
 #if defined(__linux__)
+    CLOD_ASSERT(bytes < array || malloc_usable_size(memory) >= bytes); // none of another's
     const uintptr_t small = (uintptr_t)sysconf(_SC_PAGESIZE);
     const uintptr_t page = array >= CLOD_MEMORY_HUGE_PAGE ? CLOD_MEMORY_HUGE_PAGE : small;
     const uintptr_t from = ((uintptr_t)memory + page - 1) / page * page;

@@ -130,9 +130,7 @@ static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
     bool good = true;
     const bool walls = clod_hdf_rows(hdf, "walls/build_angle") > 0;
     if (walls || clod_hdf_rows(hdf, "grains/build_position") > 0) { // without grains: no rows
-        state->build_position =
-            clod_memory_alloc(state->grains.capacity, sizeof *state->build_position);
-        good = state->build_position != NULL;
+        good = clod_state_reserve_build(state);
     }
     if (walls) {
         state->build_walls =

@@ -336,6 +336,7 @@ static bool set_build(moving *self, clod_status *status)
     const size_t walls = (size_t)state->walls.count;
     if (self->same_walls && self->origin->same_domain && other->build_motion >= 0.0) {
         state->build_position = other->build_position;
+        state->build_capacity = other->build_capacity;
         state->build_walls = other->build_walls;
         state->build_motion = other->build_motion;
         state->build_skin = other->build_skin;
@@ -343,10 +344,8 @@ static bool set_build(moving *self, clod_status *status)
         other->build_walls = NULL;
         return true;
     }
-    state->build_position =
-        clod_memory_alloc(state->grains.capacity, sizeof *state->build_position);
     state->build_walls = clod_memory_alloc(walls + 1, sizeof *state->build_walls);
-    if (state->build_position == NULL || state->build_walls == NULL) {
+    if (!clod_state_reserve_build(state) || state->build_walls == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the grains");
     }
     memcpy(state->build_position, state->grains.position,

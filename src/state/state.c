@@ -34,9 +34,7 @@ bool clod_state_copy(clod_state *self, const clod_state *from, clod_status *stat
         return false;
     }
     if (from->build_position != NULL) {
-        self->build_position =
-            clod_memory_alloc(self->grains.capacity, sizeof *self->build_position);
-        if (self->build_position == NULL) {
+        if (!clod_state_reserve_build(self)) {
             return clod_status_fail(status, CLOD_FAILED, "no memory to copy the state");
         }
         memcpy(self->build_position, from->build_position,
@@ -49,6 +47,15 @@ bool clod_state_copy(clod_state *self, const clod_state *from, clod_status *stat
         return clod_status_fail(status, CLOD_FAILED, "no memory to copy the state");
     }
     return true;
+}
+
+bool clod_state_reserve_build(clod_state *self)
+{
+    clod_memory_free(self->build_position);
+    self->build_position =
+        clod_memory_alloc(self->grains.capacity, sizeof *self->build_position);
+    self->build_capacity = self->build_position != NULL ? self->grains.capacity : 0;
+    return self->build_position != NULL;
 }
 
 void clod_state_fini(clod_state *self)

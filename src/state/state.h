@@ -26,7 +26,8 @@ typedef struct clod_state {
     clod_exchange exchange; ///< grains that have come and gone
     clod_changes changes;   ///< asked for, not made yet: none at a checkpoint or in a copy
     // the neighbour search at its last rebuild; decides when the grains are sorted next
-    double (*build_position)[4]; ///< [grains.capacity] at the last rebuild, in today's order
+    double (*build_position)[4]; ///< [build_capacity] at the last rebuild, in today's order
+    size_t build_capacity;       ///< that of the grains when the array was made: they may grow
     double (*build_walls)[CLOD_WALL_POSE_NUMBERS]; ///< [walls.count] poses at the last rebuild
     double build_motion; ///< m, bound of any point's motion since then; < 0: rebuild now
     double build_skin;   ///< m, wide skin of that rebuild
@@ -40,5 +41,9 @@ typedef struct clod_state {
 
 /** Deep copy into an empty state. */
 bool clod_state_copy(clod_state *self, const clod_state *from, clod_status *status);
+
+/** Room for the positions of all grains at a rebuild, in place of an earlier one; false without
+ *  memory. */
+bool clod_state_reserve_build(clod_state *self);
 
 void clod_state_fini(clod_state *self);

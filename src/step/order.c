@@ -286,11 +286,9 @@ static bool note_rebuild(const clod_neighbour *self, clod_state *state)
 {
     clod_grains *grains = &state->grains;
     if (state->build_position == NULL) {
-        state->build_position =
-            clod_memory_alloc(grains->capacity, sizeof *state->build_position);
         state->build_walls =
             clod_memory_alloc((size_t)state->walls.count + 1, sizeof *state->build_walls);
-        if (state->build_position == NULL || state->build_walls == NULL) {
+        if (!clod_state_reserve_build(state) || state->build_walls == NULL) {
             return false;
         }
     }
@@ -309,7 +307,7 @@ static void give_back_old(const clod_neighbour *self, const clod_state *state)
     const size_t pairs = self->pairs.capacity * sizeof *self->pairs.item;
     clod_memory_give_back(self->pairs.item, pairs, pairs);
     if (state->build_position != NULL) {
-        const size_t places = state->grains.capacity * sizeof *state->build_position;
+        const size_t places = state->build_capacity * sizeof *state->build_position;
         clod_memory_give_back(state->build_position, places, places);
     }
 }

@@ -90,10 +90,29 @@ static void nothing_is_lost_when_lists_are_made_anew(void **state)
     scene_end(&plain);
 }
 
+/** Grains come: their arrays grow, and those of the last rebuild are still as they were. */
+static void memory_of_others_stays_when_grains_come(void **state)
+{
+    (void)state;
+    const clod_new_grain above = {
+        .id = 1000000, .position = {0.0, 0.0, 0.5, 0.003}, .density = 2500.0};
+    scene bed;
+    large_init(&bed);
+    scene_start_with(&bed, (clod_step_options){.threads = 1});
+    scene_run(&bed, 1);
+    const size_t room = bed.state.grains.capacity;
+    clod_changes_add_grain(&bed.state.changes, &above);
+    scene_run(&bed, 2); // clod_memory_give_back asserts that it stays within an array
+    assert_true(bed.state.grains.capacity > room);
+    assert_int_equal(bed.step.rebuilds, 1);
+    scene_end(&bed);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_is_lost_when_lists_are_made_anew),
+        cmocka_unit_test(memory_of_others_stays_when_grains_come),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
