@@ -122,12 +122,10 @@ static bool run_walls(clod_step *self, int part, int32_t l, clod_wall_form form)
     for (size_t b = begin; self->near.ledger && b < walls->group_start[group + 1]; b++) {
         self->kernel->wall_spend(&self->view, law, form, &blocks[b - begin], &walls->spent[b]);
     }
-    for (size_t b = begin; self->near.wear && b < walls->group_start[group + 1]; b++) {
-        self->kernel->wall_rub(&self->view, law, form, &blocks[b - begin], &walls->rub[b]);
-    }
     for (size_t first = 0; first < contacts; first += CLOD_FIXED_ADDENDS) {
-        const size_t left = contacts - first;
-        excess |= self->kernel->wall(&self->view, law, form, &blocks[first / CLOD_LANES],
+        const size_t left = contacts - first, block = first / CLOD_LANES;
+        excess |= self->kernel->wall(&self->view, law, form, &blocks[block],
+                                     self->near.wear ? &walls->rub[begin + block] : NULL,
                                      left < CLOD_FIXED_ADDENDS ? left : CLOD_FIXED_ADDENDS);
         carry_sums(self, part);
     }

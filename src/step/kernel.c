@@ -4,7 +4,6 @@
 #include "step/kernel_contact.h"
 #include "step/kernel_ledger.h"
 #include "step/kernel_motion.h"
-#include "step/kernel_rub.h"
 #include "step/kernel_wall.h"
 
 #define KERNEL_NAME_OF(suffix) clod_kernel_##suffix
@@ -20,7 +19,6 @@ const clod_kernel KERNEL_NAME(CLOD_SIMD_SUFFIX) = {
     .wall = kernel_wall,
     .contact_spend = kernel_contact_spend,
     .wall_spend = kernel_wall_spend,
-    .wall_rub = kernel_wall_rub,
     .contact_stored = kernel_contact_stored,
     .wall_stored = kernel_wall_stored,
     .drift = kernel_drift,

@@ -85,18 +85,16 @@ typedef struct clod_kernel {
      * Force of `contacts` wall contacts of one law, with shapes of one form; true when an
      * overlap is too large.
      *
+     * @param rub       NULL, or blocks for how the grains rub and hit
      * @param contacts  at most CLOD_FIXED_ADDENDS
      */
     bool (*wall)(const clod_kernel_view *view, const clod_law *law, clod_wall_form form,
-                 clod_wall_block *blocks, size_t contacts);
+                 clod_wall_block *blocks, clod_rub_block *rub, size_t contacts);
     /** For the ledger, just before `contact` or `wall`: what the block spends in this step. */
     void (*contact_spend)(const clod_kernel_view *view, const clod_law *law,
                           clod_contact_block *block, clod_spent_block *spent);
     void (*wall_spend)(const clod_kernel_view *view, const clod_law *law, clod_wall_form form,
                        clod_wall_block *block, clod_spent_block *spent);
-    /** For the sums of surfaces, just before `wall`: how the block's grains rub and hit. */
-    void (*wall_rub)(const clod_kernel_view *view, const clod_law *law, clod_wall_form form,
-                     clod_wall_block *block, clod_rub_block *rub);
     /** Between steps: what the block stores. */
     void (*contact_stored)(const clod_kernel_view *view, const clod_law *law,
                            clod_contact_block *block, clod_stored_block *stored);

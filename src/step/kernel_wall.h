@@ -7,6 +7,7 @@
 #include "geometry/wall_closest.h"
 #include "state/walls.h"
 #include "step/kernel_contact.h"
+#include "step/kernel_rub.h"
 
 /** How grains meet shapes of walls. */
 typedef struct kernel_wall_meeting {
@@ -110,11 +111,12 @@ static inline kernel_wall_meeting kernel_wall_meet(const clod_kernel_view *view,
 /** What the wall's shares need of the geometry. */
 typedef struct kernel_wall_side {
     vreal3 lever, belt, belt_spin; ///< as in kernel_wall_meeting
+    kernel_rub_side rub;           ///< only where it is asked for
 } kernel_wall_side;
 
 /** First pass: geometry and kinematics. */
 CLOD_LAW_PASS void kernel_wall_move(const clod_kernel_view *view, const clod_law *law,
-                                    clod_wall_form form, kernel_batch *batch,
+                                    clod_wall_form form, bool rubs, kernel_batch *batch,
                                     kernel_wall_side *side)
 {
     for (int k = 0; k < batch->vectors; k++) {
@@ -122,7 +124,15 @@ CLOD_LAW_PASS void kernel_wall_move(const clod_kernel_view *view, const clod_law
         const kernel_wall_meeting meeting = kernel_wall_meet(view, form, block, kernel_lane(k));
         batch->meeting[k].arm_i = meeting.motion.arm_i;
         clod_law_touch_of(law, &meeting.motion, &batch->meeting[k].touch);
-        side[k] = (kernel_wall_side){meeting.lever, meeting.belt, meeting.belt_spin};
+        side[k].lever = meeting.lever;
+        side[k].belt = meeting.belt;
+        side[k].belt_spin = meeting.belt_spin;
+        if (rubs) {
+            const vreal3 velocity = meeting.motion.velocity;
+            side[k].rub =
+                (kernel_rub_side){vreal3_dot(velocity, velocity),
+                                  vreal_load(&block->history.tangent[kernel_lane(k)])};
+        }
     }
 }
 
@@ -153,7 +163,7 @@ static inline void kernel_wall_store(const clod_kernel_view *view, vreal arm,
 /** Last pass: limits and shares; the largest excess of an overlap so far. */
 CLOD_LAW_PASS vreal kernel_wall_limit(const clod_kernel_view *view, const clod_law *law,
                                       kernel_batch *batch, const kernel_wall_side *side,
-                                      vreal excess)
+                                      clod_rub_block *rub, vreal excess)
 {
     clod_law_cuts cuts = clod_law_limit_begin(law, &batch->trial[0]);
     for (int k = 0; k < batch->vectors; k++) {
@@ -162,6 +172,10 @@ CLOD_LAW_PASS vreal kernel_wall_limit(const clod_kernel_view *view, const clod_l
         kernel_wall_store(view, batch->meeting[k].arm_i, &side[k], result,
                           kernel_block(batch, KERNEL_WALLS, k), kernel_lane(k),
                           kernel_lanes(batch, k));
+        if (rub != NULL) {
+            kernel_rub_store(&rub[k * CLOD_WIDTH / CLOD_LANES], kernel_lane(k), touch,
+                             &side[k].rub, &result);
+        }
         const vreal beyond = touch->overlap - view->overlap_limit * touch->r_star;
         excess = vreal_max(vreal_select(result.closed, beyond, excess), excess);
     }
@@ -171,7 +185,7 @@ CLOD_LAW_PASS vreal kernel_wall_limit(const clod_kernel_view *view, const clod_l
 /** All contacts, batch by batch through the passes. */
 CLOD_LAW_PASS bool kernel_wall_loop(const clod_kernel_view *view, const clod_law law,
                                     clod_wall_form form, clod_wall_block *blocks,
-                                    size_t contacts)
+                                    clod_rub_block *rub, size_t contacts)
 {
     const clod_kernel_view v = *view;
     vreal excess = vreal_set(-1.0);
@@ -179,38 +193,41 @@ CLOD_LAW_PASS bool kernel_wall_loop(const clod_kernel_view *view, const clod_law
     kernel_wall_side side[KERNEL_BATCH * CLOD_LANES / CLOD_WIDTH];
     for (size_t first = 0; first < contacts; first += (size_t)KERNEL_BATCH * CLOD_LANES) {
         kernel_batch_begin(&batch, KERNEL_WALLS, blocks, first, contacts);
-        kernel_wall_move(&v, &law, form, &batch, side);
+        kernel_wall_move(&v, &law, form, rub != NULL, &batch, side);
         kernel_batch_press(&law, v.dt, KERNEL_WALLS, &batch);
         kernel_batch_carry(&law, v.dt, KERNEL_WALLS, &batch);
-        excess = kernel_wall_limit(&v, &law, &batch, side, excess);
+        excess = kernel_wall_limit(&v, &law, &batch, side,
+                                   rub != NULL ? &rub[first / CLOD_LANES] : NULL, excess);
     }
     return vmask_any(vmask_less(vreal_set(0.0), excess));
 }
 
 /** As for grains: once more for the law that most walls of testers have. */
 CLOD_LAW_PASS bool kernel_wall_of(const clod_kernel_view *view, const clod_law *law,
-                                  clod_wall_form form, clod_wall_block *blocks, size_t contacts)
+                                  clod_wall_form form, clod_wall_block *blocks,
+                                  clod_rub_block *rub, size_t contacts)
 {
     if (kernel_law_is(law, CLOD_LAW_MEPA, CLOD_ROLLING_EPSD2)) {
         return kernel_wall_loop(view, kernel_law_known(*law, CLOD_LAW_MEPA, CLOD_ROLLING_EPSD2),
-                                form, blocks, contacts);
+                                form, blocks, rub, contacts);
     }
-    return kernel_wall_loop(view, *law, form, blocks, contacts);
+    return kernel_wall_loop(view, *law, form, blocks, rub, contacts);
 }
 
 /** A loop for each form, so that none computes the closest points of the others. */
 __attribute__((flatten)) static bool kernel_wall(const clod_kernel_view *view,
                                                  const clod_law *law, clod_wall_form form,
-                                                 clod_wall_block *blocks, size_t contacts)
+                                                 clod_wall_block *blocks, clod_rub_block *rub,
+                                                 size_t contacts)
 {
     switch (form) {
     case CLOD_FORM_PLANE:
-        return kernel_wall_of(view, law, CLOD_FORM_PLANE, blocks, contacts);
+        return kernel_wall_of(view, law, CLOD_FORM_PLANE, blocks, rub, contacts);
     case CLOD_FORM_BOX:
-        return kernel_wall_of(view, law, CLOD_FORM_BOX, blocks, contacts);
+        return kernel_wall_of(view, law, CLOD_FORM_BOX, blocks, rub, contacts);
     case CLOD_FORM_MESH:
-        return kernel_wall_of(view, law, CLOD_FORM_MESH, blocks, contacts);
+        return kernel_wall_of(view, law, CLOD_FORM_MESH, blocks, rub, contacts);
     default:
-        return kernel_wall_of(view, law, CLOD_FORM_SHELL, blocks, contacts);
+        return kernel_wall_of(view, law, CLOD_FORM_SHELL, blocks, rub, contacts);
     }
 }

@@ -13,6 +13,11 @@ static bool is_mine(const clod_step *self, int32_t place, int part)
     return place % self->threads == part;
 }
 
+static double length(double x, double y, double z)
+{
+    return sqrt(x * x + y * y + z * z);
+}
+
 /** What one contact did to its place in a step. */
 static void add(double sum[CLOD_WEAR_SUMS], const clod_rub_block *rub, int lane, double dt)
 {
@@ -27,10 +32,10 @@ static void add(double sum[CLOD_WEAR_SUMS], const clod_rub_block *rub, int lane,
     sum[CLOD_WEAR_SLIDING] += dt * fmax(press, 0.0) * slip;
     if (approach > 0.0) {
         const double force =
-            hypot(hypot(rub->force[0][lane], rub->force[1][lane]), rub->force[2][lane]);
+            length(rub->force[0][lane], rub->force[1][lane], rub->force[2][lane]);
         sum[CLOD_WEAR_SQUEEZE] += dt * fmax(press, 0.0) * approach;
         sum[CLOD_WEAR_CUTTING] +=
-            2.0 * dt * force * hypot(approach, slip) * clod_wear_finnie(approach, slip);
+            2.0 * dt * force * length(approach, slip, 0.0) * clod_wear_finnie(approach, slip);
     }
     if (rub->closed[lane] > 1.5 && approach > 0.0) { // an impact begins
         const double energy = 0.5 * mass * approach * approach;

@@ -130,7 +130,7 @@ static void wall_passes_are_the_law(void **state)
         int closed = 0;
         for (int round = 0; round < ROUNDS; round++) {
             stir(&b, &roll);
-            assert_false(kernel->wall(&b.view, law, CLOD_FORM_PLANE, b.block, CONTACTS));
+            assert_false(kernel->wall(&b.view, law, CLOD_FORM_PLANE, b.block, NULL, CONTACTS));
             for (int g = 0; g < CONTACTS; g++) {
                 closed += check_contact(&b, law, g);
             }
