@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "config/sizes.h"
 #include "config/testers.h"
 #include "geometry/wall_gap.h"
 #include "setup/domain.h"
 #include "setup/grains.h"
-#include "setup/sizes.h"
 #include "setup/walls.h"
 
 /** Solid fraction assumed of a settled bed. */
