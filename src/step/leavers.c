@@ -35,20 +35,35 @@ typedef struct leaver_sums {
     clod_exact time, time_squared;
 } leaver_sums;
 
-/** Class of a time that a grain was in. */
-static int residence_bin(double time)
-{
-    const double place = CLOD_RESIDENCE_PER_DECADE *
-                         log10(fmax(time, CLOD_RESIDENCE_LEAST) / CLOD_RESIDENCE_LEAST);
-    return (int)fmin(place, CLOD_RESIDENCE_BINS - 1);
-}
-
+/** How long it was in: a grain that was there at the start came at no time. */
 static void add_residence(leaver_sums *sums, clod_state *state, size_t row)
 {
-    const double time = (double)state->step * state->dt - state->grains.birth[row];
+    clod_exchange *exchange = &state->exchange;
+    const double now = (double)state->step * state->dt;
+    const double time = now - state->grains.birth[row];
+    if (state->grains.birth[row] == 0.0 || now < exchange->residence_since) {
+        return;
+    }
     clod_exact_add(&sums->time, time);
     clod_exact_add(&sums->time_squared, time * time);
-    state->exchange.residence_count[residence_bin(time)]++;
+    const bool first = exchange->residence_most == 0.0;
+    exchange->residence_least = first ? time : fmin(time, exchange->residence_least);
+    exchange->residence_most = fmax(time, exchange->residence_most);
+    exchange->residence_count[clod_time_class(time)]++;
+}
+
+/** For whoever wants grains that left one by one. */
+static void note_grain(clod_state *state, size_t row, int exit)
+{
+    const clod_grains *grains = &state->grains;
+    const clod_gone_grain gone = {.id = grains->id[row],
+                                  .radius = grains->position[row][3],
+                                  .mass = grains->velocity[row][3],
+                                  .birth = grains->birth[row],
+                                  .left = (double)state->step * state->dt,
+                                  .material = grains->material[row],
+                                  .exit = exit};
+    clod_gone_add(&state->gone, &gone);
 }
 
 /** In what clump it was when somebody last looked. */
@@ -96,6 +111,7 @@ size_t clod_leavers_mark(clod_state *state, double half_kick, int32_t *rank)
             add_leaver(&sums, state, g, face, half_kick);
             add_residence(&sums, state, g);
             add_clump(state, g);
+            note_grain(state, g, face);
             leavers++;
         }
     }
