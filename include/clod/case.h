@@ -227,6 +227,7 @@ typedef struct clod_case_output {
     bool contacts;              ///< snapshots with contacts
     bool energy;                ///< keep the energy ledger
     bool surfaces;              ///< sum what grains do to the surfaces of walls
+    bool leavers;               ///< a table with each grain that leaves
     double steady_since;   ///< s from the beginning of the run, of means; see has_steady_since
     bool has_steady_since; ///< else the last third of the stages counts
 } clod_case_output;

@@ -27,7 +27,9 @@ void clod_bytes_put(clod_bytes *self, const void *from, size_t bytes)
         self->lacks_memory = true;
         return;
     }
-    memcpy(self->data + self->count, from, bytes);
+    if (bytes > 0) { // else there may be nothing to copy from
+        memcpy(self->data + self->count, from, bytes);
+    }
     self->count += bytes;
 }
 

@@ -4,9 +4,6 @@
 
 #include "config/check.h"
 
-/** Solid fraction of a stream that random places without overlap still allow, with some ease. */
-#define DENSE 0.25
-
 static void fail(clod_loader *loader, const char *path, const char *key, const char *text)
 {
     char whole[CLOD_LOAD_PATH + 64];
@@ -29,53 +26,6 @@ static size_t count_inlets(const clod_case *self)
         count += self->grains[k].comes;
     }
     return count;
-}
-
-/** Area of a region across a velocity [m2]; 0 without velocity. */
-static double area_across(const clod_case_region *region, const double velocity[3])
-{
-    const double speed = hypot(hypot(velocity[0], velocity[1]), velocity[2]);
-    if (speed == 0.0) {
-        return 0.0;
-    }
-    const bool box = region->kind == CLOD_REGION_BOX;
-    const double wide = 2.0 * region->outer_radius;
-    const double size[3] = {box ? region->max[0] - region->min[0] : wide,
-                            box ? region->max[1] - region->min[1] : wide,
-                            box ? region->max[2] - region->min[2] : region->height};
-    const double round = M_PI * (region->outer_radius * region->outer_radius -
-                                 region->inner_radius * region->inner_radius);
-    const double across[3] = {size[1] * size[2], size[2] * size[0],
-                              box ? size[0] * size[1] : round};
-    double area = 0.0;
-    for (int a = 0; a < 3; a++) {
-        area += across[a] * fabs(velocity[a]) / speed;
-    }
-    return area;
-}
-
-/** A stream that its region cannot let through at its velocity. */
-static void check_dense(clod_loader *loader, const char *path, const clod_case *self,
-                        const clod_case_grains *grains)
-{
-    const int material = clod_case_material_index(self, grains->material);
-    const double area = area_across(&grains->region, grains->velocity);
-    if (material < 0 || area == 0.0 || grains->inlet.mass_flow == 0.0) {
-        return; // told elsewhere, or not known before
-    }
-    const double *v = grains->velocity;
-    const double speed = hypot(hypot(v[0], v[1]), v[2]);
-    const double solid = grains->inlet.mass_flow / self->materials[material].density;
-    if (solid > DENSE * area * speed) {
-        char text[256];
-        snprintf(text, sizeof text,
-                 "%.4g kg/s through %.3g m2 at %.3g m/s is a solid fraction of %.2g; grains at "
-                 "random places without overlap go up to %.2g: at most %.4g kg/s, or make the "
-                 "region wider or velocity larger",
-                 grains->inlet.mass_flow, area, speed, solid / (area * speed), DENSE,
-                 DENSE * area * speed * self->materials[material].density);
-        fail(loader, path, "inlet.mass_flow", text);
-    }
 }
 
 void clod_check_inlet(clod_loader *loader, const char *path, const clod_case *self,
@@ -108,7 +58,6 @@ void clod_check_inlet(clod_loader *loader, const char *path, const clod_case *se
                  CLOD_CASE_INLETS);
         fail(loader, path, "inlet", text);
     }
-    check_dense(loader, path, self, grains);
 }
 
 // ---- outlets

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "config/check.h"
+#include "config/region.h"
 #include "config/suggest.h"
 
 #define PATH_SIZE 320
@@ -98,23 +99,19 @@ static void check_sizes(clod_loader *loader, const char *path, clod_case_grains 
 static void check_region_inside(clod_loader *loader, const char *path, const clod_case *self,
                                 const clod_case_region *region)
 {
-    const bool box = region->kind == CLOD_REGION_BOX;
+    double low[3], high[3];
+    clod_region_bounds(region, low, high);
     for (int a = 0; a < 3; a++) {
-        const double side = a < 2 ? region->outer_radius : 0.0;
-        const double low = box ? region->min[a] : region->center[a] - side;
-        const double high = box     ? region->max[a]
-                            : a < 2 ? region->center[a] + side
-                                    : region->center[a] + region->height;
         const double least = self->domain_min[a];
         const double most = self->domain_max[a];
         const double rounding = 1e-9 * (most - least); // of decimal numbers
-        if (low < least - rounding || high > most + rounding) {
+        if (low[a] < least - rounding || high[a] > most + rounding) {
             char key[PATH_SIZE + 16];
             snprintf(key, sizeof key, "%s.region", path);
             clod_check_fail(loader, key,
                             "reaches from %c = %.10g m to %.10g m, beyond the domain, %.10g m "
                             "to %.10g m; make the region smaller, or the domain larger",
-                            "xyz"[a], low, high, least, most);
+                            "xyz"[a], low[a], high[a], least, most);
             return;
         }
     }
@@ -419,6 +416,9 @@ void clod_check_run(clod_loader *loader, clod_case *self)
     }
     for (size_t i = 0; i < self->grains_count; i++) {
         check_grains(loader, self, i);
+    }
+    if (clean(loader, "grains")) {
+        clod_check_streams(loader, self);
     }
     clod_check_outlets(loader, self);
     clod_check_gauges(loader, self);

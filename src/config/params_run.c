@@ -224,6 +224,18 @@ static const clod_param OUTPUT_ROWS[] = {
              "work of the walls, and what is missing or too much, beside each row of the "
              "series. It costs time and changes no bit of the rest.",
      .source = "docs/theory/energy.md"},
+    {.key = "leavers",
+     .kind = CLOD_PARAM_BOOL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .fallback = "false",
+     CLOD_AT(O, leavers),
+     .used = has_free_run,
+     .unused = "no grain leaves a tester; remove this key",
+     .help =
+         "Whether to write leavers.csv: a row for each grain that leaves, with id, material, "
+         "radius, mass, when it came, when it left, and by which way. A row has some 100 "
+         "bytes: 100 MB for a million grains.",
+     .source = "docs/inlets.md"},
     {.key = "surfaces",
      .kind = CLOD_PARAM_BOOL,
      .need = CLOD_PARAM_OPTIONAL,

@@ -100,7 +100,7 @@ static void put_findings(FILE *out, const clod_mesh *self, const clod_mesh_repor
         put_places(out, self, finding);
     }
     if (kinds == 0) {
-        fputs("  nothing that clod changes or a grain would notice\n", out);
+        fputs("  nothing of what clod looks for\n", out);
     }
 }
 

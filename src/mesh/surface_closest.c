@@ -27,7 +27,8 @@ static uint8_t edges_at(int e, int end)
 clod_surface_facet clod_surface_facet_of(const clod_surface *self, uint32_t number)
 {
     const clod_surface_plane *plane = &self->planes[self->plane[number]];
-    clod_surface_facet facet = {.normal = plane->normal,
+    clod_surface_facet facet = {.surface = self,
+                                .normal = plane->normal,
                                 .point = plane->point,
                                 .number = number,
                                 .plane = self->plane[number],

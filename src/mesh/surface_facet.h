@@ -13,11 +13,12 @@
 #define CLOD_SURFACE_INSIDE 1e-12
 
 typedef struct clod_surface_facet {
-    clod_vec3 normal, point; ///< of its plane
-    clod_vec3 corner[3];     ///< m
-    clod_vec3 inward[3];     ///< m, across edge e in the plane, as long as the edge
-    double square[3];        ///< m2, of the length of edge e
-    uint32_t number;         ///< in the surface
+    const clod_surface *surface; ///< borrowed
+    clod_vec3 normal, point;     ///< of its plane
+    clod_vec3 corner[3];         ///< m
+    clod_vec3 inward[3];         ///< m, across edge e in the plane, as long as the edge
+    double square[3];            ///< m2, of the length of edge e
+    uint32_t number;             ///< in the surface
     uint32_t plane, patch;
     uint32_t cylinder; ///< as its plane has it
     uint8_t rims;      ///< bit e: edge e is open or sharp

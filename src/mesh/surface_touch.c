@@ -2,88 +2,133 @@
 
 #include <math.h>
 
-/** Slot of a contact in its patch. */
-static int32_t slot_of(const clod_surface *self, const clod_surface_facet *facet,
-                       const clod_surface_closest *at)
+/** Cosine of the angle by which the directions of both sides of a crack may differ at a rim, 20 deg:
+ *  those of a plane do at an overlap of 6 % of the radius. */
+#define CRACK_COSINE 0.94
+
+static bool is_on_rim(const clod_surface_hit *hit)
 {
-    if ((at->edges & facet->rims) == 0) {
+    return (hit->at.edges & hit->of->rims) != 0;
+}
+
+/** Slot of a contact in its patch. */
+static int32_t slot_of(const clod_surface_hit *hit)
+{
+    if (!is_on_rim(hit)) {
         return 0;
     }
-    const clod_vec3 *axis = self->patches[facet->patch].axis;
-    const double x = -clod_vec3_dot(at->direction, axis[0]);
-    const double y = -clod_vec3_dot(at->direction, axis[1]);
+    const clod_vec3 *axis = hit->of->surface->patches[hit->patch].axis;
+    const double x = -clod_vec3_dot(hit->at.direction, axis[0]);
+    const double y = -clod_vec3_dot(hit->at.direction, axis[1]);
     return x >= 0.0 ? (y >= 0.0 ? 0 : 3) : (y >= 0.0 ? 1 : 2);
 }
 
-/** Whether a nearer facet holds the closest point of another. */
-static bool holds(const clod_surface *self, const clod_surface_hit *nearer,
-                  const clod_surface_hit *hit)
+/** Distance of a point from the facet of a hit [m]. */
+static double apart(const clod_surface_hit *hit, clod_vec3 point)
 {
-    return clod_surface_closest_of(self, nearer->facet, hit->at.point).distance <=
-           2.0 * self->weld;
+    return clod_surface_facet_closest(hit->of->surface, hit->of, point).distance;
 }
 
-static bool is_one_bend(const clod_surface *self, const clod_surface_hit *contact,
-                        const clod_surface_hit *hit)
+/** Distance up to which a point is on a facet [m]. */
+static double touching(const clod_surface_hit *a, const clod_surface_hit *b)
 {
-    return self->piece[contact->facet] == self->piece[hit->facet] &&
-           clod_vec3_dot(contact->at.direction, hit->at.direction) > self->smooth_cosine;
+    return 2.0 * fmax(a->of->surface->weld, b->of->surface->weld);
+}
+
+static bool is_one_bend(const clod_surface_hit *contact, const clod_surface_hit *hit)
+{
+    const clod_surface *surface = hit->of->surface;
+    return surface == contact->of->surface &&
+           surface->piece[contact->facet] == surface->piece[hit->facet] &&
+           clod_vec3_dot(contact->at.direction, hit->at.direction) > surface->smooth_cosine;
+}
+
+static bool is_same_place(const clod_surface_hit *contact, const clod_surface_hit *hit)
+{
+    return contact->of->surface == hit->of->surface && contact->patch == hit->patch &&
+           contact->slot == hit->slot;
+}
+
+/** Distance between two facets, beside the closest point of the first [m]. */
+static double gap(const clod_surface_hit *from, const clod_surface_hit *to)
+{
+    const clod_vec3 over =
+        clod_surface_facet_closest(to->of->surface, to->of, from->at.point).point;
+    return apart(from, over);
+}
+
+/** Whether a facet goes on from a nearer one over a crack: `contact` is that of the nearer one. */
+static bool is_over_crack(const clod_surface_hit *nearer, const clod_surface_hit *contact,
+                          const clod_surface_hit *hit, double radius)
+{
+    const clod_surface *a = nearer->of->surface, *b = hit->of->surface;
+    const bool rim = is_on_rim(nearer) || is_on_rim(hit);
+    const bool pieces = a != b || a->piece[nearer->facet] != b->piece[hit->facet];
+    const double cosine = rim ? CRACK_COSINE : fmax(a->smooth_cosine, b->smooth_cosine);
+    const double most = CLOD_SURFACE_CRACK * radius;
+    return (rim || pieces) &&
+           clod_vec3_dot(contact->at.direction, hit->at.direction) > cosine &&
+           (gap(hit, nearer) <= most || gap(nearer, hit) <= most);
 }
 
 /** Whether a nearer facet lies between a closest point and the centre. */
-static bool hides(const clod_surface *self, const clod_surface_hit *nearer,
-                  const clod_surface_hit *hit, clod_vec3 p)
+static bool hides(const clod_surface_hit *nearer, const clod_surface_hit *hit, clod_vec3 p)
 {
-    const clod_surface_plane *plane = &self->planes[self->plane[nearer->facet]];
+    const clod_surface *surface = nearer->of->surface;
+    const clod_surface_plane *plane = &surface->planes[nearer->of->plane];
     const double from = clod_vec3_dot(clod_vec3_sub(p, plane->point), plane->normal);
     const double to = clod_vec3_dot(clod_vec3_sub(hit->at.point, plane->point), plane->normal);
-    if (from * to >= 0.0 || fabs(to) <= 2.0 * self->weld) {
+    if (from * to >= 0.0 || fabs(to) <= touching(nearer, hit)) {
         return false;
     }
     const clod_vec3 way = clod_vec3_sub(hit->at.point, p);
     const clod_vec3 across = clod_vec3_axpy(p, from / (from - to), way);
-    return clod_surface_closest_of(self, nearer->facet, across).distance <= 2.0 * self->weld;
+    return apart(nearer, across) <= touching(nearer, hit);
 }
 
 /** The contact with which a hit goes among the nearer ones, or its own number. */
-static int32_t root_of(const clod_surface *self, const clod_surface_hit *hits, int32_t number,
-                       clod_vec3 p)
+static int32_t root_of(const clod_surface_hit *hits, int32_t number, clod_vec3 p, double radius)
 {
     const clod_surface_hit *hit = &hits[number];
     for (int32_t k = 0; k < number; k++) {
         const clod_surface_hit *nearer = &hits[k];
         const bool contact = nearer->root == k;
-        if ((contact && is_one_bend(self, nearer, hit)) || holds(self, nearer, hit) ||
-            hides(self, nearer, hit, p) ||
-            (contact && nearer->patch == hit->patch && nearer->slot == hit->slot)) {
+        if (contact && (is_one_bend(nearer, hit) || is_same_place(nearer, hit))) {
+            return k;
+        }
+        if (apart(nearer, hit->at.point) <= touching(nearer, hit) || hides(nearer, hit, p) ||
+            is_over_crack(nearer, &hits[nearer->root], hit, radius)) {
             return nearer->root;
         }
     }
     return number;
 }
 
+/** Surfaces are taken in the order of the list. */
 static bool is_before(const clod_surface_hit *a, const clod_surface_hit *b)
 {
     return a->at.distance < b->at.distance ||
-           (a->at.distance == b->at.distance && a->facet < b->facet);
+           (a->at.distance == b->at.distance && a->of->surface == b->of->surface &&
+            a->facet < b->facet);
 }
 
-int32_t clod_surface_touch(const clod_surface *self, const clod_surface_facet *facets,
-                           int32_t count, clod_vec3 p, double radius, clod_surface_hit *hits)
+int32_t clod_surface_touch(const clod_surface_facet *facets, int32_t count, clod_vec3 p,
+                           double radius, clod_surface_hit *hits)
 {
     int32_t found = 0;
     for (int32_t k = 0; k < count; k++) {
         const clod_surface_facet *facet = &facets[k];
-        if (clod_surface_facet_is_beyond(self, facet, p, radius)) {
+        if (clod_surface_facet_is_beyond(facet->surface, facet, p, radius)) {
             continue;
         }
-        clod_surface_hit hit = {.at = clod_surface_facet_closest(self, facet, p),
+        clod_surface_hit hit = {.at = clod_surface_facet_closest(facet->surface, facet, p),
+                                .of = facet,
                                 .facet = facet->number,
                                 .patch = facet->patch};
         if (hit.at.distance >= radius) {
             continue;
         }
-        hit.slot = slot_of(self, facet, &hit.at);
+        hit.slot = slot_of(&hit);
         int32_t at = found++;
         for (; at > 0 && is_before(&hit, &hits[at - 1]); at--) {
             hits[at] = hits[at - 1];
@@ -91,7 +136,7 @@ int32_t clod_surface_touch(const clod_surface *self, const clod_surface_facet *f
         hits[at] = hit;
     }
     for (int32_t k = 0; k < found; k++) {
-        hits[k].root = root_of(self, hits, k, p);
+        hits[k].root = root_of(hits, k, p, radius);
     }
     return found;
 }

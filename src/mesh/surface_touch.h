@@ -10,11 +10,17 @@
  * 2. when it is of the same smooth piece as a contact, and their directions differ by less than
  *    the smooth angle: a bend inwards of a smooth surface;
  * 3. when a nearer facet lies between it and the centre: the other side of a plate;
- * 4. when its patch has a nearer contact in the same slot.
+ * 4. when its patch has a nearer contact in the same slot;
+ * 5. when a crack lies between it and a nearer facet, narrower than CLOD_SURFACE_CRACK of the
+ *    grain's radius, and it is in nearly the same direction as the contact of that one: sheets that
+ *    should meet, of one file or several.
  * It goes with the contact for which it was left out, which takes over its history.
  */
 
 #include "mesh/surface_facet.h"
+
+/** Width of a crack that a grain does not feel, as a fraction of its radius. */
+#define CLOD_SURFACE_CRACK 0.02
 
 /** Contacts that a grain can have with one patch at the same time. */
 #define CLOD_SURFACE_SLOTS 4
@@ -22,6 +28,7 @@
 /** A facet that overlaps a grain. */
 typedef struct clod_surface_hit {
     clod_surface_closest at;
+    const clod_surface_facet *of; ///< borrowed from the list
     uint32_t facet;
     uint32_t patch;
     int32_t slot; ///< of its patch
@@ -29,13 +36,13 @@ typedef struct clod_surface_hit {
 } clod_surface_hit;
 
 /**
- * Find the contacts of a grain.
+ * Find the contacts of a grain with the surfaces of one wall.
  *
  * @param facets  [count] near ones, of which those that overlap are looked at
- * @param p       centre, in the surface's frame [m]
+ * @param p       centre, in the surfaces' frame [m]
  * @param hits    [count] [out] facets that overlap, from the nearest on
  * @return        how many those are
  * Errors  none.   Threads  pure.   Test  tests/mesh/test_surface_touch.c
  */
-int32_t clod_surface_touch(const clod_surface *self, const clod_surface_facet *facets,
-                           int32_t count, clod_vec3 p, double radius, clod_surface_hit *hits);
+int32_t clod_surface_touch(const clod_surface_facet *facets, int32_t count, clod_vec3 p,
+                           double radius, clod_surface_hit *hits);

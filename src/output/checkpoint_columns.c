@@ -55,9 +55,12 @@ static void add_state(clod_checkpoint_columns *self, const clod_state *state)
     ADD(exchange.left, "grains_left", "1", I64, CLOD_EXITS);
     ADD(exchange.left_mass, "mass_left", "kg", F64, CLOD_EXITS);
     ADD(exchange.left_energy, "energy_left", "J", F64, CLOD_EXITS);
+    ADD(exchange.residence_since, "residence_since", "s", F64, 1);
     ADD(exchange.residence, "residence", "s", F64, 1);
     ADD(exchange.residence_squared, "residence_squared", "s2", F64, 1);
-    ADD(exchange.residence_count, "residence_count", "1", I64, CLOD_RESIDENCE_BINS);
+    ADD(exchange.residence_least, "residence_least", "s", F64, 1);
+    ADD(exchange.residence_most, "residence_most", "s", F64, 1);
+    ADD(exchange.residence_count, "residence_count", "1", I64, CLOD_TIME_CLASSES);
     ADD(exchange.left_clumps, "left_clumps", "1", I64, 1 + CLOD_CLUMP_CLASSES);
     ADD(domain.removes, "domain_removes", "1", U8, 1);
     ADD(domain.outlets, "outlets", "1", I32, 1);

@@ -188,6 +188,11 @@ bool clod_series_row(clod_series *self, const double *values, clod_status *statu
     return append(self, self->row, length, status);
 }
 
+bool clod_series_text(clod_series *self, const char *text, size_t length, clod_status *status)
+{
+    return append(self, text, length, status);
+}
+
 clod_series_mark clod_series_position(const clod_series *self)
 {
     return self->mark;

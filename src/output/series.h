@@ -44,6 +44,9 @@ size_t clod_series_number(char text[CLOD_SERIES_NUMBER], double value);
 /** Append a row of [column_count] values, printed so that they read back exactly. */
 bool clod_series_row(clod_series *self, const double *values, clod_status *status);
 
+/** Append a line of text that the caller has made, with its line end. */
+bool clod_series_text(clod_series *self, const char *text, size_t length, clod_status *status);
+
 /** How far the table is: what a checkpoint stores and clod_series_open takes. */
 clod_series_mark clod_series_position(const clod_series *self);
 

@@ -6,7 +6,7 @@
  */
 
 #include "clod/status.h"
-#include "setup/sizes.h"
+#include "config/sizes.h"
 
 /** Grains asked for: a number of them, or as many as have a solid volume. */
 typedef struct clod_amount {

@@ -3,9 +3,9 @@
 #include <stdio.h>
 
 #include "base/memory.h"
+#include "config/sizes.h"
 #include "config/testers.h"
 #include "setup/bed.h"
-#include "setup/sizes.h"
 
 /** The sizes of grains that are to come: two each of the smallest and of the median, which can
  *  meet their like. */

@@ -6,7 +6,7 @@
  */
 
 #include "clod/case.h"
-#include "setup/sizes.h"
+#include "config/sizes.h"
 #include "state/state.h"
 
 /** Room for the walls of a cell; their shapes come with clod_cell_part_wall. */

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "config/region.h"
+
 /** Half extent of a shape along x, y or z, about the middle of it [m]. */
 static double half_extent(const clod_shape *shape, int axis)
 {
@@ -64,14 +66,9 @@ bool clod_setup_bounds(const clod_state *state, double low[3], double high[3])
 clod_outlet clod_setup_domain_region(const clod_case_region *from)
 {
     clod_outlet self = {0};
+    clod_region_bounds(from, self.low, self.high);
     if (from->kind == CLOD_REGION_BOX) {
-        memcpy(self.low, from->min, sizeof self.low);
-        memcpy(self.high, from->max, sizeof self.high);
         return self;
-    }
-    for (int a = 0; a < 3; a++) {
-        self.low[a] = from->center[a] - (a < 2 ? from->outer_radius : 0.0);
-        self.high[a] = from->center[a] + (a < 2 ? from->outer_radius : from->height);
     }
     memcpy(self.middle, from->center, sizeof self.middle);
     self.inner = from->inner_radius;

@@ -5,7 +5,7 @@
  * id and draw, and grains are put one after the other, so a seed gives the same grains always.
  */
 
-#include "setup/sizes.h"
+#include "config/sizes.h"
 #include "state/state.h"
 
 /** A group of grains to put. */

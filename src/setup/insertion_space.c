@@ -2,16 +2,15 @@
 
 #include <math.h>
 
+#include "config/region.h"
 #include "geometry/wall_pose.h"
 
 static void set_bounds(clod_insertion_space *self, double top)
 {
     const clod_case_region *region = self->region;
+    const bool box = region->kind == CLOD_REGION_BOX;
+    clod_region_bounds(region, self->low, self->high);
     for (int a = 0; a < 3; a++) {
-        const double span = region->outer_radius;
-        const bool box = region->kind == CLOD_REGION_BOX;
-        self->low[a] = box ? region->min[a] : region->center[a] - (a < 2 ? span : 0.0);
-        self->high[a] = box ? region->max[a] : region->center[a] + span;
         const clod_domain *domain = &self->state->domain;
         const double period = domain->max[a] - domain->min[a];
         self->through[a] = box && domain->periodic[a] &&

@@ -6,12 +6,10 @@
 #include "base/json.h"
 #include "parallel/exact.h"
 #include "setup/grains.h"
+#include "sim/exits.h"
 
 /** Ways out, and removal by the run itself. */
 #define WAYS (CLOD_EXITS + 1)
-
-static const char *const SIDE[CLOD_FACES] = {"x_min", "x_max", "y_min",
-                                             "y_max", "z_min", "z_max"};
 
 /** Whether grains can come or go. */
 static bool is_open(const clod_case *from)
@@ -95,14 +93,6 @@ static bool balance_look(void *memory, const clod_free_moment *now, clod_status 
 }
 
 // ---- what is told
-
-/** Name of a way out. */
-static const char *name_of(const clod_case *from, int way)
-{
-    return way < CLOD_FACES   ? SIDE[way]
-           : way < CLOD_EXITS ? from->outlets[way - CLOD_FACES].name
-                              : "removed";
-}
 
 /** Whether this way is told: an outlet, or a side that grains have left by, or can where there
  *  are no outlets. */
@@ -229,7 +219,7 @@ static void balance_report(FILE *out, const void *memory, const clod_free_moment
     for (int e = 0; e < WAYS; e++) {
         if (is_way(from, &count, e)) {
             flow_of(self, from, e, flow);
-            put_line(out, is_spillage(from, e) ? "spilled " : "left ", name_of(from, e),
+            put_line(out, is_spillage(from, e) ? "spilled " : "left ", clod_exits_name(from, e),
                      count.out[e], count.mass_out[e], flow);
         }
     }
@@ -249,17 +239,6 @@ static json_t *entry(const clod_balance *self, const clod_case *from, int64_t gr
                      clod_json_number(told[1]));
 }
 
-/** As in the columns of the series. */
-static const char *key_of(const clod_case *from, int way, char *text, size_t size)
-{
-    snprintf(text, size, "%s%s",
-             way < CLOD_FACES   ? "left_"
-             : way < CLOD_EXITS ? "outlet_"
-                                : "",
-             name_of(from, way));
-    return text;
-}
-
 static json_t *balance_json(const void *memory, const clod_free_moment *now)
 {
     const clod_balance *self = memory;
@@ -274,7 +253,7 @@ static json_t *balance_json(const void *memory, const clod_free_moment *now)
         if (is_way(from, &count, e)) {
             json_t *one = entry(self, from, count.out[e], count.mass_out[e], e);
             json_object_set_new(one, "spillage", json_boolean(is_spillage(from, e)));
-            json_object_set_new(exits, key_of(from, e, key, sizeof key), one);
+            json_object_set_new(exits, clod_exits_key(from, e, key, sizeof key), one);
         }
     }
     int64_t spilled, grains;

@@ -35,14 +35,6 @@ static void show(const clod_clumps *clumps, clod_grains *grains)
     }
 }
 
-/** Class of a time that a grain was in clumps. */
-static int time_bin(double time)
-{
-    const double least = CLOD_RESIDENCE_LEAST;
-    const double bin = CLOD_RESIDENCE_PER_DECADE * log10(fmax(time, least) / least);
-    return (int)fmin(bin, CLOD_CLUMP_TIMES - 1);
-}
-
 /** Grains that have come into a clump, or are in none any more, since the last sample; those count
  *  in the steady time. */
 static void note_grains(clod_clump_memory *self, clod_state *state, bool steady)
@@ -56,8 +48,10 @@ static void note_grains(clod_clump_memory *self, clod_state *state, bool steady)
             const double time = state->time - clump->since;
             clump->since = -1.0;
             if (steady) {
+                self->lived_least = self->left == 0 ? time : fmin(time, self->lived_least);
+                self->lived_most = fmax(time, self->lived_most);
                 self->left++;
-                self->lived_count[time_bin(time)]++;
+                self->lived_count[clod_time_class(time)]++;
                 clod_exact_add(&self->lived, time);
             }
         }

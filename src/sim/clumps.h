@@ -8,10 +8,6 @@
 #include "parallel/exact.h"
 #include "sim/free_measures.h"
 
-/** Classes of the times that grains were in clumps: ten a decade from 1 ms on, as those of
- *  residence. */
-#define CLOD_CLUMP_TIMES CLOD_RESIDENCE_BINS
-
 /** All clumps, or those of one of the case's counts. */
 typedef struct clod_clump_count {
     clod_clump_stats now;   ///< at the last sample
@@ -22,11 +18,12 @@ typedef struct clod_clump_count {
 
 /** What the measure remembers. */
 typedef struct clod_clump_memory {
-    double sampled;                        ///< s, time of the last sample
-    double time;                           ///< s, of the steady time until then
-    int64_t left;                          ///< times in it that a grain left its clump
-    clod_exact lived;                      ///< s, sum of the times that they were
-    int64_t lived_count[CLOD_CLUMP_TIMES]; ///< how many were for so long
+    double sampled;                         ///< s, time of the last sample
+    double time;                            ///< s, of the steady time until then
+    int64_t left;                           ///< times in it that a grain left its clump
+    clod_exact lived;                       ///< s, sum of the times that they were
+    double lived_least, lived_most;         ///< s
+    int64_t lived_count[CLOD_TIME_CLASSES]; ///< how many were for so long
     clod_clump_count count[1 + CLOD_CASE_CLUMP_COUNTS]; ///< all, then those of the case
 } clod_clump_memory;
 

@@ -69,23 +69,11 @@ static double ratio(double a, double b)
 
 // ---- times in clumps
 
-/** Lower end of a class of times [s]. */
-static double end_of(int bin)
-{
-    return CLOD_RESIDENCE_LEAST * pow(10.0, (double)bin / CLOD_RESIDENCE_PER_DECADE);
-}
-
-/** Time that a fraction of the grains were not in a clump for longer [s]: along the logarithm
- *  within its class. */
+/** Time that a fraction of the grains were not in a clump for longer [s]. */
 static double time_quantile(const clod_clump_memory *self, double fraction)
 {
-    double left = fraction * (double)self->left;
-    int bin = 0;
-    while (bin < CLOD_CLUMP_TIMES - 1 && left > (double)self->lived_count[bin]) {
-        left -= (double)self->lived_count[bin++];
-    }
-    const double share = ratio(left, (double)self->lived_count[bin]);
-    return end_of(bin) * pow(10.0, share / CLOD_RESIDENCE_PER_DECADE);
+    const double range[2] = {self->lived_least, self->lived_most};
+    return clod_time_class_quantile(self->lived_count, self->left, fraction, range);
 }
 
 static double mean_time(const clod_clump_memory *self)

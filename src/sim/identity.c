@@ -100,7 +100,7 @@ char *clod_identity_text(const char *complete)
             output = begins(line, "output:");
         }
         if (!output || *line != ' ' || begins(line, "  series_interval:") ||
-            begins(line, "  energy:")) {
+            begins(line, "  energy:") || begins(line, "  leavers:")) {
             memcpy(text + used, line, whole);
             used += whole;
         }

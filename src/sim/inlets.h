@@ -5,6 +5,8 @@
  *
  * Every INTERVAL of simulated time the grains that are due by then are put at random places of
  * their region, clear of grains and walls. What finds no place stays due.
+ * Inlets whose regions have space in common are one stream: their grains come in the order in
+ * which they are due, so that their mix stays as asked for, also while they wait for room.
  */
 
 #include "sim/free_measures.h"
@@ -26,7 +28,7 @@ typedef struct clod_inlet {
 typedef struct clod_inlets {
     clod_inlet inlet[CLOD_CASE_INLETS]; ///< in the order of the groups that have one
     int64_t next;                       ///< step of the next insertion
-    uint64_t next_id;
+    uint64_t next_id, first_id;
     double begin; ///< s, time at which the run began: nothing was due before
 } clod_inlets;
 

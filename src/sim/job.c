@@ -15,6 +15,7 @@
 #include "setup/grains.h"
 #include "sim/energy_series.h"
 #include "sim/job_store.h"
+#include "sim/leavers_table.h"
 #include "sim/origin.h"
 #include "sim/outputs.h"
 #include "step/step.h"
@@ -30,7 +31,8 @@ typedef struct job_loop {
     clod_laws laws;
     clod_step step;
     clod_series *series;
-    clod_series *energy; ///< NULL without the ledger
+    clod_series *energy;  ///< NULL without the ledger
+    clod_series *leavers; ///< NULL when nobody wants them
     double *row;
     double last_clock, last_progress, last_checkpoint; ///< s
     int64_t progress_step;
@@ -46,7 +48,25 @@ static double clock_now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/** Write everything; the series first. */
+/** Bring the table of grains that left up to now. */
+static bool write_leavers(job_loop *loop, clod_status *status)
+{
+    clod_job *job = loop->job;
+    return loop->leavers == NULL ||
+           clod_leavers_table_write(loop->leavers, job->sim->from, &job->state, status);
+}
+
+/** Note how far a table is, and bring it to the disk; NULL: there is none. */
+static bool mark_table(clod_series *table, clod_series_mark *mark, clod_status *status)
+{
+    if (table == NULL) {
+        return true;
+    }
+    *mark = clod_series_position(table);
+    return clod_series_sync(table, status);
+}
+
+/** Write everything; the tables first. */
 static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *status)
 {
     clod_job *job = loop->job;
@@ -56,16 +76,12 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
     if (!clod_step_see(&loop->step, status)) {
         return false;
     }
-    job->memory.series = clod_series_position(loop->series);
-    if (loop->energy != NULL) {
-        job->memory.energy = clod_series_position(loop->energy);
-        if (!clod_series_sync(loop->energy, status)) {
-            return false;
-        }
-    }
+    clod_job_memory *memory = &job->memory;
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
-    return clod_series_sync(loop->series, status) &&
+    return write_leavers(loop, status) && mark_table(loop->leavers, &memory->leavers, status) &&
+           mark_table(loop->energy, &memory->energy, status) &&
+           mark_table(loop->series, &memory->series, status) &&
            clod_job_store(job, &contacts, suffix, status);
 }
 
@@ -205,7 +221,8 @@ static bool sample(job_loop *loop, bool *finished, clod_status *status)
         clod_step_book(&loop->step, clod_energies_sum(&before));
     }
     return clod_step_change(&loop->step, status) &&
-           clod_series_row(loop->series, loop->row, status) && can_go_on(loop, status);
+           clod_series_row(loop->series, loop->row, status) && write_leavers(loop, status) &&
+           can_go_on(loop, status);
 }
 
 /** Into the log: a phase is over, and why. */
@@ -343,6 +360,17 @@ static bool open_energy(job_loop *loop, clod_status *status)
            (job->state.ledger.open != 0 || clod_step_open_ledger(&loop->step, status));
 }
 
+/** The table of grains that leave. */
+static bool open_leavers(job_loop *loop, clod_status *status)
+{
+    clod_job *job = loop->job;
+    loop->leavers = clod_series_open(job->sim->folder, CLOD_LEAVERS_TABLE,
+                                     CLOD_LEAVERS_TABLE_COLUMN, CLOD_LEAVERS_TABLE_COLUMNS,
+                                     job->resumed ? &job->memory.leavers : NULL, status);
+    job->state.gone.kept = true;
+    return loop->leavers != NULL;
+}
+
 /** Grains that there will be at once, at most: those that are there, or are to come. */
 static size_t most_grains(const clod_job *job)
 {
@@ -397,7 +425,8 @@ static bool open_loop(job_loop *loop, clod_status *status)
     loop->last_clock = loop->last_progress = loop->last_checkpoint = clock_now();
     loop->progress_step = job->state.step;
     loop->saved = save_request(job);
-    return !job->sim->from->output.energy || open_energy(loop, status);
+    return (!job->sim->from->output.energy || open_energy(loop, status)) &&
+           (!job->sim->from->output.leavers || open_leavers(loop, status));
 }
 
 /** What the contacts say at the end, before the step that has them is gone. */
@@ -456,6 +485,7 @@ bool clod_job_run(clod_job *job, clod_status *status)
     clod_status closing; // an error before it is the one to tell
     ok = clod_series_close(&loop.series, ok ? status : &closing) && ok;
     ok = clod_series_close(&loop.energy, ok ? status : &closing) && ok;
+    ok = clod_series_close(&loop.leavers, ok ? status : &closing) && ok;
     clod_step_fini(&loop.step);
     clod_laws_fini(&loop.laws);
     clod_memory_free(loop.row);

@@ -65,10 +65,10 @@ typedef struct clod_job_shared {
 /** What a job remembers beside state and procedure; plain data. */
 typedef struct clod_job_memory {
     int64_t finished;
-    clod_series_mark series, energy; ///< at the checkpoint
-    int64_t snapshots;               ///< written so far
-    clod_snapshot_film film;         ///< at the checkpoint
-    char version[CLOD_JOB_VERSION];  ///< of the clod that began the job
+    clod_series_mark series, energy, leavers; ///< at the checkpoint
+    int64_t snapshots;                        ///< written so far
+    clod_snapshot_film film;                  ///< at the checkpoint
+    char version[CLOD_JOB_VERSION];           ///< of the clod that began the job
     char origin[CLOD_JOB_ORIGIN]; ///< run from whose grains it began (sim/origin.h); "": none
     int64_t planned;              ///< steps until the procedure looks again
     double wall_clock;            ///< s spent so far, over all interruptions; the last

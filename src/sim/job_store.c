@@ -11,6 +11,7 @@
 #include "output/folder_files.h"
 #include "output/series.h"
 #include "output/snapshot.h"
+#include "sim/leavers_table.h"
 #include "sim/origin.h"
 
 static pthread_mutex_t hdf5_lock = PTHREAD_MUTEX_INITIALIZER;
@@ -254,6 +255,7 @@ static bool check_results(const clod_job *job, clod_status *status)
     return check_table(folder, series, &job->memory.series, status) &&
            (!job->sim->from->output.energy ||
             check_table(folder, energy, &job->memory.energy, status)) &&
+           check_table(folder, CLOD_LEAVERS_TABLE, &job->memory.leavers, status) &&
            clod_snapshot_check(folder, job->name, job->state.time, &job->memory.film, status);
 }
 

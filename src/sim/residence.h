@@ -1,16 +1,17 @@
 #pragma once
 /**
  * @file residence.h
- * How long the grains that left were in: from when they came, or from the start of the run.
+ * How long grains were in: those that came during a run, this one or the one it goes on from,
+ * and left in the steady time of this one.
  */
 
 #include "sim/free_measures.h"
 
-/** Of all grains that left. */
+/** Of these grains. */
 typedef struct clod_residence {
     int64_t grains;
     double mean, deviation;      ///< s, exact sums
-    double tenth, median, ninth; ///< s, 10, 50, 90 %: by classes of a tenth of a decade
+    double tenth, median, ninth; ///< s, 10, 50, 90 %: by classes of 1 % (state/time_class.h)
 } clod_residence;
 
 /** Threads  pure.   Test  tests/cli/test_inlets.py */

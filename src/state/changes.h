@@ -12,6 +12,7 @@
 #include "clod/status.h"
 #include "state/clump_class.h"
 #include "state/domain.h"
+#include "state/time_class.h"
 #include "state/walls.h"
 
 /** A grain that is to come; mass and inertia follow from radius and density. */
@@ -41,12 +42,6 @@ typedef struct clod_changes {
 /** Ways out: the sides, then the outlets. */
 #define CLOD_EXITS (CLOD_FACES + CLOD_OUTLETS)
 
-/** Classes of the times that grains were in: ten a decade from 1 ms to 10^6 s; the first and the
- *  last one have what is beyond too. */
-#define CLOD_RESIDENCE_BINS 90
-#define CLOD_RESIDENCE_LEAST 1e-3
-#define CLOD_RESIDENCE_PER_DECADE 10
-
 /** What has come and gone since the beginning of the run. */
 typedef struct clod_exchange {
     int64_t walls_removed;
@@ -56,9 +51,13 @@ typedef struct clod_exchange {
     int64_t left[CLOD_EXITS];       ///< grains that went out and were removed
     double left_mass[CLOD_EXITS];   ///< kg
     double left_energy[CLOD_EXITS]; ///< J, their kinetic energy, of rotation included
-    double residence;               ///< s, sum of the times that these were in
-    double residence_squared;       ///< s2, of their squares
-    int64_t residence_count[CLOD_RESIDENCE_BINS]; ///< how many were in for so long
+    // times that grains were in: of those that came during a run and left at residence_since
+    // or later
+    double residence_since;                      ///< s
+    double residence;                            ///< s, sum
+    double residence_squared;                    ///< s2, of their squares
+    double residence_least, residence_most;      ///< s
+    int64_t residence_count[CLOD_TIME_CLASSES];  ///< how many were in for so long
     int64_t left_clumps[1 + CLOD_CLUMP_CLASSES]; ///< how many were alone, and in clumps of each
                                                  ///< class, at the last look; 0: nobody looks
 } clod_exchange;

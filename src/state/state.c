@@ -28,6 +28,7 @@ bool clod_state_copy(clod_state *self, const clod_state *from, clod_status *stat
     self->build_walls = NULL;
     self->contacts = NULL;
     self->changes = (clod_changes){0};
+    self->gone = (clod_gone){0};
     self->contact_capacity = from->contact_count;
     if (!clod_grains_copy(&self->grains, &from->grains, status) ||
         !clod_walls_copy(&self->walls, &from->walls, status)) {
@@ -66,5 +67,6 @@ void clod_state_fini(clod_state *self)
     clod_memory_free(self->build_walls);
     clod_memory_free(self->contacts);
     clod_changes_fini(&self->changes);
+    clod_gone_fini(&self->gone);
     *self = (clod_state){0};
 }

@@ -14,6 +14,7 @@ typedef struct numbers {
     int64_t step;
     clod_ledger ledger;
     clod_exchange exchange;
+    bool keeps_gone;
 } numbers;
 
 static void get_numbers(numbers *to, const clod_state *from)
@@ -26,7 +27,8 @@ static void get_numbers(numbers *to, const clod_state *from)
                     .build_skin = from->build_skin,
                     .step = from->step,
                     .ledger = from->ledger,
-                    .exchange = from->exchange};
+                    .exchange = from->exchange,
+                    .keeps_gone = from->gone.kept};
     memcpy(to->gravity, from->gravity, sizeof to->gravity);
 }
 
@@ -41,6 +43,7 @@ static void put_numbers(clod_state *to, const numbers *from)
     to->step = from->step;
     to->ledger = from->ledger;
     to->exchange = from->exchange;
+    to->gone.kept = from->keeps_gone;
     memcpy(to->gravity, from->gravity, sizeof to->gravity);
 }
 

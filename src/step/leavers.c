@@ -27,20 +27,35 @@ static double kinetic(const double *velocity, double mass, const double *angular
     return 0.5 * mass * v2 + 0.5 / angular_velocity[3] * w2;
 }
 
-/** Class of a time that a grain was in. */
-static int residence_bin(double time)
-{
-    const double place = CLOD_RESIDENCE_PER_DECADE *
-                         log10(fmax(time, CLOD_RESIDENCE_LEAST) / CLOD_RESIDENCE_LEAST);
-    return (int)fmin(place, CLOD_RESIDENCE_BINS - 1);
-}
-
+/** How long it was in: a grain that was there at the start came at no time. */
 static void add_residence(clod_leavers *sums, const clod_state *state, size_t row)
 {
-    const double time = (double)state->step * state->dt - state->grains.birth[row];
+    const clod_exchange *exchange = &state->exchange;
+    const double now = (double)state->step * state->dt;
+    const double time = now - state->grains.birth[row];
+    if (state->grains.birth[row] == 0.0 || now < exchange->residence_since) {
+        return;
+    }
     clod_exact_add(&sums->time, time);
     clod_exact_add(&sums->time_squared, time * time);
-    sums->residence_count[residence_bin(time)]++;
+    sums->residence_least = sums->timed > 0 ? fmin(time, sums->residence_least) : time;
+    sums->residence_most = fmax(time, sums->residence_most);
+    sums->residence_count[clod_time_class(time)]++;
+    sums->timed++;
+}
+
+/** For whoever wants grains that left one by one. */
+static void note_grain(clod_state *state, size_t row, int exit)
+{
+    const clod_grains *grains = &state->grains;
+    const clod_gone_grain gone = {.id = grains->id[row],
+                                  .radius = grains->position[row][3],
+                                  .mass = grains->velocity[row][3],
+                                  .birth = grains->birth[row],
+                                  .left = (double)state->step * state->dt,
+                                  .material = grains->material[row],
+                                  .exit = exit};
+    clod_gone_add(&state->gone, &gone);
 }
 
 /** In what clump it was when somebody last looked. */
@@ -67,26 +82,25 @@ static void add_leaver(clod_leavers *sums, const clod_state *state, size_t row, 
     clod_exact_add(&sums->kick, energy - kinetic(v, v[3], w));
 }
 
-/** The way out that a grain takes, of CLOD_EXITS: a side that removes, an outlet; or -1. */
-static int exit_of(const clod_domain *domain, const double *position)
+int clod_leavers_exit(const clod_domain *domain, const double *position)
 {
     const int face = domain->removes ? clod_leavers_face(domain, position) : -1;
     const int outlet = face < 0 ? clod_domain_outlet(domain, position) : -1;
     return outlet >= 0 ? CLOD_FACES + outlet : face;
 }
 
-size_t clod_leavers_mark(clod_leavers *sums, const clod_state *state, double half_kick,
-                         int32_t *rank)
+size_t clod_leavers_mark(clod_leavers *sums, clod_state *state, double half_kick, int32_t *rank)
 {
     size_t leavers = 0;
     for (size_t g = 0; g < state->grains.count; g++) {
-        const int face = exit_of(&state->domain, state->grains.position[g]);
+        const int face = clod_leavers_exit(&state->domain, state->grains.position[g]);
         if (face >= 0 && rank[g] != CLOD_NEIGHBOUR_GOES) {
             rank[g] = CLOD_NEIGHBOUR_GOES;
             sums->left[face]++;
             add_leaver(sums, state, g, face, half_kick);
             add_residence(sums, state, g);
             add_clump(sums, state, g);
+            note_grain(state, g, face);
             leavers++;
         }
     }
@@ -105,7 +119,13 @@ void clod_leavers_merge(clod_leavers *self, const clod_leavers *other)
     clod_exact_merge(&self->kick, &other->kick);
     clod_exact_merge(&self->time, &other->time);
     clod_exact_merge(&self->time_squared, &other->time_squared);
-    for (int k = 0; k < CLOD_RESIDENCE_BINS; k++) {
+    if (other->timed > 0) {
+        const double least = other->residence_least;
+        self->residence_least = self->timed > 0 ? fmin(self->residence_least, least) : least;
+        self->residence_most = fmax(self->residence_most, other->residence_most);
+    }
+    self->timed += other->timed;
+    for (int k = 0; k < CLOD_TIME_CLASSES; k++) {
         self->residence_count[k] += other->residence_count[k];
     }
     for (int k = 0; k < 1 + CLOD_CLUMP_CLASSES; k++) {
@@ -123,7 +143,13 @@ void clod_leavers_book(const clod_leavers *self, clod_state *state)
     }
     exchange->residence += clod_exact_value(&self->time);
     exchange->residence_squared += clod_exact_value(&self->time_squared);
-    for (int k = 0; k < CLOD_RESIDENCE_BINS; k++) {
+    if (self->timed > 0) {
+        const bool first = exchange->residence_most == 0.0;
+        const double least = self->residence_least;
+        exchange->residence_least = first ? least : fmin(least, exchange->residence_least);
+        exchange->residence_most = fmax(self->residence_most, exchange->residence_most);
+    }
+    for (int k = 0; k < CLOD_TIME_CLASSES; k++) {
         exchange->residence_count[k] += self->residence_count[k];
     }
     for (int k = 0; k < 1 + CLOD_CLUMP_CLASSES; k++) {

@@ -13,15 +13,20 @@
 /** The open side that a position is beyond, as in clod_exchange, or -1. */
 int clod_leavers_face(const clod_domain *domain, const double *position);
 
+/** The way out that a grain takes, of CLOD_EXITS: a side that removes, an outlet; or -1. */
+int clod_leavers_exit(const clod_domain *domain, const double *position);
+
 /** Grains that leave at one rebuild. Sums are exact: the order of rows does not matter, nor how
  *  they are dealt to ranks. All zero: none. */
 typedef struct clod_leavers {
     int64_t grains;
     int64_t left[CLOD_EXITS];
     clod_exact mass[CLOD_EXITS], energy[CLOD_EXITS]; ///< kg, J
-    clod_exact kick;               ///< J that the half kick to come would have brought
-    clod_exact time, time_squared; ///< s, s2, that they were in
-    int64_t residence_count[CLOD_RESIDENCE_BINS];
+    clod_exact kick;                        ///< J that the half kick to come would have brought
+    clod_exact time, time_squared;          ///< s, s2, that they were in
+    int64_t timed;                          ///< how many of them came during the run
+    double residence_least, residence_most; ///< s
+    int64_t residence_count[CLOD_TIME_CLASSES];
     int64_t left_clumps[1 + CLOD_CLUMP_CLASSES];
 } clod_leavers;
 
@@ -35,7 +40,7 @@ typedef struct clod_leavers {
  * @return           how many
  * Errors  none.   Threads  one, the others wait.   Test  tests/step/test_leave.c
  */
-size_t clod_leavers_mark(clod_leavers *sums, const clod_state *state, double half_kick,
+size_t clod_leavers_mark(clod_leavers *sums, clod_state *state, double half_kick,
                          int32_t *rank);
 
 /** Add those of another rank. */

@@ -214,7 +214,27 @@ static bool to_first(clod_spread *self, const clod_state *state, parcels *way, b
     return clod_ranks_swap(self->ranks, way->out, &way->in, way->begin, status);
 }
 
-bool clod_migrate_gather(clod_spread *self, const clod_state *state, clod_state *whole,
+/** Grains that left this rank, to rank 0; the list is empty then. */
+static bool gather_gone(clod_spread *self, clod_state *state, clod_state *whole, parcels *way,
+                        clod_status *status)
+{
+    clod_gone *gone = &state->gone;
+    parcels_clear(way);
+    clod_bytes_put(&way->out[0], gone->rows, gone->count * sizeof *gone->rows);
+    way->out[0].lacks_memory |= gone->lacks_memory;
+    gone->count = 0;
+    if (!clod_ranks_swap(self->ranks, way->out, &way->in, way->begin, status)) {
+        return false;
+    }
+    for (size_t at = 0; whole != NULL && at < way->in.count; at += sizeof *gone->rows) {
+        clod_gone_grain grain;
+        memcpy(&grain, way->in.data + at, sizeof grain);
+        clod_gone_add(&whole->gone, &grain); // it notes itself when it lacks memory
+    }
+    return true;
+}
+
+bool clod_migrate_gather(clod_spread *self, clod_state *state, clod_state *whole,
                          clod_status *status)
 {
     parcels way;
@@ -228,11 +248,12 @@ bool clod_migrate_gather(clod_spread *self, const clod_state *state, clod_state 
         }
         good = clod_ranks_agree(self->ranks, mine, status);
     }
-    good = good && to_first(self, state, &way, false, status);
-    if (good) {
-        good = clod_ranks_agree(
-            self->ranks, whole == NULL || clod_records_get_contacts(&way.in, whole, status),
-            status);
+    if (good && to_first(self, state, &way, false, status)) {
+        const bool mine = whole == NULL || clod_records_get_contacts(&way.in, whole, status);
+        good = clod_ranks_agree(self->ranks, mine, status) &&
+               gather_gone(self, state, whole, &way, status);
+    } else {
+        good = false;
     }
     parcels_fini(&way);
     return good;

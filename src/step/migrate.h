@@ -25,11 +25,11 @@ bool clod_migrate(clod_spread *self, clod_state *state,
                   const void *context, clod_status *status);
 
 /**
- * Own grains of all ranks, with their contacts and places at the last rebuild, into a state of
- * rank 0: in any order, next is clod_neighbour_sort_as_built.
+ * Own grains of all ranks, with their contacts and places at the last rebuild, and those that left,
+ * into a state of rank 0: in any order, next is clod_neighbour_sort_as_built.
  *
  * @param whole  its rows and contacts are replaced; NULL on other ranks
  * @return       false without memory, on all ranks alike
  */
-bool clod_migrate_gather(clod_spread *self, const clod_state *state, clod_state *whole,
+bool clod_migrate_gather(clod_spread *self, clod_state *state, clod_state *whole,
                          clod_status *status);

@@ -33,10 +33,9 @@ static void add_facets(const clod_near_job *job, clod_touch_part *part,
     }
 }
 
-/** A site for a grain and a mesh. */
+/** A site for a grain and the meshes of a wall. */
 static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *part,
-                                   const clod_wall_candidate *candidate,
-                                   const clod_surface *surface)
+                                   const clod_wall_candidate *candidate)
 {
     if (!clod_room_for_one(&part->site, &part->site_room, part->sites, sizeof *part->site)) {
         part->lacks_memory = true;
@@ -44,8 +43,7 @@ static clod_touch_site *begin_site(const clod_near_job *job, clod_touch_part *pa
     }
     const int32_t row = clod_wall_rows_shape(job->walls, candidate->wall, candidate->shape);
     clod_touch_site *site = &part->site[part->sites++];
-    *site = (clod_touch_site){.surface = surface,
-                              .i = candidate->i,
+    *site = (clod_touch_site){.i = candidate->i,
                               .wall = candidate->wall,
                               .pose = row,
                               .lane = part->lanes,
@@ -59,7 +57,7 @@ static int32_t plane_of(const clod_touch_part *part, const clod_touch_site *site
     const clod_surface_facet *facet = part->facet + site->facet;
     bool flat = site->lanes == 1 && site->facets > 0 && facet[0].cylinder == 0;
     for (size_t k = 1; flat && k < site->facets; k++) {
-        flat = facet[k].plane == facet[0].plane;
+        flat = facet[k].plane == facet[0].plane && facet[k].surface == facet[0].surface;
     }
     return flat ? (int32_t)facet[0].plane : -1;
 }
@@ -73,16 +71,16 @@ void clod_touch_add(const clod_near_job *job, int number, const clod_wall_candid
     if (part->lacks_memory) {
         return;
     }
-    if (site == NULL || site->i != candidate->i || site->wall != candidate->wall ||
-        site->surface != at->surface) {
-        site = begin_site(job, part, candidate, at->surface);
+    if (site == NULL || site->i != candidate->i || site->wall != candidate->wall) {
+        site = begin_site(job, part, candidate);
     }
     if (part->lacks_memory ||
         !clod_room_for_one(&part->lane, &part->lane_room, part->lanes, sizeof *part->lane)) {
         part->lacks_memory = true;
         return;
     }
-    part->lane[part->lanes++] = (clod_touch_lane){.patch = at->patch, .slot = at->slot};
+    part->lane[part->lanes++] =
+        (clod_touch_lane){.surface = at->surface, .patch = at->patch, .slot = at->slot};
     site->lanes = part->lanes - site->lane;
     if (at->slot == 0) {
         add_facets(job, part, candidate, at->surface);
@@ -149,12 +147,17 @@ static bool has_history(const lanes *self, size_t lane)
     return clod_history_is_there(history_of(self, lane), self->lane[lane].lane);
 }
 
+static bool is_of_patch(const clod_touch_lane *lane, const clod_surface_hit *hit)
+{
+    return lane->patch == (int32_t)hit->patch && lane->surface == hit->of->surface;
+}
+
 /** Lane of a contact. */
 static size_t lane_of(const lanes *self, const clod_surface_hit *hit)
 {
     size_t lane = 0;
-    while (lane < self->count && (self->lane[lane].patch != (int32_t)hit->patch ||
-                                  self->lane[lane].slot != hit->slot)) {
+    while (lane < self->count &&
+           (!is_of_patch(&self->lane[lane], hit) || self->lane[lane].slot != hit->slot)) {
         lane++;
     }
     CLOD_ASSERT(lane < self->count); // what touches was near when the list was made
@@ -174,7 +177,7 @@ static void hand_over(const lanes *self, const clod_surface_hit *hits, int32_t c
                       size_t from)
 {
     for (int32_t k = 0; k < count; k++) {
-        if ((int32_t)hits[k].patch != self->lane[from].patch) {
+        if (!is_of_patch(&self->lane[from], &hits[k])) {
             continue;
         }
         const size_t to = lane_of(self, &hits[hits[k].root]);
@@ -193,8 +196,8 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
                           const lanes *at)
 {
     clod_surface_hit *hits = part->hit;
-    const int32_t count = clod_surface_touch(site->surface, part->facet + site->facet,
-                                             (int32_t)site->facets, from, radius, hits);
+    const int32_t count = clod_surface_touch(part->facet + site->facet, (int32_t)site->facets,
+                                             from, radius, hits);
     const double open = 2.0 * radius;
     for (size_t l = 0; l < at->count; l++) {
         memcpy(at->row[l], (double[4]){0.0, 0.0, 1.0, open}, sizeof at->row[l]);
@@ -226,7 +229,7 @@ static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site 
     double least = INFINITY;
     size_t nearest = 0;
     for (size_t k = 0; k < site->facets; k++) {
-        const double d = clod_surface_facet_closest(site->surface, &facet[k], from).distance;
+        const double d = clod_surface_facet_closest(facet[k].surface, &facet[k], from).distance;
         const bool first = facet[k].number < facet[nearest].number;
         nearest = d < least || (d == least && first) ? k : nearest;
         least = fmin(least, d);
@@ -235,10 +238,10 @@ static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site 
 }
 
 /** The contact of a grain with nothing but a plane near it. */
-static void find_plane(const clod_touch_site *site, const clod_wall_pose *pose, clod_vec3 from,
-                       double row[4])
+static void find_plane(const clod_touch_part *part, const clod_touch_site *site,
+                       const clod_wall_pose *pose, clod_vec3 from, double row[4])
 {
-    const clod_surface_plane *plane = &site->surface->planes[site->plane];
+    const clod_surface_plane *plane = &part->facet[site->facet].surface->planes[site->plane];
     const double height = clod_vec3_dot(clod_vec3_sub(from, plane->point), plane->normal);
     put_row(row, pose, height < 0.0 ? clod_vec3_scale(plane->normal, -1.0) : plane->normal,
             fabs(height));
@@ -264,7 +267,7 @@ void clod_touch_find(clod_near *near, const clod_state *state, const clod_wall_r
                           .count = site->lanes};
         const clod_vec3 from = clod_wall_to_frame(&pose, clod_vec3_of(p));
         if (site->plane >= 0) {
-            find_plane(site, &pose, from, at.row[0]);
+            find_plane(part, site, &pose, from, at.row[0]);
             if (at.facet != NULL && at.row[0][3] < p[3]) {
                 at.facet[0] = nearest_facet(part, site, from);
             }

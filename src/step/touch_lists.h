@@ -6,10 +6,9 @@
 
 #include "mesh/surface_touch.h"
 
-/** A grain near a mesh. */
+/** A grain near the meshes of a wall. */
 typedef struct clod_touch_site {
-    const clod_surface *surface; ///< borrowed
-    int32_t i;                   ///< row of the grain
+    int32_t i; ///< row of the grain
     int32_t wall;
     int32_t pose;         ///< first row of one of the wall's shapes, with its pose
     int32_t plane;        ///< all there is near it; -1: the facets say more
@@ -19,6 +18,7 @@ typedef struct clod_touch_site {
 
 /** A contact that there can be: one with a patch of a mesh, in a slot. */
 typedef struct clod_touch_lane {
+    const clod_surface *surface; ///< borrowed
     int32_t patch, slot;
     int32_t lane;
     size_t block; ///< of the list of walls

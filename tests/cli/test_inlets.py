@@ -23,7 +23,7 @@ grains:
 {groups}
 {walls}
 stages: [{{name: run, duration: {duration} s}}]
-output: {{series_interval: 50 ms, energy: true}}
+output: {{series_interval: 50 ms, energy: true, steady_since: 0 s}}
 """
 GROUP = """\
   - material: ore

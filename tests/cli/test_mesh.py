@@ -44,7 +44,7 @@ class Mesh(clod.Case):
         said = self.mesh("box.stl", "--unit", "mm")
         for text in ("box.stl: 12 facets, 8 vertices, 1 unconnected piece, closed",
                      "area     1.75 m2", "volume   0.125 m3", "6 flat, 12 convex, 0 concave",
-                     "12  hood and spoon", "nothing that clod changes"):
+                     "12  hood and spoon", "nothing of what clod looks for"):
             self.assertIn(text, said)
         self.assertRegex(said, r"x +0 +1 +1 +1000\n")
         self.assertNotIn("Warnings", said)

@@ -128,8 +128,7 @@ static void touch(const clod_mesh *mesh)
         list.surface = surface;
         list.count = 0;
         clod_surface_near(surface, at, radius, note, &list);
-        const int32_t count =
-            clod_surface_touch(surface, list.facet, list.count, at, radius, hits);
+        const int32_t count = clod_surface_touch(list.facet, list.count, at, radius, hits);
         for (int32_t k = 0; k < count; k++) {
             if (hits[k].root > k || hits[hits[k].root].root != hits[k].root ||
                 !(hits[k].at.distance < radius) ||

@@ -106,7 +106,7 @@ static void a_grain_has_one_contact_along_the_radius(void **state)
         clod_surface_hit hits[2 * SIDES];
         clod_surface_near(surface, p, radius, take, &all);
         const int32_t count =
-            clod_surface_touch(surface, facets, (int32_t)(all.next - facets), p, radius, hits);
+            clod_surface_touch(facets, (int32_t)(all.next - facets), p, radius, hits);
         assert_true(count > 0);
         check_close(hits[0].at.distance, radius - overlap, ROUNDING);
         // where a corner stands out by its rounding, it is nearer than the circle beside it

@@ -41,8 +41,7 @@ static int contacts_of(const clod_surface *surface, clod_vec3 p, double radius,
 {
     list found = {surface, 0};
     clod_surface_near(surface, p, 1.3 * radius, note, &found);
-    const int32_t count =
-        clod_surface_touch(surface, near_facets, found.count, p, radius, hits);
+    const int32_t count = clod_surface_touch(near_facets, found.count, p, radius, hits);
     int contacts = 0;
     for (int32_t k = 0; k < count; k++) {
         assert_true(hits[k].root >= 0 && hits[k].root <= k);

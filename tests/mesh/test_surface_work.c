@@ -60,7 +60,7 @@ static clod_vec3 force_at(const clod_surface *surface, clod_vec3 p, int *contact
     taken all = {surface, facets};
     clod_surface_near(surface, p, RADIUS, take, &all);
     const int32_t count =
-        clod_surface_touch(surface, facets, (int32_t)(all.next - facets), p, RADIUS, hits);
+        clod_surface_touch(facets, (int32_t)(all.next - facets), p, RADIUS, hits);
     clod_vec3 force = {0.0, 0.0, 0.0};
     *contacts = 0;
     for (int32_t k = 0; k < count; k++) {

@@ -172,9 +172,12 @@ static inline clod_state random_state(uint64_t seed)
     for (int k = 0; k <= CLOD_CLUMP_CLASSES; k++) {
         state.exchange.left_clumps[k] = random_int(&source);
     }
+    state.exchange.residence_since = random_real(&source);
+    state.exchange.residence_least = random_real(&source);
+    state.exchange.residence_most = random_real(&source);
     state.exchange.residence = random_real(&source);
     state.exchange.residence_squared = random_real(&source);
-    for (int b = 0; b < CLOD_RESIDENCE_BINS; b++) {
+    for (int b = 0; b < CLOD_TIME_CLASSES; b++) {
         state.exchange.residence_count[b] = random_int(&source);
     }
     for (int f = 0; f < CLOD_EXITS; f++) {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "setup/sizes.h"
+#include "config/sizes.h"
 #include "support/check.h"
 
 #define MIDPOINTS 200000

@@ -1,4 +1,4 @@
-#include "setup/sizes.h"
+#include "config/sizes.h"
 
 #include <math.h>
 

@@ -36,7 +36,7 @@ typedef struct clod_sizes {
  *
  * @param self  [out] release with clod_sizes_fini, also after a failure
  * Errors  CLOD_USAGE: the interval holds nothing of the normal distribution; CLOD_FAILED.
- * Threads pure.   Test  tests/setup/test_setup_sizes.c
+ * Threads pure.   Test  tests/config/test_sizes.c
  */
 bool clod_sizes_init(clod_sizes *self, const clod_case_grains *from, clod_status *status);
 

@@ -1,0 +1,111 @@
+// Whether what comes through inlets has room where it comes in.
+#include <math.h>
+#include <stdio.h>
+
+#include "config/check.h"
+#include "config/region.h"
+#include "config/sizes.h"
+
+/** Solid fraction of a stream that random places without overlap still allow, with some ease. */
+#define DENSE 0.25
+
+/** Area of a region across a velocity [m2]; 0 without velocity. */
+static double area_across(const clod_case_region *region, const double velocity[3])
+{
+    const double speed = hypot(hypot(velocity[0], velocity[1]), velocity[2]);
+    if (speed == 0.0) {
+        return 0.0;
+    }
+    const bool box = region->kind == CLOD_REGION_BOX;
+    const double wide = 2.0 * region->outer_radius;
+    const double size[3] = {box ? region->max[0] - region->min[0] : wide,
+                            box ? region->max[1] - region->min[1] : wide,
+                            box ? region->max[2] - region->min[2] : region->height};
+    const double round = M_PI * (region->outer_radius * region->outer_radius -
+                                 region->inner_radius * region->inner_radius);
+    const double across[3] = {size[1] * size[2], size[2] * size[0],
+                              box ? size[0] * size[1] : round};
+    double area = 0.0;
+    for (int a = 0; a < 3; a++) {
+        area += across[a] * fabs(velocity[a]) / speed;
+    }
+    return area;
+}
+
+/** Solid that a group brings in a second [m3/s]; 0: not known here. */
+static double solid_flow(const clod_case *self, const clod_case_grains *grains)
+{
+    const int material = clod_case_material_index(self, grains->material);
+    const clod_case_inlet *inlet = &grains->inlet;
+    if (inlet->mass_flow > 0.0) {
+        return material < 0 ? 0.0 : inlet->mass_flow / self->materials[material].density;
+    }
+    clod_sizes sizes;
+    clod_status ignored = {0}; // told where grains are made
+    const double volume =
+        clod_sizes_init(&sizes, grains, &ignored) ? clod_sizes_mean_volume(&sizes) : 0.0;
+    clod_sizes_fini(&sizes);
+    return inlet->number_flow * volume;
+}
+
+/** Solid fraction of the stream of a group where it comes in; 0: not known here. */
+static double fraction_of(const clod_case *self, const clod_case_grains *grains)
+{
+    const double *v = grains->velocity;
+    const double through =
+        area_across(&grains->region, v) * hypot(hypot(v[0], v[1]), v[2]); // m3/s
+    return through > 0.0 ? solid_flow(self, grains) / through : 0.0;
+}
+
+/** Whether group b comes while group a begins, in the same space; of those that begin together
+ *  the one that is written later has the others with it. */
+static bool is_with(const clod_case *self, size_t a, size_t b)
+{
+    const clod_case_inlet *one = &self->grains[a].inlet, *other = &self->grains[b].inlet;
+    const bool goes_on = other->end == 0.0 || other->end > one->start;
+    const bool before = other->start < one->start || (other->start == one->start && b <= a);
+    return self->grains[b].comes && goes_on && before &&
+           clod_region_overlap(&self->grains[a].region, &self->grains[b].region);
+}
+
+static void check_room(clod_loader *loader, const clod_case *self, size_t index)
+{
+    const clod_case_grains *grains = &self->grains[index];
+    double all = 0.0;
+    int streams = 0;
+    for (size_t k = 0; k < self->grains_count; k++) {
+        if (is_with(self, index, k)) {
+            all += fraction_of(self, &self->grains[k]);
+            streams++;
+        }
+    }
+    const double own = fraction_of(self, grains);
+    if (own == 0.0 || all <= DENSE) {
+        return;
+    }
+    const bool by_mass = grains->inlet.mass_flow > 0.0;
+    const double flow = by_mass ? grains->inlet.mass_flow : grains->inlet.number_flow;
+    char key[CLOD_LOAD_PATH], with[64] = "";
+    snprintf(key, sizeof key, "grains.%zu.inlet.%s", index,
+             by_mass ? "mass_flow" : "number_flow");
+    if (streams > 1) {
+        snprintf(with, sizeof with, " with the %s in its region",
+                 streams > 2 ? "others" : "other");
+    }
+    clod_check_fail(loader, key,
+                    "%.4g %s at this velocity are a solid fraction of %.2g%s; grains at random "
+                    "places without overlap go up to %.2g: at most %.4g %s%s, or make the "
+                    "region wider or velocity larger",
+                    flow, by_mass ? "kg/s" : "grains/s", all, with, DENSE, flow * DENSE / all,
+                    by_mass ? "kg/s" : "grains/s",
+                    streams > 1 ? ", the others in the same proportion" : "");
+}
+
+void clod_check_streams(clod_loader *loader, const clod_case *self)
+{
+    for (size_t k = 0; k < self->grains_count; k++) {
+        if (self->grains[k].comes) {
+            check_room(loader, self, k);
+        }
+    }
+}
