@@ -5,9 +5,8 @@
 
 static clod_case_region box(double x, double y, double z, double edge)
 {
-    return (clod_case_region){.kind = CLOD_REGION_BOX,
-                              .min = {x, y, z},
-                              .max = {x + edge, y + edge, z + edge}};
+    return (clod_case_region){
+        .kind = CLOD_REGION_BOX, .min = {x, y, z}, .max = {x + edge, y + edge, z + edge}};
 }
 
 static clod_case_region ring(double x, double z, double inner, double outer)
@@ -29,7 +28,7 @@ static void boxes(void **unused)
 {
     (void)unused;
     expect(true, box(0, 0, 0, 1), box(0.9, 0.9, 0.9, 1));
-    expect(true, box(0, 0, 0, 3), box(1, 1, 1, 1)); // one in the other
+    expect(true, box(0, 0, 0, 3), box(1, 1, 1, 1));  // one in the other
     expect(false, box(0, 0, 0, 1), box(1, 0, 0, 1)); // they touch
     expect(false, box(0, 0, 0, 1), box(0, 1.1, 0, 1));
     expect(false, box(0, 0, 0, 1), box(0, 0, -1.1, 1));
@@ -39,7 +38,7 @@ static void annuli(void **unused)
 {
     (void)unused;
     expect(true, ring(0, 0, 1, 2), ring(0, 0.5, 1.5, 3));
-    expect(false, ring(0, 0, 1, 2), ring(0, 0, 2, 3)); // one round the other
+    expect(false, ring(0, 0, 1, 2), ring(0, 0, 2, 3));     // one round the other
     expect(false, ring(0, 0, 1, 2), ring(0.2, 0, 0, 0.7)); // in its hole
     expect(true, ring(0, 0, 1, 2), ring(0.4, 0, 0, 0.7));
     expect(false, ring(0, 0, 0, 1), ring(2.1, 0, 0, 1)); // beside it
