@@ -7,7 +7,7 @@
 bool clod_job_tables_open(clod_job_tables *self, clod_job *job, clod_status *status)
 {
     const clod_case_output *wanted = &job->sim->from->output;
-    const char *folder = job->sim->folder;
+    const clod_folder *folder = job->sim->folder;
     clod_job_memory *memory = &job->memory;
     char series[CLOD_JOB_STEM], energy[CLOD_JOB_STEM];
     clod_job_table_names(job->name, series, energy);

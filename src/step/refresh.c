@@ -59,7 +59,7 @@ void clod_step_begin_motion(clod_step *self, int part)
 {
     clod_step_thread *mine = &self->thread[part];
     mine->near_motion = mine->wall_motion = 0.0;
-    mine->near_slack = 0.0; // of the slowest grain: nobody has looked
+    mine->near_slack = self->near.least_way;
 }
 
 /** Whether a grain has gone its own way, or a wall; all threads look, each at its grains. */
