@@ -49,7 +49,7 @@ static bool inlets_act(void *memory, const clod_free_moment *now, clod_status *s
     if (clod_setup_grains_coming(from) == 0 || state->step != self->next) {
         return true;
     }
-    self->next = clod_outputs_next(CLOD_INLETS_INTERVAL, state->dt, state->step);
+    self->next = clod_outputs_next(CLOD_CASE_INLET_INTERVAL, state->dt, state->step);
     return clod_inlets_fill(self, from, state, status);
 }
 
