@@ -19,6 +19,7 @@ typedef struct clod_inlet {
     double most;     ///< the largest of it
     int64_t blocked; ///< insertions at which not everything that was due found a place
     int64_t since;   ///< step of the first of those in a row; -1: not blocked
+    int64_t said;    ///< that it is blocked was said, and not yet that it is no more
 } clod_inlet;
 
 /** All inlets of a case. */
