@@ -6,16 +6,21 @@
 #include <argp.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 #include "app.h"
 #include "arguments.h"
 #include "clod/mesh.h"
 #include "output.h"
+#include "picture/picture.h"
+#include "picture_arguments.h"
 
-enum { KEY_JSON = 256, KEY_UNIT, KEY_RADIUS };
+enum { KEY_JSON = 256, KEY_UNIT, KEY_RADIUS, KEY_PICTURE, KEY_SIZE, KEY_VIEW };
 
 typedef struct request {
-    const char *path, *unit, *radius;
+    const char *path, *unit, *radius, *picture;
+    clod_picture_mesh drawn;
     char *(*write)(const clod_mesh *mesh, const clod_mesh_report *report);
 } request;
 
@@ -25,6 +30,10 @@ static const struct argp_option OPTIONS[] = {
      0},
     {"grain-radius", KEY_RADIUS, "LENGTH", 0,
      "radius of the grains that will touch the mesh, e.g. 3mm: compares facets and size", 0},
+    {"picture", KEY_PICTURE, "FILE", 0,
+     "draw the mesh as PNG, each facet in the colour of what is done about it", 0},
+    {"view", KEY_VIEW, "NAME", 0, "of the picture: oblique (default), front, side or top", 0},
+    {"size", KEY_SIZE, "WIDTHxHEIGHT", 0, "of the picture, in pixels (1600x1000)", 0},
     {"json", KEY_JSON, NULL, 0, "print everything as JSON", 0},
     {0},
 };
@@ -41,6 +50,15 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         return 0;
     case KEY_RADIUS:
         self->radius = argument;
+        return 0;
+    case KEY_PICTURE:
+        self->picture = argument;
+        return 0;
+    case KEY_SIZE:
+        clod_app_picture_size(state, argument, &self->drawn.width, &self->drawn.height);
+        return 0;
+    case KEY_VIEW:
+        clod_app_picture_view(state, argument, &self->drawn.view);
         return 0;
     case ARGP_KEY_ARG:
         if (self->path != NULL) {
@@ -87,7 +105,13 @@ static bool run(const request *self, clod_status *status)
         return false;
     }
     clod_mesh *mesh = clod_mesh_read(self->path, &placing, status);
-    const bool done = mesh != NULL && put(self, mesh, radius, status);
+    clod_picture_mesh drawn = self->drawn;
+    const char *slash = strrchr(self->path, '/');
+    drawn.title = slash != NULL ? slash + 1 : self->path;
+    const bool done = mesh != NULL &&
+                      (self->picture == NULL ||
+                       clod_picture_draw_mesh(mesh, &drawn, self->picture, status)) &&
+                      put(self, mesh, radius, status);
     clod_mesh_destroy(&mesh);
     return done;
 }
@@ -104,7 +128,12 @@ int clod_app_mesh(int argc, char **argv)
             "concerned, and what clod does about it; whether unit and facets fit the "
             "grains.\vdocs/meshes.md explains each finding.",
     };
-    request self = {.write = clod_mesh_text};
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    request self = {.write = clod_mesh_text,
+                    .drawn = {.width = CLOD_APP_PICTURE_WIDTH,
+                              .height = CLOD_APP_PICTURE_HEIGHT,
+                              .quality = CLOD_PICTURE_NORMAL,
+                              .threads = cores > 0 ? (int)cores : 1}};
     if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
         return CLOD_FAILED;
     }

@@ -13,6 +13,7 @@
 #include "app.h"
 #include "arguments.h"
 #include "picture/picture.h"
+#include "picture_arguments.h"
 #include "picture_frames.h"
 
 enum {
@@ -32,8 +33,6 @@ enum {
     KEY_WALL_COLOR,
 };
 
-#define SMALLEST 200
-#define LARGEST 8192
 #define MOST_JOBS CLOD_APP_FRAMES_JOBS
 
 typedef struct request {
@@ -84,17 +83,6 @@ static bool read_numbers(const char *text, double *number, int count)
     return true;
 }
 
-/** Number of a name in a list, or -1. */
-static int find_name(const char *name, const char *const *list, int count)
-{
-    for (int k = 0; k < count; k++) {
-        if (strcmp(name, list[k]) == 0) {
-            return k;
-        }
-    }
-    return -1;
-}
-
 static void read_point(struct argp_state *state, const char *option, const char *text,
                        double point[3], const double **to)
 {
@@ -107,53 +95,19 @@ static void read_point(struct argp_state *state, const char *option, const char 
     *to = point;
 }
 
-/** Read a whole number; `end` is what must follow it. -1: there is none, or it is too large. */
-static int read_whole(const char **text, char end, int most)
-{
-    char *rest;
-    const long number = strtol(*text, &rest, 10);
-    if (rest == *text || *rest != end || number < 1 || number > most) {
-        return -1;
-    }
-    *text = rest + 1;
-    return (int)number;
-}
-
-static void read_size(struct argp_state *state, const char *text, clod_picture_options *to)
-{
-    const char *rest = text;
-    to->width = read_whole(&rest, 'x', LARGEST);
-    to->height = to->width > 0 ? read_whole(&rest, '\0', LARGEST) : -1;
-    if (to->width < SMALLEST || to->height < SMALLEST) {
-        argp_error(state,
-                   "--size %s: width and height from %d to %d pixels are needed, as in "
-                   "1600x1000",
-                   text, SMALLEST, LARGEST);
-    }
-}
-
 static void read_jobs(struct argp_state *state, const char *text, int *to)
 {
     const char *rest = text;
-    *to = read_whole(&rest, '\0', MOST_JOBS);
+    *to = clod_app_picture_whole(&rest, '\0', MOST_JOBS);
     if (*to < 0) {
         argp_error(state, "--jobs %s: 1 to %d processes", text, MOST_JOBS);
-    }
-}
-
-static void read_view(struct argp_state *state, const char *text, clod_picture_options *to)
-{
-    static const char *const VIEWS[] = {"oblique", "front", "side", "top"};
-    to->view = find_name(text, VIEWS, 4);
-    if (to->view < 0) {
-        argp_error(state, "--view %s: oblique, front, side or top is needed", text);
     }
 }
 
 static void read_quality(struct argp_state *state, const char *text, clod_picture_options *to)
 {
     static const char *const QUALITIES[] = {"draft", "normal", "high"};
-    to->quality = find_name(text, QUALITIES, 3);
+    to->quality = clod_app_picture_name(text, QUALITIES, 3);
     if (to->quality < 0) {
         argp_error(state, "--quality %s: draft, normal or high is needed", text);
     }
@@ -165,7 +119,7 @@ static bool parse_view(request *self, int key, char *argument, struct argp_state
     clod_picture_options *to = &self->options;
     switch (key) {
     case KEY_VIEW:
-        read_view(state, argument, to);
+        clod_app_picture_view(state, argument, &to->view);
         return true;
     case KEY_FROM:
         read_point(state, "from", argument, self->from, &to->from);
@@ -179,7 +133,7 @@ static bool parse_view(request *self, int key, char *argument, struct argp_state
         }
         return true;
     case KEY_SIZE:
-        read_size(state, argument, to);
+        clod_app_picture_size(state, argument, &to->width, &to->height);
         return true;
     case KEY_QUALITY:
         read_quality(state, argument, to);
@@ -281,8 +235,8 @@ int clod_app_picture(int argc, char **argv)
     };
     request self = {.options = {.field = "speed",
                                 .angle = 25.0,
-                                .width = 1600,
-                                .height = 1000,
+                                .width = CLOD_APP_PICTURE_WIDTH,
+                                .height = CLOD_APP_PICTURE_HEIGHT,
                                 .quality = CLOD_PICTURE_NORMAL},
                     .hidden = calloc((size_t)argc, sizeof(char *))};
     if (self.hidden == NULL) {

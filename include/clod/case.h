@@ -87,15 +87,25 @@ typedef struct clod_case_sieve {
     double passing; ///< cumulative mass fraction that passes, rising from 0 to 1
 } clod_case_sieve;
 
-typedef enum clod_region_kind { CLOD_REGION_BOX, CLOD_REGION_ANNULUS } clod_region_kind;
+/** The last two are faces, through which grains come; only the region of an inlet is one. */
+typedef enum clod_region_kind {
+    CLOD_REGION_BOX,
+    CLOD_REGION_ANNULUS,
+    CLOD_REGION_DISC,
+    CLOD_REGION_RECTANGLE,
+} clod_region_kind;
 
-/** Where grains are put: a box, or an upright annulus (inner_radius 0: a cylinder). */
+/** Where grains are put: a box, an upright annulus (inner_radius 0: a cylinder), a face. */
 typedef struct clod_case_region {
     int kind; ///< clod_region_kind
     double min[3], max[3];
-    double center[3];                  ///< centre of the bottom of the annulus [m]
-    double inner_radius, outer_radius; ///< m
-    double height;                     ///< m
+    double center[3];                  ///< of the bottom of an annulus, or of a face [m]
+    double inner_radius, outer_radius; ///< m, of an annulus; outer_radius of a disc
+    double height;                     ///< m, of an annulus
+    double edge_1[3], edge_2[3];       ///< m, of a rectangle
+    double normal[3]; ///< of a face, to where grains come: of a disc as it is given, of a
+                      ///< rectangle found at load
+    double depth;     ///< m, of a face: way of the grains from one insertion to the next
 } clod_case_region;
 
 /** How a group of grains comes in during a run. Exactly one of the flows is given. */
@@ -106,6 +116,8 @@ typedef struct clod_case_inlet {
     double end;         ///< s; 0 = until the run ends
 } clod_case_inlet;
 
+/** Simulated time from one insertion of an inlet to the next [s]. */
+#define CLOD_CASE_INLET_INTERVAL 1e-3
 /** Most groups with an inlet. */
 #define CLOD_CASE_INLETS 16
 

@@ -64,6 +64,8 @@ typedef struct clod_mesh_view {
                                ///< one of them where there are several; CLOD_MESH_NONE
     const uint8_t (*edges)[3]; ///< [facet_count] clod_mesh_edge of these edges
     const uint32_t *shell;     ///< [facet_count] connected piece, from 0
+    const uint16_t *found;     ///< [facet_count] bit k: clod_mesh_kind k was found here; of
+                               ///< DUPLICATE: at facets in its place that were dropped
     size_t shell_count;
     const clod_mesh_part *parts; ///< [part_count] in the order of the file
 } clod_mesh_view;

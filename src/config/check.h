@@ -41,6 +41,9 @@ bool clod_check_region(clod_loader *loader, const char *path, const clod_case_re
 /** Whether streams that come in have room, once each group is right (check_stream.c). */
 void clod_check_streams(clod_loader *loader, const clod_case *self);
 
+/** Check the face that grains come through, and complete it (check_region.c). */
+bool clod_check_face(clod_loader *loader, const char *path, clod_case_grains *grains);
+
 /** Checks of the outlets (check_inlet.c). */
 void clod_check_outlets(clod_loader *loader, const clod_case *self);
 

@@ -1,17 +1,60 @@
 // Rules for regions, whoever has one: grains, outlets, gauges, clumps, the map of histories.
 
+#include <math.h>
 #include <stdio.h>
 
 #include "config/check.h"
 
+/** Cosine of the angle between two directions below which they are across each other. */
+#define ACROSS 1e-9
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+bool clod_check_face(clod_loader *loader, const char *path, clod_case_grains *grains)
+{
+    clod_case_region *region = &grains->region;
+    const double *a = region->edge_1, *b = region->edge_2, *v = grains->velocity;
+    char key[CLOD_LOAD_PATH + 40];
+    if (region->kind == CLOD_REGION_RECTANGLE) {
+        if (!(fabs(dot(a, b)) <= ACROSS * sqrt(dot(a, a) * dot(b, b)))) {
+            snprintf(key, sizeof key, "%s.region.rectangle.edge_2", path);
+            clod_check_fail(loader, key, "must be at a right angle to edge_1");
+            return false;
+        }
+        for (int k = 0; k < 3; k++) {
+            const int l = (k + 1) % 3, m = (k + 2) % 3;
+            region->normal[k] = a[l] * b[m] - a[m] * b[l];
+        }
+        const double side = dot(region->normal, v) < 0.0 ? -1.0 : 1.0;
+        for (int k = 0; k < 3; k++) {
+            region->normal[k] *= side;
+        }
+    }
+    const double speed = dot(region->normal, v) / sqrt(dot(region->normal, region->normal));
+    region->depth = speed * CLOD_CASE_INLET_INTERVAL;
+    if (!grains->comes || !(speed > 0.0)) {
+        snprintf(key, sizeof key, "%s.%s", path, grains->comes ? "velocity" : "region");
+        clod_check_fail(
+            loader, key, "%s",
+            grains->comes ? "must lead through the face, to the side that normal points to"
+                          : "is a face: only grains of an inlet come through one; write a box "
+                            "or an annulus, or give the group an inlet");
+        return false;
+    }
+    return true;
+}
+
 bool clod_check_region(clod_loader *loader, const char *path, const clod_case_region *region)
 {
     char key[CLOD_LOAD_PATH + 40];
-    bool good;
+    bool good = true;
     if (region->kind == CLOD_REGION_ANNULUS) {
         good = region->inner_radius < region->outer_radius;
         snprintf(key, sizeof key, "%s.region.annulus.inner_radius", path);
-    } else {
+    } else if (region->kind == CLOD_REGION_BOX) {
         const double *low = region->min, *high = region->max;
         good = low[0] < high[0] && low[1] < high[1] && low[2] < high[2];
         snprintf(key, sizeof key, "%s.region.box.max", path);

@@ -168,8 +168,10 @@ static void check_grains(clod_loader *loader, const clod_case *self, size_t inde
     if (!has(loader, path, "region")) {
         fail(loader, path, "",
              "needs the key region: where the grains are put, box or annulus");
-    } else if (clod_check_region(loader, path, &grains->region) && self->has_domain &&
-               clean(loader, path) && clean(loader, "domain")) {
+    } else if (clod_check_region(loader, path, &grains->region) && clean(loader, path) &&
+               (!clod_region_is_face(&grains->region) ||
+                clod_check_face(loader, path, grains)) &&
+               self->has_domain && clean(loader, "domain")) {
         check_region_inside(loader, path, self, &grains->region);
     }
 }

@@ -9,6 +9,15 @@
 /** Solid fraction of a stream that random places without overlap still allow, with some ease. */
 #define DENSE 0.25
 
+/** Area of a face across a velocity [m2]. */
+static double face_across(const clod_case_region *region, const double *v, double speed)
+{
+    double axis[3][3];
+    clod_region_axes(region, axis);
+    const double *n = axis[2];
+    return clod_region_area(region) * (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]) / speed;
+}
+
 /** Area of a region across a velocity [m2]; 0 without velocity. */
 static double area_across(const clod_case_region *region, const double velocity[3])
 {
@@ -16,15 +25,15 @@ static double area_across(const clod_case_region *region, const double velocity[
     if (speed == 0.0) {
         return 0.0;
     }
+    if (clod_region_is_face(region)) {
+        return face_across(region, velocity, speed);
+    }
     const bool box = region->kind == CLOD_REGION_BOX;
     const double wide = 2.0 * region->outer_radius;
     const double size[3] = {box ? region->max[0] - region->min[0] : wide,
                             box ? region->max[1] - region->min[1] : wide,
                             box ? region->max[2] - region->min[2] : region->height};
-    const double round = M_PI * (region->outer_radius * region->outer_radius -
-                                 region->inner_radius * region->inner_radius);
-    const double across[3] = {size[1] * size[2], size[2] * size[0],
-                              box ? size[0] * size[1] : round};
+    const double across[3] = {size[1] * size[2], size[2] * size[0], clod_region_area(region)};
     double area = 0.0;
     for (int a = 0; a < 3; a++) {
         area += across[a] * fabs(velocity[a]) / speed;

@@ -127,20 +127,88 @@ static const clod_param ANNULUS[] = {
 static const clod_table ANNULUS_TABLE = {.title = "An upright annulus or cylinder.",
                                          CLOD_ROWS(ANNULUS)};
 
+static const clod_param DISC[] = {
+    {.key = "center",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "m",
+     CLOD_FROM(-1e4, 1e4),
+     .example = "[0 mm, 0 mm, 2 m]",
+     CLOD_AT(R, center),
+     .help = "Centre.",
+     .source = "convention"},
+    {.key = "radius",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "m",
+     CLOD_ABOVE(0, 1e4),
+     .example = "100 mm",
+     CLOD_AT(R, outer_radius),
+     .help = "Radius.",
+     .source = "convention"},
+    {.key = "normal",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "1",
+     CLOD_FROM(-1e4, 1e4),
+     .nonzero = true,
+     .example = "[0, 0, -1]",
+     CLOD_AT(R, normal),
+     .help = "Direction across the disc, to the side on which the grains come in.",
+     .source = "convention"},
+};
+static const clod_table DISC_TABLE = {
+    .title = "A disc through which the grains of an inlet come.", CLOD_ROWS(DISC)};
+
+#define EDGE(name, text)                                                                       \
+    {                                                                                          \
+        .key = #name, .kind = CLOD_PARAM_VECTOR, .length = 3, .need = CLOD_PARAM_REQUIRED,     \
+        .unit = "m", CLOD_FROM(-1e4, 1e4), .nonzero = true, .example = text, CLOD_AT(R, name), \
+        .help = "An edge, as a vector of its length; across the other one.",                   \
+        .source = "convention"                                                                 \
+    }
+
+static const clod_param RECTANGLE[] = {
+    {.key = "center",
+     .kind = CLOD_PARAM_VECTOR,
+     .length = 3,
+     .need = CLOD_PARAM_REQUIRED,
+     .unit = "m",
+     CLOD_FROM(-1e4, 1e4),
+     .example = "[0 mm, 0 mm, 2 m]",
+     CLOD_AT(R, center),
+     .help = "Centre.",
+     .source = "convention"},
+    EDGE(edge_1, "[0.4 m, 0 m, 0 m]"),
+    EDGE(edge_2, "[0 m, 0.2 m, 0 m]"),
+};
+static const clod_table RECTANGLE_TABLE = {
+    .title = "A rectangle through which the grains of an inlet come.", CLOD_ROWS(RECTANGLE)};
+
+#define REGION_ROW(name, sub, field_help)                                                      \
+    {                                                                                          \
+        .key = name, .kind = CLOD_PARAM_SECTION, .need = CLOD_PARAM_OPTIONAL, .table = &(sub), \
+        .help = field_help, .source = "convention"                                             \
+    }
+
 // in the order of clod_region_kind
+static const clod_param PLACE[] = {
+    REGION_ROW("box", BOX_TABLE, "A box along x, y, z."),
+    REGION_ROW("annulus", ANNULUS_TABLE, "An upright annulus or cylinder."),
+    REGION_ROW("disc", DISC_TABLE, "A disc through which the grains of an inlet come."),
+    REGION_ROW("rectangle", RECTANGLE_TABLE,
+               "A rectangle through which the grains of an inlet come."),
+};
+static const clod_table PLACE_TABLE = {.title = "Where grains are put: one of these.",
+                                       CLOD_ROWS(PLACE),
+                                       .one_of = true,
+                                       .kind = offsetof(R, kind)};
+
 static const clod_param REGION[] = {
-    {.key = "box",
-     .kind = CLOD_PARAM_SECTION,
-     .need = CLOD_PARAM_OPTIONAL,
-     .table = &BOX_TABLE,
-     .help = "A box along x, y, z.",
-     .source = "convention"},
-    {.key = "annulus",
-     .kind = CLOD_PARAM_SECTION,
-     .need = CLOD_PARAM_OPTIONAL,
-     .table = &ANNULUS_TABLE,
-     .help = "An upright annulus or cylinder.",
-     .source = "convention"},
+    REGION_ROW("box", BOX_TABLE, "A box along x, y, z."),
+    REGION_ROW("annulus", ANNULUS_TABLE, "An upright annulus or cylinder."),
 };
 const clod_table CLOD_TABLE_REGION = {.title = "A region: one of these.",
                                       CLOD_ROWS(REGION),
@@ -293,10 +361,11 @@ static const clod_param GRAINS[] = {
     {.key = "region",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_OPTIONAL,
-     .table = &CLOD_TABLE_REGION,
+     .table = &PLACE_TABLE,
      CLOD_AT(G, region),
      .used = has_region,
-     .help = "Where grains are put, at random and without overlap.",
+     .help = "Where grains are put, at random and without overlap: a box or an annulus, or "
+             "a disc or rectangle through which those of an inlet come.",
      .source = "convention"},
     {.key = "inlet",
      .kind = CLOD_PARAM_SECTION,

@@ -22,6 +22,7 @@ void clod_mesh_note(clod_mesh *self, clod_mesh_kind kind, uint32_t facet, clod_v
             self->number[facet], self->part[facet], {point.x, point.y, point.z}};
     }
     finding->count++;
+    self->found[facet] = (uint16_t)(self->found[facet] | 1u << kind);
 }
 
 bool clod_mesh_lacks_memory(const clod_mesh *self, clod_status *status)
@@ -97,7 +98,9 @@ static clod_mesh *create(clod_mesh_source *source, clod_status *status)
     self->path = clod_memory_text(source->path);
     self->part = clod_memory_alloc(source->facets, sizeof *self->part);
     self->number = clod_memory_alloc(source->facets, sizeof *self->number);
-    if (self->path == NULL || self->part == NULL || self->number == NULL) {
+    self->found = clod_memory_alloc(source->facets, sizeof *self->found);
+    if (self->path == NULL || self->part == NULL || self->number == NULL ||
+        self->found == NULL) {
         clod_status_fail(status, CLOD_FAILED, "%s: no memory for the mesh", source->path);
         clod_mesh_destroy(&self);
         return NULL;
@@ -145,6 +148,7 @@ static void show(clod_mesh *self)
     view->neighbours = (const uint32_t(*)[3])self->neighbours;
     view->edges = (const uint8_t(*)[3])self->edges;
     view->shell = self->shell;
+    view->found = self->found;
     view->parts = self->parts;
 }
 
@@ -220,6 +224,7 @@ void clod_mesh_destroy(clod_mesh **self)
     clod_memory_free(mesh->facets);
     clod_memory_free(mesh->part);
     clod_memory_free(mesh->number);
+    clod_memory_free(mesh->found);
     clod_memory_free(mesh->shell);
     clod_memory_free(mesh->neighbours);
     clod_memory_free(mesh->edges);

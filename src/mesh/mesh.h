@@ -15,6 +15,7 @@ struct clod_mesh {
     double (*vertices)[3];
     uint32_t (*facets)[3];
     uint32_t *part, *number, *shell;
+    uint16_t *found;
     uint32_t (*neighbours)[3];
     uint8_t (*edges)[3];
     clod_mesh_part *parts;

@@ -63,12 +63,16 @@ static bool mark_duplicates(clod_mesh *self, uint8_t *drop)
         return false;
     }
     sort_facets(self, items, count);
+    size_t first = 0;
     for (size_t k = 1; k < count; k++) {
         uint32_t own[3], before[3];
         sort_three(self->facets[items[k].index], own);
         sort_three(self->facets[items[k - 1].index], before);
-        if (memcmp(own, before, sizeof own) == 0 && drop[items[k].index] == 0) {
+        first = memcmp(own, before, sizeof own) == 0 ? first : k;
+        if (first != k && drop[items[k].index] == 0) {
             drop[items[k].index] = 2;
+            uint16_t *kept = &self->found[items[first].index];
+            *kept = (uint16_t)(*kept | 1u << CLOD_MESH_DUPLICATE);
         }
     }
     clod_memory_free(items);
@@ -88,6 +92,7 @@ static void drop_facets(clod_mesh *self, const uint8_t *drop)
             memcpy(self->facets[kept], self->facets[f], sizeof self->facets[f]);
             self->part[kept] = self->part[f];
             self->number[kept] = self->number[f];
+            self->found[kept] = self->found[f];
             self->parts[self->part[f]].facets++;
             kept++;
         }

@@ -16,7 +16,8 @@
 
 /** Names of what a run leaves in its folder, but for the copies of the case. */
 #define RESULT                                                                                 \
-    "log[.]jsonl|(series|energy|leavers|" PART "(-energy)?)[.]csv|case(-complete)?[.]yaml[.]part|"     \
+    "log[.]jsonl|(series|energy|leavers|" PART                                                 \
+    "(-energy)?)[.]csv|case(-complete)?[.]yaml[.]part|"                                        \
     "(summary[.]json|report[.]txt|points[.]csv|flow_function[.]csv|"                           \
     "gauge_[A-Za-z0-9_]+-(profile|trajectory)[.]csv|"                                          \
     "clumps[.]csv|history_map[.]hdf|"                                                          \

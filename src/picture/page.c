@@ -95,7 +95,7 @@ bool clod_page_begin(clod_page *self, int width, int height, int panels,
 }
 
 void clod_page_put_image(clod_page *self, int panel, const uint8_t *image, const char *title,
-                         double time)
+                         const char *under)
 {
     const clod_page_box *box = &self->panel[panel];
     cairo_surface_flush(self->surface);
@@ -114,12 +114,10 @@ void clod_page_put_image(clod_page *self, int panel, const uint8_t *image, const
     const double margin = MARGIN * self->font;
     const double room =
         self->panels == 1 ? self->width - 2.0 * margin : box->width - 1.5 * margin;
-    char text[64];
     set_grey(self, 0.1);
     put_text(self, box->x + margin, 1.7 * self->font, room, title, true);
     set_grey(self, 0.35);
-    snprintf(text, sizeof text, "t = %.3f s", time);
-    put_text(self, box->x + margin, 3.1 * self->font, room, text, false);
+    put_text(self, box->x + margin, 3.1 * self->font, room, under, false);
 }
 
 /** An axis of space from the corner of a panel, as long as it looks. */

@@ -49,9 +49,9 @@ typedef struct clod_page {
 bool clod_page_begin(clod_page *self, int width, int height, int panels,
                      const clod_page_bar *bar, size_t bar_count, clod_status *status);
 
-/** Put an image [height][width][3] into its panel, with its title and time above. */
+/** Put an image [height][width][3] into its panel, with its title and a line under that above. */
 void clod_page_put_image(clod_page *self, int panel, const uint8_t *image, const char *title,
-                         double time);
+                         const char *under);
 
 /** Draw the length scale at the distance of a point, and the directions of the axes. */
 void clod_page_put_scale(clod_page *self, int panel, const clod_camera *camera,

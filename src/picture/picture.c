@@ -8,6 +8,7 @@
 #include "picture/scan.h"
 #include "picture/stage.h"
 #include "picture/tracer.h"
+#include "picture/view.h"
 
 struct clod_picture {
     const clod_picture_options *options;
@@ -42,28 +43,6 @@ static clod_vec3 middle_of(const clod_cutaway_box *box)
 {
     return (clod_vec3){0.5 * (box->min[0] + box->max[0]), 0.5 * (box->min[1] + box->max[1]),
                        0.5 * (box->min[2] + box->max[2])};
-}
-
-/** Direction of view: three quarters along the longer side, or as asked for. */
-static clod_vec3 choose_direction(const clod_picture_options *options,
-                                  const clod_cutaway_box *box)
-{
-    static const double AZIMUTH = 22.0 * M_PI / 180.0;
-    static const double ELEVATION = 18.0 * M_PI / 180.0;
-    switch (options->view) {
-    case CLOD_PICTURE_FRONT:
-        return (clod_vec3){0.0, 1.0, 0.0};
-    case CLOD_PICTURE_SIDE:
-        return (clod_vec3){-1.0, 0.0, 0.0};
-    case CLOD_PICTURE_TOP:
-        return (clod_vec3){0.0, 0.0, -1.0};
-    default:
-        break;
-    }
-    const bool long_y = box->max[1] - box->min[1] > 1.2 * (box->max[0] - box->min[0]);
-    const double turn = long_y ? AZIMUTH + 0.5 * M_PI : AZIMUTH;
-    return (clod_vec3){-sin(turn) * cos(ELEVATION), cos(turn) * cos(ELEVATION),
-                       -sin(ELEVATION)};
 }
 
 /** Note all that a frame shows. */
@@ -113,7 +92,7 @@ static bool place_camera(clod_picture *self, clod_status *status)
     clod_page_fini(&page);
     const clod_vec3 at =
         options->at != NULL ? clod_vec3_of(options->at) : middle_of(&self->scan.seen);
-    clod_vec3 direction = choose_direction(options, box);
+    clod_vec3 direction = clod_view_direction(options->view, box->min, box->max);
     clod_vec3 eye = at;
     if (options->from != NULL) {
         eye = clod_vec3_of(options->from);
@@ -224,7 +203,9 @@ static bool draw_panel(const clod_picture *self, clod_page *page, size_t f, size
         good = clod_tracer_draw(&scene, &camera, &order, image, status);
     }
     if (good) {
-        clod_page_put_image(page, (int)f, image, self->scan.film[f].title, frame->time);
+        char time[64];
+        snprintf(time, sizeof time, "t = %.3f s", frame->time);
+        clod_page_put_image(page, (int)f, image, self->scan.film[f].title, time);
         clod_page_put_scale(page, (int)f, &camera, middle_of(&self->scan.seen));
     }
     clod_memory_free(image);

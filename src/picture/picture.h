@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "clod/mesh.h"
 #include "clod/status.h"
 
 #ifdef __cplusplus
@@ -50,6 +51,24 @@ typedef struct clod_picture_options {
     int quality;        ///< clod_picture_quality
     int threads;        ///< that draw one picture
 } clod_picture_options;
+
+/** How a mesh is drawn. */
+typedef struct clod_picture_mesh {
+    const char *title;
+    int view;          ///< clod_picture_view
+    int width, height; ///< pixels
+    int quality;       ///< clod_picture_quality
+    int threads;
+} clod_picture_mesh;
+
+/**
+ * Draw a mesh into a PNG file, which is replaced at one stroke: each facet in the colour of what
+ * was found about it and is done, with a legend.
+ *
+ * Errors  CLOD_FAILED: disk, memory.   Threads  one at a time.   Test  tests/cli/test_mesh.py
+ */
+bool clod_picture_draw_mesh(const clod_mesh *mesh, const clod_picture_mesh *options,
+                            const char *path, clod_status *status);
 
 typedef struct clod_picture clod_picture;
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "config/region.h"
 #include "config/testers.h"
 #include "setup/grains.h"
 #include "setup/jenike_cell.h"
@@ -80,15 +81,17 @@ bool clod_begin_fill(const clod_case *from, double *grains, clod_status *status)
 /** Grains in the region of an inlet, loosely, for those that come through it. */
 static bool stand_for_inlet(clod_case_grains *group, clod_status *status)
 {
-    const clod_case_region *r = &group->region;
-    const double box =
-        (r->max[0] - r->min[0]) * (r->max[1] - r->min[1]) * (r->max[2] - r->min[2]);
-    const double ring = M_PI * r->height *
-                        (r->outer_radius * r->outer_radius - r->inner_radius * r->inner_radius);
+    clod_case_region *r = &group->region;
     clod_sizes sizes;
     const bool good = clod_sizes_init(&sizes, group, status);
     if (good) {
-        const double room = LOOSE * (r->kind == CLOD_REGION_BOX ? box : ring);
+        const double largest = cbrt(clod_sizes_largest_volume(&sizes));
+        r->depth =
+            clod_region_is_face(r) ? 3.0 * largest : 0.0; // some grains, one behind the other
+        const double height = r->kind == CLOD_REGION_BOX       ? r->max[2] - r->min[2]
+                              : r->kind == CLOD_REGION_ANNULUS ? r->height
+                                                               : r->depth;
+        const double room = LOOSE * clod_region_area(r) * height;
         const double most = fmax(1.0, floor(room / clod_sizes_mean_volume(&sizes)));
         group->count = (int64_t)fmin((double)group->count, most);
         group->comes = false;

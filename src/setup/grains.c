@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "base/plural.h"
 #include "base/sort.h"
+#include "config/region.h"
 #include "setup/amount.h"
 #include "setup/domain.h"
 #include "setup/grains_file.h"
@@ -15,16 +16,6 @@
 
 #define MASS_OFF 0.05 ///< of the mass asked for, that the grains may weigh more or less
 #define KEY_TEXT 64
-
-/** Base area of a region [m2]. */
-static double base_area(const clod_case_region *region)
-{
-    if (region->kind == CLOD_REGION_BOX) {
-        return (region->max[0] - region->min[0]) * (region->max[1] - region->min[1]);
-    }
-    return M_PI * (region->outer_radius * region->outer_radius -
-                   region->inner_radius * region->inner_radius);
-}
 
 /** Number or solid volume that a group asks for; `key` is its text, made here. */
 static clod_amount group_amount(const clod_case *from, size_t k, const clod_sizes *sizes,
@@ -42,7 +33,7 @@ static clod_amount group_amount(const clod_case *from, size_t k, const clod_size
                          .volume = group->mass > 0.0
                                        ? group->mass / density
                                        : group->fill_height * group->fill_fraction *
-                                             base_area(&group->region),
+                                             clod_region_area(&group->region),
                          .density = density};
 }
 

@@ -7,6 +7,7 @@
 #include "base/plural.h"
 #include "base/random.h"
 #include "base/sort.h"
+#include "config/region.h"
 #include "setup/insertion_space.h"
 #include "state/limits.h"
 
@@ -221,6 +222,8 @@ static bool fill_layers(clod_insertion_batch *batch, clod_insertion_space *space
     return true;
 }
 
+static const char *const KIND[] = {"box", "annulus", "disc", "rectangle"};
+
 static bool no_room(const clod_insertion_batch *batch, const clod_insertion_space *space,
                     clod_status *status)
 {
@@ -234,9 +237,9 @@ static bool no_room(const clod_insertion_batch *batch, const clod_insertion_spac
         "may be "
         "higher than the settled bed), or ask for fewer or smaller grains",
         what->name, batch->reached, what->count, clod_plural((double)what->count),
-        what->count == 1 ? "s" : "", space->region->kind == CLOD_REGION_BOX ? "box" : "annulus",
-        space->low[0], space->high[0], space->low[1], space->high[1], space->low[2],
-        space->high[2], batch->volume / clod_insertion_space_volume(space));
+        what->count == 1 ? "s" : "", KIND[space->region->kind], space->low[0], space->high[0],
+        space->low[1], space->high[1], space->low[2], space->high[2],
+        batch->volume / clod_insertion_space_volume(space));
 }
 
 /** Fill a region by one method, from an empty region on. */
@@ -250,7 +253,9 @@ static bool fill(clod_insertion_batch *batch, const clod_state *state, bool rand
     bool good = clod_insertion_space_init(&space, region, top, state, batch->largest,
                                           batch->what->count, status);
     batch->reached = 0;
-    if (good && random) {
+    if (good && !random && clod_region_is_face(region)) {
+        good = no_room(batch, &space, status); // there are no layers before a face
+    } else if (good && random) {
         const double fraction = batch->volume / clod_insertion_space_volume(&space);
         good = fraction > RANDOM_LIMIT || fill_random(batch, &space, status);
     } else if (good) {

@@ -5,7 +5,21 @@
 #include "config/region.h"
 #include "geometry/wall_pose.h"
 
-static void set_bounds(clod_insertion_space *self, double top)
+/** Of a place that was turned into a face, as a fraction of its extent. */
+#define ROUNDING 1e-12
+
+/** Whole grains before a face, the largest of this radius. */
+static void set_face(clod_insertion_space *self, double largest)
+{
+    clod_region_axes(self->region, self->axis);
+    clod_region_half(self->region, self->half);
+    for (int a = 0; a < 3; a++) {
+        self->low[a] -= 2.0 * largest;
+        self->high[a] += 2.0 * largest;
+    }
+}
+
+static void set_bounds(clod_insertion_space *self, double top, double largest)
 {
     const clod_case_region *region = self->region;
     const bool box = region->kind == CLOD_REGION_BOX;
@@ -17,6 +31,10 @@ static void set_bounds(clod_insertion_space *self, double top)
                            self->high[a] - self->low[a] >= period * (1.0 - 1e-12);
     }
     self->high[2] = top;
+    self->face = clod_region_is_face(region);
+    if (self->face) {
+        set_face(self, largest);
+    }
 }
 
 /** Note the grains of the state. */
@@ -36,7 +54,7 @@ bool clod_insertion_space_init(clod_insertion_space *self, const clod_case_regio
                                size_t grains, clod_status *status)
 {
     *self = (clod_insertion_space){.region = region, .state = state};
-    set_bounds(self, top);
+    set_bounds(self, top, largest);
     const clod_walls *walls = &state->walls;
     if (!clod_wall_rows_init(&self->walls, walls)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
@@ -54,6 +72,9 @@ bool clod_insertion_space_init(clod_insertion_space *self, const clod_case_regio
 
 double clod_insertion_space_volume(const clod_insertion_space *self)
 {
+    if (self->face) {
+        return clod_region_area(self->region) * self->region->depth;
+    }
     const clod_case_region *region = self->region;
     const double height = self->high[2] - self->low[2];
     if (region->kind == CLOD_REGION_BOX) {
@@ -64,10 +85,29 @@ double clod_insertion_space_volume(const clod_insertion_space *self)
     return M_PI * (outer * outer - inner * inner) * height;
 }
 
+/** Whether the sphere comes whole through a face. */
+static bool inside_face(const clod_insertion_space *self, const double place[4])
+{
+    double in[3] = {0.0, 0.0, 0.0}; // of the centre, along the axes
+    for (int a = 0; a < 3; a++) {
+        for (int k = 0; k < 3; k++) {
+            in[a] += (place[k] - self->region->center[k]) * self->axis[a][k];
+        }
+    }
+    if (self->region->kind == CLOD_REGION_DISC) {
+        return hypot(in[0], in[1]) + place[3] <= self->half[0] * (1.0 + ROUNDING);
+    }
+    return fabs(in[0]) + place[3] <= self->half[0] * (1.0 + ROUNDING) &&
+           fabs(in[1]) + place[3] <= self->half[1] * (1.0 + ROUNDING);
+}
+
 /** Whether the sphere is in the region; in a direction that is all of a period it always is. */
 static bool inside(const clod_insertion_space *self, const double place[4])
 {
     const double r = place[3];
+    if (self->face) {
+        return inside_face(self, place);
+    }
     for (int a = 0; a < 3; a++) {
         if (!self->through[a] &&
             (place[a] - r < self->low[a] || place[a] + r > self->high[a])) {
@@ -149,10 +189,36 @@ static bool draw_between(double from, double to, double u, double *x)
     return from <= to;
 }
 
+/** A position before a face; false: the sphere is too large for it. */
+static bool draw_face(const clod_insertion_space *self, double place[4], const double u[3])
+{
+    const clod_case_region *region = self->region;
+    const double r = place[3];
+    double in[3] = {0.0, 0.0, r + u[2] * region->depth}; // along the axes
+    if (region->kind == CLOD_REGION_DISC) {
+        const double rho = (self->half[0] - r) * sqrt(u[0]), angle = 2.0 * M_PI * u[1];
+        in[0] = rho * cos(angle);
+        in[1] = rho * sin(angle);
+    } else {
+        in[0] = (2.0 * u[0] - 1.0) * (self->half[0] - r);
+        in[1] = (2.0 * u[1] - 1.0) * (self->half[1] - r);
+    }
+    for (int k = 0; k < 3; k++) {
+        place[k] = region->center[k];
+        for (int a = 0; a < 3; a++) {
+            place[k] += in[a] * self->axis[a][k];
+        }
+    }
+    return self->half[0] >= r && self->half[1] >= r;
+}
+
 bool clod_insertion_space_draw(const clod_insertion_space *self, double place[4], double bottom,
                                double top, const double u[3])
 {
     const double r = place[3];
+    if (self->face) {
+        return draw_face(self, place, u);
+    }
     const double vertical = self->through[2] ? 0.0 : r;
     if (!draw_between(bottom + vertical, top - vertical, u[2], &place[2])) {
         return false;

@@ -13,6 +13,8 @@ typedef struct clod_insertion_space {
     const clod_state *state;        ///< borrowed: its walls and the grains there before
     double low[3], high[3];         ///< m, bounding box of the region
     bool through[3];                ///< the region goes through a whole period
+    bool face;                      ///< the region is a face: grains are whole before it
+    double axis[3][3], half[2];     ///< of a face (clod_region_axes, clod_region_half)
     clod_wall_rows walls;           ///< where they are
     clod_insertion_grid grid;
 } clod_insertion_space;

@@ -293,9 +293,9 @@ static bool run_stages(clod_job *job, clod_status *status)
         clod_free_measures_begin(measures_of(data, job->sim->from), job->sim->from,
                                  &job->state);
     }
-    const free_data *data = job->procedure.data;
-    job->state.exchange.residence_since =
-        clod_steady_time_of(job->sim->from, data->begin).since;
+    const clod_free_moment now =
+        moment_of(job->procedure.data, job->sim->from, &job->state, NULL);
+    job->state.exchange.residence_since = now.steady.since;
     return clod_job_run(job, status);
 }
 

@@ -7,6 +7,9 @@
 #include "sim/inlets_fill.h"
 #include "sim/outputs.h"
 
+/** Time for which an inlet is blocked before it is said [s]: a stream close to the limit of
+ *  room waits for a millisecond now and then. */
+#define BLOCKED_LEAST 0.01
 #define NO_INLET_STEPS INT64_MAX
 
 static size_t inlets_size(const clod_case *from)
@@ -49,7 +52,7 @@ static bool inlets_act(void *memory, const clod_free_moment *now, clod_status *s
     if (clod_setup_grains_coming(from) == 0 || state->step != self->next) {
         return true;
     }
-    self->next = clod_outputs_next(CLOD_INLETS_INTERVAL, state->dt, state->step);
+    self->next = clod_outputs_next(CLOD_CASE_INLET_INTERVAL, state->dt, state->step);
     return clod_inlets_fill(self, from, state, status);
 }
 
@@ -65,6 +68,56 @@ static const clod_case_grains *group_of(const clod_case *from, size_t number)
             return &from->grains[k];
         }
     }
+}
+
+/** Unit of what is owed at a group's inlet. */
+static const char *unit_of(const clod_case_grains *group)
+{
+    return group->inlet.mass_flow > 0.0 ? "kg" : "grains";
+}
+
+/** That an inlet is blocked, or is no more: a sentence, and the same as fields. */
+static void say(const clod_inlet *self, size_t number, const clod_case *from,
+                const clod_state *state, clod_news *news)
+{
+    const clod_case_grains *group = group_of(from, number);
+    const bool by_mass = group->inlet.mass_flow > 0.0;
+    news->event = self->said != 0 ? "inlet blocked begins" : "inlet blocked ends";
+    news->fields = json_pack("{s:I, s:I, s:f, s:f}", "inlet", (json_int_t)number + 1, "step",
+                             (json_int_t)state->step, "time_s", state->time,
+                             by_mass ? "owed_kg" : "owed_grains", self->owed);
+    if (self->said != 0) {
+        const double since = (double)self->since * state->dt;
+        json_object_set_new(news->fields, "since_s", json_real(since));
+        snprintf(
+            news->text, sizeof news->text,
+            "warning: inlet %zu is blocked since %.6g s: at %.6g s %.4g %s wait for a place",
+            number + 1, since, state->time, self->owed, unit_of(group));
+    } else {
+        snprintf(news->text, sizeof news->text,
+                 "inlet %zu is not blocked any more: at %.6g s nothing waits for a place",
+                 number + 1, state->time);
+    }
+}
+
+/** The next inlet that is blocked for BLOCKED_LEAST, or is no more, and was not said. */
+static bool inlets_news(void *memory, const clod_case *from, const clod_state *state,
+                        clod_news *news)
+{
+    clod_inlets *self = memory;
+    for (size_t k = 0; k < clod_setup_grains_coming(from); k++) {
+        clod_inlet *inlet = &self->inlet[k];
+        const double waited =
+            inlet->since < 0 ? 0.0 : (double)(state->step - inlet->since) * state->dt;
+        const bool begins = inlet->said == 0 && waited >= BLOCKED_LEAST;
+        const bool ends = inlet->said != 0 && inlet->since < 0;
+        if (begins || ends) {
+            inlet->said = begins;
+            say(inlet, k, from, state, news);
+            return true;
+        }
+    }
+    return false;
 }
 
 /** Columns of the series for each inlet. */
@@ -94,12 +147,6 @@ static void inlets_row(void *memory, const clod_free_moment *now, double *row)
         row[PER_INLET * k + 1] = self->inlet[k].mass;
         row[PER_INLET * k + 2] = self->inlet[k].owed;
     }
-}
-
-/** Unit of what is owed at a group's inlet. */
-static const char *unit_of(const clod_case_grains *group)
-{
-    return group->inlet.mass_flow > 0.0 ? "kg" : "grains";
 }
 
 static void inlets_report(FILE *out, const void *memory, const clod_free_moment *now)
@@ -164,6 +211,7 @@ const clod_free_measure CLOD_MEASURE_INLETS = {.key = "inlets",
                                                .begin = inlets_begin,
                                                .act = inlets_act,
                                                .plan = inlets_plan,
+                                               .news = inlets_news,
                                                .columns = inlets_columns,
                                                .column = inlets_column,
                                                .row = inlets_row,

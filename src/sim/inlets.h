@@ -3,16 +3,13 @@
  * @file inlets.h
  * Grains that come during a free run (docs/inlets.md): groups of the case that have an inlet.
  *
- * Every INTERVAL of simulated time the grains that are due by then are put at random places of
+ * Every CLOD_CASE_INLET_INTERVAL of simulated time the grains that are due by then are put at random places of
  * their region, clear of grains and walls. What finds no place stays due.
  * Inlets whose regions have space in common are one stream: their grains come in the order in
  * which they are due, so that their mix stays as asked for, also while they wait for room.
  */
 
 #include "sim/free_measures.h"
-
-/** Simulated time from one insertion to the next [s]. */
-#define CLOD_INLETS_INTERVAL 1e-3
 
 /** What an inlet remembers; plain data. */
 typedef struct clod_inlet {
@@ -22,6 +19,7 @@ typedef struct clod_inlet {
     double most;     ///< the largest of it
     int64_t blocked; ///< insertions at which not everything that was due found a place
     int64_t since;   ///< step of the first of those in a row; -1: not blocked
+    int64_t said;    ///< that it is blocked was said, and not yet that it is no more
 } clod_inlet;
 
 /** All inlets of a case. */

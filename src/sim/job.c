@@ -15,7 +15,7 @@
 #include "setup/grains.h"
 #include "sim/energy_series.h"
 #include "sim/job_store.h"
-#include "sim/leavers_table.h"
+#include "sim/job_tables.h"
 #include "sim/origin.h"
 #include "sim/outputs.h"
 #include "step/step.h"
@@ -30,9 +30,7 @@ typedef struct job_loop {
     clod_job *job;
     clod_laws laws;
     clod_step step;
-    clod_series *series;
-    clod_series *energy;  ///< NULL without the ledger
-    clod_series *leavers; ///< NULL when nobody wants them
+    clod_job_tables tables;
     double *row;
     double last_clock, last_progress, last_checkpoint; ///< s
     int64_t progress_step;
@@ -48,24 +46,6 @@ static double clock_now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/** Bring the table of grains that left up to now. */
-static bool write_leavers(job_loop *loop, clod_status *status)
-{
-    clod_job *job = loop->job;
-    return loop->leavers == NULL ||
-           clod_leavers_table_write(loop->leavers, job->sim->from, &job->state, status);
-}
-
-/** Note how far a table is, and bring it to the disk; NULL: there is none. */
-static bool mark_table(clod_series *table, clod_series_mark *mark, clod_status *status)
-{
-    if (table == NULL) {
-        return true;
-    }
-    *mark = clod_series_position(table);
-    return clod_series_sync(table, status);
-}
-
 /** Write everything; the tables first. */
 static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *status)
 {
@@ -76,12 +56,9 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
     if (!clod_step_see(&loop->step, status)) {
         return false;
     }
-    clod_job_memory *memory = &job->memory;
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
-    return write_leavers(loop, status) && mark_table(loop->leavers, &memory->leavers, status) &&
-           mark_table(loop->energy, &memory->energy, status) &&
-           mark_table(loop->series, &memory->series, status) &&
+    return clod_job_tables_mark(&loop->tables, job, status) &&
            clod_job_store(job, &contacts, suffix, status);
 }
 
@@ -207,9 +184,9 @@ static bool sample(job_loop *loop, bool *finished, clod_status *status)
 {
     clod_job *job = loop->job;
     const clod_procedure *p = &job->procedure;
-    const bool books = loop->energy != NULL;
+    const bool books = loop->tables.energy != NULL;
     const clod_energies before = books ? clod_step_energies(&loop->step) : (clod_energies){0};
-    if (books && !clod_energy_series_row(loop->energy, &job->state, &before, status)) {
+    if (books && !clod_energy_series_row(loop->tables.energy, &job->state, &before, status)) {
         return false;
     }
     if (!with_contacts(loop, p->measure, status)) {
@@ -221,8 +198,8 @@ static bool sample(job_loop *loop, bool *finished, clod_status *status)
         clod_step_book(&loop->step, clod_energies_sum(&before));
     }
     return clod_step_change(&loop->step, status) &&
-           clod_series_row(loop->series, loop->row, status) && write_leavers(loop, status) &&
-           can_go_on(loop, status);
+           clod_series_row(loop->tables.series, loop->row, status) &&
+           clod_job_tables_leavers(&loop->tables, loop->job, status) && can_go_on(loop, status);
 }
 
 /** Into the log: a phase is over, and why. */
@@ -347,30 +324,6 @@ static bool loop_to_end(job_loop *loop, clod_status *status)
     return true;
 }
 
-/** The ledger, which a state that went through a checkpoint or another part has open. */
-static bool open_energy(job_loop *loop, clod_status *status)
-{
-    const clod_job *job = loop->job;
-    char series[CLOD_JOB_STEM], energy[CLOD_JOB_STEM];
-    clod_job_tables(job->name, series, energy);
-    loop->energy = clod_series_open(job->sim->folder, energy, clod_energy_series_columns,
-                                    CLOD_ENERGY_SERIES_COLUMNS,
-                                    job->resumed ? &job->memory.energy : NULL, status);
-    return loop->energy != NULL &&
-           (job->state.ledger.open != 0 || clod_step_open_ledger(&loop->step, status));
-}
-
-/** The table of grains that leave. */
-static bool open_leavers(job_loop *loop, clod_status *status)
-{
-    clod_job *job = loop->job;
-    loop->leavers = clod_series_open(job->sim->folder, CLOD_LEAVERS_TABLE,
-                                     CLOD_LEAVERS_TABLE_COLUMN, CLOD_LEAVERS_TABLE_COLUMNS,
-                                     job->resumed ? &job->memory.leavers : NULL, status);
-    job->state.gone.kept = true;
-    return loop->leavers != NULL;
-}
-
 /** Grains that there will be at once, at most: those that are there, or are to come. */
 static size_t most_grains(const clod_job *job)
 {
@@ -397,25 +350,22 @@ static int threads_of(const clod_job *job)
 static bool open_loop(job_loop *loop, clod_status *status)
 {
     clod_job *job = loop->job;
-    char series[CLOD_JOB_STEM], energy[CLOD_JOB_STEM];
-    clod_job_tables(job->name, series, energy);
     loop->row = clod_memory_alloc(job->procedure.column_count, sizeof *loop->row);
     if (loop->row == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for a row of %s", series);
+        return clod_status_fail(status, CLOD_FAILED, "no memory for a row of the series of %s",
+                                job->name);
     }
     if (job->resumed && !clod_job_cut_pictures(job, status)) {
         return false;
     }
-    loop->series = clod_series_open(job->sim->folder, series, job->procedure.columns,
-                                    job->procedure.column_count,
-                                    job->resumed ? &job->memory.series : NULL, status);
     const clod_step_options options = {.threads = threads_of(job),
                                        .ranks = job->sim->options->ranks,
                                        .simd = job->sim->options->simd,
                                        .overlap_limit = job->sim->from->time.overlap_limit,
                                        .accepts = clod_setup_bound_accepts,
                                        .context = job->sim->from};
-    if (loop->series == NULL || !clod_laws_init(&loop->laws, job->sim->from, status)) {
+    if (!clod_job_tables_open(&loop->tables, job, status) ||
+        !clod_laws_init(&loop->laws, job->sim->from, status)) {
         return false;
     }
     clod_laws_set_adhesion(&loop->laws, job->state.adhesion);
@@ -425,8 +375,9 @@ static bool open_loop(job_loop *loop, clod_status *status)
     loop->last_clock = loop->last_progress = loop->last_checkpoint = clock_now();
     loop->progress_step = job->state.step;
     loop->saved = save_request(job);
-    return (!job->sim->from->output.energy || open_energy(loop, status)) &&
-           (!job->sim->from->output.leavers || open_leavers(loop, status));
+    // a state that went through a checkpoint or another part has its ledger open
+    return loop->tables.energy == NULL || job->state.ledger.open != 0 ||
+           clod_step_open_ledger(&loop->step, status);
 }
 
 /** What the contacts say at the end, before the step that has them is gone. */
@@ -482,10 +433,7 @@ bool clod_job_run(clod_job *job, clod_status *status)
         measure_bed(&loop);
         log_end(&loop, job, ok, status);
     }
-    clod_status closing; // an error before it is the one to tell
-    ok = clod_series_close(&loop.series, ok ? status : &closing) && ok;
-    ok = clod_series_close(&loop.energy, ok ? status : &closing) && ok;
-    ok = clod_series_close(&loop.leavers, ok ? status : &closing) && ok;
+    ok = clod_job_tables_close(&loop.tables, ok, status);
     clod_step_fini(&loop.step);
     clod_laws_fini(&loop.laws);
     clod_memory_free(loop.row);

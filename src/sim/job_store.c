@@ -71,7 +71,7 @@ bool clod_job_store(clod_job *self, const clod_contact_source *contacts, const c
     return ok;
 }
 
-void clod_job_tables(const char *name, char series[CLOD_JOB_STEM], char energy[CLOD_JOB_STEM])
+void clod_job_table_names(const char *name, char series[CLOD_JOB_STEM], char energy[CLOD_JOB_STEM])
 {
     const bool plain = strcmp(name, "run") == 0;
     snprintf(series, CLOD_JOB_STEM, "%s.csv", plain ? "series" : name);
@@ -180,7 +180,7 @@ static bool take_table(const clod_job *job, const char *name, clod_series_mark *
 static bool take_tables(clod_job *job, bool copy, clod_status *status)
 {
     char series[CLOD_JOB_STEM], energy[CLOD_JOB_STEM];
-    clod_job_tables(job->name, series, energy);
+    clod_job_table_names(job->name, series, energy);
     return take_table(job, series, &job->memory.series, copy, status) &&
            take_table(job, energy, &job->memory.energy, copy, status);
 }
@@ -251,7 +251,7 @@ static bool check_results(const clod_job *job, clod_status *status)
 {
     const clod_folder *folder = job->sim->folder;
     char series[CLOD_JOB_STEM], energy[CLOD_JOB_STEM];
-    clod_job_tables(job->name, series, energy);
+    clod_job_table_names(job->name, series, energy);
     return check_table(folder, series, &job->memory.series, status) &&
            (!job->sim->from->output.energy ||
             check_table(folder, energy, &job->memory.energy, status)) &&

@@ -275,6 +275,8 @@ bool clod_near_begin(const clod_near_job *job, clod_status *status)
 {
     clod_near *self = job->near;
     self->wall_way = job->ways.wall;
+    self->least_way =
+        fmin(job->ways.least, job->ways.wall) - 2.0 * ROUNDING * job->neighbour->radius_max;
     self->made = false;
     bool good = self->part_start != NULL;
     if (!good) {

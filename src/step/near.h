@@ -58,7 +58,8 @@ typedef struct clod_near_range {
 typedef struct clod_near {
     double (*origin)[4]; ///< [grains] places when the list was made; radius and the own way [m]
     size_t origin_capacity;
-    double wall_way; ///< m, how far walls may go
+    double wall_way;  ///< m, how far walls may go
+    double least_way; ///< m, no more than any way, of grains or walls
     int32_t laws;
     int parts;          ///< set before the first list
     size_t *part_start; ///< [parts + 1] first grain of each part

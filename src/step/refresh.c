@@ -60,7 +60,7 @@ void clod_step_begin_motion(clod_step *self, int part)
 {
     clod_step_thread *mine = &self->thread[part];
     mine->near_motion = mine->wall_motion = 0.0;
-    mine->near_slack = 0.0; // of the slowest grain: nobody has looked
+    mine->near_slack = self->near.least_way;
 }
 
 /** The least way that is left on any rank, to that of thread 0. */

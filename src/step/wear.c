@@ -18,11 +18,6 @@ static double length(double x, double y, double z)
     return sqrt(x * x + y * y + z * z);
 }
 
-static double length(double x, double y, double z)
-{
-    return sqrt(x * x + y * y + z * z);
-}
-
 /** What one contact did to its place in a step. */
 static void add(double sum[CLOD_WEAR_SUMS], const clod_rub_block *rub, int lane, double dt)
 {

@@ -1,5 +1,5 @@
-// A hopper, cone below cylinder, that discharges: as shapes, and as one mesh. As it discharges, what
-// it carries is no measure of its walls: all falls down on it again, so that it is the weight.
+// A hopper, cone below cylinder, that discharges: as shapes, and as one mesh. What it carries as it
+// discharges follows from Newton's second law alone: all that falls out comes down on it again.
 #include <math.h>
 
 #include "base/memory.h"
@@ -112,6 +112,35 @@ static bool begin_to_follow(clod_verify_twin_run *self, const clod_state *state,
     return true;
 }
 
+/** What a run notes of the discharge. */
+enum { WEIGHT, BEGIN, END, BEGIN_MOMENTUM, END_MOMENTUM, IMPULSE, MOMENTUM, SQUARE };
+_Static_assert(SQUARE < CLOD_VERIFY_TWIN_OWN, "room for them");
+
+/** Note force on the walls and momentum of the grains, upwards; MOMENTUM and SQUARE are sums over
+ *  the looks. */
+static void weigh(clod_verify_twin_run *self, const clod_state *state, bool first)
+{
+    double *own = self->own, mass = 0.0, momentum = 0.0, force = 0.0;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        mass += state->grains.velocity[g][3];
+        momentum += state->grains.velocity[g][3] * state->grains.velocity[g][2];
+    }
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        force -= state->walls.wall[w].sum_force.z;
+    }
+    own[WEIGHT] = -mass * state->gravity[2];
+    own[END] = state->time;
+    own[END_MOMENTUM] = momentum;
+    own[MOMENTUM] += momentum;
+    own[SQUARE] += momentum * momentum;
+    if (first) {
+        own[BEGIN] = state->time;
+        own[BEGIN_MOMENTUM] = momentum;
+    } else {
+        own[IMPULSE] += force * state->dt;
+    }
+}
+
 static bool look(void *context, clod_verify_bed *now, clod_status *status)
 {
     clod_verify_twin_run *self = context;
@@ -119,6 +148,8 @@ static bool look(void *context, clod_verify_bed *now, clod_status *status)
     if (clod_verify_bed_is_in(now, "filled")) {
         clod_verify_twin_add(self, 1, -hopper->sum_force.z / (double)hopper->sum_steps);
     } else if (clod_verify_bed_is_in(now, "flow")) {
+        weigh(self, &now->state, self->last == NULL);
+        self->looks++;
         if (self->last == NULL && !begin_to_follow(self, &now->state, status)) {
             return false;
         }
@@ -128,6 +159,44 @@ static bool look(void *context, clod_verify_bed *now, clod_status *status)
     return true;
 }
 
+/** Two-sided 99 % of the normal distribution. */
+#define NORMAL 2.576
+/** Of the force: the sums of steps and the momentum are half a step apart at either end. */
+#define HALF_STEPS 1e-4
+
+/**
+ * Newton's second law, twice. The mean force on the walls less the momentum gained in the time
+ * is the weight, but for the steps. And the mean force alone is the weight but for chance:
+ * it is off by (P(T) - P(0))/T, so its standard error is that of the momentum, times the root of
+ * two, over T. (Forces of blocks of time are anticorrelated: their scatter tells too much.)
+ */
+static bool check(const clod_verify_bench *bench, bool mesh, const clod_verify_twin_run *runs,
+                  clod_status *status)
+{
+    const char *walls = mesh ? "meshes" : "shapes";
+    double worst = 1.0, force = 0.0, weight = 0.0, variance = 0.0;
+    for (int s = 0; s < CLOD_VERIFY_TWIN_SEEDS; s++) {
+        const double *own = runs[s].own, time = own[END] - own[BEGIN], looks = runs[s].looks;
+        const double mean = own[MOMENTUM] / looks;
+        const double gained = own[END_MOMENTUM] - own[BEGIN_MOMENTUM];
+        const double ratio = (own[IMPULSE] - gained) / time / own[WEIGHT];
+        worst = fabs(ratio - 1.0) >= fabs(worst - 1.0) ? ratio : worst;
+        force += own[IMPULSE] / time / CLOD_VERIFY_TWIN_SEEDS;
+        weight += own[WEIGHT] / CLOD_VERIFY_TWIN_SEEDS;
+        variance += 2.0 * (own[SQUARE] / looks - mean * mean) / (time * time) /
+                    (CLOD_VERIFY_TWIN_SEEDS * CLOD_VERIFY_TWIN_SEEDS);
+    }
+    const clod_verify_expect law = {1.0, HALF_STEPS, true, "Newton's second law"};
+    const clod_verify_expect chance = {weight, NORMAL * sqrt(variance), false,
+                                       "the weight; 99 % interval of the momentum's scatter"};
+    return clod_verify_bench_check(bench, &law, worst, status,
+                                   "walls as %s: force as it discharges less momentum gained, "
+                                   "over the weight; the worst of three seeds",
+                                   walls) &&
+           clod_verify_bench_check(bench, &chance, force, status,
+                                   "walls as %s: downward force as it discharges [N]", walls);
+}
+
 bool clod_verify_mesh_hopper(const clod_verify_bench *bench, clod_status *status)
 {
     const clod_verify_twin twin = {.name = "mesh-hopper",
@@ -135,6 +204,7 @@ bool clod_verify_mesh_hopper(const clod_verify_bench *bench, clod_status *status
                                    .count = 2,
                                    .put_case = put_case,
                                    .put_meshes = put_meshes,
-                                   .look = look};
+                                   .look = look,
+                                   .check = check};
     return clod_verify_twin_compare(&twin, bench, status);
 }

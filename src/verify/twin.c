@@ -20,6 +20,7 @@ void clod_verify_twin_add(clod_verify_twin_run *self, int quantity, double value
 /** Means of one run of one kind. */
 typedef struct results {
     double of[2][SEEDS][CLOD_VERIFY_TWIN_QUANTITIES]; ///< by kind of wall
+    clod_verify_twin_run run[2][SEEDS];
 } results;
 
 /** Its folder, with the meshes in it, then the run. */
@@ -37,7 +38,7 @@ static bool run_text(const clod_verify_twin *self, const clod_verify_bench *benc
 }
 
 static bool run_one(const clod_verify_twin *self, const clod_verify_bench *bench, bool mesh,
-                    int seed, double *found, clod_status *status)
+                    int seed, clod_verify_twin_run *run, clod_status *status)
 {
     char name[64];
     clod_text whole;
@@ -50,14 +51,12 @@ static bool run_one(const clod_verify_twin *self, const clod_verify_bench *bench
     if (text == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for a case");
     }
-    clod_verify_twin_run run = {.begin = 0.0};
+    *run = (clod_verify_twin_run){.begin = 0.0};
     snprintf(name, sizeof name, "%s-%s-%d", self->name, mesh ? "mesh" : "shapes", seed);
-    const bool ok = run_text(self, bench, name, mesh, text, &run, status);
+    const bool ok = run_text(self, bench, name, mesh, text, run, status);
     clod_memory_free(text);
-    clod_memory_free(run.last);
-    for (int q = 0; q < self->count; q++) {
-        found[q] = run.sum[q] / run.weight[q];
-    }
+    clod_memory_free(run->last);
+    run->last = NULL;
     return ok;
 }
 
@@ -124,10 +123,17 @@ bool clod_verify_twin_compare(const clod_verify_twin *self, const clod_verify_be
     results all;
     for (int seed = 0; seed < SEEDS; seed++) {
         for (int kind = 0; kind < 2; kind++) {
-            if (!run_one(self, bench, kind == 1, seed + 1, all.of[kind][seed], status)) {
+            clod_verify_twin_run *run = &all.run[kind][seed];
+            if (!run_one(self, bench, kind == 1, seed + 1, run, status)) {
                 return false;
+            }
+            for (int q = 0; q < self->count; q++) {
+                all.of[kind][seed][q] = run->sum[q] / run->weight[q];
             }
         }
     }
-    return check_all(self, bench, &all, status) && write_seeds(self, bench, &all, status);
+    return check_all(self, bench, &all, status) &&
+           (self->check == NULL || (self->check(bench, false, all.run[0], status) &&
+                                    self->check(bench, true, all.run[1], status))) &&
+           write_seeds(self, bench, &all, status);
 }

@@ -11,12 +11,15 @@
 
 #define CLOD_VERIFY_TWIN_SEEDS 3
 #define CLOD_VERIFY_TWIN_QUANTITIES 4 ///< at most
+#define CLOD_VERIFY_TWIN_OWN 8
 
 /** Sums of one run; a quantity is sum/weight. */
 typedef struct clod_verify_twin_run {
     double sum[CLOD_VERIFY_TWIN_QUANTITIES], weight[CLOD_VERIFY_TWIN_QUANTITIES];
     double begin; ///< s, for looks: of what is measured; 0: not yet
     double *last; ///< [grains, by id] m, for looks: heights at the look before; NULL at first
+    double looks; ///< how many there were, for such as need it
+    double own[CLOD_VERIFY_TWIN_OWN]; ///< numbers of the test's own, for look and check
 } clod_verify_twin_run;
 
 /** Add a value of a quantity. Threads: pure. */
@@ -29,6 +32,9 @@ typedef struct clod_verify_twin {
     void (*put_case)(FILE *out, bool mesh, int seed);
     bool (*put_meshes)(const char *folder, clod_status *status);
     clod_verify_bed_look look; ///< its context is a clod_verify_twin_run
+    /** Check runs of one kind of wall against a law; NULL: none. @param runs  [SEEDS] */
+    bool (*check)(const clod_verify_bench *bench, bool mesh, const clod_verify_twin_run *runs,
+                  clod_status *status);
 } clod_verify_twin;
 
 /**

@@ -129,6 +129,60 @@ class Inlets(clod.Case):
         # what is due at the last insertion, at most 1 ms before
         self.assertLess(abs(last["inlet_1.mass"] + last["inlet_1.owed"] - 4.0 * 0.5), 4.1e-3)
 
+    def write_lid(self, step="1e-4 s"):
+        """A solid lid where grains are to come, which is lifted after 0.1 s."""
+        self.write(group("number_flow: 100 1/s"), walls="""\
+walls: {lid: {material: ore, shapes: [{box: {center: [0 m, 0 m, 0 m], size: [0.158 m, 0.158 m, 38 mm]}}]}}
+""")
+        with open(self.path("case.yaml")) as file:
+            text = file.read()
+        stages = ("stages: [{name: shut, duration: 0.1 s}, {name: open, duration: 0.15 s, "
+                  "walls: {lid: {velocity: [0 m/s, 0 m/s, 1 m/s]}}}]\n")
+        lines = [stages if line.startswith("stages:") else line.replace("1e-4 s", step)
+                 for line in text.splitlines(True)]
+        with open(self.path("case.yaml"), "w") as file:
+            file.writelines(lines)
+
+    def blocked(self, folder):
+        """Events of blocked inlets in the log, without the time on the clock."""
+        return [{key: event[key] for key in event if key != "time"}
+                for event in clod.log(self.path(folder)) if event["event"].startswith("inlet")]
+
+    def test_a_blocked_inlet_is_said_when_it_begins_and_ends(self):
+        """The first grain is due after 5 ms; it is said 10 ms later, when a second one waits. The
+        lid, 1 mm above the bottom, leaves room for a grain when it is lifted by 8 to 10 mm."""
+        self.write_lid()
+        done = self.go("out")
+        begins, ends = self.blocked("out")
+        self.assertEqual(begins["event"], "inlet blocked begins")
+        self.assertEqual(ends["event"], "inlet blocked ends")
+        for event in (begins, ends):
+            self.assertEqual(event["inlet"], 1)
+            self.assertAlmostEqual(event["time_s"], event["step"] * 1e-4, 9)
+        self.assertLess(abs(begins["since_s"] - 0.005), 1.01e-3)
+        self.assertLess(abs(begins["time_s"] - 0.015), 2.01e-3)
+        self.assertLess(abs(begins["owed_grains"] - 1.5), 0.21)
+        self.assertEqual(ends["owed_grains"], 0.0)
+        self.assertGreater(ends["time_s"], 0.107)
+        self.assertLess(ends["time_s"], 0.125)
+        self.assertEqual(done.stderr.count("inlet 1 is blocked since 0.00"), 1)
+        self.assertEqual(done.stderr.count("inlet 1 is not blocked any more"), 1)
+        self.assertNotIn("blocked_since_s", self.summary("out")["inlets"][0])
+
+    def test_a_blocked_inlet_is_logged_once_when_a_run_is_killed(self):
+        self.write_lid("1e-6 s")
+        self.go("out")
+        whole = self.blocked("out")
+        self.assertEqual(len(whole), 2)
+        process = clod.start("run", self.path("case.yaml"), "-o", self.path("cut"), "-t", "1")
+        clod.wait_until(lambda: os.path.exists(self.path("cut/log.jsonl")) and
+                        len(self.blocked("cut")) > 0, process)
+        process.kill()
+        process.communicate()
+        self.go("cut")
+        self.assertTrue(any(event["event"] == "resume" for event in clod.log(self.path("cut"))))
+        self.assertEqual(self.blocked("cut"), whole)
+
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(group("mass_flow: 1 kg/s", low=-0.08, high=0.0),
                    group("number_flow: 300 1/s", low=-0.02, high=0.08), walls=WALL,

@@ -9,6 +9,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 import clod
+from test_picture import Image
 
 CORNERS = [(x, y, z) for z in (0, 250) for x, y in ((0, 0), (1000, 0), (1000, 500), (0, 500))]
 FACETS = [(0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7), (0, 1, 5), (0, 5, 4),
@@ -48,6 +49,31 @@ class Mesh(clod.Case):
             self.assertIn(text, said)
         self.assertRegex(said, r"x +0 +1 +1 +1000\n")
         self.assertNotIn("Warnings", said)
+
+    def test_a_picture_of_it(self):
+        """From above the upper side of the box: the facet at the lower right, which came twice, has the
+        colour of that, orange; the one at the upper left is good, a light grey."""
+        self.write("box.stl", stl([*FACETS, FACETS[2]]))
+        said = self.mesh("box.stl", "--unit=mm", "--picture=box.png", "--view=top",
+                         "--size=500x300")
+        self.assertIn("1 facets with the corners of another", said)
+        image = Image(self.path("box.png"))
+        self.assertEqual((image.width, image.height), (500, 300))
+        top = int(3.6 * min(image.height / 40, image.width / 52)) # below title and size
+        body = [(x, y) for y in range(top + 10, 260) for x in range(330)
+                if image.pixel(x, y) != (255, 255, 255)]
+        left, right = min(x for x, _ in body), max(x for x, _ in body)
+        upper = min(y for x, y in body if x == (left + right) // 2)
+        lower = max(y for x, y in body if x == (left + right) // 2)
+        at = lambda u, v: image.pixel(int(left + u * (right - left)), int(upper + v * (lower - upper)))
+        r, _, b = at(0.75, 0.7)
+        self.assertGreater(r, b + 80)
+        r, _, b = at(0.25, 0.3)
+        self.assertLess(abs(r - b), 40)
+        for option, word in (("--size=1x1", "pixels"), ("--view=back", "oblique")):
+            self.assertIn(word, self.mesh("box.stl", "--unit=mm", option, code=2))
+        self.assertIn("nowhere/box.png", self.mesh("box.stl", "--unit=mm",
+                                                   "--picture=nowhere/box.png", code=1))
 
     def test_json(self):
         """The second side is missing, a facet comes twice."""

@@ -1,6 +1,7 @@
 // Places of grains that come during a run: in their region, clear of each other and of walls.
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "setup/state.h"
@@ -103,11 +104,61 @@ static void the_same_state_gives_the_same_grains(void **unused)
     }
 }
 
+/** Faces askew: how far a centre is before the face, and how far from its middle along two
+ *  directions in it, by the numbers of the case. */
+static void grains_come_whole_before_a_face(void **unused)
+{
+    (void)unused;
+    static const char *const FACES[2] = {
+        "{disc: {center: [10 mm, 0 mm, 5 mm], radius: 40 mm, normal: [3, 0, -4]}}",
+        "{rectangle: {center: [10 mm, 0 mm, 5 mm], edge_1: [0 mm, 60 mm, 0 mm], "
+        "edge_2: [64 mm, 0 mm, 48 mm]}}"};
+    for (int face = 0; face < 2; face++) {
+        char text[1200];
+        snprintf(text, sizeof text,
+                 "materials: {ore: {density: 2500 kg/m3}}\n"
+                 "contacts: {default: {law: hooke, k1: 1e4 N/m, restitution: 0.5}}\n"
+                 "time: {step: 5e-5 s, design_stress: 100 Pa}\n"
+                 "domain: {min: [-1 m, -1 m, -1 m], max: [1 m, 1 m, 1 m]}\n"
+                 "grains:\n"
+                 "  - {material: ore, radius: {distribution: uniform, min: 2 mm, max: 3 mm},\n"
+                 "     inlet: {number_flow: 1000 1/s}, velocity: [5 m/s, 1 m/s, -5 m/s],\n"
+                 "     region: %s}\n"
+                 "stages: [{name: run, duration: 1 s}]\n",
+                 FACES[face]);
+        clod_case *from = clod_case_parse("case.yaml", text, strlen(text), NULL, 0, &status);
+        clod_state state;
+        clod_inlets inlets;
+        CHECK(from != NULL);
+        CHECK(clod_setup_state(from, 1, &state, &status));
+        CLOD_MEASURE_INLETS.begin(&inlets, from, &state);
+        inlets.next = state.step = 400; // 20 grains are due
+        CHECK(act(&inlets, from, &state));
+        assert_int_equal(state.changes.new_grains, 20);
+        double most = 0.0;
+        for (size_t k = 0; k < state.changes.new_grains; k++) {
+            const double *p = state.changes.new_grain[k].position, r = p[3];
+            const double x = p[0] - 0.01, y = p[1], z = p[2] - 0.005;
+            const double before = 0.6 * x - 0.8 * z, along = 0.8 * x + 0.6 * z;
+            // 7 m/s along the normal, in 1 ms
+            assert_true(before >= r - 1e-15 && before <= r + 0.007 + 1e-15);
+            assert_true(face == 0 ? hypot(along, y) <= 0.04 - r + 1e-15
+                                  : fabs(y) <= 0.03 - r + 1e-15 &&
+                                        fabs(along) <= 0.04 - r + 1e-15);
+            most = fmax(most, before - r);
+        }
+        assert_true(most > 0.0035); // not all at the face itself
+        clod_state_fini(&state);
+        clod_case_destroy(&from);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(grains_come_clear_of_all),
         cmocka_unit_test(the_same_state_gives_the_same_grains),
+        cmocka_unit_test(grains_come_whole_before_a_face),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

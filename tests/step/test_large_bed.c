@@ -67,8 +67,8 @@ static void run_with_lists(scene *self, int threads)
     scene_run(self, STEPS);
     self->state.build_motion = INFINITY;
     scene_run(self, STEPS);
-    self->step.near.wall_way = -1.0;        // walls must not move at all
-    self->step.thread[0].near_slack = -1.0; // so it is looked at
+    self->step.thread[0].near_motion = INFINITY; // so ways are looked at,
+    self->step.near.wall_way = -1.0;             // and one is used up
     scene_run(self, STEPS);
     assert_int_equal(self->step.refreshes, 1);
     assert_int_equal(self->step.rebuilds, 1);

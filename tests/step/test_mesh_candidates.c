@@ -70,8 +70,9 @@ static clod_surface *tube(bool round)
 static void add_surface(clod_wall *wall, clod_surface *surface)
 {
     const int32_t count = CLOD_SURFACE_SLOTS * (int32_t)surface->patch_count;
-    wall->shapes = clod_memory_grow(wall->shapes, (size_t)wall->shape_count,
-                                    (size_t)(wall->shape_count + count), sizeof *wall->shapes);
+    const size_t before = (size_t)wall->shape_count;
+    wall->shapes =
+        clod_memory_grow(wall->shapes, before, before + (size_t)count, sizeof *wall->shapes);
     for (int32_t k = 0; k < count; k++) {
         const clod_surface_patch *patch = &surface->patches[k / CLOD_SURFACE_SLOTS];
         clod_shape *to = &wall->shapes[wall->shape_count++];

@@ -167,7 +167,8 @@ static void what_touches_is_on_the_list(void **state)
         scene_init(&s, 2.0 * DT, &ore);
         for (int g = 0; g < 64; g++) {
             const double gap = 2.3 * RADIUS;
-            scene_grain(&s, gap * (g % 4), gap * (g / 4 % 4), RADIUS + gap * (g / 16), RADIUS);
+            const int line = g / 4 % 4, layer = g / 16;
+            scene_grain(&s, gap * (g % 4), gap * line, RADIUS + gap * layer, RADIUS);
         }
         clod_wall *floor = scene_wall(&s, "floor", shape_floor(0.0));
         scene_start_with(&s, (clod_step_options){.threads = threads});
