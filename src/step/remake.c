@@ -297,6 +297,9 @@ static void end(clod_step *self, int part)
 {
     (void)part;
     clod_near_end(&self->remake.job);
+    if (self->spread != NULL) { // ranks look together
+        self->near.least_way = clod_spread_least(self->spread, self->near.least_way);
+    }
     clod_step_list_summed(self);
     clod_step_look(self);
     if (self->remake.changes || self->remake.left) {
