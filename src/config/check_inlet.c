@@ -43,7 +43,10 @@ void clod_check_inlet(clod_loader *loader, const char *path, const clod_case *se
         fail(loader, path, "mass", "the amount is given twice; keep one of count, mass");
     }
     if (has(loader, path, "inlet.end") && inlet->end <= inlet->start) {
-        fail(loader, path, "inlet.end", "must be later than start");
+        char text[128];
+        snprintf(text, sizeof text, "%.6g s must be later than start, %.6g s", inlet->end,
+                 inlet->start);
+        fail(loader, path, "inlet.end", text);
     }
     if (self->time.design_stress == 0.0) {
         fail(
