@@ -92,7 +92,8 @@ bool clod_wall_cells_fill(clod_neighbour *search, const clod_state *state)
     for (int32_t w = 0; w < walls->count; w++) {
         for (int32_t s = 0; s < walls->wall[w].shape_count; s++) {
             const clod_wall_entry shape = {.wall = w, .shape = s};
-            if (!enter_shape(self, rows, &shape, grid, reach)) {
+            const bool removes = walls->wall[w].shapes[s].outlet > 0; // it pushes no grain
+            if (!removes && !enter_shape(self, rows, &shape, grid, reach)) {
                 return false;
             }
         }
@@ -167,7 +168,8 @@ bool clod_wall_cells_find_all(const clod_neighbour *self, const clod_state *stat
         for (int32_t w = 0; w < state->walls.count; w++) {
             for (int32_t s = 0; s < state->walls.wall[w].shape_count; s++) {
                 const clod_wall_entry shape = {.wall = w, .shape = s};
-                if (!try_shape(self, state, laws, g, &shape, to)) {
+                const bool removes = state->walls.wall[w].shapes[s].outlet > 0;
+                if (!removes && !try_shape(self, state, laws, g, &shape, to)) {
                     return false;
                 }
             }
