@@ -140,10 +140,13 @@ typedef struct clod_case_grains {
     clod_case_inlet inlet;
 } clod_case_grains;
 
-/** A region in which grains are removed and counted. */
+/** Where grains are removed and counted: in a region, or when they touch a wall. */
 typedef struct clod_case_outlet {
     char *name;
+    bool has_region; ///< else `wall` is given
     clod_case_region region;
+    char *wall;    ///< all of its surfaces, or
+    char *part;    ///< those of this part of its meshes; NULL: all
     bool spillage; ///< what leaves here has missed its way
 } clod_case_outlet;
 

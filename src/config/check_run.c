@@ -434,10 +434,10 @@ void clod_check_run(clod_loader *loader, clod_case *self)
     if (clean(loader, "grains")) {
         clod_check_streams(loader, self);
     }
-    clod_check_outlets(loader, self);
     clod_check_gauges(loader, self);
     clod_check_clumps(loader, self);
     clod_check_walls(loader, self);
+    clod_check_outlets(loader, self); // knows which walls have a load
     clod_index stage_names = {0};
     for (size_t i = 0; i < self->stage_count; i++) {
         check_stage(loader, self, &stage_names, i);

@@ -7,6 +7,7 @@
 #include "base/assert.h"
 #include "base/memory.h"
 #include "mesh/surface_touch.h"
+#include "setup/outlets.h"
 #include "setup/surface.h"
 #include "state/wear.h"
 
@@ -370,7 +371,7 @@ bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *sta
                                     walls->wall[w].name);
         }
     }
-    return true;
+    return clod_setup_outlets(from, walls, status);
 }
 
 bool clod_setup_wall_pace(const clod_walls *walls, double dt, clod_status *status)

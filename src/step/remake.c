@@ -36,7 +36,9 @@ static void begin(clod_step *self, int part)
             memset(self->neighbour.rank, 0, state->grains.count * sizeof(int32_t));
         }
         const double half_kick = remake->changes ? 0.0 : 0.5 * state->dt;
-        const size_t leavers = clod_leavers_mark(state, half_kick, self->neighbour.rank);
+        const clod_leavers_ways ways = {&self->outlets, &self->walls};
+        clod_outlet_shapes_place(&self->outlets, &self->walls, &state->walls);
+        const size_t leavers = clod_leavers_mark(state, &ways, half_kick, self->neighbour.rank);
         remake->going += leavers;
         if (leavers > 0 && !remake->changes) {
             remake->before = clod_step_balance(self);
