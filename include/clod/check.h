@@ -90,6 +90,9 @@ typedef struct clod_check_report {
     double bar_diameters;                  ///< bar height in grain diameters
     // loaded walls: the lid, or the one with the shortest period
     double servo_period; ///< s, of the wall on the stiffness of the bed
+    // meshes and belts
+    size_t facets, patches; ///< of all walls; patches: pieces of the smooth surface
+    double memory_facets;   ///< bytes of their surfaces and shapes
     // run
     double time_likely, time_most;   ///< s simulated, all parts one after the other
     double steps_likely, steps_most; ///< of all parts together

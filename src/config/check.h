@@ -44,7 +44,7 @@ void clod_check_streams(clod_loader *loader, const clod_case *self);
 /** Check the face that grains come through, and complete it (check_region.c). */
 bool clod_check_face(clod_loader *loader, const char *path, clod_case_grains *grains);
 
-/** Checks of the outlets (check_inlet.c). */
+/** Checks of the outlets (check_outlet.c). */
 void clod_check_outlets(clod_loader *loader, const clod_case *self);
 
 /** Checks of the gauges, and of the time from which means count (check_gauge.c). */

@@ -19,7 +19,11 @@ static void check_trough(clod_loader *loader, const char *path, const clod_case_
         fail(loader, path, "middle_roll",
              "leaves nothing of the width for the wing rolls; make it shorter");
     } else if (belt->transition > last) {
-        fail(loader, path, "transition", "is longer than the last run");
+        char text[128];
+        snprintf(text, sizeof text,
+                 "%.6g m is longer than the last run, %.6g m; shorten it, or lengthen the run",
+                 belt->transition, last);
+        fail(loader, path, "transition", text);
     } else if (belt->pulley.radius > 0.0 && belt->transition == 0.0) {
         fail(loader, path, "",
              "a trough has to flatten before the pulley; give transition, as a rule the width "
@@ -35,15 +39,23 @@ static void check_skirts(clod_loader *loader, const char *path, const clod_case_
         length += belt->runs[r].length;
     }
     if (skirts->from >= skirts->to) {
-        fail(loader, path, "skirts.to", "must be larger than from");
+        char text[128];
+        snprintf(text, sizeof text,
+                 "%.6g m must be larger than from, %.6g m: skirts begin at from and end at to",
+                 skirts->to, skirts->from);
+        fail(loader, path, "skirts.to", text);
     } else if (skirts->to > length * (1.0 + 1e-12)) {
         char text[128];
         snprintf(text, sizeof text,
-                 "is beyond the runs, or within the transition; at most %.6g m", length);
+                 "%.6g m is beyond the runs, or within the transition; at most %.6g m",
+                 skirts->to, length);
         fail(loader, path, "skirts.to", text);
     }
     if (skirts->distance > belt->width) {
-        fail(loader, path, "skirts.distance", "is wider than the belt");
+        char text[128];
+        snprintf(text, sizeof text, "%.6g m is wider than the belt; at most its width, %.6g m",
+                 skirts->distance, belt->width);
+        fail(loader, path, "skirts.distance", text);
     }
 }
 
@@ -59,9 +71,14 @@ void clod_check_belt(clod_loader *loader, const char *path, const clod_case_shap
     }
     for (size_t r = 1; r < belt->run_count; r++) {
         if (fabs(belt->runs[r].rise - belt->runs[r - 1].rise) > M_PI / 3.0) {
-            char key[48];
+            char key[48], text[128];
             snprintf(key, sizeof key, "runs.%zu.rise", r);
-            fail(loader, path, key, "bends by more than 60 deg from the run before");
+            snprintf(
+                text, sizeof text,
+                "the belt bends by %.4g deg from the run before; at most 60 deg are allowed: "
+                "put a run between",
+                180.0 / M_PI * fabs(belt->runs[r].rise - belt->runs[r - 1].rise));
+            fail(loader, path, key, text);
         }
     }
     if (belt->idler_angle > 0.0) {

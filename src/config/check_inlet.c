@@ -43,7 +43,10 @@ void clod_check_inlet(clod_loader *loader, const char *path, const clod_case *se
         fail(loader, path, "mass", "the amount is given twice; keep one of count, mass");
     }
     if (has(loader, path, "inlet.end") && inlet->end <= inlet->start) {
-        fail(loader, path, "inlet.end", "must be later than start");
+        char text[128];
+        snprintf(text, sizeof text, "%.6g s must be later than start, %.6g s", inlet->end,
+                 inlet->start);
+        fail(loader, path, "inlet.end", text);
     }
     if (self->time.design_stress == 0.0) {
         fail(
@@ -57,51 +60,5 @@ void clod_check_inlet(clod_loader *loader, const char *path, const clod_case *se
         snprintf(text, sizeof text, "there are %zu inlets; at most %d", count_inlets(self),
                  CLOD_CASE_INLETS);
         fail(loader, path, "inlet", text);
-    }
-}
-
-// ---- outlets
-
-/** Thickness of a region, the least of its sizes [m]. */
-static double thickness(const clod_case_region *region)
-{
-    if (region->kind == CLOD_REGION_ANNULUS) {
-        return fmin(region->height, region->outer_radius - region->inner_radius);
-    }
-    const double *a = region->min, *b = region->max;
-    return fmin(b[0] - a[0], fmin(b[1] - a[1], b[2] - a[2]));
-}
-
-/** Largest radius that a group of grains can have [m]; 0: not known before the run. */
-static double largest_radius(const clod_case_grains *grains)
-{
-    return grains->sizes == CLOD_SIZE_SIEVE && grains->sieve_count > 0
-               ? 0.5 * grains->sieve[grains->sieve_count - 1].size
-               : grains->radius_max;
-}
-
-void clod_check_outlets(clod_loader *loader, const clod_case *self)
-{
-    double radius = 0.0;
-    for (size_t k = 0; k < self->grains_count; k++) {
-        radius = fmax(radius, largest_radius(&self->grains[k]));
-    }
-    for (size_t k = 0; k < self->outlet_count; k++) {
-        const clod_case_outlet *outlet = &self->outlets[k];
-        char path[CLOD_LOAD_PATH], key[CLOD_LOAD_PATH];
-        snprintf(path, sizeof path, "outlets.%s", outlet->name);
-        snprintf(key, sizeof key, "outlets.%s.region", outlet->name);
-        if (clod_report_clean(loader->report, key) &&
-            clod_check_region(loader, path, &outlet->region) &&
-            !(thickness(&outlet->region) > radius)) {
-            clod_check_fail(loader, key,
-                            "is %.4g m thick; grains move by up to a radius between two looks, "
-                            "so make it thicker than that of the largest, %.4g m",
-                            thickness(&outlet->region), radius);
-        }
-    }
-    if (self->outlet_count > CLOD_CASE_OUTLETS) {
-        clod_check_fail(loader, "outlets", "has %zu outlets; at most %d", self->outlet_count,
-                        CLOD_CASE_OUTLETS);
     }
 }

@@ -209,6 +209,15 @@ static void check_bar(clod_loader *loader, const char *path, const clod_case_sha
     }
 }
 
+/** Note where a mesh stands, for messages about its file. */
+static void note_line(clod_loader *loader, const char *path, clod_case_shape *shape)
+{
+    char whole[PATH_SIZE + 96];
+    snprintf(whole, sizeof whole, "%s.mesh.file", path);
+    const clod_node *file = clod_tree_at(loader->root, whole);
+    shape->line = file != NULL && file->place.source == 0 ? file->place.line : 0;
+}
+
 /** Rules between the keys of a shape; NULL: none. */
 static void (*const CHECK_SHAPE[CLOD_SHAPE_KINDS])(clod_loader *loader, const char *path,
                                                    const clod_case_shape *shape) = {
@@ -292,6 +301,9 @@ static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
     }
     for (size_t i = 0; i < wall->shape_count; i++) {
         snprintf(key, sizeof key, "%s.shapes.%zu", path, i);
+        if (wall->shapes[i].kind == CLOD_SHAPE_MESH) {
+            note_line(loader, key, &wall->shapes[i]);
+        }
         if (CHECK_SHAPE[wall->shapes[i].kind] != NULL) {
             CHECK_SHAPE[wall->shapes[i].kind](loader, key, &wall->shapes[i]);
         }
@@ -422,10 +434,10 @@ void clod_check_run(clod_loader *loader, clod_case *self)
     if (clean(loader, "grains")) {
         clod_check_streams(loader, self);
     }
-    clod_check_outlets(loader, self);
     clod_check_gauges(loader, self);
     clod_check_clumps(loader, self);
     clod_check_walls(loader, self);
+    clod_check_outlets(loader, self); // knows which walls have a load
     clod_index stage_names = {0};
     for (size_t i = 0; i < self->stage_count; i++) {
         check_stage(loader, self, &stage_names, i);

@@ -219,7 +219,7 @@ static const clod_param ROWS[] = {
      .table = &CLOD_TABLE_OUTLET,
      CLOD_AT(C, outlets),
      CLOD_COUNT(C, outlet_count),
-     .help = "Regions in which grains are removed and counted, by name.",
+     .help = "Regions and surfaces where grains are removed and counted, by name.",
      .source = "docs/inlets.md"},
     {.key = "gauges",
      .kind = CLOD_PARAM_MAP,

@@ -393,14 +393,39 @@ static const clod_param GRAINS[] = {
 const clod_table CLOD_TABLE_GRAINS = {
     .title = "Groups of grains.", CLOD_ROWS(GRAINS), .size = sizeof(G)};
 
+static bool removes_in_region(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return ((const clod_case_outlet *)self)->has_region;
+}
+
 static const clod_param OUTLET[] = {
     {.key = "region",
      .kind = CLOD_PARAM_SECTION,
-     .need = CLOD_PARAM_REQUIRED,
+     .need = CLOD_PARAM_OPTIONAL,
      .table = &CLOD_TABLE_REGION,
      CLOD_AT(clod_case_outlet, region),
-     .example = "{box: {min: [0 m, 0 m, 0 m], max: [1 m, 1 m, 0.1 m]}}",
-     .help = "Where grains are removed: when their centre is in it. Thicker than a grain.",
+     .given = offsetof(clod_case_outlet, has_region),
+     .used = removes_in_region,
+     .help =
+         "Where grains are removed: when their centre is in it. Thicker than a grain (one of "
+         "region, wall).",
+     .source = "docs/inlets.md"},
+    {.key = "wall",
+     .kind = CLOD_PARAM_TEXT,
+     .need = CLOD_PARAM_OPTIONAL,
+     .example = "exit",
+     CLOD_AT(clod_case_outlet, wall),
+     .help = "Name of a wall: grains that touch it are removed, and it does not push them (one "
+             "of region, wall).",
+     .source = "docs/inlets.md"},
+    {.key = "part",
+     .kind = CLOD_PARAM_TEXT,
+     .need = CLOD_PARAM_OPTIONAL,
+     .example = "mouth",
+     CLOD_AT(clod_case_outlet, part),
+     .help = "A part of the wall's mesh by its name (clod mesh FILE lists them); without it "
+             "all of the wall removes grains.",
      .source = "docs/inlets.md"},
     {.key = "spillage",
      .kind = CLOD_PARAM_BOOL,
@@ -411,6 +436,6 @@ static const clod_param OUTLET[] = {
      .source = "docs/gauges.md"},
 };
 const clod_table CLOD_TABLE_OUTLET = {
-    .title = "Outlets, by name: regions in which grains are removed and counted.",
+    .title = "Outlets, by name: regions and surfaces where grains are removed and counted.",
     CLOD_ROWS(OUTLET),
     .size = sizeof(clod_case_outlet)};

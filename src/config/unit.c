@@ -22,6 +22,7 @@ static const clod_unit_kind KINDS[] = {
     {"m/s", "a speed", "speed", "mm/s"},
     {"m/s2", "an acceleration", "acceleration", "m/s2"},
     {"kg", "a mass", "mass", "kg"},
+    {"kg/s", "a mass flow", "mass_flow", "t/h"},
     {"kg/m3", "a density", "density", "kg/m3"},
     {"N", "a force", "force", "N"},
     {"rad", "an angle", "angle", "deg"},

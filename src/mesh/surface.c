@@ -110,6 +110,18 @@ clod_surface *clod_surface_make(const clod_mesh *mesh, const clod_mesh_placing *
     return self;
 }
 
+size_t clod_surface_bytes(const clod_surface *self)
+{
+    const size_t facet = sizeof *self->facet + sizeof *self->plane + sizeof *self->piece +
+                         sizeof *self->patch + sizeof *self->part + sizeof *self->rims +
+                         sizeof *self->leaf + sizeof *self->node;
+    return self->facet_count * facet + self->vertex_count * sizeof *self->vertex +
+           self->plane_count * sizeof *self->planes +
+           self->patch_count * sizeof *self->patches +
+           self->cylinder_count * sizeof *self->cylinders +
+           self->part_count * sizeof *self->part_name;
+}
+
 clod_surface *clod_surface_share(clod_surface *self)
 {
     if (self != NULL) {

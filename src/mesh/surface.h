@@ -103,6 +103,9 @@ clod_surface *clod_surface_make(const clod_mesh *mesh, const clod_mesh_placing *
 bool clod_surface_make_round(clod_surface *self, uint32_t part,
                              const clod_surface_cylinder *cylinder);
 
+/** Memory that a surface takes [bytes]. */
+size_t clod_surface_bytes(const clod_surface *self);
+
 /** One more user; NULL is fine. */
 clod_surface *clod_surface_share(clod_surface *self);
 

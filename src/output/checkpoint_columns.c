@@ -200,6 +200,7 @@ void clod_checkpoint_columns_of_shapes(clod_checkpoint_columns *self, const clod
     ADD(side, "1", I32, 1);
     ADD(patch, "1", I32, 1);
     ADD(slot, "1", I32, 1);
+    ADD(outlet, "1", I32, 1);
     ADD(archard, "m3 J-1", F64, 1);
     ADD(finnie, "m3 J-1", F64, 1);
     ADD(belt.velocity, "m s-1", F64, 3);

@@ -80,7 +80,9 @@ static void make_outlets(const clod_case *from, clod_domain *domain)
 {
     domain->outlets = (int32_t)from->outlet_count; // checked at load
     for (int32_t k = 0; k < domain->outlets; k++) {
-        domain->outlet[k] = clod_setup_domain_region(&from->outlets[k].region);
+        domain->outlet[k] = from->outlets[k].has_region
+                                ? clod_setup_domain_region(&from->outlets[k].region)
+                                : (clod_outlet){.low = {1.0}, .high = {-1.0}}; // holds no point
     }
 }
 

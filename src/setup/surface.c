@@ -17,7 +17,7 @@
 /** Names of the parts of a mesh, or that it has none, for a message. */
 static const char *names_of(const clod_mesh_view *view, char *text, size_t size)
 {
-    snprintf(text, size, "its parts have no names");
+    snprintf(text, size, "its parts have no names: write surface: for all of it");
     size_t used = 0;
     for (size_t p = 0; p < view->part_count && used < size; p++) {
         if (view->parts[p].name[0] != '\0') {
@@ -30,8 +30,7 @@ static const char *names_of(const clod_mesh_view *view, char *text, size_t size)
 
 /** Find the parts of the case in the file. */
 static bool find_parts(clod_setup_mesh *self, const clod_mesh_view *view,
-                       const clod_case_wall *wall, const clod_case_shape *shape,
-                       clod_status *status)
+                       const clod_case_shape *shape, clod_status *status)
 {
     self->parts = clod_memory_alloc(view->part_count + 1, sizeof *self->parts);
     if (self->parts == NULL) {
@@ -49,8 +48,8 @@ static bool find_parts(clod_setup_mesh *self, const clod_mesh_view *view,
         if (!found) {
             char names[400];
             return clod_status_fail(
-                status, CLOD_USAGE, "walls.%s: the mesh %s has no part '%s'; %s", wall->name,
-                shape->file, shape->parts[k].name, names_of(view, names, sizeof names));
+                status, CLOD_USAGE, "parts.%s: the mesh %s has no part of this name; %s",
+                shape->parts[k].name, shape->file, names_of(view, names, sizeof names));
         }
     }
     return true;
@@ -73,9 +72,9 @@ static clod_surface *make_surface(const clod_mesh *mesh, const clod_case_wall *w
     clod_surface *surface = clod_surface_make(mesh, &then, smooth, status);
     if (surface != NULL && surface->patch_count > PATCHES_MOST) {
         clod_status_fail(status, CLOD_USAGE,
-                         "walls.%s: the mesh %s is rough: its facets make %zu pieces of smooth "
-                         "surface, and clod takes %d; make it coarser, or smooth_angle larger",
-                         wall->name, shape->file, surface->patch_count, PATCHES_MOST);
+                         "the mesh %s is rough: its facets make %zu pieces of smooth surface, "
+                         "and clod takes %d; make it coarser, or smooth_angle larger",
+                         shape->file, surface->patch_count, PATCHES_MOST);
         clod_surface_release(surface);
         return NULL;
     }
@@ -143,7 +142,7 @@ clod_setup_mesh clod_setup_mesh_read(const clod_case_wall *wall, const clod_case
         .unit = shape->unit, .scale = shape->scale, .rotate = shape->rotate};
     memcpy(placing.move, shape->move, sizeof placing.move);
     clod_mesh *mesh = clod_mesh_read(shape->file, &placing, status);
-    if (mesh != NULL && find_parts(&self, clod_mesh_look(mesh), wall, shape, status)) {
+    if (mesh != NULL && find_parts(&self, clod_mesh_look(mesh), shape, status)) {
         self.surface = make_surface(mesh, wall, shape, status);
     }
     clod_mesh_destroy(&mesh);

@@ -7,6 +7,7 @@
 #include "base/assert.h"
 #include "base/memory.h"
 #include "mesh/surface_touch.h"
+#include "setup/outlets.h"
 #include "setup/surface.h"
 #include "state/wear.h"
 
@@ -229,6 +230,24 @@ static bool make_plain(const clod_case_wall *given, const clod_case_shape *from,
     return true;
 }
 
+/** Put where a mesh stands in the case before what is wrong with it. */
+static void tell_where(const clod_case *whole, const clod_case_wall *given,
+                       const clod_case_shape *from, clod_status *status)
+{
+    const clod_status said = *status;
+    const bool lost = strstr(said.text, "cannot be opened") != NULL;
+    char line[24] = "";
+    if (from->line > 0) {
+        snprintf(line, sizeof line, "%d: ", from->line);
+    }
+    if (from->file != NULL) {
+        clod_status_fail(status, said.code, "%s:%swalls.%s.shapes.%d.mesh: %s%s",
+                         whole->path != NULL ? whole->path : "case", line, given->name,
+                         (int)(from - given->shapes), said.text,
+                         lost ? "; its path is taken from the folder of the case file" : "");
+    }
+}
+
 /** A mesh is a shape for each contact that a grain can have with each of its patches. */
 static bool make_patches(const clod_case *whole, const clod_case_wall *given,
                          const clod_case_shape *from, const clod_shape *common, clod_wall *wall,
@@ -236,6 +255,9 @@ static bool make_patches(const clod_case *whole, const clod_case_wall *given,
 {
     clod_setup_mesh mesh = clod_setup_mesh_read(given, from, status);
     clod_surface *surface = mesh.surface;
+    if (surface == NULL) {
+        tell_where(whole, given, from, status);
+    }
     clod_shape *shape =
         surface == NULL ? NULL
                         : more_shapes(wall, CLOD_SURFACE_SLOTS * surface->patch_count, status);
@@ -349,7 +371,7 @@ bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *sta
                                     walls->wall[w].name);
         }
     }
-    return true;
+    return clod_setup_outlets(from, walls, status);
 }
 
 bool clod_setup_wall_pace(const clod_walls *walls, double dt, clod_status *status)

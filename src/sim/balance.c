@@ -197,6 +197,42 @@ static double lost(const clod_case *from, const clod_balance *self,
     return self->start.mass_inside + now->mass_in - mass_out - now->mass_inside;
 }
 
+/** Columns of the series: grains, and the mass that is missing. */
+#define COLUMNS 5
+
+static size_t balance_columns(const clod_case *from, const clod_state *state)
+{
+    (void)state;
+    return is_open(from) ? COLUMNS : 0;
+}
+
+static void balance_column(const clod_case *from, const clod_state *state, size_t k, char *text,
+                           size_t size)
+{
+    static const char *const NAME[COLUMNS] = {"in [1]", "out [1]", "inside [1]", "lost [1]",
+                                              "lost_mass [kg]"};
+    (void)from;
+    (void)state;
+    snprintf(text, size, "balance.%s", NAME[k]);
+}
+
+/** What was there at the start has come in too. */
+static void balance_row(void *memory, const clod_free_moment *now, double *row)
+{
+    const clod_balance *self = memory;
+    if (!is_open(now->from)) {
+        return;
+    }
+    const clod_balance_count count = since_start(&self->start, now->state);
+    int64_t out, grains;
+    sum_out(now->from, &count, false, &out);
+    row[4] = lost(now->from, self, &count, &grains);
+    row[0] = (double)(self->start.inside + count.in);
+    row[1] = (double)out;
+    row[2] = (double)count.inside;
+    row[3] = (double)grains;
+}
+
 static void balance_report(FILE *out, const void *memory, const clod_free_moment *now)
 {
     const clod_balance *self = memory;
@@ -278,5 +314,8 @@ const clod_free_measure CLOD_MEASURE_BALANCE = {.key = "balance",
                                                 .act = balance_act,
                                                 .plan = balance_plan,
                                                 .look = balance_look,
+                                                .columns = balance_columns,
+                                                .column = balance_column,
+                                                .row = balance_row,
                                                 .report = balance_report,
                                                 .json = balance_json};

@@ -9,6 +9,8 @@
 #include "setup/grains.h"
 #include "setup/state.h"
 #include "setup/walls.h"
+#include "sim/check_testers.h"
+#include "sim/mesh_doubts.h"
 #include "sim/testers.h"
 #include "sim/trial.h"
 
@@ -163,6 +165,12 @@ static bool make_subject(const clod_case *from, const clod_check_options *option
     return true;
 }
 
+/** A doubt about a mesh, as a warning or as a note. */
+static void tell(void *context, bool wrong, const char *text)
+{
+    (wrong ? clod_check_warning : clod_check_note)(context, "%s", text);
+}
+
 bool clod_check_report_make(const clod_case *from, const clod_check_options *options,
                             clod_check_report *report, clod_status *status)
 {
@@ -190,6 +198,7 @@ bool clod_check_report_make(const clod_case *from, const clod_check_options *opt
     }
     if (good) {
         clod_check_warn(&subject, report);
+        good = clod_mesh_doubts(from, report->radius_mean, tell, report, status);
     }
     clod_state_fini(&subject.state);
     return good;

@@ -16,7 +16,11 @@
 #define PROGRAM_BYTES 22e6 ///< of the program with its libraries, and of a checkpoint's way
 #define PICTURE_GRAIN 80.0 ///< bytes of a grain in a snapshot, compressed
 #define PICTURE_CONTACT 75.0
-#define STORED_GRAIN 190.0 ///< bytes of a grain in a checkpoint
+#define PICTURE_FACET 13.0       ///< of a facet that stays where it is
+#define PICTURE_FACET_MOVED 19.0 ///< of one that turns or moves
+#define SHAPE_BYTES 700.0        ///< of a patch in one of its slots
+#define READ_FACET 250.0         ///< bytes while a file is read (docs/meshes.md)
+#define STORED_GRAIN 190.0       ///< bytes of a grain in a checkpoint
 #define STORED_CONTACT 76.0
 #define CONTACTS 3.0    ///< contacts for each grain
 #define PART_PHASES 6.0 ///< of a part of a test at most, each with a snapshot at its end
@@ -88,6 +92,29 @@ static void plan_outputs(const clod_case *from, double parts, clod_check_report 
         PART_PHASES * parts + (double)clod_outputs_count(pictures, report->step, steps);
 }
 
+static bool turns(const clod_wall *wall)
+{
+    return wall->spin != 0.0 || wall->load != CLOD_LOAD_NONE ||
+           wall->oscillation.frequency > 0.0;
+}
+
+/** Bytes of facets in a snapshot of the walls. */
+static double picture_of_facets(const clod_check_subject *subject)
+{
+    double bytes = 0.0;
+    for (int32_t w = 0; w < subject->state.walls.count; w++) {
+        const clod_wall *wall = &subject->state.walls.wall[w];
+        for (int32_t s = 0; s < wall->shape_count; s++) {
+            const clod_shape *shape = &wall->shapes[s];
+            if (shape->surface != NULL && shape->patch == 0 && shape->slot == 0) {
+                bytes += (double)shape->surface->facet_count *
+                         (turns(wall) ? PICTURE_FACET_MOVED : PICTURE_FACET);
+            }
+        }
+    }
+    return bytes;
+}
+
 static void plan_disk(const clod_check_subject *subject, clod_check_report *report)
 {
     const clod_case *from = subject->from;
@@ -108,7 +135,8 @@ static void plan_disk(const clod_check_subject *subject, clod_check_report *repo
     const double contacts = from->output.contacts ? CONTACTS * PICTURE_CONTACT : 0.0;
     columns += from->output.energy ? CLOD_ENERGY_SERIES_COLUMNS : 0.0;
     report->disk_series = report->rows_most * columns * NUMBER_BYTES;
-    report->disk_snapshots = report->snapshots_most * grains * (PICTURE_GRAIN + contacts);
+    report->disk_snapshots = report->snapshots_most *
+                             (grains * (PICTURE_GRAIN + contacts) + picture_of_facets(subject));
     // two of each part are kept, and a third is there while it is written
     report->disk_checkpoints =
         3.0 * parts * grains * (STORED_GRAIN + CONTACTS * STORED_CONTACT);
@@ -135,6 +163,26 @@ static double memory_of(const clod_check_bytes *each, double grains)
     return grains * (each->other + each->scratch + histories);
 }
 
+/** Facets of all walls, and what they take. A mesh comes once, at its first patch. */
+static void count_facets(const clod_check_subject *subject, clod_check_report *report)
+{
+    for (int32_t w = 0; w < subject->state.walls.count; w++) {
+        const clod_wall *wall = &subject->state.walls.wall[w];
+        for (int32_t s = 0; s < wall->shape_count; s++) {
+            const clod_shape *shape = &wall->shapes[s];
+            if (shape->surface == NULL) {
+                continue;
+            }
+            report->memory_facets += SHAPE_BYTES;
+            if (shape->patch == 0 && shape->slot == 0) {
+                report->facets += shape->surface->facet_count;
+                report->patches += shape->surface->patch_count;
+                report->memory_facets += (double)clod_surface_bytes(shape->surface);
+            }
+        }
+    }
+}
+
 bool clod_check_cost(const clod_check_subject *subject, clod_check_report *report,
                      clod_status *status)
 {
@@ -148,10 +196,14 @@ bool clod_check_cost(const clod_check_subject *subject, clod_check_report *repor
         return false;
     }
     plan_run(subject->from, report);
+    count_facets(subject, report);
     plan_disk(subject, report);
     if (report->rate > 0.0) {
-        report->memory =
-            memory_of(&bytes, (double)report->grains) * report->side_by_side + PROGRAM_BYTES;
+        // files are read before there are grains
+        report->memory = fmax(memory_of(&bytes, (double)report->grains) * report->side_by_side +
+                                  report->memory_facets,
+                              READ_FACET * (double)report->facets) +
+                         PROGRAM_BYTES;
     }
     return find_space(subject, report, status);
 }

@@ -47,6 +47,7 @@ static const clod_check_real REALS[] = {
     CLOD_CHECK_REAL("wall_clock_likely_s", clock_likely),
     CLOD_CHECK_REAL("wall_clock_most_s", clock_most),
     CLOD_CHECK_REAL("memory_bytes", memory),
+    CLOD_CHECK_REAL("memory_facets_bytes", memory_facets),
     CLOD_CHECK_REAL("rows_most", rows_most),
     CLOD_CHECK_REAL("snapshots_most", snapshots_most),
     CLOD_CHECK_REAL("disk_series_bytes", disk_series),

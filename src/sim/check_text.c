@@ -156,6 +156,10 @@ static void write_rate(clod_check_page *to, const clod_check_report *r)
         clod_check_line(to, "wall-clock", "%s at most", clock_words(r->clock_most, a));
     }
     clod_check_line(to, "memory", "%s", byte_words(r->memory, a));
+    if (r->facets > 0) {
+        clod_check_line(to, "", "walls have %zu facets in %zu pieces of smooth surface: %s",
+                        r->facets, r->patches, byte_words(r->memory_facets, a));
+    }
 }
 
 static void write_cost(clod_check_page *to, const clod_check_report *r)

@@ -16,6 +16,7 @@
 #include "sim/free_measures.h"
 #include "sim/free_stages.h"
 #include "sim/job_store.h"
+#include "sim/mesh_doubts.h"
 #include "sim/origin.h"
 
 /** Columns before those of the measures. */
@@ -285,8 +286,31 @@ static bool make_state(clod_job *job, clod_status *status)
     return ok;
 }
 
+/** A doubt about a mesh, or what is worth a look. */
+static void doubt(void *job, bool wrong, const char *text)
+{
+    char line[CLOD_MESH_DOUBTS_TEXT + 16];
+    snprintf(line, sizeof line, "%s%s", wrong ? "warning: " : "", text);
+    clod_job_tell(job, line);
+}
+
+/** What is doubtful about meshes, beside the grains that there are. */
+static bool doubt_meshes(clod_job *job, clod_status *status)
+{
+    const clod_grains *grains = &job->state.grains;
+    double sum = 0.0;
+    for (size_t g = 0; g < grains->count; g++) {
+        sum += grains->position[g][3];
+    }
+    const double radius = grains->count > 0 ? sum / (double)grains->count : 0.0;
+    return clod_mesh_doubts(job->sim->from, radius, doubt, job, status);
+}
+
 static bool run_stages(clod_job *job, clod_status *status)
 {
+    if (!job->resumed && !doubt_meshes(job, status)) {
+        return false;
+    }
     if (!job->resumed) {
         free_data *data = job->procedure.data;
         clod_free_stages_begin(&data->at, job->sim->from, &job->state);

@@ -71,7 +71,8 @@ bool clod_job_store(clod_job *self, const clod_contact_source *contacts, const c
     return ok;
 }
 
-void clod_job_table_names(const char *name, char series[CLOD_JOB_STEM], char energy[CLOD_JOB_STEM])
+void clod_job_table_names(const char *name, char series[CLOD_JOB_STEM],
+                          char energy[CLOD_JOB_STEM])
 {
     const bool plain = strcmp(name, "run") == 0;
     snprintf(series, CLOD_JOB_STEM, "%s.csv", plain ? "series" : name);

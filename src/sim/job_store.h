@@ -17,7 +17,8 @@ bool clod_job_is_plain(const clod_job *self);
 void clod_job_stem(const char *name, const char *suffix, char stem[CLOD_JOB_STEM]);
 
 /** Names of the tables of a job: its series, and the energies of the ledger. */
-void clod_job_table_names(const char *name, char series[CLOD_JOB_STEM], char energy[CLOD_JOB_STEM]);
+void clod_job_table_names(const char *name, char series[CLOD_JOB_STEM],
+                          char energy[CLOD_JOB_STEM]);
 
 /** Tell the user a sentence, and the log. */
 void clod_job_tell(const clod_job *self, const char *text);

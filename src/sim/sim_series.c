@@ -68,6 +68,7 @@ bool clod_sim_open_series(clod_sim *self, clod_status *status)
                                 self->column_count);
     }
     clod_free_measures_begin(self->measures, self->from, &self->state);
+    self->state.exchange.residence_since = moment_of(self, NULL).steady.since;
     name_columns(self);
     clod_walls_reset_sums(&self->state.walls);
     return true;

@@ -227,6 +227,17 @@ void clod_wall_move(clod_wall *self, double dt, int64_t step)
     }
 }
 
+bool clod_walls_remove(const clod_walls *self)
+{
+    bool some = false;
+    for (int32_t w = 0; w < self->count; w++) {
+        for (int32_t s = 0; s < self->wall[w].shape_count; s++) {
+            some |= self->wall[w].shapes[s].outlet > 0;
+        }
+    }
+    return some;
+}
+
 void clod_walls_reset_sums(clod_walls *self)
 {
     for (int32_t w = 0; w < self->count; w++) {

@@ -48,6 +48,7 @@ typedef struct clod_shape {
     int32_t slot;           ///< mesh: which of the contacts with the patch (surface_touch.h)
     int32_t place;          ///< first of its places among those of the wall (wear.h)
     int32_t face;           ///< first of its surfaces among those of the wall (wear.h)
+    int32_t outlet;         ///< 1 + number of that which removes grains that touch it; 0: none
     double archard, finnie; ///< m3/J, worn volume for a sum of work (wear.h)
 } clod_shape;
 
@@ -278,6 +279,9 @@ double clod_wall_speed_within(const clod_wall *self, double reach);
 
 /** The same where nobody has kept the reach. */
 double clod_wall_speed_bound(const clod_wall *self);
+
+/** Whether any shape removes grains that touch it. */
+bool clod_walls_remove(const clod_walls *self);
 
 /** Start new sums of force, torque and power on every wall. */
 void clod_walls_reset_sums(clod_walls *self);

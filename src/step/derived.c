@@ -65,7 +65,8 @@ bool clod_step_derive(clod_step *self, clod_status *status)
     self->is_near = clod_memory_alloc(shapes + 1, sizeof *self->is_near);
     self->felt_finite = true;
     if (self->moving == NULL || self->summed == NULL || self->placed == NULL ||
-        self->is_near == NULL || !clod_wall_rows_init(&self->walls, &self->state->walls)) {
+        self->is_near == NULL || !clod_wall_rows_init(&self->walls, &self->state->walls) ||
+        !clod_outlet_shapes_list(&self->outlets, &self->state->walls)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %d walls",
                                 (int)self->state->walls.count);
     }

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file leavers.h
- * Grains that leave through an open side of a domain that removes them.
+ * Grains that leave: through an open side of a domain that removes them, through outlets.
  */
 
 #include <stddef.h>
@@ -9,12 +9,21 @@
 
 #include "parallel/exact.h"
 #include "state/state.h"
+#include "step/outlet_shapes.h"
 
 /** The open side that a position is beyond, as in clod_exchange, or -1. */
 int clod_leavers_face(const clod_domain *domain, const double *position);
 
-/** The way out that a grain takes, of CLOD_EXITS: a side that removes, an outlet; or -1. */
-int clod_leavers_exit(const clod_domain *domain, const double *position);
+/** Surfaces that remove grains, where they are now; borrowed. */
+typedef struct clod_leavers_ways {
+    const clod_outlet_shapes *shapes;
+    const clod_wall_rows *rows;
+} clod_leavers_ways;
+
+/** The way out that a grain takes, of CLOD_EXITS: a side that removes, a region, a surface; or
+ *  -1. */
+int clod_leavers_exit(const clod_leavers_ways *ways, const clod_domain *domain,
+                      const double *position);
 
 /** Grains that leave at one rebuild. Sums are exact: the order of rows does not matter, nor how
  *  they are dealt to ranks. All zero: none. */
@@ -40,8 +49,8 @@ typedef struct clod_leavers {
  * @return           how many
  * Errors  none.   Threads  one, the others wait.   Test  tests/step/test_leave.c
  */
-size_t clod_leavers_mark(clod_leavers *sums, clod_state *state, double half_kick,
-                         int32_t *rank);
+size_t clod_leavers_mark(clod_leavers *sums, clod_state *state, const clod_leavers_ways *ways,
+                         double half_kick, int32_t *rank);
 
 /** Add those of another rank. */
 void clod_leavers_merge(clod_leavers *self, const clod_leavers *other);

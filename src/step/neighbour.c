@@ -50,6 +50,9 @@ void clod_neighbour_choose_skin(clod_neighbour *self, const clod_state *state, d
     }
     self->skin = fmax(SKIN_FRACTION * self->radius_max,
                       fmin(most, sqrt(SKIN_COST * closing * self->radius_max)));
+    if (clod_walls_remove(&state->walls)) { // no grain may pass a surface between two rebuilds
+        self->skin = fmin(self->skin, 2.0 * self->radius_min);
+    }
 }
 
 bool clod_neighbour_periods_fit(const clod_domain *domain, double radius_max,

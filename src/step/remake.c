@@ -42,11 +42,14 @@ static void mark_leavers(clod_step *self)
         memset(self->neighbour.rank, 0, state->grains.count * sizeof(int32_t));
     }
     clod_leavers leavers = {0};
+    const clod_leavers_ways ways = {&self->outlets, &self->walls};
+    clod_outlet_shapes_place(&self->outlets, &self->walls, &state->walls);
     const double half_kick = remake->changes ? 0.0 : 0.5 * state->dt;
     if (self->spread != NULL) {
-        clod_spread_mark_leavers(self, half_kick, &leavers);
+        clod_spread_mark_leavers(self, &ways, half_kick, &leavers);
     } else {
-        remake->going += clod_leavers_mark(&leavers, state, half_kick, self->neighbour.rank);
+        remake->going +=
+            clod_leavers_mark(&leavers, state, &ways, half_kick, self->neighbour.rank);
     }
     clod_leavers_book(&leavers, state);
     if (leavers.grains > 0 && !remake->changes) {

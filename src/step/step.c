@@ -238,6 +238,7 @@ void clod_step_fini(clod_step *self)
     clod_memory_free(self->summed);
     clod_memory_free(self->placed);
     clod_memory_free(self->is_near);
+    clod_outlet_shapes_fini(&self->outlets);
     clod_wall_rows_fini(&self->walls);
     *self = (clod_step){0};
 }

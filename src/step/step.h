@@ -18,6 +18,7 @@
 #include "step/kernel.h"
 #include "step/near.h"
 #include "step/near_reader.h"
+#include "step/outlet_shapes.h"
 #include "step/reorder.h"
 
 /** Largest overlap the laws are meant for, as a fraction of the smaller radius. */
@@ -101,8 +102,9 @@ typedef struct clod_step {
     int32_t moving_count, summed_count;
     clod_step_shape *placed; ///< [placed_count] shapes of moving walls with grains near
     size_t placed_count;
-    uint8_t *is_near;      ///< scratch [shapes]: whether grains are near
-    bool felt_finite;      ///< what walls felt in the last step
+    clod_outlet_shapes outlets; ///< surfaces that remove grains
+    uint8_t *is_near;           ///< scratch [shapes]: whether grains are near
+    bool felt_finite;           ///< what walls felt in the last step
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
     clod_step_remake remake;
     int64_t begin; ///< step of the state when it was taken

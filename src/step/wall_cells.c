@@ -93,7 +93,8 @@ bool clod_wall_cells_fill(clod_neighbour *search, const clod_state *state)
     for (int32_t w = 0; w < walls->count; w++) {
         for (int32_t s = 0; s < walls->wall[w].shape_count; s++) {
             const clod_wall_entry shape = {.wall = w, .shape = s};
-            if (clod_wall_rows_patch(rows, w, s)->slot > 0) {
+            const bool removes = walls->wall[w].shapes[s].outlet > 0; // it pushes no grain
+            if (removes || clod_wall_rows_patch(rows, w, s)->slot > 0) {
                 continue; // what finds a patch finds its slots
             }
             if (!enter_shape(self, rows, &shape, grid, reach)) {
@@ -135,7 +136,8 @@ static bool try_shape(const clod_neighbour *self, const clod_state *state,
         const clod_wall_mesh_place at = {g, shape->wall, first};
         return clod_wall_mesh_find(self, state, laws, at, to);
     }
-    if (!clod_wall_rows_is_near(rows, shape->wall, shape->shape, p, reach)) {
+    const bool removes = state->walls.wall[shape->wall].shapes[shape->shape].outlet > 0;
+    if (removes || !clod_wall_rows_is_near(rows, shape->wall, shape->shape, p, reach)) {
         return true;
     }
     if (to->count == CLOD_LIMITS_WALL_PAIRS ||

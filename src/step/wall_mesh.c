@@ -113,6 +113,9 @@ static bool put_patch(const clod_state *state, const clod_laws *laws, clod_wall_
     }
     const int32_t first = at.shape + CLOD_SURFACE_SLOTS * (int32_t)to->found[begin].patch;
     const clod_wall *wall = &state->walls.wall[at.wall];
+    if (wall->shapes[first].outlet > 0) { // it removes grains, and pushes none
+        return true;
+    }
     clod_wall_candidate c = {.i = (int32_t)at.grain, .wall = at.wall};
     for (int32_t slot = near ? 0 : 1; slot < (rim ? CLOD_SURFACE_SLOTS : 1); slot++) {
         c.shape = first + slot;

@@ -142,9 +142,9 @@ static void grains_come_whole_before_a_face(void **unused)
             const double before = 0.6 * x - 0.8 * z, along = 0.8 * x + 0.6 * z;
             // 7 m/s along the normal, in 1 ms
             assert_true(before >= r - 1e-15 && before <= r + 0.007 + 1e-15);
-            assert_true(face == 0 ? hypot(along, y) <= 0.04 - r + 1e-15
-                                  : fabs(y) <= 0.03 - r + 1e-15 &&
-                                        fabs(along) <= 0.04 - r + 1e-15);
+            assert_true(face == 0
+                            ? hypot(along, y) <= 0.04 - r + 1e-15
+                            : fabs(y) <= 0.03 - r + 1e-15 && fabs(along) <= 0.04 - r + 1e-15);
             most = fmax(most, before - r);
         }
         assert_true(most > 0.0035); // not all at the face itself

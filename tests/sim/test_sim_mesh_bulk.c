@@ -188,8 +188,9 @@ static void a_hopper_of_facets_is_a_cone(void **temporary)
     clod_sim_destroy(&sim);
 }
 
-/** A box whose grains fly about and into a corner, of six planes or of six sheets of 70 facets: the same bits, with
- *  edges and corners, sliding and rolling history, and 200 grains that knock each other about. */
+/** A box whose grains fly about and into a corner, of six planes or of six sheets of 70 facets: the
+ *  same bits, with edges and corners, sliding and rolling history, and 200 grains that knock each
+ *  other about. */
 static void a_box_of_facets_is_one_of_planes(void **temporary)
 {
     enum { L = 64 }; // 1/64 m and 1/16 m are what they are in files of any precision

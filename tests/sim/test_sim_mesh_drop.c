@@ -107,6 +107,44 @@ static void a_ball_in_a_groove_is_pushed_by_both_sides(void **temporary)
     clod_sim_destroy(&sim);
 }
 
+/** On a ridge of 90 degrees the edge pushes, once: as a plane at its height does. */
+static void a_ball_on_a_ridge_is_pushed_once(void **temporary)
+{
+    clod_sim *sim = lethe(*temporary, -1.0);
+    double at[2];
+    expect_lethe(LETHE_RADIUS, at);
+    check_close(row(sim, "position")[2], at[0], 1e-4);
+    check_close(row(sim, "velocity")[2], at[1], 1e-3);
+    check_close(row(sim, "position")[0], 0.0, 1e-9);
+    clod_sim_destroy(&sim);
+}
+
+/** A ball whose centre falls 0.3 r beside the edge of the ridge leaves as a mirror does, across the
+ *  line from the edge to its centre: v - 2 (v n) n with v^2 = 2 g (0.8 m - sqrt(r^2 - b^2)). The
+ *  line turns while it touches, by less than overlap / r = 1 %. */
+static void a_ball_beside_a_ridge_is_turned_aside(void **temporary)
+{
+    mesh_file file = mesh_file_open(*temporary, "ridge");
+    mesh_file_facet(&file, (double[3]){0.0, -1.0, 0.0}, (double[3]){0.0, 1.0, 0.0},
+                    (double[3]){-1.0, 0.0, -1.0});
+    mesh_file_facet(&file, (double[3]){0.0, 1.0, 0.0}, (double[3]){0.0, -1.0, 0.0},
+                    (double[3]){1.0, 0.0, -1.0});
+    mesh_file_close(&file);
+    const double beside = 0.3 * LETHE_RADIUS, height = sqrt(0.91) * LETHE_RADIUS;
+    const clod_sim_grain ball = {
+        .id = 1, .radius = LETHE_RADIUS, .position = {beside, 0.1, 0.8}};
+    clod_sim *sim = drop(&file, "1 m", "law: hooke, k1: 2e8 N/m, restitution: 1, friction: 0",
+                         LETHE_DENSITY, "[0 m/s2, 0 m/s2, -9.81 m/s2]", "1e-6 s", &ball);
+    const double time = 0.4, until = sqrt(2.0 * (0.8 - height) / LETHE_GRAVITY);
+    const double speed = LETHE_GRAVITY * until;
+    CHECK(clod_sim_advance(sim, lround(time * 1e6), &status));
+    check_close(row(sim, "velocity")[0], 2.0 * 0.3 * sqrt(0.91) * speed, 0.01 * speed);
+    check_close(row(sim, "velocity")[2],
+                (2.0 * 0.91 - 1.0) * speed - LETHE_GRAVITY * (time - until), 0.01 * speed);
+    check_close(row(sim, "velocity")[1], 0.0, 1e-12);
+    clod_sim_destroy(&sim);
+}
+
 /** The box of 50 mm of DEM-Engine's issue 73, in 1200 facets: impact at 0.610557 m/s, half of it
  *  back, straight up. */
 static void a_ball_bounces_in_a_box_as_on_a_plane(void **temporary)
@@ -146,6 +184,10 @@ int main(void)
                                         temp_folder_remove),
         cmocka_unit_test_setup_teardown(a_ball_in_a_groove_is_pushed_by_both_sides,
                                         temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(a_ball_on_a_ridge_is_pushed_once, temp_folder_make,
+                                        temp_folder_remove),
+        cmocka_unit_test_setup_teardown(a_ball_beside_a_ridge_is_turned_aside, temp_folder_make,
+                                        temp_folder_remove),
         cmocka_unit_test_setup_teardown(a_ball_bounces_in_a_box_as_on_a_plane, temp_folder_make,
                                         temp_folder_remove),
     };

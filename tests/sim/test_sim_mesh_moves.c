@@ -110,6 +110,16 @@ static void a_plate_carries_a_load_with_a_belt(void **temporary)
     check_twins(*temporary, true, "load: {force: 3 N, mass: 0.2 kg}", BELT);
 }
 
+static void a_plate_does_all_at_once(void **temporary)
+{
+    check_twins(
+        *temporary, true,
+        "velocity: [0.05 m/s, -0.1 m/s, 0 m/s], spin: 0.6 rad/s, spin_point: [0.01 m, 0 "
+        "m, 0 m], oscillation: {direction: [1, 0.5, 0], amplitude: 0.4 mm, frequency: 60 "
+        "Hz}, load: {force: 3 N, mass: 0.2 kg}, start_up: {at: 0.005 s, duration: 0.01 s}",
+        BELT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -118,6 +128,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(a_plate_vibrates_with_a_belt, temp_folder_make,
                                         temp_folder_remove),
         cmocka_unit_test_setup_teardown(a_plate_carries_a_load_with_a_belt, temp_folder_make,
+                                        temp_folder_remove),
+        cmocka_unit_test_setup_teardown(a_plate_does_all_at_once, temp_folder_make,
                                         temp_folder_remove),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
