@@ -16,7 +16,7 @@ if(NOT CLOD_SANITIZE)
     LINK_DEPENDS ${CLOD_EXPORTS})
   target_link_options(clod_shared PRIVATE -Wl,--version-script=${CLOD_EXPORTS})
   target_link_libraries(clod_shared PRIVATE PkgConfig::FYAML PkgConfig::HDF5 PkgConfig::JANSSON
-    PkgConfig::ZLIB PkgConfig::ASSIMP ${UDUNITS} OpenMP::OpenMP_C m)
+    PkgConfig::ZLIB PkgConfig::ASSIMP ${CLOD_MPI_TARGET} ${UDUNITS} OpenMP::OpenMP_C m)
 
   # The Python package: its sources, and the declarations of the headers as cffi reads them, with the
   # name under which the library is found.

@@ -21,6 +21,11 @@ cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY
   ${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgconfig OUTPUT_VARIABLE CLOD_PC_UP)
 set(CLOD_PC_PREFIX "\${pcfiledir}/${CLOD_PC_UP}")
 set(CLOD_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/clod)
+if(MPI_FOUND)
+  set(CLOD_PC_MPI " mpi-c")
+else()
+  set(CLOD_PC_MPI "")
+endif()
 configure_file(tools/clod.pc.in ${CLOD_GENERATED}/clod.pc @ONLY)
 configure_package_config_file(tools/clod-config.cmake.in ${CLOD_GENERATED}/clod-config.cmake
   INSTALL_DESTINATION ${CLOD_CMAKE_FOLDER} PATH_VARS CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_INCLUDEDIR)

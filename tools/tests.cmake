@@ -1,7 +1,8 @@
 # Test programs, picked up by their names.
 #
 # tests/FOLDER/test_NAME.c  is a cmocka program of its own, labelled FOLDER; a name that ends in
-#                           _slow is labelled slow as well, which `make test` leaves out.
+#                           _slow is labelled slow as well, which `make test` leaves out, and those of
+#                           ranks mpi.
 # tests/FOLDER/test_NAME.py runs the program as a user does, labelled FOLDER; _slow as above.
 # tests/FOLDER/fuzz_NAME.c  is a libFuzzer target, labelled fuzz; built in the asan tree, started
 #                           from the files in tests/FOLDER/seeds and from cases/.
@@ -13,6 +14,9 @@ set(CLOD_TEST_SECONDS 1200) # only ends what hangs, on a busy machine too
 set(CLOD_FUZZ_SECONDS 20)
 set(CLOD_FUZZ_SECONDS_fuzz_mesh 60) # it has a library of others behind it, and three formats
 set(CLOD_TEST_ENVIRONMENT CLOD_BINARY=${CMAKE_BINARY_DIR}/clod)
+if(MPI_FOUND)
+  list(APPEND CLOD_TEST_ENVIRONMENT CLOD_MPI=1)
+endif()
 if(CLOD_SANITIZE)
   set(CLOD_TEST_SECONDS 2400)
   list(APPEND CLOD_TEST_ENVIRONMENT CLOD_SANITIZED=1)
@@ -44,6 +48,9 @@ foreach(source IN LISTS CLOD_TEST_SOURCES)
   set(labels ${folder})
   if(name MATCHES "_slow$")
     list(APPEND labels slow)
+  endif()
+  if(name MATCHES "(_ranks|rank_messages|_partition|_mpirun)$")
+    list(APPEND labels mpi)
   endif()
   clod_add_program(${name} ${source})
   target_link_libraries(${name} PRIVATE PkgConfig::CMOCKA)
@@ -123,6 +130,9 @@ foreach(script IN LISTS CLOD_TEST_SCRIPTS)
   set(labels ${folder})
   if(name MATCHES "_slow$")
     list(APPEND labels slow)
+  endif()
+  if(name MATCHES "(_ranks|rank_messages|_partition|_mpirun)$")
+    list(APPEND labels mpi)
   endif()
   add_test(NAME ${folder}/${name} COMMAND ${Python3_EXECUTABLE} -B ${script})
   set_tests_properties(${folder}/${name} PROPERTIES LABELS "${labels}"

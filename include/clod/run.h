@@ -47,6 +47,8 @@ typedef struct clod_run_options {
     bool fresh;            ///< forget earlier results of this folder
     const char *from; ///< begin with the grains of the run in this folder, or of its moment
                       ///< that was kept, FOLDER@SECONDS; NULL: with grains of its own
+    struct clod_ranks
+        *ranks;            ///< that compute it together (clod/ranks.h): this is rank 0; or NULL
     clod_run_signal *stop; ///< not zero: write checkpoints and return; or NULL
     clod_run_signal *save; ///< another number than before: each part that is running writes a
                            ///< checkpoint, to be kept, and a snapshot, and goes on; or NULL

@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include "base/memory.h"
+#include "clod/ranks.h"
 #include "clod/version.h"
 #include "measure/contacts.h"
 #include "output/series.h"
@@ -52,6 +53,9 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
     const double now = clock_now();
     job->memory.wall_clock += now - loop->last_clock;
     loop->last_clock = loop->last_checkpoint = now;
+    if (!clod_step_see(&loop->step, status)) {
+        return false;
+    }
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
     return clod_job_tables_mark(&loop->tables, job, status) &&
@@ -74,7 +78,8 @@ static bool with_contacts(job_loop *loop,
 static bool write_snapshot(job_loop *loop, clod_status *status)
 {
     loop->last_picture = loop->job->state.step;
-    if (!with_contacts(loop, loop->job->procedure.picture, status)) {
+    if (!clod_step_see(&loop->step, status) ||
+        !with_contacts(loop, loop->job->procedure.picture, status)) {
         return false;
     }
     clod_step_reader reader;
@@ -145,6 +150,9 @@ static bool advance(job_loop *loop, clod_status *status)
         return false;
     }
     memory->planned -= steps;
+    if (memory->planned == 0 && !clod_step_see(&loop->step, status)) {
+        return false;
+    }
     const double spent = clock_now() - begin;
     if (spent > SLICE_LONGEST) {
         loop->slice = steps > 1 ? steps / 2 : 1;
@@ -327,6 +335,18 @@ static size_t most_grains(const clod_job *job)
     return job->state.grains.count + (size_t)expected;
 }
 
+/** Threads of the step; of several ranks each has one, unless somebody asked for more. */
+static int threads_of(const clod_job *job)
+{
+    const clod_ranks *ranks = job->sim->options->ranks;
+    if (!job->sim->any_threads) {
+        return job->threads;
+    }
+    return ranks != NULL && clod_ranks_size(ranks) > 1
+               ? 1
+               : clod_threads_worth(job->threads, most_grains(job));
+}
+
 static bool open_loop(job_loop *loop, clod_status *status)
 {
     clod_job *job = loop->job;
@@ -338,10 +358,8 @@ static bool open_loop(job_loop *loop, clod_status *status)
     if (job->resumed && !clod_job_cut_pictures(job, status)) {
         return false;
     }
-    const int threads = job->sim->any_threads
-                            ? clod_threads_worth(job->threads, most_grains(job))
-                            : job->threads;
-    const clod_step_options options = {.threads = threads,
+    const clod_step_options options = {.threads = threads_of(job),
+                                       .ranks = job->sim->options->ranks,
                                        .simd = job->sim->options->simd,
                                        .overlap_limit = job->sim->from->time.overlap_limit,
                                        .accepts = clod_setup_bound_accepts,

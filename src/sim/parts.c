@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/plural.h"
+#include "clod/ranks.h"
 #include "clod/version.h"
 #include "measure/contacts.h"
 #include "output/folder_files.h"
@@ -107,7 +108,10 @@ bool clod_parts_run(const clod_parts_tester *tester, const clod_job_shared *sim,
 {
     const int given = sim->options->threads;
     const int threads = given > 0 ? given : clod_threads_available();
-    const int workers = count < threads ? count : threads;
+    const clod_ranks *ranks = sim->options->ranks;
+    const bool several = ranks != NULL && clod_ranks_size(ranks) > 1;
+    // several ranks step one part after the other
+    const int workers = several ? 1 : count < threads ? count : threads;
     part_batch batch = {.tester = tester,
                         .sim = sim,
                         .part = part,

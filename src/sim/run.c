@@ -5,6 +5,7 @@
 
 #include "base/given.h"
 #include "base/memory.h"
+#include "clod/ranks.h"
 #include "clod/version.h"
 #include "config/testers.h"
 #include "output/folder_files.h"
@@ -14,6 +15,7 @@
 #include "sim/earlier.h"
 #include "sim/identity.h"
 #include "sim/origin.h"
+#include "sim/ranks_check.h"
 #include "sim/testers.h"
 #include "sim/trial.h"
 #include "step/kernel.h"
@@ -54,6 +56,10 @@ static bool check_request(const clod_case *from, const clod_run_options *options
                                 from->path, testers);
     }
     if (!clod_begin_has_grains(from, status)) {
+        return false;
+    }
+    if (options->ranks != NULL && clod_ranks_size(options->ranks) > 1 &&
+        !clod_ranks_check(from, status)) {
         return false;
     }
     return clod_kernel_choose(options->simd) != NULL ||

@@ -37,12 +37,19 @@ bool clod_grains_keep_clumps(clod_grains *self, clod_status *status)
 /** More rows for the columns that exist only when asked for. */
 static bool grow_asked(clod_grains *self, size_t rows)
 {
+    bool good = true;
     if (self->clump != NULL) {
         void *clump = clod_memory_grow(self->clump, self->capacity, rows, sizeof *self->clump);
         self->clump = clump != NULL ? clump : self->clump;
-        return clump != NULL;
+        good = clump != NULL;
     }
-    return true;
+    if (self->before != NULL) {
+        void *before =
+            clod_memory_grow(self->before, self->capacity, rows, sizeof *self->before);
+        self->before = before != NULL ? before : self->before;
+        good = good && before != NULL;
+    }
+    return good;
 }
 
 bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
@@ -65,7 +72,6 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
     void *id = clod_memory_grow(self->id, old, rows, sizeof *self->id);
     void *birth = clod_memory_grow(self->birth, old, rows, sizeof *self->birth);
     void *material = clod_memory_grow(self->material, old, rows, sizeof *self->material);
-    void *before = self->before != NULL ? clod_memory_alloc(rows, sizeof *self->before) : NULL;
     self->position = position != NULL ? position : self->position;
     self->velocity = velocity != NULL ? velocity : self->velocity;
     self->angular_velocity =
@@ -75,13 +81,9 @@ bool clod_grains_reserve(clod_grains *self, size_t count, clod_status *status)
     self->birth = birth != NULL ? birth : self->birth;
     self->material = material != NULL ? material : self->material;
     if (position == NULL || velocity == NULL || angular_velocity == NULL || load == NULL ||
-        id == NULL || birth == NULL || material == NULL || !grow_asked(self, rows) ||
-        (self->before != NULL && before == NULL)) {
-        clod_memory_free(before);
+        id == NULL || birth == NULL || material == NULL || !grow_asked(self, rows)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", count);
     }
-    clod_memory_free(self->before);
-    self->before = before;
     self->capacity = rows;
     clod_grains_pad(self);
     return true;

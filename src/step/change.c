@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "parallel/exact.h"
+#include "step/crew.h"
 #include "step/derived.h"
 #include "step/remake.h"
 #include "step/requests.h"
@@ -93,6 +94,9 @@ bool clod_step_change(clod_step *self, clod_status *status)
     }
     if (!clod_changes_any(&state->changes)) {
         return true;
+    }
+    if (self->crew != NULL) {
+        return clod_crew_change(self, status);
     }
     clod_requests found;
     const bool good = clod_requests_check(&found, state, self->laws, status) &&

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/memory.h"
+#include "step/spread.h"
 
 double clod_step_fastest(const clod_state *state)
 {
@@ -83,8 +84,16 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
     }
     const bool sorted = sort ? clod_neighbour_sort(&self->neighbour, state, status)
                              : clod_neighbour_sort_as_built(&self->neighbour, state, status);
-    if (!sorted || !clod_neighbour_build(&self->neighbour, state, self->laws, status)) {
+    if (!clod_spread_agree(self->spread, sorted, status) ||
+        (self->spread != NULL && !clod_spread_sorted(self, status))) {
         return false;
+    }
+    const bool built = clod_neighbour_build(&self->neighbour, state, self->laws, status);
+    if (!clod_spread_agree(self->spread, built, status)) {
+        return false;
+    }
+    if (self->spread != NULL) {
+        clod_spread_leave_out(self->spread, &self->neighbour, state->grains.count);
     }
     const clod_near_job job = {.near = &self->near,
                                .neighbour = &self->neighbour,
@@ -92,8 +101,11 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
                                .laws = self->laws,
                                .walls = &self->walls,
                                .ways = clod_step_ways(self, speed)};
-    if (!clod_near_make(&job, status)) {
+    if (!clod_spread_agree(self->spread, clod_near_make(&job, status), status)) {
         return false;
+    }
+    if (self->spread != NULL) {
+        self->near.least_way = clod_spread_least(self->spread, self->near.least_way);
     }
     clod_step_begin_motion(self, 0);
     clod_step_list_moving(self);

@@ -22,9 +22,8 @@ static void order_axes(clod_layers *self, const double extent[3])
     }
 }
 
-clod_layers clod_layers_of(const double (*position)[4], size_t count)
+clod_layers_extent clod_layers_extent_of(const double (*position)[4], size_t count)
 {
-    clod_layers self = {.axis = {0, 1, 2}, .strips = 1.0};
     double min[3] = {INFINITY, INFINITY, INFINITY}, max[3] = {-INFINITY, -INFINITY, -INFINITY};
     double least = INFINITY, largest = 0.0; // radii: not their sum, which has an order
     for (size_t g = 0; g < count; g++) {
@@ -37,24 +36,54 @@ clod_layers clod_layers_of(const double (*position)[4], size_t count)
         least = radius < least ? radius : least;
         largest = radius > largest ? radius : largest;
     }
-    if (count == 0) {
+    return (clod_layers_extent){.min = {min[0], min[1], min[2]},
+                                .max = {max[0], max[1], max[2]},
+                                .least = least,
+                                .largest = largest,
+                                .count = count};
+}
+
+void clod_layers_extent_merge(clod_layers_extent *self, const clod_layers_extent *other)
+{
+    for (int a = 0; a < 3; a++) {
+        self->min[a] = fmin(self->min[a], other->min[a]);
+        self->max[a] = fmax(self->max[a], other->max[a]);
+    }
+    self->least = fmin(self->least, other->least);
+    self->largest = fmax(self->largest, other->largest);
+    self->count += other->count;
+}
+
+clod_layers clod_layers_from(const clod_layers_extent *bed)
+{
+    clod_layers self = {.axis = {0, 1, 2}, .strips = 1.0};
+    if (bed->count == 0) {
         return self;
     }
-    const double extent[3] = {max[0] - min[0], max[1] - min[1], max[2] - min[2]};
+    double extent[3];
+    for (int a = 0; a < 3; a++) {
+        extent[a] = bed->max[a] - bed->min[a];
+    }
     order_axes(&self, extent);
     for (int k = 0; k < 3; k++) {
         const double length = extent[self.axis[k]];
         const double finest = length > 0.0 ? STEPS(k < 2 ? BITS : POSITION_BITS) / length : 0.0;
-        self.min[k] = min[self.axis[k]];
-        self.scale[k] = k < 2 ? fmin(1.0 / (least + largest), finest) : finest;
+        self.min[k] = bed->min[self.axis[k]];
+        self.scale[k] = k < 2 ? fmin(1.0 / (bed->least + bed->largest), finest) : finest;
     }
     const double layers = floor(extent[self.axis[0]] * self.scale[0]) + 1.0;
     const double width = extent[self.axis[1]];
     if (width > 0.0) {
-        self.strips = fmin(ceil((double)count / layers / FULL_LAYER), MOST_STRIPS);
+        self.strips = fmin(ceil((double)bed->count / layers / FULL_LAYER), MOST_STRIPS);
         self.strip_scale = self.strips / width;
     }
     return self;
+}
+
+clod_layers clod_layers_of(const double (*position)[4], size_t count)
+{
+    const clod_layers_extent extent = clod_layers_extent_of(position, count);
+    return clod_layers_from(&extent);
 }
 
 static uint64_t part_of_key(const clod_layers *self, const double position[4], int k)

@@ -22,6 +22,17 @@ typedef struct clod_layers {
     double strip_scale; ///< strips per metre along the axis of the lines
 } clod_layers;
 
+/** What the layers of a bed follow from: of parts of it they may be merged in any order. */
+typedef struct clod_layers_extent {
+    double min[3], max[3]; ///< m, of the grains' centres
+    double least, largest; ///< m, radii
+    size_t count;          ///< grains
+} clod_layers_extent;
+
+clod_layers_extent clod_layers_extent_of(const double (*position)[4], size_t count);
+void clod_layers_extent_merge(clod_layers_extent *self, const clod_layers_extent *other);
+clod_layers clod_layers_from(const clod_layers_extent *extent);
+
 /**
  * Layers of a bed.
  *

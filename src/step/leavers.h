@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "parallel/exact.h"
 #include "state/state.h"
 #include "step/outlet_shapes.h"
 
@@ -19,9 +20,27 @@ typedef struct clod_leavers_ways {
     const clod_wall_rows *rows;
 } clod_leavers_ways;
 
+/** The way out that a grain takes, of CLOD_EXITS: a side that removes, a region, a surface; or
+ *  -1. */
+int clod_leavers_exit(const clod_leavers_ways *ways, const clod_domain *domain,
+                      const double *position);
+
+/** Grains that leave at one rebuild. Sums are exact: the order of rows does not matter, nor how
+ *  they are dealt to ranks. All zero: none. */
+typedef struct clod_leavers {
+    int64_t grains;
+    int64_t left[CLOD_EXITS];
+    clod_exact mass[CLOD_EXITS], energy[CLOD_EXITS]; ///< kg, J
+    clod_exact kick;                        ///< J that the half kick to come would have brought
+    clod_exact time, time_squared;          ///< s, s2, that they were in
+    int64_t timed;                          ///< how many of them came during the run
+    double residence_least, residence_most; ///< s
+    int64_t residence_count[CLOD_TIME_CLASSES];
+    int64_t left_clumps[1 + CLOD_CLUMP_CLASSES];
+} clod_leavers;
+
 /**
- * At a rebuild: count them in state->exchange and mark them. Sums are exact: the order of rows
- * does not matter.
+ * At a rebuild: add and mark them.
  *
  * @param half_kick  s for which the velocities still lack their weight: dt/2 in the middle of a
  *                   step, of whose forces only that is known; 0 between steps
@@ -30,5 +49,11 @@ typedef struct clod_leavers_ways {
  * @return           how many
  * Errors  none.   Threads  one, the others wait.   Test  tests/step/test_leave.c
  */
-size_t clod_leavers_mark(clod_state *state, const clod_leavers_ways *ways, double half_kick,
-                         int32_t *rank);
+size_t clod_leavers_mark(clod_leavers *sums, clod_state *state, const clod_leavers_ways *ways,
+                         double half_kick, int32_t *rank);
+
+/** Add those of another rank. */
+void clod_leavers_merge(clod_leavers *self, const clod_leavers *other);
+
+/** Into state->exchange, and the ledger. */
+void clod_leavers_book(const clod_leavers *self, clod_state *state);

@@ -3,7 +3,8 @@
 #include <math.h>
 
 #include "parallel/threads.h"
-#include "step/step.h"
+#include "step/crew.h"
+#include "step/spread.h"
 
 /** Contacts of a block of a group. */
 static int contacts_of(const clod_near_blocks *list, size_t group, size_t block)
@@ -13,24 +14,47 @@ static int contacts_of(const clod_near_blocks *list, size_t group, size_t block)
     return left < CLOD_LANES ? (int)left : CLOD_LANES;
 }
 
-static void add_lanes(clod_exact *sum, const double *lane, int lanes)
+/** Lanes of a block that count here, as bits: where grains are spread over ranks, a contact counts
+ *  where its first grain is owned. */
+static unsigned lanes_of(const clod_step *self, const int32_t *i, int contacts)
 {
-    for (int l = 0; l < lanes; l++) {
-        clod_exact_add(sum, lane[l]);
+    unsigned lanes = 0;
+    for (int l = 0; l < contacts; l++) {
+        lanes |= (self->spread == NULL || clod_spread_owns(self->spread, i[l]) ? 1U : 0U) << l;
+    }
+    return lanes;
+}
+
+static void add_lanes(clod_exact *sum, const double *lane, unsigned lanes)
+{
+    for (int l = 0; l < CLOD_LANES; l++) {
+        if ((lanes >> l & 1U) != 0) {
+            clod_exact_add(sum, lane[l]);
+        }
     }
 }
 
+/** Rows of the first grains of a block of either list. */
+static const int32_t *first_grains(const clod_near *near, const clod_near_blocks *list,
+                                   size_t block)
+{
+    return list == &near->pairs ? ((const clod_contact_block *)list->block)[block].i
+                                : ((const clod_wall_block *)list->block)[block].i;
+}
+
 /** Add what each contact of a group spent in this step. */
-static void add_spent(const clod_near_blocks *list, size_t q, clod_step_heat *sums)
+static void add_spent(const clod_step *self, const clod_near_blocks *list, size_t q,
+                      clod_step_heat *sums)
 {
     for (size_t b = list->group_start[q]; b < list->group_start[q + 1]; b++) {
         const clod_spent_block *spent = &list->spent[b];
-        const int contacts = contacts_of(list, q, b);
-        add_lanes(&sums->plastic, spent->plastic, contacts);
-        add_lanes(&sums->dash_pot, spent->dash_pot, contacts);
-        add_lanes(&sums->friction, spent->friction, contacts);
-        add_lanes(&sums->rolling, spent->rolling, contacts);
-        add_lanes(&sums->lag, spent->lag, contacts);
+        const unsigned lanes =
+            lanes_of(self, first_grains(&self->near, list, b), contacts_of(list, q, b));
+        add_lanes(&sums->plastic, spent->plastic, lanes);
+        add_lanes(&sums->dash_pot, spent->dash_pot, lanes);
+        add_lanes(&sums->friction, spent->friction, lanes);
+        add_lanes(&sums->rolling, spent->rolling, lanes);
+        add_lanes(&sums->lag, spent->lag, lanes);
     }
 }
 
@@ -46,11 +70,11 @@ void clod_step_spent(clod_step *self, int part)
     const clod_chunk mine = clod_threads_chunk((size_t)near->parts, part, self->threads);
     for (int p = (int)mine.begin; p < (int)mine.end; p++) {
         for (int32_t l = 0; l < near->laws; l++) {
-            add_spent(&near->pairs, clod_near_group(near, p, l), sums);
-            add_spent(&near->pairs, clod_near_group_between(near, p, l), sums);
+            add_spent(self, &near->pairs, clod_near_group(near, p, l), sums);
+            add_spent(self, &near->pairs, clod_near_group_between(near, p, l), sums);
             for (int form = 0; form < CLOD_FORMS; form++) {
-                add_spent(&near->walls, clod_near_wall_group(near, p, l, (clod_wall_form)form),
-                          sums);
+                add_spent(self, &near->walls,
+                          clod_near_wall_group(near, p, l, (clod_wall_form)form), sums);
             }
         }
     }
@@ -78,53 +102,40 @@ void clod_step_ledger(clod_step *self, int part)
     ledger->lag += clod_exact_value(&all.lag);
 }
 
-static void add_grains(const clod_state *state, clod_energies *e)
+static void add_grain(clod_step_stored *sums, const clod_state *state, size_t g)
 {
-    clod_exact translation = {0};
-    clod_exact rotation = {0};
-    clod_exact potential = {0};
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const double *p = state->grains.position[g];
-        const double *v = state->grains.velocity[g];
-        const double *w = state->grains.angular_velocity[g];
-        clod_exact_add(&translation, 0.5 * v[3] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
-        clod_exact_add(&rotation, 0.5 / w[3] * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
-        clod_exact_add(&potential,
-                       -v[3] * (state->gravity[0] * p[0] + state->gravity[1] * p[1] +
-                                state->gravity[2] * p[2]));
-    }
-    e->translation = clod_exact_value(&translation);
-    e->rotation = clod_exact_value(&rotation);
-    e->potential = clod_exact_value(&potential);
+    const double *p = state->grains.position[g];
+    const double *v = state->grains.velocity[g];
+    const double *w = state->grains.angular_velocity[g];
+    clod_exact_add(&sums->translation, 0.5 * v[3] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+    clod_exact_add(&sums->rotation, 0.5 / w[3] * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
+    clod_exact_add(&sums->potential,
+                   -v[3] * (state->gravity[0] * p[0] + state->gravity[1] * p[1] +
+                            state->gravity[2] * p[2]));
 }
 
-/** Sums of what contacts store [J]. */
-typedef struct stored_sums {
-    clod_exact normal, sliding, rolling;
-} stored_sums;
-
-static void add_stored(stored_sums *sums, const clod_stored_block *stored, int contacts)
+static void add_stored(clod_step_stored *sums, const clod_stored_block *stored, unsigned lanes)
 {
-    add_lanes(&sums->normal, stored->normal, contacts);
-    add_lanes(&sums->sliding, stored->sliding, contacts);
-    add_lanes(&sums->rolling, stored->rolling, contacts);
+    add_lanes(&sums->normal, stored->normal, lanes);
+    add_lanes(&sums->sliding, stored->sliding, lanes);
+    add_lanes(&sums->turning, stored->rolling, lanes);
 }
 
 /** What the pairs of one group store. */
-static void store_pairs(clod_step *self, size_t q, const clod_law *law, stored_sums *sums)
+static void store_pairs(clod_step *self, size_t q, const clod_law *law, clod_step_stored *sums)
 {
     const clod_near_blocks *pairs = &self->near.pairs;
     clod_contact_block *blocks = pairs->block;
     clod_stored_block stored;
     for (size_t b = pairs->group_start[q]; b < pairs->group_start[q + 1]; b++) {
         self->kernel->contact_stored(&self->view, law, &blocks[b], &stored);
-        add_stored(sums, &stored, contacts_of(pairs, q, b));
+        add_stored(sums, &stored, lanes_of(self, blocks[b].i, contacts_of(pairs, q, b)));
     }
 }
 
 /** What the wall contacts of one group store. */
 static void store_walls(clod_step *self, int part, int32_t l, clod_wall_form form,
-                        stored_sums *sums)
+                        clod_step_stored *sums)
 {
     const clod_law *law = &self->laws->law[l];
     const size_t q = clod_near_wall_group(&self->near, part, l, form);
@@ -133,39 +144,54 @@ static void store_walls(clod_step *self, int part, int32_t l, clod_wall_form for
     clod_stored_block stored;
     for (size_t b = walls->group_start[q]; b < walls->group_start[q + 1]; b++) {
         self->kernel->wall_stored(&self->view, law, form, &blocks[b], &stored);
-        add_stored(sums, &stored, contacts_of(walls, q, b));
+        add_stored(sums, &stored, lanes_of(self, blocks[b].i, contacts_of(walls, q, b)));
     }
 }
 
-static void add_contacts(clod_step *self, clod_energies *e)
+static void add_contacts(clod_step *self, clod_step_stored *sums)
 {
     const clod_near *near = &self->near;
-    stored_sums sums = {0};
     for (int32_t l = 0; l < near->laws; l++) {
         const clod_law *law = &self->laws->law[l];
         for (int p = 0; p < 2 * near->parts; p++) { // within a part, then with later ones
-            store_pairs(self, clod_near_group(near, p, l), law, &sums);
+            store_pairs(self, clod_near_group(near, p, l), law, sums);
         }
         for (int k = 0; k < near->parts * CLOD_FORMS; k++) {
-            store_walls(self, k / CLOD_FORMS, l, (clod_wall_form)(k % CLOD_FORMS), &sums);
+            store_walls(self, k / CLOD_FORMS, l, (clod_wall_form)(k % CLOD_FORMS), sums);
         }
     }
-    e->normal = clod_exact_value(&sums.normal);
-    e->sliding = clod_exact_value(&sums.sliding);
-    e->rolling = clod_exact_value(&sums.rolling);
+}
+
+void clod_step_store(clod_step *self, clod_step_stored *sums)
+{
+    *sums = (clod_step_stored){0};
+    clod_wall_rows_update(&self->walls, &self->state->walls); // someone may have moved them
+    for (size_t g = 0; g < self->state->grains.count; g++) {
+        if (self->spread == NULL || clod_spread_owns(self->spread, (int32_t)g)) {
+            add_grain(sums, self->state, g);
+        }
+    }
+    add_contacts(self, sums);
 }
 
 clod_energies clod_step_energies(clod_step *self)
 {
-    clod_energies e = {0};
     if (self->failed) {
-        e.normal = NAN;
-        return e;
+        return (clod_energies){.normal = NAN};
     }
-    clod_wall_rows_update(&self->walls, &self->state->walls); // someone may have moved them
-    add_grains(self->state, &e);
-    add_contacts(self, &e);
-    return e;
+    clod_step_stored sums;
+    if (self->crew != NULL) {
+        clod_crew_store(self->crew, &sums);
+    } else {
+        clod_step_store(self, &sums);
+        clod_spread_merge_stored(self->spread, &sums);
+    }
+    return (clod_energies){.translation = clod_exact_value(&sums.translation),
+                           .rotation = clod_exact_value(&sums.rotation),
+                           .potential = clod_exact_value(&sums.potential),
+                           .normal = clod_exact_value(&sums.normal),
+                           .sliding = clod_exact_value(&sums.sliding),
+                           .rolling = clod_exact_value(&sums.turning)};
 }
 
 double clod_step_balance(clod_step *self)
@@ -184,12 +210,8 @@ void clod_step_book(clod_step *self, double before)
     }
 }
 
-bool clod_step_open_ledger(clod_step *self, clod_status *status)
+bool clod_step_keep_ledger(clod_step *self, clod_status *status)
 {
-    if (self->failed) {
-        *status = self->status;
-        return false;
-    }
     if (!clod_grains_keep_before(&self->state->grains, status)) {
         return false;
     }
@@ -198,6 +220,18 @@ bool clod_step_open_ledger(clod_step *self, clod_status *status)
     if (!clod_near_reserve_spent(&self->near)) {
         self->near.ledger = false;
         return clod_status_fail(status, CLOD_FAILED, "no memory for the energy ledger");
+    }
+    return true;
+}
+
+bool clod_step_open_ledger(clod_step *self, clod_status *status)
+{
+    if (self->failed) {
+        *status = self->status;
+        return false;
+    }
+    if (!clod_step_keep_ledger(self, status)) {
+        return false;
     }
     const clod_energies now = clod_step_energies(self);
     self->state->ledger = (clod_ledger){.open = 1, .start = clod_energies_sum(&now)};

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "parallel/threads.h"
-#include "step/step.h"
+#include "step/spread.h"
 
 /** Walls that can move do; the fastest speed that a point of them can have [m/s]. */
 static double move_walls(clod_step *self)
@@ -41,6 +41,30 @@ static clod_chunk my_grains(const clod_step *self, int part)
     return (clod_chunk){self->near.part_start[c.begin], self->near.part_start[c.end]};
 }
 
+/** Drift of rows; `owed` is the second half kick of the step before. */
+static clod_kernel_speed drift_rows(clod_step *self, clod_chunk rows, bool owed)
+{
+    clod_grains *grains = &self->state->grains;
+    return self->kernel->drift(grains->position, grains->velocity, grains->angular_velocity,
+                               grains->load, owed ? self->state->gravity : NULL,
+                               self->state->dt, rows.begin, rows.end);
+}
+
+/** The same of the own rows among them. */
+static clod_kernel_speed drift_own(clod_step *self, clod_chunk rows, bool owed)
+{
+    clod_kernel_speed seen = {0.0, true};
+    for (size_t k = 0; k < self->spread->runs; k++) {
+        const clod_chunk run = clod_spread_run(self->spread, k, rows);
+        if (run.begin < run.end) {
+            const clod_kernel_speed some = drift_rows(self, run, owed);
+            seen.max_speed2 = fmax(seen.max_speed2, some.max_speed2);
+            seen.finite = seen.finite && some.finite;
+        }
+    }
+    return seen;
+}
+
 void clod_step_drift(clod_step *self, int part)
 {
     clod_grains *grains = &self->state->grains;
@@ -51,9 +75,8 @@ void clod_step_drift(clod_step *self, int part)
         memcpy(grains->before[c.begin], grains->load[c.begin],
                (c.end - c.begin) * sizeof *grains->load);
     }
-    const clod_kernel_speed seen = self->kernel->drift(
-        grains->position, grains->velocity, grains->angular_velocity, grains->load,
-        mine->owed ? self->state->gravity : NULL, self->state->dt, c.begin, c.end);
+    const clod_kernel_speed seen =
+        self->spread == NULL ? drift_rows(self, c, mine->owed) : drift_own(self, c, mine->owed);
     mine->owed = true; // this step's second half kick, when its forces are there
     mine->max_speed2 = seen.max_speed2;
     mine->finite = seen.finite && (part != 0 || self->felt_finite);
@@ -64,13 +87,25 @@ void clod_step_drift(clod_step *self, int part)
     }
 }
 
-void clod_step_settle(clod_step *self, int part)
+static void kick_rows(clod_step *self, clod_chunk rows)
 {
     clod_grains *grains = &self->state->grains;
+    self->kernel->kick(grains->velocity, grains->angular_velocity, grains->load,
+                       self->state->gravity, self->state->dt, rows.begin, rows.end);
+}
+
+void clod_step_settle(clod_step *self, int part)
+{
     const clod_chunk c = my_grains(self, part);
-    if (self->thread[part].owed) {
-        self->kernel->kick(grains->velocity, grains->angular_velocity, grains->load,
-                           self->state->gravity, self->state->dt, c.begin, c.end);
+    if (self->thread[part].owed && self->spread == NULL) {
+        kick_rows(self, c);
+    } else if (self->thread[part].owed) {
+        for (size_t k = 0; k < self->spread->runs; k++) {
+            const clod_chunk run = clod_spread_run(self->spread, k, c);
+            if (run.begin < run.end) {
+                kick_rows(self, run);
+            }
+        }
     }
     self->thread[part].owed = false;
 }
@@ -88,6 +123,9 @@ static void sum_wall(clod_step *self, int32_t w)
 {
     clod_wall *wall = &self->state->walls.wall[w];
     clod_fixed all = {0};
+    if (self->spread != NULL) { // stage merge has added them up
+        all = self->spread->felt[w];
+    }
     for (int32_t s = self->near.sum_start[w]; s < self->near.sum_start[w + 1]; s++) {
         clod_fixed_merge(&all, &self->near.wall_sum[s]);
         self->near.wall_sum[s] = (clod_fixed){0};

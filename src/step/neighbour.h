@@ -90,6 +90,7 @@ typedef struct clod_neighbour {
     bool brute_force;
     const clod_kernel *kernel; ///< the machine's best, or what the step has
     double radius_min, radius_max;
+    const struct clod_layers *layers; ///< of all ranks' grains; NULL: they follow from the rows
     size_t lead; ///< rows behind a grain among which are most of its partners
     clod_pairs pairs;
     clod_wall_candidates walls;
@@ -155,12 +156,15 @@ bool clod_neighbour_periods_fit(const clod_domain *domain, double radius_max,
 bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status);
 
 /**
- * The same in steps (reorder.h): the order alone, in `sort` and `rank`; and the note.
+ * The same in steps (reorder.h): the order alone, in `sort` and `rank`, after the wrap that is
+ * also here alone; and the note.
  *
  * @param going  so many grains go: their `rank` is CLOD_NEIGHBOUR_GOES before and after
  */
 bool clod_neighbour_order(clod_neighbour *self, clod_state *state, size_t going,
                           clod_status *status);
+bool clod_neighbour_wrap(const clod_neighbour *self, clod_state *state, size_t going,
+                         clod_status *status);
 bool clod_neighbour_note(const clod_neighbour *self, clod_state *state, clod_status *status);
 
 /** Rows of an array that go with the grains; `size` bytes of each, `stride` apart. */

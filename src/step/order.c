@@ -58,8 +58,8 @@ static bool goes(const clod_neighbour *self, size_t going, size_t row)
 }
 
 /** Wrap periodic directions; a grain beyond an open side that does not go is an error. */
-static bool wrap(const clod_neighbour *self, clod_state *state, size_t going,
-                 clod_status *status)
+bool clod_neighbour_wrap(const clod_neighbour *self, clod_state *state, size_t going,
+                         clod_status *status)
 {
     static const char AXIS[] = "xyz";
     for (size_t g = 0; g < state->grains.count; g++) {
@@ -88,6 +88,9 @@ static bool wrap(const clod_neighbour *self, clod_state *state, size_t going,
 static clod_layers layers_of(const clod_neighbour *self, const double (*position)[4],
                              size_t count, size_t going)
 {
+    if (self->layers != NULL) {
+        return *self->layers;
+    }
     if (going == 0) {
         return clod_layers_of(position, count);
     }
@@ -315,7 +318,8 @@ static void give_back_old(const clod_neighbour *self, const clod_state *state)
 bool clod_neighbour_order(clod_neighbour *self, clod_state *state, size_t going,
                           clod_status *status)
 {
-    if (!clod_neighbour_reserve(self, state, status) || !wrap(self, state, going, status)) {
+    if (!clod_neighbour_reserve(self, state, status) ||
+        !clod_neighbour_wrap(self, state, going, status)) {
         return false;
     }
     give_back_old(self, state);

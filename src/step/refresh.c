@@ -3,6 +3,7 @@
 
 #include "parallel/threads.h"
 #include "step/remake.h"
+#include "step/spread.h"
 
 /** What a near list costs for each grain, over what a pair costs in a step (docs/adr/0020). */
 #define LIST_COST 47.0
@@ -62,6 +63,19 @@ void clod_step_begin_motion(clod_step *self, int part)
     mine->near_slack = self->near.least_way;
 }
 
+/** The least way that is left on any rank, to that of thread 0. */
+static void least_of_ranks(clod_step *self, int part)
+{
+    if (part == 0) {
+        double least = self->near.wall_way - self->thread[0].wall_motion;
+        for (int t = 0; t < self->threads; t++) {
+            least = fmin(least, self->thread[t].slack);
+        }
+        self->thread[0].slack = clod_spread_least(self->spread, least);
+    }
+    clod_barrier_wait(&self->barrier);
+}
+
 /** Whether a grain has gone its own way, or a wall; all threads look, each at its grains. */
 static bool is_gone(clod_step *self, int part)
 {
@@ -70,6 +84,9 @@ static bool is_gone(clod_step *self, int part)
     mine->slack = clod_near_slack(&self->near, self->state, self->near.part_start[parts.begin],
                                   self->near.part_start[parts.end]);
     clod_barrier_wait(&self->barrier);
+    if (self->spread != NULL) { // ranks look together, and make lists together
+        least_of_ranks(self, part);
+    }
     mine->near_motion = 0.0;
     mine->near_slack = self->near.wall_way - mine->wall_motion;
     for (int t = 0; t < self->threads; t++) {
@@ -94,9 +111,10 @@ void clod_step_near(clod_step *self, int part)
     mine->near_motion += speed * self->state->dt;
     const bool again = 2.0 * mine->build_motion > self->neighbour.skin;
     mine->wall_motion += self->thread[0].wall_speed * self->state->dt;
-    const bool empty = self->state->grains.count == 0; // the next change makes lists
-    if (!finite || empty) {                            // what is not finite cannot be sorted
-        return;
+    const size_t grains =
+        self->spread == NULL ? self->state->grains.count : self->spread->bed.count;
+    if (!finite || grains == 0) { // what is not finite cannot be sorted; the next change makes
+        return;                   // lists of grains that come
     }
     if (!again && (mine->near_motion <= mine->near_slack || !is_gone(self, part))) {
         return;

@@ -8,6 +8,14 @@
 #include "state/alter.h"
 #include "step/derived.h"
 #include "step/leavers.h"
+#include "step/migrate.h"
+
+/** Whether grains get a new order among themselves: where they are spread over ranks they
+ *  migrate instead. */
+static bool reorders(const clod_step *self)
+{
+    return self->remake.again && self->spread == NULL;
+}
 
 /** The list that is being made. */
 static clod_near_job job_of(clod_step *self)
@@ -22,6 +30,34 @@ static clod_near_job job_of(clod_step *self)
 
 // ---- the phases, in the order of the table below
 
+/** Grains that leave at this rebuild are marked, counted and, on all ranks, told. */
+static void mark_leavers(clod_step *self)
+{
+    clod_step_remake *remake = &self->remake;
+    clod_state *state = self->state;
+    if (!state->domain.removes && state->domain.outlets == 0) {
+        return;
+    }
+    if (!remake->changes) {
+        memset(self->neighbour.rank, 0, state->grains.count * sizeof(int32_t));
+    }
+    clod_leavers leavers = {0};
+    const clod_leavers_ways ways = {&self->outlets, &self->walls};
+    clod_outlet_shapes_place(&self->outlets, &self->walls, &state->walls);
+    const double half_kick = remake->changes ? 0.0 : 0.5 * state->dt;
+    if (self->spread != NULL) {
+        clod_spread_mark_leavers(self, &ways, half_kick, &leavers);
+    } else {
+        remake->going +=
+            clod_leavers_mark(&leavers, state, &ways, half_kick, self->neighbour.rank);
+    }
+    clod_leavers_book(&leavers, state);
+    if (leavers.grains > 0 && !remake->changes) {
+        remake->left = true;
+        remake->before = clod_step_balance(self);
+    }
+}
+
 /** At a rebuild: which grains go, and the new order of the others. */
 static void begin(clod_step *self, int part)
 {
@@ -31,18 +67,10 @@ static void begin(clod_step *self, int part)
     if (!remake->again) {
         return;
     }
-    if (state->domain.removes || state->domain.outlets > 0) {
-        if (!remake->changes) {
-            memset(self->neighbour.rank, 0, state->grains.count * sizeof(int32_t));
-        }
-        const double half_kick = remake->changes ? 0.0 : 0.5 * state->dt;
-        const clod_leavers_ways ways = {&self->outlets, &self->walls};
-        clod_outlet_shapes_place(&self->outlets, &self->walls, &state->walls);
-        const size_t leavers = clod_leavers_mark(state, &ways, half_kick, self->neighbour.rank);
-        remake->going += leavers;
-        if (leavers > 0 && !remake->changes) {
-            remake->before = clod_step_balance(self);
-        }
+    mark_leavers(self);
+    if (self->spread != NULL) { // before anything is taken apart
+        self->failed = !clod_spread_wrap(self, &self->status);
+        return;
     }
     self->failed = !clod_neighbour_order(&self->neighbour, state, remake->going, &self->status);
     remake->reorder = (clod_reorder){.neighbour = &self->neighbour,
@@ -59,7 +87,7 @@ static void begin(clod_step *self, int part)
 
 static void count_old(clod_step *self, int part)
 {
-    if (self->remake.again) {
+    if (reorders(self)) {
         clod_reorder_count(&self->remake.reorder, part);
     } else {
         clod_near_gather_count(&self->near, part);
@@ -69,7 +97,7 @@ static void count_old(clod_step *self, int part)
 static void make_room(clod_step *self, int part)
 {
     (void)part;
-    self->failed = self->remake.again
+    self->failed = reorders(self)
                        ? !clod_reorder_room(&self->remake.reorder, &self->status)
                        : !clod_near_gather_room(&self->near, self->state, &self->status);
 }
@@ -77,7 +105,7 @@ static void make_room(clod_step *self, int part)
 /** Histories into the state. */
 static void copy_old(clod_step *self, int part)
 {
-    if (self->remake.again) {
+    if (reorders(self)) {
         clod_reorder_copy(&self->remake.reorder, part);
     } else {
         clod_near_gather_copy(&self->near, self->state, &self->walls, part, true);
@@ -86,7 +114,7 @@ static void copy_old(clod_step *self, int part)
 
 static void ascend(clod_step *self, int part)
 {
-    if (self->remake.again) {
+    if (reorders(self)) {
         clod_reorder_ascend(&self->remake.reorder, part);
     }
 }
@@ -94,7 +122,7 @@ static void ascend(clod_step *self, int part)
 /** Rows of grains into the new order, column by column. */
 static void reorder_rows(clod_step *self, clod_chunk parts)
 {
-    if (!self->remake.again) {
+    if (!reorders(self)) {
         return;
     }
     const int all = self->near.parts;
@@ -112,6 +140,15 @@ static void reorder_rows(clod_step *self, clod_chunk parts)
                                      clod_threads_chunk(grains, (int)p, all));
         }
         clod_barrier_wait(&self->barrier);
+    }
+}
+
+/** Grains that are spread over ranks go to their new owners, and into the new order there. */
+static void migrate(clod_step *self, int part)
+{
+    (void)part;
+    if (self->remake.again && self->spread != NULL) {
+        self->failed = !clod_spread_rebuild(self, self->remake.speed, &self->status);
     }
 }
 
@@ -148,7 +185,9 @@ static void begin_search(clod_step *self, int part)
     if (!self->remake.again) {
         return;
     }
-    state->grains.count = self->remake.reorder.grains;
+    if (reorders(self)) {
+        state->grains.count = self->remake.reorder.grains;
+    }
     bool good = true;
     if (self->remake.changes) {
         good = change_walls(self);
@@ -193,6 +232,9 @@ static void join(clod_step *self, int part)
     self->failed = self->remake.again &&
                    !clod_neighbour_build_end(&self->neighbour, self->state, &self->status);
     if (!self->failed) {
+        if (self->remake.again && self->spread != NULL) {
+            clod_spread_leave_out(self->spread, &self->neighbour, self->state->grains.count);
+        }
         self->remake.job = job_of(self);
         self->failed = !clod_near_begin(&self->remake.job, &self->status);
     }
@@ -258,9 +300,12 @@ static void end(clod_step *self, int part)
 {
     (void)part;
     clod_near_end(&self->remake.job);
+    if (self->spread != NULL) { // ranks look together
+        self->near.least_way = clod_spread_least(self->spread, self->near.least_way);
+    }
     clod_step_list_summed(self);
     clod_step_look(self);
-    if (self->remake.changes || self->remake.going > 0) {
+    if (self->remake.changes || self->remake.left) {
         clod_step_book(self, self->remake.before);
     }
     self->rebuilds += self->remake.again;
@@ -280,6 +325,7 @@ static const list_phase PHASES[] = {
     {.run = copy_old, .all = true},
     {.run = ascend, .all = true},
     {.together = reorder_rows},
+    {.run = migrate},
     {.run = begin_search},
     {.run = place_walls, .all = true},
     {.run = add_cells},
@@ -302,6 +348,7 @@ void clod_remake_begin(clod_step *self, bool again, double speed)
     self->remake.speed = speed;
     self->remake.changes = false;
     self->remake.going = 0;
+    self->remake.left = false;
     self->remake.wall_rank = NULL;
     atomic_store(&self->remake.failed, PHASE_COUNT);
 }
@@ -321,6 +368,7 @@ void clod_remake_lists(clod_step *self, int part)
             PHASES[k].together(self, mine);
         } else if (!PHASES[k].all && part == 0) {
             PHASES[k].run(self, 0);
+            self->failed = !clod_spread_agree(self->spread, !self->failed, &self->status);
             if (self->failed) {
                 atomic_store(&self->remake.failed, k);
             }

@@ -42,6 +42,7 @@ typedef enum clod_stage_barrier {
     CLOD_BARRIER_NONE,
     CLOD_BARRIER_AFTER,  ///< all finish the stage before the next one begins
     CLOD_BARRIER_WITHIN, ///< where it writes anything, it begins and ends with one
+    CLOD_BARRIER_RANKS, ///< after it with several ranks; one rank alone has nothing to do there
 } clod_stage_barrier;
 
 /**
@@ -58,6 +59,6 @@ typedef struct clod_stage {
     clod_stage_barrier barrier;
 } clod_stage;
 
-#define CLOD_STAGES 11
+#define CLOD_STAGES 13
 
 extern const clod_stage CLOD_STAGE[CLOD_STAGES];

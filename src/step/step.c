@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "parallel/threads.h"
+#include "step/crew.h"
 #include "step/derived.h"
 #include "step/stages.h"
 #include "step/team.h"
@@ -48,12 +49,14 @@ const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     // clang-format off
     //name,      function,          reads,                                  writes,                                     by thread 0,           barrier
     {"drift",   clod_step_drift,   ROWS | LISTS | WALLS,                   POSITION | VELOCITY | FORCE | WALLS | SEEN, WALLS,                 CLOD_BARRIER_AFTER},
+    {"ghosts",  clod_step_ghosts,  POSITION | VELOCITY | SEEN,             POSITION | VELOCITY | FORCE | SEEN,         POSITION | VELOCITY | SEEN, CLOD_BARRIER_RANKS},
     {"place",   clod_step_place,   WALLS | LISTS,                          SURFACES,                                   0,                     CLOD_BARRIER_NONE},
     {"near",    clod_step_near,    ROWS | WALLS | SEEN,                    ROWS | LISTS | SURFACES,                    0,                     CLOD_BARRIER_WITHIN},
     {"contact", clod_step_contact, POSITION | VELOCITY | LISTS,            FORCE | HISTORY | SHARE | SPENT | EXCESS,   0,                     CLOD_BARRIER_NONE},
     {"touch",   clod_step_touch,   POSITION | LISTS | SURFACES,            HISTORY | TOUCH,                            0,                     CLOD_BARRIER_NONE},
     {"wall",    clod_step_wall,    POSITION | VELOCITY | LISTS | SURFACES | TOUCH, FORCE | HISTORY | FELT | SPENT | RUB | EXCESS, 0,                     CLOD_BARRIER_NONE},
     {"spent",   clod_step_spent,   LISTS | SPENT,                          SUMS,                                       0,                     CLOD_BARRIER_AFTER},
+    {"merge",   clod_step_merge,   FELT | SUMS | EXCESS | LISTS,           FELT | SUMS | EXCESS,                       FELT | SUMS | EXCESS,  CLOD_BARRIER_RANKS},
     {"wear",    clod_step_wear,    LISTS | RUB | TOUCH | WEAR,             WEAR,                                       0,                     CLOD_BARRIER_NONE},
     {"servo",   clod_step_servo,   FELT | WALLS | LISTS,                   FELT | WALLS | LEDGER,                      FELT | WALLS | LEDGER, CLOD_BARRIER_NONE},
     {"ledger",  clod_step_ledger,  SUMS | LEDGER,                          LEDGER,                                     SUMS | LEDGER,         CLOD_BARRIER_NONE},
@@ -68,7 +71,8 @@ static void advance_part(clod_step *self, int part)
     for (int64_t s = 0; s < self->steps; s++) {
         for (int k = 0; k < CLOD_STAGES; k++) {
             CLOD_STAGE[k].run(self, part);
-            if (CLOD_STAGE[k].barrier == CLOD_BARRIER_AFTER) {
+            if (CLOD_STAGE[k].barrier == CLOD_BARRIER_AFTER ||
+                (CLOD_STAGE[k].barrier == CLOD_BARRIER_RANKS && self->spread != NULL)) {
                 clod_barrier_wait(&self->barrier);
             }
             if (self->after_stage != NULL) {
@@ -96,6 +100,9 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     }
     if (!clod_step_change(self, status)) {
         return false;
+    }
+    if (self->crew != NULL) {
+        return clod_crew_advance(self->crew, steps, status);
     }
     self->state->contact_count = self->state->wall_contact_count = 0; // of the moment before
     for (int t = 0; t < self->threads; t++) {
@@ -157,14 +164,16 @@ static bool first_forces(clod_step *self, clod_status *status)
     return !has_trouble(self, 0) || clod_trouble_report(self, status);
 }
 
-bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
+/** Everything but the lists. */
+static bool prepare(clod_step *self, clod_state *state, const clod_laws *laws,
                     const clod_step_options *options, clod_status *status)
 {
     *self = (clod_step){.state = state,
                         .laws = laws,
                         .accepts = options->accepts,
                         .context = options->context,
-                        .begin = state->step};
+                        .begin = state->step,
+                        .spread = options->spread};
     self->near.ledger = state->ledger.open != 0;
     self->kernel = clod_kernel_choose(options->simd);
     if (self->kernel == NULL) {
@@ -177,6 +186,7 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
     self->near.parts = self->threads;
     clod_neighbour_init(&self->neighbour, state, options->brute_force);
     self->neighbour.kernel = self->kernel;
+    self->neighbour.layers = self->spread != NULL ? &self->spread->layers : NULL;
     if (!allocate(self)) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the step");
     }
@@ -185,24 +195,40 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
     }
     self->view.overlap_limit =
         options->overlap_limit > 0.0 ? options->overlap_limit : CLOD_STEP_OVERLAP;
+    clod_barrier_init(&self->barrier, self->threads);
+    return clod_step_derive(self, status);
+}
+
+bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
+                    const clod_step_options *options, clod_status *status)
+{
     const bool fresh = state->build_motion < 0.0 || state->build_position == NULL;
     if (fresh) { // nobody has touched yet
         state->contact_count = state->wall_contact_count = 0;
     }
-    if (!clod_step_derive(self, status) || !clod_step_build_lists(self, fresh, status)) {
+    const bool prepared = prepare(self, state, laws, options, status);
+    if (!clod_spread_agree(self->spread, prepared, status) ||
+        !clod_step_build_lists(self, fresh, status) || (fresh && !first_forces(self, status))) {
         return false;
     }
-    clod_barrier_init(&self->barrier, self->threads);
-    return !fresh || first_forces(self, status);
+    return options->ranks == NULL || options->ranks->size == 1 ||
+           clod_crew_begin(self, options, status);
+}
+
+bool clod_step_see(clod_step *self, clod_status *status)
+{
+    return self->crew == NULL || clod_crew_see(self->crew, status);
 }
 
 bool clod_step_export(clod_step *self, clod_status *status)
 {
-    return clod_near_gather(&self->near, self->state, &self->walls, status);
+    return clod_step_see(self, status) &&
+           clod_near_gather(&self->near, self->state, &self->walls, status);
 }
 
 void clod_step_fini(clod_step *self)
 {
+    clod_crew_end(&self->crew);
     clod_neighbour_fini(&self->neighbour);
     clod_near_fini(&self->near);
     clod_memory_free(self->thread);

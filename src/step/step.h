@@ -12,6 +12,7 @@
 #include "law/law.h"
 #include "parallel/barrier.h"
 #include "parallel/exact.h"
+#include "parallel/ranks.h"
 #include "state/contact_source.h"
 #include "state/state.h"
 #include "step/kernel.h"
@@ -32,12 +33,21 @@ typedef struct clod_step_options {
      *  (clod_setup_bound_accepts); NULL: nobody asks. */
     bool (*accepts)(const void *context, const clod_state *state, clod_status *status);
     const void *context; ///< of accepts; borrowed until clod_step_fini
+    clod_ranks *ranks;   ///< that step the bed together; borrowed; NULL: this process alone
+    struct clod_spread *spread; ///< the state is this rank's part of a bed (crew.h); borrowed
 } clod_step_options;
 
 /** What contacts turned into heat in one step [J]. */
 typedef struct clod_step_heat {
     clod_exact plastic, dash_pot, friction, rolling, lag;
 } clod_step_heat;
+
+/** Energies of a moment as sums [J]: of grains, and what contacts store; `turning` by rolling
+ *  springs. */
+typedef struct clod_step_stored {
+    clod_exact translation, rotation, potential;
+    clod_exact normal, sliding, turning;
+} clod_step_stored;
 
 /** What one thread keeps to itself, on its own cache lines; motions are the same in all. */
 typedef struct clod_step_thread {
@@ -62,6 +72,7 @@ typedef struct clod_step_remake {
     bool changes;             ///< what state->changes asks for is done in it
     double speed;             ///< m/s, of the fastest point now
     size_t going;             ///< grains that go
+    bool left;                ///< some leave through a way out
     const int32_t *wall_rank; ///< [walls] new numbers, -1: it goes; NULL: all stay; borrowed
     double before;            ///< J, energy before anything came or went
     _Atomic int failed;       ///< the phase that did, or one behind the last
@@ -104,6 +115,8 @@ typedef struct clod_step {
     clod_status status;
     // for reports
     int64_t rebuilds, refreshes;
+    struct clod_spread *spread; ///< NULL: all grains are in this process
+    struct clod_crew *crew;     ///< ranks that step the bed in place of this process; or NULL
     void (*after_stage)(int part, int stage); ///< called by every thread; NULL: nobody asks
 } clod_step;
 
@@ -151,6 +164,12 @@ bool clod_step_open_ledger(clod_step *self, clod_status *status);
  *  after a list that could not be made: the next advance says why. */
 clod_energies clod_step_energies(clod_step *self);
 
+/** The sums of them, over what is in this process. */
+void clod_step_store(clod_step *self, clod_step_stored *sums);
+
+/** Room for what the ledger needs in every step, which keeps it from now on. */
+bool clod_step_keep_ledger(clod_step *self, clod_status *status);
+
 /** Energy of the state for the ledger [J]; 0 when it is not open. */
 double clod_step_balance(clod_step *self);
 
@@ -166,6 +185,15 @@ void clod_step_book(clod_step *self, double before);
  * Errors  CLOD_FAILED.   Threads  one per state.   Test  tests/step/test_contact_identity.c
  */
 bool clod_step_export(clod_step *self, clod_status *status);
+
+/**
+ * Bring the state to this moment, before somebody looks at its grains or contacts: several ranks
+ * have them, one process has nothing to do.
+ *
+ * @return  false without memory
+ * Errors  CLOD_FAILED.   Threads  one per state.   Test  tests/step/test_ranks.c
+ */
+bool clod_step_see(clod_step *self, clod_status *status);
 
 /** Where the reading of a step's contacts is. */
 typedef struct clod_step_reader {
@@ -230,12 +258,14 @@ void clod_step_count_steps(clod_step *self, int64_t steps);
 // ---- stages, in the order of the table (stages.h); `part` is the thread's number
 
 void clod_step_drift(clod_step *self, int part);
+void clod_step_ghosts(clod_step *self, int part);
 void clod_step_place(clod_step *self, int part);
 void clod_step_near(clod_step *self, int part);
 void clod_step_contact(clod_step *self, int part);
 void clod_step_touch(clod_step *self, int part);
 void clod_step_wall(clod_step *self, int part);
 void clod_step_spent(clod_step *self, int part);
+void clod_step_merge(clod_step *self, int part);
 void clod_step_wear(clod_step *self, int part);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);

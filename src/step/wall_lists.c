@@ -63,7 +63,9 @@ void clod_step_list_summed(clod_step *self)
     self->summed_count = 0;
     for (int32_t w = 0; w < walls->count; w++) {
         const clod_wall *wall = &walls->wall[w];
-        if (sums[w] < sums[w + 1] || wall->load != CLOD_LOAD_NONE || has_felt(wall)) {
+        // where grains are spread over ranks, any wall may have contacts on another one
+        if (sums[w] < sums[w + 1] || self->spread != NULL || wall->load != CLOD_LOAD_NONE ||
+            has_felt(wall)) {
             self->summed[self->summed_count++] = w;
         }
     }

@@ -1,0 +1,83 @@
+#pragma once
+/**
+ * @file ranks.h
+ * Ranks that compute one bed together: what they say to each other. Two calls do everything
+ * else; they are MPI's (ranks_mpi.c) or those of threads in one process
+ * (tests/support/ranks_threads.h).
+ *
+ * All ranks make the same calls in the same order. What a rank gets does not depend on who comes
+ * first, so neither does any result.
+ *
+ * Threads  one of each rank.   Test  tests/parallel/test_rank_messages.c
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/bytes.h"
+#include "clod/status.h"
+
+/** Bytes to or from another rank. */
+typedef struct clod_message {
+    int peer;
+    void *data; ///< borrowed
+    size_t bytes;
+} clod_message;
+
+typedef struct clod_ranks clod_ranks;
+struct clod_ranks {
+    int rank, size;
+    /** The bytes of every rank, the same number of each, to all: [size][bytes]. */
+    void (*share)(clod_ranks *self, const void *mine, size_t bytes, void *all);
+    /** Messages between pairs of ranks: at most one from each to each, which both name with the
+     *  same number of bytes; empty ones may be named by one of them alone. */
+    void (*exchange)(clod_ranks *self, const clod_message *out, int outs,
+                     const clod_message *in, int ins);
+    void *group;           ///< what the two need
+    char *room;            ///< scratch of the functions below; owned
+    size_t room_bytes;     ///< of it
+    clod_message *message; ///< [2 * size] scratch; owned
+};
+
+/** Scratch of the functions below; false without memory. Then clod_ranks_fini. */
+bool clod_ranks_init(clod_ranks *self, clod_status *status);
+void clod_ranks_fini(clod_ranks *self);
+
+/**
+ * Have room for sums of so many bytes, for clod_ranks_merge.
+ *
+ * @return  false without memory on any rank, on all alike
+ */
+bool clod_ranks_reserve(clod_ranks *self, size_t bytes, clod_status *status);
+
+/**
+ * Merge what every rank has, in the order of ranks: all get the same. Allocates nothing.
+ *
+ * @param data   [in,out] of this rank, then of all; all bytes count, so none may be undefined
+ * @param bytes  a multiple of 64 if data needs such an alignment
+ * @param merge  adds `from` to `into`
+ */
+void clod_ranks_merge(clod_ranks *self, void *data, size_t bytes,
+                      void (*merge)(const void *context, void *into, const void *from),
+                      const void *context);
+
+/** Bytes of rank 0 to all. */
+void clod_ranks_tell(clod_ranks *self, void *data, size_t bytes);
+
+/**
+ * Whether it went well on all ranks; else the status of the first on which it did not, on all.
+ *
+ * @param status  of this rank if it did not; of all in the end
+ */
+bool clod_ranks_agree(clod_ranks *self, bool good, clod_status *status);
+
+/**
+ * Bytes from each rank to each.
+ *
+ * @param out    [size] for each rank, this one too
+ * @param in     [out] one behind the other, in the order of ranks
+ * @param begin  [size + 1] [out] where those of each rank begin in it
+ * @return       false without memory on any rank, on all alike
+ */
+bool clod_ranks_swap(clod_ranks *self, const clod_bytes *out, clod_bytes *in, size_t *begin,
+                     clod_status *status);

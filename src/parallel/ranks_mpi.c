@@ -1,0 +1,137 @@
+// Ranks by MPI. Its own errors end all ranks with its message (MPI_ERRORS_ARE_FATAL).
+#include "parallel/ranks_mpi.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/assert.h"
+#include "base/memory.h"
+#include "base/room.h"
+
+/** What the starters say of the number of processes: Open MPI; MPICH, Intel; Slurm with PMIx. */
+static const char *const STARTERS[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"};
+
+bool clod_ranks_mpi_started(void)
+{
+    bool started = false;
+    for (size_t k = 0; k < sizeof STARTERS / sizeof *STARTERS; k++) {
+        started = started || getenv(STARTERS[k]) != NULL;
+    }
+    return started;
+}
+
+#ifdef CLOD_MPI
+
+#include <mpi.h>
+
+/** Bytes of one piece of a message: MPI counts in int. */
+#define PIECE ((size_t)1 << 30)
+
+typedef struct mpi_group {
+    MPI_Request *request; ///< of the pieces of an exchange
+    size_t room;
+} mpi_group;
+
+static void share(clod_ranks *self, const void *mine, size_t bytes, void *all)
+{
+    (void)self;
+    CLOD_ASSERT(bytes <= INT_MAX);
+    MPI_Allgather(mine, (int)bytes, MPI_BYTE, all, (int)bytes, MPI_BYTE, MPI_COMM_WORLD);
+}
+
+static size_t pieces_of(const clod_message *message, int count)
+{
+    size_t pieces = 0;
+    for (int k = 0; k < count; k++) {
+        pieces += (message[k].bytes + PIECE - 1) / PIECE;
+    }
+    return pieces;
+}
+
+/** Begin with the pieces of a message, which arrive in their order. */
+static MPI_Request *begin(const clod_message *message, bool out, MPI_Request *request)
+{
+    for (size_t at = 0; at < message->bytes; at += PIECE) {
+        const size_t left = message->bytes - at;
+        const int bytes = (int)(left < PIECE ? left : PIECE);
+        char *data = (char *)message->data + at;
+        if (out) {
+            MPI_Isend(data, bytes, MPI_BYTE, message->peer, 0, MPI_COMM_WORLD, request++);
+        } else {
+            MPI_Irecv(data, bytes, MPI_BYTE, message->peer, 0, MPI_COMM_WORLD, request++);
+        }
+    }
+    return request;
+}
+
+static void exchange(clod_ranks *self, const clod_message *out, int outs,
+                     const clod_message *in, int ins)
+{
+    mpi_group *group = self->group;
+    const size_t pieces = pieces_of(out, outs) + pieces_of(in, ins);
+    if (!clod_room_for(&group->request, &group->room, pieces, sizeof *group->request)) {
+        MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE); // the others wait: there is no other way out
+    }
+    MPI_Request *next = group->request;
+    for (int k = 0; k < ins; k++) {
+        next = begin(&in[k], false, next);
+    }
+    for (int k = 0; k < outs; k++) {
+        next = begin(&out[k], true, next);
+    }
+    MPI_Waitall((int)pieces, group->request, MPI_STATUSES_IGNORE);
+}
+
+bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
+{
+    int thread_level;
+    mpi_group *group = clod_memory_alloc(1, sizeof *group);
+    if (group == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for MPI");
+    }
+    MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &thread_level);
+    *self = (clod_ranks){.share = share, .exchange = exchange, .group = group};
+    MPI_Comm_rank(MPI_COMM_WORLD, &self->rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &self->size);
+    const bool good = (thread_level >= MPI_THREAD_FUNNELED ||
+                       clod_status_fail(status, CLOD_FAILED,
+                                        "this MPI allows no threads: it gives level %d, "
+                                        "MPI_THREAD_FUNNELED is needed",
+                                        thread_level)) &&
+                      clod_ranks_init(self, status);
+    if (!good) {
+        clod_ranks_mpi_close(self);
+    }
+    return good;
+}
+
+void clod_ranks_mpi_close(clod_ranks *self)
+{
+    mpi_group *group = self->group;
+    MPI_Finalize();
+    clod_memory_free(group->request);
+    clod_memory_free(group);
+    clod_ranks_fini(self);
+}
+
+#else
+
+bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
+{
+    *self = (clod_ranks){.size = 1};
+    const char *ranks = getenv("OMPI_COMM_WORLD_SIZE");
+    ranks = ranks != NULL ? ranks : getenv("PMI_SIZE");
+    return (ranks != NULL && strcmp(ranks, "1") == 0) ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "several processes were started, but this clod was built without "
+                            "MPI: run it without mpirun, or build it where libopenmpi-dev is "
+                            "installed");
+}
+
+void clod_ranks_mpi_close(clod_ranks *self)
+{
+    clod_ranks_fini(self);
+}
+
+#endif

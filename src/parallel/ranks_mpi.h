@@ -1,0 +1,20 @@
+#pragma once
+/**
+ * @file ranks_mpi.h
+ * Ranks by MPI, where clod was built with it. Only ranks_mpi.c knows it.
+ */
+
+#include "parallel/ranks.h"
+
+/** Whether mpirun, or srun with PMIx or PMI, has started this process. */
+bool clod_ranks_mpi_started(void);
+
+/**
+ * Join the ranks that it has started.
+ *
+ * @param self  [out] clod_ranks_mpi_close when it is not needed any more
+ * Errors  CLOD_USAGE: there are several, and this clod knows no MPI; CLOD_FAILED.
+ */
+bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status);
+
+void clod_ranks_mpi_close(clod_ranks *self);

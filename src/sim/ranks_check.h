@@ -1,0 +1,16 @@
+#pragma once
+/**
+ * @file ranks_check.h
+ * What of a case can be computed on one rank only, so far: said before anything is written.
+ */
+
+#include "clod/case.h"
+#include "clod/status.h"
+
+/**
+ * Whether several ranks can run a case.
+ *
+ * Errors  CLOD_USAGE: names the key that they cannot.   Threads  pure.
+ * Test    tests/cli/test_mpirun.py
+ */
+bool clod_ranks_check(const clod_case *from, clod_status *status);

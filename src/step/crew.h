@@ -1,0 +1,49 @@
+#pragma once
+/**
+ * @file crew.h
+ * Ranks that step one bed. Rank 0 has the job and a state of the whole bed; every rank, this one
+ * too, steps its part. The others wait for orders (clod_crew_serve). The whole state is gathered
+ * when somebody wants to see it (clod_step_see); all else of it, walls and numbers, is told to all
+ * before steps and taken back after them.
+ *
+ * Threads  thread 0 of each rank, all ranks at the same time.   Test  tests/step/test_ranks.c
+ */
+
+#include "step/spread.h"
+
+typedef struct clod_crew clod_crew;
+
+/**
+ * Deal the bed of a step to all ranks; its state is whole, its lists are no more.
+ *
+ * @param whole  made by clod_step_init
+ * @return       false: something that works on one rank only, or no memory; then none steps it
+ * Errors  CLOD_USAGE, CLOD_FAILED.   Threads  rank 0; the others serve.
+ */
+bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_status *status);
+
+/** As clod_step_advance. Threads: rank 0. */
+bool clod_crew_advance(clod_crew *self, int64_t steps, clod_status *status);
+
+/** Gather the whole state, if steps have been made since. Threads: rank 0. */
+bool clod_crew_see(clod_crew *self, clod_status *status);
+
+/**
+ * As clod_step_change: the bed is gathered, changed by rank 0, and dealt anew.
+ *
+ * @param whole  a step with a crew
+ * @return       as clod_step_change; then the crew may be gone. Threads: rank 0.
+ */
+bool clod_crew_change(clod_step *whole, clod_status *status);
+
+/** As clod_step_store, of the whole bed. Threads: rank 0. */
+void clod_crew_store(clod_crew *self, clod_step_stored *sums);
+
+/** The ranks are free for another bed; NULL is fine, and nulled. Threads: rank 0. */
+void clod_crew_end(clod_crew **self);
+
+/** Do what rank 0 orders, until clod_crew_dismiss. Threads: all but rank 0. */
+void clod_crew_serve(clod_ranks *ranks);
+
+/** Let the others return from clod_crew_serve. Threads: rank 0. */
+void clod_crew_dismiss(clod_ranks *ranks);

@@ -1,0 +1,260 @@
+#include "step/migrate.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+#include "state/ids.h"
+#include "step/records.h"
+
+/** What is on its way. */
+typedef struct parcels {
+    clod_bytes *out; ///< [ranks]
+    clod_bytes in;
+    size_t *begin; ///< [ranks + 1]
+    int ranks;
+} parcels;
+
+static bool parcels_init(parcels *self, clod_ranks *ranks, clod_status *status)
+{
+    *self = (parcels){.ranks = ranks->size};
+    self->out = clod_memory_alloc((size_t)ranks->size, sizeof *self->out);
+    self->begin = clod_memory_alloc((size_t)ranks->size + 1, sizeof *self->begin);
+    const bool good =
+        (self->out != NULL && self->begin != NULL) ||
+        clod_status_fail(status, CLOD_FAILED, "no memory for %d ranks", ranks->size);
+    return clod_ranks_agree(ranks, good, status);
+}
+
+static void parcels_fini(parcels *self)
+{
+    for (int r = 0; self->out != NULL && r < self->ranks; r++) {
+        clod_bytes_fini(&self->out[r]);
+    }
+    clod_memory_free(self->out);
+    clod_memory_free(self->begin);
+    clod_bytes_fini(&self->in);
+}
+
+static void parcels_clear(parcels *self)
+{
+    for (int r = 0; r < self->ranks; r++) {
+        clod_bytes_clear(&self->out[r]);
+    }
+}
+
+static bool is_own(const clod_spread *self, size_t row)
+{
+    return self->owner == NULL || clod_spread_owns(self, (int32_t)row);
+}
+
+static bool is_nobodys(const clod_spread *self, size_t row)
+{
+    return self->owner != NULL && self->owner[row] == CLOD_SPREAD_NOBODY;
+}
+
+static int new_owner(const clod_spread *self, const clod_state *state, int32_t row)
+{
+    return clod_partition_owner(&self->partition, state->build_position[row]);
+}
+
+// ---- the cut
+
+static void merge_bed(const void *context, void *into, const void *from)
+{
+    (void)context;
+    clod_layers_extent_merge(into, from);
+}
+
+static void merge_weights(const void *context, void *into, const void *from)
+{
+    int32_t *mine = into;
+    const int32_t *other = from;
+    for (size_t b = 0; b < *(const size_t *)context; b++) {
+        mine[b] += other[b];
+    }
+}
+
+/** Extent of the own rows. */
+static clod_layers_extent extent_of(const clod_spread *self, const clod_state *state)
+{
+    clod_layers_extent all = clod_layers_extent_of(NULL, 0);
+    for (size_t g = 0; g < state->grains.count; g++) {
+        if (is_own(self, g)) {
+            const clod_layers_extent one =
+                clod_layers_extent_of((const double(*)[4])state->build_position + g, 1);
+            clod_layers_extent_merge(&all, &one);
+        }
+    }
+    return all;
+}
+
+/** Layers and partition of the whole bed. */
+static void cut(clod_spread *self, const clod_state *state)
+{
+    self->bed = extent_of(self, state);
+    clod_ranks_merge(self->ranks, &self->bed, sizeof self->bed, merge_bed, NULL);
+    self->layers = clod_layers_from(&self->bed);
+    clod_partition *partition = &self->partition;
+    clod_partition_begin(partition, self->bed.min, self->bed.max);
+    for (size_t g = 0; g < state->grains.count; g++) {
+        if (is_own(self, g)) {
+            clod_partition_add(partition, state->build_position[g]);
+        }
+    }
+    const size_t blocks = clod_partition_blocks(partition);
+    clod_ranks_merge(self->ranks, partition->weight, blocks * sizeof *partition->weight,
+                     merge_weights, &blocks);
+    clod_partition_cut(partition);
+}
+
+// ---- what goes where
+
+/** Contacts whose earlier grain is own, to the new owners of both. */
+static void pack_contacts(const clod_spread *self, const clod_state *state, clod_bytes *out)
+{
+    for (size_t k = 0; k < state->contact_count; k++) {
+        const clod_contact *contact = &state->contacts[k];
+        const bool leaves = contact->shape < 0 && is_nobodys(self, (size_t)contact->j);
+        if (!is_own(self, (size_t)contact->i) || leaves) {
+            continue;
+        }
+        const int first = new_owner(self, state, contact->i);
+        const int second = contact->shape < 0 ? new_owner(self, state, contact->j) : first;
+        clod_records_put_contact(&out[first], &state->grains, contact);
+        if (second != first) {
+            clod_records_put_contact(&out[second], &state->grains, contact);
+        }
+    }
+}
+
+static void pack_grains(const clod_spread *self, const clod_state *state, clod_bytes *out)
+{
+    for (size_t g = 0; g < state->grains.count; g++) {
+        if (is_own(self, g)) {
+            clod_records_put_grain(&out[new_owner(self, state, (int32_t)g)], state, g);
+        }
+    }
+}
+
+/** The first `own` rows, to the ranks that they matter to. */
+static void pack_ghosts(const clod_spread *self, const clod_state *state, double skin,
+                        clod_bytes *out)
+{
+    for (size_t g = 0; g < state->grains.count; g++) {
+        const double *p = state->build_position[g];
+        const double reach = clod_spread_reach(self, p[3], skin);
+        for (int r = 0; r < self->ranks->size; r++) {
+            if (r != self->ranks->rank &&
+                clod_partition_reaches(&self->partition, &state->domain, r, p, reach)) {
+                clod_records_put_grain(&out[r], state, g);
+            }
+        }
+    }
+}
+
+/** Grains to their owners, and then ghosts behind them. */
+static bool move_grains(clod_spread *self, clod_state *state, double skin, parcels *way,
+                        clod_status *status)
+{
+    parcels_clear(way);
+    pack_grains(self, state, way->out);
+    if (!clod_ranks_swap(self->ranks, way->out, &way->in, way->begin, status)) {
+        return false;
+    }
+    state->grains.count = 0;
+    bool good = clod_records_get_grains(&way->in, state, status);
+    if (!clod_ranks_agree(self->ranks, good, status)) {
+        return false;
+    }
+    parcels_clear(way);
+    pack_ghosts(self, state, skin, way->out);
+    if (!clod_ranks_swap(self->ranks, way->out, &way->in, way->begin, status)) {
+        return false;
+    }
+    good = clod_records_get_grains(&way->in, state, status);
+    return clod_ranks_agree(self->ranks, good, status);
+}
+
+bool clod_migrate(clod_spread *self, clod_state *state,
+                  double (*skin)(const void *context, const clod_layers_extent *bed),
+                  const void *context, clod_status *status)
+{
+    parcels grains, contacts;
+    bool good = parcels_init(&grains, self->ranks, status);
+    good = parcels_init(&contacts, self->ranks, status) && good;
+    if (good) {
+        cut(self, state);
+        pack_contacts(self, state, contacts.out); // while the rows are there
+        good =
+            move_grains(self, state, skin(context, &self->bed), &grains, status) &&
+            clod_ranks_swap(self->ranks, contacts.out, &contacts.in, contacts.begin, status) &&
+            clod_ranks_agree(self->ranks,
+                             clod_records_get_contacts(&contacts.in, state, status), status);
+    }
+    parcels_fini(&grains);
+    parcels_fini(&contacts);
+    return good;
+}
+
+/** Everything own to rank 0: grains, or contacts. */
+static bool to_first(clod_spread *self, const clod_state *state, parcels *way, bool grains,
+                     clod_status *status)
+{
+    parcels_clear(way);
+    for (size_t g = 0; grains && g < state->grains.count; g++) {
+        if (is_own(self, g)) {
+            clod_records_put_grain(&way->out[0], state, g);
+        }
+    }
+    for (size_t k = 0; !grains && k < state->contact_count; k++) {
+        if (is_own(self, (size_t)state->contacts[k].i)) {
+            clod_records_put_contact(&way->out[0], &state->grains, &state->contacts[k]);
+        }
+    }
+    return clod_ranks_swap(self->ranks, way->out, &way->in, way->begin, status);
+}
+
+/** Grains that left this rank, to rank 0; the list is empty then. */
+static bool gather_gone(clod_spread *self, clod_state *state, clod_state *whole, parcels *way,
+                        clod_status *status)
+{
+    clod_gone *gone = &state->gone;
+    parcels_clear(way);
+    clod_bytes_put(&way->out[0], gone->rows, gone->count * sizeof *gone->rows);
+    way->out[0].lacks_memory |= gone->lacks_memory;
+    gone->count = 0;
+    if (!clod_ranks_swap(self->ranks, way->out, &way->in, way->begin, status)) {
+        return false;
+    }
+    for (size_t at = 0; whole != NULL && at < way->in.count; at += sizeof *gone->rows) {
+        clod_gone_grain grain;
+        memcpy(&grain, way->in.data + at, sizeof grain);
+        clod_gone_add(&whole->gone, &grain); // it notes itself when it lacks memory
+    }
+    return true;
+}
+
+bool clod_migrate_gather(clod_spread *self, clod_state *state, clod_state *whole,
+                         clod_status *status)
+{
+    parcels way;
+    bool good =
+        parcels_init(&way, self->ranks, status) && to_first(self, state, &way, true, status);
+    if (good) {
+        bool mine = true;
+        if (whole != NULL) {
+            whole->grains.count = 0;
+            mine = clod_records_get_grains(&way.in, whole, status);
+        }
+        good = clod_ranks_agree(self->ranks, mine, status);
+    }
+    if (good && to_first(self, state, &way, false, status)) {
+        const bool mine = whole == NULL || clod_records_get_contacts(&way.in, whole, status);
+        good = clod_ranks_agree(self->ranks, mine, status) &&
+               gather_gone(self, state, whole, &way, status);
+    } else {
+        good = false;
+    }
+    parcels_fini(&way);
+    return good;
+}

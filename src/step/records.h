@@ -1,0 +1,29 @@
+#pragma once
+/**
+ * @file records.h
+ * Grains and contacts as bytes that another rank, of the same program, unpacks: a grain with all
+ * its columns and its place at the last rebuild, a contact by the ids of its grains.
+ *
+ * Threads  one per buffer.   Test  tests/step/test_ranks.c
+ */
+
+#include "base/bytes.h"
+#include "state/state.h"
+
+/** Append a grain. */
+void clod_records_put_grain(clod_bytes *to, const clod_state *state, size_t row);
+
+/** Append a contact; `grains` are those of its rows. */
+void clod_records_put_contact(clod_bytes *to, const clod_grains *grains,
+                              const clod_contact *contact);
+
+/** Grains behind those that the state has; both must keep the same columns. False without memory. */
+bool clod_records_get_grains(const clod_bytes *from, clod_state *state, clod_status *status);
+
+/**
+ * Contacts in place of those that the state has, with its rows; pairs before walls, otherwise in
+ * the order of the records, each met as its first grain meets its second.
+ *
+ * @return  false without memory
+ */
+bool clod_records_get_contacts(const clod_bytes *from, clod_state *state, clod_status *status);

@@ -1,0 +1,119 @@
+#pragma once
+/**
+ * @file spread.h
+ * A bed spread over ranks, as one of them sees it: its own grains and ghosts, which are grains of
+ * other ranks that own ones may touch before the next rebuild. A ghost is a row like any other,
+ * in the one order of all grains (docs/adr/0038); its load is not read.
+ *
+ * Threads  thread 0 of each rank, all ranks at the same time, where not said otherwise.
+ * Test     tests/step/test_ranks.c
+ */
+
+#include "parallel/fixed.h"
+#include "parallel/ranks.h"
+#include "step/layers.h"
+#include "step/leavers.h"
+#include "step/partition.h"
+#include "step/step.h"
+
+/** Ghosts of every step: rows that go to and come from each rank. */
+typedef struct clod_ghosts {
+    int32_t *out, *in;            ///< rows, by rank; ascending for each
+    size_t *out_start, *in_start; ///< [ranks + 1] first of each rank
+    double *sent, *got;           ///< numbers of these rows
+    clod_message *message;        ///< [2 * ranks]
+    size_t out_room, in_room, sent_room, got_room;
+} clod_ghosts;
+
+/** What ranks tell each other at the end of a step, behind what each wall felt. */
+typedef struct clod_spread_sums {
+    _Alignas(64) int64_t excess;       ///< an overlap beyond the laws' range
+    _Alignas(64) clod_step_heat spent; ///< sent with the ledger only
+} clod_spread_sums;
+
+/** Owner of a grain that leaves. */
+#define CLOD_SPREAD_NOBODY (-1)
+
+typedef struct clod_spread {
+    clod_ranks *ranks;        ///< borrowed
+    clod_layers_extent bed;   ///< of all grains, at the last rebuild
+    clod_layers layers;       ///< of it
+    clod_partition partition; ///< of the last rebuild
+    int32_t *owner;           ///< [rows] rank of each grain; NULL: all are this rank's
+    clod_chunk *run;          ///< [runs] rows that are this rank's
+    size_t runs, owner_room, run_room;
+    clod_ghosts ghosts;
+    clod_fixed *felt; ///< [walls] by each wall in this step, and behind it clod_spread_sums
+    int32_t walls;
+} clod_spread;
+
+/** Empty, with room for what so many walls feel; on failure on any rank false on all. */
+bool clod_spread_init(clod_spread *self, clod_ranks *ranks, int32_t walls, clod_status *status);
+
+/**
+ * Note the partition of the rows, which are in order: own runs, and who sends which to whom.
+ *
+ * @return  false without memory, on all ranks alike
+ */
+bool clod_spread_list(clod_spread *self, const clod_state *state, double skin,
+                      clod_status *status);
+
+/** Numbers that are sent of a row: three rows of four, and with the ledger the load before. */
+static inline size_t clod_spread_numbers(const clod_state *state)
+{
+    return state->grains.before != NULL ? 20 : 12;
+}
+
+/** How far from a rank's box a grain may matter to it [m]. */
+double clod_spread_reach(const clod_spread *self, double radius, double skin);
+
+/** Whether it went well on all ranks, see clod_ranks_agree; with NULL there is this one alone. */
+static inline bool clod_spread_agree(const clod_spread *self, bool good, clod_status *status)
+{
+    return self == NULL ? good : clod_ranks_agree(self->ranks, good, status);
+}
+
+/** Grains that leave at a rebuild, of all ranks: neighbour.rank marks those of the rows here. */
+void clod_spread_mark_leavers(clod_step *step, const clod_leavers_ways *ways, double half_kick,
+                              clod_leavers *sums);
+
+/** Wrap the rows, ghosts too; those that leave have no owner from now on. False on this
+ *  rank alone: a grain is beyond an open side that stops the run. */
+bool clod_spread_wrap(clod_step *step, clod_status *status);
+
+/**
+ * A rebuild, up to the search: grains, which are in the domain, migrate with their contacts in
+ * state->contacts; rows and contacts are in order then.
+ *
+ * @param speed  of the fastest grain or point of a wall [m/s]
+ * @return       false without memory, on all ranks alike
+ */
+bool clod_spread_rebuild(clod_step *step, double speed, clod_status *status);
+
+/** After rows are sorted as at their last rebuild: what follows from the partition. */
+bool clod_spread_sorted(clod_step *step, clod_status *status);
+
+/** Drop the candidates that no own grain has. Threads: one. */
+void clod_spread_leave_out(const clod_spread *self, clod_neighbour *neighbour, size_t rows);
+
+/** The least of the numbers of all ranks. */
+double clod_spread_least(const clod_spread *self, double number);
+
+/** Energies of all ranks; with NULL they are this one's alone. */
+void clod_spread_merge_stored(const clod_spread *self, clod_step_stored *sums);
+
+/** Whether a grain is this rank's. Threads: any. */
+static inline bool clod_spread_owns(const clod_spread *self, int32_t row)
+{
+    return self->owner[row] == self->ranks->rank;
+}
+
+/** The own rows of a run that are in a chunk. Threads: any. */
+static inline clod_chunk clod_spread_run(const clod_spread *self, size_t run, clod_chunk rows)
+{
+    const clod_chunk all = self->run[run];
+    return (clod_chunk){all.begin > rows.begin ? all.begin : rows.begin,
+                        all.end < rows.end ? all.end : rows.end};
+}
+
+void clod_spread_fini(clod_spread *self);

@@ -1,0 +1,115 @@
+"""clod under mpirun: the same files as one process writes, whatever the number of ranks.
+
+Skipped where clod was built without MPI. More ranks than processors are as good: they take turns.
+"""
+
+import os
+import re
+import signal
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+RAIN = clod.source("tests/parallel/rain.yaml")
+SLIT = clod.source("tests/parallel/slit.yaml")
+SMALL = clod.source("tests/support/small.yaml")
+RING = clod.source("tests/restart/ring.yaml")
+UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
+MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "--mca",
+          "mpi_yield_when_idle", "1", "--mca", "btl", "self,vader", "-n"]
+
+
+def start(ranks, *arguments):
+    return subprocess.Popen([*MPIRUN, str(ranks), clod.BINARY, *arguments], text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+
+def without_clock(report):
+    return re.sub(r"\d+ s of work", "", report)
+
+
+def run(ranks, *arguments):
+    process = start(ranks, *arguments)
+    process.stdout_text, process.stderr_text = process.communicate(timeout=1000)
+    return process
+
+
+@unittest.skipUnless(os.environ.get("CLOD_MPI") == "1", "clod was built without MPI")
+@clod.quick_only
+class Mpirun(clod.Case):
+
+    def assert_same_on(self, numbers, case, *options, parts=("run",)):
+        one = self.path("one")
+        alone = clod.run("run", case, "-o", one, "--threads", "1", *options)
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        for ranks in numbers:
+            out = self.path(f"ranks-{ranks}")
+            done = run(ranks, "run", case, "-o", out, *options)
+            self.assertEqual(done.returncode, 0, done.stderr_text)
+            self.assertEqual(without_clock(done.stdout_text), without_clock(alone.stdout))
+            self.assert_same_end(one, out, parts)
+
+    def test_a_sheared_cohesive_bed(self):
+        self.assert_same_on((1, 2, 3, 4, 7), SLIT)
+
+    def test_grains_come_and_go_and_hang_together_on_a_mesh(self):
+        self.assert_same_on((2, 4, 7), RAIN)
+
+    def test_a_shear_test(self):
+        self.assert_same_on((3,), RING, "--set", "ring_shear.preshear_min=2 mm",
+                            "--set", "ring_shear.preshear_max=2 mm",
+                            parts=("preshear", "reverse", "point-1", "point-2"))
+
+    def test_a_uniaxial_test(self):
+        self.assert_same_on((3,), UNIAXIAL, parts=("fill", "stress-1", "stress-2"))
+
+    def test_one_grain(self):
+        self.assert_same_on((2, 3), SMALL, "--set", "grains.0.count=1")
+
+    def test_more_ranks_than_grains(self):
+        self.assert_same_on((7,), SMALL, "--set", "grains.0.count=3")
+
+    def test_goes_on_with_another_number_of_ranks(self):
+        one, out = self.path("one"), self.path("several")
+        self.assertEqual(clod.run("run", SLIT, "-o", one).returncode, 0)
+        process = start(3, "run", SLIT, "-o", out)
+        clod.wait_until(lambda: len(clod.table(os.path.join(out, "series.csv"))) > 3
+                        if os.path.exists(os.path.join(out, "series.csv")) else False, process)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=1000)
+        self.assertNotEqual(process.returncode, 0)
+        done = run(2, "run", SLIT, "-o", out)
+        self.assertEqual(done.returncode, 0, done.stderr_text)
+        self.assert_same_end(one, out, ["run"])
+
+    def refused(self, case, key, *options):
+        out = self.path("out")
+        done = run(2, "run", case, "-o", out, *options)
+        self.assertEqual(done.returncode, 2, done.stderr_text)
+        self.assertEqual(done.stderr_text.count("clod run: "), 1, done.stderr_text)
+        self.assertIn(key, done.stderr_text)
+        self.assertIn("more than one rank", done.stderr_text)
+        self.assertFalse(os.path.exists(out))
+
+    def test_what_works_on_one_rank_only_is_refused(self):
+        self.refused(SLIT, "output.surfaces", "--set", "output.surfaces=true")
+
+    def test_one_message_for_a_mistake(self):
+        done = run(3, "run", self.path("none.yaml"))
+        self.assertEqual(done.returncode, 2, done.stderr_text)
+        self.assertEqual(done.stderr_text.count("none.yaml"), 1, done.stderr_text)
+
+    def test_a_lost_grain_is_named_as_one_process_does(self):
+        options = ("--set", "grains.0.velocity=[0 m/s, 0 m/s, -9 m/s]",
+                   "--set", "walls.floor.shapes.0.plane.point=[0 m, 0 m, -1 m]")
+        alone = clod.run("run", SMALL, "-o", self.path("one"), *options)
+        done = run(2, "run", SMALL, "-o", self.path("two"), *options)
+        self.assertEqual((done.returncode, alone.returncode), (1, 1), alone.stderr)
+        self.assertIn(alone.stderr.splitlines()[-1], done.stderr_text)
+
+
+if __name__ == "__main__":
+    clod.main()
