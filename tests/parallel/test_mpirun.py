@@ -60,7 +60,7 @@ class Mpirun(clod.Case):
 
     def test_a_shear_test(self):
         self.assert_same_on((3,), RING, "--set", "ring_shear.preshear_min=2 mm",
-                            "--set", "ring_shear.preshear_max=2 mm",
+                            "--set", "ring_shear.preshear_max=4 mm",
                             parts=("preshear", "reverse", "point-1", "point-2"))
 
     def test_a_uniaxial_test(self):
