@@ -44,6 +44,7 @@ static bool reserve(clod_state *state, size_t rows, clod_status *status)
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", rows);
     }
     state->build_position = grown;
+    state->build_capacity = state->grains.capacity;
     return true;
 }
 
@@ -55,6 +56,7 @@ bool clod_records_get_grains(const clod_bytes *from, clod_state *state, clod_sta
     for (int k = 0; k < count; k++) {
         record += columns[k].size;
     }
+    CLOD_ASSERT(record > 0);
     const size_t rows = from->count / record;
     CLOD_ASSERT(rows * record == from->count);
     if (!reserve(state, state->grains.count + rows, status)) {
