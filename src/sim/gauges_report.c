@@ -71,9 +71,13 @@ static void report_stream(FILE *out, const clod_case *from, const clod_case_gaug
     }
     fprintf(out, "\n");
     if (clod_gauges_has(from, gauge, CLOD_GAUGE_OF_OFFSET)) {
-        fprintf(out, "  %-21s %s off its middle across, standard deviation %s\n", "",
+        fprintf(out, "  %-21s %s off its middle across, standard deviation %s", "",
                 text_of(self, CLOD_GAUGE_OF_OFFSET, a, sizeof a),
                 text_of(self, CLOD_GAUGE_OF_WIDTH, b, sizeof b));
+        if (!isnan(self->mean[CLOD_GAUGE_OF_SORTING])) { // of one size it has no value
+            fprintf(out, ", sorting %s", text_of(self, CLOD_GAUGE_OF_SORTING, a, sizeof a));
+        }
+        fprintf(out, "\n");
     }
 }
 

@@ -1,6 +1,8 @@
-// A heap of grains on a troughed belt at rest, beside the cross-section of ISO 5048.
+// A heap of grains on a troughed belt at rest, and a stream on a moving one, beside the
+// cross-section and the capacity of ISO 5048.
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "analysis/burden.h"
 #include "base/memory.h"
@@ -21,7 +23,9 @@
 /** The heap as found. */
 typedef struct heap {
     clod_verify_profile profile; ///< across the belt
+    double from;                 ///< m, where the piece of belt begins
     double mass, density;        ///< kg; kg/m3 of the core
+    double momentum;             ///< kg m/s along the belt
 } heap;
 
 static const char CASE[] =
@@ -60,21 +64,28 @@ static double belt_at(double y)
     return fmax(fabs(y) - 0.5 * MIDDLE, 0.0) * tan(ANGLE);
 }
 
+/** Whether a grain is in the piece of belt that is looked at. */
+static bool is_in(const heap *self, const double *position)
+{
+    return position[0] >= self->from && position[0] <= self->from + LENGTH;
+}
+
 /** The profile across the belt: y takes the place of x. */
 static bool find_profile(heap *self, const clod_grains *grains, clod_status *status)
 {
+    size_t count = 0;
     double(*turned)[4] = clod_memory_alloc(grains->count, sizeof *turned);
     if (turned == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu grains", grains->count);
     }
     for (size_t g = 0; g < grains->count; g++) {
         const double *p = grains->position[g];
-        turned[g][0] = p[1];
-        turned[g][1] = p[0];
-        turned[g][2] = p[2];
-        turned[g][3] = p[3];
+        if (is_in(self, p)) {
+            const double place[4] = {p[1], p[0] - self->from, p[2], p[3]};
+            memcpy(turned[count++], place, sizeof place);
+        }
     }
-    clod_verify_profile_find(&self->profile, (const double(*)[4])turned, grains->count);
+    clod_verify_profile_find(&self->profile, (const double(*)[4])turned, count);
     clod_memory_free(turned);
     return true;
 }
@@ -83,31 +94,39 @@ static bool find_profile(heap *self, const clod_grains *grains, clod_status *sta
 static void weigh(heap *self, const clod_grains *grains, double top)
 {
     double core = 0.0;
-    self->mass = 0.0;
+    self->mass = self->momentum = 0.0;
     for (size_t g = 0; g < grains->count; g++) {
         const double *p = grains->position[g], mass = grains->velocity[g][3];
+        if (!is_in(self, p)) {
+            continue;
+        }
         const bool in = fabs(p[1]) < CORE && p[2] > CORE_LOW && p[2] < top;
         core += in ? mass : 0.0;
         self->mass += mass;
+        self->momentum += mass * grains->velocity[g][0];
     }
     self->density = core / (LENGTH * 2.0 * CORE * (top - CORE_LOW));
 }
 
-static bool look(void *context, clod_verify_bed *now, clod_status *status)
+/** Find the heap as it is now. */
+static bool find_heap(heap *self, const clod_grains *grains, clod_status *status)
 {
-    heap *self = context;
     const int columns = (int)ceil(2.0 * (0.5 * MIDDLE + 0.5 * (WIDTH - MIDDLE)) / DIAMETER);
     self->profile = (clod_verify_profile){.begin = -0.5 * columns * DIAMETER,
                                           .width = DIAMETER,
                                           .depth = LENGTH,
                                           .count = (size_t)columns};
-    const clod_grains *grains = &now->state.grains;
     if (!find_profile(self, grains, status)) {
         return false;
     }
     const double middle = self->profile.height[columns / 2];
     weigh(self, grains, middle - 3.0 * DIAMETER);
     return true;
+}
+
+static bool look(void *context, clod_verify_bed *now, clod_status *status)
+{
+    return find_heap(context, &now->state.grains, status);
 }
 
 /** The parabola a - c y^2 through the surface, and where it meets the belt. */
@@ -170,12 +189,112 @@ static bool check(const clod_verify_bench *bench, const heap *found, clod_status
                                    "heap: area by its mass and the core's density [m2]");
 }
 
+// ---- a stream on a moving belt
+
+#define SPEED 0.3   ///< m/s
+#define FLOW 1.1    ///< kg/s
+#define STEADY 1.4  ///< s, from when on it is looked at
+#define WINDOW 0.22 ///< m, where the piece of belt that is looked at begins
+#define CAPACITY "ISO 5048: (S1 + S2) v rho for its width and surcharge angle"
+
+static const char STREAM[] =
+    "# Written by clod verify.\n"
+    "title: A stream on a troughed belt\n"
+    "materials:\n"
+    "  bead: {density: 2500 kg/m3, youngs_modulus: 3 MPa, poissons_ratio: 0.25}\n"
+    "contacts:\n"
+    "  default: {law: hertz, restitution: 0.4, friction: 0.6, rolling: epsd2, rolling_friction: "
+    "0.1}\n"
+    "gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]\n"
+    "domain: {min: [-0.2 m, -0.2 m, -0.05 m], max: [0.45 m, 0.2 m, 0.3 m], open: delete}\n"
+    "time: {design_stress: 2 kPa}\n"
+    "grains:\n"
+    "  - material: bead\n"
+    "    radius: {distribution: uniform, min: %g m, max: %g m}\n"
+    "    inlet: {mass_flow: %g kg/s}\n"
+    "    region: {box: {min: [-40 mm, -40 mm, 70 mm], max: [40 mm, 40 mm, 90 mm]}}\n"
+    "    velocity: [%g m/s, 0 m/s, -0.6 m/s]\n"
+    "walls:\n"
+    "  belt:\n"
+    "    material: bead\n"
+    "    shapes: [{belt: {from: [-0.15 m, 0 m, 0 m], runs: [{length: 0.55 m}], width: %g m, "
+    "idler_angle: 35 deg, middle_roll: %g m, speed: %g m/s}}]\n"
+    "stages: [{name: run, duration: 2.6 s}]\n"
+    "output: {series_interval: 20 ms}\n";
+
+/** Means over the steady time. */
+typedef struct conveyed {
+    heap sum;
+    double looks;
+} conveyed;
+
+static bool look_at_stream(void *context, clod_verify_bed *now, clod_status *status)
+{
+    conveyed *self = context;
+    heap found = {.from = WINDOW};
+    if (now->state.time < STEADY) {
+        return true;
+    }
+    if (!find_heap(&found, &now->state.grains, status)) {
+        return false;
+    }
+    for (size_t k = 0; k < found.profile.count; k++) {
+        found.profile.height[k] += self->sum.profile.height[k];
+    }
+    self->sum.profile = found.profile;
+    self->sum.mass += found.mass;
+    self->sum.density += found.density;
+    self->sum.momentum += found.momentum;
+    self->looks += 1.0;
+    return true;
+}
+
+static bool check_stream(const clod_verify_bench *bench, conveyed *found, clod_status *status)
+{
+    clod_verify_profile *profile = &found->sum.profile;
+    for (size_t k = 0; k < profile->count; k++) {
+        profile->height[k] /= found->looks;
+    }
+    const parabola surface = fit(profile);
+    const clod_burden_belt belt = {WIDTH, MIDDLE, ANGLE};
+    const double width = MIDDLE + 2.0 * (surface.edge - 0.5 * MIDDLE) / cos(ANGLE);
+    const clod_burden_section section = clod_burden_of(&belt, width, surface.surcharge);
+    const double speed = found->sum.momentum / found->sum.mass;
+    const double density = found->sum.density / found->looks;
+    const clod_verify_expect flow = {FLOW, 0.01, true, "mass flow of the inlet"};
+    // a surface of grains is where it is to half a grain, and the heap is some four grains deep
+    const double half_grain = 0.5 * DIAMETER * 2.0 * surface.edge / surface.area;
+    const clod_verify_expect same = {FLOW, half_grain, true, CAPACITY};
+    return clod_verify_bench_check(bench, &flow, found->sum.momentum / (found->looks * LENGTH),
+                                   status,
+                                   "stream: mass on a metre of belt times its speed "
+                                   "[kg/s]") &&
+           clod_verify_bench_check(
+               bench, &same, surface.area * speed * density, status,
+               "stream %.0f mm wide at %.1f deg: area below its surface times "
+               "speed and density [kg/s]",
+               1e3 * width, surface.surcharge * 180.0 / M_PI) &&
+           clod_verify_bench_check(bench, &same,
+                                   (section.heap + section.trough) * speed * density, status,
+                                   "stream: capacity by ISO 5048 [kg/s]");
+}
+
+static bool verify_stream(const clod_verify_bench *bench, clod_status *status)
+{
+    char text[4096];
+    conveyed found = {.looks = 0.0};
+    snprintf(text, sizeof text, STREAM, 0.45 * DIAMETER, 0.55 * DIAMETER, FLOW, SPEED, WIDTH,
+             MIDDLE, SPEED);
+    return clod_verify_bed_run(bench, "trough-stream", text, look_at_stream, &found, status) &&
+           check_stream(bench, &found, status);
+}
+
 bool clod_verify_trough(const clod_verify_bench *bench, clod_status *status)
 {
     char text[4096];
-    heap found;
+    heap found = {.from = 0.0};
     snprintf(text, sizeof text, CASE, GRAINS, 0.45 * DIAMETER, 0.55 * DIAMETER, LENGTH, WIDTH,
              MIDDLE, LENGTH);
     return clod_verify_bed_run(bench, "trough", text, look, &found, status) &&
-           check(bench, &found, status);
+           check(bench, &found, status) && verify_stream(bench, status);
 }
