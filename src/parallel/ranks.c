@@ -143,7 +143,8 @@ bool clod_ranks_swap(clod_ranks *self, const clod_bytes *out, clod_bytes *in, si
     for (int r = 0; r < self->size; r++) {
         if (r != self->rank) {
             const size_t bytes = begin[r + 1] - begin[r];
-            self->message[outs + ins++] = (clod_message){r, in->data + begin[r], bytes};
+            void *to = bytes > 0 ? in->data + begin[r] : NULL;
+            self->message[outs + ins++] = (clod_message){r, to, bytes};
         }
     }
     self->exchange(self, self->message, outs, self->message + outs, ins);

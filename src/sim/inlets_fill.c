@@ -100,10 +100,11 @@ static bool note_queue(inflow *self, const clod_changes *queue, clod_status *sta
 static bool open_source(filling *self, const clod_case_grains *group, clod_status *status)
 {
     const int material = clod_case_material_index(self->from, group->material);
-    inflow *one = &self->of[self->count];
-    *one = (inflow){.told = &self->all->inlet[self->count],
+    const size_t number = self->count++;
+    inflow *one = &self->of[number];
+    *one = (inflow){.told = &self->all->inlet[number],
                     .group = group,
-                    .number = self->count++,
+                    .number = number,
                     .density = self->from->materials[material].density,
                     .material = (uint16_t)material};
     if (!clod_sizes_init(&one->sizes, group, status)) {

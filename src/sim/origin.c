@@ -175,7 +175,8 @@ static void note_difference(void *context, const char *key, const char *there, c
     clod_origin *origin = self->origin;
     const bool law = begins(key, "materials") || begins(key, "contacts") || begins(key, "time");
     origin->same_law = origin->same_law && !law;
-    origin->same_domain = origin->same_domain && !begins(key, "domain");
+    const bool domain = begins(key, "domain") || begins(key, "outlets");
+    origin->same_domain = origin->same_domain && !domain;
     if (!comes_after(key) && self->refused[0] == '\0') {
         snprintf(self->refused, sizeof self->refused, "%.255s", key);
     }

@@ -254,6 +254,9 @@ static bool search_around(const clod_neighbour *self, const clod_state *state,
 bool clod_cells_find_pairs(const clod_neighbour *self, const clod_state *state, size_t begin,
                            size_t end, clod_pairs *to)
 {
+    if (begin == end) { // without grains there are no places
+        return true;
+    }
     const clod_kernel_search search = search_of(self, &state->domain);
     for (size_t i = begin; i < end; i++) {
         const size_t first = to->count;

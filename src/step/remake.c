@@ -167,6 +167,7 @@ static bool change_walls(clod_step *self)
     clod_memory_free(state->build_position); // for other numbers of grains and walls
     clod_memory_free(state->build_walls);
     state->build_position = NULL;
+    state->build_capacity = 0;
     state->build_walls = NULL;
     if (!clod_step_derive(self, &self->status)) {
         return false;
