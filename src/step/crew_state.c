@@ -64,8 +64,10 @@ void clod_crew_state_copy(clod_state *to, const clod_state *from)
     for (int32_t w = 0; w < to->walls.count; w++) {
         put_wall(&to->walls.wall[w], &from->walls.wall[w]);
     }
-    memcpy(to->build_walls, from->build_walls,
-           (size_t)to->walls.count * sizeof *to->build_walls);
+    if (to->walls.count > 0) { // without walls there is no array
+        memcpy(to->build_walls, from->build_walls,
+               (size_t)to->walls.count * sizeof *to->build_walls);
+    }
 }
 
 void clod_crew_state_tell(clod_ranks *ranks, clod_state *state)
