@@ -52,11 +52,10 @@ bool clod_records_get_grains(const clod_bytes *from, clod_state *state, clod_sta
 {
     clod_row_column columns[CLOD_ROW_COLUMNS + 1];
     int count = columns_of(state, columns);
-    size_t record = 0;
-    for (int k = 0; k < count; k++) {
+    size_t record = columns[0].size;
+    for (int k = 1; k < count; k++) {
         record += columns[k].size;
     }
-    CLOD_ASSERT(record > 0);
     const size_t rows = from->count / record;
     CLOD_ASSERT(rows * record == from->count);
     if (!reserve(state, state->grains.count + rows, status)) {
