@@ -3,7 +3,7 @@
  * @file surface_bytes.h
  * A surface as bytes that another rank, of the same program, unpacks.
  *
- * Test  tests/mesh/test_surface_bytes.c
+ * Test  tests/parallel/test_mpirun.py
  */
 
 #include "base/bytes.h"
