@@ -186,7 +186,7 @@ static bool still_touch(const clod_state *state, const clod_contact *contact)
 
 /** How many histories were kept, and not, and why not. */
 typedef struct tally {
-    size_t kept, walls, law, apart;
+    size_t kept, walls, law, apart, outlets;
 } tally;
 
 /** Whether a contact's history comes along; its wall gets its new number. */
@@ -207,6 +207,10 @@ static bool keep_contact(const moving *self, const uint16_t *material, clod_cont
     }
     if (at_wall) {
         contact->j = self->wall[contact->j];
+        if (self->state->walls.wall[contact->j].shapes[contact->shape].outlet > 0) {
+            count->outlets++;
+            return false;
+        }
     } else if (!still_touch(self->state, contact)) {
         count->apart++;
         return false;
@@ -255,6 +259,10 @@ static void move_contacts(moving *self)
     }
     if (count.walls > 0) {
         fprintf(self->told, "; %zu begin anew: their wall is another one", count.walls);
+    }
+    if (count.outlets > 0) {
+        fprintf(self->told, "; %zu are no more: their surface is an outlet here",
+                count.outlets);
     }
     if (count.apart > 0) {
         fprintf(self->told, "; %zu are open: the domain is another one", count.apart);

@@ -3,7 +3,6 @@
 import json
 import math
 import os
-import signal
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -63,15 +62,6 @@ class OutletWalls(clod.Case):
         with open(self.path("case.yaml"), "w") as file:
             file.write(CASE.format(walls=walls, outlets=outlets, duration=duration, end=end,
                                    least=least))
-
-    def go(self, folder, threads="1", *options):
-        done = clod.run("run", "case.yaml", "-o", folder, "-t", threads, *options,
-                        cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def rows(self, folder):
-        return clod.table(self.path(folder + "/series.csv"))
 
     def balanced(self, folder, outlets):
         """Every grain is in the books at every row; returns the last row."""
@@ -141,16 +131,32 @@ class OutletWalls(clod.Case):
         self.assertGreater(both["outlet_all.grains"], 0.97 * both["inlet_1.grains"])
         self.assertGreater(both["outlet_all.grains"], last["outlet_left.grains"] + 50)
 
+    def test_a_run_goes_on_with_other_outlets(self):
+        """A plate that removes nothing at first, and all that touch it in the run from there."""
+        self.write(outlets="{far: {region: {box: {min: [-0.2 m, -0.2 m, -0.3 m], max: [0.2 m, 0.2 m, "
+                   "-0.29 m]}}}}", duration=0.3, end=0.2)
+        self.go("first")
+        there = self.rows("first")[-1]["grains"]
+        self.assertGreater(there, 100)
+        self.write(duration=0.4, end=0.0001)
+        self.go("on", "1", "--from", "first")
+        last = self.rows("on")[-1]
+        self.assertEqual(last["outlet_plate.grains"] + last["grains"] +
+                         sum(last[f"left_{side}.grains"] for side in SIDES),
+                         there + last["inlet_1.grains"])
+        self.assertGreater(last["outlet_plate.grains"], 0.9 * there)
+        self.assertEqual(last["left_z_min.grains"], 0)
+        self.write(outlets="{all: {region: {box: {min: [-0.2 m, -0.2 m, -0.3 m], max: [0.2 m, 0.2 m, "
+                   "-0.03 m]}}}}", duration=0.35, end=0.0001)
+        self.go("region", "1", "--from", "first")
+        self.assertGreater(self.rows("region")[-1]["outlet_all.grains"], 0.9 * there)
+
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(SHEET, "{left: {wall: sheet, part: left}, low: {region: {box: {min: [-0.2 m, "
                    "-0.2 m, -0.3 m], max: [0.2 m, 0.2 m, -0.25 m]}}}}", duration=0.4)
         self.go("one")
         self.go("two", "2")
-        process = clod.start("run", self.path("case.yaml"), "-o", self.path("cut"), "-t", "2")
-        clod.wait_until(lambda: os.path.exists(self.path("cut/series.csv")) and
-                        len(self.rows("cut")) > 13, process)
-        process.send_signal(signal.SIGTERM)
-        process.communicate()
+        self.stop_after(13, "cut")
         self.go("cut")
         self.assertGreater(self.rows("one")[-1]["outlet_low.grains"], 0)
         for name in ("series.csv", "leavers.csv", "snap_000000.hdf"):
