@@ -1,10 +1,8 @@
 """clumps, build_up, history_map: what a free run tells of the graph of its contacts."""
 
 import csv
-import json
 import math
 import os
-import signal
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -80,13 +78,6 @@ class Clumps(clod.Case):
         done = clod.run("run", "case.yaml", "-o", folder, *options, cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done
-
-    def rows(self, folder):
-        return clod.table(self.path(folder + "/series.csv"))
-
-    def summary(self, folder):
-        with open(self.path(folder + "/summary.json")) as file:
-            return json.load(file)
 
     def sizes(self, folder):
         with open(self.path(folder + "/clumps.csv")) as file:
@@ -239,11 +230,7 @@ class Clumps(clod.Case):
         self.write_rain(k_adh=2.5e6)
         self.go("one", "-t", "1")
         self.go("two", "-t", "2")
-        process = clod.start("run", self.path("case.yaml"), "-o", self.path("cut"), "-t", "2")
-        clod.wait_until(lambda: os.path.exists(self.path("cut/series.csv")) and
-                        len(self.rows("cut")) > 15, process)
-        process.send_signal(signal.SIGTERM)
-        process.communicate()
+        self.stop_after(15, "cut")
         self.go("cut", "-t", "1")
         self.assertGreater(len([e for e in clod.log(self.path("cut"))
                                 if e["event"] == "resume"]), 0)

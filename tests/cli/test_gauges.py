@@ -1,9 +1,7 @@
 """Gauges, balance and belts of a free run: streams with known answers, alarm, same bytes."""
 
-import json
 import math
 import os
-import signal
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -93,16 +91,6 @@ class Gauges(clod.Case):
     def write(self, text, name="case.yaml"):
         with open(self.path(name), "w") as file:
             file.write(text)
-
-    def go(self, folder, threads="1", *options):
-        done = clod.run("run", "case.yaml", "-o", folder, "-t", threads, *options,
-                        cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def summary(self, folder):
-        with open(self.path(folder + "/summary.json")) as file:
-            return json.load(file)
 
     def test_a_falling_stream(self):
         """Flow and hold-up of free fall, by its formulas; all grains are in the books."""
@@ -287,12 +275,7 @@ walls:
 outlets:""").replace("    profile", "    belt: feed\n    profile"))
         self.go("one")
         self.go("two", "2")
-        process = clod.start("run", self.path("case.yaml"), "-o", self.path("cut"), "-t", "2")
-        clod.wait_until(lambda: os.path.exists(self.path("cut/series.csv")) and
-                        len(clod.table(self.path("cut/series.csv"))) > 5, process)
-        process.send_signal(signal.SIGTERM)
-        process.communicate()
-        self.assertFalse(os.path.exists(self.path("cut/summary.json")))
+        self.stop_after(5, "cut")
         self.go("cut")
         for name in ("series.csv", "gauge_fall-profile.csv", "gauge_fall-trajectory.csv"):
             whole = clod.read(self.path("one/" + name))

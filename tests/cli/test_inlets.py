@@ -1,9 +1,7 @@
 """grains.N.inlet: grains that come during the run: rate, amount, residence, blocking, same bits."""
 
-import json
 import math
 import os
-import signal
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -55,19 +53,6 @@ class Inlets(clod.Case):
     def write(self, *groups, walls="", duration=1.5):
         with open(self.path("case.yaml"), "w") as file:
             file.write(CASE.format(groups="".join(groups), walls=walls, duration=duration))
-
-    def go(self, folder, threads="1", *options):
-        done = clod.run("run", "case.yaml", "-o", folder, "-t", threads, *options,
-                        cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def rows(self, folder):
-        return clod.table(self.path(folder + "/series.csv"))
-
-    def summary(self, folder):
-        with open(self.path(folder + "/summary.json")) as file:
-            return json.load(file)
 
     def test_rate_amount_and_residence(self):
         """1 kg/s to half a grain; all that came is inside or left; time of fall by its formula."""
@@ -189,11 +174,7 @@ walls: {lid: {material: ore, shapes: [{box: {center: [0 m, 0 m, 0 m], size: [0.1
                    duration=0.3)
         self.go("one")
         self.go("two", "2")
-        process = clod.start("run", self.path("case.yaml"), "-o", self.path("cut"), "-t", "2")
-        clod.wait_until(lambda: os.path.exists(self.path("cut/series.csv")) and
-                        len(self.rows("cut")) > 2, process)
-        process.send_signal(signal.SIGTERM)
-        process.communicate()
+        self.stop_after(2, "cut")
         self.go("cut")
         whole = clod.read(self.path("one/series.csv"))
         self.assertEqual(whole, clod.read(self.path("two/series.csv")))

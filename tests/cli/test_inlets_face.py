@@ -1,6 +1,5 @@
 """Inlets through a disc or a rectangle: rate, no contact, blocking, wrong ones."""
 
-import json
 import math
 import os
 import sys
@@ -37,18 +36,6 @@ class Face(clod.Case):
         with open(self.path("case.yaml"), "w") as file:
             file.write(CASE.format(region=region, inlet=inlet, velocity=velocity, walls=walls,
                                    duration=duration))
-
-    def go(self, folder, threads="1"):
-        done = clod.run("run", "case.yaml", "-o", folder, "-t", threads, cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def rows(self, folder):
-        return clod.table(self.path(folder + "/series.csv"))
-
-    def summary(self, folder):
-        with open(self.path(folder + "/summary.json")) as file:
-            return json.load(file)
 
     def stream(self, region, flow, area):
         """A stream near the limit of room keeps its rate, and no grain touches another one."""

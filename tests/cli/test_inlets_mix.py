@@ -3,7 +3,6 @@
 import json
 import math
 import os
-import signal
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -57,14 +56,6 @@ class Mix(clod.Case):
     def write(self, *groups, walls="", duration=1.2):
         with open(self.path("case.yaml"), "w") as file:
             file.write(CASE.format(groups="".join(groups), walls=walls, duration=duration))
-
-    def go(self, folder, threads="1"):
-        done = clod.run("run", "case.yaml", "-o", folder, "-t", threads, cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def rows(self, folder):
-        return clod.table(self.path(folder + "/series.csv"))
 
     def refused(self, *words):
         done = clod.run("check", "case.yaml", cwd=self.folder)
@@ -135,11 +126,7 @@ class Mix(clod.Case):
                    walls=WALL, duration=0.2)
         self.go("one")
         self.go("two", "2")
-        process = clod.start("run", self.path("case.yaml"), "-o", self.path("cut"), "-t", "2")
-        clod.wait_until(lambda: os.path.exists(self.path("cut/series.csv")) and
-                        len(self.rows("cut")) > 3, process)
-        process.send_signal(signal.SIGTERM)
-        process.communicate()
+        self.stop_after(3, "cut")
         self.go("cut")
         for name in ("series.csv", "snap_000000.hdf"):
             whole = clod.read(self.path("one/" + name))

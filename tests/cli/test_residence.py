@@ -1,9 +1,7 @@
 """How long grains were in: known times, which grains count, and leavers.csv."""
 
 import csv
-import json
 import os
-import signal
 import statistics
 import sys
 
@@ -52,15 +50,6 @@ class Residence(clod.Case):
         with open(self.path("case.yaml"), "w") as file:
             file.write(CASE.format(groups="".join(groups), duration=duration, output=output,
                                    outlets=outlets))
-
-    def go(self, folder, threads="1"):
-        done = clod.run("run", "case.yaml", "-o", folder, "-t", threads, cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def summary(self, folder):
-        with open(self.path(folder + "/summary.json")) as file:
-            return json.load(file)
 
     def leavers(self, folder):
         with open(self.path(folder + "/leavers.csv"), newline="") as file:
@@ -150,11 +139,7 @@ class Residence(clod.Case):
         self.write(THERE, inlet("number_flow: 400 1/s"), output=", leavers: true")
         self.go("one")
         self.go("two", "2")
-        process = clod.start("run", self.path("case.yaml"), "-o", self.path("cut"), "-t", "2")
-        clod.wait_until(lambda: os.path.exists(self.path("cut/leavers.csv")) and
-                        len(self.leavers("cut")) > 20, process)
-        process.send_signal(signal.SIGTERM)
-        process.communicate()
+        self.stop_after(20, "cut", "leavers.csv")
         self.go("cut")
         whole = clod.read(self.path("one/leavers.csv"))
         self.assertGreater(len(whole), 5000)

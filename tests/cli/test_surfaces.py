@@ -4,7 +4,6 @@ import json
 import math
 import os
 import shutil
-import signal
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -195,11 +194,7 @@ class Surfaces(clod.Case):
         self.go("two", threads="2")
         with open(self.path("case.yaml"), "w") as file:
             file.write(CASE)
-        process = clod.start("run", self.path("case.yaml"), "-o", self.path("cut"), "-t", "1")
-        clod.wait_until(lambda: os.path.exists(self.path("cut/series.csv")) and
-                        len(clod.table(self.path("cut/series.csv"))) > 8, process)
-        process.send_signal(signal.SIGTERM)
-        process.communicate()
+        self.stop_after(8, "cut", threads="1")
         self.go("cut")
         for other in ("two", "cut"):
             for name in ("series.csv", "walls_000001.hdf"):

@@ -7,6 +7,7 @@ import csv
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -119,6 +120,29 @@ class Case(unittest.TestCase):
 
     def path(self, name):
         return os.path.join(self.folder, name)
+
+    def go(self, folder, threads="1", *options):
+        """Run case.yaml of the test's folder to its end."""
+        done = run("run", "case.yaml", "-o", folder, "-t", threads, *options, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def rows(self, folder):
+        return table(self.path(folder + "/series.csv"))
+
+    def summary(self, folder):
+        with open(self.path(folder + "/summary.json")) as file:
+            return json.load(file)
+
+    def stop_after(self, rows, folder, csv_name="series.csv", threads="2"):
+        """Stop a run of case.yaml with a checkpoint when a table has more than so many rows."""
+        path = self.path(f"{folder}/{csv_name}")
+        process = start("run", self.path("case.yaml"), "-o", self.path(folder), "-t", threads)
+        wait_until(lambda: os.path.exists(path) and read(path).count(b"\n") > rows + 1, process)
+        process.send_signal(signal.SIGTERM)
+        process.communicate()
+        self.assertEqual(process.returncode, 143)
+        self.assertFalse(os.path.exists(self.path(folder + "/summary.json")))
 
     def assert_same_state(self, one, other):
         """Two checkpoints hold the same bytes but for the clock."""
