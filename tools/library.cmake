@@ -14,7 +14,9 @@ if(NOT CLOD_SANITIZE)
   set_target_properties(clod_shared PROPERTIES OUTPUT_NAME clod LINKER_LANGUAGE C
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     LINK_DEPENDS ${CLOD_EXPORTS})
-  target_link_options(clod_shared PRIVATE -Wl,--version-script=${CLOD_EXPORTS})
+  # nodelete: OpenMP's threads wait in their library after a step, so a program that closes this one,
+  # as Python does at its end, must not take their code away
+  target_link_options(clod_shared PRIVATE -Wl,--version-script=${CLOD_EXPORTS} -Wl,-z,nodelete)
   target_link_libraries(clod_shared PRIVATE PkgConfig::FYAML PkgConfig::HDF5 PkgConfig::JANSSON
     PkgConfig::ZLIB PkgConfig::ASSIMP ${CLOD_MPI_TARGET} ${UDUNITS} OpenMP::OpenMP_C m)
 

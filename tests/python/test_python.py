@@ -98,6 +98,17 @@ class Python(program.Case):
             with self.assertRaises(KeyError):
                 sim.row(1000)
 
+    def test_the_library_may_be_closed(self):
+        """Threads that wait for their next step keep their code, also at the end of Python."""
+        for close in ("", "_library.ffi.dlclose(_library.lib)\ntime.sleep(0.1)\n"):
+            script = ("import sys, time\nimport clod\nfrom clod import _library\n"
+                      "with clod.Simulation(text=sys.argv[1], threads=2) as sim:\n"
+                      "    sim.advance(10)\n" + close)
+            done = subprocess.run([sys.executable, "-B", "-c", script, CASE], check=False,
+                                  env={**os.environ, "PYTHONPATH": os.environ["CLOD_PYTHON"],
+                                       "OMP_WAIT_POLICY": "ACTIVE"})
+            self.assertEqual(done.returncode, 0, close)
+
     def test_a_view_keeps_the_simulation(self):
         sim = make()
         position = sim.position
