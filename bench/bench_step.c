@@ -9,8 +9,8 @@
  *
  * The packing and the laws (mepa, hertz, hertz-rolling) are those of bed.h. The clock runs over
  * `steps` after `warm` steps. --stages says what thread 0 spends in each stage, waiting for the
- * others included. --peak makes all lists anew in one more step, behind the clock: the most memory
- * that a run takes while it steps. --checkpoint writes CHECKPOINTS of them into the folder
+ * others included. --peak makes the near list anew in one more step, and all lists in another,
+ * behind the clock: the most memory that a run takes while it steps. --checkpoint writes CHECKPOINTS of them into the folder
  * after that, as a run does, and tells the memory and the time of the last.
  */
 #include <getopt.h>
@@ -141,12 +141,18 @@ static long rss(void)
     return kilobytes;
 }
 
-/** One step in which all lists are made anew. */
-static bool rebuild(clod_step *step, clod_status *status)
+/** One step in which the near list is made anew, as if a wall had gone too far; then one in which
+ *  all lists are. */
+static bool remake(clod_step *step, clod_status *status)
 {
-    const int64_t before = step->rebuilds;
+    const int64_t refreshes = step->refreshes, rebuilds = step->rebuilds;
+    step->near.wall_way = -1.0;
+    step->thread[0].near_slack = -1.0;
+    if (!clod_step_advance(step, 1, status) || step->refreshes == refreshes) {
+        return false;
+    }
     step->state->build_motion = INFINITY;
-    return clod_step_advance(step, 1, status) && step->rebuilds > before;
+    return clod_step_advance(step, 1, status) && step->rebuilds > rebuilds;
 }
 
 /** Checkpoints as a job writes them. */
@@ -188,7 +194,7 @@ static bool measure(const options *o, clod_step *step, measured *m, clod_status 
     m->wall = bench_now() - begin;
     m->rss_stepped = rss();
     m->rebuilds = step->rebuilds;
-    const bool good = ok && (!o->peak || rebuild(step, status));
+    const bool good = ok && (!o->peak || remake(step, status));
     m->rss_peak = rss();
     m->contacts = count_contacts(step);
     if (!good ||

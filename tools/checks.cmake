@@ -61,6 +61,9 @@ set_tests_properties(bench/instructions PROPERTIES SKIP_RETURN_CODE 77)
 # That the program which measures measures the step (tests/bench has the tests of its table).
 clod_add_check(bench/step 600 bench/check-step ${CMAKE_BINARY_DIR}/bench/bench_step)
 
+# Memory of 300 000 grains (2 s of the processor): arrays that grow fail no other test.
+clod_add_check(bench/memory 600 bench/check-memory ${CMAKE_BINARY_DIR}/bench/bench_step)
+
 clod_add_check(package/deb 1200 tools/check-package ${CMAKE_BINARY_DIR})
 
 # Installed into a folder of its own: what the libraries export, examples built by pkg-config and CMake.

@@ -18,11 +18,11 @@ static bool within_skin(const clod_state *state, const double a[4], const double
 
 bool clod_cells_all_pairs(clod_neighbour *self, const clod_state *state)
 {
+    const double(*place)[4] = clod_neighbour_places(self, state);
     for (size_t i = 0; i < state->grains.count; i++) {
         self->pairs.start[i] = (uint32_t)self->pairs.count;
         for (size_t j = i + 1; j < state->grains.count; j++) {
-            if (within_skin(state, state->build_position[i], state->build_position[j],
-                            self->skin) &&
+            if (within_skin(state, place[i], place[j], self->skin) &&
                 !clod_neighbour_add(&self->pairs, j)) {
                 return false;
             }
@@ -33,14 +33,16 @@ bool clod_cells_all_pairs(clod_neighbour *self, const clod_state *state)
 }
 
 /** Extent of the grid along each axis. */
-static void extent(const clod_state *state, double min[3], double max[3])
+static void extent(const clod_neighbour *self, const clod_state *state, double min[3],
+                   double max[3])
 {
+    const double(*place)[4] = clod_neighbour_places(self, state);
     for (int a = 0; a < 3; a++) {
         const bool periodic = state->domain.periodic[a];
-        min[a] = periodic ? state->domain.min[a] : state->build_position[0][a];
-        max[a] = periodic ? state->domain.max[a] : state->build_position[0][a];
+        min[a] = periodic ? state->domain.min[a] : place[0][a];
+        max[a] = periodic ? state->domain.max[a] : place[0][a];
         for (size_t g = 1; !periodic && g < state->grains.count; g++) {
-            const double x = state->build_position[g][a]; // finite: no need of fmin
+            const double x = place[g][a]; // finite: no need of fmin
             min[a] = x < min[a] ? x : min[a];
             max[a] = x > max[a] ? x : max[a];
         }
@@ -56,7 +58,7 @@ clod_cells_grid clod_cells_grid_of(const clod_neighbour *self, const clod_state 
 {
     clod_cells_grid grid;
     double max[3];
-    extent(state, grid.min, max);
+    extent(self, state, grid.min, max);
     double width = 2.0 * self->radius_max + self->skin;
     const double most = clod_cells_most(state->grains.count);
     double cells = INFINITY;
@@ -112,8 +114,9 @@ static int32_t add(int32_t *number, int32_t by, bool shared)
 void clod_cells_count(clod_neighbour *self, const clod_state *state, clod_chunk grains,
                       bool shared)
 {
+    const double(*place)[4] = clod_neighbour_places(self, state);
     for (size_t g = grains.begin; g < grains.end; g++) {
-        self->cell_of[g] = clod_cells_at(&self->grid, state->build_position[g]);
+        self->cell_of[g] = clod_cells_at(&self->grid, place[g]);
         add(&self->cell_start[self->cell_of[g] + 1], 1, shared);
     }
 }
@@ -129,12 +132,13 @@ void clod_cells_add(clod_neighbour *self)
 void clod_cells_enter(clod_neighbour *self, const clod_state *state, clod_chunk grains,
                       bool shared)
 {
+    const double(*place)[4] = clod_neighbour_places(self, state);
     for (size_t g = grains.end; g-- > grains.begin;) { // each cell is filled from behind
         int32_t *start = &self->cell_start[self->cell_of[g] + 1];
         const int32_t at = add(start, -1, shared) - 1;
         self->cell_item[at] = (int32_t)g;
         for (size_t c = 0; c < 4; c++) {
-            self->cell_place[c * self->place_stride + (size_t)at] = state->build_position[g][c];
+            self->cell_place[c * self->place_stride + (size_t)at] = place[g][c];
         }
     }
 }
@@ -235,7 +239,7 @@ static bool search_around(const clod_neighbour *self, const clod_state *state,
                           const clod_kernel_search *search, size_t i, clod_pairs *to)
 {
     const clod_cells_grid *grid = &self->grid;
-    const double *p = state->build_position[i];
+    const double *p = clod_neighbour_places(self, state)[i];
     int32_t first[2], last[2], y[3], z[3];
     const int nx = around_x(grid, clod_cells_along(grid, 0, p[0]), first, last);
     const int ny = around(grid, 1, clod_cells_along(grid, 1, p[1]), y);

@@ -15,8 +15,10 @@
 
 // ---- which candidates are near
 
-/** Part of a radius that rounding may add to a way. */
+/** What rounding may add to a way: to a distance in double, as a part of the radius; */
 #define ROUNDING 1e-9
+/** to an origin and a way in float, both at most half of the wide skin, as a part of that. */
+#define FLOAT_ROUNDING 1e-7
 
 /** Items [begin, end) of so many that are a part's to look at before there is a cut. */
 static size_t share_of(size_t count, int part, int parts)
@@ -31,11 +33,22 @@ void clod_near_allow(const clod_near_job *job, int part)
     const int parts = job->near->parts;
     const size_t end = share_of(grains->count, part + 1, parts);
     for (size_t g = share_of(grains->count, part, parts); g < end; g++) {
-        const double *p = grains->position[g], *v = grains->velocity[g];
-        double *at = job->near->origin[g];
+        const double *v = grains->velocity[g];
         const double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-        memcpy(at, p, 3 * sizeof *at);
-        at[3] = p[3] + fmin(ways->least + ways->time * speed, ways->most);
+        job->near->way[g] = (float)fmin(ways->least + ways->time * speed, ways->most);
+    }
+}
+
+void clod_near_note(const clod_near_job *job, int part)
+{
+    const clod_grains *grains = &job->state->grains;
+    const double(*built)[4] = clod_neighbour_places(job->neighbour, job->state);
+    const int parts = job->near->parts;
+    const size_t end = share_of(grains->count, part + 1, parts);
+    for (size_t g = share_of(grains->count, part, parts); g < end; g++) {
+        for (int a = 0; a < 3; a++) {
+            job->near->origin[g][a] = (float)(grains->position[g][a] - built[g][a]);
+        }
     }
 }
 
@@ -43,29 +56,38 @@ double clod_near_slack(const clod_near *self, const clod_state *state, size_t be
 {
     double least = INFINITY;
     for (size_t g = begin; g < end; g++) {
-        const double *p = state->grains.position[g], *from = self->origin[g];
-        const double x = p[0] - from[0], y = p[1] - from[1], z = p[2] - from[2];
-        const double left = from[3] - p[3] - sqrt(x * x + y * y + z * z) - ROUNDING * p[3];
+        const double *p = state->grains.position[g], *built = state->build_position[g];
+        const float *origin = self->origin[g];
+        const double x = p[0] - built[0] - (double)origin[0];
+        const double y = p[1] - built[1] - (double)origin[1];
+        const double z = p[2] - built[2] - (double)origin[2];
+        const double left = (double)self->way[g] - sqrt(x * x + y * y + z * z);
         least = left < least ? left : least;
     }
-    return least;
+    return least - self->rounding;
+}
+
+/** How far a grain may go. */
+static double way_of(const clod_near_job *job, size_t grain)
+{
+    return (double)job->near->way[grain];
 }
 
 static bool pair_is_near(const clod_near_job *job, size_t i, size_t j)
 {
     const clod_domain *domain = &job->state->domain;
-    const double *a = job->near->origin[i], *b = job->near->origin[j];
+    const double *a = job->state->grains.position[i], *b = job->state->grains.position[j];
     const double x = clod_domain_separation(domain, 0, a[0], b[0]);
     const double y = clod_domain_separation(domain, 1, a[1], b[1]);
     const double z = clod_domain_separation(domain, 2, a[2], b[2]);
-    const double reach = a[3] + b[3];
+    const double reach = a[3] + b[3] + way_of(job, i) + way_of(job, j);
     return x * x + y * y + z * z < reach * reach;
 }
 
 static bool wall_is_near(const clod_near_job *job, const clod_wall_candidate *c)
 {
-    const double *p = job->near->origin[c->i];
-    const double reach = p[3] + job->ways.wall;
+    const double *p = job->state->grains.position[c->i];
+    const double reach = p[3] + way_of(job, (size_t)c->i) + job->ways.wall;
     return clod_wall_rows_patch(job->walls, c->wall, c->shape)->surface != NULL
                ? clod_wall_mesh_mark(&job->neighbour->walls, c, job->walls, p, reach)
                : clod_wall_rows_is_near(job->walls, c->wall, c->shape, p, reach);
@@ -261,7 +283,9 @@ static bool reserve(const clod_near_job *job)
 {
     clod_near *self = job->near;
     const size_t walls = (size_t)job->state->walls.count;
-    return clod_room_for(&self->origin, &self->origin_capacity, job->state->grains.count,
+    return clod_room_for(&self->way, &self->way_capacity, job->state->grains.count,
+                         sizeof *self->way) &&
+           clod_room_for(&self->origin, &self->origin_capacity, job->state->grains.count,
                          sizeof *self->origin) &&
            clod_room_for(&self->sum_start, &self->sum_start_capacity, walls + 1,
                          sizeof *self->sum_start) &&
@@ -275,8 +299,9 @@ bool clod_near_begin(const clod_near_job *job, clod_status *status)
 {
     clod_near *self = job->near;
     self->wall_way = job->ways.wall;
-    self->least_way =
-        fmin(job->ways.least, job->ways.wall) - 2.0 * ROUNDING * job->neighbour->radius_max;
+    self->rounding =
+        ROUNDING * job->neighbour->radius_max + FLOAT_ROUNDING * job->neighbour->skin;
+    self->least_way = fmin(job->ways.least, job->ways.wall) - 2.0 * self->rounding;
     self->made = false;
     bool good = self->part_start != NULL;
     if (!good) {
@@ -300,7 +325,6 @@ void clod_near_end(const clod_near_job *job)
     clod_near_give_back(state->contacts, room, 0, room);
     state->contact_count = state->wall_contact_count = 0;
     clod_near_between_make(job->near);
-    clod_neighbour_give_back(job->neighbour);
     job->near->made = true;
 }
 
@@ -314,6 +338,14 @@ bool clod_near_reserve_spent(clod_near *self)
                                            self->pairs.count, sizeof *self->pairs.spent) &&
                              clod_room_for(&self->walls.spent, &self->walls.spent_capacity,
                                            self->walls.count, sizeof *self->walls.spent));
+}
+
+void clod_near_give_ways_back(clod_near *self)
+{
+    const size_t ways = self->way_capacity * sizeof *self->way;
+    const size_t origins = self->origin_capacity * sizeof *self->origin;
+    clod_memory_give_back(self->way, ways, ways);
+    clod_memory_give_back(self->origin, origins, origins);
 }
 
 bool clod_near_make(const clod_near_job *job, clod_status *status)
@@ -338,6 +370,9 @@ bool clod_near_make(const clod_near_job *job, clod_status *status)
     for (int p = 0; p < parts; p++) {
         clod_near_place(job, p);
     }
+    for (int p = 0; p < parts; p++) {
+        clod_near_note(job, p);
+    }
     clod_near_end(job);
     return true;
 }
@@ -357,6 +392,7 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->between.run);
     clod_memory_free(self->between.run_start);
     clod_memory_free(self->part_start);
+    clod_memory_free(self->way);
     clod_memory_free(self->origin);
     clod_memory_free(self->weight);
     clod_memory_free(self->wall_sum);

@@ -56,8 +56,10 @@ typedef struct clod_near_range {
 } clod_near_range;
 
 typedef struct clod_near {
-    double (*origin)[4]; ///< [grains] places when the list was made; radius and the own way [m]
-    size_t origin_capacity;
+    float *way;         ///< [grains] m, how far each may go: its own way
+    float (*origin)[3]; ///< [grains] m, where each was then, from its place at the last rebuild
+    size_t way_capacity, origin_capacity;
+    double rounding;  ///< m, no less than what the two above are wrong by
     double wall_way;  ///< m, how far walls may go
     double least_way; ///< m, no more than any way, of grains or walls
     int32_t laws;
@@ -151,6 +153,7 @@ void clod_near_cut(const clod_near_job *job);             ///< parts of about th
 void clod_near_count(const clod_near_job *job, int part);
 bool clod_near_layout(const clod_near_job *job, clod_status *status); ///< and all walls
 void clod_near_place(const clod_near_job *job, int part);
+void clod_near_note(const clod_near_job *job, int part); ///< where the grains are
 void clod_near_end(const clod_near_job *job);
 
 /**
@@ -159,6 +162,9 @@ void clod_near_end(const clod_near_job *job);
  */
 double clod_near_slack(const clod_near *self, const clod_state *state, size_t begin,
                        size_t end);
+
+/** Give ways and origins of a large bed back to the system: the next list has new ones. */
+void clod_near_give_ways_back(clod_near *self);
 
 /** All of that by one thread. */
 bool clod_near_make(const clod_near_job *job, clod_status *status);

@@ -108,7 +108,7 @@ static bool walls_at_rebuild(clod_neighbour *self, const clod_state *state)
 /** A layer of the largest grains, and something for what is uneven. */
 static size_t lead_of(const clod_neighbour *self, const clod_state *state)
 {
-    const double(*position)[4] = (const double(*)[4])state->build_position;
+    const double(*position)[4] = clod_neighbour_places(self, state);
     const clod_layers layers = clod_layers_of(position, state->grains.count);
     const size_t fullest = clod_layers_fullest(&layers, position, state->grains.count);
     const double reach = 2.0 * self->radius_max / (self->radius_min + self->radius_max);
@@ -343,6 +343,7 @@ bool clod_neighbour_build_end(clod_neighbour *self, const clod_state *state,
                                 "likely too large, see clod check",
                                 (long long)state->step, (unsigned long long)grain, state->dt);
     }
+    clod_neighbour_give_back(self);
     return true;
 }
 
@@ -359,16 +360,21 @@ bool clod_neighbour_build(clod_neighbour *self, const clod_state *state, const c
     return clod_neighbour_build_end(self, state, status);
 }
 
-void clod_neighbour_give_back(clod_neighbour *self)
+void clod_neighbour_give_ranks_back(clod_neighbour *self)
 {
-    const size_t sort = self->sort_capacity * sizeof *self->sort;
     const size_t grains = self->grain_capacity * sizeof *self->rank;
-    const size_t cells = self->cell_capacity * sizeof *self->cell_start;
-    clod_memory_give_back(self->sort, sort, sort);
-    clod_memory_give_back(self->sort_scratch, sort, sort);
     clod_memory_give_back(self->cell_of, grains, grains);
     clod_memory_give_back(self->cell_item, grains, grains);
     clod_memory_give_back(self->rank, grains, grains);
+}
+
+void clod_neighbour_give_back(clod_neighbour *self)
+{
+    const size_t sort = self->sort_capacity * sizeof *self->sort;
+    const size_t cells = self->cell_capacity * sizeof *self->cell_start;
+    clod_memory_give_back(self->sort, sort, sort);
+    clod_memory_give_back(self->sort_scratch, sort, sort);
+    clod_neighbour_give_ranks_back(self);
     const size_t places = self->place_capacity * sizeof *self->cell_place;
     clod_memory_give_back(self->cell_place, places, places);
     clod_memory_give_back(self->cell_start, cells, cells);

@@ -88,6 +88,7 @@ typedef struct clod_neighbour_found {
 typedef struct clod_neighbour {
     double skin; ///< m
     bool brute_force;
+    bool now; ///< the rebuild is now: its positions are not noted yet, but those of the grains
     const clod_kernel *kernel; ///< the machine's best, or what the step has
     double radius_min, radius_max;
     const struct clod_layers *layers; ///< of all ranks' grains; NULL: they follow from the rows
@@ -124,6 +125,13 @@ static inline double (*clod_neighbour_rows(const clod_neighbour *self))[4]
     return (double(*)[4])self->sort_scratch;
 }
 
+/** Positions of the grains at the last rebuild, [grains] x, y, z, radius [m]. */
+static inline const double (*clod_neighbour_places(const clod_neighbour *self,
+                                                   const clod_state *state))[4]
+{
+    return (const double(*)[4])(self->now ? state->grains.position : state->build_position);
+}
+
 /** Radii of the grains; nothing is built yet. */
 void clod_neighbour_init(clod_neighbour *self, const clod_state *state, bool brute_force);
 
@@ -157,7 +165,9 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
 
 /**
  * The same in steps (reorder.h): the order alone, in `sort` and `rank`, after the wrap that is
- * also here alone; and the note.
+ * also here alone; and the note of when and where the rebuild is, without the positions of the
+ * grains: until each thread notes its chunk of these, when the lists have been made and there is
+ * room again, `now` is set and the grains have not moved.
  *
  * @param going  so many grains go: their `rank` is CLOD_NEIGHBOUR_GOES before and after
  */
@@ -165,7 +175,8 @@ bool clod_neighbour_order(clod_neighbour *self, clod_state *state, size_t going,
                           clod_status *status);
 bool clod_neighbour_wrap(const clod_neighbour *self, clod_state *state, size_t going,
                          clod_status *status);
-bool clod_neighbour_note(const clod_neighbour *self, clod_state *state, clod_status *status);
+bool clod_neighbour_note(clod_neighbour *self, clod_state *state, clod_status *status);
+void clod_neighbour_note_positions(clod_state *state, clod_chunk grains);
 
 /** Rows of an array that go with the grains; `size` bytes of each, `stride` apart. */
 typedef struct clod_row_column {
@@ -198,7 +209,7 @@ void clod_neighbour_rename(const clod_neighbour *self, clod_contact *c);
 bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_status *status);
 
 /**
- * Candidates from state->build_position and build_walls; every contact must be among them. In
+ * Candidates from the positions of the last rebuild and build_walls; every contact must be among them. In
  * steps: begin, add and end once; count, enter and part by each of the parts, at the same time.
  * Grains are counted by cell, the numbers added up to where each cell begins, the grains entered
  * there; then each part searches the cells around its grains.
@@ -226,7 +237,9 @@ bool clod_neighbour_add(clod_pairs *self, size_t j);
 /** Say why no more candidates could be added: beyond a limit, or without memory; false. */
 bool clod_neighbour_fail_to_add(const clod_neighbour *self, size_t grains, clod_status *status);
 
-/** Give the scratch of a large bed back to the system until it is next used. */
+/** Give the scratch of a large bed back to the system until it is next used: all of it, or what
+ *  contacts were brought into order with. */
 void clod_neighbour_give_back(clod_neighbour *self);
+void clod_neighbour_give_ranks_back(clod_neighbour *self);
 
 void clod_neighbour_fini(clod_neighbour *self);

@@ -284,10 +284,9 @@ bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_
     return sort_lists(self, state, status);
 }
 
-/** Remember where everything is at this rebuild. */
-static bool note_rebuild(const clod_neighbour *self, clod_state *state)
+/** Remember where the walls are at this rebuild, and have room for where the grains are. */
+static bool note_rebuild(clod_neighbour *self, clod_state *state)
 {
-    clod_grains *grains = &state->grains;
     if (state->build_position == NULL) {
         state->build_walls =
             clod_memory_alloc((size_t)state->walls.count + 1, sizeof *state->build_walls);
@@ -295,13 +294,19 @@ static bool note_rebuild(const clod_neighbour *self, clod_state *state)
             return false;
         }
     }
-    memcpy(state->build_position, grains->position, grains->count * sizeof *grains->position);
     for (int32_t w = 0; w < state->walls.count; w++) {
         clod_wall_pose_get(&state->walls.wall[w], state->build_walls[w]);
     }
     state->build_motion = 0.0;
     state->build_skin = self->skin;
+    self->now = true;
     return true;
+}
+
+void clod_neighbour_note_positions(clod_state *state, clod_chunk grains)
+{
+    memcpy(state->build_position + grains.begin, state->grains.position + grains.begin,
+           (grains.end - grains.begin) * sizeof *state->build_position);
 }
 
 /** What the last rebuild left and this one makes anew, back to the system: large beds. */
@@ -327,7 +332,7 @@ bool clod_neighbour_order(clod_neighbour *self, clod_state *state, size_t going,
     return true;
 }
 
-bool clod_neighbour_note(const clod_neighbour *self, clod_state *state, clod_status *status)
+bool clod_neighbour_note(clod_neighbour *self, clod_state *state, clod_status *status)
 {
     return note_rebuild(self, state) ||
            clod_status_fail(status, CLOD_FAILED, "no memory to sort %zu grains",
@@ -340,5 +345,10 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
         return false;
     }
     apply_order(self, state);
-    return sort_lists(self, state, status) && clod_neighbour_note(self, state, status);
+    if (!sort_lists(self, state, status) || !clod_neighbour_note(self, state, status)) {
+        return false;
+    }
+    clod_neighbour_note_positions(state, (clod_chunk){0, state->grains.count});
+    self->now = false;
+    return true;
 }

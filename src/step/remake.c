@@ -62,6 +62,7 @@ static void mark_leavers(clod_step *self)
 static void begin(clod_step *self, int part)
 {
     (void)part;
+    clod_near_give_ways_back(&self->near);
     clod_step_remake *remake = &self->remake;
     clod_state *state = self->state;
     if (!remake->again) {
@@ -127,6 +128,9 @@ static void reorder_rows(clod_step *self, clod_chunk parts)
     }
     const int all = self->near.parts;
     const size_t grains = self->remake.reorder.grains;
+    if (parts.begin == 0) { // the contacts are in order: nobody needs it any more
+        clod_neighbour_give_ranks_back(&self->neighbour);
+    }
     clod_row_column columns[CLOD_ROW_COLUMNS];
     const int count = clod_neighbour_columns(&self->state->grains, columns);
     for (int k = 0; k < count; k++) {
@@ -297,9 +301,21 @@ static void place(clod_step *self, int part)
     clod_near_place(&self->remake.job, part);
 }
 
+/** Where the grains are: now that the old contacts have left room for it. */
+static void note(clod_step *self, int part)
+{
+    clod_state *state = self->state;
+    clod_near_note(&self->remake.job, part);
+    if (self->remake.again) {
+        clod_neighbour_note_positions(
+            state, clod_threads_chunk(state->grains.count, part, self->near.parts));
+    }
+}
+
 static void end(clod_step *self, int part)
 {
     (void)part;
+    self->neighbour.now = false;
     clod_near_end(&self->remake.job);
     if (self->spread != NULL) { // ranks look together
         self->near.least_way = clod_spread_least(self->spread, self->near.least_way);
@@ -339,6 +355,7 @@ static const list_phase PHASES[] = {
     {.run = count_new, .all = true},
     {.run = layout},
     {.run = place, .all = true},
+    {.run = note, .all = true},
     {.run = end},
 };
 #define PHASE_COUNT ((int)(sizeof PHASES / sizeof *PHASES))

@@ -128,7 +128,7 @@ static bool try_shape(const clod_neighbour *self, const clod_state *state,
                       const clod_laws *laws, size_t g, const clod_wall_entry *shape,
                       clod_wall_candidates *to)
 {
-    const double *p = state->build_position[g];
+    const double *p = clod_neighbour_places(self, state)[g];
     const double reach = p[3] + self->skin;
     const clod_wall_rows *rows = &self->build_rows;
     if (clod_wall_rows_patch(rows, shape->wall, shape->shape)->surface != NULL) {
@@ -170,8 +170,9 @@ bool clod_wall_cells_find(const clod_neighbour *self, const clod_state *state,
     if (cells->count == 0) {
         return true;
     }
+    const double(*place)[4] = clod_neighbour_places(self, state);
     for (size_t g = grains.begin; g < grains.end; g++) {
-        const int32_t cell = clod_cells_at(&self->grid, state->build_position[g]);
+        const int32_t cell = clod_cells_at(&self->grid, place[g]);
         const clod_wall_entry *before = NULL;
         for (size_t k = cells->start[cell]; k < cells->start[cell + 1]; k++) {
             const clod_wall_entry *entry = &cells->sorted[k];

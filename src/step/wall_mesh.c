@@ -135,7 +135,7 @@ bool clod_wall_mesh_find(const clod_neighbour *self, const clod_state *state,
                          const clod_laws *laws, clod_wall_mesh_place at,
                          clod_wall_candidates *to)
 {
-    const double *p = state->build_position[at.grain];
+    const double *p = clod_neighbour_places(self, state)[at.grain];
     const clod_wall_rows *rows = &self->build_rows;
     walk all = {.surface = clod_wall_rows_patch(rows, at.wall, at.shape)->surface,
                 .from = place_in(rows, at.wall, at.shape, p),

@@ -64,6 +64,10 @@ static void by_parts(scene *s)
     }
     clod_near_gather_end(&step->near);
     assert_true(clod_neighbour_note(&step->neighbour, &s->state, &step->status));
+    for (int p = parts; p-- > 0;) {
+        clod_neighbour_note_positions(&s->state, clod_threads_chunk(job.grains, p, parts));
+    }
+    step->neighbour.now = false;
 }
 
 static void parts_do_what_gathering_and_sorting_do(void **state)
