@@ -67,11 +67,7 @@ static void merge_bed(const void *context, void *into, const void *from)
 
 static void merge_weights(const void *context, void *into, const void *from)
 {
-    int32_t *mine = into;
-    const int32_t *other = from;
-    for (size_t b = 0; b < *(const size_t *)context; b++) {
-        mine[b] += other[b];
-    }
+    clod_partition_merge(into, from, *(const size_t *)context);
 }
 
 /** Extent of the own rows. */

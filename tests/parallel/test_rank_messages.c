@@ -73,6 +73,46 @@ static void bytes_arrive_at_whom_they_are_for(void **state)
     }
 }
 
+/** As if every other rank had so many bytes for this one: more together than any address. */
+#define ENORMOUS ((size_t)5 << 45)
+
+static void announce_much(clod_ranks *self, const clod_message *out, int outs,
+                          const clod_message *in, int ins)
+{
+    (void)self;
+    (void)out;
+    (void)outs;
+    const size_t bytes = ENORMOUS;
+    for (int k = 0; k < ins; k++) {
+        if (in[k].bytes == sizeof bytes) { // not the text of the failure
+            memcpy(in[k].data, &bytes, sizeof bytes);
+        }
+    }
+}
+
+static void share_alone(clod_ranks *self, const void *mine, size_t bytes, void *all)
+{
+    for (int r = 0; r < self->size; r++) {
+        memcpy((char *)all + (size_t)r * bytes, mine, bytes);
+    }
+}
+
+/** Where each rank's bytes begin, far beyond 2^31, and that there is no room for them. */
+static void more_bytes_than_an_int_counts(void **state)
+{
+    (void)state;
+    clod_ranks ranks = {.size = SIZE, .share = share_alone, .exchange = announce_much};
+    clod_status status = {0};
+    clod_bytes out[SIZE] = {0}, in = {0};
+    size_t begin[SIZE + 1];
+    assert_true(clod_ranks_init(&ranks, &status));
+    assert_false(clod_ranks_swap(&ranks, out, &in, begin, &status));
+    assert_non_null(strstr(status.text, "no memory for 703687441776640 bytes")); // 4 x 5 x 2^45
+    assert_true(begin[1] == 0 && begin[2] == ENORMOUS && begin[SIZE] == 4 * ENORMOUS);
+    clod_bytes_fini(&in);
+    clod_ranks_fini(&ranks);
+}
+
 typedef struct agreement {
     bool agreed;
     clod_status status;
@@ -105,6 +145,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sums_are_merged_in_the_order_of_ranks),
         cmocka_unit_test(bytes_arrive_at_whom_they_are_for),
+        cmocka_unit_test(more_bytes_than_an_int_counts),
         cmocka_unit_test(all_learn_of_the_first_failure),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
