@@ -124,12 +124,26 @@ static void tell_progress(job_loop *loop, bool finished)
             .phase = job->procedure.phase(job->procedure.data, job->procedure.context),
             .time = job->state.time,
             .step = job->state.step,
-            .grain_steps_per_s = steps * (double)job->state.grains.count / since,
+            .grain_steps_per_s = steps * (double)clod_step_grains(&loop->step) / since,
             .fraction = fraction,
             .remaining = fraction > 0.02 ? spent * (1.0 - fraction) / fraction : -1.0,
             .finished = finished});
     loop->last_progress = now;
     loop->progress_step = job->state.step;
+}
+
+/** After the planned steps: bring the state to what the procedure must see of it. */
+static bool see(job_loop *loop, clod_status *status)
+{
+    const clod_procedure *p = &loop->job->procedure;
+    clod_sight sees = {.whole = true};
+    if (p->sight != NULL) {
+        sees.whole = false;
+        p->sight(p->data, p->context, &loop->job->state, &sees);
+    }
+    return sees.whole ? clod_step_see(&loop->step, status)
+                      : sees.boxes == 0 ||
+                            clod_step_see_near(&loop->step, sees.box, sees.boxes, status);
 }
 
 /**
@@ -150,7 +164,7 @@ static bool advance(job_loop *loop, clod_status *status)
         return false;
     }
     memory->planned -= steps;
-    if (memory->planned == 0 && !clod_step_see(&loop->step, status)) {
+    if (memory->planned == 0 && !see(loop, status)) {
         return false;
     }
     const double spent = clock_now() - begin;

@@ -13,6 +13,7 @@
 #include "output/series.h"
 #include "output/snapshot.h"
 #include "sim/news.h"
+#include "sim/sight.h"
 #include "state/state.h"
 
 /** What decides what happens between steps; `data` is plain and goes into the checkpoint. */
@@ -29,6 +30,10 @@ typedef struct clod_procedure {
     /** After every act: the next thing to be said at once; false: nothing more. NULL: nothing. */
     bool (*news)(void *data, const void *context, const clod_state *state, clod_news *news);
     int64_t (*plan)(const void *data, const void *context, const clod_state *state);
+    /** After the planned steps: what look, and then act, must see of the bed; walls and numbers are
+     *  there anyhow. NULL: all of it. */
+    void (*sight)(const void *data, const void *context, const clod_state *state,
+                  clod_sight *sees);
     /** After the planned steps: whether it is time for a sample. NULL: it always is. */
     bool (*look)(void *data, const void *context, const clod_state *state);
     /** Before a sample: measure contacts. NULL: nothing. */

@@ -181,7 +181,8 @@ static void sixteen_ranks_thinner_than_a_grain_reaches(void **state)
                     .steps = 500},
             16, &all);
     assert_true(all.grains > 40 && all.contacts > 40);
-    compare((cloud){.seed = 4, .grains = 60, .size = {0.02, 0.02, 0.4}, .steps = 500}, 16, &all);
+    compare((cloud){.seed = 4, .grains = 60, .size = {0.02, 0.02, 0.4}, .steps = 500}, 16,
+            &all);
 }
 
 /** Grains about the corner of a periodic box, where each meets images across all three sides. */
@@ -204,7 +205,8 @@ static void one_grain_on_sixteen_ranks(void **state)
 {
     (void)state;
     met all = {0};
-    cloud how = {.seed = 6, .grains = 1, .size = {0.02, 0.02, 0.022}, .floor = true, .steps = 900};
+    cloud how = {
+        .seed = 6, .grains = 1, .size = {0.02, 0.02, 0.022}, .floor = true, .steps = 900};
     compare(how, 16, &all);
     how.grains = 0; // and none at all
     compare(how, 16, &all);
