@@ -21,6 +21,8 @@ void clod_ranks_fini(clod_ranks *self)
 {
     clod_memory_free(self->message);
     clod_memory_free(self->room);
+    clod_memory_free(self->place);
+    self->place = NULL;
     self->message = NULL;
     self->room = NULL;
     self->room_bytes = 0;

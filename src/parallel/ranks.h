@@ -16,6 +16,7 @@
 
 #include "base/bytes.h"
 #include "clod/status.h"
+#include "parallel/rank_places.h"
 
 /** Bytes to or from another rank. */
 typedef struct clod_message {
@@ -33,10 +34,11 @@ struct clod_ranks {
      *  same number of bytes; empty ones may be named by one of them alone. */
     void (*exchange)(clod_ranks *self, const clod_message *out, int outs,
                      const clod_message *in, int ins);
-    void *group;           ///< what the two need
-    char *room;            ///< scratch of the functions below; owned
-    size_t room_bytes;     ///< of it
-    clod_message *message; ///< [2 * size] scratch; owned
+    clod_rank_place *place; ///< [size] where they run; NULL: not known; owned
+    void *group;            ///< what the two need
+    char *room;             ///< scratch of the functions below; owned
+    size_t room_bytes;      ///< of it
+    clod_message *message;  ///< [2 * size] scratch; owned
 };
 
 /** Scratch of the functions below; false without memory. Then clod_ranks_fini. */

@@ -14,6 +14,7 @@
 #include "output/snapshot.h"
 #include "sim/news.h"
 #include "sim/sight.h"
+#include "sim/time_limit.h"
 #include "state/state.h"
 
 /** What decides what happens between steps; `data` is plain and goes into the checkpoint. */
@@ -61,7 +62,8 @@ typedef struct clod_job_shared {
     const char *identity;      ///< of the case (sim/identity.h): checkpoints belong to it
     clod_eventlog *log;
     struct clod_origin *origin; ///< run from whose grains this one begins; NULL: none
-    bool any_threads;           ///< nobody asked for a number: no more than pay
+    clod_time_limit limit;
+    bool any_threads; ///< nobody asked for a number: no more than pay
 } clod_job_shared;
 
 #define CLOD_JOB_VERSION 128 ///< bytes of a version text

@@ -17,6 +17,12 @@ OFTEN = ("--set", "output.checkpoint_interval=0.05 s")
 SEED = int(os.environ.get("CLOD_TEST_SEED", time.time_ns() % 1000000))
 
 
+def run(ranks, *arguments):
+    """Run clod on so many ranks to its end; stdout and stderr as text."""
+    return subprocess.run([*MPIRUN, str(ranks), clod.BINARY, *arguments], text=True, timeout=1000,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+
+
 def ranks_of(mpirun):
     """Process numbers of the ranks that an mpirun has started, rank 0 first."""
     found = subprocess.run(["ps", "-o", "pid=,comm=", "--ppid", str(mpirun.pid)], text=True,
