@@ -36,6 +36,20 @@ void clod_ranks_tell_places(const clod_job_shared *sim)
                         "threads_each", threads, "hosts", hosts);
 }
 
+void clod_ranks_tell_work(const clod_job_shared *sim)
+{
+    const clod_ranks *ranks = sim->options->ranks;
+    if (ranks == NULL || ranks->size == 1) {
+        return;
+    }
+    const clod_ranks_count *count = &ranks->count;
+    clod_eventlog_write(sim->log, "messages of rank 0", "{s:I, s:I, s:I, s:I, s:I, s:f}",
+                        "messages", (json_int_t)count->messages, "bytes",
+                        (json_int_t)count->bytes, "exchanges", (json_int_t)count->exchanges,
+                        "collectives", (json_int_t)count->shares, "bytes_to_each",
+                        (json_int_t)count->share_bytes, "waited_s", count->waited);
+}
+
 bool clod_ranks_check(const clod_case *from, clod_status *status)
 {
     return !from->output.surfaces ||

@@ -106,6 +106,7 @@ static bool run_in_folder(clod_job_shared *sim, const char *complete, char **rep
     if (earlier == CLOD_EARLIER_GO_ON) {
         ok = fill_folder(sim, complete, status) && run_case(sim, report, status) &&
              write_report(sim, *report, status);
+        clod_ranks_tell_work(sim);
         ok = close_log(sim, ok, status);
     }
     clod_folder_close(&folder);

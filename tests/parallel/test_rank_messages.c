@@ -1,4 +1,5 @@
 // What ranks say to each other arrives, whole and in the order of ranks.
+#include "support/check.h"
 #include "support/ranks_threads.h"
 
 #define SIZE 5
@@ -61,6 +62,34 @@ static void swap_letters(clod_ranks *ranks, void *context)
     }
     clod_bytes_fini(&in);
     good[ranks->rank] = same;
+}
+
+static void count_letters(clod_ranks *ranks, void *context)
+{
+    clod_ranks_count *count = context;
+    bool good[SIZE];
+    swap_letters(ranks, good);
+    count[ranks->rank] = ranks->count;
+}
+
+static void what_is_said_is_counted(void **state)
+{
+    (void)state;
+    clod_ranks_count count[SIZE];
+    ranks_run(SIZE, count_letters, count);
+    for (int r = 0; r < SIZE; r++) {
+        size_t messages = SIZE - 1, bytes = (SIZE - 1) * sizeof(size_t); // how many, first
+        for (int to = 0; to < SIZE; to++) {
+            messages += to != r && letters(r, to) > 0;
+            bytes += to != r ? letters(r, to) : 0;
+        }
+        assert_int_equal(count[r].messages, messages);
+        assert_int_equal(count[r].bytes, bytes);
+        assert_int_equal(count[r].exchanges, 2);
+        assert_int_equal(count[r].shares, 1); // whether all have memory
+        assert_int_equal(count[r].share_bytes, 1);
+        assert_true(count[r].waited > 0.0 && count[r].waited < 100.0);
+    }
 }
 
 static void bytes_arrive_at_whom_they_are_for(void **state)
@@ -145,6 +174,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sums_are_merged_in_the_order_of_ranks),
         cmocka_unit_test(bytes_arrive_at_whom_they_are_for),
+        cmocka_unit_test(what_is_said_is_counted),
         cmocka_unit_test(more_bytes_than_an_int_counts),
         cmocka_unit_test(all_learn_of_the_first_failure),
     };
