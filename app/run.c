@@ -19,6 +19,7 @@
 #include "arguments.h"
 #include "clod/ranks.h"
 #include "clod/run.h"
+#include "duration.h"
 #include "one_case.h"
 
 #define LOG_INTERVAL 10.0 ///< s between plain lines when standard error is not a terminal
@@ -104,6 +105,11 @@ static const struct argp_option OPTIONS[] = {
      "checkpoint, or the one that SIGUSR1 wrote at SECONDS; of a test from its finished "
      "preparation",
      0},
+    {"time-limit", 'T', "DURATION", 0,
+     "stop with a checkpoint before this time is over, counted from the start of the program, "
+     "as after SIGTERM (exit status 143): 90 s, 30 min, 24 h, 1 d, or 1-12:00:00 as batch "
+     "systems write it",
+     0},
     {"simd", 'i', "SET", 0,
      "instruction set: scalar, avx2, avx512, neon (this machine's best); results do not depend "
      "on it",
@@ -142,6 +148,14 @@ static error_t parse(int key, char *argument, struct argp_state *state)
             argp_error(state, "--from: the results folder of another run is needed");
         }
         self->options.from = argument;
+        return 0;
+    case 'T':
+        if (!clod_duration_read(argument, &self->options.time_limit)) {
+            argp_error(state,
+                       "--time-limit %s: a time above 0 is needed, as 90 s, 30 min, 24 h, 1 d "
+                       "or 1-12:00:00",
+                       argument);
+        }
         return 0;
     case 'i':
         self->options.simd = argument;
@@ -197,7 +211,8 @@ static void show_notice(void *context, const char *text)
 static int exit_status(const clod_status *status)
 {
     if (status->code == CLOD_INTERRUPTED) {
-        return 128 + atomic_load(&stop_signal); // 130 after SIGINT, 143 SIGTERM, 129 SIGHUP
+        const int number = atomic_load(&stop_signal);  // none: at the time limit
+        return 128 + (number != 0 ? number : SIGTERM); // 130 after SIGINT, 143, 129 SIGHUP
     }
     return status->code == CLOD_USAGE ? 2 : 1;
 }

@@ -15,6 +15,8 @@ foreach(source IN LISTS CLOD_BENCHES)
   endif()
 endforeach()
 
+target_include_directories(bench_ranks PRIVATE tests) # ranks as threads
+
 # bench/machine_set.c once per instruction set, with the flags of the kernels; once more where
 # the set has fused multiply-add, with leave to use it.
 foreach(set IN LISTS CLOD_SETS)

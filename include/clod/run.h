@@ -55,6 +55,7 @@ typedef struct clod_run_options {
     void (*progress)(void *context, const clod_progress *now); ///< any thread; or NULL
     void (*notice)(void *context, const char *text); ///< a sentence for the user; or NULL
     void *context;
+    double time_limit; ///< s from this call on, before which it stops as by `stop`; 0: none
 } clod_run_options;
 
 /**

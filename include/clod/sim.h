@@ -26,8 +26,10 @@ extern "C" {
 #endif
 
 typedef struct clod_sim_options {
-    int threads;      ///< 0 = as many of all processors as pay
-    const char *simd; ///< instruction set: scalar, avx2, avx512, neon; NULL = the best
+    int threads;       ///< 0 = as many of all processors as pay
+    const char *simd;  ///< instruction set: scalar, avx2, avx512, neon; NULL = the best
+    bool each_process; ///< where mpirun started several processes: this one has a simulation of
+                       ///< its own, as the others may; otherwise that is refused
 } clod_sim_options;
 
 /**
@@ -42,8 +44,9 @@ typedef struct clod_sim_options {
  * @param from     checked case, borrowed until clod_sim_destroy
  * @param options  NULL = all defaults
  * @return         owned (clod_sim_destroy), or NULL
- * Errors  CLOD_USAGE: the case cannot be built; CLOD_FAILED: memory.
- * Threads safe.   Test  tests/sim/test_sim.c
+ * Errors  CLOD_USAGE: the case cannot be built, or several processes were started (each_process);
+ *         CLOD_FAILED: memory.
+ * Threads safe.   Test  tests/sim/test_sim.c, tests/sim/test_sim_processes.c
  */
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
                           clod_status *status);

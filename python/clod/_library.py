@@ -195,12 +195,15 @@ class Simulation:
     id, material) are views: they are valid until the next advance, change, energies, contacts,
     measure or file, which may sort the rows. Copy what is to be kept.
 
+    Where mpirun started several processes, each_process=True gives this one a simulation of its own;
+    without it that is an error.
+
     series_units has the units of series_row() by name once a row was taken.
     """
 
     series_units = {}
 
-    def __init__(self, path=None, text=None, threads=0, simd=None):
+    def __init__(self, path=None, text=None, threads=0, simd=None, each_process=False):
         if (path is None) == (text is None):
             raise TypeError("give either the path of a case, or its text")
         self._status = ffi.new("clod_status *")
@@ -208,6 +211,7 @@ class Simulation:
         options.threads = threads
         simd_text = ffi.new("char[]", simd.encode()) if simd is not None else ffi.NULL
         options.simd = simd_text
+        options.each_process = each_process
         self._sim = ffi.new("clod_sim **")
         if path is not None:
             self._sim[0] = lib.clod_sim_create_from_file(os.fsencode(path), options,

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/assert.h"
+#include "base/clock.h"
 #include "base/memory.h"
 #include "base/room.h"
 
@@ -17,10 +18,34 @@ bool clod_ranks_init(clod_ranks *self, clod_status *status)
                             self->size);
 }
 
+void clod_ranks_share(clod_ranks *self, const void *mine, size_t bytes, void *all)
+{
+    const double begin = clod_clock_now();
+    self->share(self, mine, bytes, all);
+    self->count.waited += clod_clock_now() - begin;
+    self->count.shares++;
+    self->count.share_bytes += (int64_t)bytes;
+}
+
+void clod_ranks_exchange(clod_ranks *self, const clod_message *out, int outs,
+                         const clod_message *in, int ins)
+{
+    const double begin = clod_clock_now();
+    self->exchange(self, out, outs, in, ins);
+    self->count.waited += clod_clock_now() - begin;
+    self->count.exchanges++;
+    for (int k = 0; k < outs; k++) {
+        self->count.messages += out[k].bytes > 0;
+        self->count.bytes += (int64_t)out[k].bytes;
+    }
+}
+
 void clod_ranks_fini(clod_ranks *self)
 {
     clod_memory_free(self->message);
     clod_memory_free(self->room);
+    clod_memory_free(self->place);
+    self->place = NULL;
     self->message = NULL;
     self->room = NULL;
     self->room_bytes = 0;
@@ -53,7 +78,7 @@ void clod_ranks_merge(clod_ranks *self, void *data, size_t bytes,
                       const void *context)
 {
     CLOD_ASSERT((size_t)self->size * bytes <= self->room_bytes);
-    self->share(self, data, bytes, self->room);
+    clod_ranks_share(self, data, bytes, self->room);
     memcpy(data, self->room, bytes);
     for (int r = 1; r < self->size; r++) {
         merge(context, data, self->room + (size_t)r * bytes);
@@ -71,7 +96,7 @@ static void tell_from(clod_ranks *self, int from, void *data, size_t bytes)
         }
     }
     const bool mine = self->rank == from;
-    self->exchange(self, self->message, mine ? outs : 0, &in, mine ? 0 : 1);
+    clod_ranks_exchange(self, self->message, mine ? outs : 0, &in, mine ? 0 : 1);
 }
 
 void clod_ranks_tell(clod_ranks *self, void *data, size_t bytes)
@@ -82,7 +107,7 @@ void clod_ranks_tell(clod_ranks *self, void *data, size_t bytes)
 bool clod_ranks_agree(clod_ranks *self, bool good, clod_status *status)
 {
     const char mine = good ? 1 : 0;
-    self->share(self, &mine, 1, self->room);
+    clod_ranks_share(self, &mine, 1, self->room);
     for (int r = 0; r < self->size; r++) {
         if (self->room[r] == 0) {
             tell_from(self, r, status, sizeof *status);
@@ -109,7 +134,7 @@ static void count_bytes(clod_ranks *self, const clod_bytes *out, size_t *begin)
             self->message[outs + ins++] = (clod_message){r, &number[r], sizeof number[r]};
         }
     }
-    self->exchange(self, self->message, outs, self->message + outs, ins);
+    clod_ranks_exchange(self, self->message, outs, self->message + outs, ins);
     begin[0] = 0;
     for (int r = 0; r < self->size; r++) {
         begin[r + 1] += begin[r];
@@ -147,6 +172,6 @@ bool clod_ranks_swap(clod_ranks *self, const clod_bytes *out, clod_bytes *in, si
             self->message[outs + ins++] = (clod_message){r, to, bytes};
         }
     }
-    self->exchange(self, self->message, outs, self->message + outs, ins);
+    clod_ranks_exchange(self, self->message, outs, self->message + outs, ins);
     return true;
 }

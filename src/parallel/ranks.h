@@ -16,6 +16,7 @@
 
 #include "base/bytes.h"
 #include "clod/status.h"
+#include "parallel/rank_places.h"
 
 /** Bytes to or from another rank. */
 typedef struct clod_message {
@@ -23,6 +24,15 @@ typedef struct clod_message {
     void *data; ///< borrowed
     size_t bytes;
 } clod_message;
+
+/** What a rank has said and how long it waited for others, since it began. */
+typedef struct clod_ranks_count {
+    int64_t shares, exchanges; ///< calls
+    int64_t messages;          ///< to other ranks, in exchanges
+    int64_t share_bytes;       ///< that it had for each other rank
+    int64_t bytes;             ///< of its messages
+    double waited;             ///< s in both calls
+} clod_ranks_count;
 
 typedef struct clod_ranks clod_ranks;
 struct clod_ranks {
@@ -33,11 +43,18 @@ struct clod_ranks {
      *  same number of bytes; empty ones may be named by one of them alone. */
     void (*exchange)(clod_ranks *self, const clod_message *out, int outs,
                      const clod_message *in, int ins);
+    clod_rank_place *place; ///< [size] where they run; NULL: not known; owned
+    clod_ranks_count count;
     void *group;           ///< what the two need
     char *room;            ///< scratch of the functions below; owned
     size_t room_bytes;     ///< of it
     clod_message *message; ///< [2 * size] scratch; owned
 };
+
+/** As the call of the same name, and counted. */
+void clod_ranks_share(clod_ranks *self, const void *mine, size_t bytes, void *all);
+void clod_ranks_exchange(clod_ranks *self, const clod_message *out, int outs,
+                         const clod_message *in, int ins);
 
 /** Scratch of the functions below; false without memory. Then clod_ranks_fini. */
 bool clod_ranks_init(clod_ranks *self, clod_status *status);

@@ -21,6 +21,16 @@ bool clod_ranks_mpi_started(void)
     return started;
 }
 
+int clod_ranks_mpi_processes(void)
+{
+    // of srun there are numbers of tasks in a plain batch script too
+    const char *text = getenv("OMPI_COMM_WORLD_SIZE");
+    text = text != NULL ? text : getenv("PMI_SIZE");
+    text = text != NULL || getenv("PMIX_RANK") == NULL ? text : getenv("SLURM_STEP_NUM_TASKS");
+    const long processes = text != NULL ? strtol(text, NULL, 10) : 1;
+    return processes > 1 && processes <= INT_MAX ? (int)processes : 1;
+}
+
 #ifdef CLOD_MPI
 
 #include <mpi.h>
@@ -120,9 +130,7 @@ void clod_ranks_mpi_close(clod_ranks *self)
 bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
 {
     *self = (clod_ranks){.size = 1};
-    const char *ranks = getenv("OMPI_COMM_WORLD_SIZE");
-    ranks = ranks != NULL ? ranks : getenv("PMI_SIZE");
-    return (ranks != NULL && strcmp(ranks, "1") == 0) ||
+    return clod_ranks_mpi_processes() == 1 ||
            clod_status_fail(status, CLOD_USAGE,
                             "several processes were started, but this clod was built without "
                             "MPI: run it without mpirun, or build it where libopenmpi-dev is "

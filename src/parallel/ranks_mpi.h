@@ -9,6 +9,9 @@
 /** Whether mpirun, or srun with PMIx or PMI, has started this process. */
 bool clod_ranks_mpi_started(void);
 
+/** How many processes it has started with this one: 1 where nobody has. */
+int clod_ranks_mpi_processes(void);
+
 /**
  * Join the ranks that it has started.
  *

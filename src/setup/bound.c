@@ -205,3 +205,17 @@ bool clod_setup_bound_accepts(const void *from, const clod_state *state, clod_st
     clod_setup_bound_fini(&bound);
     return good;
 }
+
+bool clod_setup_bound_streams(const clod_case *from, const clod_state *state,
+                              clod_status *status)
+{
+    clod_setup_bound bound;
+    bool good = clod_setup_bound_init(&bound, from, state, status);
+    for (size_t k = 0; good && k < from->grains_count; k++) {
+        const int material = clod_case_material_index(from, from->grains[k].material);
+        good = !from->grains[k].comes || grain_has_laws(&bound, from, material, status);
+    }
+    good = good && is_stable(&bound, from, state->dt, "the grains that come in", status);
+    clod_setup_bound_fini(&bound);
+    return good;
+}

@@ -41,6 +41,16 @@ bool clod_setup_bound_fits(const clod_case *from, const clod_state *state, const
                            clod_status *status);
 
 /**
+ * Whether the case has laws for all that grains from its inlets can meet, and the time step is
+ * stable with them and the grains that there are.
+ *
+ * Errors  CLOD_USAGE, CLOD_FAILED without memory.   Threads  pure.
+ * Test    tests/setup/test_setup_bound.c
+ */
+bool clod_setup_bound_streams(const clod_case *from, const clod_state *state,
+                              clod_status *status);
+
+/**
  * Whether the case has laws for all that grains and walls in state->changes can meet, and the
  * time step is stable with them: clod_step_options.accepts.
  *

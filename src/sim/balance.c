@@ -64,6 +64,13 @@ static void balance_begin(void *memory, const clod_case *from, const clod_state 
     }
 }
 
+static void balance_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
+{
+    const clod_balance *self = memory;
+    sees->whole |= is_open(now->from) &&
+                   self->edges < clod_steady_time_edges(&now->steady, now->state->time);
+}
+
 static bool balance_act(void *memory, const clod_free_moment *now, clod_status *status)
 {
     (void)status;
@@ -311,6 +318,7 @@ static json_t *balance_json(const void *memory, const clod_free_moment *now)
 const clod_free_measure CLOD_MEASURE_BALANCE = {.key = "balance",
                                                 .size = balance_size,
                                                 .begin = balance_begin,
+                                                .sight = balance_sight,
                                                 .act = balance_act,
                                                 .plan = balance_plan,
                                                 .look = balance_look,

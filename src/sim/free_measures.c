@@ -73,6 +73,15 @@ clod_free_moment clod_free_measures_moment(const void *memory, const clod_case *
     return (clod_free_moment){from, state, contacts, clod_steady_time_of(from, self->begin)};
 }
 
+void clod_free_measures_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
+{
+    for (int k = 0; k < COUNT; k++) {
+        if (MEASURES[k]->sight != NULL) {
+            MEASURES[k]->sight(memory_of(memory, now->from, k), now, sees);
+        }
+    }
+}
+
 bool clod_free_measures_act(void *memory, const clod_free_moment *now, clod_status *status)
 {
     bool good = true;

@@ -16,6 +16,7 @@
 #include "clod/case.h"
 #include "output/folder.h"
 #include "sim/news.h"
+#include "sim/sight.h"
 #include "sim/steady_time.h"
 #include "state/contact_source.h"
 
@@ -34,6 +35,8 @@ typedef struct clod_free_measure {
     size_t (*size)(const clod_case *from);
     /** The run begins; its memory is all zero. */
     void (*begin)(void *memory, const clod_case *from, const clod_state *state);
+    /** What it must see of the bed to act at this step, into `sees`. NULL: nothing of it. */
+    void (*sight)(const void *memory, const clod_free_moment *now, clod_sight *sees);
     /** Before every plan, at steps of its own: once for a step, however often it is called. */
     bool (*act)(void *memory, const clod_free_moment *now, clod_status *status);
     /** Steps until it must act; 1 or more. */
@@ -74,6 +77,9 @@ void clod_free_measures_begin(void *memory, const clod_case *from, const clod_st
 clod_free_moment clod_free_measures_moment(const void *memory, const clod_case *from,
                                            clod_state *state,
                                            const clod_contact_source *contacts);
+
+void clod_free_measures_sight(const void *memory, const clod_free_moment *now,
+                              clod_sight *sees);
 
 bool clod_free_measures_act(void *memory, const clod_free_moment *now, clod_status *status);
 

@@ -60,6 +60,16 @@ static int64_t free_plan(const void *data, const void *context, const clod_state
     return stage < next ? stage : next;
 }
 
+static void free_sight(const void *data, const void *context, const clod_state *state,
+                       clod_sight *sees)
+{
+    const free_data *self = data;
+    clod_state *seen = (clod_state *)state; // a moment may change it; nobody does here
+    const clod_free_moment now = moment_of(data, context, seen, NULL);
+    sees->whole = clod_free_stages_sees(&self->at, context, state);
+    clod_free_measures_sight(measures_of(data, context), &now, sees);
+}
+
 static bool free_act(void *data, const void *context, clod_state *state,
                      const clod_contact_source *contacts, clod_status *status)
 {
@@ -349,6 +359,7 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
                                      .column_count = count,
                                      .act = free_act,
                                      .plan = free_plan,
+                                     .sight = free_sight,
                                      .news = free_news,
                                      .look = free_look,
                                      .measure = free_measure,

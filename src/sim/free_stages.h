@@ -49,6 +49,10 @@ void clod_free_stages_begin(clod_free_stages *self, const clod_case *from, clod_
 int64_t clod_free_stages_plan(const clod_free_stages *self, const clod_case *from,
                               const clod_state *state);
 
+/** Whether clod_free_stages_look at this step, or the row that follows it, sees the grains. */
+bool clod_free_stages_sees(const clod_free_stages *self, const clod_case *from,
+                           const clod_state *state);
+
 /**
  * After the planned steps: see whether the grains are at rest, if it is time for that.
  *

@@ -3,6 +3,7 @@
 #include <inttypes.h>
 
 #include "base/plural.h"
+#include "setup/bound.h"
 #include "setup/grains.h"
 #include "sim/inlets_fill.h"
 #include "sim/outputs.h"
@@ -44,6 +45,24 @@ static int64_t inlets_plan(const void *memory, const clod_case *from, const clod
     return some && self->next > state->step ? self->next - state->step : NO_INLET_STEPS;
 }
 
+/** Another insertion is due. */
+static void inlets_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
+{
+    const clod_inlets *self = memory;
+    const bool due = clod_setup_grains_coming(now->from) > 0 && now->state->step == self->next;
+    if (due && !sees->whole) {
+        sees->whole = !clod_inlets_sight(now->from, sees);
+    }
+}
+
+/** Laws and time step suit what comes: looked at when the run begins, and with every row. */
+static bool inlets_check(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    (void)memory;
+    return clod_setup_grains_coming(now->from) == 0 ||
+           clod_setup_bound_streams(now->from, now->state, status);
+}
+
 static bool inlets_act(void *memory, const clod_free_moment *now, clod_status *status)
 {
     clod_inlets *self = memory;
@@ -51,6 +70,9 @@ static bool inlets_act(void *memory, const clod_free_moment *now, clod_status *s
     clod_state *state = now->state;
     if (clod_setup_grains_coming(from) == 0 || state->step != self->next) {
         return true;
+    }
+    if (state->time == self->begin && !inlets_check(memory, now, status)) {
+        return false;
     }
     self->next = clod_outputs_next(CLOD_CASE_INLET_INTERVAL, state->dt, state->step);
     return clod_inlets_fill(self, from, state, status);
@@ -209,7 +231,9 @@ static json_t *inlets_json(const void *memory, const clod_free_moment *now)
 const clod_free_measure CLOD_MEASURE_INLETS = {.key = "inlets",
                                                .size = inlets_size,
                                                .begin = inlets_begin,
+                                               .sight = inlets_sight,
                                                .act = inlets_act,
+                                               .look = inlets_check,
                                                .plan = inlets_plan,
                                                .news = inlets_news,
                                                .columns = inlets_columns,

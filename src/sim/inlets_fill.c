@@ -164,6 +164,7 @@ static bool add_grain(filling *self, inflow *source, const double place[4], clod
     memcpy(grain.position, place, sizeof grain.position);
     memcpy(grain.velocity, source->group->velocity, sizeof grain.velocity);
     clod_changes_add_grain(&self->state->changes, &grain);
+    self->state->changes.checked++; // see inlets_act
     source->told->count++;
     source->told->mass += source->mass;
     find_next(self, source);
@@ -231,6 +232,31 @@ static void note(const filling *self, const inflow *source)
     told->most = fmax(told->most, told->owed);
     told->blocked += waits;
     told->since = !waits ? -1 : told->since < 0 ? self->state->step : told->since;
+}
+
+bool clod_inlets_sight(const clod_case *from, clod_sight *sees)
+{
+    bool good = true;
+    sees->boxes = 0;
+    for (size_t k = 0; good && k < from->grains_count; k++) {
+        const clod_case_grains *group = &from->grains[k];
+        clod_sizes sizes;
+        clod_status ignored; // its sizes have been read before
+        if (!group->comes) {
+            continue;
+        }
+        clod_domain_box *box = &sees->box[sees->boxes++];
+        good = clod_sizes_init(&sizes, group, &ignored);
+        const double margin = // more than any grain that is put can reach beyond its region
+            good ? 4.0 * cbrt(clod_sizes_largest_volume(&sizes) * 0.75 / M_PI) : 0.0;
+        clod_sizes_fini(&sizes);
+        clod_region_bounds(&group->region, box->low, box->high);
+        for (int a = 0; a < 3; a++) {
+            box->low[a] -= margin;
+            box->high[a] += margin;
+        }
+    }
+    return good;
 }
 
 bool clod_inlets_fill(clod_inlets *self, const clod_case *from, clod_state *state,

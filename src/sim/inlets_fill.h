@@ -6,6 +6,10 @@
 
 #include "sim/inlets.h"
 
+/** Boxes about the regions of all inlets: what reaches into none is in no grain's way. False: that
+ *  is not known, without memory. */
+bool clod_inlets_sight(const clod_case *from, clod_sight *sees);
+
 /**
  * Ask for the grains that are due at the state's time: they are in state->changes then. A grain
  * for which no place is found waits, and so do all that are due after it and come through an

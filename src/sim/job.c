@@ -1,10 +1,11 @@
 #include "sim/job.h"
 
+#include <math.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "clod/ranks.h"
 #include "clod/version.h"
@@ -33,24 +34,18 @@ typedef struct job_loop {
     clod_job_tables tables;
     double *row;
     double last_clock, last_progress, last_checkpoint; ///< s
+    clod_time_spent spent;                             ///< at most
     int64_t progress_step;
     int64_t slice;        ///< steps between two looks at clock and signals
     int64_t last_picture; ///< step of the last snapshot since the loop began; 0: none
     int saved;            ///< number of the last request to save that was heard
 } job_loop;
 
-static double clock_now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /** Write everything; the tables first. */
 static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *status)
 {
     clod_job *job = loop->job;
-    const double now = clock_now();
+    const double now = clod_clock_now();
     job->memory.wall_clock += now - loop->last_clock;
     loop->last_clock = loop->last_checkpoint = now;
     if (!clod_step_see(&loop->step, status)) {
@@ -58,8 +53,10 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
     }
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
-    return clod_job_tables_mark(&loop->tables, job, status) &&
-           clod_job_store(job, &contacts, suffix, status);
+    const bool good = clod_job_tables_mark(&loop->tables, job, status) &&
+                      clod_job_store(job, &contacts, suffix, status);
+    loop->spent.checkpoint = fmax(loop->spent.checkpoint, clod_clock_now() - now);
+    return good;
 }
 
 /** Something of the procedure that looks at the state with its contacts; NULL: nothing. */
@@ -108,7 +105,7 @@ static void tell_progress(job_loop *loop, bool finished)
 {
     const clod_job *job = loop->job;
     const clod_run_options *options = job->sim->options;
-    const double now = clock_now();
+    const double now = clod_clock_now();
     const double since = now - loop->last_progress;
     if (options->progress == NULL || (since < PROGRESS_INTERVAL && !finished)) {
         return;
@@ -124,12 +121,26 @@ static void tell_progress(job_loop *loop, bool finished)
             .phase = job->procedure.phase(job->procedure.data, job->procedure.context),
             .time = job->state.time,
             .step = job->state.step,
-            .grain_steps_per_s = steps * (double)job->state.grains.count / since,
+            .grain_steps_per_s = steps * (double)clod_step_grains(&loop->step) / since,
             .fraction = fraction,
             .remaining = fraction > 0.02 ? spent * (1.0 - fraction) / fraction : -1.0,
             .finished = finished});
     loop->last_progress = now;
     loop->progress_step = job->state.step;
+}
+
+/** After the planned steps: bring the state to what the procedure must see of it. */
+static bool see(job_loop *loop, clod_status *status)
+{
+    const clod_procedure *p = &loop->job->procedure;
+    clod_sight sees = {.whole = true};
+    if (p->sight != NULL) {
+        sees.whole = false;
+        p->sight(p->data, p->context, &loop->job->state, &sees);
+    }
+    return sees.whole ? clod_step_see(&loop->step, status)
+                      : sees.boxes == 0 ||
+                            clod_step_see_near(&loop->step, sees.box, sees.boxes, status);
 }
 
 /**
@@ -143,17 +154,17 @@ static bool advance(job_loop *loop, clod_status *status)
     const int64_t picture = steps_to_snapshot(loop->job);
     const int64_t next = memory->planned < picture ? memory->planned : picture;
     const int64_t steps = next < loop->slice ? next : loop->slice;
-    const double begin = clock_now();
+    const double begin = clod_clock_now();
     if (!clod_step_advance(&loop->step, steps, status)) {
         clod_status ignored;
         write_checkpoint(loop, "-failed", &ignored);
         return false;
     }
     memory->planned -= steps;
-    if (memory->planned == 0 && !clod_step_see(&loop->step, status)) {
+    if (memory->planned == 0 && !see(loop, status)) {
         return false;
     }
-    const double spent = clock_now() - begin;
+    const double spent = clod_clock_now() - begin;
     if (spent > SLICE_LONGEST) {
         loop->slice = steps > 1 ? steps / 2 : 1;
     } else if (spent < SLICE_SHORTEST && steps == loop->slice) {
@@ -302,23 +313,51 @@ static bool save_if_asked(job_loop *loop, clod_status *status)
     return true;
 }
 
+/** Whether the time limit asks for an end now. */
+static bool is_late(const job_loop *loop)
+{
+    const clod_job_shared *sim = loop->job->sim;
+    const int jobs = sim->options->threads / loop->job->threads; // side by side
+    return clod_time_limit_is_near(&sim->limit, &loop->spent, jobs > 1 ? jobs : 1,
+                                   clod_clock_now());
+}
+
+static bool checkpoint_is_due(const job_loop *loop)
+{
+    const clod_job_shared *sim = loop->job->sim;
+    const double now = clod_clock_now();
+    return now - loop->last_checkpoint > sim->from->output.checkpoint_interval ||
+           clod_time_limit_asks(&sim->limit, &loop->spent, now);
+}
+
+/** What a run that was stopped says. */
+static bool say_stopped(const clod_job *job, bool late, clod_status *status)
+{
+    char why[64] = "";
+    if (late) {
+        snprintf(why, sizeof why, " before the time limit of %.6g s", job->sim->limit.all);
+    }
+    return clod_status_fail(status, CLOD_INTERRUPTED,
+                            "stopped at step %lld%s; the same command goes on from here",
+                            (long long)job->state.step, why);
+}
+
 static bool loop_to_end(job_loop *loop, clod_status *status)
 {
     clod_job *job = loop->job;
-    const double interval = job->sim->from->output.checkpoint_interval;
     while (job->memory.finished == 0) {
+        const double begin = clod_clock_now();
         if (!turn(loop, status) || !save_if_asked(loop, status)) {
             return false;
         }
-        const bool stop = is_stopped(job);
-        const bool due = clock_now() - loop->last_checkpoint > interval;
-        if ((due || stop || job->memory.finished != 0) && !write_checkpoint(loop, "", status)) {
+        loop->spent.turn = fmax(loop->spent.turn, clod_clock_now() - begin);
+        const bool stop = is_stopped(job), late = is_late(loop);
+        const bool end = stop || late || job->memory.finished != 0;
+        if ((end || checkpoint_is_due(loop)) && !write_checkpoint(loop, "", status)) {
             return false;
         }
-        if (stop && job->memory.finished == 0) {
-            return clod_status_fail(status, CLOD_INTERRUPTED,
-                                    "stopped at step %lld; the same command goes on from here",
-                                    (long long)job->state.step);
+        if ((stop || late) && job->memory.finished == 0) {
+            return say_stopped(job, late && !stop, status);
         }
     }
     return true;
@@ -372,7 +411,7 @@ static bool open_loop(job_loop *loop, clod_status *status)
     if (!clod_step_init(&loop->step, &job->state, &loop->laws, &options, status)) {
         return false;
     }
-    loop->last_clock = loop->last_progress = loop->last_checkpoint = clock_now();
+    loop->last_clock = loop->last_progress = loop->last_checkpoint = clod_clock_now();
     loop->progress_step = job->state.step;
     loop->saved = save_request(job);
     // a state that went through a checkpoint or another part has its ledger open

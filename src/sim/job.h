@@ -13,6 +13,8 @@
 #include "output/series.h"
 #include "output/snapshot.h"
 #include "sim/news.h"
+#include "sim/sight.h"
+#include "sim/time_limit.h"
 #include "state/state.h"
 
 /** What decides what happens between steps; `data` is plain and goes into the checkpoint. */
@@ -29,6 +31,10 @@ typedef struct clod_procedure {
     /** After every act: the next thing to be said at once; false: nothing more. NULL: nothing. */
     bool (*news)(void *data, const void *context, const clod_state *state, clod_news *news);
     int64_t (*plan)(const void *data, const void *context, const clod_state *state);
+    /** After the planned steps: what look, and then act, must see of the bed; walls and numbers are
+     *  there anyhow. NULL: all of it. */
+    void (*sight)(const void *data, const void *context, const clod_state *state,
+                  clod_sight *sees);
     /** After the planned steps: whether it is time for a sample. NULL: it always is. */
     bool (*look)(void *data, const void *context, const clod_state *state);
     /** Before a sample: measure contacts. NULL: nothing. */
@@ -56,7 +62,8 @@ typedef struct clod_job_shared {
     const char *identity;      ///< of the case (sim/identity.h): checkpoints belong to it
     clod_eventlog *log;
     struct clod_origin *origin; ///< run from whose grains this one begins; NULL: none
-    bool any_threads;           ///< nobody asked for a number: no more than pay
+    clod_time_limit limit;
+    bool any_threads; ///< nobody asked for a number: no more than pay
 } clod_job_shared;
 
 #define CLOD_JOB_VERSION 128 ///< bytes of a version text

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/plural.h"
+#include "base/clock.h"
 #include "clod/ranks.h"
 #include "clod/version.h"
 #include "measure/contacts.h"
@@ -69,12 +70,14 @@ static void note_result(const clod_job *job, clod_part *part)
     part->mean_overlap = bed.mean_overlap;
 }
 
-/** Whether a part may begin: not after a signal, nor when another part has failed. */
+/** Whether a part may begin: not after a signal, nor at the end of its time, nor when another part has failed. */
 static bool may_begin(part_batch *batch, clod_part *part)
 {
     const clod_run_options *options = batch->sim->options;
     const bool stop = options->stop != NULL && atomic_load(options->stop) != 0;
-    if (stop || atomic_load(&batch->failed)) {
+    const bool late =
+        clod_time_limit_is_near(&batch->sim->limit, &(clod_time_spent){0}, 1, clod_clock_now());
+    if (stop || late || atomic_load(&batch->failed)) {
         return clod_status_fail(&part->status, CLOD_INTERRUPTED,
                                 "%s was not begun; the same command goes on from here",
                                 part->name);

@@ -6,6 +6,21 @@
 #include "parallel/ranks_mpi.h"
 #include "step/crew.h"
 
+/** Where all of them run: known to all. */
+static bool find_places(clod_ranks *self, clod_status *status)
+{
+    const clod_rank_place here = clod_rank_place_here();
+    self->place = clod_memory_alloc((size_t)self->size, sizeof *self->place);
+    const bool good =
+        self->place != NULL ||
+        clod_status_fail(status, CLOD_FAILED, "no memory for %d ranks", self->size);
+    if (!clod_ranks_agree(self, good, status)) {
+        return false;
+    }
+    clod_ranks_share(self, &here, sizeof here, self->place);
+    return true;
+}
+
 clod_ranks *clod_ranks_open(clod_status *status)
 {
     CLOD_NEED(status);
@@ -15,7 +30,15 @@ clod_ranks *clod_ranks_open(clod_status *status)
         return NULL;
     }
     self->size = 1;
-    if (clod_ranks_mpi_started() && !clod_ranks_mpi_open(self, status)) {
+    if (!clod_ranks_mpi_started()) {
+        return self;
+    }
+    if (!clod_ranks_mpi_open(self, status)) {
+        clod_memory_free(self);
+        return NULL;
+    }
+    if (self->size > 1 && !find_places(self, status)) {
+        clod_ranks_mpi_close(self);
         clod_memory_free(self);
         return NULL;
     }

@@ -1,5 +1,55 @@
 #include "sim/ranks_check.h"
 
+#include <stdio.h>
+
+#include "base/plural.h"
+#include "clod/ranks.h"
+#include "parallel/ranks.h"
+
+void clod_ranks_tell_places(const clod_job_shared *sim)
+{
+    const clod_run_options *options = sim->options;
+    const clod_ranks *ranks = options->ranks;
+    if (ranks == NULL || ranks->place == NULL) {
+        return;
+    }
+    const int threads = sim->any_threads ? 1 : options->threads;
+    json_t *hosts = json_array();
+    for (int r = 0; r < ranks->size; r++) {
+        clod_rank_host host;
+        if (!clod_rank_places_host(ranks->place, ranks->size, r, &host)) {
+            continue;
+        }
+        json_array_append_new(hosts, json_pack("{s:s, s:i, s:i}", "host", host.name, "ranks",
+                                               host.ranks, "processors", host.processors));
+        if (host.ranks * threads > host.processors && options->notice != NULL) {
+            char text[256];
+            snprintf(text, sizeof text,
+                     "warning: %d rank%s on %s have %d processor%s for %d thread%s each: they "
+                     "take turns, and every step waits for the last of them",
+                     host.ranks, clod_plural(host.ranks), host.name, host.processors,
+                     clod_plural(host.processors), threads, clod_plural(threads));
+            options->notice(options->context, text);
+        }
+    }
+    clod_eventlog_write(sim->log, "ranks", "{s:i, s:i, s:o}", "ranks", ranks->size,
+                        "threads_each", threads, "hosts", hosts);
+}
+
+void clod_ranks_tell_work(const clod_job_shared *sim)
+{
+    const clod_ranks *ranks = sim->options->ranks;
+    if (ranks == NULL || ranks->size == 1) {
+        return;
+    }
+    const clod_ranks_count *count = &ranks->count;
+    clod_eventlog_write(sim->log, "messages of rank 0", "{s:I, s:I, s:I, s:I, s:I, s:f}",
+                        "messages", (json_int_t)count->messages, "bytes",
+                        (json_int_t)count->bytes, "exchanges", (json_int_t)count->exchanges,
+                        "collectives", (json_int_t)count->shares, "bytes_to_each",
+                        (json_int_t)count->share_bytes, "waited_s", count->waited);
+}
+
 bool clod_ranks_check(const clod_case *from, clod_status *status)
 {
     return !from->output.surfaces ||

@@ -6,6 +6,13 @@
 
 #include "clod/case.h"
 #include "clod/status.h"
+#include "sim/job.h"
+
+/** Log the hosts of several ranks, and warn where they have too few processors. */
+void clod_ranks_tell_places(const clod_job_shared *sim);
+
+/** Log what rank 0 has said to the others, and how long it waited for them. */
+void clod_ranks_tell_work(const clod_job_shared *sim);
 
 /**
  * Whether several ranks can run a case.

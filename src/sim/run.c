@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/clock.h"
 #include "base/given.h"
 #include "base/memory.h"
 #include "clod/ranks.h"
@@ -39,6 +40,7 @@ static bool run_case(const clod_job_shared *sim, char **report, clod_status *sta
                         clod_version_text(), "case", sim->from->path, "title",
                         sim->from->title != NULL ? sim->from->title : "", "threads",
                         sim->options->threads);
+    clod_ranks_tell_places(sim);
     return clod_testers_of(sim->from)->run(sim, report, status);
 }
 
@@ -104,6 +106,7 @@ static bool run_in_folder(clod_job_shared *sim, const char *complete, char **rep
     if (earlier == CLOD_EARLIER_GO_ON) {
         ok = fill_folder(sim, complete, status) && run_case(sim, report, status) &&
              write_report(sim, *report, status);
+        clod_ranks_tell_work(sim);
         ok = close_log(sim, ok, status);
     }
     clod_folder_close(&folder);
@@ -152,6 +155,7 @@ bool clod_run(const clod_case *self, const clod_run_options *options, char **rep
         !CLOD_GIVEN(report, status)) {
         return false;
     }
+    const double begin = clod_clock_now();
     const clod_run_options fitted = fit_threads(options);
     *report = NULL;
     if (!check_request(self, &fitted, status) ||
@@ -171,6 +175,7 @@ bool clod_run(const clod_case *self, const clod_run_options *options, char **rep
     }
     clod_job_shared sim = {.from = self,
                            .options = &fitted,
+                           .limit = {begin, options->time_limit},
                            .any_threads = options->threads == 0,
                            .directory = standard != NULL ? standard : fitted.directory,
                            .identity = identity};

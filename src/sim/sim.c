@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "measure/contacts.h"
+#include "parallel/ranks_mpi.h"
 #include "parallel/threads.h"
 #include "setup/begin.h"
 #include "setup/bound.h"
@@ -62,10 +63,24 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
            (clod_setup_grains_coming(self->from) == 0 || clod_sim_open_series(self, status));
 }
 
+/** Whether this process is alone, or knows that it is not. */
+static bool check_processes(const clod_sim_options *options, clod_status *status)
+{
+    const int processes = clod_ranks_mpi_processes();
+    return processes == 1 || (options != NULL && options->each_process) ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "%d processes were started together (mpirun, srun), and each would "
+               "compute all of this simulation: run the program without mpirun, or "
+               "set each_process where every process shall have a simulation of its "
+               "own. mpirun clod run computes one case on several processes",
+               processes);
+}
+
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
                           clod_status *status)
 {
-    if (!CLOD_GIVEN(from, status)) {
+    if (!CLOD_GIVEN(from, status) || !check_processes(options, status)) {
         return NULL;
     }
     clod_sim *self = clod_memory_alloc(1, sizeof *self);

@@ -33,6 +33,7 @@ typedef struct clod_changes {
     char (*lost_wall)[32];     ///< names
     size_t new_grains, lost_grains, new_walls, lost_walls;
     size_t new_grain_room, lost_grain_room, new_wall_room, lost_wall_room;
+    size_t checked;    ///< of new_grains: whoever asked knows that laws and time step suit them
     bool moved;        ///< somebody moved grains or walls otherwise than by a step
     bool lacks_memory; ///< something could not be put in
 } clod_changes;

@@ -16,6 +16,11 @@ typedef struct clod_outlet {
     double inner, outer;    ///< m; outer 0: all of the box
 } clod_outlet;
 
+/** A box along the axes [m]. */
+typedef struct clod_domain_box {
+    double low[3], high[3];
+} clod_domain_box;
+
 #define CLOD_OUTLETS 8
 #define CLOD_OUTLET_NUMBERS 10 ///< doubles of an outlet
 

@@ -6,6 +6,7 @@
 #include "step/derived.h"
 #include "step/remake.h"
 #include "step/requests.h"
+#include "step/spread.h"
 #include "step/team.h"
 
 /** Room for the grains that come; without it all is as before. */
@@ -13,7 +14,9 @@ static bool make_room(clod_step *self, clod_status *status)
 {
     clod_state *state = self->state;
     const size_t count = state->grains.count + state->changes.new_grains;
-    const bool room = clod_grains_reserve(&state->grains, count, status);
+    const bool room = self->spread != NULL
+                          ? clod_spread_make_room(self->spread, state, count, status)
+                          : clod_grains_reserve(&state->grains, count, status);
     clod_step_look(self); // the rows may lie elsewhere
     return room;
 }
@@ -72,8 +75,9 @@ static bool rebuild(clod_step *self, const clod_requests *found, clod_status *st
     if (state->changes.moved) {
         clod_wall_rows_update(&self->walls, &state->walls);
     }
-    self->failed = !add_grains(state, &self->status) ||
-                   !clod_neighbour_reserve(&self->neighbour, state, &self->status);
+    const bool good = add_grains(state, &self->status) &&
+                      clod_neighbour_reserve(&self->neighbour, state, &self->status);
+    self->failed = !clod_spread_agree(self->spread, good, &self->status);
     if (!self->failed) {
         mark_lost(self, found);
         clod_team_run(self, clod_remake_lists);
@@ -83,6 +87,28 @@ static bool rebuild(clod_step *self, const clod_requests *found, clod_status *st
         *status = self->status;
     }
     return !self->failed;
+}
+
+/** Laws and time step suit what comes: whoever asked has looked, or `accepts` is asked. */
+static bool is_accepted(const clod_step *self, clod_status *status)
+{
+    const clod_changes *queue = &self->state->changes;
+    const bool known = queue->new_walls == 0 && queue->checked == queue->new_grains;
+    return known || self->accepts == NULL || self->accepts(self->context, self->state, status);
+}
+
+bool clod_step_take(clod_step *self, clod_status *status)
+{
+    clod_state *state = self->state;
+    clod_requests found = {0};
+    bool good = clod_requests_check(&found, state, self->laws, status);
+    good = clod_spread_agree(self->spread, good, status) &&
+           clod_spread_check_ids(self->spread, state, status) &&
+           clod_spread_agree(self->spread, make_room(self, status), status) &&
+           rebuild(self, &found, status);
+    clod_requests_fini(&found);
+    clod_changes_fini(&state->changes);
+    return good;
 }
 
 bool clod_step_change(clod_step *self, clod_status *status)
@@ -100,8 +126,8 @@ bool clod_step_change(clod_step *self, clod_status *status)
     }
     clod_requests found;
     const bool good = clod_requests_check(&found, state, self->laws, status) &&
-                      (self->accepts == NULL || self->accepts(self->context, state, status)) &&
-                      make_room(self, status) && rebuild(self, &found, status);
+                      is_accepted(self, status) && make_room(self, status) &&
+                      rebuild(self, &found, status);
     clod_requests_fini(&found);
     const bool moved = !good && state->changes.moved; // true when the requests are dropped too
     clod_changes_fini(&state->changes);

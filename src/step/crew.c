@@ -3,145 +3,16 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "base/memory.h"
-#include "step/crew_clumps.h"
+#include "step/crew_part.h"
 #include "step/crew_state.h"
 #include "step/derived.h"
-#include "step/migrate.h"
 #include "step/trouble.h"
-
-struct clod_crew {
-    clod_ranks *ranks;           ///< borrowed
-    clod_step *whole;            ///< of rank 0; NULL on the others
-    bool stale;                  ///< the whole state's grains are those of an earlier step
-    clod_step_options options;   ///< that it began with
-    int64_t rebuilds, refreshes; ///< of the whole step before it began
-    clod_state state;            ///< of this rank
-    clod_laws laws;
-    clod_spread spread;
-    clod_step step;
-};
-
-typedef enum order_kind {
-    ORDER_BEGIN,
-    ORDER_ADVANCE,
-    ORDER_SEE,
-    ORDER_STORE,
-    ORDER_END,
-    ORDER_DISMISS
-} order_kind;
-
-/** What rank 0 wants the others to do with it. */
-typedef struct order {
-    order_kind what;
-    int64_t steps; ///< of an advance
-    bool clumps;   ///< somebody may have found other clumps, or any at a beginning
-    // of a beginning
-    int threads;
-    bool brute_force;
-    double overlap_limit;
-    char simd[16];
-} order;
-
-// ---- what all ranks do together
-
-/** All that is this rank's; rank 0 begins with a copy of everything. */
-static bool make_part(clod_crew *self, bool clumps, clod_status *status)
-{
-    bool good = clod_grains_reserve(&self->state.grains, 0, status);
-    if (self->whole != NULL) {
-        clod_state_fini(&self->state);
-        good = clod_state_copy(&self->state, self->whole->state, status);
-        self->laws = *self->whole->laws; // borrowed
-    }
-    if (!clod_ranks_agree(self->ranks, good, status) ||
-        !clod_crew_state_begin(self->ranks, &self->state, &self->laws, status)) {
-        return false;
-    }
-    clod_grains *grains = &self->state.grains;
-    good = (self->state.ledger.open == 0 || clod_grains_keep_before(grains, status)) &&
-           (!clumps || clod_grains_keep_clumps(grains, status));
-    return clod_ranks_agree(self->ranks, good, status);
-}
-
-/** The skin of the last rebuild, whatever the bed. */
-static double same_skin(const void *context, const clod_layers_extent *bed)
-{
-    (void)bed;
-    const clod_state *state = context;
-    return state->build_skin;
-}
-
-static bool begin(clod_crew *self, const order *what, clod_status *status)
-{
-    if (!make_part(self, what->clumps, status) ||
-        !clod_spread_init(&self->spread, self->ranks, self->state.walls.count, status) ||
-        !clod_migrate(&self->spread, &self->state, same_skin, &self->state, status)) {
-        return false;
-    }
-    const clod_step_options options = {.threads = what->threads,
-                                       .simd = what->simd[0] != '\0' ? what->simd : NULL,
-                                       .brute_force = what->brute_force,
-                                       .overlap_limit = what->overlap_limit,
-                                       .spread = &self->spread};
-    return clod_step_init(&self->step, &self->state, &self->laws, &options, status);
-}
-
-/** Walls and numbers of rank 0, and what follows from them. */
-static bool update(clod_crew *self, clod_status *status)
-{
-    clod_crew_state_tell(self->ranks, &self->state);
-    if (self->whole == NULL) {
-        clod_laws_set_adhesion(&self->laws, self->state.adhesion);
-    }
-    if (self->state.ledger.open == 0 || self->step.near.ledger) {
-        return true;
-    }
-    const bool kept = clod_step_keep_ledger(&self->step, status);
-    return clod_ranks_agree(self->ranks, kept, status) &&
-           clod_spread_list(&self->spread, &self->state, self->step.neighbour.skin, status);
-}
-
-static bool advance(clod_crew *self, const order *what, clod_status *status)
-{
-    const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
-    const bool good =
-        update(self, status) &&
-        (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status)) &&
-        clod_step_advance(&self->step, what->steps, status);
-    return clod_ranks_agree(self->ranks, good, status);
-}
-
-static bool see(clod_crew *self, clod_status *status)
-{
-    const bool listed = clod_step_export(&self->step, status);
-    return clod_ranks_agree(self->ranks, listed, status) &&
-           clod_migrate_gather(&self->spread, &self->state,
-                               self->whole != NULL ? self->whole->state : NULL, status);
-}
-
-static void store(clod_crew *self, clod_step_stored *sums)
-{
-    clod_status status = {0};
-    update(self, &status); // what it cannot keep now the next advance tells
-    clod_step_store(&self->step, sums);
-    clod_spread_merge_stored(&self->spread, sums);
-}
-
-static void end(clod_crew *self)
-{
-    clod_step_fini(&self->step);
-    clod_state_fini(&self->state);
-    clod_spread_fini(&self->spread);
-    if (self->whole == NULL) {
-        clod_laws_fini(&self->laws);
-    }
-    *self = (clod_crew){0};
-}
 
 // ---- rank 0
 
-static void give_order(const clod_crew *self, order what)
+static void give_order(const clod_crew *self, clod_crew_order what)
 {
     clod_ranks_tell(self->ranks, &what, sizeof what);
 }
@@ -184,15 +55,15 @@ bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_st
     self->options = *options;
     self->rebuilds = whole->rebuilds;
     self->refreshes = whole->refreshes;
-    order what = {.what = ORDER_BEGIN,
-                  .clumps = whole->state->grains.clump != NULL,
-                  .threads = whole->threads,
-                  .brute_force = options->brute_force,
-                  .overlap_limit = options->overlap_limit};
+    clod_crew_order what = {.what = CLOD_CREW_BEGIN,
+                            .clumps = whole->state->grains.clump != NULL,
+                            .threads = whole->threads,
+                            .brute_force = options->brute_force,
+                            .overlap_limit = options->overlap_limit};
     snprintf(what.simd, sizeof what.simd, "%s", options->simd != NULL ? options->simd : "");
     give_order(self, what);
-    if (!begin(self, &what, status)) {
-        end(self);
+    if (!clod_crew_part_begin(self, &what, status)) {
+        clod_crew_part_end(self);
         clod_memory_free(self);
         return false;
     }
@@ -207,14 +78,33 @@ bool clod_crew_see(clod_crew *self, clod_status *status)
         return true;
     }
     clod_step *whole = self->whole;
-    give_order(self, (order){.what = ORDER_SEE});
-    if (!see(self, status) ||
+    give_order(self, (clod_crew_order){.what = CLOD_CREW_SEE});
+    if (!clod_crew_part_see(self, status) ||
         !clod_neighbour_sort_as_built(&whole->neighbour, whole->state, status)) {
         return false;
     }
     clod_grains_pad(&whole->state->grains);
     self->stale = false;
     return true;
+}
+
+bool clod_crew_see_near(clod_crew *self, const clod_domain_box *box, int count,
+                        clod_status *status)
+{
+    if (!self->stale) {
+        return true;
+    }
+    clod_domain_box copy[CLOD_STEP_BOXES];
+    CLOD_ASSERT(count <= CLOD_STEP_BOXES);
+    memcpy(copy, box, (size_t)count * sizeof *copy);
+    const clod_crew_order what = {.what = CLOD_CREW_SEE_NEAR, .boxes = count};
+    give_order(self, what);
+    return clod_crew_part_see_near(self, &what, copy, status);
+}
+
+size_t clod_crew_grains(const clod_crew *self)
+{
+    return self->spread.bed.count;
 }
 
 /** What one process would say when physics has gone wrong. */
@@ -233,31 +123,64 @@ static bool report_trouble(clod_crew *self, clod_status *status)
            clod_trouble_report(whole, status);
 }
 
-bool clod_crew_advance(clod_crew *self, int64_t steps, clod_status *status)
+/** Before an order that changes the bed: what of the whole state ranks are to know. */
+static clod_crew_order prepare(clod_crew *self, clod_crew_order_kind what, int64_t steps)
+{
+    const clod_state *state = self->whole->state;
+    clod_crew_state_copy(&self->state, state);
+    return (clod_crew_order){
+        .what = what, .steps = steps, .clumps = !self->stale && state->grains.clump != NULL};
+}
+
+/** After it: what the whole state is to know of the ranks. */
+static void conclude(clod_crew *self, bool good, const clod_status *status)
 {
     clod_step *whole = self->whole;
-    clod_crew_state_copy(&self->state, whole->state);
-    const order what = {.what = ORDER_ADVANCE,
-                        .steps = steps,
-                        .clumps = !self->stale && whole->state->grains.clump != NULL};
-    give_order(self, what);
-    const bool good = advance(self, &what, status);
     clod_crew_state_copy(whole->state, &self->state);
     self->stale = true;
     whole->rebuilds = self->rebuilds + self->step.rebuilds;
     whole->refreshes = self->refreshes + self->step.refreshes;
-    if (!good && !self->step.failed) {
-        return report_trouble(self, status);
-    }
-    if (!good) {
+    if (!good && self->step.failed) {
         whole->failed = true;
         whole->status = *status;
     }
+}
+
+bool clod_crew_advance(clod_crew *self, int64_t steps, clod_status *status)
+{
+    const clod_crew_order what = prepare(self, CLOD_CREW_ADVANCE, steps);
+    give_order(self, what);
+    const bool good = clod_crew_part_advance(self, &what, status);
+    conclude(self, good, status);
+    return good || (self->step.failed ? false : report_trouble(self, status));
+}
+
+/** Whether only grains are to come that need no look at the whole bed. */
+static bool can_take(const clod_step *whole)
+{
+    const clod_changes *queue = &whole->state->changes;
+    return queue->new_grains > 0 && queue->lost_grains == 0 && queue->new_walls == 0 &&
+           queue->lost_walls == 0 && !queue->moved && !queue->lacks_memory &&
+           (queue->checked == queue->new_grains || whole->accepts == NULL);
+}
+
+static bool order_take(clod_crew *self, clod_status *status)
+{
+    clod_changes *queue = &self->whole->state->changes;
+    const clod_crew_order what = prepare(self, CLOD_CREW_TAKE, 0);
+    self->state.changes = *queue; // taken over
+    *queue = (clod_changes){0};
+    give_order(self, what);
+    const bool good = clod_crew_part_take(self, &what, status);
+    conclude(self, good, status);
     return good;
 }
 
 bool clod_crew_change(clod_step *whole, clod_status *status)
 {
+    if (can_take(whole)) {
+        return order_take(whole->crew, status);
+    }
     if (!clod_crew_see(whole->crew, status)) {
         return false;
     }
@@ -273,15 +196,15 @@ bool clod_crew_change(clod_step *whole, clod_status *status)
 void clod_crew_store(clod_crew *self, clod_step_stored *sums)
 {
     clod_crew_state_copy(&self->state, self->whole->state);
-    give_order(self, (order){.what = ORDER_STORE});
-    store(self, sums);
+    give_order(self, (clod_crew_order){.what = CLOD_CREW_STORE});
+    clod_crew_part_store(self, sums);
 }
 
 void clod_crew_end(clod_crew **self)
 {
     if (*self != NULL) {
-        give_order(*self, (order){.what = ORDER_END});
-        end(*self);
+        give_order(*self, (clod_crew_order){.what = CLOD_CREW_END});
+        clod_crew_part_end(*self);
         clod_memory_free(*self);
         *self = NULL;
     }
@@ -289,37 +212,44 @@ void clod_crew_end(clod_crew **self)
 
 void clod_crew_dismiss(clod_ranks *ranks)
 {
-    order what = {.what = ORDER_DISMISS};
+    clod_crew_order what = {.what = CLOD_CREW_DISMISS};
     clod_ranks_tell(ranks, &what, sizeof what);
 }
 
 // ---- the others
 
 /** One order; the status of a failure is told to rank 0. */
-static void obey(clod_crew *self, clod_ranks *ranks, const order *what)
+static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what)
 {
     clod_status status = {0};
     clod_step_stored sums;
+    clod_domain_box box[CLOD_STEP_BOXES];
     switch (what->what) {
-    case ORDER_BEGIN:
+    case CLOD_CREW_BEGIN:
         self->ranks = ranks;
-        if (!begin(self, what, &status)) {
-            end(self);
+        if (!clod_crew_part_begin(self, what, &status)) {
+            clod_crew_part_end(self);
         }
         break;
-    case ORDER_ADVANCE:
-        advance(self, what, &status);
+    case CLOD_CREW_ADVANCE:
+        clod_crew_part_advance(self, what, &status);
         break;
-    case ORDER_SEE:
-        see(self, &status);
+    case CLOD_CREW_SEE:
+        clod_crew_part_see(self, &status);
         break;
-    case ORDER_STORE:
-        store(self, &sums);
+    case CLOD_CREW_SEE_NEAR:
+        clod_crew_part_see_near(self, what, box, &status);
         break;
-    case ORDER_END:
-        end(self);
+    case CLOD_CREW_TAKE:
+        clod_crew_part_take(self, what, &status);
         break;
-    case ORDER_DISMISS:
+    case CLOD_CREW_STORE:
+        clod_crew_part_store(self, &sums);
+        break;
+    case CLOD_CREW_END:
+        clod_crew_part_end(self);
+        break;
+    case CLOD_CREW_DISMISS:
         break;
     }
 }
@@ -327,9 +257,9 @@ static void obey(clod_crew *self, clod_ranks *ranks, const order *what)
 void clod_crew_serve(clod_ranks *ranks)
 {
     clod_crew self = {0};
-    order what;
+    clod_crew_order what;
     do {
         clod_ranks_tell(ranks, &what, sizeof what);
         obey(&self, ranks, &what);
-    } while (what.what != ORDER_DISMISS);
+    } while (what.what != CLOD_CREW_DISMISS);
 }

@@ -28,8 +28,16 @@ bool clod_crew_advance(clod_crew *self, int64_t steps, clod_status *status);
 /** Gather the whole state, if steps have been made since. Threads: rank 0. */
 bool clod_crew_see(clod_crew *self, clod_status *status);
 
+/** As clod_step_see_near. Threads: rank 0. */
+bool clod_crew_see_near(clod_crew *self, const clod_domain_box *box, int count,
+                        clod_status *status);
+
+/** Grains of all ranks. Threads: rank 0. */
+size_t clod_crew_grains(const clod_crew *self);
+
 /**
- * As clod_step_change: the bed is gathered, changed by rank 0, and dealt anew.
+ * As clod_step_change: grains that come, and are checked, go to their ranks; for anything else the
+ * bed is gathered, changed by rank 0, and dealt anew.
  *
  * @param whole  a step with a crew
  * @return       as clod_step_change; then the crew may be gone. Threads: rank 0.

@@ -62,7 +62,7 @@ static void exchange(const clod_spread *self, clod_grains *grains, size_t number
     clod_message *out = ghosts->message;
     const int outs = address(self, ghosts->out_start, ghosts->sent, numbers, out);
     const int ins = address(self, ghosts->in_start, ghosts->got, numbers, out + outs);
-    self->ranks->exchange(self->ranks, out, outs, out + outs, ins);
+    clod_ranks_exchange(self->ranks, out, outs, out + outs, ins);
     unpack(self, grains, numbers);
 }
 

@@ -1,5 +1,6 @@
 #include "step/migrate.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -67,11 +68,7 @@ static void merge_bed(const void *context, void *into, const void *from)
 
 static void merge_weights(const void *context, void *into, const void *from)
 {
-    int32_t *mine = into;
-    const int32_t *other = from;
-    for (size_t b = 0; b < *(const size_t *)context; b++) {
-        mine[b] += other[b];
-    }
+    clod_partition_merge(into, from, *(const size_t *)context);
 }
 
 /** Extent of the own rows. */
@@ -254,6 +251,46 @@ bool clod_migrate_gather(clod_spread *self, clod_state *state, clod_state *whole
                gather_gone(self, state, whole, &way, status);
     } else {
         good = false;
+    }
+    parcels_fini(&way);
+    return good;
+}
+
+/** Whether a grain reaches into one of some boxes. */
+static bool reaches(const clod_domain *domain, const double place[4],
+                    const clod_domain_box *box, int count)
+{
+    bool near = false;
+    for (int k = 0; k < count && !near; k++) {
+        near = true;
+        for (int a = 0; a < 3; a++) {
+            const double half = 0.5 * (box[k].high[a] - box[k].low[a]);
+            const double middle = box[k].low[a] + half;
+            const double off = fabs(clod_domain_separation(domain, a, place[a], middle)) - half;
+            near = near && off <= place[3];
+        }
+    }
+    return near;
+}
+
+bool clod_migrate_near(clod_spread *self, const clod_state *state, const clod_domain_box *box,
+                       int count, clod_state *whole, clod_status *status)
+{
+    parcels way;
+    bool good = parcels_init(&way, self->ranks, status);
+    for (size_t g = 0; good && g < state->grains.count; g++) {
+        if (is_own(self, g) && reaches(&state->domain, state->grains.position[g], box, count)) {
+            clod_records_put_grain(&way.out[0], state, g);
+        }
+    }
+    good = good && clod_ranks_swap(self->ranks, way.out, &way.in, way.begin, status);
+    if (good) {
+        bool mine = true;
+        if (whole != NULL) {
+            whole->grains.count = whole->contact_count = whole->wall_contact_count = 0;
+            mine = clod_records_get_grains(&way.in, whole, status);
+        }
+        good = clod_ranks_agree(self->ranks, mine, status);
     }
     parcels_fini(&way);
     return good;

@@ -25,6 +25,17 @@ bool clod_migrate(clod_spread *self, clod_state *state,
                   const void *context, clod_status *status);
 
 /**
+ * Own grains of all ranks that reach into some boxes into a state of rank 0: in any order, without
+ * contacts.
+ *
+ * @param box    [count] m; periodic images count
+ * @param whole  its rows and contacts are replaced; NULL on other ranks
+ * @return       false without memory, on all ranks alike
+ */
+bool clod_migrate_near(clod_spread *self, const clod_state *state, const clod_domain_box *box,
+                       int count, clod_state *whole, clod_status *status);
+
+/**
  * Own grains of all ranks, with their contacts and places at the last rebuild, and those that left,
  * into a state of rank 0: in any order, next is clod_neighbour_sort_as_built.
  *

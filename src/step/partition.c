@@ -67,6 +67,13 @@ void clod_partition_add(clod_partition *self, const double position[3])
     self->weight[block_at(self, position)]++;
 }
 
+void clod_partition_merge(int32_t *into, const int32_t *from, size_t blocks)
+{
+    for (size_t b = 0; b < blocks; b++) {
+        into[b] = into[b] < INT32_MAX - from[b] ? into[b] + from[b] : INT32_MAX;
+    }
+}
+
 int clod_partition_owner(const clod_partition *self, const double position[3])
 {
     return self->owner[block_at(self, position)];

@@ -35,6 +35,10 @@ void clod_partition_begin(clod_partition *self, const double min[3], const doubl
 /** Count a grain in its block. */
 void clod_partition_add(clod_partition *self, const double position[3]);
 
+/** Grains of another rank in each block onto those of this one; a block with more than INT32_MAX
+ *  weighs as much as that. */
+void clod_partition_merge(int32_t *into, const int32_t *from, size_t blocks);
+
 /** Number of blocks: `weight` has so many. */
 size_t clod_partition_blocks(const clod_partition *self);
 

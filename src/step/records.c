@@ -27,8 +27,7 @@ void clod_records_put_grain(clod_bytes *to, const clod_state *state, size_t row)
     }
 }
 
-/** Room for rows, those of the last rebuild too; what is there stays. */
-static bool reserve(clod_state *state, size_t rows, clod_status *status)
+bool clod_records_reserve(clod_state *state, size_t rows, clod_status *status)
 {
     const size_t before = state->grains.capacity;
     if (!clod_grains_reserve(&state->grains, rows, status)) {
@@ -58,7 +57,7 @@ bool clod_records_get_grains(const clod_bytes *from, clod_state *state, clod_sta
     }
     const size_t rows = from->count / record;
     CLOD_ASSERT(rows * record == from->count);
-    if (!reserve(state, state->grains.count + rows, status)) {
+    if (!clod_records_reserve(state, state->grains.count + rows, status)) {
         return false;
     }
     count = columns_of(state, columns); // the rows may lie elsewhere

@@ -10,6 +10,10 @@
 #include "base/bytes.h"
 #include "state/state.h"
 
+/** Room for so many rows, those of the last rebuild too; what is there stays. False without
+ *  memory. */
+bool clod_records_reserve(clod_state *state, size_t rows, clod_status *status);
+
 /** Append a grain. */
 void clod_records_put_grain(clod_bytes *to, const clod_state *state, size_t row);
 

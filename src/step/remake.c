@@ -152,6 +152,9 @@ static void migrate(clod_step *self, int part)
 {
     (void)part;
     if (self->remake.again && self->spread != NULL) {
+        if (self->remake.changes) {
+            self->remake.speed = clod_spread_fastest(self);
+        }
         self->failed = !clod_spread_rebuild(self, self->remake.speed, &self->status);
     }
 }
@@ -194,7 +197,9 @@ static void begin_search(clod_step *self, int part)
         state->grains.count = self->remake.reorder.grains;
     }
     bool good = true;
-    if (self->remake.changes) {
+    if (self->remake.changes && self->spread != NULL) { // only grains have come
+        clod_step_list_moving(self);
+    } else if (self->remake.changes) {
         good = change_walls(self);
     } else if (self->remake.going > 0) {
         clod_grains_pad(&state->grains);

@@ -88,6 +88,13 @@ static bool numbers_are_good(const clod_new_grain *g)
     return good;
 }
 
+static bool fail_twice(uint64_t id, clod_status *status)
+{
+    return clod_status_fail(status, CLOD_USAGE,
+                            "grain %llu cannot be added: another one has this id",
+                            (unsigned long long)id);
+}
+
 /** One grain that is to come: its numbers, its material, its position and its id. */
 static bool check_new(const clod_state *state, const clod_laws *laws, const clod_ids *rows,
                       size_t k, clod_status *status)
@@ -114,8 +121,19 @@ static bool check_new(const clod_state *state, const clod_laws *laws, const clod
     }
     const bool twice = k > 0 && state->changes.new_grain[k - 1].id == grain->id; // they ascend
     return (!twice && (clod_ids_row(rows, id) < 0 || is_lost(&state->changes, grain->id))) ||
-           clod_status_fail(status, CLOD_USAGE,
-                            "grain %llu cannot be added: another one has this id", id);
+           fail_twice(grain->id, status);
+}
+
+bool clod_requests_check_ids(const clod_grains *grains, const uint64_t *ids, size_t count,
+                             clod_status *status)
+{
+    clod_ids rows = {0};
+    bool good = clod_ids_init(&rows, grains->id, grains->count, status);
+    for (size_t k = 0; good && k < count; k++) {
+        good = clod_ids_row(&rows, ids[k]) < 0 || fail_twice(ids[k], status);
+    }
+    clod_ids_fini(&rows);
+    return good;
 }
 
 static bool check_grains(clod_requests *found, const clod_state *state, const clod_laws *laws,

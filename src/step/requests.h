@@ -25,4 +25,13 @@ typedef struct clod_requests {
 bool clod_requests_check(clod_requests *found, clod_state *state, const clod_laws *laws,
                          clod_status *status);
 
+/**
+ * Whether no grain has one of the ids of grains that are to come.
+ *
+ * Errors  CLOD_USAGE: names the first that one has; CLOD_FAILED without memory.
+ * Threads one per state.   Test  tests/step/test_ranks.c
+ */
+bool clod_requests_check_ids(const clod_grains *grains, const uint64_t *ids, size_t count,
+                             clod_status *status);
+
 void clod_requests_fini(clod_requests *self);

@@ -73,6 +73,17 @@ static inline bool clod_spread_agree(const clod_spread *self, bool good, clod_st
     return self == NULL ? good : clod_ranks_agree(self->ranks, good, status);
 }
 
+/** Room for so many rows; those behind the present ones are this rank's. False on this rank alone
+ *  without memory. */
+bool clod_spread_make_room(clod_spread *self, clod_state *state, size_t rows,
+                           clod_status *status);
+
+/** Whether no grain of any rank has the id of one in the queue of rank 0; on all alike. */
+bool clod_spread_check_ids(clod_spread *self, const clod_state *state, clod_status *status);
+
+/** Speed of the fastest own grain of all ranks, or of the fastest point of a wall [m/s]. */
+double clod_spread_fastest(const clod_step *step);
+
 /** Grains that leave at a rebuild, of all ranks: neighbour.rank marks those of the rows here. */
 void clod_spread_mark_leavers(clod_step *step, const clod_leavers_ways *ways, double half_kick,
                               clod_leavers *sums);

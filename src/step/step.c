@@ -220,6 +220,17 @@ bool clod_step_see(clod_step *self, clod_status *status)
     return self->crew == NULL || clod_crew_see(self->crew, status);
 }
 
+bool clod_step_see_near(clod_step *self, const clod_domain_box *box, int count,
+                        clod_status *status)
+{
+    return self->crew == NULL || clod_crew_see_near(self->crew, box, count, status);
+}
+
+size_t clod_step_grains(const clod_step *self)
+{
+    return self->crew == NULL ? self->state->grains.count : clod_crew_grains(self->crew);
+}
+
 bool clod_step_export(clod_step *self, clod_status *status)
 {
     return clod_step_see(self, status) &&

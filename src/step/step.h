@@ -153,6 +153,14 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status);
 bool clod_step_change(clod_step *self, clod_status *status);
 
 /**
+ * The same of grains that come into a bed spread over ranks: they are in the queue of rank 0, that
+ * of the others is empty; their owners get them.
+ *
+ * Threads  thread 0 of each rank, all ranks at the same time.   Test  tests/step/test_ranks.c
+ */
+bool clod_step_take(clod_step *self, clod_status *status);
+
+/**
  * Open the energy ledger of the state at this moment: from now on every step records what
  * contacts spend and walls do. It stays open in copies and checkpoints of the state.
  *
@@ -194,6 +202,24 @@ bool clod_step_export(clod_step *self, clod_status *status);
  * Errors  CLOD_FAILED.   Threads  one per state.   Test  tests/step/test_ranks.c
  */
 bool clod_step_see(clod_step *self, clod_status *status);
+
+/** Most boxes of clod_step_see_near. */
+#define CLOD_STEP_BOXES 32
+
+/**
+ * The same of the grains that reach into some boxes, with margin or not: then the state may hold
+ * them alone, in any order, without contacts; clod_step_see brings the others.
+ *
+ * @param box    [count] m; periodic images count
+ * @param count  up to CLOD_STEP_BOXES
+ * @return       false without memory
+ * Errors  CLOD_FAILED.   Threads  one per state.   Test  tests/step/test_ranks.c
+ */
+bool clod_step_see_near(clod_step *self, const clod_domain_box *box, int count,
+                        clod_status *status);
+
+/** Number of grains of the whole bed, whoever has them. */
+size_t clod_step_grains(const clod_step *self);
 
 /** Where the reading of a step's contacts is. */
 typedef struct clod_step_reader {

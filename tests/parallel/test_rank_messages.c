@@ -1,4 +1,5 @@
 // What ranks say to each other arrives, whole and in the order of ranks.
+#include "support/check.h"
 #include "support/ranks_threads.h"
 
 #define SIZE 5
@@ -63,6 +64,34 @@ static void swap_letters(clod_ranks *ranks, void *context)
     good[ranks->rank] = same;
 }
 
+static void count_letters(clod_ranks *ranks, void *context)
+{
+    clod_ranks_count *count = context;
+    bool good[SIZE];
+    swap_letters(ranks, good);
+    count[ranks->rank] = ranks->count;
+}
+
+static void what_is_said_is_counted(void **state)
+{
+    (void)state;
+    clod_ranks_count count[SIZE];
+    ranks_run(SIZE, count_letters, count);
+    for (int r = 0; r < SIZE; r++) {
+        size_t messages = SIZE - 1, bytes = (SIZE - 1) * sizeof(size_t); // how many, first
+        for (int to = 0; to < SIZE; to++) {
+            messages += to != r && letters(r, to) > 0;
+            bytes += to != r ? letters(r, to) : 0;
+        }
+        assert_int_equal(count[r].messages, messages);
+        assert_int_equal(count[r].bytes, bytes);
+        assert_int_equal(count[r].exchanges, 2);
+        assert_int_equal(count[r].shares, 1); // whether all have memory
+        assert_int_equal(count[r].share_bytes, 1);
+        assert_true(count[r].waited > 0.0 && count[r].waited < 100.0);
+    }
+}
+
 static void bytes_arrive_at_whom_they_are_for(void **state)
 {
     (void)state;
@@ -71,6 +100,46 @@ static void bytes_arrive_at_whom_they_are_for(void **state)
     for (int r = 0; r < SIZE; r++) {
         assert_true(good[r]);
     }
+}
+
+/** As if every other rank had so many bytes for this one: more together than any address. */
+#define ENORMOUS ((size_t)5 << 45)
+
+static void announce_much(clod_ranks *self, const clod_message *out, int outs,
+                          const clod_message *in, int ins)
+{
+    (void)self;
+    (void)out;
+    (void)outs;
+    const size_t bytes = ENORMOUS;
+    for (int k = 0; k < ins; k++) {
+        if (in[k].bytes == sizeof bytes) { // not the text of the failure
+            memcpy(in[k].data, &bytes, sizeof bytes);
+        }
+    }
+}
+
+static void share_alone(clod_ranks *self, const void *mine, size_t bytes, void *all)
+{
+    for (int r = 0; r < self->size; r++) {
+        memcpy((char *)all + (size_t)r * bytes, mine, bytes);
+    }
+}
+
+/** Where each rank's bytes begin, far beyond 2^31, and that there is no room for them. */
+static void more_bytes_than_an_int_counts(void **state)
+{
+    (void)state;
+    clod_ranks ranks = {.size = SIZE, .share = share_alone, .exchange = announce_much};
+    clod_status status = {0};
+    clod_bytes out[SIZE] = {0}, in = {0};
+    size_t begin[SIZE + 1];
+    assert_true(clod_ranks_init(&ranks, &status));
+    assert_false(clod_ranks_swap(&ranks, out, &in, begin, &status));
+    assert_non_null(strstr(status.text, "no memory for 703687441776640 bytes")); // 4 x 5 x 2^45
+    assert_true(begin[1] == 0 && begin[2] == ENORMOUS && begin[SIZE] == 4 * ENORMOUS);
+    clod_bytes_fini(&in);
+    clod_ranks_fini(&ranks);
 }
 
 typedef struct agreement {
@@ -105,6 +174,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sums_are_merged_in_the_order_of_ranks),
         cmocka_unit_test(bytes_arrive_at_whom_they_are_for),
+        cmocka_unit_test(what_is_said_is_counted),
+        cmocka_unit_test(more_bytes_than_an_int_counts),
         cmocka_unit_test(all_learn_of_the_first_failure),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

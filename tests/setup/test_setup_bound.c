@@ -133,12 +133,34 @@ static void grains_need_laws(void **unused)
     destroy(&self);
 }
 
+/** Grains from an inlet as the queue's: rubber meets its like, ore meets ore; and 1e-3 s is beyond
+ *  pi sqrt(m/(2 k)) = 0.13 ms of two grains of 2 mm. */
+static void streams_are_held_to_laws_and_the_critical_step(void **unused)
+{
+    (void)unused;
+    made self;
+    make(&self);
+    self.from->grains[0].comes = true;
+    CHECK(clod_setup_bound_streams(self.from, &self.state, &status));
+    self.state.dt = 1e-3;
+    expect_refused(clod_setup_bound_streams(self.from, &self.state, &status),
+                   "with the grains that come in the time step of 0.001 s is beyond");
+    self.state.dt = 1e-5;
+    char *ore = self.from->grains[0].material, rubber[] = "rubber";
+    self.from->grains[0].material = rubber;
+    expect_refused(clod_setup_bound_streams(self.from, &self.state, &status),
+                   "no contact law for grains of 'rubber' with grains of 'rubber'");
+    self.from->grains[0].material = ore;
+    destroy(&self);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(grains_are_held_to_the_critical_step),
         cmocka_unit_test(walls_are_held_to_the_critical_step),
         cmocka_unit_test(grains_need_laws),
+        cmocka_unit_test(streams_are_held_to_laws_and_the_critical_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

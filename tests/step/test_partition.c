@@ -1,6 +1,8 @@
 // The cut of a bed for ranks: everyone has his share, and knows whose grains matter to whom.
 #include "step/partition.h"
 
+#include <stdlib.h>
+
 #include "support/check.h"
 #include "support/dice.h"
 
@@ -110,6 +112,27 @@ static void grains_that_lie_apart_have_two_ranks(void **state)
     clod_partition_fini(&self);
 }
 
+/** Ranks with 2^30 grains each in one block of the lower half, and as many in the upper one: as
+ *  if 8 of them had told their numbers. */
+static void blocks_of_more_grains_than_an_int_counts_are_cut(void **state)
+{
+    (void)state;
+    clod_partition self = partition_of(2, 0);
+    const size_t blocks = clod_partition_blocks(&self);
+    int32_t *other = calloc(blocks, sizeof *other);
+    other[0] = other[blocks - 1] = 1 << 30;
+    for (int r = 0; r < 8; r++) {
+        clod_partition_merge(self.weight, other, blocks);
+    }
+    assert_int_equal(self.weight[0], INT32_MAX);
+    clod_partition_cut(&self);
+    const double low[3] = {0.0, 0.0, 0.0}, high[3] = {1.0, 2.0, 0.5};
+    assert_int_equal(clod_partition_owner(&self, low), 0);
+    assert_int_equal(clod_partition_owner(&self, high), 1);
+    free(other);
+    clod_partition_fini(&self);
+}
+
 int main(void)
 {
     make_bed();
@@ -117,6 +140,7 @@ int main(void)
         cmocka_unit_test(every_rank_has_its_share),
         cmocka_unit_test(what_is_near_a_box_reaches_it),
         cmocka_unit_test(grains_that_lie_apart_have_two_ranks),
+        cmocka_unit_test(blocks_of_more_grains_than_an_int_counts_are_cut),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

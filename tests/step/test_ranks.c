@@ -12,6 +12,7 @@ typedef struct rank_bed {
     bed_kind kind;
     bool ledger;
     bool open; ///< grains leave through a side and an outlet, some are removed, and some come
+    bool streams; ///< grains come
     clod_step_options options;
     scene *into; ///< of rank 0
 } rank_bed;
@@ -26,6 +27,43 @@ static void open_bed(clod_domain *domain)
     domain->outlets = 1;
     domain->outlet[0] =
         (clod_outlet){{-1.0, 0.012, -1.0}, {1.0, 1.0, 0.008}, {0.0, 0.0}, 0.0, 0.0};
+}
+
+static bool is_free(const clod_grains *grains, const double place[4])
+{
+    bool free = true;
+    for (size_t g = 0; g < grains->count; g++) {
+        const double *p = grains->position[g];
+        free = free && hypot(hypot(p[0] - place[0], p[1] - place[1]), p[2] - place[2]) >
+                           p[3] + place[3];
+    }
+    return free;
+}
+
+/** A small grain comes where there is room; only what is near is looked at. */
+static void ask_for_a_grain(clod_step *step, int k)
+{
+    clod_status status = {0};
+    clod_state *state = step->state;
+    dice roll = {(uint64_t)k + 77};
+    const clod_domain_box box = {{-0.01, -0.01, 0.01}, {0.015, 0.015, 0.05}};
+    clod_new_grain grain = {.id = (uint64_t)(2000 + k),
+                            .velocity = {-0.5, 1.0, -1.5},
+                            .density = 9000.0,
+                            .material = 2};
+    if (!clod_step_see_near(step, &box, 1, &status)) {
+        fail_msg("%s", status.text);
+    }
+    grain.position[3] = 1.5e-3;
+    do {
+        for (int a = 0; a < 3; a++) {
+            grain.position[a] = dice_real(&roll, box.low[a], box.high[a]);
+        }
+    } while (!is_free(&state->grains, grain.position));
+    clod_changes_add_grain(&state->changes, &grain);
+    if (!clod_step_change(step, &status)) {
+        fail_msg("%s", status.text);
+    }
 }
 
 /** Two grains go, and smaller ones come in their places. */
@@ -66,6 +104,9 @@ static void run_bed(scene *s, const rank_bed *how)
     }
     for (int k = 0; k < 5; k++) { // looks do not matter
         scene_run(s, STEPS / 5);
+        if (how->streams && k < 4) {
+            ask_for_a_grain(&s->step, k);
+        }
         if (k % 2 == 0 || how->open) {
             see(&s->step);
         }
@@ -93,7 +134,8 @@ static void run_rank(clod_ranks *ranks, void *context)
 
 static void compare(rank_bed how)
 {
-    static const int RANKS[] = {2, 3, 4, 7};
+    static const int RANKS[] = {2, 3, 4, 7, 16};
+    const size_t counts = how.kind == BED_SLIT && !how.ledger ? 5 : 4; // 16 take long
     const int threads = how.options.threads;
     scene one;
     how.options.threads = 1;
@@ -101,7 +143,7 @@ static void compare(rank_bed how)
     how.options.threads = threads;
     assert_true(!how.open || one.state.exchange.left[CLOD_FACES] > 2);
     assert_true(!how.open || one.state.exchange.left[0] + one.state.exchange.left[1] > 2);
-    for (size_t k = 0; k < sizeof RANKS / sizeof *RANKS; k++) {
+    for (size_t k = 0; k < counts; k++) {
         scene several;
         how.into = &several;
         ranks_run(RANKS[k], run_rank, &how);
@@ -159,6 +201,53 @@ static void grains_that_come_and_go_have_the_bits_of_one_rank(void **state)
     compare((rank_bed){.kind = BED_CLUSTER, .open = true, .options.threads = 1});
 }
 
+static void grains_that_come_are_dealt_to_their_ranks(void **state)
+{
+    (void)state;
+    compare(
+        (rank_bed){.kind = BED_SLIT, .streams = true, .ledger = true, .options.threads = 1});
+    compare((rank_bed){.kind = BED_CLUSTER, .streams = true, .options.threads = 1});
+}
+
+/** A grain with the id of another one is refused, whichever rank has that, and nothing changes. */
+static void ask_for_a_double(clod_ranks *ranks, void *context)
+{
+    rank_bed how = *(const rank_bed *)context;
+    if (ranks->rank > 0) {
+        clod_crew_serve(ranks);
+        return;
+    }
+    clod_status status = {0};
+    scene *s = how.into;
+    bed_init(s, how.kind, 1);
+    how.options.ranks = ranks;
+    scene_start_with(s, how.options);
+    scene_run(s, 10);
+    for (uint64_t id = 0; id < 300; id += 60) {
+        const clod_new_grain grain = {
+            .id = id, .position = {0.0, 0.0, 0.0, 1e-3}, .density = 2000.0};
+        clod_changes_add_grain(&s->state.changes, &grain);
+        assert_false(clod_step_change(&s->step, &status));
+        assert_int_equal(status.code, CLOD_USAGE);
+        assert_non_null(strstr(status.text, "another one has this id"));
+        assert_int_equal(s->state.exchange.added, 0);
+    }
+    scene_run(s, 10);
+    see(&s->step);
+    clod_crew_end(&s->step.crew);
+    clod_crew_dismiss(ranks);
+}
+
+static void a_grain_with_the_id_of_another_is_refused(void **state)
+{
+    (void)state;
+    scene s;
+    rank_bed how = {.kind = BED_CLUSTER, .options.threads = 1, .into = &s};
+    ranks_run(3, ask_for_a_double, &how);
+    assert_int_equal(s.state.step, 20);
+    scene_end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -169,6 +258,8 @@ int main(void)
         cmocka_unit_test(the_ledger_has_the_bits_of_one_rank),
         cmocka_unit_test(ranks_with_threads_have_the_bits_of_one_rank),
         cmocka_unit_test(grains_that_come_and_go_have_the_bits_of_one_rank),
+        cmocka_unit_test(grains_that_come_are_dealt_to_their_ranks),
+        cmocka_unit_test(a_grain_with_the_id_of_another_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

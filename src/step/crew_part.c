@@ -1,0 +1,118 @@
+#include "step/crew_part.h"
+
+#include "step/crew_clumps.h"
+#include "step/crew_state.h"
+#include "step/migrate.h"
+
+/** All that is this rank's; rank 0 begins with a copy of everything. */
+static bool make_part(clod_crew *self, bool clumps, clod_status *status)
+{
+    bool good = clod_grains_reserve(&self->state.grains, 0, status);
+    if (self->whole != NULL) {
+        clod_state_fini(&self->state);
+        good = clod_state_copy(&self->state, self->whole->state, status);
+        self->laws = *self->whole->laws; // borrowed
+    }
+    if (!clod_ranks_agree(self->ranks, good, status) ||
+        !clod_crew_state_begin(self->ranks, &self->state, &self->laws, status)) {
+        return false;
+    }
+    clod_grains *grains = &self->state.grains;
+    good = (self->state.ledger.open == 0 || clod_grains_keep_before(grains, status)) &&
+           (!clumps || clod_grains_keep_clumps(grains, status));
+    return clod_ranks_agree(self->ranks, good, status);
+}
+
+/** The skin of the last rebuild, whatever the bed. */
+static double same_skin(const void *context, const clod_layers_extent *bed)
+{
+    (void)bed;
+    const clod_state *state = context;
+    return state->build_skin;
+}
+
+bool clod_crew_part_begin(clod_crew *self, const clod_crew_order *what, clod_status *status)
+{
+    if (!make_part(self, what->clumps, status) ||
+        !clod_spread_init(&self->spread, self->ranks, self->state.walls.count, status) ||
+        !clod_migrate(&self->spread, &self->state, same_skin, &self->state, status)) {
+        return false;
+    }
+    const clod_step_options options = {.threads = what->threads,
+                                       .simd = what->simd[0] != '\0' ? what->simd : NULL,
+                                       .brute_force = what->brute_force,
+                                       .overlap_limit = what->overlap_limit,
+                                       .spread = &self->spread};
+    return clod_step_init(&self->step, &self->state, &self->laws, &options, status);
+}
+
+/** Walls and numbers of rank 0, and what follows from them. */
+static bool update(clod_crew *self, clod_status *status)
+{
+    clod_crew_state_tell(self->ranks, &self->state);
+    if (self->whole == NULL) {
+        clod_laws_set_adhesion(&self->laws, self->state.adhesion);
+    }
+    if (self->state.ledger.open == 0 || self->step.near.ledger) {
+        return true;
+    }
+    const bool kept = clod_step_keep_ledger(&self->step, status);
+    return clod_ranks_agree(self->ranks, kept, status) &&
+           clod_spread_list(&self->spread, &self->state, self->step.neighbour.skin, status);
+}
+
+bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_status *status)
+{
+    const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
+    const bool good =
+        update(self, status) &&
+        (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status)) &&
+        clod_step_advance(&self->step, what->steps, status);
+    return clod_ranks_agree(self->ranks, good, status);
+}
+
+bool clod_crew_part_see(clod_crew *self, clod_status *status)
+{
+    const bool listed = clod_step_export(&self->step, status);
+    return clod_ranks_agree(self->ranks, listed, status) &&
+           clod_migrate_gather(&self->spread, &self->state,
+                               self->whole != NULL ? self->whole->state : NULL, status);
+}
+
+bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_domain_box *box,
+                             clod_status *status)
+{
+    clod_ranks_tell(self->ranks, box, (size_t)what->boxes * sizeof *box);
+    return clod_migrate_near(&self->spread, &self->state, box, what->boxes,
+                             self->whole != NULL ? self->whole->state : NULL, status);
+}
+
+/** Grains that are in the queue of rank 0 come. */
+bool clod_crew_part_take(clod_crew *self, const clod_crew_order *what, clod_status *status)
+{
+    const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
+    const bool good =
+        update(self, status) &&
+        (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status)) &&
+        clod_step_take(&self->step, status);
+    return clod_ranks_agree(self->ranks, good, status);
+}
+
+void clod_crew_part_store(clod_crew *self, clod_step_stored *sums)
+{
+    clod_status status = {0};
+    update(self, &status); // what it cannot keep now the next advance tells
+    clod_step_store(&self->step, sums);
+    clod_spread_merge_stored(&self->spread, sums);
+}
+
+void clod_crew_part_end(clod_crew *self)
+{
+    clod_step_fini(&self->step);
+    clod_state_fini(&self->state);
+    clod_spread_fini(&self->spread);
+    if (self->whole == NULL) {
+        clod_laws_fini(&self->laws);
+    }
+    *self = (clod_crew){0};
+}

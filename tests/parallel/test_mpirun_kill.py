@@ -1,0 +1,19 @@
+"""One of several ranks is killed: a whole checkpoint is left, and the same command goes on."""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+import rank_kills
+
+
+@clod.quick_only
+class Killed(rank_kills.Kills):
+
+    def test_a_rank_is_killed(self):
+        self.go_on_after(3)
+
+
+if __name__ == "__main__":
+    clod.main()

@@ -1,0 +1,78 @@
+"""What a queue of a cluster needs: runs that stop before their time is over, alone and on ranks; who
+runs where; and a warning when ranks share processors."""
+
+import os
+import socket
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+import rank_kills
+
+SLIT = clod.source("tests/parallel/slit.yaml")
+SMALL = clod.source("tests/support/small.yaml")
+LONG = ("--set", "stages.1.duration=40 ms")
+
+
+class TimeLimit(clod.Case):
+
+    def test_times_that_are_none_are_refused(self):
+        for text in ("", "0 s", "-3 h", "5", "3 days", "12:61", "1-00:00:60", "inf s", "2:00:00x"):
+            done = clod.run("run", SLIT, "-o", self.path("out"), "--time-limit", text)
+            self.assertEqual(done.returncode, 2, text)
+            self.assertIn(f"--time-limit {text}: a time above 0 is needed", done.stderr)
+
+    def test_times_of_batch_systems_are_read(self):
+        for text in ("9 s", "1.5min", "2 h", "1 d", "10:00", "100:00:00", "1-12:00:00", "1-12:30"):
+            done = clod.run("run", SMALL, "-o", self.path(text), "--time-limit", text)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    @clod.quick_only
+    def test_stops_in_time_and_goes_on(self):
+        one, out = self.path("one"), self.path("out")
+        self.assertEqual(clod.run("run", SLIT, "-o", one, "-t", "1", *LONG).returncode, 0)
+        done = clod.run("run", SLIT, "-o", out, "-t", "1", *LONG, "--time-limit",
+                        "0.25 s")
+        self.assertEqual(done.returncode, 143, done.stderr)
+        self.assertIn("before the time limit of 0.25 s; the same command goes on", done.stderr)
+        self.assertTrue(clod.checkpoints(out, "run"))
+        done = clod.run("run", SLIT, "-o", out, "-t", "1", *LONG, "--time-limit",
+                        "2:00:00")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_same_end(one, out, ["run"])
+
+
+@unittest.skipUnless(os.environ.get("CLOD_MPI") == "1", "clod was built without MPI")
+@clod.quick_only
+class Ranks(clod.Case):
+
+    def test_stop_in_time_on_ranks_and_go_on(self):
+        one, out = self.path("one"), self.path("out")
+        self.assertEqual(clod.run("run", SLIT, "-o", one, "-t", "1", *LONG).returncode, 0)
+        done = rank_kills.run(2, "run", SLIT, "-o", out, *LONG, "--time-limit", "0.6 s")
+        self.assertEqual(done.returncode, 143, done.stderr)
+        self.assertEqual(done.stderr.count("before the time limit of 0.6 s"), 1, done.stderr)
+        done = clod.run("run", SLIT, "-o", out, "-t", "1", *LONG)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_same_end(one, out, ["run"])
+
+    def test_places_are_logged_and_shared_processors_told(self):
+        processors = len(os.sched_getaffinity(0))
+        out = self.path("out")
+        done = rank_kills.run(processors + 1, "run", SMALL, "-o", out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        text = (f"warning: {processors + 1} ranks on {socket.gethostname()} have "
+                f"{processors} processor")
+        self.assertEqual(done.stderr.count(text), 1, done.stderr)
+        events = [event for event in clod.log(out) if event["event"] == "ranks"]
+        self.assertEqual(len(events), 1)
+        self.assertEqual(events[0]["ranks"], processors + 1)
+        self.assertEqual(events[0]["threads_each"], 1)
+        self.assertEqual(events[0]["hosts"], [{"host": socket.gethostname(),
+                                               "ranks": processors + 1,
+                                               "processors": processors}])
+
+
+if __name__ == "__main__":
+    clod.main()

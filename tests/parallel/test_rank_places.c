@@ -1,0 +1,48 @@
+// Which ranks share a host, and how many processors they have there.
+#include "parallel/rank_places.h"
+
+#include <string.h>
+#include <unistd.h>
+
+#include "parallel/threads.h"
+#include "support/check.h"
+
+/** Ranks 0, 1 and 3 on one host with processors 0, 0, and 5 and 70; rank 2 on another with two. */
+static const clod_rank_place PLACE[] = {{.host = "a", .processor = {1}},
+                                        {.host = "a", .processor = {1}},
+                                        {.host = "b", .processor = {3}},
+                                        {.host = "a", .processor = {1 << 5, 1 << 6}}};
+
+static void ranks_are_counted_by_host(void **state)
+{
+    (void)state;
+    clod_rank_host host;
+    assert_true(clod_rank_places_host(PLACE, 4, 0, &host));
+    assert_string_equal(host.name, "a");
+    assert_int_equal(host.ranks, 3);
+    assert_int_equal(host.processors, 3);
+    assert_false(clod_rank_places_host(PLACE, 4, 1, &host));
+    assert_false(clod_rank_places_host(PLACE, 4, 3, &host));
+    assert_true(clod_rank_places_host(PLACE, 4, 2, &host));
+    assert_int_equal(host.ranks, 1);
+    assert_int_equal(host.processors, 2);
+}
+
+static void this_process_has_a_host_and_processors(void **state)
+{
+    (void)state;
+    char name[64] = "";
+    const clod_rank_place here = clod_rank_place_here();
+    assert_int_equal(gethostname(name, sizeof name - 1), 0);
+    assert_string_equal(here.host, name);
+    assert_int_equal(clod_rank_place_processors(&here), clod_threads_available());
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ranks_are_counted_by_host),
+        cmocka_unit_test(this_process_has_a_host_and_processors),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
