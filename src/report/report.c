@@ -1,0 +1,130 @@
+#include "report/report.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "clod/locus.h"
+#include "report/head.h"
+#include "report/html.h"
+#include "report/scripts.h"
+#include "report/sheet.h"
+#include "report/run_files.h"
+#include "report/shear.h"
+
+static bool fail_memory(clod_status *status)
+{
+    return clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
+}
+
+/** Owned study of the laboratory's points as JSON, or NULL with status. */
+static json_t *load_lab(const char *path, clod_status *status)
+{
+    clod_locus_point *points;
+    size_t count;
+    if (!clod_locus_read(path, NULL, &points, &count, status)) {
+        return NULL;
+    }
+    clod_locus_study *study = clod_locus_study_create(points, count, status);
+    clod_locus_free(points);
+    char *text = study != NULL ? clod_locus_json(study) : NULL;
+    json_t *all = text != NULL ? json_loads(text, 0, NULL) : NULL;
+    if (study != NULL && all == NULL) {
+        fail_memory(status);
+    }
+    clod_locus_free(text);
+    clod_locus_study_destroy(&study);
+    return all;
+}
+
+static bool put_shear(clod_sheet *page, const clod_run_files *run, const json_t *lab,
+                      clod_status *status)
+{
+    clod_shear_loci sets[2];
+    size_t count = 0;
+    const json_t *study = json_object_get(run->summary, "locus");
+    if (study != NULL) {
+        sets[count++] = (clod_shear_loci){"simulation", study};
+    }
+    if (lab != NULL) {
+        sets[count++] = (clod_shear_loci){"laboratory", lab};
+    }
+    if (count > 0) {
+        clod_html_section(page->body, "results", "Results");
+        clod_shear_table(page->body, sets, count);
+        clod_shear_figures(page, sets, count);
+        clod_shear_points(page->body, sets, count);
+    }
+    clod_html_section(page->body, "curves", "Curves of the test");
+    return clod_shear_curves(page, run, status);
+}
+
+static bool put_run(clod_sheet *page, const clod_run_files *run, const json_t *lab,
+                    clod_status *status)
+{
+    clod_head_put(page->body, run);
+    clod_head_warnings(page->body, run, lab);
+    bool good = true;
+    if (run->kind == CLOD_RUN_SHEAR) {
+        good = put_shear(page, run, lab, status);
+    }
+    clod_head_sources(page->body, run);
+    return good;
+}
+
+/** Owned name of the page. */
+static char *name_page(const clod_report_options *options)
+{
+    const char *folder = options->runs[0];
+    const size_t size = strlen(folder) + sizeof "/report.html";
+    char *path = options->output != NULL ? clod_memory_text(options->output)
+                                         : clod_memory_alloc(size, 1);
+    if (path != NULL && options->output == NULL) {
+        snprintf(path, size, "%s/report.html", folder);
+    }
+    return path;
+}
+
+bool clod_report_write(const clod_report_options *options, char **path, clod_status *status)
+{
+    clod_run_files run;
+    clod_sheet page = {0};
+    json_t *lab = NULL;
+    *path = name_page(options);
+    bool good = *path != NULL || fail_memory(status);
+    good = clod_run_files_open(&run, options->runs[0], status) && good;
+    if (good && options->lab != NULL) {
+        good = run.kind == CLOD_RUN_SHEAR ||
+               clod_status_fail(status, CLOD_USAGE,
+                                "--lab %s: %s is no shear test: only their pages have yield "
+                                "loci to lay laboratory points over.",
+                                options->lab, run.folder);
+        lab = good ? load_lab(options->lab, status) : NULL;
+        good = lab != NULL;
+    }
+    good = good && clod_sheet_open(&page, status) && put_run(&page, &run, lab, status) &&
+           clod_sheet_write(&page, run.title, *path, status);
+    clod_sheet_fini(&page);
+    json_decref(lab);
+    clod_run_files_fini(&run);
+    if (!good) {
+        clod_memory_free(*path);
+        *path = NULL;
+    }
+    return good;
+}
+
+const char *clod_report_lacks(void)
+{
+    return clod_scripts_bundle() != NULL
+               ? NULL
+               : "This clod was built without the scripts of its pages: figures do not zoom, and "
+                 "there is no 3-D view. To get them, install Node.js with npm (Debian: apt "
+                 "install nodejs npm, or make setup-report in the sources), connect to a "
+                 "network, and build clod again";
+}
+
+void clod_report_free(char *text)
+{
+    clod_memory_free(text);
+}
