@@ -47,6 +47,7 @@ typedef struct clod_figure {
     clod_figure_axis x, y;
     bool equal;       ///< both axes have the same scale
     bool from_zero;   ///< both axes begin at 0
+    bool log_x;       ///< the x axis is logarithmic; its numbers are above 0
     clod_figure_curve *curves; ///< [count] owned
     size_t count;
     bool lost; ///< there was no memory for something

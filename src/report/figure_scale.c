@@ -3,6 +3,11 @@
 #include <math.h>
 #include <stdio.h>
 
+static double place_of(const clod_figure_scale *self, double value)
+{
+    return self->log ? log10(value) : value;
+}
+
 static void widen(clod_figure_scale *self, double value)
 {
     if (isfinite(value)) {
@@ -22,7 +27,7 @@ static double choose_step(double range)
 void clod_figure_scale_make(clod_figure_scale *self, const clod_figure *of, bool y)
 {
     const double factor = y ? of->y.factor : of->x.factor;
-    *self = (clod_figure_scale){.min = HUGE_VAL, .max = -HUGE_VAL};
+    *self = (clod_figure_scale){.min = HUGE_VAL, .max = -HUGE_VAL, .log = !y && of->log_x};
     for (size_t c = 0; c < of->count; c++) {
         const clod_figure_curve *curve = &of->curves[c];
         for (size_t i = 0; i < curve->count; i++) {
@@ -30,8 +35,8 @@ void clod_figure_scale_make(clod_figure_scale *self, const clod_figure *of, bool
             const double error = y && curve->error != NULL && isfinite(curve->error[i])
                                      ? curve->error[i]
                                      : 0.0;
-            widen(self, (value - error) * factor);
-            widen(self, (value + error) * factor);
+            widen(self, place_of(self, (value - error) * factor));
+            widen(self, place_of(self, (value + error) * factor));
         }
     }
     if (of->from_zero || of->equal) {
@@ -45,14 +50,14 @@ void clod_figure_scale_make(clod_figure_scale *self, const clod_figure *of, bool
         self->min -= room;
         self->max += room;
     }
-    self->step = choose_step(self->max - self->min);
+    self->step = self->log ? 1.0 : choose_step(self->max - self->min);
     self->min = self->step * floor(self->min / self->step + 1e-9);
     self->max = self->step * ceil(self->max / self->step - 1e-9);
 }
 
 double clod_figure_scale_at(const clod_figure_scale *self, double value)
 {
-    return (value - self->min) / (self->max - self->min);
+    return (place_of(self, value) - self->min) / (self->max - self->min);
 }
 
 int clod_figure_scale_ticks(const clod_figure_scale *self)
@@ -63,6 +68,10 @@ int clod_figure_scale_ticks(const clod_figure_scale *self)
 double clod_figure_scale_tick(const clod_figure_scale *self, int k, char text[32])
 {
     const double value = self->step * round(self->min / self->step + k);
+    if (self->log) {
+        snprintf(text, 32, "%g", pow(10.0, value));
+        return pow(10.0, value);
+    }
     const double largest = fmax(fabs(self->min), fabs(self->max));
     if (largest >= 1e5 || largest < 1e-3) {
         snprintf(text, 32, "%.4g", value);

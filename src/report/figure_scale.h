@@ -9,6 +9,7 @@
 typedef struct clod_figure_scale {
     double min, max; ///< in the unit of the axis
     double step;     ///< from tick to tick
+    bool log;        ///< all are powers of ten of these
 } clod_figure_scale;
 
 /** The range that shows all finite numbers of a figure. @param y  of the y axis, else the x axis */

@@ -10,7 +10,7 @@ void clod_flow_figure_init(clod_figure *self)
     self->from_zero = true;
     snprintf(self->note, sizeof self->note,
              "Bars: one standard error. ffc below 1: not flowing; 1 to 2: very cohesive; 2 to 4: "
-             "cohesive; 4 to 10: easy-flowing; above 10: free-flowing.");
+             "cohesive; 4 to 10: easy flowing; above 10: free flowing.");
 }
 
 void clod_flow_figure_classes(clod_figure *self, double largest)

@@ -5,11 +5,13 @@
 
 #include "base/memory.h"
 #include "clod/locus.h"
+#include "report/cards.h"
+#include "report/grain_view.h"
 #include "report/head.h"
 #include "report/html.h"
+#include "report/run_pages.h"
 #include "report/scripts.h"
 #include "report/sheet.h"
-#include "report/run_files.h"
 #include "report/shear.h"
 
 static bool fail_memory(clod_status *status)
@@ -37,7 +39,7 @@ static json_t *load_lab(const char *path, clod_status *status)
     return all;
 }
 
-static bool put_shear(clod_sheet *page, const clod_run_files *run, const json_t *lab,
+static bool put_shear(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
                       clod_status *status)
 {
     clod_shear_loci sets[2];
@@ -50,25 +52,34 @@ static bool put_shear(clod_sheet *page, const clod_run_files *run, const json_t 
         sets[count++] = (clod_shear_loci){"laboratory", lab};
     }
     if (count > 0) {
-        clod_html_section(page->body, "results", "Results");
-        clod_shear_table(page->body, sets, count);
-        clod_shear_figures(page, sets, count);
-        clod_shear_points(page->body, sets, count);
+        clod_html_section(sheet->body, "results", "Results");
+        clod_shear_table(sheet->body, sets, count);
+        clod_shear_figures(sheet, sets, count);
+        clod_shear_points(sheet->body, sets, count);
     }
-    clod_html_section(page->body, "curves", "Curves of the test");
-    return clod_shear_curves(page, run, status);
+    clod_html_section(sheet->body, "curves", "Curves of the test");
+    clod_sheet_columns(sheet, true);
+    const bool good = clod_shear_curves(sheet, run, status);
+    clod_sheet_columns(sheet, false);
+    return good;
 }
 
-static bool put_run(clod_sheet *page, const clod_run_files *run, const json_t *lab,
+static bool put_run(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
                     clod_status *status)
 {
-    clod_head_put(page->body, run);
-    clod_head_warnings(page->body, run, lab);
+    clod_head_put(sheet->body, run);
+    clod_head_warnings(sheet->body, run, lab);
     bool good = true;
+    clod_cards_put(sheet->body, run);
     if (run->kind == CLOD_RUN_SHEAR) {
-        good = put_shear(page, run, lab, status);
+        good = put_shear(sheet, run, lab, status);
+    } else if (run->kind == CLOD_RUN_UNIAXIAL) {
+        good = clod_run_pages_uniaxial(sheet, run, status);
+    } else {
+        good = clod_run_pages_free(sheet, run, status);
     }
-    clod_head_sources(page->body, run);
+    good = good && clod_grain_view_put(sheet, run, status);
+    clod_head_sources(sheet->body, run);
     return good;
 }
 
@@ -88,7 +99,7 @@ static char *name_page(const clod_report_options *options)
 bool clod_report_write(const clod_report_options *options, char **path, clod_status *status)
 {
     clod_run_files run;
-    clod_sheet page = {0};
+    clod_sheet sheet = {0};
     json_t *lab = NULL;
     *path = name_page(options);
     bool good = *path != NULL || fail_memory(status);
@@ -102,9 +113,9 @@ bool clod_report_write(const clod_report_options *options, char **path, clod_sta
         lab = good ? load_lab(options->lab, status) : NULL;
         good = lab != NULL;
     }
-    good = good && clod_sheet_open(&page, status) && put_run(&page, &run, lab, status) &&
-           clod_sheet_write(&page, run.title, *path, status);
-    clod_sheet_fini(&page);
+    good = good && clod_sheet_open(&sheet, status) && put_run(&sheet, &run, lab, status) &&
+           clod_sheet_write(&sheet, run.title, *path, status);
+    clod_sheet_fini(&sheet);
     json_decref(lab);
     clod_run_files_fini(&run);
     if (!good) {

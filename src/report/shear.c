@@ -35,13 +35,22 @@ const clod_shear_row CLOD_SHEAR_ROWS[CLOD_SHEAR_ROW_COUNT] = {
     {"rho_b_kg_m3", "bulk density", "&rho;<sub>b</sub>", "kg/m&sup3;", 1.0, 1},
 };
 
+const clod_shear_row *clod_shear_row_of(const char *key)
+{
+    size_t k = 0;
+    while (strcmp(CLOD_SHEAR_ROWS[k].key, key) != 0) {
+        k++;
+    }
+    return &CLOD_SHEAR_ROWS[k];
+}
+
 void clod_shear_value(FILE *out, const json_t *locus, const clod_shear_row *row)
 {
     const double value = clod_shear_number(locus, row->key);
     const double error = part_of(locus, row->key, "error");
     const double scatter = part_of(locus, row->key, "scatter");
     if (!isfinite(value)) {
-        fputs(strcmp(row->key, "rho_b_kg_m3") == 0 ? "not given" : "undefined", out);
+        fputs(row == clod_shear_row_of("rho_b_kg_m3") ? "not given" : "undefined", out);
         return;
     }
     fprintf(out, "%.*f", row->digits, row->factor * value);

@@ -25,7 +25,7 @@ void clod_shear_table(FILE *out, const clod_shear_loci *sets, size_t count);
 void clod_shear_points(FILE *out, const clod_shear_loci *sets, size_t count);
 
 /** Yield loci with Mohr circles, and the flow function. */
-void clod_shear_figures(clod_sheet *page, const clod_shear_loci *sets, size_t count);
+void clod_shear_figures(clod_sheet *sheet, const clod_shear_loci *sets, size_t count);
 
 /** Curves over displacement of the parts of a run. Errors  CLOD_USAGE: a damaged table. */
-bool clod_shear_curves(clod_sheet *page, const clod_run_files *run, clod_status *status);
+bool clod_shear_curves(clod_sheet *sheet, const clod_run_files *run, clod_status *status);

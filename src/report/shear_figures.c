@@ -72,7 +72,7 @@ static bool is_lab(const clod_shear_loci *set)
     return strcmp(set->of, "laboratory") == 0;
 }
 
-static void put_loci(clod_sheet *page, const clod_shear_loci *sets, size_t count)
+static void put_loci(clod_sheet *sheet, const clod_shear_loci *sets, size_t count)
 {
     clod_figure figure;
     int colour = 0;
@@ -91,7 +91,7 @@ static void put_loci(clod_sheet *page, const clod_shear_loci *sets, size_t count
                       colour++ % CLOD_FIGURE_COLOURS);
         }
     }
-    clod_sheet_figure(page, &figure);
+    clod_sheet_figure(sheet, &figure);
 }
 
 static double error_of(const json_t *locus, const char *key)
@@ -99,7 +99,7 @@ static double error_of(const json_t *locus, const char *key)
     return clod_shear_number(json_object_get(locus, key), "error");
 }
 
-static void put_flow_function(clod_sheet *page, const clod_shear_loci *sets, size_t count)
+static void put_flow_function(clod_sheet *sheet, const clod_shear_loci *sets, size_t count)
 {
     clod_figure figure;
     clod_flow_figure_init(&figure);
@@ -120,13 +120,13 @@ static void put_flow_function(clod_sheet *page, const clod_shear_loci *sets, siz
                         (int)(s % CLOD_FIGURE_COLOURS), n, x, y, error);
     }
     clod_flow_figure_classes(&figure, largest);
-    clod_sheet_figure(page, &figure);
+    clod_sheet_figure(sheet, &figure);
 }
 
-void clod_shear_figures(clod_sheet *page, const clod_shear_loci *sets, size_t count)
+void clod_shear_figures(clod_sheet *sheet, const clod_shear_loci *sets, size_t count)
 {
-    put_loci(page, sets, count);
-    put_flow_function(page, sets, count);
+    put_loci(sheet, sets, count);
+    put_flow_function(sheet, sets, count);
 }
 
 /** What is drawn over displacement. */
@@ -146,8 +146,18 @@ static bool is_part(const char *name, bool preshear)
     return strstr(name, preshear ? "preshear" : "point-") != NULL;
 }
 
+/** First row of shear; before it the specimen is filled and loaded at one place. */
+static size_t shear_begins(const double *displacement, size_t rows)
+{
+    size_t first = 0;
+    while (first + 1 < rows && displacement[first + 1] == 0.0) {
+        first++;
+    }
+    return first;
+}
+
 /** Read the tables of the parts that are asked for; false: one is damaged. */
-static bool put_parts(clod_sheet *page, const clod_run_files *run, bool preshear,
+static bool put_parts(clod_sheet *sheet, const clod_run_files *run, bool preshear,
                       clod_status *status)
 {
     clod_figure figures[CURVE_COUNT];
@@ -172,12 +182,14 @@ static bool put_parts(clod_sheet *page, const clod_run_files *run, bool preshear
         good = clod_table_read(&table, run->folder, name, status);
         const int at = clod_table_find(&table, "displacement");
         double *x = good && at >= 0 ? clod_table_numbers(&table, at) : NULL;
+        const size_t first = x != NULL ? shear_begins(x, table.rows) : 0;
         for (size_t q = 0; x != NULL && q < CURVE_COUNT; q++) {
             const int column = clod_table_find(&table, CURVES[q].column);
             double *y = column >= 0 ? clod_table_numbers(&table, column) : NULL;
             if (y != NULL) {
                 clod_figure_add(&figures[q], part, CLOD_FIGURE_LINE,
-                                colour % CLOD_FIGURE_COLOURS, table.rows, x, y, NULL);
+                                colour % CLOD_FIGURE_COLOURS, table.rows - first, x + first,
+                                y + first, NULL);
             }
             clod_memory_free(y);
         }
@@ -186,12 +198,12 @@ static bool put_parts(clod_sheet *page, const clod_run_files *run, bool preshear
         colour++;
     }
     for (size_t q = 0; q < CURVE_COUNT; q++) {
-        clod_sheet_figure(page, &figures[q]);
+        clod_sheet_figure(sheet, &figures[q]);
     }
     return good;
 }
 
-bool clod_shear_curves(clod_sheet *page, const clod_run_files *run, clod_status *status)
+bool clod_shear_curves(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
 {
-    return put_parts(page, run, true, status) && put_parts(page, run, false, status);
+    return put_parts(sheet, run, true, status) && put_parts(sheet, run, false, status);
 }

@@ -28,3 +28,6 @@ const json_t *clod_shear_locus(const json_t *study, size_t g);
 
 /** Write a result with its error and scatter, as HTML. */
 void clod_shear_value(FILE *out, const json_t *locus, const clod_shear_row *row);
+
+/** The row with this key, one of CLOD_SHEAR_ROWS. */
+const clod_shear_row *clod_shear_row_of(const char *key);

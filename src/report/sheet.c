@@ -69,6 +69,11 @@ void clod_sheet_figure(clod_sheet *self, clod_figure *figure)
     clod_figure_fini(figure);
 }
 
+void clod_sheet_columns(clod_sheet *self, bool begin)
+{
+    fputs(begin ? "<div class=\"figures\">\n" : "</div>\n", self->body);
+}
+
 FILE *clod_sheet_view(clod_sheet *self)
 {
     fprintf(self->body, "<div class=\"view\" id=\"view-%zu\"></div>\n", self->view_count);

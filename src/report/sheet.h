@@ -30,6 +30,9 @@ bool clod_sheet_open(clod_sheet *self, clod_status *status);
 /** Put a figure into the page; nothing when it shows nothing. Frees its content. */
 void clod_sheet_figure(clod_sheet *self, clod_figure *figure);
 
+/** Begin or end a run of figures that stand side by side where there is room. */
+void clod_sheet_columns(clod_sheet *self, bool begin);
+
 /** Begin the JSON of a 3-D view, and put its place into the body. */
 FILE *clod_sheet_view(clod_sheet *self);
 

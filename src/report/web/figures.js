@@ -31,23 +31,36 @@ function titleOf(axis) {
   return axis.unit === "" ? axis.text : `${axis.text} [${axis.unit}]`;
 }
 
+/** Height at which a figure of equal scales fills its width; not too high. */
+function equalHeight(figure, width) {
+  const all = (axis, of) => of.flatMap(curve => curve[axis].filter(value => value !== null));
+  const x = all("x", figure.curves), y = all("y", figure.curves);
+  const ratio = Math.max(...y) / (Math.max(...x) - Math.min(0, ...x));
+  return Math.min(640, Math.max(260, 64 + 1.08 * ratio * (width - 76)));
+}
+
 function layoutOf(figure, width) {
   const rows = figure.curves.filter(curve => curve.name !== "").length;
   const small = width < 480;
   const layout = {
     margin: {l: 64, r: 12, t: 12, b: 52},
     font: {family: "Helvetica, Arial, sans-serif", size: small ? 12 : 13, color: "#1d2733"},
-    height: figure.equal ? Math.max(360, Math.min(620, width * 0.62)) : small ? 330 : 370,
-    legend: {orientation: "h", y: -0.2, yanchor: "top", x: 0},
+    height: figure.equal ? equalHeight(figure, width) : small ? 330 : 370,
+    legend: {orientation: "h", yref: "container", y: 0, yanchor: "bottom", x: 0},
     hovermode: "closest",
     xaxis: {title: {text: titleOf(figure.x)}, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea", ticks: "outside", tickcolor: "#b9c0c8"},
     yaxis: {title: {text: titleOf(figure.y)}, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea"},
   };
-  layout.height += Math.min(8, Math.ceil(rows / (small ? 1 : 3))) * 18;
+  const legend = Math.min(8, Math.ceil(rows / (small ? 1 : 3))) * 20;
+  layout.height += legend;
+  layout.margin.b += legend;
   if (figure.equal) {
     layout.yaxis.scaleanchor = "x";
-    layout.yaxis.rangemode = "tozero";
+    layout.yaxis.range = [0, 1.06 * figure.y.factor * Math.max(...figure.curves.flatMap(curve => curve.y))];
     layout.xaxis.constrain = layout.yaxis.constrain = "domain";
+  }
+  if (figure.log_x) {
+    layout.xaxis.type = "log";
   }
   if (figure.from_zero) {
     layout.xaxis.rangemode = layout.yaxis.rangemode = "tozero";
@@ -55,15 +68,28 @@ function layoutOf(figure, width) {
   return layout;
 }
 
+function draw(figure, place) {
+  const traces = figure.curves.map(curve => traceOf(figure, curve));
+  return Plotly.newPlot(place, traces, layoutOf(figure, place.clientWidth), {
+    responsive: true,
+    displaylogo: false,
+    modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
+    toImageButtonOptions: {format: "svg", filename: figure.name},
+  });
+}
+
+/** Draw all figures; those that are folded away when they are first seen. Returns how many it drew. */
 export async function drawFigures(figures) {
+  let drawn = 0;
   for (const figure of figures) {
     const place = document.querySelector(`#figure-${CSS.escape(figure.name)} .live`);
-    const traces = figure.curves.map(curve => traceOf(figure, curve));
-    await Plotly.newPlot(place, traces, layoutOf(figure, place.clientWidth), {
-      responsive: true,
-      displaylogo: false,
-      modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
-      toImageButtonOptions: {format: "svg", filename: figure.name},
-    });
+    const folded = place.closest("details");
+    if (folded !== null && !folded.open) {
+      folded.addEventListener("toggle", () => draw(figure, place), {once: true});
+    } else {
+      await draw(figure, place);
+      drawn++;
+    }
   }
+  return drawn;
 }

@@ -24,10 +24,10 @@ async function start() {
   const data = JSON.parse(document.getElementById("clod-data").textContent);
   document.body.classList.add("scripted");
   addCopies();
-  await drawFigures(data.figures);
+  const drawn = await drawFigures(data.figures);
   const seen = drawViews(data.views);
   // for tests: what was drawn, in the document itself
-  document.documentElement.dataset.figures = data.figures.length;
+  document.documentElement.dataset.figures = drawn;
   document.documentElement.dataset.views = JSON.stringify(seen);
   document.documentElement.dataset.errors = JSON.stringify(errors);
   document.documentElement.dataset.ready = "yes";
