@@ -98,9 +98,10 @@ int clod_app_report(int argc, char **argv)
     if (read_request(&self, &argp, argc, argv)) {
         result = EXIT_SUCCESS;
         if (self.options.output != NULL && self.options.run_count > 1) {
-            fputs("clod report: -o names one page, and there are several runs; clod compare puts "
-                  "them on one page\n",
-                  stderr);
+            fputs(
+                "clod report: -o names one page, and there are several runs; clod compare puts "
+                "them on one page\n",
+                stderr);
             result = CLOD_USAGE;
         }
         for (size_t k = 0; result == EXIT_SUCCESS && k < self.options.run_count; k++) {
@@ -121,10 +122,11 @@ int clod_app_compare(int argc, char **argv)
         .options = OPTIONS,
         .parser = parse,
         .args_doc = "RUN...",
-        .doc = "Write compare.html, or the file that -o names, about the results folders RUN: one "
-               "table of their results and of the keys in which their cases differ, curves over "
-               "each other; and each figure beside it as SVG.\v"
-               "docs/howto/report.md has examples.",
+        .doc =
+            "Write compare.html, or the file that -o names, about the results folders RUN: one "
+            "table of their results and of the keys in which their cases differ, curves over "
+            "each other; and each figure beside it as SVG.\v"
+            "docs/howto/report.md has examples.",
     };
     request self = {0};
     int result = CLOD_FAILED;

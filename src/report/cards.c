@@ -33,8 +33,8 @@ static void put_card(FILE *out, const card *of, const json_t *from)
 /** Results of one yield locus. */
 static void put_locus(FILE *out, const json_t *locus)
 {
-    static const char *const KEYS[] = {"phi_e_deg", "phi_lin_deg", "c_Pa",
-                                       "sigma_c_Pa", "ffc", "rho_b_kg_m3"};
+    static const char *const KEYS[] = {"phi_e_deg",  "phi_lin_deg", "c_Pa",
+                                       "sigma_c_Pa", "ffc",         "rho_b_kg_m3"};
     for (size_t k = 0; k < sizeof KEYS / sizeof *KEYS; k++) {
         const clod_shear_row *row = clod_shear_row_of(KEYS[k]);
         fputs("<div class=\"card\"><b>", out);
@@ -56,8 +56,7 @@ static void put_strengths(FILE *out, const json_t *strengths)
     json_array_foreach(strengths, k, one)
     {
         char text[128];
-        snprintf(text, sizeof text,
-                 "unconfined strength after %.3f kPa: ff<sub>c</sub> %.2f",
+        snprintf(text, sizeof text, "unconfined strength after %.3f kPa: ff<sub>c</sub> %.2f",
                  1e-3 * clod_shear_number(one, "sigma_1_Pa"), clod_shear_number(one, "ffc"));
         card made = EACH;
         made.text = text;

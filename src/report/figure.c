@@ -110,6 +110,15 @@ void clod_figure_circle(clod_figure *self, const char *name, clod_figure_style s
     clod_figure_add(self, name, style, colour, ARC, x, y, NULL);
 }
 
+size_t clod_figure_begin(const double *x, size_t rows)
+{
+    size_t first = 0;
+    while (first + 1 < rows && x[first + 1] == 0.0) {
+        first++;
+    }
+    return first;
+}
+
 bool clod_figure_shows(const clod_figure *self)
 {
     for (size_t c = 0; c < self->count; c++) {

@@ -45,9 +45,9 @@ typedef struct clod_figure {
     char title[160]; ///< what it shows
     char note[256];  ///< a sentence below; "": none
     clod_figure_axis x, y;
-    bool equal;       ///< both axes have the same scale
-    bool from_zero;   ///< both axes begin at 0
-    bool log_x;       ///< the x axis is logarithmic; its numbers are above 0
+    bool equal;                ///< both axes have the same scale
+    bool from_zero;            ///< both axes begin at 0
+    bool log_x;                ///< the x axis is logarithmic; its numbers are above 0
     clod_figure_curve *curves; ///< [count] owned
     size_t count;
     bool lost; ///< there was no memory for something
@@ -73,6 +73,9 @@ void clod_figure_add(clod_figure *self, const char *name, clod_figure_style styl
 /** Add the upper half of a circle about (centre, 0); nothing where it is not finite. */
 void clod_figure_circle(clod_figure *self, const char *name, clod_figure_style style,
                         int colour, double centre, double radius);
+
+/** The row before the first whose x is not 0: till then a test is filled and loaded in one place. */
+size_t clod_figure_begin(const double *x, size_t rows);
 
 /** Whether any curve has a point. */
 bool clod_figure_shows(const clod_figure *self);

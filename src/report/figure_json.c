@@ -61,8 +61,9 @@ void clod_figure_json(FILE *out, const clod_figure *figure)
     clod_figure_json_text(out, figure->name);
     fputs(",\"title\":", out);
     clod_figure_json_text(out, figure->title);
-    fprintf(out, ",\"equal\":%s,\"from_zero\":%s,\"log_x\":%s", figure->equal ? "true" : "false",
-            figure->from_zero ? "true" : "false", figure->log_x ? "true" : "false");
+    fprintf(out, ",\"equal\":%s,\"from_zero\":%s,\"log_x\":%s",
+            figure->equal ? "true" : "false", figure->from_zero ? "true" : "false",
+            figure->log_x ? "true" : "false");
     put_axis(out, "x", &figure->x);
     put_axis(out, "y", &figure->y);
     fputs(",\"curves\":[", out);

@@ -32,9 +32,8 @@ void clod_figure_scale_make(clod_figure_scale *self, const clod_figure *of, bool
         const clod_figure_curve *curve = &of->curves[c];
         for (size_t i = 0; i < curve->count; i++) {
             const double value = y ? curve->y[i] : curve->x[i];
-            const double error = y && curve->error != NULL && isfinite(curve->error[i])
-                                     ? curve->error[i]
-                                     : 0.0;
+            const double error =
+                y && curve->error != NULL && isfinite(curve->error[i]) ? curve->error[i] : 0.0;
             widen(self, place_of(self, (value - error) * factor));
             widen(self, place_of(self, (value + error) * factor));
         }

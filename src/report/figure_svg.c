@@ -113,10 +113,11 @@ static const char *dashes(clod_figure_style style)
 static void put_line(FILE *out, const frame *self, const clod_figure_curve *curve,
                      const clod_figure *of)
 {
-    fprintf(out,
-            "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.8\" stroke-linejoin=\"round\"%s "
-            "d=\"",
-            colour_of(curve->colour), dashes(curve->style));
+    fprintf(
+        out,
+        "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.8\" stroke-linejoin=\"round\"%s "
+        "d=\"",
+        colour_of(curve->colour), dashes(curve->style));
     bool down = false; // the pen
     for (size_t i = 0; i < curve->count; i++) {
         const bool there = isfinite(curve->x[i]) && isfinite(curve->y[i]);
@@ -179,8 +180,8 @@ static void lay_out(frame *self, const clod_figure *of)
     clod_figure_scale_make(&self->x, of, false);
     clod_figure_scale_make(&self->y, of, true);
     if (of->equal) {
-        height = (self->right - LEFT) * (self->y.max - self->y.min) /
-                 (self->x.max - self->x.min);
+        height =
+            (self->right - LEFT) * (self->y.max - self->y.min) / (self->x.max - self->x.min);
         if (height > 460.0) {
             self->right = LEFT + (self->right - LEFT) * 460.0 / height;
             height = 460.0;
@@ -192,10 +193,12 @@ static void lay_out(frame *self, const clod_figure *of)
 
 static void put_curves(FILE *out, const frame *self, const clod_figure *of)
 {
-    fprintf(out, "<clipPath id=\"clip-%s\"><rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"/>"
-                 "</clipPath>\n<g clip-path=\"url(#clip-%s)\">\n",
-            of->name, LEFT - 6.0, TOP - 6.0, self->right - LEFT + 12.0,
-            self->bottom - TOP + 12.0, of->name);
+    fprintf(
+        out,
+        "<clipPath id=\"clip-%s\"><rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"/>"
+        "</clipPath>\n<g clip-path=\"url(#clip-%s)\">\n",
+        of->name, LEFT - 6.0, TOP - 6.0, self->right - LEFT + 12.0, self->bottom - TOP + 12.0,
+        of->name);
     for (size_t c = 0; c < of->count; c++) {
         if (is_marks(of->curves[c].style)) {
             put_marks(out, self, &of->curves[c], of);

@@ -8,9 +8,10 @@ void clod_flow_figure_init(clod_figure *self)
     clod_figure_axis_set(&self->x, "major principal stress at consolidation", "kPa", 1e-3);
     clod_figure_axis_set(&self->y, "unconfined yield strength", "kPa", 1e-3);
     self->from_zero = true;
-    snprintf(self->note, sizeof self->note,
-             "Bars: one standard error. ffc below 1: not flowing; 1 to 2: very cohesive; 2 to 4: "
-             "cohesive; 4 to 10: easy flowing; above 10: free flowing.");
+    snprintf(
+        self->note, sizeof self->note,
+        "Bars: one standard error. ffc below 1: not flowing; 1 to 2: very cohesive; 2 to 4: "
+        "cohesive; 4 to 10: easy flowing; above 10: free flowing.");
 }
 
 void clod_flow_figure_classes(clod_figure *self, double largest)

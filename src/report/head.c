@@ -34,8 +34,7 @@ void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
 {
     const json_t *study = json_object_get(run->summary, "locus");
     const json_t *own = json_object_get(run->summary, "warnings");
-    const char *incomplete =
-        json_string_value(json_object_get(run->summary, "incomplete"));
+    const char *incomplete = json_string_value(json_object_get(run->summary, "incomplete"));
     const size_t count = count_warnings(study) + json_array_size(own);
     if (count + count_warnings(lab) == 0 && incomplete == NULL && run->report != NULL) {
         fputs("<p class=\"good\">No warnings.</p>\n", out);
@@ -43,7 +42,8 @@ void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
     }
     fputs("<section class=\"warnings\" id=\"warnings\"><h2>Warnings</h2><ul>", out);
     if (run->report == NULL) {
-        clod_html_cell(out, "li", "The run is not complete: this page shows what there is so far.");
+        clod_html_cell(out, "li",
+                       "The run is not complete: this page shows what there is so far.");
     }
     if (incomplete != NULL) {
         clod_html_cell(out, "li", incomplete);
@@ -91,7 +91,7 @@ void clod_head_sources(FILE *out, const clod_run_files *run)
                    {"steps", "steps", "%.0f"},
                    {"wall_clock_s", "computing time [s]", "%.4g"}};
     clod_html_section(out, "provenance", "Where this comes from");
-    fputs("<div class=\"scroll\"><table>", out);
+    fputs("<div class=\"scroll\"><table class=\"facts\">", out);
     put_row(out, "results folder", run->folder);
     const char *version = json_string_value(json_object_get(run->summary, "version"));
     put_row(out, "computed by", version != NULL ? version : "not known");

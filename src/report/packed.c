@@ -38,8 +38,7 @@ bool clod_packed_numbers(FILE *out, const double *value, size_t count, size_t st
     if (bytes != NULL) {
         for (size_t i = 0; i < count; i++) {
             const double v = value[i * stride];
-            const long word =
-                isfinite(v) ? lround(65535.0 * ((v - min) / (max - min))) : 0;
+            const long word = isfinite(v) ? lround(65535.0 * ((v - min) / (max - min))) : 0;
             bytes[2 * i] = (unsigned char)(word & 255);
             bytes[2 * i + 1] = (unsigned char)(word >> 8);
         }

@@ -4,39 +4,18 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "clod/locus.h"
 #include "report/cards.h"
 #include "report/grain_view.h"
 #include "report/head.h"
 #include "report/html.h"
 #include "report/run_pages.h"
 #include "report/scripts.h"
-#include "report/sheet.h"
 #include "report/shear.h"
+#include "report/sheet.h"
 
 static bool fail_memory(clod_status *status)
 {
     return clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
-}
-
-/** Owned study of the laboratory's points as JSON, or NULL with status. */
-static json_t *load_lab(const char *path, clod_status *status)
-{
-    clod_locus_point *points;
-    size_t count;
-    if (!clod_locus_read(path, NULL, &points, &count, status)) {
-        return NULL;
-    }
-    clod_locus_study *study = clod_locus_study_create(points, count, status);
-    clod_locus_free(points);
-    char *text = study != NULL ? clod_locus_json(study) : NULL;
-    json_t *all = text != NULL ? json_loads(text, 0, NULL) : NULL;
-    if (study != NULL && all == NULL) {
-        fail_memory(status);
-    }
-    clod_locus_free(text);
-    clod_locus_study_destroy(&study);
-    return all;
 }
 
 static bool put_shear(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
@@ -105,12 +84,7 @@ bool clod_report_write(const clod_report_options *options, char **path, clod_sta
     bool good = *path != NULL || fail_memory(status);
     good = clod_run_files_open(&run, options->runs[0], status) && good;
     if (good && options->lab != NULL) {
-        good = run.kind == CLOD_RUN_SHEAR ||
-               clod_status_fail(status, CLOD_USAGE,
-                                "--lab %s: %s is no shear test: only their pages have yield "
-                                "loci to lay laboratory points over.",
-                                options->lab, run.folder);
-        lab = good ? load_lab(options->lab, status) : NULL;
+        lab = clod_shear_lab(options->lab, &run, status);
         good = lab != NULL;
     }
     good = good && clod_sheet_open(&sheet, status) && put_run(&sheet, &run, lab, status) &&

@@ -43,9 +43,9 @@ static bool load_summary(clod_run_files *self, clod_status *status)
     self->summary = text != NULL ? json_loads(text, 0, &error) : NULL;
     const bool good = text == NULL || json_is_object(self->summary);
     clod_memory_free(text);
-    return good || clod_status_fail(status, CLOD_USAGE,
-                                    "%s/summary.json is damaged: line %d, %s.", self->folder,
-                                    error.line, error.text);
+    return good ||
+           clod_status_fail(status, CLOD_USAGE, "%s/summary.json is damaged: line %d, %s.",
+                            self->folder, error.line, error.text);
 }
 
 /** The time in the first and the last line of the log. */
@@ -111,8 +111,8 @@ bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *
     }
     if (!load_text(self, "case-complete.yaml", &self->complete, status) ||
         !load_text(self, "case.yaml", &self->case_text, status) ||
-        !load_text(self, "report.txt", &self->report, status) ||
-        !load_summary(self, status) || !load_times(self, status)) {
+        !load_text(self, "report.txt", &self->report, status) || !load_summary(self, status) ||
+        !load_times(self, status)) {
         return false;
     }
     if (self->complete == NULL) {

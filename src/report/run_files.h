@@ -17,14 +17,14 @@ typedef enum clod_run_kind {
 } clod_run_kind;
 
 typedef struct clod_run_files {
-    char *folder;    ///< owned
-    char *title;     ///< owned: of the case, or the folder
-    char *case_text; ///< owned: case.yaml; NULL: none
-    char *complete;  ///< owned: case-complete.yaml; NULL: none
-    char *report;    ///< owned: report.txt; NULL while the run is not complete
-    json_t *summary; ///< owned; NULL while there is none
-    char *began, *ended;     ///< owned: when, UTC; NULL: the log does not say
-    const char *kind_text;   ///< static
+    char *folder;          ///< owned
+    char *title;           ///< owned: of the case, or the folder
+    char *case_text;       ///< owned: case.yaml; NULL: none
+    char *complete;        ///< owned: case-complete.yaml; NULL: none
+    char *report;          ///< owned: report.txt; NULL while the run is not complete
+    json_t *summary;       ///< owned; NULL while there is none
+    char *began, *ended;   ///< owned: when, UTC; NULL: the log does not say
+    const char *kind_text; ///< static
     clod_run_kind kind;
 } clod_run_files;
 

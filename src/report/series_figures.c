@@ -8,10 +8,9 @@
 #include "report/series_groups.h"
 
 /** Quantities that are shown first, in this order. */
-static const char *const MAIN[] = {"kinetic_energy", "max_speed",    "grains",
-                                   "mass",           "mass_flow",    "speed",
-                                   "power",          "force_z",      "resting_mass",
-                                   "mass_share",     "largest",      "impact_power"};
+static const char *const MAIN[] = {"kinetic_energy", "max_speed",  "grains",  "mass",
+                                   "mass_flow",      "speed",      "power",   "force_z",
+                                   "resting_mass",   "mass_share", "largest", "impact_power"};
 #define MAIN_COUNT (sizeof MAIN / sizeof MAIN[0])
 
 static void add_column(clod_figure *figure, const clod_table *series, const double *time,
@@ -46,6 +45,9 @@ static void put_group(clod_sheet *sheet, const clod_table *series, const double 
     for (size_t k = 0; k < group->count; k++) {
         char of[96];
         clod_series_groups_object(series->names[group->column[k]], of);
+        if (of[0] == '\0' && group->count > 1) {
+            snprintf(of, sizeof of, "all");
+        }
         add_column(&figure, series, time, group->column[k], of, (int)k);
     }
     clod_sheet_figure(sheet, &figure);

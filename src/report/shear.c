@@ -27,7 +27,8 @@ const clod_shear_row CLOD_SHEAR_ROWS[CLOD_SHEAR_ROW_COUNT] = {
     {"sigma_1_Pa", "major principal stress", "&sigma;<sub>1</sub>", "kPa", 1e-3, 3},
     {"sigma_2_Pa", "minor principal stress", "&sigma;<sub>2</sub>", "kPa", 1e-3, 3},
     {"sigma_c_Pa", "unconfined yield strength", "&sigma;<sub>c</sub>", "kPa", 1e-3, 3},
-    {"ffc", "flowability &sigma;<sub>1</sub>/&sigma;<sub>c</sub>", "ff<sub>c</sub>", "", 1.0, 2},
+    {"ffc", "flowability &sigma;<sub>1</sub>/&sigma;<sub>c</sub>", "ff<sub>c</sub>", "", 1.0,
+     2},
     {"c_Pa", "cohesion", "c", "kPa", 1e-3, 3},
     {"phi_lin_deg", "angle of the yield locus", "&phi;<sub>lin</sub>", "deg", 1.0, 2},
     {"phi_e_deg", "effective angle of friction", "&phi;<sub>e</sub>", "deg", 1.0, 2},
@@ -120,9 +121,10 @@ static void put_notes(FILE *out, const clod_shear_loci *sets, size_t count)
                     "deviation) of %.0f specimens.",
                     clod_shear_number(locus, "seed_count"));
         } else if (from != NULL && strcmp(from, "fit") == 0) {
-            fputs(": &plusmn; one standard error, from scatter about the line and errors of the "
-                  "points",
-                  out);
+            fputs(
+                ": &plusmn; one standard error, from scatter about the line and errors of the "
+                "points",
+                out);
             fputs(note != NULL ? "; <strong>" : ".", out);
             clod_html_text(out, note != NULL ? note : "");
             fputs(note != NULL ? "</strong>." : "", out);

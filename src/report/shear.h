@@ -6,14 +6,23 @@
 
 #include <jansson.h>
 
-#include "report/sheet.h"
 #include "report/run_files.h"
+#include "report/sheet.h"
 
 /** A set of yield loci and whose they are. */
 typedef struct clod_shear_loci {
     const char *of;      ///< "simulation", "laboratory", or the name of a run
     const json_t *study; ///< as clod_locus_json has it; borrowed
 } clod_shear_loci;
+
+/**
+ * Evaluate the shear points of a laboratory in a CSV file, as clod locus does.
+ *
+ * @param run  whose page they are for
+ * @return     owned study as clod_locus_json has it, or NULL
+ * Errors  CLOD_USAGE: as clod_locus_read; `run` is no shear test. CLOD_FAILED: no memory.
+ */
+json_t *clod_shear_lab(const char *path, const clod_run_files *run, clod_status *status);
 
 /** Warnings of the evaluation, one list item each. */
 void clod_shear_warnings(FILE *out, const json_t *study);

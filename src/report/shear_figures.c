@@ -56,8 +56,8 @@ static void add_locus(clod_figure *figure, const json_t *locus, const char *of, 
     snprintf(name, sizeof name, "%.60s, %.4g kPa", of, 1e-3 * sigma);
     add_line(figure, locus, name, lab, colour);
     add_points(figure, locus, "", lab, colour);
-    clod_figure_add(figure, "", lab ? CLOD_FIGURE_HOLLOW : CLOD_FIGURE_POINTS, colour, 1, &sigma,
-                    &tau, NULL);
+    clod_figure_add(figure, "", lab ? CLOD_FIGURE_HOLLOW : CLOD_FIGURE_POINTS, colour, 1,
+                    &sigma, &tau, NULL);
     static const char *const CIRCLES[] = {"steady_circle", "unconfined_circle"};
     for (int k = 0; k < 2; k++) {
         const json_t *circle = json_object_get(locus, CIRCLES[k]);
@@ -80,10 +80,11 @@ static void put_loci(clod_sheet *sheet, const clod_shear_loci *sets, size_t coun
     clod_figure_axis_set(&figure.x, "normal stress", "kPa", 1e-3);
     clod_figure_axis_set(&figure.y, "shear stress", "kPa", 1e-3);
     figure.equal = true;
-    snprintf(figure.note, sizeof figure.note,
-             "Both axes have the same scale. Points: peaks at shear to failure, prorated, and the "
-             "preshear point at the largest stress. Circles: unconfined yield strength, and "
-             "steady flow at preshear.");
+    snprintf(
+        figure.note, sizeof figure.note,
+        "Both axes have the same scale. Points: peaks at shear to failure, prorated, and the "
+        "preshear point at the largest stress. Circles: unconfined yield strength, and "
+        "steady flow at preshear.");
     for (size_t s = 0; s < count; s++) {
         const json_t *locus;
         for (size_t g = 0; (locus = clod_shear_locus(sets[s].study, g)) != NULL; g++) {
@@ -146,16 +147,6 @@ static bool is_part(const char *name, bool preshear)
     return strstr(name, preshear ? "preshear" : "point-") != NULL;
 }
 
-/** First row of shear; before it the specimen is filled and loaded at one place. */
-static size_t shear_begins(const double *displacement, size_t rows)
-{
-    size_t first = 0;
-    while (first + 1 < rows && displacement[first + 1] == 0.0) {
-        first++;
-    }
-    return first;
-}
-
 /** Read the tables of the parts that are asked for; false: one is damaged. */
 static bool put_parts(clod_sheet *sheet, const clod_run_files *run, bool preshear,
                       clod_status *status)
@@ -182,7 +173,7 @@ static bool put_parts(clod_sheet *sheet, const clod_run_files *run, bool preshea
         good = clod_table_read(&table, run->folder, name, status);
         const int at = clod_table_find(&table, "displacement");
         double *x = good && at >= 0 ? clod_table_numbers(&table, at) : NULL;
-        const size_t first = x != NULL ? shear_begins(x, table.rows) : 0;
+        const size_t first = x != NULL ? clod_figure_begin(x, table.rows) : 0;
         for (size_t q = 0; x != NULL && q < CURVE_COUNT; q++) {
             const int column = clod_table_find(&table, CURVES[q].column);
             double *y = column >= 0 ? clod_table_numbers(&table, column) : NULL;

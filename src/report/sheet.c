@@ -122,7 +122,8 @@ static int stem_length(const char *path)
     return dot != NULL && strchr(dot, '/') == NULL ? (int)(dot - path) : (int)strlen(path);
 }
 
-bool clod_sheet_write(clod_sheet *self, const char *title, const char *path, clod_status *status)
+bool clod_sheet_write(clod_sheet *self, const char *title, const char *path,
+                      clod_status *status)
 {
     char *file = make_file(self, title);
     if (file == NULL) {
@@ -134,8 +135,8 @@ bool clod_sheet_write(clod_sheet *self, const char *title, const char *path, clo
         char name[4096];
         snprintf(name, sizeof name, "%.*s-%s.svg", stem_length(path), path,
                  self->files[k].name);
-        good = clod_file_replace(name, NULL, 0, self->files[k].svg,
-                                 strlen(self->files[k].svg), status);
+        good = clod_file_replace(name, NULL, 0, self->files[k].svg, strlen(self->files[k].svg),
+                                 status);
     }
     return good;
 }

@@ -19,7 +19,7 @@ typedef struct clod_sheet {
     struct clod_sheet_file {
         char name[128];
         char *svg; ///< owned
-    } *files;      ///< [file_count] owned
+    } * files;     ///< [file_count] owned
     size_t file_count, view_count;
     bool lost; ///< there was no memory for something
 } clod_sheet;
@@ -41,7 +41,7 @@ FILE *clod_sheet_view(clod_sheet *self);
  * Errors  CLOD_FAILED: disk, memory.
  */
 bool clod_sheet_write(clod_sheet *self, const char *title, const char *path,
-                     clod_status *status);
+                      clod_status *status);
 
 /** Free the content; one that was not opened is fine. */
 void clod_sheet_fini(clod_sheet *self);

@@ -1,5 +1,6 @@
 #include "report/summary_tables.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
@@ -12,12 +13,23 @@
 /** Endings of keys and the units that they mean, the longest first. */
 static const struct {
     const char *ending, *unit;
-} UNITS[] = {{"_m3_per_s", "m3/s"}, {"_kg_per_s", "kg/s"}, {"_m_per_s", "m/s"},
-             {"_kg_m3", "kg/m3"},   {"_kg_s", "kg/s"},     {"_per_s", "1/s"},
-             {"_deg", "deg"},       {"_rad", "rad"},       {"_m2", "m2"},
-             {"_kg", "kg"},         {"_Pa", "Pa"},         {"_Nm", "N m"},
-             {"_N", "N"},           {"_J", "J"},           {"_W", "W"},
-             {"_s", "s"},           {"_m", "m"}};
+} UNITS[] = {{"_m3_per_s", "m3/s"},
+             {"_kg_per_s", "kg/s"},
+             {"_m_per_s", "m/s"},
+             {"_kg_m3", "kg/m3"},
+             {"_kg_s", "kg/s"},
+             {"_per_s", "1/s"},
+             {"_deg", "deg"},
+             {"_rad", "rad"},
+             {"_m2", "m2"},
+             {"_kg", "kg"},
+             {"_Pa", "Pa"},
+             {"_Nm", "N m"},
+             {"_N", "N"},
+             {"_J", "J"},
+             {"_W", "W"},
+             {"_s", "s"},
+             {"_m", "m"}};
 
 void clod_summary_tables_name(const char *key, char name[96], char unit[16])
 {
@@ -61,6 +73,20 @@ static bool is_shown(const json_t *value)
            is_spread(value) || is_vector(value);
 }
 
+/** Whether it is an object with something that is shown. */
+static bool has_shown(const json_t *item)
+{
+    const char *key;
+    json_t *value;
+    json_object_foreach((json_t *)(uintptr_t)item, key, value)
+    {
+        if (is_shown(value)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void add_keys(layout *self, const json_t *item)
 {
     const char *key;
@@ -80,7 +106,7 @@ static void add_keys(layout *self, const json_t *item)
 
 static void add_item(layout *self, const json_t *item, const char *name)
 {
-    if (json_is_object(item) && self->items < MOST) {
+    if (has_shown(item) && self->items < MOST) {
         const size_t k = self->items++;
         self->item[k] = item;
         snprintf(self->head[k], sizeof self->head[k], "%s", name);
@@ -130,7 +156,8 @@ static bool says_something(const layout *self)
 
 static void put_number(FILE *out, const json_t *value)
 {
-    fprintf(out, "%.5g", json_number_value(value));
+    const double number = json_number_value(value);
+    fprintf(out, number == round(number) && fabs(number) < 1e15 ? "%.0f" : "%.5g", number);
 }
 
 static void put_cell(FILE *out, const json_t *value)

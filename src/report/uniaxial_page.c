@@ -56,12 +56,13 @@ static bool add_part(clod_figure *figures, const clod_run_files *run, const char
     const bool good = clod_table_read(&table, run->folder, name, status);
     const int at = good ? clod_table_find(&table, "strain") : -1;
     double *x = at >= 0 ? clod_table_numbers(&table, at) : NULL;
+    const size_t first = x != NULL ? clod_figure_begin(x, table.rows) : 0;
     for (size_t q = 0; x != NULL && q < CURVE_COUNT; q++) {
         const int column = clod_table_find(&table, CURVES[q].column);
         double *y = column >= 0 ? clod_table_numbers(&table, column) : NULL;
         if (y != NULL) {
             clod_figure_add(&figures[q], part, CLOD_FIGURE_LINE, number % CLOD_FIGURE_COLOURS,
-                            table.rows, x, y, NULL);
+                            table.rows - first, x + first, y + first, NULL);
         }
         clod_memory_free(y);
     }
@@ -85,8 +86,8 @@ static bool put_curves(clod_sheet *sheet, const clod_run_files *run, clod_status
     int number = 0;
     const char *part;
     for (size_t p = 0; good && (part = clod_run_files_part(run, p)) != NULL; p++) {
-        good = strstr(part, "stress-") == NULL ||
-               add_part(figures, run, part, number++, status);
+        good =
+            strstr(part, "stress-") == NULL || add_part(figures, run, part, number++, status);
     }
     for (size_t q = 0; q < CURVE_COUNT; q++) {
         clod_sheet_figure(sheet, &figures[q]);
@@ -100,9 +101,10 @@ bool clod_run_pages_uniaxial(clod_sheet *sheet, const clod_run_files *run, clod_
     clod_html_section(sheet->body, "results", "Results");
     clod_summary_tables_put(sheet->body, NULL, strengths);
     if (json_object_get(json_array_get(strengths, 0), "errors_note") != NULL) {
-        fputs("<p class=\"note\">&plusmn; one standard error of the smoothed peak; <strong>"
-              CLOD_LOCUS_ONE_SPECIMEN "</strong>.</p>\n",
-              sheet->body);
+        fputs(
+            "<p class=\"note\">&plusmn; one standard error of the smoothed peak; <strong>" CLOD_LOCUS_ONE_SPECIMEN
+            "</strong>.</p>\n",
+            sheet->body);
     }
     clod_sheet_columns(sheet, true);
     put_flow_function(sheet, strengths);

@@ -51,7 +51,9 @@ function layoutOf(figure, width) {
     xaxis: {title: {text: titleOf(figure.x)}, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea", ticks: "outside", tickcolor: "#b9c0c8"},
     yaxis: {title: {text: titleOf(figure.y)}, zerolinecolor: "#b9c0c8", gridcolor: "#e3e6ea"},
   };
-  const legend = Math.min(8, Math.ceil(rows / (small ? 1 : 3))) * 20;
+  const longest = Math.max(0, ...figure.curves.map(curve => curve.name.length));
+  const columns = Math.max(1, Math.floor((width - 76) / (50 + 7.4 * longest)));
+  const legend = Math.ceil(rows / columns) * 20;
   layout.height += legend;
   layout.margin.b += legend;
   if (figure.equal) {
