@@ -12,6 +12,8 @@ int clod_app_locus(int argc, char **argv);
 int clod_app_mesh(int argc, char **argv);
 int clod_app_new(int argc, char **argv);
 int clod_app_picture(int argc, char **argv);
+int clod_app_report(int argc, char **argv);
+int clod_app_compare(int argc, char **argv);
 int clod_app_run(int argc, char **argv);
 int clod_app_schema(int argc, char **argv);
 int clod_app_verify(int argc, char **argv);

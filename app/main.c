@@ -30,6 +30,8 @@ static const verb VERBS[] = {
     {"locus", clod_app_locus, "evaluate shear points, simulated or measured, as a yield locus"},
     {"mesh", clod_app_mesh, "check a triangle mesh: STL, OBJ or PLY"},
     {"picture", clod_app_picture, "draw snapshots of a run as PNG, or as a movie"},
+    {"report", clod_app_report, "write a page for the browser about a run"},
+    {"compare", clod_app_compare, "write one page about several runs"},
     {"explain", clod_app_explain, "explain a key of a case file"},
     {"schema", clod_app_schema, "print the JSON Schema of case files, for editors"},
     {"verify", clod_app_verify, "run the verification suite: computed against known results"},

@@ -35,7 +35,7 @@ endif()
 
 function(clod_add_program name source)
   add_executable(${name} ${source})
-  target_link_libraries(${name} PRIVATE clod_verify clod_picture)
+  target_link_libraries(${name} PRIVATE clod_verify clod_report)
   target_include_directories(${name} PRIVATE tests)
   target_compile_definitions(${name} PRIVATE CLOD_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 endfunction()

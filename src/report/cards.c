@@ -1,0 +1,86 @@
+#include "report/cards.h"
+
+#include <math.h>
+
+#include "report/html.h"
+#include "report/shear_rows.h"
+
+typedef struct card {
+    const char *key, *text, *format;
+    double factor;
+} card;
+
+static const card FREE[] = {
+    {"time_s", "simulated time", "%.4g s", 1.0},
+    {"grains", "grains", "%.0f", 1.0},
+    {"coordination", "contacts of a grain, mean", "%.2f", 1.0},
+    {"max_overlap", "largest overlap, of a radius", "%.2g %%", 100.0},
+    {"kinetic_energy_J", "kinetic energy", "%.4g J", 1.0},
+};
+
+static void put_card(FILE *out, const card *of, const json_t *from)
+{
+    const double value = clod_shear_number(from, of->key);
+    char text[64];
+    if (isfinite(value)) {
+        snprintf(text, sizeof text, of->format, of->factor * value);
+        fputs("<div class=\"card\"><b>", out);
+        clod_html_text(out, text);
+        fprintf(out, "</b><span>%s</span></div>\n", of->text);
+    }
+}
+
+/** Results of one yield locus. */
+static void put_locus(FILE *out, const json_t *locus)
+{
+    static const char *const KEYS[] = {"phi_e_deg",  "phi_lin_deg", "c_Pa",
+                                       "sigma_c_Pa", "ffc",         "rho_b_kg_m3"};
+    for (size_t k = 0; k < sizeof KEYS / sizeof *KEYS; k++) {
+        const clod_shear_row *row = clod_shear_row_of(KEYS[k]);
+        fputs("<div class=\"card\"><b>", out);
+        clod_shear_value(out, locus, row);
+        fprintf(out, " <small>%s</small></b><span>%s, %s", row->unit, row->symbol, row->text);
+        if (row == clod_shear_row_of("ffc")) {
+            fputs(": ", out);
+            clod_html_text(out, json_string_value(json_object_get(locus, "flow")));
+        }
+        fputs("</span></div>\n", out);
+    }
+}
+
+static void put_strengths(FILE *out, const json_t *strengths)
+{
+    static const card EACH = {"sigma_c_Pa", NULL, "%.3f kPa", 1e-3};
+    size_t k;
+    const json_t *one;
+    json_array_foreach(strengths, k, one)
+    {
+        char text[128];
+        snprintf(text, sizeof text, "unconfined strength after %.3f kPa: ff<sub>c</sub> %.2f",
+                 1e-3 * clod_shear_number(one, "sigma_1_Pa"), clod_shear_number(one, "ffc"));
+        card made = EACH;
+        made.text = text;
+        put_card(out, &made, one);
+    }
+}
+
+void clod_cards_put(FILE *out, const clod_run_files *run)
+{
+    const json_t *study = json_object_get(run->summary, "locus");
+    fputs("<div class=\"cards\">\n", out);
+    switch (run->kind) {
+    case CLOD_RUN_SHEAR:
+        if (clod_shear_locus(study, 0) != NULL && clod_shear_locus(study, 1) == NULL) {
+            put_locus(out, clod_shear_locus(study, 0));
+        }
+        break;
+    case CLOD_RUN_UNIAXIAL:
+        put_strengths(out, json_object_get(run->summary, "flow_function"));
+        break;
+    default:
+        for (size_t k = 0; k < sizeof FREE / sizeof *FREE; k++) {
+            put_card(out, &FREE[k], run->summary);
+        }
+    }
+    fputs("</div>\n", out);
+}

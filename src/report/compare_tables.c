@@ -1,0 +1,228 @@
+#include "report/compare_tables.h"
+
+#include <string.h>
+
+#include "report/html.h"
+#include "report/shear_rows.h"
+#include "sim/case_diff.h"
+
+#define MOST_KEYS 200
+
+const char *clod_compare_tables_name(const clod_run_files *run)
+{
+    const char *slash = strrchr(run->folder, '/');
+    return slash != NULL && slash[1] != '\0' ? slash + 1 : run->folder;
+}
+
+static void put_loci(FILE *out, const char *name, const json_t *study)
+{
+    const json_t *locus;
+    for (size_t g = 0; (locus = clod_shear_locus(study, g)) != NULL; g++) {
+        fputs("<tr>", out);
+        clod_html_cell(out, "th", name);
+        for (size_t k = 0; k < CLOD_SHEAR_ROW_COUNT; k++) {
+            fputs("<td>", out);
+            clod_shear_value(out, locus, &CLOD_SHEAR_ROWS[k]);
+            fputs("</td>", out);
+        }
+        clod_html_cell(out, "td", json_string_value(json_object_get(locus, "flow")));
+        fputs("</tr>\n", out);
+    }
+}
+
+static void put_shear(FILE *out, const clod_run_files *runs, size_t count, const json_t *lab)
+{
+    fputs("<tr><th>run</th>", out);
+    for (size_t k = 0; k < CLOD_SHEAR_ROW_COUNT; k++) {
+        fprintf(out, "<th>%s<br><small>%s</small></th>", CLOD_SHEAR_ROWS[k].symbol,
+                CLOD_SHEAR_ROWS[k].unit);
+    }
+    fputs("<th>flow (Jenike)</th></tr></thead>\n<tbody>", out);
+    for (size_t k = 0; k < count; k++) {
+        put_loci(out, clod_compare_tables_name(&runs[k]),
+                 json_object_get(runs[k].summary, "locus"));
+    }
+    put_loci(out, "laboratory", lab);
+}
+
+/** Columns of numbers that stand in the summary or in a list of it. */
+typedef struct column {
+    const char *key, *text, *format;
+    double factor;
+} column;
+
+static void put_numbers(FILE *out, const char *name, const json_t *from, const column *columns,
+                        size_t count)
+{
+    fputs("<tr>", out);
+    clod_html_cell(out, "th", name);
+    for (size_t k = 0; k < count; k++) {
+        char text[64] = "";
+        const json_t *value = json_object_get(from, columns[k].key);
+        if (json_is_number(value)) {
+            snprintf(text, sizeof text, columns[k].format,
+                     columns[k].factor * json_number_value(value));
+        }
+        clod_html_cell(out, "td", text);
+    }
+    fputs("</tr>\n", out);
+}
+
+static void put_heads(FILE *out, const column *columns, size_t count)
+{
+    fputs("<tr><th>run</th>", out);
+    for (size_t k = 0; k < count; k++) {
+        clod_html_cell(out, "th", columns[k].text);
+    }
+    fputs("</tr></thead>\n<tbody>", out);
+}
+
+static void put_uniaxial(FILE *out, const clod_run_files *runs, size_t count)
+{
+    static const column COLUMNS[] = {
+        {"sigma_1_Pa", "sigma_1 [kPa]", "%.3f", 1e-3},
+        {"bulk_density_kg_m3", "bulk density [kg/m3]", "%.0f", 1.0},
+        {"sigma_c_Pa", "sigma_c [kPa]", "%.3f", 1e-3},
+        {"sigma_c_error_Pa", "its error [kPa]", "%.3f", 1e-3},
+        {"strain_at_peak", "strain at the peak [%]", "%.2f", 100.0},
+        {"ffc", "ffc", "%.2f", 1.0}};
+    const size_t columns = sizeof COLUMNS / sizeof *COLUMNS;
+    put_heads(out, COLUMNS, columns);
+    for (size_t k = 0; k < count; k++) {
+        size_t s;
+        const json_t *one;
+        json_array_foreach(json_object_get(runs[k].summary, "flow_function"), s, one)
+        {
+            put_numbers(out, clod_compare_tables_name(&runs[k]), one, COLUMNS, columns);
+        }
+    }
+}
+
+static void put_free(FILE *out, const clod_run_files *runs, size_t count)
+{
+    static const column COLUMNS[] = {{"time_s", "time [s]", "%.5g", 1.0},
+                                     {"grains", "grains", "%.0f", 1.0},
+                                     {"contacts", "contacts", "%.0f", 1.0},
+                                     {"coordination", "coordination", "%.3f", 1.0},
+                                     {"max_overlap", "largest overlap [%]", "%.3g", 100.0},
+                                     {"kinetic_energy_J", "kinetic energy [J]", "%.4g", 1.0},
+                                     {"wall_clock_s", "computing time [s]", "%.4g", 1.0}};
+    const size_t columns = sizeof COLUMNS / sizeof *COLUMNS;
+    put_heads(out, COLUMNS, columns);
+    for (size_t k = 0; k < count; k++) {
+        put_numbers(out, clod_compare_tables_name(&runs[k]), runs[k].summary, COLUMNS, columns);
+    }
+}
+
+void clod_compare_tables_results(FILE *out, const clod_run_files *runs, size_t count,
+                                 const json_t *lab)
+{
+    fputs("<div class=\"scroll\"><table class=\"copied\" id=\"results-table\"><thead>", out);
+    switch (runs[0].kind) {
+    case CLOD_RUN_SHEAR:
+        put_shear(out, runs, count, lab);
+        break;
+    case CLOD_RUN_UNIAXIAL:
+        put_uniaxial(out, runs, count);
+        break;
+    default:
+        put_free(out, runs, count);
+    }
+    fputs("</tbody></table></div>\n", out);
+}
+
+/** Keys that differ from those of the first run, each once, in the order in which they come. */
+typedef struct key_list {
+    char name[MOST_KEYS][128];
+    size_t count;
+} key_list;
+
+static void note_key(void *context, const char *key, const char *there, const char *here)
+{
+    key_list *self = context;
+    (void)there;
+    (void)here;
+    for (size_t k = 0; k < self->count; k++) {
+        if (strcmp(self->name[k], key) == 0) {
+            return;
+        }
+    }
+    if (self->count < MOST_KEYS) {
+        snprintf(self->name[self->count++], sizeof self->name[0], "%s", key);
+    }
+}
+
+/** The value of a key in the case of a run. */
+typedef struct lookup {
+    const char *key;
+    char first[128], value[128]; ///< in the first run and in this one
+    bool differs;
+} lookup;
+
+static void look_up(void *context, const char *key, const char *there, const char *here)
+{
+    lookup *self = context;
+    if (strcmp(self->key, key) == 0) {
+        self->differs = true;
+        snprintf(self->first, sizeof self->first, "%s", there != NULL ? there : "-");
+        snprintf(self->value, sizeof self->value, "%s", here != NULL ? here : "-");
+    }
+}
+
+/** A row: the value of a key in every run. */
+static bool put_key(FILE *out, const char *key, const clod_run_files *runs, size_t count,
+                    clod_status *status)
+{
+    char first[128] = "";
+    fputs("<tr>", out);
+    clod_html_cell(out, "th", key);
+    for (int pass = 0; pass < 2; pass++) { // the first run's value is told by those that differ
+        for (size_t k = 1; k < count; k++) {
+            lookup one = {.key = key};
+            if (!clod_case_differences(runs[0].complete, runs[k].complete, look_up, &one,
+                                       status)) {
+                return false;
+            }
+            if (pass == 0 && one.differs) {
+                snprintf(first, sizeof first, "%s", one.first);
+            } else if (pass == 1) {
+                clod_html_cell(out, "td", one.differs ? one.value : first);
+            }
+        }
+        if (pass == 0) {
+            clod_html_cell(out, "td", first);
+        }
+    }
+    fputs("</tr>\n", out);
+    return true;
+}
+
+bool clod_compare_tables_keys(FILE *out, const clod_run_files *runs, size_t count,
+                              clod_status *status)
+{
+    key_list keys = {.count = 0};
+    bool good = true;
+    for (size_t k = 1; good && k < count; k++) {
+        good =
+            clod_case_differences(runs[0].complete, runs[k].complete, note_key, &keys, status);
+    }
+    if (keys.count == 0) {
+        fputs("<p>Nothing: the cases are the same.</p>\n", out);
+        return good;
+    }
+    fputs(
+        "<div class=\"scroll\"><table class=\"copied\" id=\"keys-table\"><thead><tr><th>key</th>",
+        out);
+    for (size_t k = 0; k < count; k++) {
+        clod_html_cell(out, "th", clod_compare_tables_name(&runs[k]));
+    }
+    fputs("</tr></thead>\n<tbody>", out);
+    for (size_t k = 0; good && k < keys.count; k++) {
+        good = put_key(out, keys.name[k], runs, count, status);
+    }
+    fputs("</tbody></table></div>\n", out);
+    if (keys.count == MOST_KEYS) {
+        fprintf(out, "<p class=\"note\">Only the first %d keys are listed.</p>\n", MOST_KEYS);
+    }
+    return good;
+}

@@ -1,0 +1,84 @@
+#pragma once
+/**
+ * @file figure.h
+ * A figure as data: axes and curves. Drawn by SVG (figure_svg.h), and in the page by its scripts
+ * from the same numbers as JSON (figure_json.h).
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/** Colours that people with any colour vision tell apart (Okabe and Ito 2008), but yellow. */
+#define CLOD_FIGURE_COLOURS 7
+extern const char *const CLOD_FIGURE_COLOUR[CLOD_FIGURE_COLOURS];
+#define CLOD_FIGURE_GREY (-1) ///< for what is not data: class borders, circles of reference
+
+#define CLOD_FIGURE_MOST 2000 ///< points of a curve
+
+typedef enum clod_figure_style {
+    CLOD_FIGURE_LINE,
+    CLOD_FIGURE_DASHED,
+    CLOD_FIGURE_DOTTED,
+    CLOD_FIGURE_POINTS,
+    CLOD_FIGURE_HOLLOW, ///< points with no filling
+    CLOD_FIGURE_STYLES,
+} clod_figure_style;
+
+typedef struct clod_figure_curve {
+    char name[96]; ///< in the legend; "": not in it
+    clod_figure_style style;
+    int colour;
+    double *x, *y; ///< [count] owned, as in the files; NaN: a gap
+    double *error; ///< [count] owned: standard error of y; NULL: none
+    size_t count;
+} clod_figure_curve;
+
+/** Numbers of the files are times `factor` in `unit`. */
+typedef struct clod_figure_axis {
+    char text[64];
+    char unit[16]; ///< "": a plain number
+    double factor;
+} clod_figure_axis;
+
+typedef struct clod_figure {
+    char name[128];  ///< of its file: letters, digits and -
+    char title[160]; ///< what it shows
+    char note[256];  ///< a sentence below; "": none
+    clod_figure_axis x, y;
+    bool equal;                ///< both axes have the same scale
+    bool from_zero;            ///< both axes begin at 0
+    bool log_x;                ///< the x axis is logarithmic; its numbers are above 0
+    clod_figure_curve *curves; ///< [count] owned
+    size_t count;
+    bool lost; ///< there was no memory for something
+} clod_figure;
+
+/** An empty figure. */
+void clod_figure_init(clod_figure *self, const char *name, const char *title);
+
+/** Say what an axis shows. @param unit  of the page; the factor brings the files' numbers there */
+void clod_figure_axis_set(clod_figure_axis *self, const char *text, const char *unit,
+                          double factor);
+
+/**
+ * Add a curve of `count` points. Of more than CLOD_FIGURE_MOST only the least and the greatest y of
+ * every group of neighbours are kept, and the ends.
+ *
+ * @param error  [count] standard errors of y, or NULL
+ * Errors  `lost` is set.   Threads  one per figure.   Test  tests/report/test_figure.c
+ */
+void clod_figure_add(clod_figure *self, const char *name, clod_figure_style style, int colour,
+                     size_t count, const double *x, const double *y, const double *error);
+
+/** Add the upper half of a circle about (centre, 0); nothing where it is not finite. */
+void clod_figure_circle(clod_figure *self, const char *name, clod_figure_style style,
+                        int colour, double centre, double radius);
+
+/** The row before the first whose x is not 0: till then a test is filled and loaded in one place. */
+size_t clod_figure_begin(const double *x, size_t rows);
+
+/** Whether any curve has a point. */
+bool clod_figure_shows(const clod_figure *self);
+
+/** Free the content; an empty figure is fine. */
+void clod_figure_fini(clod_figure *self);

@@ -1,0 +1,82 @@
+#include "report/figure_json.h"
+
+#include <math.h>
+
+#include "output/series.h"
+
+void clod_figure_json_text(FILE *out, const char *text)
+{
+    fputs("\"", out);
+    for (const char *at = text; *at != '\0'; at++) {
+        const unsigned char c = (unsigned char)*at;
+        if (c < 0x20 || c == '<' || c == '"' || c == '\\') {
+            fprintf(out, "\\u%04x", c);
+        } else {
+            fputc(c, out);
+        }
+    }
+    fputs("\"", out);
+}
+
+void clod_figure_json_number(FILE *out, double value)
+{
+    char text[CLOD_SERIES_NUMBER];
+    if (!isfinite(value)) {
+        fputs("null", out);
+        return;
+    }
+    clod_series_number(text, value);
+    fputs(text, out);
+}
+
+static void put_numbers(FILE *out, const char *name, const double *value, size_t count)
+{
+    if (value == NULL) {
+        return;
+    }
+    fprintf(out, ",\"%s\":[", name);
+    for (size_t i = 0; i < count; i++) {
+        fputs(i > 0 ? "," : "", out);
+        clod_figure_json_number(out, value[i]);
+    }
+    fputs("]", out);
+}
+
+static void put_axis(FILE *out, const char *name, const clod_figure_axis *axis)
+{
+    fprintf(out, ",\"%s\":{\"text\":", name);
+    clod_figure_json_text(out, axis->text);
+    fputs(",\"unit\":", out);
+    clod_figure_json_text(out, axis->unit);
+    fputs(",\"factor\":", out);
+    clod_figure_json_number(out, axis->factor);
+    fputs("}", out);
+}
+
+void clod_figure_json(FILE *out, const clod_figure *figure)
+{
+    static const char *const STYLES[CLOD_FIGURE_STYLES] = {"line", "dashed", "dotted", "points",
+                                                           "hollow"};
+    fputs("{\"name\":", out);
+    clod_figure_json_text(out, figure->name);
+    fputs(",\"title\":", out);
+    clod_figure_json_text(out, figure->title);
+    fprintf(out, ",\"equal\":%s,\"from_zero\":%s,\"log_x\":%s",
+            figure->equal ? "true" : "false", figure->from_zero ? "true" : "false",
+            figure->log_x ? "true" : "false");
+    put_axis(out, "x", &figure->x);
+    put_axis(out, "y", &figure->y);
+    fputs(",\"curves\":[", out);
+    for (size_t c = 0; c < figure->count; c++) {
+        const clod_figure_curve *curve = &figure->curves[c];
+        fputs(c > 0 ? ",\n{\"name\":" : "\n{\"name\":", out);
+        clod_figure_json_text(out, curve->name);
+        fprintf(out, ",\"style\":\"%s\",\"colour\":\"%s\"", STYLES[curve->style],
+                curve->colour < 0 ? "#8a8f98" : CLOD_FIGURE_COLOUR[curve->colour]);
+        put_numbers(out, "x", curve->x, curve->count);
+        put_numbers(out, "y", curve->y, curve->count);
+        put_numbers(out, "error", curve->error, curve->count);
+        fputs("}", out);
+    }
+    fputs("]}", out);
+}

@@ -1,0 +1,237 @@
+#include "report/figure_svg.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "report/figure_scale.h"
+#include "report/html.h"
+
+#define WIDTH 720.0
+#define LEFT 72.0
+#define RIGHT 18.0
+#define TOP 16.0
+#define BELOW 52.0 ///< the plot: ticks and the name of the axis
+#define ROW 20.0   ///< of the legend
+#define LETTER 6.8 ///< mean width of one
+#define GREY "#8a8f98"
+
+/** Where things are in the drawing. */
+typedef struct frame {
+    clod_figure_scale x, y;
+    double right, bottom; ///< of the plot
+    double height;        ///< of all
+} frame;
+
+static const char *colour_of(int colour)
+{
+    return colour < 0 ? GREY : CLOD_FIGURE_COLOUR[colour];
+}
+
+static double at_x(const frame *self, double value)
+{
+    return LEFT + (self->right - LEFT) * clod_figure_scale_at(&self->x, value);
+}
+
+static double at_y(const frame *self, double value)
+{
+    return self->bottom - (self->bottom - TOP) * clod_figure_scale_at(&self->y, value);
+}
+
+static void put_text(FILE *out, double x, double y, const char *more, const char *text)
+{
+    fprintf(out, "<text x=\"%.1f\" y=\"%.1f\"%s>", x, y, more);
+    clod_html_text(out, text);
+    fputs("</text>\n", out);
+}
+
+static void put_axis_name(FILE *out, const clod_figure_axis *axis, double x, double y,
+                          const char *more)
+{
+    char text[96];
+    snprintf(text, sizeof text, axis->unit[0] != '\0' ? "%s [%s]" : "%s", axis->text,
+             axis->unit);
+    put_text(out, x, y, more, text);
+}
+
+static void put_ticks(FILE *out, const frame *self)
+{
+    for (int k = 0; k < clod_figure_scale_ticks(&self->x); k++) {
+        char text[32];
+        const double x = at_x(self, clod_figure_scale_tick(&self->x, k, text));
+        fprintf(out, "<path d=\"M%.1f %.1fV%.1f\" stroke=\"#e3e6ea\"/>\n", x, self->bottom,
+                TOP);
+        put_text(out, x, self->bottom + 18.0, " text-anchor=\"middle\"", text);
+    }
+    for (int k = 0; k < clod_figure_scale_ticks(&self->y); k++) {
+        char text[32];
+        const double y = at_y(self, clod_figure_scale_tick(&self->y, k, text));
+        fprintf(out, "<path d=\"M%.1f %.1fH%.1f\" stroke=\"#e3e6ea\"/>\n", LEFT, y,
+                self->right);
+        put_text(out, LEFT - 8.0, y + 4.5, " text-anchor=\"end\"", text);
+    }
+}
+
+/** Draw the error of each point as a bar. */
+static void put_errors(FILE *out, const frame *self, const clod_figure_curve *curve,
+                       const clod_figure *of)
+{
+    for (size_t i = 0; curve->error != NULL && i < curve->count; i++) {
+        if (isfinite(curve->error[i]) && isfinite(curve->y[i])) {
+            const double x = at_x(self, curve->x[i] * of->x.factor);
+            fprintf(out, "<path d=\"M%.1f %.1fV%.1f\" stroke=\"%s\" stroke-width=\"1.5\"/>\n",
+                    x, at_y(self, (curve->y[i] - curve->error[i]) * of->y.factor),
+                    at_y(self, (curve->y[i] + curve->error[i]) * of->y.factor),
+                    colour_of(curve->colour));
+        }
+    }
+}
+
+static void put_marks(FILE *out, const frame *self, const clod_figure_curve *curve,
+                      const clod_figure *of)
+{
+    const char *colour = colour_of(curve->colour);
+    put_errors(out, self, curve, of);
+    for (size_t i = 0; i < curve->count; i++) {
+        if (isfinite(curve->x[i]) && isfinite(curve->y[i])) {
+            fprintf(out,
+                    "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"%s\" stroke=\"%s\" "
+                    "stroke-width=\"2\"/>\n",
+                    at_x(self, curve->x[i] * of->x.factor),
+                    at_y(self, curve->y[i] * of->y.factor),
+                    curve->style == CLOD_FIGURE_HOLLOW ? "#ffffff" : colour, colour);
+        }
+    }
+}
+
+static const char *dashes(clod_figure_style style)
+{
+    return style == CLOD_FIGURE_DASHED   ? " stroke-dasharray=\"7 4\""
+           : style == CLOD_FIGURE_DOTTED ? " stroke-dasharray=\"2 4\""
+                                         : "";
+}
+
+static void put_line(FILE *out, const frame *self, const clod_figure_curve *curve,
+                     const clod_figure *of)
+{
+    fprintf(
+        out,
+        "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.8\" stroke-linejoin=\"round\"%s "
+        "d=\"",
+        colour_of(curve->colour), dashes(curve->style));
+    bool down = false; // the pen
+    for (size_t i = 0; i < curve->count; i++) {
+        const bool there = isfinite(curve->x[i]) && isfinite(curve->y[i]);
+        if (there) {
+            fprintf(out, "%c%.1f %.1f", down ? 'L' : 'M',
+                    at_x(self, curve->x[i] * of->x.factor),
+                    at_y(self, curve->y[i] * of->y.factor));
+        }
+        down = there;
+    }
+    fputs("\"/>\n", out);
+}
+
+static bool is_marks(clod_figure_style style)
+{
+    return style == CLOD_FIGURE_POINTS || style == CLOD_FIGURE_HOLLOW;
+}
+
+/** One row of the legend after the other; NULL: only how many rows there are. */
+static int put_legend(FILE *out, const frame *self, const clod_figure *of)
+{
+    double x = LEFT;
+    int row = 0;
+    for (size_t c = 0; c < of->count; c++) {
+        const clod_figure_curve *curve = &of->curves[c];
+        const double wide = 46.0 + LETTER * (double)strlen(curve->name);
+        if (curve->name[0] == '\0') {
+            continue;
+        }
+        if (x > LEFT && x + wide > WIDTH) {
+            x = LEFT;
+            row++;
+        }
+        if (out != NULL) {
+            const double y = self->bottom + BELOW + ROW * row;
+            fprintf(out, "<path d=\"M%.1f %.1fh24\" stroke=\"%s\" stroke-width=\"%s\"%s/>\n", x,
+                    y, colour_of(curve->colour), is_marks(curve->style) ? "0" : "2",
+                    dashes(curve->style));
+            if (is_marks(curve->style)) {
+                fprintf(out,
+                        "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\" fill=\"%s\" stroke=\"%s\" "
+                        "stroke-width=\"2\"/>\n",
+                        x + 12.0, y,
+                        curve->style == CLOD_FIGURE_HOLLOW ? "#ffffff"
+                                                           : colour_of(curve->colour),
+                        colour_of(curve->colour));
+            }
+            put_text(out, x + 30.0, y + 4.5, "", curve->name);
+        }
+        x += wide;
+    }
+    return x > LEFT || row > 0 ? row + 1 : 0;
+}
+
+/** Ranges of the axes and size of the plot. */
+static void lay_out(frame *self, const clod_figure *of)
+{
+    self->right = WIDTH - RIGHT;
+    double height = 300.0;
+    clod_figure_scale_make(&self->x, of, false);
+    clod_figure_scale_make(&self->y, of, true);
+    if (of->equal) {
+        height =
+            (self->right - LEFT) * (self->y.max - self->y.min) / (self->x.max - self->x.min);
+        if (height > 460.0) {
+            self->right = LEFT + (self->right - LEFT) * 460.0 / height;
+            height = 460.0;
+        }
+    }
+    self->bottom = TOP + height;
+    self->height = self->bottom + BELOW + ROW * put_legend(NULL, self, of);
+}
+
+static void put_curves(FILE *out, const frame *self, const clod_figure *of)
+{
+    fprintf(
+        out,
+        "<clipPath id=\"clip-%s\"><rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"/>"
+        "</clipPath>\n<g clip-path=\"url(#clip-%s)\">\n",
+        of->name, LEFT - 6.0, TOP - 6.0, self->right - LEFT + 12.0, self->bottom - TOP + 12.0,
+        of->name);
+    for (size_t c = 0; c < of->count; c++) {
+        if (is_marks(of->curves[c].style)) {
+            put_marks(out, self, &of->curves[c], of);
+        } else {
+            put_line(out, self, &of->curves[c], of);
+            put_errors(out, self, &of->curves[c], of);
+        }
+    }
+    fputs("</g>\n", out);
+}
+
+void clod_figure_svg(FILE *out, const clod_figure *figure)
+{
+    frame self;
+    char turned[96];
+    lay_out(&self, figure);
+    fprintf(out,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" role=\"img\" "
+            "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#1d2733\">\n"
+            "<title>",
+            WIDTH, self.height);
+    clod_html_text(out, figure->title);
+    fputs("</title>\n", out);
+    put_ticks(out, &self);
+    put_curves(out, &self, figure);
+    fprintf(out, "<path d=\"M%.1f %.1fV%.1fH%.1f\" fill=\"none\" stroke=\"#1d2733\"/>\n", LEFT,
+            TOP, self.bottom, self.right);
+    put_axis_name(out, &figure->x, 0.5 * (LEFT + self.right), self.bottom + 38.0,
+                  " text-anchor=\"middle\"");
+    const double middle = 0.5 * (TOP + self.bottom);
+    snprintf(turned, sizeof turned, " text-anchor=\"middle\" transform=\"rotate(-90 16 %.1f)\"",
+             middle);
+    put_axis_name(out, &figure->y, 16.0, middle, turned);
+    put_legend(out, &self, figure);
+    fputs("</svg>\n", out);
+}

@@ -1,0 +1,144 @@
+#include "report/run_pages.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "report/html.h"
+#include "report/series_figures.h"
+#include "report/summary_tables.h"
+#include "report/table.h"
+
+/** The tables of a page: parts of the summary in this order. */
+static void put_tables(FILE *out, const json_t *summary)
+{
+    const json_t *balance = json_object_get(summary, "balance");
+    const json_t *clumps = json_object_get(summary, "clumps");
+    clod_html_section(out, "tables", "Tables");
+    clod_summary_tables_put(out, "Gauges", json_object_get(summary, "gauges"));
+    clod_summary_tables_put(out, "Balance", balance);
+    clod_summary_tables_put(out, "Out, of the balance", json_object_get(balance, "out"));
+    clod_summary_tables_put(out, "Inlets", json_object_get(summary, "inlets"));
+    clod_summary_tables_put(out, "Outlets", json_object_get(summary, "outlets"));
+    clod_summary_tables_put(out, "Left at the sides of the domain",
+                            json_object_get(summary, "left"));
+    clod_summary_tables_put(out, "Surfaces", json_object_get(summary, "surfaces"));
+    clod_summary_tables_put(out, "Belts", json_object_get(summary, "belts"));
+    clod_summary_tables_put(out, "Walls at the end", json_object_get(summary, "walls"));
+    clod_summary_tables_put(out, "Clumps", clumps);
+    clod_summary_tables_put(out, "Resting material", json_object_get(summary, "build_up"));
+    clod_summary_tables_put(out, "Stages", json_object_get(summary, "stages"));
+}
+
+/** Lower, mean and upper border of a stream over the first column. */
+static void put_stream(clod_sheet *sheet, const clod_table *table, const char *gauge,
+                       const char *what)
+{
+    static const char *const BORDERS[] = {"lower", "mean", "upper"};
+    char name[160], title[160];
+    clod_figure figure;
+    snprintf(name, sizeof name, "gauge-%s-%s", gauge, what);
+    snprintf(title, sizeof title, "Gauge %s: %s of the stream", gauge, what);
+    clod_figure_init(&figure, name, title);
+    clod_figure_axis_set(&figure.x, table->names[0], table->units[0], 1.0);
+    clod_figure_axis_set(&figure.y, "place of the borders", "m", 1.0);
+    double *x = clod_table_numbers(table, 0);
+    for (int k = 0; x != NULL && k < 3; k++) {
+        const int at = clod_table_find(table, BORDERS[k]);
+        double *y = at >= 0 ? clod_table_numbers(table, at) : NULL;
+        if (y != NULL) {
+            clod_figure_add(&figure, BORDERS[k], k == 1 ? CLOD_FIGURE_LINE : CLOD_FIGURE_DASHED,
+                            k, table->rows, x, y, NULL);
+        }
+        clod_memory_free(y);
+    }
+    clod_memory_free(x);
+    clod_sheet_figure(sheet, &figure);
+}
+
+static bool put_streams(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+{
+    static const char *const WHAT[] = {"profile", "trajectory"};
+    bool good = true;
+    const char *gauge;
+    json_t *value;
+    json_object_foreach(json_object_get(run->summary, "gauges"), gauge, value)
+    {
+        for (int k = 0; good && k < 2; k++) {
+            clod_table table;
+            char name[256];
+            snprintf(name, sizeof name, "gauge_%s-%s.csv", gauge, WHAT[k]);
+            good = clod_table_read(&table, run->folder, name, status);
+            if (good && table.columns > 0) {
+                put_stream(sheet, &table, gauge, WHAT[k]);
+            }
+            clod_table_fini(&table);
+        }
+    }
+    return good;
+}
+
+/** How the mass is spread over the sizes of clumps, for each count. */
+static void put_clumps(clod_sheet *sheet, const clod_table *table)
+{
+    const int to = clod_table_find(table, "to");
+    const int share = clod_table_find(table, "share");
+    double *x = to >= 0 ? clod_table_numbers(table, to) : NULL;
+    double *y = share >= 0 ? clod_table_numbers(table, share) : NULL;
+    clod_figure figure;
+    clod_figure_init(&figure, "clumps", "Sizes of clumps, by mass");
+    clod_figure_axis_set(&figure.x, "grains of a clump, up to", "", 1.0);
+    clod_figure_axis_set(&figure.y, "share of the mass in this class", "%", 100.0);
+    figure.log_x = true;
+    int colour = 0;
+    for (size_t from = 0, r = 1; x != NULL && y != NULL && r <= table->rows; r++) {
+        const char *count = table->cells[from * table->columns];
+        if (r == table->rows || strcmp(table->cells[r * table->columns], count) != 0) {
+            clod_figure_add(&figure, count, CLOD_FIGURE_LINE, colour++ % CLOD_FIGURE_COLOURS,
+                            r - from, x + from, y + from, NULL);
+            from = r;
+        }
+    }
+    clod_memory_free(x);
+    clod_memory_free(y);
+    clod_sheet_figure(sheet, &figure);
+}
+
+/** The figures that need tables of their own. */
+static bool put_others(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+{
+    clod_table table;
+    bool good = put_streams(sheet, run, status);
+    good = good && clod_table_read(&table, run->folder, "clumps.csv", status);
+    if (good && table.rows > 0) {
+        put_clumps(sheet, &table);
+    }
+    if (good) {
+        clod_table_fini(&table);
+        good = clod_table_read(&table, run->folder, "energy.csv", status);
+        clod_series_figures_all(sheet, &table, "energy", "Energy ledger", "J");
+        clod_table_fini(&table);
+    }
+    return good;
+}
+
+bool clod_run_pages_free(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+{
+    clod_table series;
+    bool good = clod_table_read(&series, run->folder, "series.csv", status);
+    if (good) {
+        clod_html_section(sheet->body, "curves", "Curves over time");
+        clod_sheet_columns(sheet, true);
+        clod_series_figures_put(sheet, &series, true);
+        good = put_others(sheet, run, status);
+        clod_sheet_columns(sheet, false);
+        fputs("<details class=\"more\"><summary>More curves</summary>\n", sheet->body);
+        clod_sheet_columns(sheet, true);
+        clod_series_figures_put(sheet, &series, false);
+        clod_sheet_columns(sheet, false);
+        fputs("</details>\n", sheet->body);
+        put_tables(sheet->body, run->summary);
+    }
+    clod_table_fini(&series);
+    return good;
+}

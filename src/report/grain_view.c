@@ -1,0 +1,205 @@
+#include "report/grain_view.h"
+
+#include <math.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+#include "picture/field.h"
+#include "picture/film.h"
+#include "picture/vtkhdf.h"
+#include "report/figure_json.h"
+#include "report/html.h"
+#include "report/packed.h"
+#include "report/scripts.h"
+
+/** Whether a part has snapshots. */
+static bool has_film(const clod_run_files *run, const char *part)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s.hdf.series", run->folder, part);
+    return access(path, R_OK) == 0;
+}
+
+/** The part whose last snapshot is shown; NULL: none. */
+static const char *choose_part(const clod_run_files *run)
+{
+    static const char *const FIRST[] = {"run", "preshear", "fill"}; // while there is no summary
+    const char *chosen = NULL;
+    const char *part;
+    for (size_t k = 0; (part = clod_run_files_part(run, k)) != NULL; k++) {
+        chosen = has_film(run, part) ? part : chosen;
+    }
+    for (size_t k = 0; chosen == NULL && k < sizeof FIRST / sizeof *FIRST; k++) {
+        chosen = has_film(run, FIRST[k]) ? FIRST[k] : NULL;
+    }
+    return chosen;
+}
+
+/** Three coordinates of points, each packed. */
+static bool put_points(FILE *out, const double (*point)[3], size_t count, size_t stride)
+{
+    bool good = true;
+    fputs("[", out);
+    for (int axis = 0; axis < 3; axis++) {
+        fputs(axis > 0 ? "," : "", out);
+        good = clod_packed_numbers(out, &point[0][axis], count, 3 * stride) && good;
+    }
+    fputs("]", out);
+    return good;
+}
+
+/** The named field of every stride-th grain. */
+static bool put_field(FILE *out, const clod_vtkhdf *file, const char *name, size_t count,
+                      size_t stride, clod_status *status)
+{
+    clod_field field;
+    bool good = clod_field_read(&field, file, CLOD_VTKHDF_POINTS, name, status);
+    if (good) {
+        fputs("{\"name\":", out);
+        clod_figure_json_text(out, strcmp(name, "velocity") == 0 ? "speed" : field.title);
+        fputs(",\"units\":", out);
+        clod_figure_json_text(out, field.units);
+        fputs(",\"values\":", out);
+        good = clod_packed_numbers(out, field.value, count, stride) ||
+               clod_status_fail(status, CLOD_FAILED, "No memory for the 3-D view.");
+        fputs("}", out);
+    }
+    clod_field_fini(&field);
+    return good;
+}
+
+/** All fields but the numbers of grains; speed first. */
+static bool put_fields(FILE *out, const clod_vtkhdf *file, size_t count, size_t stride,
+                       clod_status *status)
+{
+    bool good = true;
+    bool any = false;
+    fputs("[", out);
+    if (clod_vtkhdf_find(file, CLOD_VTKHDF_POINTS, "velocity") != NULL) {
+        good = put_field(out, file, "velocity", count, stride, status);
+        any = true;
+    }
+    for (size_t k = 0; good && k < file->column_count[CLOD_VTKHDF_POINTS]; k++) {
+        const char *name = file->columns[CLOD_VTKHDF_POINTS][k].name;
+        if (strcmp(name, "id") != 0 && strcmp(name, "velocity") != 0) {
+            fputs(any ? ",\n" : "", out);
+            good = put_field(out, file, name, count, stride, status);
+            any = true;
+        }
+    }
+    fputs("]", out);
+    return good;
+}
+
+static bool put_grains(FILE *out, const char *path, size_t *total, size_t *shown,
+                       clod_status *status)
+{
+    clod_vtkhdf *file = clod_vtkhdf_open(path, status);
+    if (file == NULL) {
+        return false;
+    }
+    const size_t rows = file->rows[CLOD_VTKHDF_POINTS];
+    const size_t stride = (rows + CLOD_GRAIN_VIEW_MOST - 1) / CLOD_GRAIN_VIEW_MOST;
+    const size_t count = rows == 0 ? 0 : (rows - 1) / stride + 1;
+    *total = rows;
+    *shown = count;
+    double(*point)[3] = clod_vtkhdf_points(file, status);
+    bool good = point != NULL;
+    fprintf(out, "{\"count\":%zu,\"position\":", count);
+    if (good) {
+        good = put_points(out, (const double(*)[3])point, count, stride) ||
+               clod_status_fail(status, CLOD_FAILED, "No memory for the 3-D view.");
+    }
+    fputs(",\"radius\":", out);
+    good = good && put_field(out, file, "radius", count, stride, status);
+    fputs(",\"fields\":", out);
+    good = good && put_fields(out, file, count, stride, status);
+    fputs("}", out);
+    clod_memory_free(point);
+    clod_vtkhdf_close(&file);
+    return good;
+}
+
+/** The corners of all triangles, one after the other. */
+static double (*read_corners(const clod_vtkhdf *file, size_t count, clod_status *status))[3]
+{
+    double(*point)[3] = clod_vtkhdf_points(file, status);
+    size_t(*triangle)[3] = point != NULL ? clod_vtkhdf_triangles(file, status) : NULL;
+    double(*corner)[3] =
+        triangle != NULL ? clod_memory_alloc(3 * count + 1, sizeof *corner) : NULL;
+    if (triangle != NULL && corner == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "No memory for the 3-D view.");
+    }
+    for (size_t k = 0; corner != NULL && k < 3 * count; k++) {
+        memcpy(corner[k], point[triangle[k / 3][k % 3]], sizeof corner[k]);
+    }
+    clod_memory_free(triangle);
+    clod_memory_free(point);
+    return corner;
+}
+
+static bool put_walls(FILE *out, const char *path, clod_status *status)
+{
+    clod_vtkhdf *file = clod_vtkhdf_open(path, status);
+    if (file == NULL) {
+        return false;
+    }
+    size_t count = file->rows[CLOD_VTKHDF_CELLS];
+    count = count < CLOD_GRAIN_VIEW_MOST ? count : CLOD_GRAIN_VIEW_MOST;
+    double(*corner)[3] = read_corners(file, count, status);
+    bool good = corner != NULL;
+    fprintf(out, "{\"triangles\":%zu,\"corner\":", count);
+    if (good) {
+        good = put_points(out, (const double(*)[3])corner, 3 * count, 1) ||
+               clod_status_fail(status, CLOD_FAILED, "No memory for the 3-D view.");
+    }
+    fputs("}", out);
+    clod_memory_free(corner);
+    clod_vtkhdf_close(&file);
+    return good;
+}
+
+static bool put_frame(clod_sheet *sheet, const clod_film *film, const char *part,
+                      clod_status *status)
+{
+    const clod_film_frame *last = &film->frames[film->count - 1];
+    size_t total = 0;
+    size_t shown = 0;
+    clod_html_section(sheet->body, "view", "The last snapshot");
+    FILE *out = clod_sheet_view(sheet);
+    fputs("{\"time\":", out);
+    clod_figure_json_number(out, last->time);
+    fputs(",\"grains\":", out);
+    bool good = put_grains(out, last->grains, &total, &shown, status);
+    if (good && last->walls != NULL) {
+        fputs(",\"walls\":", out);
+        good = put_walls(out, last->walls, status);
+    }
+    fputs("}", out);
+    fputs("<p class=\"note\">", sheet->body);
+    if (strcmp(part, "run") != 0) {
+        fputs("Part ", sheet->body);
+        clod_html_text(sheet->body, part);
+        fputs(", ", sheet->body);
+    }
+    fprintf(sheet->body, "%.6g s, %zu grains", last->time, total);
+    if (shown < total) {
+        fprintf(sheet->body, ", of which %zu, evenly chosen, are shown", shown);
+    }
+    fputs(". Drag to turn, wheel or two fingers to zoom.</p>\n", sheet->body);
+    return good;
+}
+
+bool clod_grain_view_put(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+{
+    const char *part = choose_part(run);
+    if (part == NULL || clod_scripts_bundle() == NULL) {
+        return true;
+    }
+    clod_film film;
+    const bool good = clod_film_open(&film, run->folder, part, status) &&
+                      put_frame(sheet, &film, part, status);
+    clod_film_fini(&film);
+    return good;
+}

@@ -1,0 +1,116 @@
+#include "report/head.h"
+
+#include "report/html.h"
+#include "report/shear.h"
+
+void clod_head_put(FILE *out, const clod_run_files *run)
+{
+    fputs("<header><p class=\"kind\">", out);
+    clod_html_text(out, run->kind_text);
+    fputs("</p><h1>", out);
+    clod_html_text(out, run->title);
+    fputs("</h1><p class=\"when\">", out);
+    clod_html_text(out, run->folder);
+    if (run->ended != NULL) {
+        fputs(run->report != NULL ? ", computed until " : ", computed so far until ", out);
+        fprintf(out, "%.10s %.5s UTC", run->ended, run->ended + 11);
+    }
+    fputs("</p></header>\n", out);
+}
+
+static size_t count_warnings(const json_t *study)
+{
+    size_t count = json_array_size(json_object_get(study, "warnings"));
+    size_t g;
+    const json_t *locus;
+    json_array_foreach(json_object_get(study, "loci"), g, locus)
+    {
+        count += json_array_size(json_object_get(locus, "warnings"));
+    }
+    return count;
+}
+
+void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
+{
+    const json_t *study = json_object_get(run->summary, "locus");
+    const json_t *own = json_object_get(run->summary, "warnings");
+    const char *incomplete = json_string_value(json_object_get(run->summary, "incomplete"));
+    const size_t count = count_warnings(study) + json_array_size(own);
+    if (count + count_warnings(lab) == 0 && incomplete == NULL && run->report != NULL) {
+        fputs("<p class=\"good\">No warnings.</p>\n", out);
+        return;
+    }
+    fputs("<section class=\"warnings\" id=\"warnings\"><h2>Warnings</h2><ul>", out);
+    if (run->report == NULL) {
+        clod_html_cell(out, "li",
+                       "The run is not complete: this page shows what there is so far.");
+    }
+    if (incomplete != NULL) {
+        clod_html_cell(out, "li", incomplete);
+    }
+    clod_shear_warnings(out, study);
+    size_t k;
+    const json_t *text;
+    json_array_foreach(own, k, text)
+    {
+        const char *words = json_string_value(text);
+        clod_html_cell(out, "li", words != NULL ? words : "");
+    }
+    fputs("</ul>", out);
+    if (count_warnings(lab) > 0) {
+        fputs("<h3>Laboratory points</h3><ul>", out);
+        clod_shear_warnings(out, lab);
+        fputs("</ul>", out);
+    }
+    fputs("</section>\n", out);
+}
+
+static void put_row(FILE *out, const char *name, const char *value)
+{
+    fputs("<tr>", out);
+    clod_html_cell(out, "th", name);
+    clod_html_cell(out, "td", value);
+    fputs("</tr>\n", out);
+}
+
+/** A number of the summary, or of the first of its parts. */
+static const json_t *look_up(const json_t *summary, const char *key)
+{
+    const json_t *own = json_object_get(summary, key);
+    const json_t *part = json_array_get(json_object_get(summary, "parts"), 0);
+    return own != NULL ? own : json_object_get(part, key);
+}
+
+void clod_head_sources(FILE *out, const clod_run_files *run)
+{
+    static const struct {
+        const char *key, *text, *format;
+    } NUMBERS[] = {{"grains", "grains", "%.0f"},
+                   {"seed", "seed", "%.0f"},
+                   {"dt_s", "time step [s]", "%.4g"},
+                   {"steps", "steps", "%.0f"},
+                   {"wall_clock_s", "computing time [s]", "%.4g"}};
+    clod_html_section(out, "provenance", "Where this comes from");
+    fputs("<div class=\"scroll\"><table class=\"facts\">", out);
+    put_row(out, "results folder", run->folder);
+    const char *version = json_string_value(json_object_get(run->summary, "version"));
+    put_row(out, "computed by", version != NULL ? version : "not known");
+    put_row(out, "begun", run->began != NULL ? run->began : "not known");
+    put_row(out, "last entry of the log", run->ended != NULL ? run->ended : "not known");
+    for (size_t k = 0; k < sizeof NUMBERS / sizeof *NUMBERS; k++) {
+        const json_t *value = look_up(run->summary, NUMBERS[k].key);
+        if (json_is_number(value)) {
+            char text[64];
+            snprintf(text, sizeof text, NUMBERS[k].format, json_number_value(value));
+            put_row(out, NUMBERS[k].text, text);
+        }
+    }
+    fputs("</table></div>\n", out);
+    if (run->report != NULL) {
+        clod_html_folded(out, "The whole report as text (report.txt)", run->report);
+    }
+    if (run->case_text != NULL) {
+        clod_html_folded(out, "The case (case.yaml)", run->case_text);
+    }
+    clod_html_folded(out, "The case with all defaults (case-complete.yaml)", run->complete);
+}

@@ -1,0 +1,115 @@
+#include "report/report.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "report/cards.h"
+#include "report/grain_view.h"
+#include "report/head.h"
+#include "report/html.h"
+#include "report/run_pages.h"
+#include "report/scripts.h"
+#include "report/shear.h"
+#include "report/sheet.h"
+
+static bool fail_memory(clod_status *status)
+{
+    return clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
+}
+
+static bool put_shear(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
+                      clod_status *status)
+{
+    clod_shear_loci sets[2];
+    size_t count = 0;
+    const json_t *study = json_object_get(run->summary, "locus");
+    if (study != NULL) {
+        sets[count++] = (clod_shear_loci){"simulation", study};
+    }
+    if (lab != NULL) {
+        sets[count++] = (clod_shear_loci){"laboratory", lab};
+    }
+    if (count > 0) {
+        clod_html_section(sheet->body, "results", "Results");
+        clod_shear_table(sheet->body, sets, count);
+        clod_shear_figures(sheet, sets, count);
+        clod_shear_points(sheet->body, sets, count);
+    }
+    clod_html_section(sheet->body, "curves", "Curves of the test");
+    clod_sheet_columns(sheet, true);
+    const bool good = clod_shear_curves(sheet, run, status);
+    clod_sheet_columns(sheet, false);
+    return good;
+}
+
+static bool put_run(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
+                    clod_status *status)
+{
+    clod_head_put(sheet->body, run);
+    clod_head_warnings(sheet->body, run, lab);
+    bool good = true;
+    clod_cards_put(sheet->body, run);
+    if (run->kind == CLOD_RUN_SHEAR) {
+        good = put_shear(sheet, run, lab, status);
+    } else if (run->kind == CLOD_RUN_UNIAXIAL) {
+        good = clod_run_pages_uniaxial(sheet, run, status);
+    } else {
+        good = clod_run_pages_free(sheet, run, status);
+    }
+    good = good && clod_grain_view_put(sheet, run, status);
+    clod_head_sources(sheet->body, run);
+    return good;
+}
+
+/** Owned name of the page. */
+static char *name_page(const clod_report_options *options)
+{
+    const char *folder = options->runs[0];
+    const size_t size = strlen(folder) + sizeof "/report.html";
+    char *path = options->output != NULL ? clod_memory_text(options->output)
+                                         : clod_memory_alloc(size, 1);
+    if (path != NULL && options->output == NULL) {
+        snprintf(path, size, "%s/report.html", folder);
+    }
+    return path;
+}
+
+bool clod_report_write(const clod_report_options *options, char **path, clod_status *status)
+{
+    clod_run_files run;
+    clod_sheet sheet = {0};
+    json_t *lab = NULL;
+    *path = name_page(options);
+    bool good = *path != NULL || fail_memory(status);
+    good = clod_run_files_open(&run, options->runs[0], status) && good;
+    if (good && options->lab != NULL) {
+        lab = clod_shear_lab(options->lab, &run, status);
+        good = lab != NULL;
+    }
+    good = good && clod_sheet_open(&sheet, status) && put_run(&sheet, &run, lab, status) &&
+           clod_sheet_write(&sheet, run.title, *path, status);
+    clod_sheet_fini(&sheet);
+    json_decref(lab);
+    clod_run_files_fini(&run);
+    if (!good) {
+        clod_memory_free(*path);
+        *path = NULL;
+    }
+    return good;
+}
+
+const char *clod_report_lacks(void)
+{
+    return clod_scripts_bundle() != NULL
+               ? NULL
+               : "This clod was built without the scripts of its pages: figures do not zoom, and "
+                 "there is no 3-D view. To get them, install Node.js with npm (Debian: apt "
+                 "install nodejs npm, or make setup-report in the sources), connect to a "
+                 "network, and build clod again";
+}
+
+void clod_report_free(char *text)
+{
+    clod_memory_free(text);
+}

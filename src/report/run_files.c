@@ -1,0 +1,147 @@
+#include "report/run_files.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "output/file.h"
+
+/** Kinds of case by the key that stands in every complete case of them. */
+static const struct {
+    const char *key;
+    clod_run_kind kind;
+    const char *text;
+} KINDS[] = {
+    {"\nring_shear:", CLOD_RUN_SHEAR, "Ring shear test"},
+    {"\njenike:", CLOD_RUN_SHEAR, "Jenike shear test"},
+    {"\nuniaxial:", CLOD_RUN_UNIAXIAL, "Uniaxial test"},
+};
+
+/** Read a text of the folder; none there is fine. */
+static bool load_text(const clod_run_files *self, const char *name, char **text,
+                      clod_status *status)
+{
+    char path[4096];
+    void *bytes;
+    size_t size;
+    snprintf(path, sizeof path, "%s/%s", self->folder, name);
+    const int error = clod_file_load(AT_FDCWD, path, &bytes, &size);
+    *text = error == 0 ? bytes : NULL;
+    return error == 0 || error == ENOENT || clod_file_fail(status, "read", path, error);
+}
+
+static bool load_summary(clod_run_files *self, clod_status *status)
+{
+    char *text;
+    json_error_t error;
+    if (!load_text(self, "summary.json", &text, status)) {
+        return false;
+    }
+    self->summary = text != NULL ? json_loads(text, 0, &error) : NULL;
+    const bool good = text == NULL || json_is_object(self->summary);
+    clod_memory_free(text);
+    return good ||
+           clod_status_fail(status, CLOD_USAGE, "%s/summary.json is damaged: line %d, %s.",
+                            self->folder, error.line, error.text);
+}
+
+/** The time in the first and the last line of the log. */
+static bool load_times(clod_run_files *self, clod_status *status)
+{
+    static const char KEY[] = "{\"time\":\"";
+    char *text;
+    if (!load_text(self, "log.jsonl", &text, status)) {
+        return false;
+    }
+    for (char *at = text; at != NULL && (at = strstr(at, KEY)) != NULL;) {
+        at += strlen(KEY);
+        const char *end = strchr(at, '"');
+        char time[32];
+        snprintf(time, sizeof time, "%.*s", end != NULL ? (int)(end - at) : 0, at);
+        if (self->began == NULL) {
+            self->began = clod_memory_text(time);
+        }
+        clod_memory_free(self->ended);
+        self->ended = clod_memory_text(time);
+    }
+    clod_memory_free(text);
+    return true;
+}
+
+/** The title of the summary, or in the complete case, or the folder. */
+static void find_title(clod_run_files *self)
+{
+    static const char KEY[] = "\ntitle: \"";
+    const char *known = json_string_value(json_object_get(self->summary, "title"));
+    const char *at = self->complete != NULL ? strstr(self->complete, KEY) : NULL;
+    if (known == NULL && at != NULL) {
+        char title[256];
+        at += strlen(KEY);
+        snprintf(title, sizeof title, "%.*s", (int)strcspn(at, "\"\n"), at);
+        self->title = clod_memory_text(title);
+    } else {
+        self->title =
+            clod_memory_text(known != NULL && known[0] != '\0' ? known : self->folder);
+    }
+}
+
+static void find_kind(clod_run_files *self)
+{
+    self->kind = CLOD_RUN_FREE;
+    self->kind_text = "Free run";
+    for (size_t k = 0; self->complete != NULL && k < sizeof KINDS / sizeof *KINDS; k++) {
+        if (strstr(self->complete, KINDS[k].key) != NULL) {
+            self->kind = KINDS[k].kind;
+            self->kind_text = KINDS[k].text;
+        }
+    }
+}
+
+bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *status)
+{
+    *self = (clod_run_files){.folder = clod_memory_text(folder)};
+    if (self->folder == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
+    }
+    for (size_t k = strlen(self->folder); k > 1 && self->folder[k - 1] == '/'; k--) {
+        self->folder[k - 1] = '\0';
+    }
+    if (!load_text(self, "case-complete.yaml", &self->complete, status) ||
+        !load_text(self, "case.yaml", &self->case_text, status) ||
+        !load_text(self, "report.txt", &self->report, status) || !load_summary(self, status) ||
+        !load_times(self, status)) {
+        return false;
+    }
+    if (self->complete == NULL) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s is not the results folder of a run: it has no file "
+                                "case-complete.yaml. Name one, e.g. run/first.",
+                                self->folder);
+    }
+    find_title(self);
+    find_kind(self);
+    return self->title != NULL ||
+           clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
+}
+
+const char *clod_run_files_part(const clod_run_files *self, size_t k)
+{
+    const json_t *part = json_array_get(json_object_get(self->summary, "parts"), k);
+    return json_string_value(json_object_get(part, "part"));
+}
+
+void clod_run_files_fini(clod_run_files *self)
+{
+    json_decref(self->summary);
+    clod_memory_free(self->folder);
+    clod_memory_free(self->title);
+    clod_memory_free(self->case_text);
+    clod_memory_free(self->complete);
+    clod_memory_free(self->report);
+    clod_memory_free(self->began);
+    clod_memory_free(self->ended);
+    *self = (clod_run_files){0};
+}

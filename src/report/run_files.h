@@ -1,0 +1,44 @@
+#pragma once
+/**
+ * @file run_files.h
+ * A results folder opened for its page: summary, texts, parts.
+ */
+
+#include <jansson.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "clod/status.h"
+
+typedef enum clod_run_kind {
+    CLOD_RUN_FREE,
+    CLOD_RUN_SHEAR, ///< ring shear or Jenike
+    CLOD_RUN_UNIAXIAL,
+} clod_run_kind;
+
+typedef struct clod_run_files {
+    char *folder;          ///< owned
+    char *title;           ///< owned: of the case, or the folder
+    char *case_text;       ///< owned: case.yaml; NULL: none
+    char *complete;        ///< owned: case-complete.yaml; NULL: none
+    char *report;          ///< owned: report.txt; NULL while the run is not complete
+    json_t *summary;       ///< owned; NULL while there is none
+    char *began, *ended;   ///< owned: when, UTC; NULL: the log does not say
+    const char *kind_text; ///< static
+    clod_run_kind kind;
+} clod_run_files;
+
+/**
+ * Open a folder.
+ *
+ * @param self  [out] owned content (clod_run_files_fini), also after a failure
+ * Errors  CLOD_USAGE: no results folder, a damaged summary; CLOD_FAILED: disk, memory.
+ * Threads safe.   Test  tests/report/test_page.py
+ */
+bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *status);
+
+/** Number k of the parts that the run has, borrowed; NULL behind the last. */
+const char *clod_run_files_part(const clod_run_files *self, size_t k);
+
+/** Free the content; an empty one is fine. */
+void clod_run_files_fini(clod_run_files *self);

@@ -1,0 +1,114 @@
+#include "report/series_figures.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "report/series_groups.h"
+
+/** Quantities that are shown first, in this order. */
+static const char *const MAIN[] = {"kinetic_energy", "max_speed",  "grains",  "mass",
+                                   "mass_flow",      "speed",      "power",   "force_z",
+                                   "resting_mass",   "mass_share", "largest", "impact_power"};
+#define MAIN_COUNT (sizeof MAIN / sizeof MAIN[0])
+
+static void add_column(clod_figure *figure, const clod_table *series, const double *time,
+                       int column, const char *name, int number)
+{
+    double *value = clod_table_numbers(series, column);
+    if (value == NULL) {
+        figure->lost = true;
+        return;
+    }
+    static const clod_figure_style STYLES[] = {CLOD_FIGURE_LINE, CLOD_FIGURE_DASHED,
+                                               CLOD_FIGURE_DOTTED};
+    clod_figure_add(figure, name, STYLES[number / CLOD_FIGURE_COLOURS % 3],
+                    number % CLOD_FIGURE_COLOURS, series->rows, time, value, NULL);
+    clod_memory_free(value);
+}
+
+/** One figure with the columns of a group. */
+static void put_group(clod_sheet *sheet, const clod_table *series, const double *time,
+                      const clod_series_group *group)
+{
+    char name[160], title[96];
+    clod_series_groups_words(group->quantity, title);
+    snprintf(name, sizeof name, "%s-%s", group->quantity, group->unit);
+    name[strcmp(group->unit, "1") == 0 ? strlen(group->quantity) : strlen(name)] = '\0';
+    clod_figure figure;
+    title[0] = title[0] >= 'a' && title[0] <= 'z' ? (char)(title[0] - 'a' + 'A') : title[0];
+    clod_figure_init(&figure, name, title);
+    clod_figure_axis_set(&figure.x, "time", "s", 1.0);
+    clod_series_groups_words(group->quantity, title);
+    clod_figure_axis_set(&figure.y, title, group->unit, 1.0);
+    for (size_t k = 0; k < group->count; k++) {
+        char of[96];
+        clod_series_groups_object(series->names[group->column[k]], of);
+        if (of[0] == '\0' && group->count > 1) {
+            snprintf(of, sizeof of, "all");
+        }
+        add_column(&figure, series, time, group->column[k], of, (int)k);
+    }
+    clod_sheet_figure(sheet, &figure);
+}
+
+static bool is_main(const clod_series_group *group, size_t k)
+{
+    return strcmp(group->quantity, MAIN[k]) == 0;
+}
+
+static bool is_any_main(const clod_series_group *group)
+{
+    for (size_t k = 0; k < MAIN_COUNT; k++) {
+        if (is_main(group, k)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void clod_series_figures_put(clod_sheet *sheet, const clod_table *series, bool main)
+{
+    const int at = clod_table_find(series, "time");
+    clod_series_groups groups;
+    double *time = at >= 0 ? clod_table_numbers(series, at) : NULL;
+    if (!clod_series_groups_make(&groups, series)) {
+        sheet->lost = true;
+    }
+    for (size_t k = 0; time != NULL && main && k < MAIN_COUNT; k++) {
+        for (size_t g = 0; g < groups.count; g++) {
+            if (is_main(&groups.group[g], k)) {
+                put_group(sheet, series, time, &groups.group[g]);
+            }
+        }
+    }
+    for (size_t g = 0; time != NULL && !main && g < groups.count; g++) {
+        if (!is_any_main(&groups.group[g])) {
+            put_group(sheet, series, time, &groups.group[g]);
+        }
+    }
+    clod_memory_free(time);
+    clod_series_groups_fini(&groups);
+}
+
+void clod_series_figures_all(clod_sheet *sheet, const clod_table *table, const char *name,
+                             const char *title, const char *unit)
+{
+    const int at = clod_table_find(table, "time");
+    double *time = at >= 0 ? clod_table_numbers(table, at) : NULL;
+    clod_figure figure;
+    int number = 0;
+    clod_figure_init(&figure, name, title);
+    clod_figure_axis_set(&figure.x, "time", "s", 1.0);
+    clod_figure_axis_set(&figure.y, title, unit, 1.0);
+    for (size_t c = 0; time != NULL && c < table->columns; c++) {
+        if (strcmp(table->units[c], unit) == 0) {
+            char words[96];
+            clod_series_groups_words(table->names[c], words);
+            add_column(&figure, table, time, (int)c, words, number++);
+        }
+    }
+    clod_memory_free(time);
+    clod_sheet_figure(sheet, &figure);
+}

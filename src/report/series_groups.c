@@ -1,0 +1,103 @@
+#include "report/series_groups.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+/** What a column measures: the name behind the last point. */
+static const char *quantity_of(const char *name)
+{
+    const char *dot = strrchr(name, '.');
+    return dot != NULL ? dot + 1 : name;
+}
+
+/** Whether the texts of a column differ anywhere. */
+static bool changes(const clod_table *series, size_t column)
+{
+    for (size_t r = 1; r < series->rows; r++) {
+        if (strcmp(series->cells[r * series->columns + column], series->cells[column]) != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_left_out(const clod_table *series, size_t column)
+{
+    static const char *const OUT[] = {"time", "stage", "phase"};
+    for (size_t k = 0; k < sizeof OUT / sizeof *OUT; k++) {
+        if (strcmp(series->names[column], OUT[k]) == 0) {
+            return true;
+        }
+    }
+    return !changes(series, column);
+}
+
+static bool is_of(const clod_series_group *group, const clod_table *series, size_t column)
+{
+    return strcmp(group->quantity, quantity_of(series->names[column])) == 0 &&
+           strcmp(group->unit, series->units[column]) == 0;
+}
+
+/** Number of the group of a column, a new one if need be. */
+static size_t find_group(clod_series_groups *self, const clod_table *series, size_t column)
+{
+    size_t g = 0;
+    while (g < self->count && !is_of(&self->group[g], series, column)) {
+        g++;
+    }
+    if (g == self->count) {
+        self->group[self->count++] = (clod_series_group){
+            .quantity = quantity_of(series->names[column]), .unit = series->units[column]};
+    }
+    return g;
+}
+
+bool clod_series_groups_make(clod_series_groups *self, const clod_table *series)
+{
+    const size_t room = series->columns > 0 ? series->columns : 1;
+    *self = (clod_series_groups){.group = clod_memory_alloc(room, sizeof *self->group),
+                                 .columns = clod_memory_alloc(room, sizeof(int))};
+    if (self->group == NULL || self->columns == NULL) {
+        return false;
+    }
+    for (size_t c = 0; c < series->columns; c++) {
+        if (!is_left_out(series, c)) {
+            self->group[find_group(self, series, c)].count++;
+        }
+    }
+    int *next = self->columns;
+    for (size_t g = 0; g < self->count; g++) {
+        clod_series_group *group = &self->group[g];
+        group->column = next;
+        for (size_t c = 0; c < series->columns; c++) {
+            if (is_of(group, series, c) && !is_left_out(series, c)) {
+                *next++ = (int)c;
+            }
+        }
+    }
+    return true;
+}
+
+void clod_series_groups_fini(clod_series_groups *self)
+{
+    clod_memory_free(self->group);
+    clod_memory_free(self->columns);
+    *self = (clod_series_groups){0};
+}
+
+void clod_series_groups_words(const char *name, char words[96])
+{
+    snprintf(words, 96, "%s", name);
+    for (char *at = words; *at != '\0'; at++) {
+        *at = *at == '_' ? ' ' : *at;
+    }
+}
+
+void clod_series_groups_object(const char *name, char words[96])
+{
+    clod_series_groups_words(name, words);
+    char *dot = strrchr(words, '.');
+    words[dot != NULL ? dot - words : 0] = '\0';
+}

@@ -1,0 +1,40 @@
+#pragma once
+/**
+ * @file series_groups.h
+ * The columns of a series sorted by what they measure: feed.power [W] and chute.power [W] are one
+ * group.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "report/table.h"
+
+typedef struct clod_series_group {
+    const char *quantity, *unit; ///< borrowed from the table
+    int *column;                 ///< [count] borrowed
+    size_t count;
+} clod_series_group;
+
+typedef struct clod_series_groups {
+    clod_series_group *group; ///< [count] owned, in the order of their first columns
+    int *columns;             ///< owned
+    size_t count;
+} clod_series_groups;
+
+/**
+ * Sort the columns; those that never change, time and phase are left out.
+ *
+ * @param self  [out] owned content (clod_series_groups_fini), also after a failure
+ * @return      false: no memory
+ * Test  tests/report/test_table.c
+ */
+bool clod_series_groups_make(clod_series_groups *self, const clod_table *series);
+
+void clod_series_groups_fini(clod_series_groups *self);
+
+/** Whose a column is, in words: "gauge head" of gauge_head.mass_flow; "" of kinetic_energy. */
+void clod_series_groups_object(const char *name, char words[96]);
+
+/** A name with blanks for underscores. */
+void clod_series_groups_words(const char *name, char words[96]);

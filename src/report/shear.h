@@ -1,0 +1,40 @@
+#pragma once
+/**
+ * @file shear.h
+ * What the page of a ring shear or Jenike test shows.
+ */
+
+#include <jansson.h>
+
+#include "report/run_files.h"
+#include "report/sheet.h"
+
+/** A set of yield loci and whose they are. */
+typedef struct clod_shear_loci {
+    const char *of;      ///< "simulation", "laboratory", or the name of a run
+    const json_t *study; ///< as clod_locus_json has it; borrowed
+} clod_shear_loci;
+
+/**
+ * Evaluate the shear points of a laboratory in a CSV file, as clod locus does.
+ *
+ * @param run  whose page they are for
+ * @return     owned study as clod_locus_json has it, or NULL
+ * Errors  CLOD_USAGE: as clod_locus_read; `run` is no shear test. CLOD_FAILED: no memory.
+ */
+json_t *clod_shear_lab(const char *path, const clod_run_files *run, clod_status *status);
+
+/** Warnings of the evaluation, one list item each. */
+void clod_shear_warnings(FILE *out, const json_t *study);
+
+/** Table of results: a column for every yield locus of all sets. */
+void clod_shear_table(FILE *out, const clod_shear_loci *sets, size_t count);
+
+/** Tables of shear points. */
+void clod_shear_points(FILE *out, const clod_shear_loci *sets, size_t count);
+
+/** Yield loci with Mohr circles, and the flow function. */
+void clod_shear_figures(clod_sheet *sheet, const clod_shear_loci *sets, size_t count);
+
+/** Curves over displacement of the parts of a run. Errors  CLOD_USAGE: a damaged table. */
+bool clod_shear_curves(clod_sheet *sheet, const clod_run_files *run, clod_status *status);

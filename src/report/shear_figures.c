@@ -1,0 +1,200 @@
+/**
+ * @file shear_figures.c
+ * Yield loci with Mohr circles, flow functions, curves over displacement.
+ */
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "report/flow_figure.h"
+#include "report/shear.h"
+#include "report/shear_rows.h"
+#include "report/table.h"
+
+#define MOST_POINTS 512
+
+/** The line of a yield locus, from tau = c at sigma = 0 to the preshear stress. */
+static void add_line(clod_figure *figure, const json_t *locus, const char *name, bool dashed,
+                     int colour)
+{
+    const double c = clod_shear_number(locus, "c_Pa");
+    const double slope = tan(clod_shear_number(locus, "phi_lin_deg") * M_PI / 180.0);
+    const double end = clod_shear_number(locus, "sigma_p_Pa");
+    const double begin = c < 0.0 ? -c / slope : 0.0;
+    const double x[2] = {begin, end};
+    const double y[2] = {c + slope * begin, c + slope * end};
+    clod_figure_add(figure, name, dashed ? CLOD_FIGURE_DASHED : CLOD_FIGURE_LINE, colour, 2, x,
+                    y, NULL);
+}
+
+static void add_points(clod_figure *figure, const json_t *locus, const char *name, bool hollow,
+                       int colour)
+{
+    double x[MOST_POINTS], y[MOST_POINTS];
+    size_t count = 0;
+    size_t k;
+    const json_t *point;
+    json_array_foreach(json_object_get(locus, "points"), k, point)
+    {
+        if (count < MOST_POINTS) {
+            x[count] = clod_shear_number(point, "sigma_s_Pa");
+            y[count++] = clod_shear_number(point, "prorated_Pa");
+        }
+    }
+    clod_figure_add(figure, name, hollow ? CLOD_FIGURE_HOLLOW : CLOD_FIGURE_POINTS, colour,
+                    count, x, y, NULL);
+}
+
+static void add_locus(clod_figure *figure, const json_t *locus, const char *of, bool lab,
+                      int colour)
+{
+    char name[128];
+    const double sigma = clod_shear_number(locus, "sigma_p_Pa");
+    const double tau = clod_shear_number(locus, "tau_p_Pa");
+    snprintf(name, sizeof name, "%.60s, %.4g kPa", of, 1e-3 * sigma);
+    add_line(figure, locus, name, lab, colour);
+    add_points(figure, locus, "", lab, colour);
+    clod_figure_add(figure, "", lab ? CLOD_FIGURE_HOLLOW : CLOD_FIGURE_POINTS, colour, 1,
+                    &sigma, &tau, NULL);
+    static const char *const CIRCLES[] = {"steady_circle", "unconfined_circle"};
+    for (int k = 0; k < 2; k++) {
+        const json_t *circle = json_object_get(locus, CIRCLES[k]);
+        clod_figure_circle(figure, "", lab ? CLOD_FIGURE_DOTTED : CLOD_FIGURE_LINE, colour,
+                           clod_shear_number(circle, "centre_Pa"),
+                           clod_shear_number(circle, "radius_Pa"));
+    }
+}
+
+static bool is_lab(const clod_shear_loci *set)
+{
+    return strcmp(set->of, "laboratory") == 0;
+}
+
+static void put_loci(clod_sheet *sheet, const clod_shear_loci *sets, size_t count)
+{
+    clod_figure figure;
+    int colour = 0;
+    clod_figure_init(&figure, "yield-locus", "Yield locus and Mohr circles");
+    clod_figure_axis_set(&figure.x, "normal stress", "kPa", 1e-3);
+    clod_figure_axis_set(&figure.y, "shear stress", "kPa", 1e-3);
+    figure.equal = true;
+    snprintf(
+        figure.note, sizeof figure.note,
+        "Both axes have the same scale. Points: peaks at shear to failure, prorated, and the "
+        "preshear point at the largest stress. Circles: unconfined yield strength, and "
+        "steady flow at preshear.");
+    for (size_t s = 0; s < count; s++) {
+        const json_t *locus;
+        for (size_t g = 0; (locus = clod_shear_locus(sets[s].study, g)) != NULL; g++) {
+            add_locus(&figure, locus, sets[s].of, is_lab(&sets[s]),
+                      colour++ % CLOD_FIGURE_COLOURS);
+        }
+    }
+    clod_sheet_figure(sheet, &figure);
+}
+
+static double error_of(const json_t *locus, const char *key)
+{
+    return clod_shear_number(json_object_get(locus, key), "error");
+}
+
+static void put_flow_function(clod_sheet *sheet, const clod_shear_loci *sets, size_t count)
+{
+    clod_figure figure;
+    clod_flow_figure_init(&figure);
+    double largest = 0.0;
+    for (size_t s = 0; s < count; s++) {
+        double x[MOST_POINTS], y[MOST_POINTS], error[MOST_POINTS];
+        size_t n = 0;
+        const json_t *locus;
+        while (n < MOST_POINTS && (locus = clod_shear_locus(sets[s].study, n)) != NULL) {
+            x[n] = clod_shear_number(locus, "sigma_1_Pa");
+            y[n] = clod_shear_number(locus, "sigma_c_Pa");
+            error[n] = error_of(locus, "sigma_c_Pa");
+            largest = fmax(largest, isfinite(x[n]) ? x[n] : 0.0);
+            n++;
+        }
+        clod_figure_add(&figure, sets[s].of,
+                        is_lab(&sets[s]) ? CLOD_FIGURE_HOLLOW : CLOD_FIGURE_POINTS,
+                        (int)(s % CLOD_FIGURE_COLOURS), n, x, y, error);
+    }
+    clod_flow_figure_classes(&figure, largest);
+    clod_sheet_figure(sheet, &figure);
+}
+
+void clod_shear_figures(clod_sheet *sheet, const clod_shear_loci *sets, size_t count)
+{
+    put_loci(sheet, sets, count);
+    put_flow_function(sheet, sets, count);
+}
+
+/** What is drawn over displacement. */
+static const struct {
+    const char *column, *text, *unit;
+    double factor;
+} CURVES[] = {
+    {"shear_stress", "shear stress", "kPa", 1e-3},
+    {"height", "height of the specimen", "mm", 1e3},
+    {"bulk_density", "bulk density", "kg/m3", 1.0},
+};
+#define CURVE_COUNT (sizeof CURVES / sizeof CURVES[0])
+
+/** Whether a part is a preshear, of any seed; otherwise whether it is a shear point. */
+static bool is_part(const char *name, bool preshear)
+{
+    return strstr(name, preshear ? "preshear" : "point-") != NULL;
+}
+
+/** Read the tables of the parts that are asked for; false: one is damaged. */
+static bool put_parts(clod_sheet *sheet, const clod_run_files *run, bool preshear,
+                      clod_status *status)
+{
+    clod_figure figures[CURVE_COUNT];
+    for (size_t q = 0; q < CURVE_COUNT; q++) {
+        char title[128];
+        snprintf(title, sizeof title, "%c%s, %s", CURVES[q].text[0] - 'a' + 'A',
+                 CURVES[q].text + 1, preshear ? "preshear" : "shear to failure");
+        clod_figure_init(&figures[q], title, title);
+        clod_figure_axis_set(&figures[q].x, "displacement", "mm", 1e3);
+        clod_figure_axis_set(&figures[q].y, CURVES[q].text, CURVES[q].unit, CURVES[q].factor);
+    }
+    bool good = true;
+    int colour = 0;
+    const char *part;
+    for (size_t p = 0; good && (part = clod_run_files_part(run, p)) != NULL; p++) {
+        clod_table table;
+        char name[256];
+        if (!is_part(part, preshear)) {
+            continue;
+        }
+        snprintf(name, sizeof name, "%s.csv", part);
+        good = clod_table_read(&table, run->folder, name, status);
+        const int at = clod_table_find(&table, "displacement");
+        double *x = good && at >= 0 ? clod_table_numbers(&table, at) : NULL;
+        const size_t first = x != NULL ? clod_figure_begin(x, table.rows) : 0;
+        for (size_t q = 0; x != NULL && q < CURVE_COUNT; q++) {
+            const int column = clod_table_find(&table, CURVES[q].column);
+            double *y = column >= 0 ? clod_table_numbers(&table, column) : NULL;
+            if (y != NULL) {
+                clod_figure_add(&figures[q], part, CLOD_FIGURE_LINE,
+                                colour % CLOD_FIGURE_COLOURS, table.rows - first, x + first,
+                                y + first, NULL);
+            }
+            clod_memory_free(y);
+        }
+        clod_memory_free(x);
+        clod_table_fini(&table);
+        colour++;
+    }
+    for (size_t q = 0; q < CURVE_COUNT; q++) {
+        clod_sheet_figure(sheet, &figures[q]);
+    }
+    return good;
+}
+
+bool clod_shear_curves(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+{
+    return put_parts(sheet, run, true, status) && put_parts(sheet, run, false, status);
+}

@@ -1,0 +1,35 @@
+/**
+ * @file shear_lab.c
+ * Points of a laboratory, evaluated as those of a simulation are.
+ */
+
+#include "base/memory.h"
+#include "clod/locus.h"
+#include "report/shear.h"
+
+json_t *clod_shear_lab(const char *path, const clod_run_files *run, clod_status *status)
+{
+    clod_locus_point *points;
+    size_t count;
+    if (run->kind != CLOD_RUN_SHEAR) {
+        clod_status_fail(
+            status, CLOD_USAGE,
+            "--lab %s: %s is no shear test: only their pages have yield loci to lay "
+            "laboratory points over.",
+            path, run->folder);
+        return NULL;
+    }
+    if (!clod_locus_read(path, NULL, &points, &count, status)) {
+        return NULL;
+    }
+    clod_locus_study *study = clod_locus_study_create(points, count, status);
+    clod_locus_free(points);
+    char *text = study != NULL ? clod_locus_json(study) : NULL;
+    json_t *all = text != NULL ? json_loads(text, 0, NULL) : NULL;
+    if (study != NULL && all == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "No memory for the laboratory's points.");
+    }
+    clod_locus_free(text);
+    clod_locus_study_destroy(&study);
+    return all;
+}
