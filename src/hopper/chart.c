@@ -20,21 +20,20 @@
 static const char *const COLOURS[CLOD_HOPPER_SHAPES] = {
     [CLOD_RADIAL_WEDGE] = "#D55E00", [CLOD_RADIAL_CONE] = "#0072B2"};
 
-/** Ends of the axes of the flow function, kPa: all points and both critical states. */
+/** Ends of the axes of the flow function, kPa: both critical states and the points near them; all
+ *  points where there is no critical state. */
 static void reach(const clod_hopper *self, clod_plot *panel)
 {
     const clod_curve *curve = &self->solid.strength;
-    panel->most_x = 1e-3 * curve->points[curve->count - 1].x;
+    double critical = 0.0;
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
-        panel->most_x =
-            fmax(panel->most_x, 1e-3 * self->shape[s].number[CLOD_HOPPER_SIGMA_1].value);
+        critical = fmax(critical, self->shape[s].number[CLOD_HOPPER_SIGMA_1].value);
     }
-    panel->most_x = clod_plot_round_up(1.08 * panel->most_x);
-    panel->most_y = 1e-3 * clod_curve_at(curve, 1e3 * panel->most_x);
-    for (size_t i = 0; i < curve->count; i++) {
-        panel->most_y = fmax(panel->most_y, 1e-3 * curve->points[i].y);
-    }
-    panel->most_y = clod_plot_round_up(1.5 * fmax(panel->most_y, 1e-6));
+    const double last = curve->points[curve->count - 1].x;
+    const double near = fmax(3.0 * critical, curve->points[1].x);
+    panel->most_x = clod_plot_round_up(1.08e-3 * (critical > 0.0 ? near : last));
+    panel->most_y = 1.5e-3 * clod_curve_at(curve, 1e3 * panel->most_x);
+    panel->most_y = clod_plot_round_up(fmax(panel->most_y, 1e-6));
 }
 
 static void put_flow_factor(const clod_hopper *self, int s, const clod_plot *panel)

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#define PARALLEL 1e-9 // of slopes: closer ones do not meet
+
 /** y = a + b x from x = `from` on. */
 typedef struct piece {
     double from, a, b;
@@ -97,7 +99,7 @@ clod_curve_meeting clod_curve_meet(const clod_curve *self, double slope, double 
         const double excess = at.a + (at.b - slope) * at.from; // above the ray, where it begins
         const double fall = slope - at.b;
         above = above || excess > 0.0;
-        if (above && fall > 0.0 && at.a / fall < end) {
+        if (above && fall > PARALLEL * slope && at.a / fall < end) {
             *x = at.a / fall;
             return CLOD_CURVE_MEETS;
         }

@@ -4,7 +4,7 @@
 
 #define DEGREE (M_PI / 180.0)
 #define ROUNDS 60
-#define CLOSE 1e-7 // relative change of sigma_1 at which the state is found
+#define CLOSE 10.0 // relative change of sigma_1 at which the state is found, in tolerances
 
 double clod_hopper_arch_thickness(clod_hopper_arch fit, clod_radial_shape shape, double theta)
 {
@@ -15,21 +15,28 @@ double clod_hopper_arch_thickness(clod_hopper_arch fit, clod_radial_shape shape,
     return shape == CLOD_RADIAL_CONE ? (130.0 + degrees) / 65.0 : (200.0 + degrees) / 200.0;
 }
 
+/** Largest half angle of mass flow in a cone for a state; 0: none. */
+static double limit_at(const clod_solid_state *state, double tolerance)
+{
+    const clod_radial cone = {CLOD_RADIAL_CONE, state->phi_e, state->phi_w, tolerance};
+    double limit;
+    return clod_radial_limit(&cone, &limit) ? limit : 0.0;
+}
+
 /** Half angle, H and flow factor at one stress; false: funnel flow. */
 static bool shape_at(const clod_solid *solid, const clod_hopper_wish *wish, double sigma_1,
                      clod_hopper_design *self)
 {
     self->state = clod_solid_at(solid, sigma_1);
-    clod_radial field = {CLOD_RADIAL_CONE, self->state.phi_e, self->state.phi_w,
-                         wish->tolerance};
-    const bool slides = clod_radial_limit(&field, &self->limit);
-    self->half_angle = wish->half_angle > 0.0 ? wish->half_angle : self->limit - wish->margin;
-    if (!slides || self->half_angle <= 0.0) {
-        return false;
+    self->half_angle = wish->half_angle;
+    if (wish->half_angle == 0.0) {
+        self->limit = limit_at(&self->state, wish->tolerance);
+        self->half_angle = self->limit - wish->margin;
     }
-    field.shape = wish->shape;
+    const clod_radial field = {wish->shape, self->state.phi_e, self->state.phi_w,
+                               wish->tolerance};
     clod_radial_wall wall;
-    if (!clod_radial_solve(&field, self->half_angle, &wall)) {
+    if (self->half_angle <= 0.0 || !clod_radial_solve(&field, self->half_angle, &wall)) {
         return false;
     }
     self->arch = clod_hopper_arch_thickness(wish->arch, wish->shape, self->half_angle);
@@ -84,7 +91,7 @@ static clod_hopper_design settle(const clod_solid *solid, const clod_hopper_wish
             return self;
         }
         const clod_curve_meeting meeting = go_on(solid, self.flow_factor, &at);
-        if (fabs(at.sigma_1 - before) > CLOSE * before) {
+        if (fabs(at.sigma_1 - before) > CLOSE * wish->tolerance * before) {
             continue;
         }
         static const clod_hopper_outcome OUTCOMES[] = {
@@ -103,19 +110,23 @@ clod_hopper_design clod_hopper_design_shape(const clod_solid *solid,
                                             const clod_hopper_wish *wish)
 {
     const clod_curve *strength = &solid->strength;
-    const clod_hopper_design low = settle(solid, wish, strength->points[0].x);
-    if (low.outcome != CLOD_HOPPER_FUNNEL) {
-        return low;
+    const double first = wish->first > 0.0 ? wish->first : strength->points[0].x;
+    clod_hopper_design self = settle(solid, wish, first);
+    if (self.outcome == CLOD_HOPPER_FUNNEL) {
+        // a wall with adhesion may hold the solid at small stresses only
+        self = settle(solid, wish, strength->points[strength->count - 1].x);
     }
-    // a wall with adhesion may hold the solid at small stresses only
-    return settle(solid, wish, strength->points[strength->count - 1].x);
+    if (wish->half_angle > 0.0) {
+        self.limit = limit_at(&self.state, wish->tolerance);
+    }
+    return self;
 }
 
 clod_hopper_margin clod_hopper_margin_of(const clod_solid *solid, const clod_hopper_wish *wish,
                                          double outlet)
 {
     clod_hopper_margin self = {.ratio = (double)NAN};
-    double sigma_1 = solid->strength.points[0].x;
+    double sigma_1 = wish->first > 0.0 ? wish->first : solid->strength.points[0].x;
     for (int round = 0; round < ROUNDS; round++) {
         clod_hopper_design at;
         if (!shape_at(solid, wish, sigma_1, &at)) {
@@ -125,7 +136,7 @@ clod_hopper_margin clod_hopper_margin_of(const clod_solid *solid, const clod_hop
         self.state = at.state;
         self.stress = at.state.rho * CLOD_HOPPER_GRAVITY * outlet / at.arch;
         sigma_1 = at.flow_factor * self.stress;
-        if (fabs(sigma_1 - before) <= CLOSE * before) {
+        if (fabs(sigma_1 - before) <= CLOSE * wish->tolerance * before) {
             self.ratio = self.stress / at.state.strength; // infinite for a strength of 0
             return self;
         }

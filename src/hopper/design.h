@@ -23,6 +23,7 @@ typedef struct clod_hopper_wish {
     double margin;     ///< rad below the limit
     clod_hopper_arch arch;
     double tolerance; ///< CLOD_RADIAL_TOLERANCE
+    double first;     ///< Pa: where the search for the state begins; 0: at the smallest stress
 } clod_hopper_wish;
 
 /** How it comes out. */

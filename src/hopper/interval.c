@@ -45,9 +45,13 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     number[CLOD_HOPPER_PHI_W] = at.state.phi_w;
     number[CLOD_HOPPER_RHO] = at.state.rho;
     number[CLOD_HOPPER_ARCH] = slides ? at.arch : none;
-    number[CLOD_HOPPER_MARGIN] =
-        found->planned > 0.0 ? clod_hopper_margin_of(solid, &found->wish, found->planned).ratio
-                             : none;
+    number[CLOD_HOPPER_MARGIN] = none;
+    if (found->planned > 0.0 && found->design.outcome != CLOD_HOPPER_FUNNEL) {
+        clod_hopper_wish built = found->wish; // its angle is that of the design, not of a sample
+        built.half_angle = found->design.half_angle;
+        number[CLOD_HOPPER_MARGIN] =
+            clod_hopper_margin_of(solid, &built, found->planned).ratio;
+    }
 }
 
 /** Standard normal number: Box and Muller. */
@@ -92,6 +96,7 @@ static void run_sample(const task *self, size_t item, clod_solid *solid)
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         clod_hopper_found found = self->hopper->shape[s];
         found.wish.tolerance = SAMPLE_TOLERANCE;
+        found.wish.first = found.design.state.sigma_1;
         clod_interval_numbers(solid, &found, &to->outcome[s], to->number[s]);
     }
     const clod_rathole hole = clod_rathole_of(solid, &self->hopper->silo);

@@ -8,14 +8,21 @@
 #define STEEPEST (0.75 * M_PI) // psi at which the solid stands still
 #define FIRST_STEP 1e-3        // rad
 #define LEAST_Q 1e-5           // range of q on the axis that is searched
+#define LEAST_WIDEST_Q 1e-4    // the same for the widest hopper
 #define MOST_Q 1e3             // where nothing else bounds it
+
+/** What the equations know. */
+typedef struct equations {
+    double cone; ///< 1, for a wedge 0
+    double s;    ///< sin phi_e
+} equations;
 
 /** q and psi as functions of theta: the equations of equilibrium, solved for q' and psi'. */
 static clod_ode_pair rates(const void *context, double theta, clod_ode_pair y)
 {
-    const clod_radial *self = context;
-    const double cone = self->shape == CLOD_RADIAL_CONE ? 1.0 : 0.0;
-    const double s = sin(self->phi_e);
+    const equations *self = context;
+    const double cone = self->cone;
+    const double s = self->s;
     const double q = y.a;
     if (theta == 0.0) { // the limit on the axis, where cot theta has no value
         const double turn = (q * (1.0 - (3.0 + 2.0 * cone) * s) + 1.0) /
@@ -24,11 +31,13 @@ static clod_ode_pair rates(const void *context, double theta, clod_ode_pair y)
     }
     const double s2 = sin(2.0 * y.b);
     const double c2 = cos(2.0 * y.b);
-    const double cot = 1.0 / tan(theta);
+    const double sine = sin(theta);
+    const double cosine = cos(theta);
+    const double cot = cosine / sine;
     const double radial = q * (1.0 + s * c2) + 2.0 * q * s * c2 +
-                          cone * q * s * (c2 - 1.0 + s2 * cot) + cos(theta);
+                          cone * q * s * (c2 - 1.0 + s2 * cot) + cosine;
     const double across =
-        3.0 * q * s * s2 + cone * q * s * (s2 - (1.0 + c2) * cot) - sin(theta);
+        3.0 * q * s * s2 + cone * q * s * (s2 - (1.0 + c2) * cot) - sine;
     // [s s2, 2 q s c2; 1 - s c2, 2 q s s2] (q', psi') = -(radial, across)
     const double determinant = 2.0 * q * s * (s - c2);
     return (clod_ode_pair){
@@ -52,33 +61,36 @@ typedef struct path {
     bool stands;    ///< psi reached 135 degrees: the solid stands still beyond
 } path;
 
-static clod_ode begin(const clod_radial *self, double q)
-{
-    return (clod_ode){.rates = rates,
-                      .context = self,
-                      .tolerance = self->tolerance,
-                      .y = {q, M_PI_2},
-                      .step = FIRST_STEP};
-}
-
-/** Where in its next step psi passes `value`: bisection, for the step is cheap and smooth. */
-static double pass(const clod_ode *from, double size, double value)
+/** Where in its next step, which ends at `after`, psi falls through `value`: false position. */
+static double pass(const clod_ode *from, const clod_ode *after, double value)
 {
     double low = 0.0;
-    double high = size;
-    for (int i = 0; i < 50; i++) {
-        const double middle = 0.5 * (low + high);
-        const bool above = clod_ode_try(from, middle, NULL).b > value;
-        low = above ? middle : low;
-        high = above ? high : middle;
+    double high = after->x - from->x;
+    double above = from->y.b - value;
+    double below = after->y.b - value;
+    for (int i = 0; i < 60 && high - low > 1e-12 && below < 0.0; i++) {
+        const double middle = (above * high - below * low) / (above - below);
+        const double miss = clod_ode_try(from, middle, NULL).b - value;
+        low = miss > 0.0 ? middle : low;
+        high = miss > 0.0 ? high : middle;
+        below = miss > 0.0 ? 0.5 * below : miss; // the end that stays is halved (Illinois)
+        above = miss > 0.0 ? miss : 0.5 * above;
+        if (fabs(miss) < 1e-13) {
+            return from->x + middle;
+        }
     }
-    return from->x + 0.5 * (low + high);
+    return from->x + high;
 }
 
 /** Go from the axis to `end`, or to where the solid stands still or psi falls below the axis'. */
 static path follow(const clod_radial *self, double q, double psi_w, double end)
 {
-    clod_ode ode = begin(self, q);
+    const equations known = {(double)self->shape, sin(self->phi_e)};
+    clod_ode ode = {.rates = rates,
+                    .context = &known,
+                    .tolerance = self->tolerance,
+                    .y = {q, M_PI_2},
+                    .step = FIRST_STEP};
     path way = {.highest = M_PI_2};
     while (ode.x < end) {
         const clod_ode before = ode;
@@ -88,7 +100,7 @@ static path follow(const clod_radial *self, double q, double psi_w, double end)
         }
         way.highest = fmax(way.highest, ode.y.b);
         if (before.y.b > psi_w && ode.y.b <= psi_w) {
-            way.crossed = pass(&before, ode.x - before.x, psi_w);
+            way.crossed = pass(&before, &ode, psi_w);
             break;
         }
         if (ode.y.b < M_PI_2) {
@@ -127,13 +139,13 @@ static double most_q(const clod_radial *self)
 static double widest(const clod_radial *self, double psi_w, double *theta)
 {
     const double golden = 0.6180339887498949;
-    double low = log(LEAST_Q);
+    double low = log(LEAST_WIDEST_Q);
     double high = log(most_q(self));
     double left = high - golden * (high - low);
     double right = low + golden * (high - low);
     double at_left = reach(self, exp(left), psi_w);
     double at_right = reach(self, exp(right), psi_w);
-    while (high - low > 1e-6) {
+    while (high - low > 100.0 * self->tolerance) {
         if (at_left > at_right) {
             high = right;
             right = left;
@@ -167,7 +179,8 @@ bool clod_radial_limit(const clod_radial *self, double *theta)
 typedef struct shot {
     const clod_radial *field;
     double psi_w, theta;
-    path way; ///< of the last shot
+    double q; ///< on the axis, of the last shot
+    path way; ///< of that
 } shot;
 
 /** A q on the axis with what it misses psi at the wall by. */
@@ -178,6 +191,7 @@ typedef struct try {
 /** Psi at theta less psi at the wall; it falls as q on the axis rises. */
 static try shoot(shot *self, double q)
 {
+    self->q = q;
     self->way = follow(self->field, q, -1.0, self->theta);
     return (try){q, (self->way.stands ? STEEPEST : self->way.psi) - self->psi_w};
 }
@@ -233,6 +247,7 @@ bool clod_radial_solve(const clod_radial *self, double theta, clod_radial_wall *
     }
     close_in(&one, low, high);
     const double s = sin(self->phi_e);
+    wall->axis = one.q;
     wall->q = one.way.q;
     wall->sigma_1 = wall->q * (1.0 + s);
     wall->sigma_w = wall->q * (1.0 + s * cos(2.0 * beta));

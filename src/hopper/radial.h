@@ -29,7 +29,8 @@ typedef struct clod_radial {
 
 /** The field at the wall. */
 typedef struct clod_radial_wall {
-    double q;       ///< mean stress over r rho g
+    double axis;    ///< mean stress over r rho g on the axis
+    double q;       ///< the same at the wall
     double sigma_1; ///< major principal stress over r rho g
     double sigma_w; ///< normal stress on the wall over r rho g
 } clod_radial_wall;
