@@ -8,6 +8,7 @@
 int clod_app_check(int argc, char **argv);
 int clod_app_contact(int argc, char **argv);
 int clod_app_explain(int argc, char **argv);
+int clod_app_hopper(int argc, char **argv);
 int clod_app_locus(int argc, char **argv);
 int clod_app_mesh(int argc, char **argv);
 int clod_app_new(int argc, char **argv);

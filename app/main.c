@@ -28,6 +28,8 @@ static const verb VERBS[] = {
     {"check", clod_app_check, "check a case and estimate its run time, memory and disk space"},
     {"contact", clod_app_contact, "drive one contact along a path and print force and history"},
     {"locus", clod_app_locus, "evaluate shear points, simulated or measured, as a yield locus"},
+    {"hopper", clod_app_hopper,
+     "design a hopper: half angle for mass flow, critical outlet, rathole"},
     {"mesh", clod_app_mesh, "check a triangle mesh: STL, OBJ or PLY"},
     {"picture", clod_app_picture, "draw snapshots of a run as PNG, or as a movie"},
     {"report", clod_app_report, "write a page for the browser about a run"},

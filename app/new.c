@@ -15,23 +15,37 @@
 #include "clod/status.h"
 #include "clod_templates.h" // written by the build: tools/templates.cmake
 
+#define TABLES 2
+
+/** A file that a case names; it is written beside the case. */
+typedef struct table {
+    const char *name;
+    const char *text;
+} table;
+
 typedef struct template
 {
     const char *name;
     const char *help;
     const char *text;
+    table tables[TABLES];
 }
 template;
 
 static const template TEMPLATES[] = {
     {"ring-shear", "virtual ring shear test of copper ore with 5 % moisture",
-     CLOD_TEMPLATE_RING_SHEAR},
-    {"jenike", "virtual Jenike shear test of the same ore", CLOD_TEMPLATE_JENIKE},
+     CLOD_TEMPLATE_RING_SHEAR, {{0}}},
+    {"jenike", "virtual Jenike shear test of the same ore", CLOD_TEMPLATE_JENIKE, {{0}}},
     {"uniaxial", "virtual uniaxial test: flow function of the same ore",
-     CLOD_TEMPLATE_UNIAXIAL},
-    {"free-run", "a box of grains under a lid: settle, then compress", CLOD_TEMPLATE_FREE_RUN},
+     CLOD_TEMPLATE_UNIAXIAL, {{0}}},
+    {"free-run", "a box of grains under a lid: settle, then compress", CLOD_TEMPLATE_FREE_RUN,
+     {{0}}},
     {"contact-bench", "one contact driven along a path of overlap, slip and roll",
-     CLOD_TEMPLATE_CONTACT_BENCH},
+     CLOD_TEMPLATE_CONTACT_BENCH, {{0}}},
+    {"hopper", "design of a hopper from measured tables, for clod hopper",
+     CLOD_TEMPLATE_HOPPER,
+     {{"flow-function.csv", CLOD_TEMPLATE_HOPPER_FLOW_FUNCTION},
+      {"wall.csv", CLOD_TEMPLATE_HOPPER_WALL}}},
 };
 
 #define TEMPLATE_COUNT (sizeof TEMPLATES / sizeof TEMPLATES[0])
@@ -74,14 +88,14 @@ static int print_case(const template *chosen)
     return EXIT_SUCCESS;
 }
 
-static int write_case(const template *chosen, const char *path)
+static int write_text(const char *text, const char *path)
 {
     FILE *out = fopen(path, "wx"); // never over a file that is there
     if (out == NULL) {
         fprintf(stderr, "clod new: %s: %s\n", path, strerror(errno));
         return errno == EEXIST ? CLOD_USAGE : CLOD_FAILED;
     }
-    const bool written = fputs(chosen->text, out) >= 0;
+    const bool written = fputs(text, out) >= 0;
     if (fclose(out) != 0 || !written) {
         fprintf(stderr, "clod new: %s: cannot be written: %s\n", path, strerror(errno));
         remove(path); // half a case is none, and would be in the way of the next try
@@ -91,6 +105,30 @@ static int write_case(const template *chosen, const char *path)
     return EXIT_SUCCESS;
 }
 
+/** The case, and the tables it names into its folder. */
+static int write_case(const template *chosen, const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    const size_t folder = slash == NULL ? 0 : (size_t)(slash - path) + 1;
+    int result = write_text(chosen->text, path);
+    for (size_t i = 0; i < TABLES && result == EXIT_SUCCESS; i++) {
+        const table *also = &chosen->tables[i];
+        if (also->name == NULL) {
+            break;
+        }
+        const size_t size = folder + strlen(also->name) + 1;
+        char *beside = malloc(size);
+        if (beside == NULL) {
+            fputs("clod new: no memory\n", stderr);
+            return CLOD_FAILED;
+        }
+        snprintf(beside, size, "%.*s%s", (int)folder, path, also->name);
+        result = write_text(also->text, beside);
+        free(beside);
+    }
+    return result;
+}
+
 int clod_app_new(int argc, char **argv)
 {
     const struct argp argp = {
@@ -98,8 +136,8 @@ int clod_app_new(int argc, char **argv)
         .args_doc = "[TEMPLATE [FILE]]",
         .doc =
             "Write an example case to start from; FILE is TEMPLATE.yaml unless given, - is "
-            "standard output. Without arguments the templates are listed. A file that exists "
-            "is never overwritten.",
+            "standard output. Tables that a template names are written beside it. Without "
+            "arguments the templates are listed. A file that exists is never overwritten.",
     };
     request self = {NULL, NULL};
     if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {

@@ -1,13 +1,14 @@
-# clod_templates.h: the case files that `clod new` writes, as C strings. A changed case file makes
+# clod_templates.h: the case files and tables that `clod new` writes, as C strings. A changed case file makes
 # CMake run again.
 set(header "#pragma once\n// Written by tools/templates.cmake from cases/.\n")
-foreach(entry IN ITEMS "RING_SHEAR=copper-ore-5" "JENIKE=copper-ore-jenike"
-    "UNIAXIAL=copper-ore-uniaxial"
-    "FREE_RUN=free-run" "CONTACT_BENCH=contact-bench")
+foreach(entry IN ITEMS "RING_SHEAR=copper-ore-5/case.yaml" "JENIKE=copper-ore-jenike/case.yaml"
+    "UNIAXIAL=copper-ore-uniaxial/case.yaml" "FREE_RUN=free-run/case.yaml"
+    "CONTACT_BENCH=contact-bench/case.yaml" "HOPPER=hopper-design/hopper.yaml"
+    "HOPPER_FLOW_FUNCTION=hopper-design/flow-function.csv" "HOPPER_WALL=hopper-design/wall.csv")
   string(REPLACE "=" ";" entry ${entry})
   list(GET entry 0 name)
-  list(GET entry 1 folder)
-  set(source ${CMAKE_SOURCE_DIR}/cases/${folder}/case.yaml)
+  list(GET entry 1 file)
+  set(source ${CMAKE_SOURCE_DIR}/cases/${file})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
   file(READ ${source} text)
   string(REPLACE "\\" "\\\\" text "${text}")

@@ -1,0 +1,135 @@
+/**
+ * @file hopper.c
+ * clod hopper CASE: mass-flow angle and critical outlet from what was measured.
+ */
+
+#include <argp.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "app.h"
+#include "arguments.h"
+#include "clod/hopper.h"
+#include "clod/text_file.h"
+
+enum { KEY_JSON = 256, KEY_SET };
+
+typedef struct request {
+    const char *path, *output;
+    const char **overrides; ///< owned array of borrowed texts
+    size_t override_count;
+    bool json;
+} request;
+
+static const struct argp_option OPTIONS[] = {
+    {"json", KEY_JSON, NULL, 0, "print everything as JSON in place of the table", 0},
+    {"output", 'o', "NAME", 0, "also write NAME.json and the design chart NAME.svg", 0},
+    {"set", KEY_SET, "KEY=VALUE", 0, "another value for a key, e.g. cone.outlet=200mm", 0},
+    {0},
+};
+
+static error_t parse(int key, char *argument, struct argp_state *state)
+{
+    request *self = state->input;
+    switch (key) {
+    case KEY_JSON:
+        self->json = true;
+        return 0;
+    case KEY_SET:
+        self->overrides[self->override_count++] = argument;
+        return 0;
+    case 'o':
+        self->output = argument;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (self->path != NULL) {
+            argp_error(state, "one case at a time");
+        }
+        self->path = argument;
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        argp_error(state, "which case? clod new hopper writes an example");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/** Write one text into NAME with an ending, and free it. */
+static bool put(const request *self, const char *ending, char *text, clod_status *status)
+{
+    const size_t size = strlen(self->output) + strlen(ending) + 1;
+    char *path = malloc(size);
+    bool done = path != NULL && text != NULL;
+    if (done) {
+        snprintf(path, size, "%s%s", self->output, ending);
+        done = clod_text_file_write(path, self->path, text, status);
+    } else {
+        clod_status_fail(status, CLOD_FAILED, "No memory for the result.");
+    }
+    clod_hopper_free(text);
+    free(path);
+    return done;
+}
+
+/** Print the table or the JSON. */
+static bool print(const request *self, const clod_hopper *hopper, clod_status *status)
+{
+    char *text = self->json ? clod_hopper_json(hopper) : clod_hopper_table(hopper);
+    bool done = text != NULL;
+    if (!done) {
+        clod_status_fail(status, CLOD_FAILED, "No memory for the result.");
+    } else if (fputs(text, stdout) < 0 || (self->json && fputs("\n", stdout) < 0) ||
+               fflush(stdout) != 0) {
+        done = clod_status_fail(status, CLOD_FAILED, "Cannot write the result: %s.",
+                                strerror(errno));
+    }
+    clod_hopper_free(text);
+    return done;
+}
+
+static bool run(const request *self, clod_status *status)
+{
+    clod_hopper *hopper =
+        clod_hopper_create(self->path, self->overrides, self->override_count, status);
+    if (hopper == NULL) {
+        return false;
+    }
+    const bool done =
+        print(self, hopper, status) &&
+        (self->output == NULL || (put(self, ".json", clod_hopper_json(hopper), status) &&
+                                  put(self, ".svg", clod_hopper_chart(hopper), status)));
+    clod_hopper_destroy(&hopper);
+    return done;
+}
+
+int clod_app_hopper(int argc, char **argv)
+{
+    const struct argp argp = {
+        .options = OPTIONS,
+        .parser = parse,
+        .args_doc = "CASE.yaml",
+        .doc = "Design a hopper from flow function, wall friction and bulk density, measured or "
+               "simulated: half angle for mass flow, critical outlet, rathole, each with an "
+               "interval.\v"
+               "clod new hopper writes an example; docs/howto/hopper.md explains its keys.",
+    };
+    request self = {.overrides = calloc((size_t)argc, sizeof *self.overrides)};
+    if (self.overrides == NULL) {
+        fputs("clod hopper: no memory\n", stderr);
+        return CLOD_FAILED;
+    }
+    clod_status status = {CLOD_OK, ""};
+    int result = CLOD_FAILED;
+    if (clod_arguments_parse(&argp, argc, argv, 0, &self)) {
+        const bool done = run(&self, &status);
+        result = done ? EXIT_SUCCESS : (int)status.code;
+        if (!done) {
+            fprintf(stderr, "clod hopper: %s\n", status.text);
+        }
+    }
+    free(self.overrides);
+    return result;
+}

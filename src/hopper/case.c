@@ -1,0 +1,120 @@
+#include "hopper/case.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/input.h"
+#include "base/memory.h"
+#include "config/load.h"
+#include "config/override.h"
+#include "config/yaml.h"
+#include "hopper/params.h"
+
+/** Complain about a section. */
+static void complain(clod_loader *loader, const char *key, const char *text)
+{
+    const clod_node *node = clod_tree_nearest(loader->root, key);
+    clod_report_add(loader->report, clod_load_place(node), key, "%s", text);
+}
+
+static void check_strength(clod_loader *loader, const clod_hopper_strength *self)
+{
+    if (!clod_report_clean(loader->report, "flow_function")) {
+        return;
+    }
+    if (self->file == NULL && self->test_count == 0) {
+        complain(loader, "flow_function",
+                 "needs file, a table with sigma_1 and f_c, or shear_tests");
+    } else if (self->file != NULL && self->test_count > 0) {
+        complain(loader, "flow_function",
+                 "has file and shear_tests; keep the one that the design shall use");
+    }
+}
+
+/** A property has a file or a value; an error goes with a value. */
+static void check_property(clod_loader *loader, const clod_hopper_property *self,
+                           const char *key, const char *value)
+{
+    if (!self->present || !clod_report_clean(loader->report, key)) {
+        return;
+    }
+    char text[128];
+    if (self->file == NULL && !self->has_value) {
+        snprintf(text, sizeof text, "needs file or %s", value);
+        complain(loader, key, text);
+    } else if (self->file != NULL && self->has_value) {
+        snprintf(text, sizeof text, "has file and %s; keep one of them", value);
+        complain(loader, key, text);
+    } else if (self->file != NULL && self->error > 0.0) {
+        complain(loader, key,
+                 "has an error beside a file; the errors of a table are a column of it");
+    }
+}
+
+static void check(clod_loader *loader, const clod_hopper_case *self)
+{
+    check_strength(loader, &self->strength);
+    check_property(loader, &self->phi_e, "effective_friction", "angle");
+    check_property(loader, &self->phi_t, "static_friction", "angle");
+    check_property(loader, &self->wall, "wall_friction", "angle");
+    check_property(loader, &self->rho, "bulk_density", "value");
+}
+
+static bool read_tree(clod_loader *loader, const char *text, size_t length, size_t overrides)
+{
+    loader->root = clod_yaml_read(loader->arena, text, length, 0, loader->report);
+    if (loader->root == NULL) {
+        if (loader->report->count == 0) {
+            const clod_place start = {.line = 1, .column = 1, .width = 1};
+            clod_report_add(loader->report, start, "",
+                            "is empty; clod new hopper writes an example");
+        }
+        return false;
+    }
+    for (size_t i = 0; i < overrides; i++) {
+        clod_override_apply(loader, i);
+    }
+    return true;
+}
+
+/** Folder of the case, against which its files are found. */
+static void folder_of(const char *path, char folder[PATH_MAX])
+{
+    const char *slash = strrchr(path, '/');
+    const int length = slash == NULL ? 1 : slash == path ? 1 : (int)(slash - path);
+    snprintf(folder, PATH_MAX, "%.*s", length, slash == NULL ? "." : path);
+}
+
+bool clod_hopper_case_load(const char *path, const char *const *overrides,
+                           size_t override_count, clod_hopper_case *self, clod_status *status)
+{
+    *self = (clod_hopper_case){0};
+    char *text;
+    size_t length;
+    if (!clod_input_read(path, CLOD_YAML_BYTES + 1, &text, &length, status)) {
+        return false;
+    }
+    clod_report report = {.name = path, .text = text, .length = length, .overrides = overrides};
+    clod_arena arena = {0};
+    char folder[PATH_MAX];
+    folder_of(path, folder);
+    clod_loader loader = {.report = &report, .arena = &arena, .folder = folder};
+    if (read_tree(&loader, text, length, override_count)) {
+        clod_load_section(&loader, &CLOD_TABLE_HOPPER, loader.root, loader.root->place, self);
+        if (!report.lost) {
+            check(&loader, self);
+        }
+    }
+    const bool good = clod_report_finish(&report, status);
+    clod_report_fini(&report);
+    clod_arena_fini(&arena);
+    clod_memory_free(text);
+    return good;
+}
+
+void clod_hopper_case_fini(clod_hopper_case *self)
+{
+    clod_load_free(&CLOD_TABLE_HOPPER, self);
+}

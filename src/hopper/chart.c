@@ -1,0 +1,131 @@
+/**
+ * @file chart.c
+ * The design chart: the flow function with the flow factors of both shapes, and the limit of mass
+ * flow over the wall friction angle.
+ */
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/given.h"
+#include "base/text.h"
+#include "hopper/fields.h"
+#include "hopper/plot.h"
+
+#define DEGREES 57.295779513082323
+#define CURVE_POINTS 60
+#define BLACK "#222222"
+
+// Okabe and Ito's colours, which the colour-blind tell apart
+static const char *const COLOURS[CLOD_HOPPER_SHAPES] = {
+    [CLOD_RADIAL_WEDGE] = "#D55E00", [CLOD_RADIAL_CONE] = "#0072B2"};
+
+/** Ends of the axes of the flow function, kPa: both critical states and the points near them; all
+ *  points where there is no critical state. */
+static void reach(const clod_hopper *self, clod_plot *panel)
+{
+    const clod_curve *curve = &self->solid.strength;
+    double critical = 0.0;
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        critical = fmax(critical, self->shape[s].number[CLOD_HOPPER_SIGMA_1].value);
+    }
+    const double last = curve->points[curve->count - 1].x;
+    const double near = fmax(3.0 * critical, curve->points[1].x);
+    panel->most_x = clod_plot_round_up(1.08e-3 * (critical > 0.0 ? near : last));
+    panel->most_y = 1.5e-3 * clod_curve_at(curve, 1e3 * panel->most_x);
+    panel->most_y = clod_plot_round_up(fmax(panel->most_y, 1e-6));
+}
+
+static void put_flow_factor(const clod_hopper *self, int s, const clod_plot *panel)
+{
+    const clod_hopper_found *found = &self->shape[s];
+    const double flow_factor = found->number[CLOD_HOPPER_FLOW_FACTOR].value;
+    const clod_plot_pen pen = {COLOURS[s], 2.0, true};
+    char text[64];
+    if (isnan(flow_factor)) {
+        snprintf(text, sizeof text, "%s: funnel flow", CLOD_HOPPER_SHAPE_NAMES[s]);
+    } else {
+        snprintf(text, sizeof text, "%s, ff = %.2f", CLOD_HOPPER_SHAPE_NAMES[s], flow_factor);
+        const clod_plot_point ray[] = {{0.0, 0.0}, {panel->most_x, panel->most_x / flow_factor}};
+        clod_plot_line(panel, ray, 2, &pen);
+    }
+    clod_plot_legend(panel, s == CLOD_RADIAL_CONE ? 1 : 2, &pen, text);
+    const clod_hopper_value *sigma_1 = &found->number[CLOD_HOPPER_SIGMA_1];
+    const clod_hopper_value *strength = &found->number[CLOD_HOPPER_STRENGTH];
+    if (!isnan(sigma_1->value)) {
+        clod_plot_mark(panel, (clod_plot_point){1e-3 * sigma_1->value, 1e-3 * strength->value},
+                       0.5e-3 * (sigma_1->high - sigma_1->low),
+                       0.5e-3 * (strength->high - strength->low), COLOURS[s]);
+    }
+}
+
+static void put_flow_function(const clod_hopper *self, clod_plot *panel)
+{
+    const clod_curve *curve = &self->solid.strength;
+    const clod_plot_pen pen = {BLACK, 2.0, false};
+    clod_plot_point line[CURVE_POINTS + 1];
+    for (int k = 0; k <= CURVE_POINTS; k++) {
+        line[k].x = panel->most_x * k / CURVE_POINTS;
+        line[k].y = 1e-3 * clod_curve_at(curve, 1e3 * line[k].x);
+    }
+    clod_plot_axes(panel, "sigma_1, kPa", "f_c, kPa");
+    clod_plot_line(panel, line, CURVE_POINTS + 1, &pen);
+    clod_plot_legend(panel, 0, &pen, "flow function");
+    for (size_t i = 0; i < curve->count; i++) {
+        const clod_curve_point *point = &curve->points[i];
+        clod_plot_mark(panel, (clod_plot_point){1e-3 * point->x, 1e-3 * point->y},
+                       1e-3 * point->x_error, 1e-3 * point->y_error, BLACK);
+    }
+    put_flow_factor(self, CLOD_RADIAL_CONE, panel);
+    put_flow_factor(self, CLOD_RADIAL_WEDGE, panel);
+}
+
+/** Limit of mass flow over the wall friction angle, at the effective angle of the cone's state. */
+static void put_limits(const clod_hopper *self, clod_plot *panel)
+{
+    const double phi_e = self->shape[CLOD_RADIAL_CONE].number[CLOD_HOPPER_PHI_E].value;
+    const clod_plot_pen pen = {BLACK, 2.0, false};
+    char text[64];
+    snprintf(text, sizeof text, "limit of a cone, phi_e = %.1f deg", DEGREES * phi_e);
+    clod_plot_axes(panel, "half angle, deg", "wall friction angle, deg");
+    clod_plot_legend(panel, 0, &pen, text);
+    clod_plot_point line[CURVE_POINTS + 1];
+    size_t count = 0;
+    for (int k = 0; k <= CURVE_POINTS; k++) {
+        const double phi_w = phi_e * k / CURVE_POINTS;
+        const clod_radial field = {CLOD_RADIAL_CONE, phi_e, phi_w, CLOD_RADIAL_TOLERANCE};
+        double theta;
+        if (clod_radial_limit(&field, &theta)) {
+            line[count++] = (clod_plot_point){DEGREES * theta, DEGREES * phi_w};
+        }
+    }
+    clod_plot_line(panel, line, count, &pen);
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        const clod_hopper_value *angle = &self->shape[s].number[CLOD_HOPPER_HALF_ANGLE];
+        const clod_hopper_value *wall = &self->shape[s].number[CLOD_HOPPER_PHI_W];
+        if (self->shape[s].design.outcome != CLOD_HOPPER_FUNNEL) {
+            clod_plot_mark(panel,
+                           (clod_plot_point){DEGREES * angle->value, DEGREES * wall->value},
+                           0.5 * DEGREES * (angle->high - angle->low),
+                           0.5 * DEGREES * (wall->high - wall->low), COLOURS[s]);
+        }
+    }
+}
+
+char *clod_hopper_chart(const clod_hopper *self)
+{
+    CLOD_NEED(self);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    if (out == NULL) {
+        return NULL;
+    }
+    clod_plot flow = {out, 70.0, 45.0, 400.0, 330.0, 1.0, 1.0};
+    clod_plot limits = {out, 560.0, 45.0, 400.0, 330.0, 60.0, 50.0};
+    clod_plot_begin(out, 990, 440, self->from.title != NULL ? self->from.title : "Hopper");
+    reach(self, &flow);
+    put_flow_function(self, &flow);
+    put_limits(self, &limits);
+    clod_plot_end(out);
+    return clod_text_close(&text);
+}

@@ -1,0 +1,110 @@
+#include "hopper/curve.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#define PARALLEL 1e-9 // of slopes: closer ones do not meet
+
+/** y = a + b x from x = `from` on. */
+typedef struct piece {
+    double from, a, b;
+} piece;
+
+static int by_x(const void *left, const void *right)
+{
+    const double a = ((const clod_curve_point *)left)->x;
+    const double b = ((const clod_curve_point *)right)->x;
+    return (a > b) - (a < b);
+}
+
+void clod_curve_sort(clod_curve *self)
+{
+    if (self->count > 1) {
+        qsort(self->points, self->count, sizeof *self->points, by_x);
+    }
+}
+
+static piece through(const clod_curve_point *p, const clod_curve_point *q, double from)
+{
+    const double b = (q->y - p->y) / (q->x - p->x);
+    return (piece){from, p->y - b * p->x, b};
+}
+
+static piece fit(const clod_curve *self)
+{
+    double x = 0.0;
+    double y = 0.0;
+    for (size_t i = 0; i < self->count; i++) {
+        x += self->points[i].x / (double)self->count;
+        y += self->points[i].y / (double)self->count;
+    }
+    double sxx = 0.0;
+    double sxy = 0.0;
+    for (size_t i = 0; i < self->count; i++) {
+        const double dx = self->points[i].x - x;
+        sxx += dx * dx;
+        sxy += dx * (self->points[i].y - y);
+    }
+    return (piece){0.0, y - sxy / sxx * x, sxy / sxx};
+}
+
+static size_t piece_count(const clod_curve *self)
+{
+    if (self->way == CLOD_CURVE_LINE || self->count == 1) {
+        return 1;
+    }
+    return self->way == CLOD_CURVE_EXTENDED ? self->count - 1 : self->count + 1;
+}
+
+/** Piece k of the curve, in ascending order; the first begins at 0. */
+static piece piece_at(const clod_curve *self, size_t k)
+{
+    const clod_curve_point *p = self->points;
+    const size_t n = self->count;
+    if (self->way == CLOD_CURVE_HELD) {
+        if (k == 0 || k == n) {
+            return (piece){k == 0 ? 0.0 : p[n - 1].x, k == 0 ? p[0].y : p[n - 1].y, 0.0};
+        }
+        return through(&p[k - 1], &p[k], p[k - 1].x);
+    }
+    if (n == 1) {
+        return (piece){0.0, 0.0, p[0].y / p[0].x};
+    }
+    if (self->way == CLOD_CURVE_LINE) {
+        return fit(self);
+    }
+    return through(&p[k], &p[k + 1], k == 0 ? 0.0 : p[k].x);
+}
+
+double clod_curve_at(const clod_curve *self, double x)
+{
+    if (self->count == 0) {
+        return (double)NAN;
+    }
+    size_t k = piece_count(self) - 1;
+    piece at = piece_at(self, k);
+    while (k > 0 && x < at.from) {
+        at = piece_at(self, --k);
+    }
+    return fmax(0.0, at.a + at.b * x);
+}
+
+clod_curve_meeting clod_curve_meet(const clod_curve *self, double slope, double *x)
+{
+    bool above = false;
+    const size_t count = piece_count(self);
+    for (size_t k = 0; k < count; k++) {
+        const piece at = piece_at(self, k);
+        const double end = k + 1 < count ? piece_at(self, k + 1).from : (double)INFINITY;
+        const double excess = at.a + (at.b - slope) * at.from; // above the ray, where it begins
+        const double fall = slope - at.b;
+        above = above || excess > 0.0;
+        if (above && fall > PARALLEL * slope && at.a / fall < end) {
+            *x = at.a / fall;
+            return CLOD_CURVE_MEETS;
+        }
+        const bool rises = excess <= 0.0 && fall < 0.0 && at.a / fall < end;
+        above = above || rises;
+    }
+    return above ? CLOD_CURVE_ABOVE : CLOD_CURVE_BELOW;
+}

@@ -1,0 +1,53 @@
+#pragma once
+/**
+ * @file curve.h
+ * A measured property over a stress: points with their errors, and the curve through them.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/** A measured point; standard errors, 0: not stated. */
+typedef struct clod_curve_point {
+    double x, y;
+    double x_error, y_error;
+} clod_curve_point;
+
+/** How the curve goes. */
+typedef enum clod_curve_way {
+    CLOD_CURVE_HELD,     ///< straight between points, constant beyond them
+    CLOD_CURVE_EXTENDED, ///< straight between points, beyond them on with the outer ones
+    CLOD_CURVE_LINE,     ///< least squares; a single point: the line from the origin
+} clod_curve_way;
+
+typedef struct clod_curve {
+    clod_curve_way way;
+    clod_curve_point *points; ///< [count] in ascending order of x; owned by whoever made them
+    size_t count;             ///< 0: the property is not known
+} clod_curve;
+
+/** Sort the points. */
+void clod_curve_sort(clod_curve *self);
+
+/**
+ * The property at x; not below 0.
+ *
+ * @return NAN when it is not known
+ * Errors  none.   Threads  pure.   Test  tests/hopper/test_curve.c
+ */
+double clod_curve_at(const clod_curve *self, double x);
+
+/** Where a curve meets a ray from the origin. */
+typedef enum clod_curve_meeting {
+    CLOD_CURVE_BELOW, ///< nowhere: at no x is it above
+    CLOD_CURVE_MEETS, ///< it comes down through the ray
+    CLOD_CURVE_ABOVE, ///< it ends above, or rises above and stays there
+} clod_curve_meeting;
+
+/**
+ * The smallest x > 0 at which a curve comes from above a ray y = slope x to below it.
+ *
+ * @param x  [out] on CLOD_CURVE_MEETS
+ * Errors  none.   Threads  pure.   Test  tests/hopper/test_curve.c
+ */
+clod_curve_meeting clod_curve_meet(const clod_curve *self, double slope, double *x);

@@ -1,0 +1,76 @@
+#pragma once
+/**
+ * @file design.h
+ * A hopper for a bulk solid: half angle for mass flow, smallest outlet without an arch, rathole.
+ * Equations and sources: docs/theory/hopper.md.
+ */
+
+#include "hopper/radial.h"
+#include "hopper/solid.h"
+
+#define CLOD_HOPPER_GRAVITY 9.80665 ///< m/s2
+
+/** Fit of Jenike's function H(theta) for the thickness of an arch. */
+typedef enum clod_hopper_arch {
+    CLOD_HOPPER_ARCH_ARNOLD, ///< (130 + theta)/65, (200 + theta)/200
+    CLOD_HOPPER_ARCH_RHODES, ///< 2 + theta/60, 1 + theta/180
+} clod_hopper_arch;
+
+/** What is wanted of one shape. */
+typedef struct clod_hopper_wish {
+    clod_radial_shape shape;
+    double half_angle; ///< rad; 0: the limit less the margin
+    double margin;     ///< rad below the limit
+    clod_hopper_arch arch;
+    double tolerance; ///< CLOD_RADIAL_TOLERANCE
+    double first;     ///< Pa: where the search for the state begins; 0: at the smallest stress
+} clod_hopper_wish;
+
+/** How it comes out. */
+typedef enum clod_hopper_outcome {
+    CLOD_HOPPER_FLOWS,    ///< without an arch above the critical outlet
+    CLOD_HOPPER_NO_ARCH,  ///< the strength nowhere reaches the stress of an arch
+    CLOD_HOPPER_ARCHES,   ///< the strength is above it everywhere: no outlet is large enough
+    CLOD_HOPPER_FUNNEL,   ///< the solid does not slide along the wall: funnel flow
+    CLOD_HOPPER_UNSETTLED ///< properties change so with stress that no state was found
+} clod_hopper_outcome;
+
+/** A hopper of one shape; where there is no critical outlet the state is that of the largest or
+ *  smallest measured stress. */
+typedef struct clod_hopper_design {
+    clod_hopper_outcome outcome;
+    clod_solid_state state; ///< critical state
+    double limit;           ///< rad: largest half angle of mass flow in a cone; 0: none
+    double half_angle;      ///< rad
+    double arch;            ///< H
+    double flow_factor;     ///< ff
+    double outlet;          ///< m: critical diameter or width; 0: no arch; INFINITY: arches
+} clod_hopper_design;
+
+/** H of a half angle. Source: docs/theory/hopper.md. Test: tests/hopper/test_design.c */
+double clod_hopper_arch_thickness(clod_hopper_arch fit, clod_radial_shape shape, double theta);
+
+/**
+ * Design a hopper of one shape: iterate until the state is where the flow function meets the flow
+ * factor of that state.
+ *
+ * Errors  none.   Threads  pure.   Test  tests/hopper/test_design.c
+ */
+clod_hopper_design clod_hopper_design_shape(const clod_solid *solid,
+                                            const clod_hopper_wish *wish);
+
+/** An outlet that is given. */
+typedef struct clod_hopper_margin {
+    clod_solid_state state; ///< in flow at the outlet
+    double stress;          ///< Pa in an arch over the outlet
+    double ratio;           ///< stress over strength: above 1 an arch breaks; NAN: funnel flow
+} clod_hopper_margin;
+
+/**
+ * How far from an arch a given outlet is.
+ *
+ * @param outlet  m: diameter or width
+ * Errors  none.   Threads  pure.   Test  tests/hopper/test_design.c
+ */
+clod_hopper_margin clod_hopper_margin_of(const clod_solid *solid, const clod_hopper_wish *wish,
+                                         double outlet);

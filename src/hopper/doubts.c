@@ -1,0 +1,196 @@
+#include "hopper/doubts.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "clod/locus.h"
+
+#define DEGREE (M_PI / 180.0)
+#define APART 0.01 // relative distance below which two stresses count as the same
+
+/** A property that has to come from somewhere. */
+static bool is_known(const char *path, const clod_curve *curve, const char *key,
+                     const char *column, clod_status *status)
+{
+    return curve->count > 0 ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "%s: %s is not known: neither the key %s nor the flow function, in a "
+                            "column %s, gives it.",
+                            path, column, key, column);
+}
+
+/** Points through which a curve is drawn from one to the next need stresses of their own. */
+static bool are_apart(const char *path, const clod_curve *curve, const char *key,
+                      const char *what, clod_status *status)
+{
+    for (size_t i = 1; i < curve->count; i++) {
+        const clod_curve_point *p = &curve->points[i - 1];
+        const clod_curve_point *q = &curve->points[i];
+        if (q->x - p->x <= fmax(APART * q->x, 2.0 * (p->x_error + q->x_error))) {
+            return clod_status_fail(
+                status, CLOD_USAGE,
+                "%s: %s: two points at nearly the same stress, %.6g and %.6g kPa%s. %s", path,
+                key, 1e-3 * p->x, 1e-3 * q->x,
+                p->x_error + q->x_error > 0.0 ? ", within twice their errors" : "", what);
+        }
+    }
+    return true;
+}
+
+static bool check_strength(const char *path, const clod_curve *curve, clod_status *status)
+{
+    const double span = curve->points[curve->count - 1].x - curve->points[0].x;
+    if (curve->count < 2 || span <= APART * curve->points[0].x) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s: flow_function: %zu point%s at one stress make no flow "
+                                "function; measure at two consolidation stresses at least.",
+                                path, curve->count, curve->count == 1 ? "" : "s");
+    }
+    return curve->way == CLOD_CURVE_LINE ||
+           are_apart(path, curve, "flow_function",
+                     "Average them, or use curve: line.", status);
+}
+
+/** No yield locus of a solid with strength is steeper than its effective one. */
+static bool check_angles(const char *path, const clod_solid *solid, clod_status *status)
+{
+    for (size_t i = 0; i < solid->phi_t.count; i++) {
+        const clod_curve_point *t = &solid->phi_t.points[i];
+        const double phi_e = clod_curve_at(&solid->phi_e, t->x);
+        if (t->y > phi_e + 2.0 * t->y_error + DEGREE) {
+            return clod_status_fail(
+                status, CLOD_USAGE,
+                "%s: at a stress of %.6g kPa the static angle of internal friction, %.2f deg, is "
+                "above the effective one, %.2f deg; that cannot be. Are they interchanged?",
+                path, 1e-3 * t->x, t->y / DEGREE, phi_e / DEGREE);
+        }
+    }
+    return true;
+}
+
+bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clod_solid *solid,
+                       clod_status *status)
+{
+    const char *average = "Average them.";
+    return is_known(path, &solid->phi_e, "effective_friction", "phi_e", status) &&
+           is_known(path, &solid->rho, "bulk_density", "rho_b", status) &&
+           check_strength(path, &solid->strength, status) &&
+           are_apart(path, &solid->wall, "wall_friction", average, status) &&
+           (!from->phi_e.present ||
+            are_apart(path, &solid->phi_e, "effective_friction", average, status)) &&
+           (!from->rho.present ||
+            are_apart(path, &solid->rho, "bulk_density", average, status)) &&
+           check_angles(path, solid, status);
+}
+
+static void warn(clod_hopper *self, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static void warn(clod_hopper *self, const char *format, ...)
+{
+    if (self->warning_count == CLOD_HOPPER_WARNINGS) {
+        return;
+    }
+    va_list args;
+    va_start(args, format);
+    vsnprintf(self->warnings[self->warning_count++], CLOD_HOPPER_WARNING_TEXT, format, args);
+    va_end(args);
+}
+
+/** A state outside what was measured. */
+static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *curve,
+                        const char *what, double stress)
+{
+    if (curve->count < 2) {
+        return;
+    }
+    const double low = curve->points[0].x;
+    const double high = curve->points[curve->count - 1].x;
+    if (stress < low * (1.0 - APART) || stress > high * (1.0 + APART)) {
+        warn(self,
+             "%s: at the critical outlet %s is %.3f kPa, outside what was measured, %.3f to %.3f "
+             "kPa: an extrapolation.",
+             name, what, 1e-3 * stress, 1e-3 * low, 1e-3 * high);
+    }
+}
+
+static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_found *found)
+{
+    const clod_hopper_design *at = &found->design;
+    if (at->outcome == CLOD_HOPPER_UNSETTLED) {
+        warn(self,
+             "%s: no critical state was found: the measured properties change too much with "
+             "stress.",
+             name);
+    }
+    if (at->outcome == CLOD_HOPPER_FLOWS) {
+        warn_beyond(self, name, &self->solid.strength, "sigma_1", at->state.sigma_1);
+        warn_beyond(self, name, &self->solid.wall, "the normal stress at the wall",
+                    at->state.sigma_w);
+    }
+    if (found->wish.half_angle > 0.0 && at->outcome != CLOD_HOPPER_FUNNEL &&
+        at->half_angle > at->limit - found->wish.margin) {
+        warn(self,
+             found->wish.shape == CLOD_RADIAL_CONE
+                 ? "%s: the half angle of %.1f deg is less than the margin of %.1f deg below "
+                   "the limit of mass flow, %.1f deg."
+                 : "%s: the half angle of %.1f deg is less than the margin of %.1f deg below the "
+                   "limit of a cone, %.1f deg; a wedge may be wider, see docs/theory/hopper.md.",
+             name, at->half_angle / DEGREE, found->wish.margin / DEGREE, at->limit / DEGREE);
+    }
+}
+
+static bool has_errors(const clod_curve *curve)
+{
+    bool any = curve->count == 0;
+    for (size_t i = 0; i < curve->count; i++) {
+        any = any || curve->points[i].x_error > 0.0 || curve->points[i].y_error > 0.0;
+    }
+    return any;
+}
+
+/** Properties that were given without errors, and so do not widen the intervals. */
+static void warn_errors(clod_hopper *self)
+{
+    static const char *const NAMES[CLOD_SOLID_CURVES] = {
+        "flow function", "effective friction", "static friction", "bulk density",
+        "wall friction"};
+    char list[128] = "";
+    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+        if (!has_errors(&self->solid.curves[k])) {
+            const size_t used = strlen(list);
+            snprintf(list + used, sizeof list - used, "%s%s", used > 0 ? ", " : "", NAMES[k]);
+        }
+    }
+    if (list[0] != '\0') {
+        warn(self, "Without errors, and so not part of the intervals: %s.", list);
+    }
+}
+
+static void warn_rathole(clod_hopper *self)
+{
+    const double phi_t = self->hole.state.phi_t;
+    if (self->solid.phi_t.count == 0) {
+        warn(self, "No rathole diameter: the key static_friction, or a column phi_t of the flow "
+                   "function, is missing.");
+    } else if (isnan(self->hole.emptying) &&
+               !(phi_t >= CLOD_RATHOLE_LEAST && phi_t <= CLOD_RATHOLE_MOST)) {
+        warn(self,
+             "No rathole diameter: Jenike's function G is known from 30 to 70 deg, and the "
+             "static angle of internal friction is %.1f deg.",
+             phi_t / DEGREE);
+    }
+}
+
+void clod_doubts_warn(clod_hopper *self, bool one_specimen)
+{
+    warn_shape(self, "Cone", &self->shape[CLOD_RADIAL_CONE]);
+    warn_shape(self, "Wedge", &self->shape[CLOD_RADIAL_WEDGE]);
+    warn_rathole(self);
+    warn_errors(self);
+    if (one_specimen) {
+        warn(self, "Errors of " CLOD_LOCUS_ONE_SPECIMEN ".");
+    }
+}

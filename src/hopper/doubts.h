@@ -1,0 +1,20 @@
+#pragma once
+/**
+ * @file doubts.h
+ * Whether what was measured makes sense together: what is impossible is refused, what is doubtful
+ * becomes a warning beside the results.
+ */
+
+#include "hopper/result.h"
+
+/**
+ * Refuse what cannot be.
+ *
+ * Errors  CLOD_USAGE: a property is missing, two points at one stress, phi_e below phi_t, a
+ *         strength above sigma_1 everywhere.   Threads  pure.   Test  tests/hopper/test_hopper.py
+ */
+bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clod_solid *solid,
+                       clod_status *status);
+
+/** Note what is doubtful about a finished design in its warnings. */
+void clod_doubts_warn(clod_hopper *self, bool one_specimen);

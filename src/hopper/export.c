@@ -1,0 +1,105 @@
+/**
+ * @file export.c
+ * A design for other programs: JSON with everything.
+ */
+
+#include <jansson.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "base/given.h"
+#include "base/json.h"
+#include "hopper/fields.h"
+
+#define DEGREES 57.295779513082323
+
+/** JSON has no infinity, and here it means something: "infinite". */
+static json_t *number(double value)
+{
+    return isinf(value) ? json_string("infinite") : clod_json_number(value);
+}
+
+static json_t *interval(const clod_hopper_value *from, double scale)
+{
+    return json_pack("{s:o, s:o, s:o}", "value", number(scale * from->value), "low",
+                     number(scale * from->low), "high", number(scale * from->high));
+}
+
+static json_t *shape_of(const clod_hopper_found *found)
+{
+    json_t *self = json_object();
+    json_object_set_new(self, "outcome",
+                        json_string(CLOD_HOPPER_OUTCOME_NAMES[found->design.outcome]));
+    for (int n = 0; n < CLOD_HOPPER_NUMBERS; n++) {
+        const clod_hopper_field *field = &CLOD_HOPPER_FIELDS[n];
+        if (n != CLOD_HOPPER_MARGIN || found->planned > 0.0) {
+            json_object_set_new(self, field->key, interval(&found->number[n], field->json));
+        }
+    }
+    if (found->planned > 0.0) {
+        json_object_set_new(self, "planned_outlet_m", number(found->planned));
+        json_object_set_new(self, "planned_outlet_arching_share", number(found->arching));
+    }
+    if (found->mechanical > 0.0) {
+        json_object_set_new(self, "particle_outlet_m", number(found->mechanical));
+    }
+    json_t *shares = json_object();
+    for (int k = 0; k < CLOD_HOPPER_OUTCOMES; k++) {
+        json_object_set_new(shares, CLOD_HOPPER_OUTCOME_NAMES[k], number(found->share[k]));
+    }
+    json_object_set_new(self, "sample_shares", shares);
+    return self;
+}
+
+static json_t *rathole_of(const clod_hopper *self)
+{
+    return json_pack("{s:o, s:o, s:o}", "emptying_m",
+                     interval(&self->rathole[CLOD_HOPPER_EMPTYING], 1.0), "filling_m",
+                     interval(&self->rathole[CLOD_HOPPER_FILLING], 1.0), "filling_stress_Pa",
+                     number(self->hole.filling_stress));
+}
+
+static json_t *curve_of(const clod_curve *curve, const char *x, const char *y, double scale)
+{
+    json_t *list = json_array();
+    for (size_t i = 0; i < curve->count; i++) {
+        const clod_curve_point *point = &curve->points[i];
+        json_array_append_new(
+            list, json_pack("{s:o, s:o, s:o, s:o}", x, number(point->x), y,
+                            number(scale * point->y), "x_error", number(point->x_error),
+                            "y_error", number(scale * point->y_error)));
+    }
+    return list;
+}
+
+static json_t *measured(const clod_hopper *self)
+{
+    const clod_solid *solid = &self->solid;
+    return json_pack(
+        "{s:o, s:o, s:o, s:o, s:o}", "flow_function",
+        curve_of(&solid->strength, "sigma_1_Pa", "f_c_Pa", 1.0), "phi_e",
+        curve_of(&solid->phi_e, "sigma_1_Pa", "phi_e_deg", DEGREES), "phi_t",
+        curve_of(&solid->phi_t, "sigma_1_Pa", "phi_t_deg", DEGREES), "rho_b",
+        curve_of(&solid->rho, "sigma_1_Pa", "rho_b_kg_m3", 1.0), "wall",
+        curve_of(&solid->wall, "sigma_w_Pa", "tau_w_Pa", 1.0));
+}
+
+char *clod_hopper_json(const clod_hopper *self)
+{
+    CLOD_NEED(self);
+    json_t *warnings = json_array();
+    for (size_t i = 0; i < self->warning_count; i++) {
+        json_array_append_new(warnings, json_string(self->warnings[i]));
+    }
+    const clod_hopper_interval *interval_of = &self->from.interval;
+    json_t *all = json_pack(
+        "{s:s?, s:s, s:o, s:o, s:o, s:o, s:s, s:{s:f, s:I, s:I}, s:o}", "title",
+        self->from.title, "case", self->path, "cone", shape_of(&self->shape[CLOD_RADIAL_CONE]),
+        "wedge", shape_of(&self->shape[CLOD_RADIAL_WEDGE]), "rathole", rathole_of(self),
+        "measured", measured(self), "arch_thickness", CLOD_HOPPER_ARCH_NAMES[self->from.arch],
+        "interval", "level", interval_of->level, "samples", (json_int_t)interval_of->samples,
+        "seed", (json_int_t)interval_of->seed, "warnings", warnings);
+    char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
+    json_decref(all);
+    return text;
+}

@@ -1,0 +1,28 @@
+#pragma once
+/**
+ * @file fields.h
+ * The numbers of a shape in one table, which drives the writers.
+ */
+
+#include "hopper/result.h"
+
+typedef struct clod_hopper_field {
+    const char *key;  ///< name in JSON, with unit
+    const char *text; ///< for people
+    const char *unit; ///< for people
+    double scale;     ///< from SI to that unit
+    double json;      ///< from SI to the unit of the key
+    int digits;
+} clod_hopper_field;
+
+/** By clod_hopper_number. */
+extern const clod_hopper_field CLOD_HOPPER_FIELDS[CLOD_HOPPER_NUMBERS];
+
+/** "cone", "wedge": by clod_radial_shape. */
+extern const char *const CLOD_HOPPER_SHAPE_NAMES[CLOD_HOPPER_SHAPES];
+
+/** What an outcome is called in JSON. */
+extern const char *const CLOD_HOPPER_OUTCOME_NAMES[CLOD_HOPPER_OUTCOMES];
+
+/** "arnold", "rhodes": by clod_hopper_arch. */
+extern const char *const CLOD_HOPPER_ARCH_NAMES[];

@@ -1,0 +1,101 @@
+/**
+ * @file hopper.c
+ * From a case file to a finished design.
+ */
+
+#include <math.h>
+#include <string.h>
+
+#include "base/given.h"
+#include "base/memory.h"
+#include "hopper/doubts.h"
+#include "hopper/interval.h"
+#include "hopper/tables.h"
+
+// Source: Marinelli, "Mass flow design considerations (arching, part 1)": 6 to 8 times the largest
+// particle in cones, 3 to 4 times in slots; the larger numbers.
+static const double PARTICLES[] = {[CLOD_RADIAL_WEDGE] = 4.0, [CLOD_RADIAL_CONE] = 8.0};
+
+/** What is wanted of a shape, and its values. */
+static void design(clod_hopper *self, clod_radial_shape shape, const clod_hopper_shape *wanted)
+{
+    clod_hopper_found *found = &self->shape[shape];
+    found->wish = (clod_hopper_wish){.shape = shape,
+                                     .half_angle = wanted->half_angle,
+                                     .margin = self->from.margin,
+                                     .arch = (clod_hopper_arch)self->from.arch,
+                                     .tolerance = CLOD_RADIAL_TOLERANCE};
+    found->planned = wanted->outlet;
+    found->mechanical = PARTICLES[shape] * self->from.largest_particle;
+    found->design = clod_hopper_design_shape(&self->solid, &found->wish);
+    clod_hopper_outcome outcome;
+    double number[CLOD_HOPPER_NUMBERS];
+    clod_interval_numbers(&self->solid, found, &outcome, number);
+    for (int n = 0; n < CLOD_HOPPER_NUMBERS; n++) {
+        found->number[n].value = number[n];
+    }
+}
+
+static bool fill(clod_hopper *self, clod_status *status)
+{
+    design(self, CLOD_RADIAL_CONE, &self->from.cone);
+    design(self, CLOD_RADIAL_WEDGE, &self->from.wedge);
+    self->silo = (clod_rathole_silo){self->from.silo.diameter, self->from.silo.height,
+                                     self->from.silo.stress_ratio};
+    self->hole = clod_rathole_of(&self->solid, &self->silo);
+    self->rathole[CLOD_HOPPER_EMPTYING].value = self->hole.emptying;
+    self->rathole[CLOD_HOPPER_FILLING].value = self->hole.filling;
+    return clod_interval_fill(self, status);
+}
+
+/** Whether as many overrides are there as were said. */
+static bool overrides_given(const char *const *overrides, size_t count, clod_status *status)
+{
+    bool given =
+        count == 0 || clod_given(overrides != NULL, "clod_hopper_create", "overrides", status);
+    for (size_t k = 0; given && k < count; k++) {
+        given =
+            clod_given(overrides[k] != NULL, "clod_hopper_create", "one of overrides", status);
+    }
+    return given;
+}
+
+clod_hopper *clod_hopper_create(const char *path, const char *const *overrides,
+                                size_t override_count, clod_status *status)
+{
+    if (!CLOD_GIVEN(path, status) || !overrides_given(overrides, override_count, status)) {
+        return NULL;
+    }
+    clod_hopper *self = clod_memory_alloc(1, sizeof *self);
+    if (self == NULL || (self->path = clod_memory_text(path)) == NULL) {
+        clod_hopper_destroy(&self);
+        clod_status_fail(status, CLOD_FAILED, "No memory for the design.");
+        return NULL;
+    }
+    bool one_specimen;
+    if (!clod_hopper_case_load(path, overrides, override_count, &self->from, status) ||
+        !clod_tables_read(&self->from, &self->solid, &one_specimen, status) ||
+        !clod_doubts_check(&self->from, path, &self->solid, status) || !fill(self, status)) {
+        clod_hopper_destroy(&self);
+        return NULL;
+    }
+    clod_doubts_warn(self, one_specimen);
+    return self;
+}
+
+void clod_hopper_destroy(clod_hopper **self)
+{
+    if (self == NULL || *self == NULL) {
+        return;
+    }
+    clod_hopper_case_fini(&(*self)->from);
+    clod_tables_fini(&(*self)->solid);
+    clod_memory_free((*self)->path);
+    clod_memory_free(*self);
+    *self = NULL;
+}
+
+void clod_hopper_free(char *text)
+{
+    clod_memory_free(text);
+}

@@ -1,0 +1,224 @@
+#include "hopper/interval.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/random.h"
+#include "parallel/threads.h"
+
+#define JOBS 64
+#define SAMPLE_TOLERANCE 1e-6 // of the stress field: far below any error of measurement
+#define LEAST_ANGLE 0.02      // rad: what a drawn angle is kept within
+#define MOST_ANGLE 1.5
+
+/** What one sample found. */
+typedef struct sample {
+    clod_hopper_outcome outcome[CLOD_HOPPER_SHAPES];
+    double number[CLOD_HOPPER_SHAPES][CLOD_HOPPER_NUMBERS];
+    double hole[CLOD_HOPPER_HOLES];
+} sample;
+
+typedef struct task {
+    const clod_hopper *hopper;
+    sample *samples;
+    size_t count;
+    bool lost[JOBS]; ///< no memory
+} task;
+
+void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *found,
+                           clod_hopper_outcome *outcome, double number[CLOD_HOPPER_NUMBERS])
+{
+    const clod_hopper_design at = clod_hopper_design_shape(solid, &found->wish);
+    const bool slides = at.outcome != CLOD_HOPPER_FUNNEL;
+    const bool critical = at.outcome == CLOD_HOPPER_FLOWS;
+    const double none = (double)NAN;
+    *outcome = at.outcome;
+    number[CLOD_HOPPER_LIMIT] = at.limit;
+    number[CLOD_HOPPER_HALF_ANGLE] = slides ? at.half_angle : 0.0;
+    number[CLOD_HOPPER_OUTLET] = slides ? at.outlet : (double)INFINITY;
+    number[CLOD_HOPPER_FLOW_FACTOR] = slides ? at.flow_factor : none;
+    number[CLOD_HOPPER_SIGMA_1] = critical ? at.state.sigma_1 : none;
+    number[CLOD_HOPPER_STRENGTH] = critical ? at.state.strength : none;
+    number[CLOD_HOPPER_PHI_E] = at.state.phi_e;
+    number[CLOD_HOPPER_PHI_W] = at.state.phi_w;
+    number[CLOD_HOPPER_RHO] = at.state.rho;
+    number[CLOD_HOPPER_ARCH] = slides ? at.arch : none;
+    number[CLOD_HOPPER_MARGIN] = none;
+    if (found->planned > 0.0 && found->design.outcome != CLOD_HOPPER_FUNNEL) {
+        clod_hopper_wish built = found->wish; // its angle is that of the design, not of a sample
+        built.half_angle = found->design.half_angle;
+        number[CLOD_HOPPER_MARGIN] =
+            clod_hopper_margin_of(solid, &built, found->planned).ratio;
+    }
+}
+
+/** Standard normal number: Box and Muller. */
+static double normal(const task *self, size_t item, uint64_t *draw)
+{
+    const uint64_t seed = (uint64_t)self->hopper->from.interval.seed;
+    const double u = clod_random_uniform(seed, CLOD_RANDOM_MEASURED, item, (*draw)++);
+    const double v = clod_random_uniform(seed, CLOD_RANDOM_MEASURED, item, (*draw)++);
+    return sqrt(-2.0 * log(u)) * cos(2.0 * M_PI * v);
+}
+
+/** Draw every point of every curve; stresses stay positive, angles below a right one. */
+static void draw_solid(const task *self, size_t item, clod_solid *solid)
+{
+    const clod_solid *measured = &self->hopper->solid;
+    uint64_t draw = 0;
+    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+        for (size_t i = 0; i < measured->curves[k].count; i++) {
+            const clod_curve_point *from = &measured->curves[k].points[i];
+            clod_curve_point *to = &solid->curves[k].points[i];
+            to->x = fmax(0.01 * from->x, from->x + from->x_error * normal(self, item, &draw));
+            to->y = fmax(0.0, from->y + from->y_error * normal(self, item, &draw));
+        }
+    }
+    for (size_t i = 0; i < solid->phi_e.count; i++) {
+        clod_curve_point *point = &solid->phi_e.points[i];
+        point->y = fmin(MOST_ANGLE, fmax(LEAST_ANGLE, point->y));
+    }
+    for (size_t i = 0; i < solid->rho.count; i++) {
+        clod_curve_point *point = &solid->rho.points[i];
+        point->y = fmax(0.01 * measured->rho.points[i].y, point->y);
+    }
+    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+        clod_curve_sort(&solid->curves[k]);
+    }
+}
+
+static void run_sample(const task *self, size_t item, clod_solid *solid)
+{
+    sample *to = &self->samples[item];
+    draw_solid(self, item, solid);
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        clod_hopper_found found = self->hopper->shape[s];
+        found.wish.tolerance = SAMPLE_TOLERANCE;
+        found.wish.first = found.design.state.sigma_1;
+        clod_interval_numbers(solid, &found, &to->outcome[s], to->number[s]);
+    }
+    const clod_rathole hole = clod_rathole_of(solid, &self->hopper->silo);
+    to->hole[CLOD_HOPPER_EMPTYING] = hole.emptying;
+    to->hole[CLOD_HOPPER_FILLING] = hole.filling;
+}
+
+/** Copies of all points, in one piece of memory, which the first curve owns. */
+static bool copy_solid(const clod_solid *from, clod_solid *to, clod_curve_point **owned)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+        count += from->curves[k].count;
+    }
+    *to = *from;
+    *owned = clod_memory_alloc(count, sizeof **owned);
+    clod_curve_point *at = *owned;
+    for (size_t k = 0; k < CLOD_SOLID_CURVES && *owned != NULL; k++) {
+        if (from->curves[k].count > 0) {
+            memcpy(at, from->curves[k].points, from->curves[k].count * sizeof *at);
+        }
+        to->curves[k].points = at;
+        at += from->curves[k].count;
+    }
+    return *owned != NULL;
+}
+
+static void run_job(void *context, int number)
+{
+    task *self = context;
+    const clod_chunk chunk = clod_threads_chunk(self->count, number, JOBS);
+    clod_solid solid;
+    clod_curve_point *owned;
+    self->lost[number] = !copy_solid(&self->hopper->solid, &solid, &owned);
+    for (size_t i = chunk.begin; i < chunk.end && !self->lost[number]; i++) {
+        run_sample(self, i, &solid);
+    }
+    clod_memory_free(owned);
+}
+
+static int by_size(const void *left, const void *right)
+{
+    const double a = *(const double *)left;
+    const double b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+/** Value at a share of the sorted ones, straight between neighbours. */
+static double quantile(const double *sorted, size_t count, double share)
+{
+    const double at = share * (double)(count - 1);
+    const size_t k = (size_t)at;
+    const double part = at - (double)k;
+    if (k + 1 >= count || part == 0.0 || sorted[k] == sorted[k + 1]) {
+        return sorted[k];
+    }
+    return sorted[k] + part * (sorted[k + 1] - sorted[k]);
+}
+
+/** Interval of a number that lies `offset` bytes into each sample; those that are NAN left out. */
+static void put_interval(const task *self, size_t offset, double *room,
+                         clod_hopper_value *value)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < self->count; i++) {
+        const char *at = (const char *)&self->samples[i] + offset;
+        double number;
+        memcpy(&number, at, sizeof number);
+        if (!isnan(number)) {
+            room[count++] = number;
+        }
+    }
+    value->low = value->high = (double)NAN;
+    if (count > 0) {
+        const double tail = 0.5 * (1.0 - self->hopper->from.interval.level);
+        qsort(room, count, sizeof *room, by_size);
+        value->low = quantile(room, count, tail);
+        value->high = quantile(room, count, 1.0 - tail);
+    }
+}
+
+/** Shares of outcomes, and of samples in which the planned outlet does not let the solid flow. */
+static void put_shares(const task *self, int s, clod_hopper_found *found)
+{
+    const double each = 1.0 / (double)self->count;
+    for (size_t i = 0; i < self->count; i++) {
+        found->share[self->samples[i].outcome[s]] += each;
+        found->arching += self->samples[i].number[s][CLOD_HOPPER_MARGIN] >= 1.0 ? 0.0 : each;
+    }
+}
+
+static void collect(const task *self, double *room, clod_hopper *to)
+{
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        for (int n = 0; n < CLOD_HOPPER_NUMBERS; n++) {
+            const size_t place = (size_t)(s * CLOD_HOPPER_NUMBERS + n) * sizeof(double);
+            put_interval(self, offsetof(sample, number) + place, room,
+                         &to->shape[s].number[n]);
+        }
+        put_shares(self, s, &to->shape[s]);
+    }
+    for (size_t h = 0; h < CLOD_HOPPER_HOLES; h++) {
+        put_interval(self, offsetof(sample, hole) + h * sizeof(double), room, &to->rathole[h]);
+    }
+}
+
+bool clod_interval_fill(clod_hopper *self, clod_status *status)
+{
+    task all = {.hopper = self, .count = (size_t)self->from.interval.samples};
+    all.samples = clod_memory_alloc(all.count, sizeof *all.samples);
+    double *room = clod_memory_alloc(all.count, sizeof *room);
+    bool good = all.samples != NULL && room != NULL;
+    if (good) {
+        clod_threads_run(JOBS, clod_threads_available(), run_job, &all);
+        for (int job = 0; job < JOBS; job++) {
+            good = good && !all.lost[job];
+        }
+    }
+    if (good) {
+        collect(&all, room, self);
+    }
+    clod_memory_free(room);
+    clod_memory_free(all.samples);
+    return good || clod_status_fail(status, CLOD_FAILED, "No memory for the samples.");
+}

@@ -1,0 +1,255 @@
+#include "hopper/radial.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "hopper/ode.h"
+
+#define STEEPEST (0.75 * M_PI) // psi at which the solid stands still
+#define FIRST_STEP 1e-3        // rad
+#define LEAST_Q 1e-5           // range of q on the axis that is searched
+#define LEAST_WIDEST_Q 1e-4    // the same for the widest hopper
+#define MOST_Q 1e3             // where nothing else bounds it
+
+/** What the equations know. */
+typedef struct equations {
+    double cone; ///< 1, for a wedge 0
+    double s;    ///< sin phi_e
+} equations;
+
+/** q and psi as functions of theta: the equations of equilibrium, solved for q' and psi'. */
+static clod_ode_pair rates(const void *context, double theta, clod_ode_pair y)
+{
+    const equations *self = context;
+    const double cone = self->cone;
+    const double s = self->s;
+    const double q = y.a;
+    if (theta == 0.0) { // the limit on the axis, where cot theta has no value
+        const double turn = (q * (1.0 - (3.0 + 2.0 * cone) * s) + 1.0) /
+                            ((2.0 + 2.0 * cone) * q * s);
+        return (clod_ode_pair){0.0, turn};
+    }
+    const double s2 = sin(2.0 * y.b);
+    const double c2 = cos(2.0 * y.b);
+    const double sine = sin(theta);
+    const double cosine = cos(theta);
+    const double cot = cosine / sine;
+    const double radial = q * (1.0 + s * c2) + 2.0 * q * s * c2 +
+                          cone * q * s * (c2 - 1.0 + s2 * cot) + cosine;
+    const double across =
+        3.0 * q * s * s2 + cone * q * s * (s2 - (1.0 + c2) * cot) - sine;
+    // [s s2, 2 q s c2; 1 - s c2, 2 q s s2] (q', psi') = -(radial, across)
+    const double determinant = 2.0 * q * s * (s - c2);
+    return (clod_ode_pair){
+        (2.0 * q * s * c2 * across - 2.0 * q * s * s2 * radial) / determinant,
+        ((1.0 - s * c2) * radial - s * s2 * across) / determinant};
+}
+
+double clod_radial_beta(double phi_e, double phi_w)
+{
+    const double ratio = sin(phi_w) / sin(phi_e);
+    const double beta = ratio < 1.0 ? 0.5 * (phi_w + asin(ratio)) : (double)NAN;
+    return beta < STEEPEST - M_PI_2 ? beta : (double)NAN;
+}
+
+/** How psi goes with theta from a value of q on the axis. */
+typedef struct path {
+    double psi;     ///< at the end
+    double q;       ///< there
+    double highest; ///< psi on the way
+    double crossed; ///< theta where psi last fell through the wall's; 0: nowhere
+    bool stands;    ///< psi reached 135 degrees: the solid stands still beyond
+} path;
+
+/** Where in its next step, which ends at `after`, psi falls through `value`: false position. */
+static double pass(const clod_ode *from, const clod_ode *after, double value)
+{
+    double low = 0.0;
+    double high = after->x - from->x;
+    double above = from->y.b - value;
+    double below = after->y.b - value;
+    for (int i = 0; i < 60 && high - low > 1e-12 && below < 0.0; i++) {
+        const double middle = (above * high - below * low) / (above - below);
+        const double miss = clod_ode_try(from, middle, NULL).b - value;
+        low = miss > 0.0 ? middle : low;
+        high = miss > 0.0 ? high : middle;
+        below = miss > 0.0 ? 0.5 * below : miss; // the end that stays is halved (Illinois)
+        above = miss > 0.0 ? miss : 0.5 * above;
+        if (fabs(miss) < 1e-13) {
+            return from->x + middle;
+        }
+    }
+    return from->x + high;
+}
+
+/** Go from the axis to `end`, or to where the solid stands still or psi falls below the axis'. */
+static path follow(const clod_radial *self, double q, double psi_w, double end)
+{
+    const equations known = {(double)self->shape, sin(self->phi_e)};
+    clod_ode ode = {.rates = rates,
+                    .context = &known,
+                    .tolerance = self->tolerance,
+                    .y = {q, M_PI_2},
+                    .step = FIRST_STEP};
+    path way = {.highest = M_PI_2};
+    while (ode.x < end) {
+        const clod_ode before = ode;
+        if (!clod_ode_advance(&ode, end) || ode.y.b >= STEEPEST || !(ode.y.a > 0.0)) {
+            way.stands = true;
+            return way;
+        }
+        way.highest = fmax(way.highest, ode.y.b);
+        if (before.y.b > psi_w && ode.y.b <= psi_w) {
+            way.crossed = pass(&before, &ode, psi_w);
+            break;
+        }
+        if (ode.y.b < M_PI_2) {
+            break;
+        }
+    }
+    way.psi = ode.y.b;
+    way.q = ode.y.a;
+    return way;
+}
+
+/**
+ * The half angle at which this q on the axis fits the wall, on the wide side; where there is none,
+ * a negative number that rises towards the values of q that have one.
+ */
+static double reach(const clod_radial *self, double q, double psi_w)
+{
+    const path way = follow(self, q, psi_w, CLOD_RADIAL_WIDEST);
+    if (way.stands) {
+        return -100.0 + log(q); // q is too small
+    }
+    if (way.crossed > 0.0) {
+        return way.crossed;
+    }
+    return way.psi > psi_w ? CLOD_RADIAL_WIDEST + way.psi - psi_w : way.highest - psi_w;
+}
+
+/** The q above which psi falls from the axis on: its derivative there is zero. */
+static double most_q(const clod_radial *self)
+{
+    const double above = (3.0 + 2.0 * (double)self->shape) * sin(self->phi_e) - 1.0;
+    return above > 1.0 / MOST_Q ? 1.0 / above : MOST_Q;
+}
+
+/** The q on the axis that reaches widest: golden section over its logarithm. */
+static double widest(const clod_radial *self, double psi_w, double *theta)
+{
+    const double golden = 0.6180339887498949;
+    double low = log(LEAST_WIDEST_Q);
+    double high = log(most_q(self));
+    double left = high - golden * (high - low);
+    double right = low + golden * (high - low);
+    double at_left = reach(self, exp(left), psi_w);
+    double at_right = reach(self, exp(right), psi_w);
+    while (high - low > 100.0 * self->tolerance) {
+        if (at_left > at_right) {
+            high = right;
+            right = left;
+            at_right = at_left;
+            left = high - golden * (high - low);
+            at_left = reach(self, exp(left), psi_w);
+        } else {
+            low = left;
+            left = right;
+            at_left = at_right;
+            right = low + golden * (high - low);
+            at_right = reach(self, exp(right), psi_w);
+        }
+    }
+    *theta = fmin(CLOD_RADIAL_WIDEST, fmax(at_left, at_right));
+    return exp(at_left > at_right ? left : right);
+}
+
+bool clod_radial_limit(const clod_radial *self, double *theta)
+{
+    const double beta = clod_radial_beta(self->phi_e, self->phi_w);
+    *theta = 0.0;
+    if (!(beta >= 0.0)) {
+        return false;
+    }
+    widest(self, M_PI_2 + beta, theta);
+    return *theta > 0.0;
+}
+
+/** What is sought: psi at `theta` equal to psi_w. */
+typedef struct shot {
+    const clod_radial *field;
+    double psi_w, theta;
+    double q; ///< on the axis, of the last shot
+    path way; ///< of that
+} shot;
+
+/** A q on the axis with what it misses psi at the wall by. */
+typedef struct try {
+    double q, miss;
+} try;
+
+/** Psi at theta less psi at the wall; it falls as q on the axis rises. */
+static try shoot(shot *self, double q)
+{
+    self->q = q;
+    self->way = follow(self->field, q, -1.0, self->theta);
+    return (try){q, (self->way.stands ? STEEPEST : self->way.psi) - self->psi_w};
+}
+
+/** From the largest q downwards: one that psi at theta does not miss from below, and its
+ *  neighbour above. */
+static bool bracket(shot *self, try *low, try *high)
+{
+    *high = shoot(self, most_q(self->field));
+    for (double q = 0.85 * high->q; q > LEAST_Q; q *= 0.85) {
+        *low = shoot(self, q);
+        if (low->miss >= 0.0) {
+            return true;
+        }
+        *high = *low;
+    }
+    double theta; // close to the limit only a narrow range of q fits, which steps may miss
+    *low = shoot(self, widest(self->field, self->psi_w, &theta));
+    *high = shoot(self, most_q(self->field));
+    return low->miss >= 0.0;
+}
+
+/** Close in on the q between two others: false position, the end that stays halved (Illinois). */
+static void close_in(shot *self, try low, try high)
+{
+    for (int i = 0; i < 100 && high.q - low.q > 1e-13 * high.q; i++) {
+        const double q = (low.miss * high.q - high.miss * low.q) / (low.miss - high.miss);
+        const try next = shoot(self, q);
+        if (next.miss >= 0.0) {
+            high.miss *= 0.5;
+            low = next;
+        } else {
+            low.miss *= 0.5;
+            high = next;
+        }
+        if (fabs(next.miss) < 1e-13) {
+            break;
+        }
+    }
+}
+
+bool clod_radial_solve(const clod_radial *self, double theta, clod_radial_wall *wall)
+{
+    const double beta = clod_radial_beta(self->phi_e, self->phi_w);
+    if (!(beta >= 0.0)) {
+        return false;
+    }
+    shot one = {.field = self, .psi_w = M_PI_2 + beta, .theta = theta};
+    try low;
+    try high;
+    if (!bracket(&one, &low, &high)) {
+        return false;
+    }
+    close_in(&one, low, high);
+    const double s = sin(self->phi_e);
+    wall->axis = one.q;
+    wall->q = one.way.q;
+    wall->sigma_1 = wall->q * (1.0 + s);
+    wall->sigma_w = wall->q * (1.0 + s * cos(2.0 * beta));
+    return !one.way.stands && fabs(one.way.psi - one.psi_w) < 1e-6;
+}

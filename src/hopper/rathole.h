@@ -1,0 +1,40 @@
+#pragma once
+/**
+ * @file rathole.h
+ * The largest stable rathole of a hopper in funnel flow. Equations: docs/theory/hopper.md.
+ */
+
+#include "hopper/solid.h"
+
+/** Angles for which Jenike's function G is known [rad]. */
+#define CLOD_RATHOLE_LEAST 0.52359877559829882 // 30 degrees
+#define CLOD_RATHOLE_MOST 1.2217304763960306   // 70 degrees
+
+/** The silo above the hopper. */
+typedef struct clod_rathole_silo {
+    double diameter, height; ///< m; diameter 0: not given
+    double stress_ratio;     ///< horizontal over vertical stress
+} clod_rathole_silo;
+
+typedef struct clod_rathole {
+    double emptying; ///< m: lower bound, from the stresses around the hole; NAN: not known
+    double filling;  ///< m: upper bound, from the stresses after filling; NAN: not known
+    double filling_stress; ///< Pa: that of Janssen
+    clod_solid_state state; ///< of the lower bound
+} clod_rathole;
+
+/**
+ * Jenike's function G of the static angle of internal friction.
+ *
+ * @return NAN outside CLOD_RATHOLE_LEAST ... CLOD_RATHOLE_MOST
+ * Errors  none.   Threads  pure.   Source  fit to Jenike, Bulletin 123, p. 67.
+ * Test    tests/hopper/test_rathole.c
+ */
+double clod_rathole_function(double phi_t);
+
+/**
+ * Rathole diameters of a solid.
+ *
+ * Errors  none.   Threads  pure.   Test  tests/hopper/test_rathole.c
+ */
+clod_rathole clod_rathole_of(const clod_solid *solid, const clod_rathole_silo *silo);

@@ -1,0 +1,61 @@
+#pragma once
+/**
+ * @file result.h
+ * What a design found, for the writers of tables, JSON and the chart.
+ */
+
+#include "clod/hopper.h"
+#include "hopper/case.h"
+#include "hopper/design.h"
+#include "hopper/rathole.h"
+
+#define CLOD_HOPPER_SHAPES 2
+#define CLOD_HOPPER_OUTCOMES 5
+#define CLOD_HOPPER_WARNINGS 16
+#define CLOD_HOPPER_WARNING_TEXT 320
+
+/** Numbers of one shape. */
+typedef enum clod_hopper_number {
+    CLOD_HOPPER_LIMIT,       ///< rad; 0: funnel flow
+    CLOD_HOPPER_HALF_ANGLE,  ///< rad; 0: funnel flow
+    CLOD_HOPPER_OUTLET,      ///< m; 0: no arch; INFINITY: none is large enough
+    CLOD_HOPPER_FLOW_FACTOR, ///< the rest: NAN where there is no critical state
+    CLOD_HOPPER_SIGMA_1,     ///< Pa
+    CLOD_HOPPER_STRENGTH,    ///< Pa
+    CLOD_HOPPER_PHI_E,       ///< rad
+    CLOD_HOPPER_PHI_W,       ///< rad
+    CLOD_HOPPER_RHO,         ///< kg/m3
+    CLOD_HOPPER_ARCH,        ///< H
+    CLOD_HOPPER_MARGIN,      ///< NAN: no outlet is given, or funnel flow
+    CLOD_HOPPER_NUMBERS,
+} clod_hopper_number;
+
+/** A number and its interval; NAN: not known. */
+typedef struct clod_hopper_value {
+    double value, low, high;
+} clod_hopper_value;
+
+/** Where the rathole diameters stand behind the numbers of the shapes. */
+enum { CLOD_HOPPER_EMPTYING, CLOD_HOPPER_FILLING, CLOD_HOPPER_HOLES };
+
+typedef struct clod_hopper_found {
+    clod_hopper_wish wish;
+    clod_hopper_design design;
+    double planned; ///< m: outlet that is given; 0: none
+    clod_hopper_value number[CLOD_HOPPER_NUMBERS];
+    double share[CLOD_HOPPER_OUTCOMES]; ///< of the samples
+    double arching;    ///< share of the samples in which the planned outlet arches
+    double mechanical; ///< m: outlet at which large particles do not arch; 0: not known
+} clod_hopper_found;
+
+struct clod_hopper {
+    clod_hopper_case from; ///< owned content
+    char *path;            ///< owned, of the case
+    clod_solid solid;      ///< owned points
+    clod_hopper_found shape[CLOD_HOPPER_SHAPES]; ///< by clod_radial_shape
+    clod_rathole_silo silo;
+    clod_hopper_value rathole[CLOD_HOPPER_HOLES];
+    clod_rathole hole;
+    size_t warning_count;
+    char warnings[CLOD_HOPPER_WARNINGS][CLOD_HOPPER_WARNING_TEXT];
+};

@@ -1,0 +1,306 @@
+#include "hopper/tables.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <sys/stat.h>
+
+#include "analysis/csv.h"
+#include "base/input.h"
+#include "base/memory.h"
+#include "clod/locus.h"
+
+/** A row of the flow function; 0: not there. */
+typedef struct row {
+    clod_curve_point strength, phi_e, phi_t, rho; ///< x: sigma_1, in strength alone
+} row;
+
+#define ROW(field) .offset = offsetof(row, field)
+
+static const clod_csv_column FLOW[] = {
+    {.names = {"sigma_1"}, .unit = "Pa", .positive = true, .required = true, ROW(strength.x)},
+    {.names = {"f_c", "sigma_c", "fc"}, .unit = "Pa", .required = true, ROW(strength.y)},
+    {.names = {"sigma_1_error"}, .unit = "Pa", ROW(strength.x_error)},
+    {.names = {"f_c_error", "sigma_c_error", "fc_error"}, .unit = "Pa", ROW(strength.y_error)},
+    {.names = {"phi_e"}, .unit = "rad", .positive = true, .below = M_PI_2, ROW(phi_e.y)},
+    {.names = {"phi_e_error"}, .unit = "rad", ROW(phi_e.y_error)},
+    {.names = {"phi_t", "phi_lin"}, .unit = "rad", .positive = true, .below = M_PI_2,
+     ROW(phi_t.y)},
+    {.names = {"phi_t_error", "phi_lin_error"}, .unit = "rad", ROW(phi_t.y_error)},
+    {.names = {"rho_b", "rho"}, .unit = "kg/m3", .positive = true, ROW(rho.y)},
+    {.names = {"rho_b_error"}, .unit = "kg/m3", ROW(rho.y_error)},
+};
+
+/** Columns that clod locus --csv and a uniaxial test write and a hopper does not need. */
+static const char *const SKIPPED[] = {
+    "seeds",          "points",         "r_squared",            "flow",
+    "sigma_p",        "sigma_p_error",  "tau_p",                "tau_p_error",
+    "c",              "c_error",        "phi_sf",               "phi_sf_error",
+    "sigma_2",        "sigma_2_error",  "ffc",                  "ffc_error",
+    "sigma_1_base",   "sigma_c_base",   "consolidation_stress", "solid_fraction",
+    "void_ratio",     "strain_at_peak", NULL};
+
+static const clod_csv_kind FLOW_KIND = {
+    .columns = FLOW,
+    .count = sizeof FLOW / sizeof FLOW[0],
+    .row = sizeof(row),
+    .known = "sigma_1, f_c, phi_e, phi_t, rho_b, and each of them with _error",
+    .example = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],rho_b [kg/m3]",
+    .item = "point of a flow function",
+    .skipped = SKIPPED,
+};
+
+#define POINT(field) .offset = offsetof(clod_curve_point, field)
+#define SIGMA(name)                                                                            \
+    {.names = {name}, .unit = "Pa", .positive = true, .required = true, POINT(x)}
+#define SIGMA_ERROR(name)                                                                      \
+    {                                                                                          \
+        .names = {name}, .unit = "Pa", POINT(x_error)                                          \
+    }
+#define ANGLE(...)                                                                             \
+    {.names = {__VA_ARGS__}, .unit = "rad", .positive = true, .required = true,                \
+     .below = M_PI_2, POINT(y)}
+#define ERROR(si, ...)                                                                         \
+    {                                                                                          \
+        .names = {__VA_ARGS__}, .unit = si, POINT(y_error)                                     \
+    }
+#define KIND(table, names, line, what)                                                         \
+    {                                                                                          \
+        .columns = table, .count = sizeof(table) / sizeof((table)[0]),                         \
+        .row = sizeof(clod_curve_point), .known = names, .example = line, .item = what         \
+    }
+
+static const clod_csv_column PHI_E[] = {SIGMA("sigma_1"), SIGMA_ERROR("sigma_1_error"),
+                                        ANGLE("phi_e"), ERROR("rad", "phi_e_error")};
+static const clod_csv_column PHI_T[] = {SIGMA("sigma_1"), SIGMA_ERROR("sigma_1_error"),
+                                        ANGLE("phi_t", "phi_lin"),
+                                        ERROR("rad", "phi_t_error", "phi_lin_error")};
+static const clod_csv_column RHO[] = {
+    SIGMA("sigma_1"),
+    SIGMA_ERROR("sigma_1_error"),
+    {.names = {"rho_b", "rho"}, .unit = "kg/m3", .positive = true, .required = true, POINT(y)},
+    ERROR("kg/m3", "rho_b_error")};
+static const clod_csv_column WALL[] = {
+    SIGMA("sigma_w"),
+    SIGMA_ERROR("sigma_w_error"),
+    {.names = {"tau_w"}, .unit = "Pa", .required = true, POINT(y)},
+    ERROR("Pa", "tau_w_error")};
+
+static const clod_csv_kind PHI_E_KIND =
+    KIND(PHI_E, "sigma_1, phi_e, sigma_1_error, phi_e_error", "sigma_1 [kPa],phi_e [deg]",
+         "point of phi_e");
+static const clod_csv_kind PHI_T_KIND =
+    KIND(PHI_T, "sigma_1, phi_t, sigma_1_error, phi_t_error", "sigma_1 [kPa],phi_t [deg]",
+         "point of phi_t");
+static const clod_csv_kind RHO_KIND =
+    KIND(RHO, "sigma_1, rho_b, sigma_1_error, rho_b_error", "sigma_1 [kPa],rho_b [kg/m3]",
+         "point of the bulk density");
+static const clod_csv_kind WALL_KIND =
+    KIND(WALL, "sigma_w, tau_w, sigma_w_error, tau_w_error", "sigma_w [kPa],tau_w [kPa]",
+         "point of the wall yield locus");
+
+/** Read a file of a kind; its rows are owned by the caller. */
+static bool read_file(const char *path, const clod_csv_kind *kind, void **rows, size_t *count,
+                      clod_status *status)
+{
+    char *text;
+    size_t length;
+    if (!clod_input_read(path, SIZE_MAX, &text, &length, status)) {
+        return false;
+    }
+    clod_csv csv = {.kind = kind, .path = path, .status = status};
+    const bool good = clod_csv_parse(&csv, text, length);
+    clod_memory_free(text);
+    *rows = csv.rows;
+    *count = csv.count;
+    return good;
+}
+
+/** A curve of one property of the rows, where they have it. */
+static bool take(const row *rows, size_t count, size_t offset, clod_curve *curve,
+                 clod_status *status)
+{
+    curve->points = clod_memory_alloc(count, sizeof *curve->points);
+    if (curve->points == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
+    }
+    for (size_t i = 0; i < count; i++) {
+        clod_curve_point point =
+            *(const clod_curve_point *)(const void *)((const char *)&rows[i] + offset);
+        point.x = rows[i].strength.x;
+        point.x_error = rows[i].strength.x_error;
+        if (point.y > 0.0 || offset == offsetof(row, strength)) {
+            curve->points[curve->count++] = point;
+        }
+    }
+    return true;
+}
+
+static bool take_rows(const row *rows, size_t count, clod_solid *solid, clod_status *status)
+{
+    return take(rows, count, offsetof(row, strength), &solid->strength, status) &&
+           take(rows, count, offsetof(row, phi_e), &solid->phi_e, status) &&
+           take(rows, count, offsetof(row, phi_t), &solid->phi_t, status) &&
+           take(rows, count, offsetof(row, rho), &solid->rho, status);
+}
+
+/** A value with its standard error; what is not known is 0. */
+static void put(clod_curve_point *point, clod_locus_value value)
+{
+    point->y = isfinite(value.value) ? value.value : 0.0;
+    point->y_error = isfinite(value.error) ? value.error : 0.0;
+}
+
+/** Rows of the loci of a study. */
+static bool take_study(const clod_locus_study *study, clod_solid *solid, bool *one_specimen,
+                       clod_status *status)
+{
+    row *rows = clod_memory_alloc(study->count, sizeof *rows);
+    if (rows == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the loci.");
+    }
+    bool good = true;
+    for (size_t g = 0; g < study->count && good; g++) {
+        const clod_locus *locus = &study->groups[g].locus;
+        if (isnan(locus->sigma_c.value)) {
+            good = clod_status_fail(status, CLOD_USAGE,
+                                    "The yield locus at a preshear stress of %.3f kPa has no "
+                                    "unconfined yield strength (its cohesion is below 0); "
+                                    "clod locus says more about its points.",
+                                    1e-3 * locus->sigma_p.value);
+        }
+        put(&rows[g].strength, locus->sigma_c);
+        put(&rows[g].phi_e, locus->phi_e);
+        put(&rows[g].phi_t, locus->phi_lin);
+        put(&rows[g].rho, locus->rho_b);
+        rows[g].strength.x = locus->sigma_1.value;
+        rows[g].strength.x_error = isfinite(locus->sigma_1.error) ? locus->sigma_1.error : 0.0;
+        *one_specimen = *one_specimen || clod_locus_one_specimen(locus);
+    }
+    good = good && take_rows(rows, study->count, solid, status);
+    clod_memory_free(rows);
+    return good;
+}
+
+/** Append the points of a test: of the file, or of points.csv in a results folder. */
+static bool add_points(const char *path, clod_locus_point **all, size_t *count,
+                       clod_status *status)
+{
+    struct stat kind;
+    char inside[PATH_MAX];
+    const bool folder = stat(path, &kind) == 0 && S_ISDIR(kind.st_mode);
+    snprintf(inside, sizeof inside, "%s%s", path, folder ? "/points.csv" : "");
+    clod_locus_point *points;
+    size_t more;
+    if (!clod_locus_read(inside, NULL, &points, &more, status)) {
+        return false;
+    }
+    clod_locus_point *grown =
+        clod_memory_grow(*all, *count, *count + more, sizeof **all);
+    if (grown == NULL) {
+        clod_locus_free(points);
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", more);
+    }
+    for (size_t i = 0; i < more; i++) {
+        grown[*count + i] = points[i];
+    }
+    *all = grown;
+    *count += more;
+    clod_locus_free(points);
+    return true;
+}
+
+static bool read_tests(const clod_hopper_strength *from, clod_solid *solid, bool *one_specimen,
+                       clod_status *status)
+{
+    clod_locus_point *points = NULL;
+    size_t count = 0;
+    bool good = true;
+    for (size_t t = 0; t < from->test_count && good; t++) {
+        good = add_points(from->tests[t].points, &points, &count, status);
+    }
+    clod_locus_study *study = good ? clod_locus_study_create(points, count, status) : NULL;
+    good = study != NULL && take_study(study, solid, one_specimen, status);
+    clod_locus_study_destroy(&study);
+    clod_memory_free(points);
+    return good;
+}
+
+static bool read_strength(const clod_hopper_strength *from, clod_solid *solid,
+                          bool *one_specimen, clod_status *status)
+{
+    if (from->file == NULL) {
+        return read_tests(from, solid, one_specimen, status);
+    }
+    void *rows;
+    size_t count;
+    const bool good = read_file(from->file, &FLOW_KIND, &rows, &count, status) &&
+                      take_rows(rows, count, solid, status);
+    clod_memory_free(rows);
+    return good;
+}
+
+/** A property of its own, in place of what the flow function brought. */
+static bool read_property(const clod_hopper_property *from, const clod_csv_kind *kind,
+                          clod_curve *curve, clod_status *status)
+{
+    if (!from->present) {
+        return true;
+    }
+    clod_memory_free(curve->points);
+    *curve = (clod_curve){0};
+    if (from->file != NULL) {
+        void *rows;
+        const bool good = read_file(from->file, kind, &rows, &curve->count, status);
+        curve->points = rows;
+        return good;
+    }
+    curve->points = clod_memory_alloc(1, sizeof *curve->points);
+    if (curve->points == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for a point.");
+    }
+    curve->points[0] = (clod_curve_point){1.0, from->value, 0.0, from->error};
+    curve->count = 1;
+    return true;
+}
+
+/** A wall friction angle as a point of the wall yield locus, which then is a line from 0. */
+static void wall_of_angle(const clod_hopper_property *from, clod_curve *wall)
+{
+    if (from->file == NULL && wall->count == 1) {
+        const double tangent = tan(from->value);
+        wall->points[0].y = tangent;
+        wall->points[0].y_error = (1.0 + tangent * tangent) * from->error;
+    }
+}
+
+bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, bool *one_specimen,
+                      clod_status *status)
+{
+    *solid = (clod_solid){0};
+    *one_specimen = false;
+    if (!read_strength(&from->strength, solid, one_specimen, status) ||
+        !read_property(&from->phi_e, &PHI_E_KIND, &solid->phi_e, status) ||
+        !read_property(&from->phi_t, &PHI_T_KIND, &solid->phi_t, status) ||
+        !read_property(&from->rho, &RHO_KIND, &solid->rho, status) ||
+        !read_property(&from->wall, &WALL_KIND, &solid->wall, status)) {
+        return false;
+    }
+    wall_of_angle(&from->wall, &solid->wall);
+    solid->strength.way =
+        from->strength.curve == 0 ? CLOD_CURVE_LINE : CLOD_CURVE_EXTENDED;
+    solid->wall.way = CLOD_CURVE_EXTENDED;
+    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+        clod_curve_sort(&solid->curves[k]);
+    }
+    return true;
+}
+
+void clod_tables_fini(clod_solid *solid)
+{
+    for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
+        clod_memory_free(solid->curves[k].points);
+    }
+    *solid = (clod_solid){0};
+}

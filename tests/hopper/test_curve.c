@@ -1,0 +1,114 @@
+// Curves through measured points, and where they meet a flow factor: worked out by hand.
+
+#include "hopper/curve.h"
+#include "support/check.h"
+
+static clod_curve_point SLOPED[] = {{2.0, 3.0, 0, 0}, {4.0, 4.0, 0, 0}, {8.0, 4.8, 0, 0}};
+
+static clod_curve curve(clod_curve_way way, clod_curve_point *points, size_t count)
+{
+    return (clod_curve){way, points, count};
+}
+
+static void ways_differ_beyond_the_points(void **state)
+{
+    (void)state;
+    const clod_curve held = curve(CLOD_CURVE_HELD, SLOPED, 3);
+    const clod_curve extended = curve(CLOD_CURVE_EXTENDED, SLOPED, 3);
+    const double both[][2] = {{2, 3}, {3, 3.5}, {4, 4}, {6, 4.4}, {8, 4.8}};
+    for (size_t k = 0; k < 5; k++) {
+        check_close(clod_curve_at(&held, both[k][0]), both[k][1], 1e-14);
+        check_close(clod_curve_at(&extended, both[k][0]), both[k][1], 1e-14);
+    }
+    check_close(clod_curve_at(&held, 0.5), 3.0, 1e-15);
+    check_close(clod_curve_at(&held, 20.0), 4.8, 1e-15);
+    check_close(clod_curve_at(&extended, 0.0), 2.0, 1e-15);
+    check_close(clod_curve_at(&extended, 18.0), 6.8, 1e-14);
+}
+
+/** Means 14/3 and 59/15; sums 56/3 and 16/3: slope 2/7, intercept 2.6. */
+static void a_line_is_that_of_least_squares(void **state)
+{
+    (void)state;
+    const clod_curve line = curve(CLOD_CURVE_LINE, SLOPED, 3);
+    check_close(clod_curve_at(&line, 7.0), 2.6 + 2.0, 1e-13);
+    check_close(clod_curve_at(&line, 0.0), 2.6, 1e-13);
+}
+
+static void one_point_is_a_line_from_the_origin(void **state)
+{
+    (void)state;
+    clod_curve_point one = {2.0, 1.0, 0, 0};
+    const clod_curve extended = curve(CLOD_CURVE_EXTENDED, &one, 1);
+    const clod_curve held = curve(CLOD_CURVE_HELD, &one, 1);
+    check_close(clod_curve_at(&extended, 6.0), 3.0, 1e-15);
+    check_close(clod_curve_at(&held, 6.0), 1.0, 1e-15);
+    const clod_curve none = curve(CLOD_CURVE_HELD, NULL, 0);
+    assert_true(isnan(clod_curve_at(&none, 6.0)));
+}
+
+static void properties_do_not_fall_below_zero(void **state)
+{
+    (void)state;
+    clod_curve_point steep[] = {{2.0, 1.0, 0, 0}, {3.0, 2.0, 0, 0}};
+    const clod_curve extended = curve(CLOD_CURVE_EXTENDED, steep, 2);
+    check_close(clod_curve_at(&extended, 0.5), 0.0, 0.0);
+}
+
+/** On the first piece 2 + x/2 = x at 4: at the corner; = 1.25 x at 2.6667; on the last,
+ *  3.2 + 0.2 x = 0.6 x at 8. */
+static void rays_are_met_on_every_piece(void **state)
+{
+    (void)state;
+    const clod_curve extended = curve(CLOD_CURVE_EXTENDED, SLOPED, 3);
+    const double known[][2] = {{1.0, 4.0}, {1.25, 8.0 / 3.0}, {0.6, 8.0}, {0.7, 6.4},
+                               {0.4, 16.0}, {20.0, 2.0 / 19.5}};
+    for (size_t k = 0; k < 6; k++) {
+        double x;
+        assert_int_equal(clod_curve_meet(&extended, known[k][0], &x), CLOD_CURVE_MEETS);
+        check_close(x, known[k][1], 1e-12);
+    }
+}
+
+static void rays_may_be_missed_on_either_side(void **state)
+{
+    (void)state;
+    double x;
+    const clod_curve above = curve(CLOD_CURVE_EXTENDED, SLOPED, 3);
+    assert_int_equal(clod_curve_meet(&above, 0.2, &x), CLOD_CURVE_ABOVE);
+    assert_int_equal(clod_curve_meet(&above, 0.1, &x), CLOD_CURVE_ABOVE);
+    clod_curve_point weak[] = {{2.0, 0.2, 0, 0}, {4.0, 0.4, 0, 0}};
+    const clod_curve below = curve(CLOD_CURVE_EXTENDED, weak, 2);
+    assert_int_equal(clod_curve_meet(&below, 0.5, &x), CLOD_CURVE_BELOW);
+    clod_curve_point nothing[] = {{2.0, 0.0, 0, 0}, {4.0, 0.0, 0, 0}};
+    const clod_curve zero = curve(CLOD_CURVE_LINE, nothing, 2);
+    assert_int_equal(clod_curve_meet(&zero, 0.5, &x), CLOD_CURVE_BELOW);
+}
+
+/** -2 + x is above x/2 from 4 on, and stays: large outlets arch. With a flat end at 3 it comes down
+ *  again at 6. */
+static void a_curve_may_rise_through_the_ray_first(void **state)
+{
+    (void)state;
+    double x;
+    clod_curve_point rising[] = {{3.0, 1.0, 0, 0}, {5.0, 3.0, 0, 0}, {9.0, 3.0, 0, 0}};
+    const clod_curve two = curve(CLOD_CURVE_EXTENDED, rising, 2);
+    assert_int_equal(clod_curve_meet(&two, 0.5, &x), CLOD_CURVE_ABOVE);
+    const clod_curve three = curve(CLOD_CURVE_EXTENDED, rising, 3);
+    assert_int_equal(clod_curve_meet(&three, 0.5, &x), CLOD_CURVE_MEETS);
+    check_close(x, 6.0, 1e-13);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ways_differ_beyond_the_points),
+        cmocka_unit_test(a_line_is_that_of_least_squares),
+        cmocka_unit_test(one_point_is_a_line_from_the_origin),
+        cmocka_unit_test(properties_do_not_fall_below_zero),
+        cmocka_unit_test(rays_are_met_on_every_piece),
+        cmocka_unit_test(rays_may_be_missed_on_either_side),
+        cmocka_unit_test(a_curve_may_rise_through_the_ray_first),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,133 @@
+// Errors carried to results, where they can be worked out by hand.
+
+#include "hopper/interval.h"
+#include "hopper/solid_made.h"
+
+#define SAMPLES 500
+
+/** A hopper of which only the shapes' values are known. */
+static void begin(clod_hopper *self, const clod_solid *solid)
+{
+    *self = (clod_hopper){.solid = *solid,
+                          .from = {.interval = {.level = 0.9, .samples = SAMPLES, .seed = 7}}};
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        clod_hopper_found *found = &self->shape[s];
+        found->wish = wish_of((clod_radial_shape)s, 15.0, CLOD_HOPPER_ARCH_ARNOLD);
+        found->design = clod_hopper_design_shape(solid, &found->wish);
+    }
+}
+
+static void fill(clod_hopper *self)
+{
+    clod_status status;
+    assert_true(clod_interval_fill(self, &status));
+}
+
+// A quantile at 5 % of n samples scatters by sqrt(0.05 x 0.95/n)/0.1031 standard deviations: 0.0945
+// for 500. Three times that.
+#define QUANTILE_ERROR 0.284
+
+/** B goes with 1/rho: its 5 and 95 % are at rho +- 1.645 of its error. */
+static void an_error_of_the_density_alone(void **state)
+{
+    (void)state;
+    static made of;
+    static clod_hopper hopper;
+    make_solid(&of, 45.0, 20.0, 1500.0);
+    add_strength(&of, 2.0, 1.4);
+    add_strength(&of, 10.0, 3.0);
+    of.rho.y_error = 60.0;
+    begin(&hopper, &of.solid);
+    fill(&hopper);
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        const clod_hopper_value *outlet = &hopper.shape[s].number[CLOD_HOPPER_OUTLET];
+        const double at = hopper.shape[s].design.outlet;
+        check_close(1500.0 * at / outlet->low, 1500.0 + 1.645 * 60.0, QUANTILE_ERROR * 60.0);
+        check_close(1500.0 * at / outlet->high, 1500.0 - 1.645 * 60.0, QUANTILE_ERROR * 60.0);
+        check_close(hopper.shape[s].share[CLOD_HOPPER_FLOWS], 1.0, 1e-12);
+        const clod_hopper_value *factor = &hopper.shape[s].number[CLOD_HOPPER_FLOW_FACTOR];
+        check_relative(factor->low, factor->high, 1e-12);
+    }
+}
+
+/**
+ * Flow function through two points: with equal relative errors e of f_c, independent, at 2 and 10
+ * kPa (1.4 and 3.0), f_c where it meets sigma_1 = ff f_c is, for small e, linear in both:
+ * f = f_1 (1 - p) + f_2 p with p = (sigma_1 - 2)/8, and d(f) = [d(f_1)(1 - p) + d(f_2) p]/
+ * (1 - 0.2 ff).
+ */
+static void errors_of_the_flow_function(void **state)
+{
+    (void)state;
+    static made of;
+    static clod_hopper hopper;
+    make_solid(&of, 45.0, 20.0, 1500.0);
+    add_strength(&of, 2.0, 1.4);
+    add_strength(&of, 10.0, 3.0);
+    of.strength[0].y_error = 0.01 * 1400.0;
+    of.strength[1].y_error = 0.01 * 3000.0;
+    begin(&hopper, &of.solid);
+    fill(&hopper);
+    const clod_hopper_found *cone = &hopper.shape[CLOD_RADIAL_CONE];
+    const double p = (1e-3 * cone->design.state.sigma_1 - 2.0) / 8.0;
+    const double error = hypot(14.0 * (1.0 - p), 30.0 * p) / (1.0 - 0.2 * cone->design.flow_factor);
+    const clod_hopper_value *strength = &cone->number[CLOD_HOPPER_STRENGTH];
+    check_close(strength->high, cone->design.state.strength + 1.645 * error,
+                QUANTILE_ERROR * error);
+    check_close(strength->low, cone->design.state.strength - 1.645 * error,
+                QUANTILE_ERROR * error);
+}
+
+/** Without errors every sample is the design itself. */
+static void no_errors_no_width(void **state)
+{
+    (void)state;
+    static made of;
+    static clod_hopper hopper;
+    make_solid(&of, 45.0, 20.0, 1500.0);
+    add_strength(&of, 2.0, 1.4);
+    add_strength(&of, 10.0, 3.0);
+    begin(&hopper, &of.solid);
+    hopper.from.interval.samples = 100;
+    fill(&hopper);
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        const clod_hopper_value *outlet = &hopper.shape[s].number[CLOD_HOPPER_OUTLET];
+        assert_true(outlet->low == outlet->high);
+        check_relative(outlet->low, hopper.shape[s].design.outlet, 1e-5);
+    }
+}
+
+/** A wall so rough that some samples are funnel flow: they count as no outlet large enough. */
+static void funnel_flow_counts(void **state)
+{
+    (void)state;
+    static made of;
+    static clod_hopper hopper;
+    make_solid(&of, 45.0, 34.0, 1500.0);
+    add_strength(&of, 2.0, 1.4);
+    add_strength(&of, 10.0, 3.0);
+    of.wall.y_error = 0.1;
+    begin(&hopper, &of.solid);
+    for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
+        hopper.shape[s].wish.half_angle = 5.0 * DEGREE;
+    }
+    fill(&hopper);
+    const clod_hopper_found *cone = &hopper.shape[CLOD_RADIAL_CONE];
+    const double share = cone->share[CLOD_HOPPER_FUNNEL];
+    assert_true(share > 0.1 && share < 0.9);
+    check_close(share + cone->share[CLOD_HOPPER_FLOWS], 1.0, 1e-9);
+    assert_true(isinf(cone->number[CLOD_HOPPER_OUTLET].high));
+    assert_true(isfinite(cone->number[CLOD_HOPPER_OUTLET].low));
+    assert_true(cone->number[CLOD_HOPPER_HALF_ANGLE].low == 0.0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_error_of_the_density_alone),
+        cmocka_unit_test(errors_of_the_flow_function),
+        cmocka_unit_test(no_errors_no_width),
+        cmocka_unit_test(funnel_flow_counts),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
