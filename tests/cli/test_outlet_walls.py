@@ -169,6 +169,7 @@ class OutletWalls(clod.Case):
                                "force: 1 N, mass: 1 kg},")
         for walls, outlets, words in (
                 (PLATE, "{o: {wall: late}}", "'late' is not the name of a wall"),
+                (PLATE, "{o: {}}", "must have exactly one of region, wall"),
                 (PLATE, "{o: {spillage: true}}", "must have exactly one of region, wall"),
                 (PLATE, "{o: {wall: plate, part: left}}", "no mesh of walls.plate has a part 'left'"),
                 (SHEET, "{o: {wall: sheet, part: up}}", "no mesh of walls.sheet has a part 'up'"),
@@ -179,6 +180,7 @@ class OutletWalls(clod.Case):
             done = clod.run("check", "case.yaml", cwd=self.folder)
             self.assertEqual(done.returncode, 2, outlets)
             self.assertIn(words, done.stderr)
+            self.assertEqual(done.stderr.count("clod check: "), 1, done.stderr)
 
 
 if __name__ == "__main__":
