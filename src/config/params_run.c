@@ -244,8 +244,8 @@ static const clod_param OUTPUT_ROWS[] = {
      .help =
          "Whether to sum what grains do to the walls, for each facet of a mesh and each other "
          "shape: force, pressure, shear and impact work, impacts, wear. In snapshots of the "
-         "walls, and by surface in series, report and summary. It costs time and changes no "
-         "bit of the rest.",
+         "walls, and by surface in series, report and summary; impacts by angle and energy in "
+         "impacts.csv. It costs time and changes no bit of the rest.",
      .source = "docs/theory/wear.md"},
 };
 const clod_table CLOD_TABLE_OUTPUT = {.title = "What is written, and how often.",

@@ -2,10 +2,6 @@
 
 #include <math.h>
 
-/** Cosine of the angle by which the directions of both sides of a crack may differ at a rim, 20 deg:
- *  those of a plane do at an overlap of 6 % of the radius. */
-#define CRACK_COSINE 0.94
-
 static bool is_on_rim(const clod_surface_hit *hit)
 {
     return (hit->at.edges & hit->of->rims) != 0;
@@ -64,7 +60,8 @@ static bool is_over_crack(const clod_surface_hit *nearer, const clod_surface_hit
     const clod_surface *a = nearer->of->surface, *b = hit->of->surface;
     const bool rim = is_on_rim(nearer) || is_on_rim(hit);
     const bool pieces = a != b || a->piece[nearer->facet] != b->piece[hit->facet];
-    const double cosine = rim ? CRACK_COSINE : fmax(a->smooth_cosine, b->smooth_cosine);
+    const double cosine =
+        rim ? CLOD_SURFACE_CRACK_COSINE : fmax(a->smooth_cosine, b->smooth_cosine);
     const double most = CLOD_SURFACE_CRACK * radius;
     return (rim || pieces) &&
            clod_vec3_dot(contact->at.direction, hit->at.direction) > cosine &&

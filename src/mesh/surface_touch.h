@@ -22,6 +22,10 @@
 /** Width of a crack that a grain does not feel, as a fraction of its radius. */
 #define CLOD_SURFACE_CRACK 0.02
 
+/** Cosine of the angle by which the directions of both sides of a crack may differ at a rim, 20 deg:
+ *  those of a plane do at an overlap of 6 % of the radius. */
+#define CLOD_SURFACE_CRACK_COSINE 0.94
+
 /** Contacts that a grain can have with one patch at the same time. */
 #define CLOD_SURFACE_SLOTS 4
 

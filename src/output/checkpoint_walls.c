@@ -91,8 +91,8 @@ static bool wear_fits(clod_wall *wall)
             return true;
         }
     }
-    return wall->wear == NULL || (wall->wear_places == places &&
-                                  wall->wear_rows == places + 2 * clod_wear_faces(wall));
+    return wall->wear == NULL ||
+           (wall->wear_places == places && wall->wear_rows == clod_wear_rows(wall, places));
 }
 
 /** Sums of the places of walls that have them; false without memory. */

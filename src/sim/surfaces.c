@@ -3,16 +3,18 @@
 #include <math.h>
 #include <string.h>
 
+#include "sim/surface_impacts.h"
 #include "state/wear.h"
 
-/** Columns of each surface: means over the time since the last row. */
+/** Columns of each surface: means over the time since the last row; behind them its impacts. */
 static const char *const PER_FACE[] = {"force_x [N]",     "force_y [N]",     "force_z [N]",
                                        "press [N]",       "shear_power [W]", "impacts [1/s]",
                                        "impact_power [W]"};
 static const int SUM_OF[] = {CLOD_WEAR_IMPULSE, CLOD_WEAR_IMPULSE + 1, CLOD_WEAR_IMPULSE + 2,
                              CLOD_WEAR_PRESS,   CLOD_WEAR_SHEAR,       CLOD_WEAR_IMPACTS,
                              CLOD_WEAR_ENERGY};
-#define PER_FACE_COUNT (sizeof PER_FACE / sizeof *PER_FACE)
+#define MEANS (sizeof PER_FACE / sizeof *PER_FACE)
+#define PER_FACE_COUNT (MEANS + CLOD_SURFACE_IMPACTS_COLUMNS)
 
 // ---- totals of surfaces
 
@@ -111,7 +113,7 @@ static size_t surfaces_columns(const clod_case *from, const clod_state *state)
 {
     size_t faces = 0;
     for (int32_t w = 0; from->output.surfaces && w < state->walls.count; w++) {
-        faces += (size_t)clod_wear_faces(&state->walls.wall[w]);
+        faces += (size_t)clod_wear_summed(&state->walls.wall[w]);
     }
     return PER_FACE_COUNT * faces;
 }
@@ -122,13 +124,15 @@ static void surfaces_column(const clod_case *from, const clod_state *state, size
     (void)from;
     size_t number = k / PER_FACE_COUNT;
     int32_t w = 0;
-    for (size_t faces; number >= (faces = (size_t)clod_wear_faces(&state->walls.wall[w]));
+    for (size_t faces; number >= (faces = (size_t)clod_wear_summed(&state->walls.wall[w]));
          w++) {
         number -= faces;
     }
     char name[64];
     clod_wear_name(&state->walls.wall[w], (int32_t)number, name, sizeof name);
-    snprintf(text, size, "surface_%s.%s", name, PER_FACE[k % PER_FACE_COUNT]);
+    const size_t c = k % PER_FACE_COUNT;
+    snprintf(text, size, "surface_%s.%s", name,
+             c < MEANS ? PER_FACE[c] : CLOD_SURFACE_IMPACTS_COLUMN[c - MEANS]);
 }
 
 /** Sums of each surface of a wall: at the last row, and now. */
@@ -156,8 +160,10 @@ static bool surfaces_sample(void *memory, const clod_free_moment *now, clod_stat
     (void)status;
     for (int32_t w = 0; now->from->output.surfaces && w < now->state->walls.count; w++) {
         clod_wall *wall = &now->state->walls.wall[w];
-        memset(now_of(wall), 0, (size_t)clod_wear_faces(wall) * sizeof *wall->wear);
-        clod_wear_visit(wall, add_sums, now_of(wall));
+        if (wall->wear != NULL) {
+            memset(now_of(wall), 0, (size_t)clod_wear_faces(wall) * sizeof *wall->wear);
+            clod_wear_visit(wall, add_sums, now_of(wall));
+        }
     }
     return true;
 }
@@ -168,12 +174,16 @@ static void surfaces_row(void *memory, const clod_free_moment *now, double *row)
     for (int32_t w = 0; w < now->state->walls.count; w++) {
         clod_wall *wall = &now->state->walls.wall[w];
         const double time = now->state->time - wall->wear_row;
-        const int32_t faces = clod_wear_faces(wall);
+        const int32_t faces = clod_wear_summed(wall);
+        if (faces == 0) {
+            continue;
+        }
         for (int32_t f = 0; f < faces; f++) {
-            for (size_t c = 0; c < PER_FACE_COUNT; c++) {
+            for (size_t c = 0; c < MEANS; c++) {
                 const double sum = now_of(wall)[f][SUM_OF[c]] - last_of(wall)[f][SUM_OF[c]];
                 *row++ = time > 0.0 ? sum / time : 0.0;
             }
+            row = clod_surface_impacts_row(clod_wear_impacts(wall, f), row);
         }
         memcpy(last_of(wall), now_of(wall), (size_t)faces * sizeof *wall->wear);
         wall->wear_row = now->state->time;
@@ -185,7 +195,7 @@ static void surfaces_row(void *memory, const clod_free_moment *now, double *row)
 static void report_wall(FILE *out, const clod_wall *wall, double now)
 {
     const double time = now - wall->wear_since;
-    for (int32_t f = 0; time > 0.0 && f < clod_wear_faces(wall); f++) {
+    for (int32_t f = 0; time > 0.0 && f < clod_wear_summed(wall); f++) {
         const face total = face_of(wall, f, now), *of = &total;
         char name[64];
         clod_wear_name(wall, f, name, sizeof name);
@@ -221,6 +231,7 @@ static void surfaces_report(FILE *out, const void *memory, const clod_free_momen
     for (int32_t w = 0; w < walls->count; w++) {
         report_wall(out, &walls->wall[w], now->state->time);
     }
+    clod_surface_impacts_report(out, walls);
 }
 
 static json_t *face_json(const clod_wall *wall, int32_t number, const face *of, double time)
@@ -243,6 +254,8 @@ static json_t *face_json(const clod_wall *wall, int32_t number, const face *of, 
     if (sum[CLOD_WEAR_ENERGY] > 0.0) {
         json_object_set_new(one, "impact_angle_deg", json_real(angle_of(of)));
     }
+    json_object_set_new(one, "impacts",
+                        clod_surface_impacts_json(clod_wear_impacts(wall, number)));
     return one;
 }
 
@@ -257,7 +270,7 @@ static json_t *surfaces_json(const void *memory, const clod_free_moment *now)
     for (int32_t w = 0; w < walls->count; w++) {
         const clod_wall *wall = &walls->wall[w];
         const double time = now->state->time - wall->wear_since;
-        for (int32_t f = 0; time > 0.0 && f < clod_wear_faces(wall); f++) {
+        for (int32_t f = 0; time > 0.0 && f < clod_wear_summed(wall); f++) {
             const face total = face_of(wall, f, now->state->time);
             json_array_append_new(all, face_json(wall, f, &total, time));
         }
@@ -274,4 +287,5 @@ const clod_free_measure CLOD_MEASURE_SURFACES = {.key = "surfaces",
                                                  .column = surfaces_column,
                                                  .row = surfaces_row,
                                                  .report = surfaces_report,
-                                                 .json = surfaces_json};
+                                                 .json = surfaces_json,
+                                                 .write = clod_surface_impacts_write};

@@ -139,7 +139,8 @@ typedef struct clod_wall {
     double wear_since, wear_row;    ///< s, times at which the sums began, and of the last row
     double (*wear)[CLOD_WEAR_SUMS]; ///< owned [wear_rows] places, then the sums of each surface
                                     ///< at the last row of the series, then those of now, as
-                                    ///< sim/surfaces.c needs them; NULL: nobody asked
+                                    ///< sim/surfaces.c needs them, then the impacts of each
+                                    ///< surface (clod_wear_impacts); NULL: nobody asked
 } clod_wall;
 
 /** Free what a wall owns. */

@@ -84,11 +84,25 @@ void clod_wear_name(const clod_wall *wall, int32_t face, char *text, size_t size
     }
 }
 
+/** Rows that the impacts of a surface take. */
+#define IMPACT_ROWS ((sizeof(clod_impacts) - 1) / sizeof(double[CLOD_WEAR_SUMS]) + 1)
+
+int32_t clod_wear_rows(const clod_wall *wall, int32_t places)
+{
+    return places + (2 + (int32_t)IMPACT_ROWS) * clod_wear_faces(wall);
+}
+
+clod_impacts *clod_wear_impacts(const clod_wall *wall, int32_t face)
+{
+    const size_t first = (size_t)wall->wear_places + 2 * (size_t)clod_wear_faces(wall);
+    return (clod_impacts *)wall->wear[first + IMPACT_ROWS * (size_t)face];
+}
+
 bool clod_wear_begin(clod_wall *wall)
 {
     clod_memory_free(wall->wear);
     wall->wear_places = clod_wear_number(wall);
-    wall->wear_rows = wall->wear_places + 2 * clod_wear_faces(wall);
+    wall->wear_rows = clod_wear_rows(wall, wall->wear_places);
     wall->wear = clod_memory_alloc((size_t)wall->wear_rows + 1, sizeof *wall->wear);
     return wall->wear != NULL;
 }

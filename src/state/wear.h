@@ -9,6 +9,7 @@
  * Source  docs/theory/wear.md.   Test  tests/step/test_wear.c
  */
 
+#include "state/impacts.h"
 #include "state/walls.h"
 
 /** Columns of the sums of a place. */
@@ -17,7 +18,7 @@ enum {
     CLOD_WEAR_PRESS = 3,   ///< of that force into the surface [N s]; below 0 grains pull
     CLOD_WEAR_SHEAR = 4,   ///< of friction force times sliding speed [J]
     CLOD_WEAR_SQUEEZE = 5, ///< of normal force times approach speed, while they approach [J]
-    CLOD_WEAR_IMPACTS = 6, ///< number of contacts that began
+    CLOD_WEAR_IMPACTS = 6, ///< number of impacts
     CLOD_WEAR_ENERGY = 7,  ///< of the energy of the grains' approach, m v_n^2/2, at impact [J]
     CLOD_WEAR_ANGLE = 8,   ///< of that energy times the angle of impact [J rad]
     CLOD_WEAR_SLIDING = 9, ///< of pressing force times sliding speed [J]: Archard
@@ -35,6 +36,18 @@ int32_t clod_wear_number(clod_wall *wall);
 
 /** Number of surfaces of a wall whose shapes are numbered. */
 int32_t clod_wear_faces(const clod_wall *wall);
+
+/** Number of surfaces of a wall that has sums; 0 of one without, as a program may add. */
+static inline int32_t clod_wear_summed(const clod_wall *wall)
+{
+    return wall->wear != NULL ? clod_wear_faces(wall) : 0;
+}
+
+/** Rows that the sums of a wall need: those of places, and of each surface two and its impacts. */
+int32_t clod_wear_rows(const clod_wall *wall, int32_t places);
+
+/** How grains hit a surface of a wall that has sums; borrowed. */
+clod_impacts *clod_wear_impacts(const clod_wall *wall, int32_t face);
 
 /** A place, the shape with which grains touch it, and its surface; numbers of the wall. */
 typedef struct clod_wear_place {

@@ -23,6 +23,7 @@ static inline void kernel_rub_store(clod_rub_block *rub, int lane, const clod_la
     const vreal3 friction = vreal3_axpy(result->force, -press, touch->normal);
     const vreal power = vreal3_dot(friction, touch->slip);
     vreal3_store(rub->force, lane, vreal3_scale(result->force, vreal_set(-1.0)));
+    vreal3_store(rub->normal, lane, touch->normal);
     vreal_store(&rub->press[lane], press);
     vreal_store(&rub->friction[lane], vreal_max(power, zero - power));
     vreal_store(&rub->slip[lane], vreal_sqrt(vreal3_dot(touch->slip, touch->slip)));

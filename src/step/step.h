@@ -292,7 +292,7 @@ void clod_step_touch(clod_step *self, int part);
 void clod_step_wall(clod_step *self, int part);
 void clod_step_spent(clod_step *self, int part);
 void clod_step_merge(clod_step *self, int part);
-void clod_step_wear(clod_step *self, int part);
+void clod_step_wear(clod_step *self, int thread);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);
 

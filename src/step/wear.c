@@ -5,12 +5,13 @@
 #include <math.h>
 
 #include "parallel/threads.h"
+#include "step/impact.h"
 #include "step/step.h"
 
-/** Places of all walls that a thread adds to: those of its share of the numbers. */
-static bool is_mine(const clod_step *self, int32_t place, int part)
+/** Places, and surfaces, of all walls that a thread adds to: its share of the numbers. */
+static bool is_mine(const clod_step *self, int32_t number, int thread)
 {
-    return self->threads == 1 || place % self->threads == part;
+    return self->threads == 1 || number % self->threads == thread;
 }
 
 static double length(double x, double y, double z)
@@ -22,8 +23,7 @@ static double length(double x, double y, double z)
 static void add(double sum[CLOD_WEAR_SUMS], const clod_rub_block *rub, int lane, double dt)
 {
     const double press = rub->press[lane], slip = rub->slip[lane];
-    const double approach = rub->approach[lane], mass = rub->mass[lane];
-    const double square = rub->speed2[lane];
+    const double approach = rub->approach[lane];
     for (int a = 0; a < 3; a++) {
         sum[CLOD_WEAR_IMPULSE + a] += dt * rub->force[a][lane];
     }
@@ -37,53 +37,72 @@ static void add(double sum[CLOD_WEAR_SUMS], const clod_rub_block *rub, int lane,
         sum[CLOD_WEAR_CUTTING] +=
             2.0 * dt * force * length(approach, slip, 0.0) * clod_wear_finnie(approach, slip);
     }
-    if (rub->closed[lane] > 1.5 && approach > 0.0) { // an impact begins
-        const double energy = 0.5 * mass * approach * approach;
-        sum[CLOD_WEAR_IMPACTS] += 1.0;
-        sum[CLOD_WEAR_ENERGY] += energy;
-        sum[CLOD_WEAR_ANGLE] += energy * asin(fmin(1.0, approach / sqrt(square)));
-    }
+}
+
+static void add_impact(double sum[CLOD_WEAR_SUMS], const clod_impact *impact)
+{
+    sum[CLOD_WEAR_IMPACTS] += 1.0;
+    sum[CLOD_WEAR_ENERGY] += impact->normal;
+    sum[CLOD_WEAR_ANGLE] += impact->normal * impact->angle;
 }
 
 /** Place of a contact among those of its wall. */
-static int32_t place_of(const clod_step *self, const clod_wall *wall,
-                        const clod_wall_block *block, clod_wall_form form, int lane)
+static clod_wear_place place_of(const clod_step *self, const clod_wall *wall,
+                                const clod_wall_block *block, clod_wall_form form, int lane)
 {
     const int32_t first = clod_wall_rows_shape(&self->walls, block->wall[lane], 0);
-    const int32_t shape = (block->shape[lane] - first) / CLOD_SHAPE_ROWS;
-    const int32_t facet =
-        form == CLOD_FORM_MESH ? self->near.touch.facet[block->touch[lane]] : 0;
-    return wall->shapes[shape].place + facet;
+    const int32_t number = (block->shape[lane] - first) / CLOD_SHAPE_ROWS;
+    const clod_shape *shape = &wall->shapes[number];
+    clod_wear_place at = {number, shape->place, shape->face};
+    if (form == CLOD_FORM_MESH) {
+        const int32_t facet = self->near.touch.facet[block->touch[lane]];
+        at.place += facet;
+        at.face += (int32_t)shape->surface->part[facet];
+    }
+    return at;
 }
 
-static void add_group(clod_step *self, size_t group, clod_wall_form form, int part)
+/** Contacts of one part of the list. */
+static void add_group(clod_step *self, int part, size_t group, clod_wall_form form, int thread)
 {
     const clod_near_blocks *walls = &self->near.walls;
     const size_t begin = walls->group_start[group];
     for (size_t c = 0; c < walls->group_count[group]; c++) {
         const clod_rub_block *rub = &walls->rub[begin + c / CLOD_LANES];
         const int lane = (int)(c % CLOD_LANES);
-        if (rub->closed[lane] == 0.0) {
-            continue;
-        }
         const clod_wall_block *block =
             (const clod_wall_block *)walls->block + begin + c / CLOD_LANES;
         clod_wall *wall = &self->state->walls.wall[block->wall[lane]];
-        const int32_t place = wall->wear != NULL ? place_of(self, wall, block, form, lane) : -1;
-        if (place >= 0 && is_mine(self, place, part)) {
-            add(wall->wear[place], rub, lane, self->view.dt);
+        if (rub->closed[lane] == 0.0 || wall->wear == NULL) {
+            continue;
+        }
+        const clod_wear_place at = place_of(self, wall, block, form, lane);
+        const bool mine = is_mine(self, at.place, thread);
+        if (mine) {
+            add(wall->wear[at.place], rub, lane, self->view.dt);
+        }
+        if (rub->closed[lane] > 1.5 && (mine || is_mine(self, at.face, thread)) &&
+            clod_impact_begins(&self->near, part, group, c)) {
+            const clod_impact impact =
+                clod_impact_of(rub->mass[lane], rub->approach[lane], rub->speed2[lane]);
+            if (mine) {
+                add_impact(wall->wear[at.place], &impact);
+            }
+            if (is_mine(self, at.face, thread)) {
+                clod_impacts_add(clod_wear_impacts(wall, at.face), &impact);
+            }
         }
     }
 }
 
-void clod_step_wear(clod_step *self, int part)
+void clod_step_wear(clod_step *self, int thread)
 {
     const clod_near *near = &self->near;
     for (int32_t l = 0; near->wear && l < near->laws; l++) {
         for (int form = 0; form < CLOD_FORMS; form++) {
             for (int p = 0; p < near->parts; p++) {
-                add_group(self, clod_near_wall_group(near, p, l, (clod_wall_form)form),
-                          (clod_wall_form)form, part);
+                add_group(self, p, clod_near_wall_group(near, p, l, (clod_wall_form)form),
+                          (clod_wall_form)form, thread);
             }
         }
     }

@@ -14,6 +14,7 @@
 #include "base/memory.h"
 #include "base/random.h"
 #include "state/state.h"
+#include "state/wear.h"
 
 #define RANDOM_STATE_GRAINS 37
 #define RANDOM_STATE_WALLS 3
@@ -127,9 +128,9 @@ static inline void random_state_walls(clod_state *state)
         wall->shape_count = w + 1;
         wall->shapes = clod_memory_alloc((size_t)w + 1, sizeof(clod_shape));
         if (w % 2 == 0) { // the others have none
-            wall->wear_places = w + 1;
-            wall->wear_rows = 3 * (w + 1); // a place and two rows for each shape
-            wall->wear = clod_memory_alloc(3 * ((size_t)w + 1), sizeof *wall->wear);
+            wall->wear_places = clod_wear_number(wall);
+            wall->wear_rows = clod_wear_rows(wall, wall->wear_places);
+            wall->wear = clod_memory_alloc((size_t)wall->wear_rows, sizeof *wall->wear);
         }
     }
 }

@@ -13,7 +13,7 @@ import unittest
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 RECORD = os.path.join(ROOT, "tests/output/checkpoint_parts.txt")
-# What src/sim hands to clod_checkpoint_write as parts, and what those structs are made of.
+# What src/sim hands to clod_checkpoint_write as parts, what those structs are made of, and impacts.
 PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_kind", "clod_ring_shear_phase",
                                       "clod_ring_shear_flag", "clod_ring_shear"]),
          ("src/tester/uniaxial.h", ["clod_uniaxial_phase", "clod_uniaxial_flag",
@@ -37,6 +37,8 @@ PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_kind", "clod_ring_shear_p
          ("src/sim/build_up.h", ["CLOD_BUILD_UP_PARTS", "CLOD_BUILD_UP_POINTS"]),
          ("src/sim/build_up.c", ["past", "build_up"]),
          ("src/sim/history_map.c", ["force_sum", "map_cell", "history_map"]),
+         ("src/state/impacts.h", ["CLOD_IMPACT_ANGLES", "CLOD_IMPACT_BOUNDS", "clod_impact_class",
+                                  "clod_impact_sums", "clod_impacts"]),
          ("src/output/series.h", ["clod_series_mark"]),
          ("src/output/snapshot.h", ["clod_snapshot_film"]),
          ("src/sim/job.h", ["clod_job_memory"])]

@@ -261,6 +261,19 @@ class Python(program.Case):
             sim.advance(10)
             self.assertIn("floor.force_z", sim.series_row())
 
+    def test_walls_that_are_added_have_no_sums(self):
+        """The series tells what the surfaces of the case feel, and nothing of a wall that came later."""
+        text = CASE.replace("contacts: true", "surfaces: true")
+        with clod.Simulation(text=text, threads=1) as sim:
+            sim.add_wall("lower", "material: ore\nshapes:\n  - plane: {point: [0 mm, 0 mm, -1 mm]}\n")
+            sim.change()
+            sim.open_series()
+            sim.advance(60000)
+            row = sim.series_row()
+            self.assertGreater(row["surface_floor.impacts"], 0.0)
+            self.assertGreater(row["surface_floor.impact_angle"], 0.0)
+            self.assertEqual([name for name in row if name.startswith("surface_lower")], [])
+
     def test_a_belt_carries_what_lies_on_it(self):
         with make() as sim:
             floor = sim.walls["floor"]
