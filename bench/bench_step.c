@@ -146,7 +146,7 @@ static long rss(void)
 static bool remake(clod_step *step, clod_status *status)
 {
     const int64_t refreshes = step->refreshes, rebuilds = step->rebuilds;
-    step->near.wall_way = -1.0;
+    step->near.wall_skin = -1.0;
     step->thread[0].near_slack = -1.0;
     if (!clod_step_advance(step, 1, status) || step->refreshes == refreshes) {
         return false;

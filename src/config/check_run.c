@@ -5,6 +5,7 @@
 #include "config/check.h"
 #include "config/region.h"
 #include "config/suggest.h"
+#include "state/shape_kinds.h"
 
 #define PATH_SIZE 320
 /** Cosine of the angle between two directions below which they are across each other. */
@@ -176,39 +177,6 @@ static void check_grains(clod_loader *loader, const clod_case *self, size_t inde
     }
 }
 
-static void check_annulus(clod_loader *loader, const char *path, const clod_case_shape *shape)
-{
-    if (shape->inner_radius >= shape->outer_radius) {
-        fail(loader, path, "annulus.inner_radius", "must be smaller than outer_radius");
-    }
-}
-
-static void check_cone(clod_loader *loader, const char *path, const clod_case_shape *shape)
-{
-    if (shape->foot_radius == shape->top_radius) {
-        fail(loader, path, "cone.top_radius",
-             "is the same as foot_radius; write a cylinder, or change one of them");
-    }
-}
-
-static void check_bar(clod_loader *loader, const char *path, const clod_case_shape *shape)
-{
-    const double *a = shape->from;
-    const double *b = shape->to;
-    const double along[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    if (along[0] == 0.0 && along[1] == 0.0 && along[2] == 0.0) {
-        fail(loader, path, "bar.to", "is the same point as from; the bar has no length");
-        return;
-    }
-    const double *up = shape->up;
-    const double cross[3] = {along[1] * up[2] - along[2] * up[1],
-                             along[2] * up[0] - along[0] * up[2],
-                             along[0] * up[1] - along[1] * up[0]};
-    if (cross[0] == 0.0 && cross[1] == 0.0 && cross[2] == 0.0) {
-        fail(loader, path, "bar.up", "points along the bar; choose a direction across it");
-    }
-}
-
 /** Note where a mesh stands, for messages about its file. */
 static void note_line(clod_loader *loader, const char *path, clod_case_shape *shape)
 {
@@ -218,14 +186,19 @@ static void note_line(clod_loader *loader, const char *path, clod_case_shape *sh
     shape->line = file != NULL && file->place.source == 0 ? file->place.line : 0;
 }
 
-/** Rules between the keys of a shape; NULL: none. */
-static void (*const CHECK_SHAPE[CLOD_SHAPE_KINDS])(clod_loader *loader, const char *path,
-                                                   const clod_case_shape *shape) = {
-    [CLOD_SHAPE_ANNULUS] = check_annulus,
-    [CLOD_SHAPE_CONE] = check_cone,
-    [CLOD_SHAPE_BAR] = check_bar,
-    [CLOD_SHAPE_CONVEYOR] = clod_check_belt,
-};
+/** Rules between the keys of a shape. */
+static void check_keys(clod_loader *loader, const char *path, const clod_case_shape *shape)
+{
+    const clod_shape_kind_row *kind = clod_shape_kinds_row((clod_shape_kind)shape->kind);
+    const clod_shape_fault fault =
+        kind->fault != NULL ? kind->fault(shape) : (clod_shape_fault){0};
+    if (fault.key != NULL) {
+        fail(loader, path, fault.key, fault.text);
+    }
+    if (kind->conveyor) {
+        clod_check_belt(loader, path, shape);
+    }
+}
 
 static void check_load(clod_loader *loader, const char *path, clod_case_wall *wall)
 {
@@ -304,9 +277,7 @@ static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
         if (wall->shapes[i].kind == CLOD_SHAPE_MESH) {
             note_line(loader, key, &wall->shapes[i]);
         }
-        if (CHECK_SHAPE[wall->shapes[i].kind] != NULL) {
-            CHECK_SHAPE[wall->shapes[i].kind](loader, key, &wall->shapes[i]);
-        }
+        check_keys(loader, key, &wall->shapes[i]);
         check_surface(loader, self, key, &wall->shapes[i]);
     }
     if (has(loader, path, "load")) {

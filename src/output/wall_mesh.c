@@ -171,19 +171,23 @@ static void draw_facets(clod_mesh_pen *pen)
 }
 
 /** How a shape is drawn, and with how many triangles at most. */
-static const struct {
+typedef struct drawing {
     size_t triangles;
     void (*draw)(clod_mesh_pen *pen);
-} SHAPES[CLOD_SHAPE_KINDS] = {
-    [CLOD_SHAPE_PLANE] = {2, draw_plane},
-    [CLOD_SHAPE_DISC] = {SEGMENTS, draw_round},
-    [CLOD_SHAPE_ANNULUS] = {2 * SEGMENTS, draw_round},
-    [CLOD_SHAPE_CYLINDER] = {2 * SEGMENTS, draw_round},
-    [CLOD_SHAPE_CONE] = {2 * SEGMENTS, draw_round}, // with a tip half of them
-    [CLOD_SHAPE_BOX] = {12, draw_box},
-    [CLOD_SHAPE_BAR] = {12, draw_box},
-    [CLOD_SHAPE_MESH] = {0, draw_facets}, // as many as the mesh has
-};
+} drawing;
+
+static drawing drawing_of(const clod_shape *shape)
+{
+    const clod_shape_kind_row *kind = clod_shape_kinds_row(shape->kind);
+    if (kind->faceted) { // the first patch has all
+        const bool first = clod_shape_begins_mesh(shape);
+        return (drawing){first ? shape->surface->facet_count : 0, draw_facets};
+    }
+    if (kind->endless) {
+        return (drawing){2, draw_plane};
+    }
+    return kind->solid ? (drawing){12, draw_box} : (drawing){2 * SEGMENTS, draw_round};
+}
 
 static bool wears(const clod_state *state)
 {
@@ -200,10 +204,7 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            triangles += SHAPES[wall->shapes[s].kind].triangles;
-            triangles += clod_shape_begins_mesh(&wall->shapes[s])
-                             ? wall->shapes[s].surface->facet_count
-                             : 0;
+            triangles += drawing_of(&wall->shapes[s]).triangles;
         }
     }
     *self = (clod_wall_mesh){
@@ -226,7 +227,7 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
         for (int32_t s = 0; s < wall->shape_count; s++) {
             const clod_shape *shape = &wall->shapes[s];
             clod_mesh_pen pen = {self, wall, shape, w, &state->domain, state, shape->place};
-            SHAPES[wall->shapes[s].kind].draw(&pen);
+            drawing_of(shape).draw(&pen);
         }
     }
     return true;

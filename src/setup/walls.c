@@ -24,73 +24,13 @@ static void complete_frame(clod_vec3 axis[3])
     axis[1] = clod_vec3_cross(z, axis[0]);
 }
 
-/** A bar is a box whose first axis is its centre line and whose third axis is `up`. */
-static void make_bar(const clod_case_shape *from, clod_shape *shape)
-{
-    const clod_vec3 start = clod_vec3_of(from->from);
-    const clod_vec3 line = clod_vec3_sub(clod_vec3_of(from->to), start);
-    shape->axis[0] = clod_vec3_unit(line);
-    shape->axis[1] = clod_vec3_unit(clod_vec3_cross(clod_vec3_of(from->up), shape->axis[0]));
-    shape->axis[2] = clod_vec3_cross(shape->axis[0], shape->axis[1]);
-    shape->center = clod_vec3_axpy(start, 0.5, line);
-    shape->half[0] = 0.5 * clod_vec3_length(line);
-    shape->half[1] = 0.5 * from->width;
-    shape->half[2] = 0.5 * from->height;
-}
-
-static void make_box(const clod_case_shape *from, clod_shape *shape)
-{
-    shape->axis[0] = (clod_vec3){1.0, 0.0, 0.0};
-    shape->axis[1] = (clod_vec3){0.0, 1.0, 0.0};
-    shape->axis[2] = (clod_vec3){0.0, 0.0, 1.0};
-    for (int a = 0; a < 3; a++) {
-        shape->half[a] = 0.5 * from->size[a];
-    }
-}
-
-/** A disc; or a plane, which has no radius. */
-static void make_disc(const clod_case_shape *from, clod_shape *shape)
-{
-    shape->axis[2] = clod_vec3_unit(clod_vec3_of(from->normal));
-    shape->outer = from->radius;
-}
-
-static void make_annulus(const clod_case_shape *from, clod_shape *shape)
-{
-    shape->axis[2] = clod_vec3_unit(clod_vec3_of(from->normal));
-    shape->inner = from->inner_radius;
-    shape->outer = from->outer_radius;
-}
-
-static void make_cylinder(const clod_case_shape *from, clod_shape *shape)
-{
-    shape->axis[2] = clod_vec3_unit(clod_vec3_of(from->axis));
-    shape->outer = from->radius;
-    shape->half[2] = 0.5 * from->length;
-    shape->side = (clod_side)from->side;
-}
-
-static void make_cone(const clod_case_shape *from, clod_shape *shape)
-{
-    make_cylinder(from, shape);
-    shape->outer = from->foot_radius;
-    shape->inner = from->top_radius;
-}
-
-/** Sizes of a shape and its axes, of round ones the third only. */
-static void (*const MAKE[CLOD_SHAPE_KINDS])(const clod_case_shape *from, clod_shape *shape) = {
-    [CLOD_SHAPE_PLANE] = make_disc,      [CLOD_SHAPE_DISC] = make_disc,
-    [CLOD_SHAPE_ANNULUS] = make_annulus, [CLOD_SHAPE_CYLINDER] = make_cylinder,
-    [CLOD_SHAPE_CONE] = make_cone,       [CLOD_SHAPE_BOX] = make_box,
-    [CLOD_SHAPE_BAR] = make_bar,
-};
-
 static clod_shape make_shape(const clod_case_shape *from)
 {
     clod_shape shape = {.kind = (clod_shape_kind)from->kind,
                         .center = clod_vec3_of(from->point)};
-    MAKE[shape.kind](from, &shape);
-    if (!clod_shape_kinds_row(shape.kind)->solid) {
+    const clod_shape_kind_row *kind = clod_shape_kinds_row(shape.kind);
+    kind->make(from, &shape);
+    if (!kind->solid) {
         complete_frame(shape.axis);
     }
     return shape;

@@ -1,13 +1,21 @@
 #pragma once
 /**
  * @file shape_kinds.h
- * Shapes of walls as others see them: one row for each clod_shape_kind. Others ask the row, not
- * which kind it is. The keys of a shape are in src/config/params_shape.c.
+ * Shapes of walls as others see them, the case file too: one row for each clod_shape_kind. Others
+ * ask the row, not which kind it is. The keys of a shape are in src/config/params_shape.c.
  */
 
 #include <stdbool.h>
 
 #include "clod/case.h"
+
+struct clod_shape;
+
+/** A rule between the keys of a shape that its section breaks. */
+typedef struct clod_shape_fault {
+    const char *key;  ///< "kind.key"; NULL: no rule is broken
+    const char *text; ///< what is wrong with it, for the user
+} clod_shape_fault;
 
 /** A shape is endless, solid, faceted, flat or a shell; those without a box are round about
  *  axis[2]. */
@@ -20,6 +28,12 @@ typedef struct clod_shape_kind_row {
     bool flat;     ///< across its axis, between the radii inner and outer
     bool shell;    ///< along its axis, with the grains on one `side`
     bool straight; ///< radius outer from foot to top; else inner at the top
+    /** Sizes and axes of the shape, of round ones the third axis only, from its keys. NULL: it is
+     *  made from facets. */
+    void (*make)(const clod_case_shape *from, struct clod_shape *shape);
+    /** The first rule between its keys that is broken; NULL: there are none here (those of belts
+     *  are in src/config/check_belt.c). */
+    clod_shape_fault (*fault)(const clod_case_shape *from);
 } clod_shape_kind_row;
 
 /**

@@ -17,7 +17,7 @@ static bool make_room(clod_step *self, clod_status *status)
     const bool room = self->spread != NULL
                           ? clod_spread_make_room(self->spread, state, count, status)
                           : clod_grains_reserve(&state->grains, count, status);
-    clod_step_look(self); // the rows may lie elsewhere
+    clod_step_set_view(self); // the rows may lie elsewhere
     return room;
 }
 

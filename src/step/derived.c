@@ -18,7 +18,7 @@ double clod_step_fastest(const clod_state *state)
     return fmax(sqrt(speed2), walls);
 }
 
-void clod_step_look(clod_step *self)
+void clod_step_set_view(clod_step *self)
 {
     const clod_grains *grains = &self->state->grains;
     self->view =
@@ -100,16 +100,16 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
                                .state = state,
                                .laws = self->laws,
                                .walls = &self->walls,
-                               .ways = clod_step_ways(self, speed)};
+                               .skins = clod_step_skins(self, speed)};
     if (!clod_spread_agree(self->spread, clod_near_make(&job, status), status)) {
         return false;
     }
     if (self->spread != NULL) {
-        self->near.least_way = clod_spread_least(self->spread, self->near.least_way);
+        self->near.least_skin = clod_spread_least(self->spread, self->near.least_skin);
     }
     clod_step_begin_motion(self, 0);
     clod_step_list_moving(self);
     clod_step_list_summed(self);
-    clod_step_look(self);
+    clod_step_set_view(self);
     return true;
 }

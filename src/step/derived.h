@@ -18,7 +18,7 @@ bool clod_step_derive(clod_step *self, clod_status *status);
 bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status);
 
 /** Rows, sums and periods for the kernels, as they lie in memory now. */
-void clod_step_look(clod_step *self);
+void clod_step_set_view(clod_step *self);
 
 /** Speed of the fastest grain, or of the fastest point of a wall [m/s]. */
 double clod_step_fastest(const clod_state *state);

@@ -15,9 +15,9 @@
 
 // ---- which candidates are near
 
-/** What rounding may add to a way: to a distance in double, as a part of the radius; */
+/** By what rounding may be wrong: a distance in double, as a part of the radius; */
 #define ROUNDING 1e-9
-/** to an origin and a way in float, both at most half of the wide skin, as a part of that. */
+/** an origin and an own skin in float, both at most half of the wide skin, as a part of that. */
 #define FLOAT_ROUNDING 1e-7
 
 /** Items [begin, end) of so many that are a part's to look at before there is a cut. */
@@ -26,16 +26,16 @@ static size_t share_of(size_t count, int part, int parts)
     return count * (size_t)part / (size_t)parts;
 }
 
-void clod_near_allow(const clod_near_job *job, int part)
+void clod_near_choose_skins(const clod_near_job *job, int part)
 {
-    const clod_near_ways *ways = &job->ways;
+    const clod_near_skins *skins = &job->skins;
     const clod_grains *grains = &job->state->grains;
     const int parts = job->near->parts;
     const size_t end = share_of(grains->count, part + 1, parts);
     for (size_t g = share_of(grains->count, part, parts); g < end; g++) {
         const double *v = grains->velocity[g];
         const double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-        job->near->way[g] = (float)fmin(ways->least + ways->time * speed, ways->most);
+        job->near->skin[g] = (float)fmin(skins->least + skins->time * speed, skins->most);
     }
 }
 
@@ -61,16 +61,16 @@ double clod_near_slack(const clod_near *self, const clod_state *state, size_t be
         const double x = p[0] - built[0] - (double)origin[0];
         const double y = p[1] - built[1] - (double)origin[1];
         const double z = p[2] - built[2] - (double)origin[2];
-        const double left = (double)self->way[g] - sqrt(x * x + y * y + z * z);
+        const double left = (double)self->skin[g] - sqrt(x * x + y * y + z * z);
         least = left < least ? left : least;
     }
     return least - self->rounding;
 }
 
-/** How far a grain may go. */
-static double way_of(const clod_near_job *job, size_t grain)
+/** Own skin of a grain. */
+static double skin_of(const clod_near_job *job, size_t grain)
 {
-    return (double)job->near->way[grain];
+    return (double)job->near->skin[grain];
 }
 
 static bool pair_is_near(const clod_near_job *job, size_t i, size_t j)
@@ -80,14 +80,14 @@ static bool pair_is_near(const clod_near_job *job, size_t i, size_t j)
     const double x = clod_domain_separation(domain, 0, a[0], b[0]);
     const double y = clod_domain_separation(domain, 1, a[1], b[1]);
     const double z = clod_domain_separation(domain, 2, a[2], b[2]);
-    const double reach = a[3] + b[3] + way_of(job, i) + way_of(job, j);
+    const double reach = a[3] + b[3] + skin_of(job, i) + skin_of(job, j);
     return x * x + y * y + z * z < reach * reach;
 }
 
 static bool wall_is_near(const clod_near_job *job, const clod_wall_candidate *c)
 {
     const double *p = job->state->grains.position[c->i];
-    const double reach = p[3] + way_of(job, (size_t)c->i) + job->ways.wall;
+    const double reach = p[3] + skin_of(job, (size_t)c->i) + job->skins.wall;
     return clod_wall_rows_patch(job->walls, c->wall, c->shape)->surface != NULL
                ? clod_wall_mesh_mark(&job->neighbour->walls, c, job->walls, p, reach)
                : clod_wall_rows_is_near(job->walls, c->wall, c->shape, p, reach);
@@ -283,8 +283,8 @@ static bool reserve(const clod_near_job *job)
 {
     clod_near *self = job->near;
     const size_t walls = (size_t)job->state->walls.count;
-    return clod_room_for(&self->way, &self->way_capacity, job->state->grains.count,
-                         sizeof *self->way) &&
+    return clod_room_for(&self->skin, &self->skin_capacity, job->state->grains.count,
+                         sizeof *self->skin) &&
            clod_room_for(&self->origin, &self->origin_capacity, job->state->grains.count,
                          sizeof *self->origin) &&
            clod_room_for(&self->sum_start, &self->sum_start_capacity, walls + 1,
@@ -298,10 +298,10 @@ static bool reserve(const clod_near_job *job)
 bool clod_near_begin(const clod_near_job *job, clod_status *status)
 {
     clod_near *self = job->near;
-    self->wall_way = job->ways.wall;
+    self->wall_skin = job->skins.wall;
     self->rounding =
         ROUNDING * job->neighbour->radius_max + FLOAT_ROUNDING * job->neighbour->skin;
-    self->least_way = fmin(job->ways.least, job->ways.wall) - 2.0 * self->rounding;
+    self->least_skin = fmin(job->skins.least, job->skins.wall) - 2.0 * self->rounding;
     self->made = false;
     bool good = self->part_start != NULL;
     if (!good) {
@@ -340,11 +340,11 @@ bool clod_near_reserve_spent(clod_near *self)
                                            self->walls.count, sizeof *self->walls.spent));
 }
 
-void clod_near_give_ways_back(clod_near *self)
+void clod_near_give_skins_back(clod_near *self)
 {
-    const size_t ways = self->way_capacity * sizeof *self->way;
+    const size_t skins = self->skin_capacity * sizeof *self->skin;
     const size_t origins = self->origin_capacity * sizeof *self->origin;
-    clod_memory_give_back(self->way, ways, ways);
+    clod_memory_give_back(self->skin, skins, skins);
     clod_memory_give_back(self->origin, origins, origins);
 }
 
@@ -355,7 +355,7 @@ bool clod_near_make(const clod_near_job *job, clod_status *status)
     }
     const int parts = job->near->parts;
     for (int p = 0; p < parts; p++) {
-        clod_near_allow(job, p);
+        clod_near_choose_skins(job, p);
     }
     for (int p = 0; p < parts; p++) {
         clod_near_mark(job, p);
@@ -392,7 +392,7 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->between.run);
     clod_memory_free(self->between.run_start);
     clod_memory_free(self->part_start);
-    clod_memory_free(self->way);
+    clod_memory_free(self->skin);
     clod_memory_free(self->origin);
     clod_memory_free(self->weight);
     clod_memory_free(self->wall_sum);

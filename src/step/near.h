@@ -1,9 +1,9 @@
 #pragma once
 /**
  * @file near.h
- * The pairs the force loop looks at: candidates that can touch before one of the grains has gone
- * its own way, as blocks of one law each. Made anew when a grain has. Pairs that do not touch add exactly zero, so the
- * list itself never changes a bit.
+ * The pairs of the force loop, as blocks of one law each: candidates that can touch before one of
+ * the two grains has moved by more than its own skin. Made anew when a grain has. Pairs that do not
+ * touch add exactly zero, so the list itself never changes a bit.
  *
  * The grains are cut into parts, runs of rows with about as much work each, one part for each
  * thread. Blocks lie in groups: for each part and law the contacts within the part, then for
@@ -56,12 +56,12 @@ typedef struct clod_near_range {
 } clod_near_range;
 
 typedef struct clod_near {
-    float *way;         ///< [grains] m, how far each may go: its own way
+    float *skin;        ///< [grains] m, by which each may move: its own skin
     float (*origin)[3]; ///< [grains] m, where each was then, from its place at the last rebuild
-    size_t way_capacity, origin_capacity;
-    double rounding;  ///< m, no less than what the two above are wrong by
-    double wall_way;  ///< m, how far walls may go
-    double least_way; ///< m, no more than any way, of grains or walls
+    size_t skin_capacity, origin_capacity;
+    double rounding;   ///< m, no less than what the two above are wrong by
+    double wall_skin;  ///< m, by which walls may move
+    double least_skin; ///< m, no more than any skin, of grains or walls
     int32_t laws;
     int parts;          ///< set before the first list
     size_t *part_start; ///< [parts + 1] first grain of each part
@@ -121,12 +121,13 @@ static inline size_t clod_near_sources(const clod_near *self)
     return (size_t)self->laws * most;
 }
 
-/** How far each grain may go until a list is made anew: the own way (docs/adr/0037). */
-typedef struct clod_near_ways {
+/** What the own skin of each grain follows from: it may move by that until a list is made anew
+ *  (docs/adr/0037). */
+typedef struct clod_near_skins {
     double time;        ///< s, a grain's speed times this
     double least, most; ///< m, and the first added, at most the second
     double wall;        ///< m, the same of walls
-} clod_near_ways;
+} clod_near_skins;
 
 /** What goes through the making of one list, for all threads. */
 typedef struct clod_near_job {
@@ -135,7 +136,7 @@ typedef struct clod_near_job {
     clod_state *state;
     const clod_laws *laws;
     const clod_wall_rows *walls; ///< where they are now
-    clod_near_ways ways;
+    clod_near_skins skins;
 } clod_near_job;
 
 /**
@@ -147,9 +148,9 @@ typedef struct clod_near_job {
  * Errors  CLOD_FAILED.   Test  tests/step/test_near_parts.c, test_same_bits.c
  */
 bool clod_near_begin(const clod_near_job *job, clod_status *status);
-void clod_near_allow(const clod_near_job *job, int part); ///< own ways of grains
-void clod_near_mark(const clod_near_job *job, int part);  ///< which candidates are near
-void clod_near_cut(const clod_near_job *job);             ///< parts of about the same work
+void clod_near_choose_skins(const clod_near_job *job, int part); ///< of the grains
+void clod_near_mark(const clod_near_job *job, int part);         ///< which candidates are near
+void clod_near_cut(const clod_near_job *job); ///< parts of about the same work
 void clod_near_count(const clod_near_job *job, int part);
 bool clod_near_layout(const clod_near_job *job, clod_status *status); ///< and all walls
 void clod_near_place(const clod_near_job *job, int part);
@@ -157,14 +158,14 @@ void clod_near_note(const clod_near_job *job, int part); ///< where the grains a
 void clod_near_end(const clod_near_job *job);
 
 /**
- * How far grains [begin, end) may still go, each on its own way: the least [m]; below 0 one has
- * gone too far, and a pair that is not on the list may touch.
+ * What is left of the own skins of grains [begin, end): the least [m]; below 0 one has moved
+ * too far, and a pair that is not on the list may touch.
  */
 double clod_near_slack(const clod_near *self, const clod_state *state, size_t begin,
                        size_t end);
 
-/** Give ways and origins of a large bed back to the system: the next list has new ones. */
-void clod_near_give_ways_back(clod_near *self);
+/** Give skins and origins of a large bed back to the system: the next list has new ones. */
+void clod_near_give_skins_back(clod_near *self);
 
 /** All of that by one thread. */
 bool clod_near_make(const clod_near_job *job, clod_status *status);

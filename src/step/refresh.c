@@ -37,7 +37,7 @@ static double wall_speed(const clod_walls *walls)
     return fastest;
 }
 
-clod_near_ways clod_step_ways(const clod_step *self, double speed)
+clod_near_skins clod_step_skins(const clod_step *self, double speed)
 {
     const clod_neighbour *wide = &self->neighbour;
     const double pairs = (double)wide->pairs.count + WALL_COST * (double)wide->walls.count;
@@ -50,24 +50,24 @@ clod_near_ways clod_step_ways(const clod_step *self, double speed)
                                       : 0.0;
     const double least = 0.5 * NEAR_LEAST * wide->radius_min, most = 0.5 * wide->skin;
     const double walls = WALL_SUDDEN * time * wall_speed(&self->state->walls);
-    return (clod_near_ways){.time = time,
-                            .least = fmin(fmax(least, time * some), most),
-                            .most = most,
-                            .wall = fmin(fmax(least, walls), most)};
+    return (clod_near_skins){.time = time,
+                             .least = fmin(fmax(least, time * some), most),
+                             .most = most,
+                             .wall = fmin(fmax(least, walls), most)};
 }
 
 void clod_step_begin_motion(clod_step *self, int part)
 {
     clod_step_thread *mine = &self->thread[part];
     mine->near_motion = mine->wall_motion = 0.0;
-    mine->near_slack = self->near.least_way;
+    mine->near_slack = self->near.least_skin;
 }
 
-/** The least way that is left on any rank, to that of thread 0. */
+/** The least that is left of a skin on any rank, to that of thread 0. */
 static void least_of_ranks(clod_step *self, int part)
 {
     if (part == 0) {
-        double least = self->near.wall_way - self->thread[0].wall_motion;
+        double least = self->near.wall_skin - self->thread[0].wall_motion;
         for (int t = 0; t < self->threads; t++) {
             least = fmin(least, self->thread[t].slack);
         }
@@ -76,8 +76,8 @@ static void least_of_ranks(clod_step *self, int part)
     clod_barrier_wait(&self->barrier);
 }
 
-/** Whether a grain has gone its own way, or a wall; all threads look, each at its grains. */
-static bool is_gone(clod_step *self, int part)
+/** Whether a grain or a wall has moved by more than its skin; each thread checks its grains. */
+static bool is_used_up(clod_step *self, int part)
 {
     clod_step_thread *mine = &self->thread[part];
     const clod_chunk parts = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
@@ -88,7 +88,7 @@ static bool is_gone(clod_step *self, int part)
         least_of_ranks(self, part);
     }
     mine->near_motion = 0.0;
-    mine->near_slack = self->near.wall_way - mine->wall_motion;
+    mine->near_slack = self->near.wall_skin - mine->wall_motion;
     for (int t = 0; t < self->threads; t++) {
         mine->near_slack = fmin(mine->near_slack, self->thread[t].slack);
     }
@@ -116,7 +116,7 @@ void clod_step_near(clod_step *self, int part)
     if (!finite || grains == 0) { // what is not finite cannot be sorted; the next change makes
         return;                   // lists of grains that come
     }
-    if (!again && (mine->near_motion <= mine->near_slack || !is_gone(self, part))) {
+    if (!again && (mine->near_motion <= mine->near_slack || !is_used_up(self, part))) {
         return;
     }
     if (part == 0) {

@@ -25,7 +25,7 @@ static clod_near_job job_of(clod_step *self)
                            .state = self->state,
                            .laws = self->laws,
                            .walls = &self->walls,
-                           .ways = clod_step_ways(self, self->remake.speed)};
+                           .skins = clod_step_skins(self, self->remake.speed)};
 }
 
 // ---- the phases, in the order of the table below
@@ -62,7 +62,7 @@ static void mark_leavers(clod_step *self)
 static void begin(clod_step *self, int part)
 {
     (void)part;
-    clod_near_give_ways_back(&self->near);
+    clod_near_give_skins_back(&self->near);
     clod_step_remake *remake = &self->remake;
     clod_state *state = self->state;
     if (!remake->again) {
@@ -275,7 +275,7 @@ static void place_walls(clod_step *self, int part)
 
 static void allow(clod_step *self, int part)
 {
-    clod_near_allow(&self->remake.job, part);
+    clod_near_choose_skins(&self->remake.job, part);
 }
 
 static void mark(clod_step *self, int part)
@@ -323,10 +323,10 @@ static void end(clod_step *self, int part)
     self->neighbour.now = false;
     clod_near_end(&self->remake.job);
     if (self->spread != NULL) { // ranks look together
-        self->near.least_way = clod_spread_least(self->spread, self->near.least_way);
+        self->near.least_skin = clod_spread_least(self->spread, self->near.least_skin);
     }
     clod_step_list_summed(self);
-    clod_step_look(self);
+    clod_step_set_view(self);
     if (self->remake.changes || self->remake.left) {
         clod_step_book(self, self->remake.before);
     }

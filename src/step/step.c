@@ -29,7 +29,7 @@
 #define WEAR CLOD_STAGE_WEAR
 #define ROWS (POSITION | VELOCITY | FORCE | HISTORY) // a rebuild puts them into a new order
 
-/** Trouble as one thread sees it, from flags that stay until all threads have looked. */
+/** Trouble as one thread sees it, from flags that stay until all threads have seen them. */
 static bool has_trouble(const clod_step *self, int part)
 {
     bool trouble = self->failed || !self->thread[part].all_finite;
@@ -39,7 +39,7 @@ static bool has_trouble(const clod_step *self, int part)
     return trouble;
 }
 
-static void look(clod_step *self, int part)
+static void check(clod_step *self, int part)
 {
     self->thread[part].stop = has_trouble(self, part);
 }
@@ -60,7 +60,7 @@ const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     {"wear",    clod_step_wear,    LISTS | RUB | TOUCH | WEAR,             WEAR,                                       0,                     CLOD_BARRIER_NONE},
     {"servo",   clod_step_servo,   FELT | WALLS | LISTS,                   FELT | WALLS | LEDGER,                      FELT | WALLS | LEDGER, CLOD_BARRIER_NONE},
     {"ledger",  clod_step_ledger,  SUMS | LEDGER,                          LEDGER,                                     SUMS | LEDGER,         CLOD_BARRIER_NONE},
-    {"look",    look,              EXCESS,                                 0,                                          0,                     CLOD_BARRIER_NONE},
+    {"check",   check,             EXCESS,                                 0,                                          0,                     CLOD_BARRIER_NONE},
     // clang-format on
 };
 

@@ -53,17 +53,17 @@ typedef struct clod_step_stored {
 typedef struct clod_step_thread {
     _Alignas(64) double max_speed2; ///< m2/s2, of its grains (and of the walls: thread 0)
     double build_motion;            ///< m, bound of any motion since the last rebuild
-    double near_motion;             ///< m, the same since grains' own ways were last looked at
-    double near_slack;              ///< m, what was left of any of them then
-    double wall_motion;             ///< m, bound of walls' motion since the last near list
-    double wall_speed;              ///< m/s, fastest of walls in this step (thread 0)
-    double slack;                   ///< m, least left of the own ways of its grains now
-    bool finite;                    ///< its grains' numbers
-    bool all_finite;                ///< those of all threads in this step
-    bool excess;                    ///< an overlap beyond the laws' range
-    bool stop;                      ///< physics went wrong in this step, with any thread
-    bool owed;                      ///< its grains' second half kick is still to be done
-    clod_step_heat spent;           ///< by its contacts in this step, with the ledger
+    double near_motion;   ///< m, the same since the grains' own skins were last checked
+    double near_slack;    ///< m, least left of any of them then
+    double wall_motion;   ///< m, bound of walls' motion since the last near list
+    double wall_speed;    ///< m/s, fastest of walls in this step (thread 0)
+    double slack;         ///< m, least left of the own skins of its grains now
+    bool finite;          ///< its grains' numbers
+    bool all_finite;      ///< those of all threads in this step
+    bool excess;          ///< an overlap beyond the laws' range
+    bool stop;            ///< physics went wrong in this step, with any thread
+    bool owed;            ///< its grains' second half kick is still to be done
+    clod_step_heat spent; ///< by its contacts in this step, with the ledger
 } clod_step_thread;
 
 /** What goes through the making of lists (remake.h). */
@@ -257,13 +257,13 @@ bool clod_step_wall_contact_of(const clod_step *self, uint64_t id, int32_t wall,
                                clod_contact *contact);
 
 /**
- * Own ways of a near list that is made now. The farther grains may go, the longer the list lasts
+ * Own skins for a near list that is made now. The farther grains may go, the longer the list lasts
  * and the more of its pairs do not touch: these cost least.
  *
  * @param speed  of the fastest grain or point of a wall [m/s]
  * Errors  none.   Threads  pure.   Source  docs/adr/0037.   Test  tests/step/test_thin_skin.c
  */
-clod_near_ways clod_step_ways(const clod_step *self, double speed);
+clod_near_skins clod_step_skins(const clod_step *self, double speed);
 
 /** A near list has been made: motion counts from now on, as thread `part` sees it. */
 void clod_step_begin_motion(clod_step *self, int part);

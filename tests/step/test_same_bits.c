@@ -203,7 +203,7 @@ static void the_thin_skin_does_not_matter(void **state)
         scene_start(&b);
         scene_open_ledger(&b);
         for (int k = 0; k < STEPS; k++) {
-            b.step.near.wall_way = -1.0;
+            b.step.near.wall_skin = -1.0;
             b.step.thread[0].near_slack = -1.0; // so it is looked at
             scene_run(&b, 1);
         }

@@ -26,9 +26,9 @@ static void two_grains(scene *s, double speed, bool floor_moves)
 }
 
 /** How far a grain may go by the list there is [m]. */
-static double way_of(const scene *s, size_t row)
+static double skin_of(const scene *s, size_t row)
 {
-    return (double)s->step.near.way[row];
+    return (double)s->step.near.skin[row];
 }
 
 /** Row of the faster of two grains. */
@@ -38,7 +38,7 @@ static size_t faster_of(const scene *s)
     return fabs(v[0][1]) > fabs(v[1][1]) ? 0 : 1;
 }
 
-/** Four times the speed, twice the ways: twice the pairs, and lists twice as often. */
+/** Four times the speed, twice the skins: twice the pairs, and lists twice as often. */
 static void they_go_with_the_root_of_the_speed(void **state)
 {
     (void)state;
@@ -49,12 +49,12 @@ static void they_go_with_the_root_of_the_speed(void **state)
         // candidate counts as one
         const double time = k == 0 ? 1.09935e-3 : 0.5 * 1.09935e-3;
         const double speed = k == 0 ? 0.1 : 0.4;
-        const clod_near_ways ways = clod_step_ways(&s.step, speed);
-        check_relative(ways.time, time, 1e-5);
-        check_relative(ways.least, 0.2 * speed * time, 1e-5);
+        const clod_near_skins skins = clod_step_skins(&s.step, speed);
+        check_relative(skins.time, time, 1e-5);
+        check_relative(skins.least, 0.2 * speed * time, 1e-5);
         const size_t fast = faster_of(&s);
-        check_relative(way_of(&s, fast), 1.2 * speed * time, 1e-5); // the first list knows it
-        check_relative(way_of(&s, 1 - fast), 0.2 * speed * time, 1e-5);
+        check_relative(skin_of(&s, fast), 1.2 * speed * time, 1e-5); // the first list knows it
+        check_relative(skin_of(&s, 1 - fast), 0.2 * speed * time, 1e-5);
         scene_end(&s);
     }
 }
@@ -66,21 +66,21 @@ static void they_have_bounds(void **state)
     (void)state;
     scene s;
     two_grains(&s, 0.0, false);
-    check_relative(way_of(&s, 0), 5e-4 * RADIUS, 6e-8); // it is a float
-    check_relative(s.step.near.wall_way, 5e-4 * RADIUS, 1e-15);
-    check_relative(clod_step_ways(&s.step, 1e6).least, 0.5 * s.step.neighbour.skin, 1e-15);
-    assert_true(clod_step_ways(&s.step, 1e6).most == 0.5 * s.step.neighbour.skin);
+    check_relative(skin_of(&s, 0), 5e-4 * RADIUS, 6e-8); // it is a float
+    check_relative(s.step.near.wall_skin, 5e-4 * RADIUS, 1e-15);
+    check_relative(clod_step_skins(&s.step, 1e6).least, 0.5 * s.step.neighbour.skin, 1e-15);
+    assert_true(clod_step_skins(&s.step, 1e6).most == 0.5 * s.step.neighbour.skin);
     scene_end(&s);
 }
 
-/** A wall that moves has a way of its own. */
+/** A wall that moves has a skin of its own. */
 static void the_first_list_knows_the_speed_of_walls(void **state)
 {
     (void)state;
     scene s;
     two_grains(&s, 0.1, true);
     // 1.3 x 0.1 m/s x sqrt(47 x 2 x 1 us x 1.8 mm / (2 x 0.02 m/s))
-    check_relative(s.step.near.wall_way, 2.67370e-4, 1e-5);
+    check_relative(s.step.near.wall_skin, 2.67370e-4, 1e-5);
     scene_run(&s, 2600);
     assert_int_equal(s.step.refreshes, 0);
     scene_run(&s, 100);
@@ -88,8 +88,8 @@ static void the_first_list_knows_the_speed_of_walls(void **state)
     scene_end(&s);
 }
 
-/** A list lasts until a grain has gone its own way, and no longer. */
-static void a_list_lasts_for_the_way(void **state)
+/** A list lasts until a grain has moved by more than its skin, and no longer. */
+static void a_list_lasts_for_the_skin(void **state)
 {
     (void)state;
     scene s;
@@ -99,7 +99,7 @@ static void a_list_lasts_for_the_way(void **state)
     scene_run(&s, 2);
     assert_int_equal(s.step.refreshes, 1);
     const size_t slow = 1 - faster_of(&s);
-    scene_move(&s, slow, 0.0, 0.0, 0.2); // its way is a sixth of the other's
+    scene_move(&s, slow, 0.0, 0.0, 0.2); // its skin is a sixth of the other's
     scene_run(&s, 108);
     assert_int_equal(s.step.refreshes, 1);
     scene_run(&s, 3);
@@ -107,7 +107,7 @@ static void a_list_lasts_for_the_way(void **state)
     scene_end(&s);
 }
 
-/** Twice the candidates, and the ways are shorter by the root of two. */
+/** Twice the candidates, and the skins are thinner by the root of two. */
 static void they_are_shorter_among_many_candidates(void **state)
 {
     (void)state;
@@ -122,7 +122,7 @@ static void they_are_shorter_among_many_candidates(void **state)
         }
         scene_start(&s);
         assert_int_equal(s.step.neighbour.pairs.count, k == 0 ? 0 : 2);
-        time[k] = clod_step_ways(&s.step, 0.01).time;
+        time[k] = clod_step_skins(&s.step, 0.01).time;
         scene_end(&s);
     }
     check_relative(time[1], time[0] / sqrt(2.0), 1e-15); // none counts as one
@@ -194,7 +194,7 @@ static void what_touches_is_on_the_list(void **state)
     }
 }
 
-/** 64 grains that each go a way of their own. */
+/** 64 grains, each with a velocity of its own. */
 static void grains_that_go(scene *s)
 {
     const clod_case_contact ore = contact_ore();
@@ -214,8 +214,8 @@ static void grains_that_go(scene *s)
     scene_start(s);
 }
 
-/** Places and ways are kept in float. What is said to be left of them is never more than what is,
- *  by the places in double, and less by no more than a millionth of the skin. */
+/** Positions and skins are kept in float. What is said to be left of them is never more than what is,
+ *  by the positions in double, and less by no more than a millionth of the skin. */
 static void never_more_is_left_than_is(void **state)
 {
     (void)state;
@@ -234,7 +234,7 @@ static void never_more_is_left_than_is(void **state)
         for (size_t g = 0; g < 64 && s.step.refreshes > 0; g++) {
             const clod_vec3 now = clod_vec3_of(s.state.grains.position[g]);
             const double gone = clod_vec3_length(clod_vec3_sub(now, clod_vec3_of(from[g])));
-            const double left = way_of(&s, g) - gone;
+            const double left = skin_of(&s, g) - gone;
             const double said = clod_near_slack(&s.step.near, &s.state, g, g + 1);
             assert_true(said < left);
             assert_true(said > left - 1e-6 * s.step.neighbour.skin);
@@ -289,7 +289,7 @@ int main(void)
         cmocka_unit_test(they_go_with_the_root_of_the_speed),
         cmocka_unit_test(they_have_bounds),
         cmocka_unit_test(the_first_list_knows_the_speed_of_walls),
-        cmocka_unit_test(a_list_lasts_for_the_way),
+        cmocka_unit_test(a_list_lasts_for_the_skin),
         cmocka_unit_test(they_are_shorter_among_many_candidates),
         cmocka_unit_test(what_touches_is_on_the_list),
         cmocka_unit_test(never_more_is_left_than_is),

@@ -31,7 +31,7 @@ static void rewind_to(scene *s, const clod_state *start)
                                .state = &s->state,
                                .laws = &s->laws,
                                .walls = &s->step.walls,
-                               .ways = {.least = 5e-6, .most = 5e-6, .wall = 5e-6}};
+                               .skins = {.least = 5e-6, .most = 5e-6, .wall = 5e-6}};
     assert_true(clod_neighbour_sort(&s->step.neighbour, &s->state, &status) &&
                 clod_neighbour_build(&s->step.neighbour, &s->state, &s->laws, &status) &&
                 clod_near_make(&job, &status));
