@@ -182,6 +182,10 @@ static void warn_rathole(clod_hopper *self)
              "static angle of internal friction is %.1f deg.",
              phi_t / DEGREE);
     }
+    if (self->hole.filling > self->silo.diameter && self->silo.diameter > 0.0) {
+        warn(self, "The rathole after filling is wider than the silo: a solid that does not slide "
+                   "along the wall may stay at all of it.");
+    }
 }
 
 void clod_doubts_warn(clod_hopper *self, bool one_specimen)

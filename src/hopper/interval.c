@@ -181,11 +181,16 @@ static void put_interval(const task *self, size_t offset, double *room,
 /** Shares of outcomes, and of samples in which the planned outlet does not let the solid flow. */
 static void put_shares(const task *self, int s, clod_hopper_found *found)
 {
-    const double each = 1.0 / (double)self->count;
+    size_t of[CLOD_HOPPER_OUTCOMES] = {0};
+    size_t arching = 0;
     for (size_t i = 0; i < self->count; i++) {
-        found->share[self->samples[i].outcome[s]] += each;
-        found->arching += self->samples[i].number[s][CLOD_HOPPER_MARGIN] >= 1.0 ? 0.0 : each;
+        of[self->samples[i].outcome[s]]++;
+        arching += self->samples[i].number[s][CLOD_HOPPER_MARGIN] >= 1.0 ? 0 : 1;
     }
+    for (int k = 0; k < CLOD_HOPPER_OUTCOMES; k++) {
+        found->share[k] = (double)of[k] / (double)self->count;
+    }
+    found->arching = (double)arching / (double)self->count;
 }
 
 static void collect(const task *self, double *room, clod_hopper *to)

@@ -104,6 +104,8 @@ static const clod_csv_kind WALL_KIND =
 static bool read_file(const char *path, const clod_csv_kind *kind, void **rows, size_t *count,
                       clod_status *status)
 {
+    *rows = NULL;
+    *count = 0;
     char *text;
     size_t length;
     if (!clod_input_read(path, SIZE_MAX, &text, &length, status)) {
