@@ -111,8 +111,7 @@ const char *clod_param_range_text(const clod_param *param, char *buffer, size_t 
                  angle ? 4 : 6, scale * param->min, unit);
     }
     if (isfinite(param->max)) {
-        snprintf(high, sizeof high, "at most %.*g%s", angle ? 4 : 6, scale * param->max,
-                 unit);
+        snprintf(high, sizeof high, "at most %.*g%s", angle ? 4 : 6, scale * param->max, unit);
     }
     const char *join = low[0] != '\0' && high[0] != '\0' ? " and " : "";
     snprintf(buffer, size, "%s%s%s", low, join, high);

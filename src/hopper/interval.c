@@ -47,10 +47,10 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     number[CLOD_HOPPER_ARCH] = slides ? at.arch : none;
     number[CLOD_HOPPER_MARGIN] = none;
     if (found->planned > 0.0 && found->design.outcome != CLOD_HOPPER_FUNNEL) {
-        clod_hopper_wish built = found->wish; // its angle is that of the design, not of a sample
+        clod_hopper_wish built =
+            found->wish; // its angle is that of the design, not of a sample
         built.half_angle = found->design.half_angle;
-        number[CLOD_HOPPER_MARGIN] =
-            clod_hopper_margin_of(solid, &built, found->planned).ratio;
+        number[CLOD_HOPPER_MARGIN] = clod_hopper_margin_of(solid, &built, found->planned).ratio;
     }
 }
 
@@ -198,8 +198,7 @@ static void collect(const task *self, double *room, clod_hopper *to)
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         for (int n = 0; n < CLOD_HOPPER_NUMBERS; n++) {
             const size_t place = (size_t)(s * CLOD_HOPPER_NUMBERS + n) * sizeof(double);
-            put_interval(self, offsetof(sample, number) + place, room,
-                         &to->shape[s].number[n]);
+            put_interval(self, offsetof(sample, number) + place, room, &to->shape[s].number[n]);
         }
         put_shares(self, s, &to->shape[s]);
     }
