@@ -111,10 +111,11 @@ int clod_app_hopper(int argc, char **argv)
         .options = OPTIONS,
         .parser = parse,
         .args_doc = "CASE.yaml",
-        .doc = "Design a hopper from flow function, wall friction and bulk density, measured or "
-               "simulated: half angle for mass flow, critical outlet, rathole, each with an "
-               "interval.\v"
-               "clod new hopper writes an example; docs/howto/hopper.md explains its keys.",
+        .doc =
+            "Design a hopper from flow function, wall friction and bulk density, measured or "
+            "simulated: half angle for mass flow, critical outlet, rathole, each with an "
+            "interval.\v"
+            "clod new hopper writes an example; docs/howto/hopper.md explains its keys.",
     };
     request self = {.overrides = calloc((size_t)argc, sizeof *self.overrides)};
     if (self.overrides == NULL) {

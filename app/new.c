@@ -33,16 +33,25 @@ typedef struct template
 template;
 
 static const template TEMPLATES[] = {
-    {"ring-shear", "virtual ring shear test of copper ore with 5 % moisture",
-     CLOD_TEMPLATE_RING_SHEAR, {{0}}},
-    {"jenike", "virtual Jenike shear test of the same ore", CLOD_TEMPLATE_JENIKE, {{0}}},
-    {"uniaxial", "virtual uniaxial test: flow function of the same ore",
-     CLOD_TEMPLATE_UNIAXIAL, {{0}}},
-    {"free-run", "a box of grains under a lid: settle, then compress", CLOD_TEMPLATE_FREE_RUN,
+    {"ring-shear",
+     "virtual ring shear test of copper ore with 5 % moisture",
+     CLOD_TEMPLATE_RING_SHEAR,
      {{0}}},
-    {"contact-bench", "one contact driven along a path of overlap, slip and roll",
-     CLOD_TEMPLATE_CONTACT_BENCH, {{0}}},
-    {"hopper", "design of a hopper from measured tables, for clod hopper",
+    {"jenike", "virtual Jenike shear test of the same ore", CLOD_TEMPLATE_JENIKE, {{0}}},
+    {"uniaxial",
+     "virtual uniaxial test: flow function of the same ore",
+     CLOD_TEMPLATE_UNIAXIAL,
+     {{0}}},
+    {"free-run",
+     "a box of grains under a lid: settle, then compress",
+     CLOD_TEMPLATE_FREE_RUN,
+     {{0}}},
+    {"contact-bench",
+     "one contact driven along a path of overlap, slip and roll",
+     CLOD_TEMPLATE_CONTACT_BENCH,
+     {{0}}},
+    {"hopper",
+     "design of a hopper from measured tables, for clod hopper",
      CLOD_TEMPLATE_HOPPER,
      {{"flow-function.csv", CLOD_TEMPLATE_HOPPER_FLOW_FUNCTION},
       {"wall.csv", CLOD_TEMPLATE_HOPPER_WALL}}},
@@ -134,10 +143,9 @@ int clod_app_new(int argc, char **argv)
     const struct argp argp = {
         .parser = parse,
         .args_doc = "[TEMPLATE [FILE]]",
-        .doc =
-            "Write an example case to start from; FILE is TEMPLATE.yaml unless given, - is "
-            "standard output. Tables that a template names are written beside it. Without "
-            "arguments the templates are listed. A file that exists is never overwritten.",
+        .doc = "Write an example case to start from; FILE is TEMPLATE.yaml unless given, - is "
+               "standard output. Tables that a template names are written beside it. Without "
+               "arguments the templates are listed. A file that exists is never overwritten.",
     };
     request self = {NULL, NULL};
     if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {

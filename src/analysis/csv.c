@@ -78,9 +78,9 @@ static bool fail_unknown(const clod_csv *self, const char *name)
         clod_suggest_offer(&near, self->kind->columns[i].names[0]);
     }
     clod_suggest_text(&near, hint, sizeof hint);
-    return clod_status_fail(self->status, CLOD_USAGE,
-                            "%s:%zu: there is no column \"%.64s\"%s%s Known are %s.", self->path,
-                            self->line, name, hint, clod_csv_stop(hint), self->kind->known);
+    return clod_status_fail(
+        self->status, CLOD_USAGE, "%s:%zu: there is no column \"%.64s\"%s%s Known are %s.",
+        self->path, self->line, name, hint, clod_csv_stop(hint), self->kind->known);
 }
 
 /** "sigma_pre [kPa]" or "sigma_pre (kPa)": cut off the unit, "" when there is none. */

@@ -41,8 +41,8 @@ typedef struct clod_csv_kind {
 /** A file that is being read, and what has been read. */
 struct clod_csv {
     const clod_csv_kind *kind;
-    const void *first;   ///< content of a row before its cells are read; NULL: zeros
-    const char *path;    ///< as messages name it
+    const void *first; ///< content of a row before its cells are read; NULL: zeros
+    const char *path;  ///< as messages name it
     clod_status *status;
     void *rows; ///< [count] owned (clod_memory_free)
     size_t count, capacity;

@@ -19,15 +19,19 @@ enum { SEED, SIGMA_PRE, TAU_PRE, SIGMA_SH, TAU_SH, COLUMN_COUNT = 9 };
 
 static const clod_csv_column COLUMNS[COLUMN_COUNT] = {
     [SEED] = {.names = {"seed"}, .unit = "", POINT(seed)},
-    [SIGMA_PRE] =
-        {.names = {"sigma_pre", "sigma_p"}, .unit = "Pa", .positive = true, POINT(sigma_p)},
+    [SIGMA_PRE] = {.names = {"sigma_pre", "sigma_p"},
+                   .unit = "Pa",
+                   .positive = true,
+                   POINT(sigma_p)},
     [TAU_PRE] = {.names = {"tau_pre", "tau_p"}, .unit = "Pa", .positive = true, POINT(tau_p)},
     [SIGMA_SH] = {.names = {"sigma_sh", "sigma_s", "sigma"},
                   .unit = "Pa",
                   .required = true,
                   POINT(sigma_s)},
-    [TAU_SH] =
-        {.names = {"tau_sh", "tau_s", "tau"}, .unit = "Pa", .required = true, POINT(tau_s)},
+    [TAU_SH] = {.names = {"tau_sh", "tau_s", "tau"},
+                .unit = "Pa",
+                .required = true,
+                POINT(tau_s)},
     {.names = {"rho_b", "rho"}, .unit = "kg/m3", .positive = true, POINT(rho_b)},
     {.names = {"tau_pre_error"}, .unit = "Pa", POINT(tau_p_error)},
     {.names = {"tau_sh_error"}, .unit = "Pa", POINT(tau_s_error)},

@@ -6,6 +6,8 @@
 #include "config/law_keys.h"
 #include "config/unit.h"
 
+#define TURN 6.2831853071795865 // rad
+
 const clod_param *clod_param_find(const clod_table *table, const char *key)
 {
     for (size_t i = 0; i < table->count; i++) {
@@ -91,9 +93,12 @@ const char *clod_param_range_text(const clod_param *param, char *buffer, size_t 
                          param->kind == CLOD_PARAM_STIFFNESS ||
                          param->kind == CLOD_PARAM_REALS || param->kind == CLOD_PARAM_VECTOR;
     const bool pure = param->unit == NULL || strcmp(param->unit, "1") == 0;
+    const bool angle = !pure && strcmp(param->unit, "rad") == 0 && fabs(param->min) < TURN &&
+                       fabs(param->max) < TURN; // people know angles in degrees
+    const double scale = angle ? 360.0 / TURN : 1.0;
     char unit[16] = "";
     if (!pure) {
-        snprintf(unit, sizeof unit, " %s", param->unit);
+        snprintf(unit, sizeof unit, " %s", angle ? "deg" : param->unit);
     }
     buffer[0] = '\0';
     if (!numeric) {
@@ -102,11 +107,11 @@ const char *clod_param_range_text(const clod_param *param, char *buffer, size_t 
     char low[64] = "";
     char high[64] = "";
     if (isfinite(param->min)) {
-        snprintf(low, sizeof low, "%s %.6g%s", param->above_min ? "above" : "at least",
-                 param->min, unit);
+        snprintf(low, sizeof low, "%s %.*g%s", param->above_min ? "above" : "at least",
+                 angle ? 4 : 6, scale * param->min, unit);
     }
     if (isfinite(param->max)) {
-        snprintf(high, sizeof high, "at most %.6g%s", param->max, unit);
+        snprintf(high, sizeof high, "at most %.*g%s", angle ? 4 : 6, scale * param->max, unit);
     }
     const char *join = low[0] != '\0' && high[0] != '\0' ? " and " : "";
     snprintf(buffer, size, "%s%s%s", low, join, high);

@@ -46,7 +46,8 @@ static void put_flow_factor(const clod_hopper *self, int s, const clod_plot *pan
         snprintf(text, sizeof text, "%s: funnel flow", CLOD_HOPPER_SHAPE_NAMES[s]);
     } else {
         snprintf(text, sizeof text, "%s, ff = %.2f", CLOD_HOPPER_SHAPE_NAMES[s], flow_factor);
-        const clod_plot_point ray[] = {{0.0, 0.0}, {panel->most_x, panel->most_x / flow_factor}};
+        const clod_plot_point ray[] = {{0.0, 0.0},
+                                       {panel->most_x, panel->most_x / flow_factor}};
         clod_plot_line(panel, ray, 2, &pen);
     }
     clod_plot_legend(panel, s == CLOD_RADIAL_CONE ? 1 : 2, &pen, text);

@@ -94,13 +94,13 @@ static clod_hopper_design settle(const clod_solid *solid, const clod_hopper_wish
         if (fabs(at.sigma_1 - before) > CLOSE * wish->tolerance * before) {
             continue;
         }
-        static const clod_hopper_outcome OUTCOMES[] = {
-            CLOD_HOPPER_NO_ARCH, CLOD_HOPPER_FLOWS, CLOD_HOPPER_ARCHES};
+        static const clod_hopper_outcome OUTCOMES[] = {CLOD_HOPPER_NO_ARCH, CLOD_HOPPER_FLOWS,
+                                                       CLOD_HOPPER_ARCHES};
         self.outcome = OUTCOMES[meeting];
-        self.outlet = meeting == CLOD_CURVE_MEETS
-                          ? self.state.strength * self.arch /
-                                (self.state.rho * CLOD_HOPPER_GRAVITY)
-                          : meeting == CLOD_CURVE_BELOW ? 0.0 : (double)INFINITY;
+        self.outlet = meeting == CLOD_CURVE_MEETS ? self.state.strength * self.arch /
+                                                        (self.state.rho * CLOD_HOPPER_GRAVITY)
+                      : meeting == CLOD_CURVE_BELOW ? 0.0
+                                                    : (double)INFINITY;
         return self;
     }
     return self;

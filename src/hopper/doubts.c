@@ -15,10 +15,11 @@ static bool is_known(const char *path, const clod_curve *curve, const char *key,
                      const char *column, clod_status *status)
 {
     return curve->count > 0 ||
-           clod_status_fail(status, CLOD_USAGE,
-                            "%s: %s is not known: neither the key %s nor the flow function, in a "
-                            "column %s, gives it.",
-                            path, column, key, column);
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "%s: %s is not known: neither the key %s nor the flow function, in a "
+               "column %s, gives it.",
+               path, column, key, column);
 }
 
 /** Points through which a curve is drawn from one to the next need stresses of their own. */
@@ -49,8 +50,7 @@ static bool check_strength(const char *path, const clod_curve *curve, clod_statu
                                 path, curve->count, curve->count == 1 ? "" : "s");
     }
     return curve->way == CLOD_CURVE_LINE ||
-           are_apart(path, curve, "flow_function",
-                     "Average them, or use curve: line.", status);
+           are_apart(path, curve, "flow_function", "Average them, or use curve: line.", status);
 }
 
 /** No yield locus of a solid with strength is steeper than its effective one. */
@@ -109,10 +109,11 @@ static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *c
     const double low = curve->points[0].x;
     const double high = curve->points[curve->count - 1].x;
     if (stress < low * (1.0 - APART) || stress > high * (1.0 + APART)) {
-        warn(self,
-             "%s: at the critical outlet %s is %.3f kPa, outside what was measured, %.3f to %.3f "
-             "kPa: an extrapolation.",
-             name, what, 1e-3 * stress, 1e-3 * low, 1e-3 * high);
+        warn(
+            self,
+            "%s: at the critical outlet %s is %.3f kPa, outside what was measured, %.3f to %.3f "
+            "kPa: an extrapolation.",
+            name, what, 1e-3 * stress, 1e-3 * low, 1e-3 * high);
     }
 }
 
@@ -132,13 +133,14 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
     }
     if (found->wish.half_angle > 0.0 && at->outcome != CLOD_HOPPER_FUNNEL &&
         at->half_angle > at->limit - found->wish.margin) {
-        warn(self,
-             found->wish.shape == CLOD_RADIAL_CONE
-                 ? "%s: the half angle of %.1f deg is less than the margin of %.1f deg below "
-                   "the limit of mass flow, %.1f deg."
-                 : "%s: the half angle of %.1f deg is less than the margin of %.1f deg below the "
-                   "limit of a cone, %.1f deg; a wedge may be wider, see docs/theory/hopper.md.",
-             name, at->half_angle / DEGREE, found->wish.margin / DEGREE, at->limit / DEGREE);
+        warn(
+            self,
+            found->wish.shape == CLOD_RADIAL_CONE
+                ? "%s: the half angle of %.1f deg is less than the margin of %.1f deg below "
+                  "the limit of mass flow, %.1f deg."
+                : "%s: the half angle of %.1f deg is less than the margin of %.1f deg below the "
+                  "limit of a cone, %.1f deg; a wedge may be wider, see docs/theory/hopper.md.",
+            name, at->half_angle / DEGREE, found->wish.margin / DEGREE, at->limit / DEGREE);
     }
 }
 
@@ -154,9 +156,9 @@ static bool has_errors(const clod_curve *curve)
 /** Properties that were given without errors, and so do not widen the intervals. */
 static void warn_errors(clod_hopper *self)
 {
-    static const char *const NAMES[CLOD_SOLID_CURVES] = {
-        "flow function", "effective friction", "static friction", "bulk density",
-        "wall friction"};
+    static const char *const NAMES[CLOD_SOLID_CURVES] = {"flow function", "effective friction",
+                                                         "static friction", "bulk density",
+                                                         "wall friction"};
     char list[128] = "";
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         if (!has_errors(&self->solid.curves[k])) {
@@ -173,14 +175,20 @@ static void warn_rathole(clod_hopper *self)
 {
     const double phi_t = self->hole.state.phi_t;
     if (self->solid.phi_t.count == 0) {
-        warn(self, "No rathole diameter: the key static_friction, or a column phi_t of the flow "
-                   "function, is missing.");
+        warn(self,
+             "No rathole diameter: the key static_friction, or a column phi_t of the flow "
+             "function, is missing.");
     } else if (isnan(self->hole.emptying) &&
                !(phi_t >= CLOD_RATHOLE_LEAST && phi_t <= CLOD_RATHOLE_MOST)) {
         warn(self,
              "No rathole diameter: Jenike's function G is known from 30 to 70 deg, and the "
              "static angle of internal friction is %.1f deg.",
              phi_t / DEGREE);
+    }
+    if (self->hole.filling > self->silo.diameter && self->silo.diameter > 0.0) {
+        warn(self,
+             "The rathole after filling is wider than the silo: a solid that does not slide "
+             "along the wall may stay at all of it.");
     }
 }
 

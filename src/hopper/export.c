@@ -64,10 +64,10 @@ static json_t *curve_of(const clod_curve *curve, const char *x, const char *y, d
     json_t *list = json_array();
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *point = &curve->points[i];
-        json_array_append_new(
-            list, json_pack("{s:o, s:o, s:o, s:o}", x, number(point->x), y,
-                            number(scale * point->y), "x_error", number(point->x_error),
-                            "y_error", number(scale * point->y_error)));
+        json_array_append_new(list, json_pack("{s:o, s:o, s:o, s:o}", x, number(point->x), y,
+                                              number(scale * point->y), "x_error",
+                                              number(point->x_error), "y_error",
+                                              number(scale * point->y_error)));
     }
     return list;
 }
@@ -75,13 +75,12 @@ static json_t *curve_of(const clod_curve *curve, const char *x, const char *y, d
 static json_t *measured(const clod_hopper *self)
 {
     const clod_solid *solid = &self->solid;
-    return json_pack(
-        "{s:o, s:o, s:o, s:o, s:o}", "flow_function",
-        curve_of(&solid->strength, "sigma_1_Pa", "f_c_Pa", 1.0), "phi_e",
-        curve_of(&solid->phi_e, "sigma_1_Pa", "phi_e_deg", DEGREES), "phi_t",
-        curve_of(&solid->phi_t, "sigma_1_Pa", "phi_t_deg", DEGREES), "rho_b",
-        curve_of(&solid->rho, "sigma_1_Pa", "rho_b_kg_m3", 1.0), "wall",
-        curve_of(&solid->wall, "sigma_w_Pa", "tau_w_Pa", 1.0));
+    return json_pack("{s:o, s:o, s:o, s:o, s:o}", "flow_function",
+                     curve_of(&solid->strength, "sigma_1_Pa", "f_c_Pa", 1.0), "phi_e",
+                     curve_of(&solid->phi_e, "sigma_1_Pa", "phi_e_deg", DEGREES), "phi_t",
+                     curve_of(&solid->phi_t, "sigma_1_Pa", "phi_t_deg", DEGREES), "rho_b",
+                     curve_of(&solid->rho, "sigma_1_Pa", "rho_b_kg_m3", 1.0), "wall",
+                     curve_of(&solid->wall, "sigma_w_Pa", "tau_w_Pa", 1.0));
 }
 
 char *clod_hopper_json(const clod_hopper *self)

@@ -22,8 +22,10 @@ const char *const CLOD_HOPPER_SHAPE_NAMES[CLOD_HOPPER_SHAPES] = {
     [CLOD_RADIAL_WEDGE] = "wedge", [CLOD_RADIAL_CONE] = "cone"};
 
 const char *const CLOD_HOPPER_OUTCOME_NAMES[CLOD_HOPPER_OUTCOMES] = {
-    [CLOD_HOPPER_FLOWS] = "flows",   [CLOD_HOPPER_NO_ARCH] = "no_arch",
-    [CLOD_HOPPER_ARCHES] = "arches", [CLOD_HOPPER_FUNNEL] = "funnel_flow",
+    [CLOD_HOPPER_FLOWS] = "flows",
+    [CLOD_HOPPER_NO_ARCH] = "no_arch",
+    [CLOD_HOPPER_ARCHES] = "arches",
+    [CLOD_HOPPER_FUNNEL] = "funnel_flow",
     [CLOD_HOPPER_UNSETTLED] = "unsettled"};
 
 const char *const CLOD_HOPPER_ARCH_NAMES[] = {

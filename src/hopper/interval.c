@@ -47,10 +47,10 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     number[CLOD_HOPPER_ARCH] = slides ? at.arch : none;
     number[CLOD_HOPPER_MARGIN] = none;
     if (found->planned > 0.0 && found->design.outcome != CLOD_HOPPER_FUNNEL) {
-        clod_hopper_wish built = found->wish; // its angle is that of the design, not of a sample
+        clod_hopper_wish built =
+            found->wish; // its angle is that of the design, not of a sample
         built.half_angle = found->design.half_angle;
-        number[CLOD_HOPPER_MARGIN] =
-            clod_hopper_margin_of(solid, &built, found->planned).ratio;
+        number[CLOD_HOPPER_MARGIN] = clod_hopper_margin_of(solid, &built, found->planned).ratio;
     }
 }
 
@@ -181,11 +181,16 @@ static void put_interval(const task *self, size_t offset, double *room,
 /** Shares of outcomes, and of samples in which the planned outlet does not let the solid flow. */
 static void put_shares(const task *self, int s, clod_hopper_found *found)
 {
-    const double each = 1.0 / (double)self->count;
+    size_t of[CLOD_HOPPER_OUTCOMES] = {0};
+    size_t arching = 0;
     for (size_t i = 0; i < self->count; i++) {
-        found->share[self->samples[i].outcome[s]] += each;
-        found->arching += self->samples[i].number[s][CLOD_HOPPER_MARGIN] >= 1.0 ? 0.0 : each;
+        of[self->samples[i].outcome[s]]++;
+        arching += self->samples[i].number[s][CLOD_HOPPER_MARGIN] >= 1.0 ? 0 : 1;
     }
+    for (int k = 0; k < CLOD_HOPPER_OUTCOMES; k++) {
+        found->share[k] = (double)of[k] / (double)self->count;
+    }
+    found->arching = (double)arching / (double)self->count;
 }
 
 static void collect(const task *self, double *room, clod_hopper *to)
@@ -193,8 +198,7 @@ static void collect(const task *self, double *room, clod_hopper *to)
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
         for (int n = 0; n < CLOD_HOPPER_NUMBERS; n++) {
             const size_t place = (size_t)(s * CLOD_HOPPER_NUMBERS + n) * sizeof(double);
-            put_interval(self, offsetof(sample, number) + place, room,
-                         &to->shape[s].number[n]);
+            put_interval(self, offsetof(sample, number) + place, room, &to->shape[s].number[n]);
         }
         put_shares(self, s, &to->shape[s]);
     }

@@ -19,10 +19,9 @@ static const double WEIGHT[STAGES][STAGES - 1] = {
 };
 
 /** Fifth order less fourth order. */
-static const double DIFFERENCE[STAGES] = {71.0 / 57600.0,      0.0,
-                                          -71.0 / 16695.0,     71.0 / 1920.0,
-                                          -17253.0 / 339200.0, 22.0 / 525.0,
-                                          -1.0 / 40.0};
+static const double DIFFERENCE[STAGES] = {
+    71.0 / 57600.0,      0.0,          -71.0 / 16695.0, 71.0 / 1920.0,
+    -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0};
 
 static double scaled(double error, double value)
 {

@@ -181,8 +181,7 @@ static const char *const ARCHES[] = {"arnold", "rhodes", NULL};
 #define PROPERTY(name, field, rows, text, what)                                                \
     {                                                                                          \
         .key = name, .kind = CLOD_PARAM_SECTION, .need = what, .table = &(rows),               \
-        CLOD_AT(C, field), .given = offsetof(C, field.present), .help = text,                  \
-        .source = HOWTO                                                                        \
+        CLOD_AT(C, field), .given = offsetof(C, field.present), .help = text, .source = HOWTO  \
     }
 
 static const clod_param ROWS[] = {
@@ -234,8 +233,9 @@ static const clod_param ROWS[] = {
      .choices = ARCHES,
      .fallback = "arnold",
      CLOD_AT(C, arch),
-     .help = "Fit of Jenike's function H(theta): arnold (130 + theta)/65 and (200 + theta)/200, "
-             "rhodes 2 + theta/60 and 1 + theta/180, theta in degrees, cone and wedge.",
+     .help =
+         "Fit of Jenike's function H(theta): arnold (130 + theta)/65 and (200 + theta)/200, "
+         "rhodes 2 + theta/60 and 1 + theta/180, theta in degrees, cone and wedge.",
      .source = THEORY},
     {.key = "silo",
      .kind = CLOD_PARAM_SECTION,
@@ -246,8 +246,7 @@ static const clod_param ROWS[] = {
      .help = "The silo above the hopper, for the rathole after filling.",
      .source = THEORY},
     REAL_ROW(C, "largest_particle", largest_particle, "m", "25 mm",
-             "Size of the largest particles, which can arch by themselves.",
-             CLOD_ABOVE(0, 10)),
+             "Size of the largest particles, which can arch by themselves.", CLOD_ABOVE(0, 10)),
     {.key = "interval",
      .kind = CLOD_PARAM_SECTION,
      .need = CLOD_PARAM_DEFAULTED,
@@ -257,5 +256,4 @@ static const clod_param ROWS[] = {
      .source = THEORY},
 };
 
-const clod_table CLOD_TABLE_HOPPER = {
-    .title = "A hopper.", CLOD_ROWS(ROWS), .size = sizeof(C)};
+const clod_table CLOD_TABLE_HOPPER = {.title = "A hopper.", CLOD_ROWS(ROWS), .size = sizeof(C)};

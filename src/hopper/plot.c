@@ -81,9 +81,8 @@ void clod_plot_end(FILE *out)
 static void put_segment(FILE *out, double x1, double y1, double x2, double y2,
                         const char *colour)
 {
-    fprintf(out,
-            "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"/>\n", x1, y1,
-            x2, y2, colour);
+    fprintf(out, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"/>\n", x1,
+            y1, x2, y2, colour);
 }
 
 static void put_ticks(const clod_plot *self)
@@ -120,8 +119,8 @@ void clod_plot_axes(const clod_plot *self, const char *x, const char *y)
     const double at_y = self->top + 0.5 * self->height;
     char turned[128];
     snprintf(turned, sizeof turned,
-             "font-size=\"14\" text-anchor=\"middle\" transform=\"rotate(-90 %.1f %.1f)\"", at_x,
-             at_y);
+             "font-size=\"14\" text-anchor=\"middle\" transform=\"rotate(-90 %.1f %.1f)\"",
+             at_x, at_y);
     put_words(self->out, at_x, at_y, turned, y);
 }
 

@@ -25,8 +25,8 @@ static clod_ode_pair rates(const void *context, double theta, clod_ode_pair y)
     const double s = self->s;
     const double q = y.a;
     if (theta == 0.0) { // the limit on the axis, where cot theta has no value
-        const double turn = (q * (1.0 - (3.0 + 2.0 * cone) * s) + 1.0) /
-                            ((2.0 + 2.0 * cone) * q * s);
+        const double turn =
+            (q * (1.0 - (3.0 + 2.0 * cone) * s) + 1.0) / ((2.0 + 2.0 * cone) * q * s);
         return (clod_ode_pair){0.0, turn};
     }
     const double s2 = sin(2.0 * y.b);
@@ -34,15 +34,14 @@ static clod_ode_pair rates(const void *context, double theta, clod_ode_pair y)
     const double sine = sin(theta);
     const double cosine = cos(theta);
     const double cot = cosine / sine;
-    const double radial = q * (1.0 + s * c2) + 2.0 * q * s * c2 +
-                          cone * q * s * (c2 - 1.0 + s2 * cot) + cosine;
-    const double across =
-        3.0 * q * s * s2 + cone * q * s * (s2 - (1.0 + c2) * cot) - sine;
+    const double radial =
+        q * (1.0 + s * c2) + 2.0 * q * s * c2 + cone * q * s * (c2 - 1.0 + s2 * cot) + cosine;
+    const double across = 3.0 * q * s * s2 + cone * q * s * (s2 - (1.0 + c2) * cot) - sine;
     // [s s2, 2 q s c2; 1 - s c2, 2 q s s2] (q', psi') = -(radial, across)
     const double determinant = 2.0 * q * s * (s - c2);
-    return (clod_ode_pair){
-        (2.0 * q * s * c2 * across - 2.0 * q * s * s2 * radial) / determinant,
-        ((1.0 - s * c2) * radial - s * s2 * across) / determinant};
+    return (clod_ode_pair){(2.0 * q * s * c2 * across - 2.0 * q * s * s2 * radial) /
+                               determinant,
+                           ((1.0 - s * c2) * radial - s * s2 * across) / determinant};
 }
 
 double clod_radial_beta(double phi_e, double phi_w)
@@ -184,9 +183,11 @@ typedef struct shot {
 } shot;
 
 /** A q on the axis with what it misses psi at the wall by. */
-typedef struct try {
+typedef struct
+try {
     double q, miss;
-} try;
+}
+try;
 
 /** Psi at theta less psi at the wall; it falls as q on the axis rises. */
 static try shoot(shot *self, double q)

@@ -11,7 +11,10 @@
 
 #include <stdbool.h>
 
-typedef enum clod_radial_shape { CLOD_RADIAL_WEDGE = 0, CLOD_RADIAL_CONE = 1 } clod_radial_shape;
+typedef enum clod_radial_shape {
+    CLOD_RADIAL_WEDGE = 0,
+    CLOD_RADIAL_CONE = 1
+} clod_radial_shape;
 
 /** Tolerance of a step, relative and absolute; a hundredth of it changes no printed digit. */
 #define CLOD_RADIAL_TOLERANCE 1e-8

@@ -32,8 +32,8 @@ static double emptying(const clod_solid *solid, clod_solid_state *at)
         const double before = sigma_1;
         *at = clod_solid_at(solid, before);
         const double s = sin(at->phi_e);
-        const double flow_factor = fmax(
-            LEAST_FLOW_FACTOR, (1.0 + s) / (4.0 * s) * clod_rathole_function(at->phi_t));
+        const double flow_factor =
+            fmax(LEAST_FLOW_FACTOR, (1.0 + s) / (4.0 * s) * clod_rathole_function(at->phi_t));
         if (isnan(clod_rathole_function(at->phi_t))) {
             return (double)NAN;
         }
@@ -61,11 +61,10 @@ static double janssen(const clod_solid *solid, const clod_rathole_silo *silo)
         const double before = sigma;
         const double across = silo->stress_ratio * before;
         const double weight = clod_curve_at(&solid->rho, before) * CLOD_HOPPER_GRAVITY;
-        const double grip =
-            4.0 * silo->stress_ratio * tan(clod_solid_wall_angle(solid, across)) /
-            silo->diameter;
-        sigma = grip > 0.0 ? weight / grip * -expm1(-grip * silo->height)
-                           : weight * silo->height;
+        const double grip = 4.0 * silo->stress_ratio *
+                            tan(clod_solid_wall_angle(solid, across)) / silo->diameter;
+        sigma =
+            grip > 0.0 ? weight / grip * -expm1(-grip * silo->height) : weight * silo->height;
         if (fabs(sigma - before) <= CLOSE * before) {
             break;
         }
@@ -75,8 +74,8 @@ static double janssen(const clod_solid *solid, const clod_rathole_silo *silo)
 
 clod_rathole clod_rathole_of(const clod_solid *solid, const clod_rathole_silo *silo)
 {
-    clod_rathole self = {.emptying = (double)NAN, .filling = (double)NAN,
-                         .filling_stress = (double)NAN};
+    clod_rathole self = {
+        .emptying = (double)NAN, .filling = (double)NAN, .filling_stress = (double)NAN};
     if (solid->phi_t.count == 0) {
         return self;
     }

@@ -19,7 +19,7 @@ typedef struct clod_rathole_silo {
 typedef struct clod_rathole {
     double emptying; ///< m: lower bound, from the stresses around the hole; NAN: not known
     double filling;  ///< m: upper bound, from the stresses after filling; NAN: not known
-    double filling_stress; ///< Pa: that of Janssen
+    double filling_stress;  ///< Pa: that of Janssen
     clod_solid_state state; ///< of the lower bound
 } clod_rathole;
 

@@ -49,9 +49,9 @@ typedef struct clod_hopper_found {
 } clod_hopper_found;
 
 struct clod_hopper {
-    clod_hopper_case from; ///< owned content
-    char *path;            ///< owned, of the case
-    clod_solid solid;      ///< owned points
+    clod_hopper_case from;                       ///< owned content
+    char *path;                                  ///< owned, of the case
+    clod_solid solid;                            ///< owned points
     clod_hopper_found shape[CLOD_HOPPER_SHAPES]; ///< by clod_radial_shape
     clod_rathole_silo silo;
     clod_hopper_value rathole[CLOD_HOPPER_HOLES];

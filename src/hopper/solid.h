@@ -14,11 +14,12 @@
 typedef struct clod_solid {
     union {
         struct {
-            clod_curve strength; ///< unconfined yield strength f_c over sigma_1: the flow function
-            clod_curve phi_e;    ///< effective angle of internal friction over sigma_1
-            clod_curve phi_t;    ///< static angle of internal friction over sigma_1
-            clod_curve rho;      ///< bulk density over sigma_1
-            clod_curve wall;     ///< shear stress over normal stress at the wall
+            clod_curve
+                strength;     ///< unconfined yield strength f_c over sigma_1: the flow function
+            clod_curve phi_e; ///< effective angle of internal friction over sigma_1
+            clod_curve phi_t; ///< static angle of internal friction over sigma_1
+            clod_curve rho;   ///< bulk density over sigma_1
+            clod_curve wall;  ///< shear stress over normal stress at the wall
         };
         clod_curve curves[CLOD_SOLID_CURVES];
     };
@@ -27,7 +28,7 @@ typedef struct clod_solid {
 /** The solid at one major principal stress. */
 typedef struct clod_solid_state {
     double sigma_1, strength, phi_e, phi_t, rho;
-    double phi_w;   ///< at the normal stress that the wall feels in flow; pi/2: it does not slide
+    double phi_w; ///< at the normal stress that the wall feels in flow; pi/2: it does not slide
     double sigma_w; ///< that stress
 } clod_solid_state;
 

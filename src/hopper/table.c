@@ -55,14 +55,15 @@ static void put_verdict(FILE *out, const clod_hopper_found *found)
 {
     static const char *const WORDS[CLOD_HOPPER_OUTCOMES] = {
         [CLOD_HOPPER_FLOWS] = "Mass flow, and no cohesive arch above the critical outlet.",
-        [CLOD_HOPPER_NO_ARCH] = "Mass flow. The strength nowhere reaches the stress of an arch: "
-                                "no cohesive arch at any outlet. Particles and the flow rate "
-                                "decide about its size.",
-        [CLOD_HOPPER_ARCHES] = "The strength is above the stress of an arch at every "
-                               "consolidation: an arch at any outlet, the solid cannot flow by "
-                               "gravity.",
-        [CLOD_HOPPER_FUNNEL] = "Funnel flow: the solid does not slide along this wall. A smoother "
-                               "wall or a steeper one may help; otherwise see the rathole.",
+        [CLOD_HOPPER_NO_ARCH] =
+            ("Mass flow. The strength nowhere reaches the stress of an arch: no cohesive arch "
+             "at any outlet. Particles and the flow rate decide about its size."),
+        [CLOD_HOPPER_ARCHES] =
+            ("The strength is above the stress of an arch at every consolidation: an arch at "
+             "any outlet, the solid cannot flow by gravity."),
+        [CLOD_HOPPER_FUNNEL] =
+            ("Funnel flow: the solid does not slide along this wall. A smoother or a steeper "
+             "one may help; otherwise see the rathole."),
         [CLOD_HOPPER_UNSETTLED] = "No critical state was found; see the warnings.",
     };
     put_text(out, "  ", WORDS[found->design.outcome]);
@@ -71,8 +72,10 @@ static void put_verdict(FILE *out, const clod_hopper_found *found)
 static void put_shares(FILE *out, const clod_hopper_found *found)
 {
     static const char *const WORDS[CLOD_HOPPER_OUTCOMES] = {
-        [CLOD_HOPPER_FLOWS] = "with a critical outlet", [CLOD_HOPPER_NO_ARCH] = "without an arch",
-        [CLOD_HOPPER_ARCHES] = "arching at any outlet", [CLOD_HOPPER_FUNNEL] = "in funnel flow",
+        [CLOD_HOPPER_FLOWS] = "with a critical outlet",
+        [CLOD_HOPPER_NO_ARCH] = "without an arch",
+        [CLOD_HOPPER_ARCHES] = "arching at any outlet",
+        [CLOD_HOPPER_FUNNEL] = "in funnel flow",
         [CLOD_HOPPER_UNSETTLED] = "not settled"};
     fputs("  samples", out);
     bool first = true;
@@ -98,7 +101,8 @@ static void put_planned(FILE *out, const clod_hopper_found *found)
 static void put_shape(FILE *out, const clod_hopper_found *found)
 {
     const bool cone = found->wish.shape == CLOD_RADIAL_CONE;
-    fprintf(out, "\n%s\n", cone ? "Cone, round outlet" : "Wedge, slot at least 3 times as long");
+    fprintf(out, "\n%s\n",
+            cone ? "Cone, round outlet" : "Wedge, slot at least 3 times as long");
     put_verdict(out, found);
     for (int n = 0; n < CLOD_HOPPER_MARGIN; n++) {
         put_line(out, &CLOD_HOPPER_FIELDS[n], &found->number[n]);
@@ -114,10 +118,10 @@ static void put_shape(FILE *out, const clod_hopper_found *found)
 
 static void put_rathole(FILE *out, const clod_hopper *self)
 {
-    static const clod_hopper_field EMPTYING = {"", "diameter, emptying (least)", "mm", 1e3,
-                                               1.0, 1};
-    static const clod_hopper_field FILLING = {"", "diameter, after filling (most)", "mm", 1e3,
-                                              1.0, 1};
+    static const clod_hopper_field EMPTYING = {"", "diameter, emptying (least)", "mm", 1e3, 1.0,
+                                               1};
+    static const clod_hopper_field FILLING = {
+        "", "diameter, after filling (most)", "mm", 1e3, 1.0, 1};
     if (self->solid.phi_t.count == 0) {
         return;
     }

@@ -25,7 +25,10 @@ static const clod_csv_column FLOW[] = {
     {.names = {"f_c_error", "sigma_c_error", "fc_error"}, .unit = "Pa", ROW(strength.y_error)},
     {.names = {"phi_e"}, .unit = "rad", .positive = true, .below = M_PI_2, ROW(phi_e.y)},
     {.names = {"phi_e_error"}, .unit = "rad", ROW(phi_e.y_error)},
-    {.names = {"phi_t", "phi_lin"}, .unit = "rad", .positive = true, .below = M_PI_2,
+    {.names = {"phi_t", "phi_lin"},
+     .unit = "rad",
+     .positive = true,
+     .below = M_PI_2,
      ROW(phi_t.y)},
     {.names = {"phi_t_error", "phi_lin_error"}, .unit = "rad", ROW(phi_t.y_error)},
     {.names = {"rho_b", "rho"}, .unit = "kg/m3", .positive = true, ROW(rho.y)},
@@ -33,13 +36,29 @@ static const clod_csv_column FLOW[] = {
 };
 
 /** Columns that clod locus --csv and a uniaxial test write and a hopper does not need. */
-static const char *const SKIPPED[] = {
-    "seeds",          "points",         "r_squared",            "flow",
-    "sigma_p",        "sigma_p_error",  "tau_p",                "tau_p_error",
-    "c",              "c_error",        "phi_sf",               "phi_sf_error",
-    "sigma_2",        "sigma_2_error",  "ffc",                  "ffc_error",
-    "sigma_1_base",   "sigma_c_base",   "consolidation_stress", "solid_fraction",
-    "void_ratio",     "strain_at_peak", NULL};
+static const char *const SKIPPED[] = {"seeds",
+                                      "points",
+                                      "r_squared",
+                                      "flow",
+                                      "sigma_p",
+                                      "sigma_p_error",
+                                      "tau_p",
+                                      "tau_p_error",
+                                      "c",
+                                      "c_error",
+                                      "phi_sf",
+                                      "phi_sf_error",
+                                      "sigma_2",
+                                      "sigma_2_error",
+                                      "ffc",
+                                      "ffc_error",
+                                      "sigma_1_base",
+                                      "sigma_c_base",
+                                      "consolidation_stress",
+                                      "solid_fraction",
+                                      "void_ratio",
+                                      "strain_at_peak",
+                                      NULL};
 
 static const clod_csv_kind FLOW_KIND = {
     .columns = FLOW,
@@ -53,14 +72,18 @@ static const clod_csv_kind FLOW_KIND = {
 
 #define POINT(field) .offset = offsetof(clod_curve_point, field)
 #define SIGMA(name)                                                                            \
-    {.names = {name}, .unit = "Pa", .positive = true, .required = true, POINT(x)}
+    {                                                                                          \
+        .names = {name}, .unit = "Pa", .positive = true, .required = true, POINT(x)            \
+    }
 #define SIGMA_ERROR(name)                                                                      \
     {                                                                                          \
         .names = {name}, .unit = "Pa", POINT(x_error)                                          \
     }
 #define ANGLE(...)                                                                             \
-    {.names = {__VA_ARGS__}, .unit = "rad", .positive = true, .required = true,                \
-     .below = M_PI_2, POINT(y)}
+    {                                                                                          \
+        .names = {__VA_ARGS__}, .unit = "rad", .positive = true, .required = true,             \
+        .below = M_PI_2, POINT(y)                                                              \
+    }
 #define ERROR(si, ...)                                                                         \
     {                                                                                          \
         .names = {__VA_ARGS__}, .unit = si, POINT(y_error)                                     \
@@ -104,6 +127,8 @@ static const clod_csv_kind WALL_KIND =
 static bool read_file(const char *path, const clod_csv_kind *kind, void **rows, size_t *count,
                       clod_status *status)
 {
+    *rows = NULL;
+    *count = 0;
     char *text;
     size_t length;
     if (!clod_input_read(path, SIZE_MAX, &text, &length, status)) {
@@ -196,8 +221,7 @@ static bool add_points(const char *path, clod_locus_point **all, size_t *count,
     if (!clod_locus_read(inside, NULL, &points, &more, status)) {
         return false;
     }
-    clod_locus_point *grown =
-        clod_memory_grow(*all, *count, *count + more, sizeof **all);
+    clod_locus_point *grown = clod_memory_grow(*all, *count, *count + more, sizeof **all);
     if (grown == NULL) {
         clod_locus_free(points);
         return clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", more);
@@ -288,8 +312,7 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, bool *one
         return false;
     }
     wall_of_angle(&from->wall, &solid->wall);
-    solid->strength.way =
-        from->strength.curve == 0 ? CLOD_CURVE_LINE : CLOD_CURVE_EXTENDED;
+    solid->strength.way = from->strength.curve == 0 ? CLOD_CURVE_LINE : CLOD_CURVE_EXTENDED;
     solid->wall.way = CLOD_CURVE_EXTENDED;
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
         clod_curve_sort(&solid->curves[k]);

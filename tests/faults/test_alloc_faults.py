@@ -23,6 +23,7 @@ SMALL = clod.source("tests/support/small.yaml")
 BENCH = clod.source("cases/contact-bench/case.yaml")
 POINTS = clod.source("tests/analysis/seeds/two_groups.csv")
 MESH = clod.source("tests/mesh/seeds/faults.stl")
+HOPPER = ["hopper", clod.source("cases/hopper-design/hopper.yaml"), "--set", "interval.samples=100"]
 RUN = ["run", SMALL, "-o", "run", "-t", "1"]
 RING = ["run", clod.source("tests/faults/ring.yaml"), "-o", "run", "-t", "1"]
 UNIAXIAL = ["run", clod.source("tests/faults/uniaxial.yaml"), "-o", "run", "-t", "1"]
@@ -48,6 +49,7 @@ VERBS = {
     "manual": ["explain", "--manual"],
     "new": ["new", "free-run", "new.yaml"],
     "new to standard output": ["new", "free-run", "-"],
+    "new with tables": ["new", "hopper"],
     "check": ["check", SMALL, "-t", "1"],
     "check as JSON": ["check", "--json", SMALL, "-t", "1"],
     "run": RUN,
@@ -65,6 +67,8 @@ VERBS = {
     "locus of standard input": ["locus", "-"],
     "locus as JSON": ["locus", "--json", POINTS, "-o", "locus.json"],
     "locus as CSV": ["locus", "--csv", POINTS, "-o", "locus.csv"],
+    "hopper": [*HOPPER, "-o", "design"],
+    "hopper as JSON": [*HOPPER, "--json"],
     "mesh": ["mesh", MESH, "--unit=mm", "--grain-radius=3mm"],
     "mesh as JSON": ["mesh", MESH, "--unit=mm", "--json"],
     "verify": ["verify", "chung-ooi-2", "-o", "verify"],

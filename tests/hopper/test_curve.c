@@ -61,8 +61,8 @@ static void rays_are_met_on_every_piece(void **state)
 {
     (void)state;
     const clod_curve extended = curve(CLOD_CURVE_EXTENDED, SLOPED, 3);
-    const double known[][2] = {{1.0, 4.0}, {1.25, 8.0 / 3.0}, {0.6, 8.0}, {0.7, 6.4},
-                               {0.4, 16.0}, {20.0, 2.0 / 19.5}};
+    const double known[][2] = {{1.0, 4.0}, {1.25, 8.0 / 3.0}, {0.6, 8.0},
+                               {0.7, 6.4}, {0.4, 16.0},       {20.0, 2.0 / 19.5}};
     for (size_t k = 0; k < 6; k++) {
         double x;
         assert_int_equal(clod_curve_meet(&extended, known[k][0], &x), CLOD_CURVE_MEETS);

@@ -29,7 +29,8 @@ static void rhodes_example(void **state)
     check_close(at.limit / DEGREE, 30.5, 1.0);
     // with the book's own flow factor, straight between its points: 0.8218 kPa by hand
     double sigma_1;
-    assert_int_equal(clod_curve_meet(&of.solid.strength, 1.0 / 1.8, &sigma_1), CLOD_CURVE_MEETS);
+    assert_int_equal(clod_curve_meet(&of.solid.strength, 1.0 / 1.8, &sigma_1),
+                     CLOD_CURVE_MEETS);
     check_close(sigma_1 / 1.8, 821.8, 0.05);
 }
 
@@ -49,13 +50,14 @@ static void tutorial_question_1(void **state)
         add_strength(&of, sigma_1, pow(sigma_1, 0.68));
     }
     double sigma_1;
-    assert_int_equal(clod_curve_meet(&of.solid.strength, 1.0 / 1.4, &sigma_1), CLOD_CURVE_MEETS);
+    assert_int_equal(clod_curve_meet(&of.solid.strength, 1.0 / 1.4, &sigma_1),
+                     CLOD_CURVE_MEETS);
     const double critical = sigma_1 / 1.4;
     check_relative(critical, 2044.2, 5e-5);
-    const double cone = clod_hopper_arch_thickness(CLOD_HOPPER_ARCH_RHODES, CLOD_RADIAL_CONE,
-                                                   35.0 * DEGREE);
-    const double slot = clod_hopper_arch_thickness(CLOD_HOPPER_ARCH_RHODES, CLOD_RADIAL_WEDGE,
-                                                   35.0 * DEGREE);
+    const double cone =
+        clod_hopper_arch_thickness(CLOD_HOPPER_ARCH_RHODES, CLOD_RADIAL_CONE, 35.0 * DEGREE);
+    const double slot =
+        clod_hopper_arch_thickness(CLOD_HOPPER_ARCH_RHODES, CLOD_RADIAL_WEDGE, 35.0 * DEGREE);
     check_close(cone, 2.5833, 5e-5);
     check_close(slot, 1.1944, 5e-5);
     // the tutorial has g = 9.81 and rounds to four and five digits
@@ -99,8 +101,8 @@ static void a_straight_flow_function_is_met_where_it_must(void **state)
         const clod_hopper_design at = clod_hopper_design_shape(&of.solid, &wish);
         assert_int_equal(at.outcome, CLOD_HOPPER_FLOWS);
         check_relative(at.state.sigma_1, 1000.0 / (1.0 / at.flow_factor - 0.3), 1e-9);
-        check_relative(at.outlet,
-                       at.state.strength * at.arch / (1500.0 * CLOD_HOPPER_GRAVITY), 1e-12);
+        check_relative(at.outlet, at.state.strength * at.arch / (1500.0 * CLOD_HOPPER_GRAVITY),
+                       1e-12);
         check_close(at.half_angle, at.limit - wish.margin, 1e-12);
     }
 }
@@ -147,8 +149,8 @@ static void both_fits_of_h(void **state)
                 5e-4);
     check_close(clod_hopper_arch_thickness(CLOD_HOPPER_ARCH_ARNOLD, CLOD_RADIAL_WEDGE, t), 1.1,
                 1e-12);
-    check_close(clod_hopper_arch_thickness(CLOD_HOPPER_ARCH_RHODES, CLOD_RADIAL_WEDGE, t), 1.111,
-                5e-4);
+    check_close(clod_hopper_arch_thickness(CLOD_HOPPER_ARCH_RHODES, CLOD_RADIAL_WEDGE, t),
+                1.111, 5e-4);
 }
 
 static clod_hopper_design design_with(double margin, double phi_w, double intercept,

@@ -70,7 +70,8 @@ static void errors_of_the_flow_function(void **state)
     fill(&hopper);
     const clod_hopper_found *cone = &hopper.shape[CLOD_RADIAL_CONE];
     const double p = (1e-3 * cone->design.state.sigma_1 - 2.0) / 8.0;
-    const double error = hypot(14.0 * (1.0 - p), 30.0 * p) / (1.0 - 0.2 * cone->design.flow_factor);
+    const double error =
+        hypot(14.0 * (1.0 - p), 30.0 * p) / (1.0 - 0.2 * cone->design.flow_factor);
     const clod_hopper_value *strength = &cone->number[CLOD_HOPPER_STRENGTH];
     check_close(strength->high, cone->design.state.strength + 1.645 * error,
                 QUANTILE_ERROR * error);

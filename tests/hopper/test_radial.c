@@ -21,8 +21,8 @@ static clod_radial_wall solve(const clod_radial *of, double theta)
 /** ff with H by Arnold and McLean's fit. */
 static double flow_factor(const clod_radial *of, double theta)
 {
-    const double thickness = of->shape == CLOD_RADIAL_CONE ? (130.0 + theta) / 65.0
-                                                           : (200.0 + theta) / 200.0;
+    const double thickness =
+        of->shape == CLOD_RADIAL_CONE ? (130.0 + theta) / 65.0 : (200.0 + theta) / 200.0;
     return thickness * solve(of, theta).sigma_1 / (2.0 * sin(theta * DEGREE));
 }
 
@@ -76,7 +76,10 @@ static void limits_lie_just_above_the_closed_form(void **state)
 {
     (void)state;
     static const double PAIRS[][3] = {// phi_e, phi_w, most above
-                                      {30, 19, 1.2}, {40, 16, 0.3}, {40, 20, 0.3}, {50, 20, 0.1}};
+                                      {30, 19, 1.2},
+                                      {40, 16, 0.3},
+                                      {40, 20, 0.3},
+                                      {50, 20, 0.1}};
     for (size_t k = 0; k < sizeof PAIRS / sizeof PAIRS[0]; k++) {
         const double s = sin(PAIRS[k][0] * DEGREE);
         const double beta = clod_radial_beta(PAIRS[k][0] * DEGREE, PAIRS[k][1] * DEGREE);
@@ -91,7 +94,8 @@ static void limits_lie_just_above_the_closed_form(void **state)
 static void the_limit_parts_solutions_from_none(void **state)
 {
     (void)state;
-    static const double PAIRS[][2] = {{30, 19}, {40, 16}, {40, 20}, {50, 20}, {60, 30}, {40, 30}};
+    static const double PAIRS[][2] = {{30, 19}, {40, 16}, {40, 20},
+                                      {50, 20}, {60, 30}, {40, 30}};
     for (size_t k = 0; k < sizeof PAIRS / sizeof PAIRS[0]; k++) {
         const clod_radial of = field(CLOD_RADIAL_CONE, PAIRS[k][0], PAIRS[k][1]);
         double theta;
@@ -174,8 +178,8 @@ static double unbalance(const clod_radial *of, double theta, const clod_radial_w
 static void a_hopper_carries_its_weight(void **state)
 {
     (void)state;
-    static const double CASES[][3] = {{30, 19, 27.5}, {40, 20, 20}, {50, 20, 10}, {60, 30, 12},
-                                      {40, 5, 30}};
+    static const double CASES[][3] = {
+        {30, 19, 27.5}, {40, 20, 20}, {50, 20, 10}, {60, 30, 12}, {40, 5, 30}};
     for (size_t k = 0; k < sizeof CASES / sizeof CASES[0]; k++) {
         for (int shape = CLOD_RADIAL_WEDGE; shape <= CLOD_RADIAL_CONE; shape++) {
             const clod_radial of = field((clod_radial_shape)shape, CASES[k][0], CASES[k][1]);
@@ -249,7 +253,8 @@ static void the_wall_has_its_friction(void **state)
     (void)state;
     const double s = sin(40.0 * DEGREE);
     const double beta = clod_radial_beta(40.0 * DEGREE, 20.0 * DEGREE);
-    check_relative(s * sin(2.0 * beta) / (1.0 + s * cos(2.0 * beta)), tan(20.0 * DEGREE), 1e-12);
+    check_relative(s * sin(2.0 * beta) / (1.0 + s * cos(2.0 * beta)), tan(20.0 * DEGREE),
+                   1e-12);
     check_close(clod_radial_beta(40.0 * DEGREE, 0.0), 0.0, 1e-15);
 }
 

@@ -38,6 +38,7 @@ stages: [{name: fall, duration: 1 s}]
 # function, argument: the header says that NULL is fine
 MAY_BE_NULL = {
     ("clod_case_destroy", "self"), ("clod_contact_bench_run", "context"),
+    ("clod_hopper_destroy", "self"), ("clod_hopper_free", "text"),
     ("clod_locus_free", "memory"), ("clod_locus_parse", "defaults"),
     ("clod_locus_read", "defaults"), ("clod_locus_study_destroy", "self"),
     ("clod_mesh_destroy", "self"), ("clod_mesh_free", "memory"), ("clod_run_free", "report"),

@@ -1,0 +1,227 @@
+"""clod hopper as a user meets it: template, files, determinism, shear tests, refusals."""
+
+import json
+import math
+import os
+import re
+import sys
+import xml.etree.ElementTree
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+QUICK = ["--set", "interval.samples=100"]
+FLOW = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],phi_t [deg],rho_b [kg/m3]\n"
+ROWS = "2,1.4,0.05,48,40,1250\n4,1.9,0.05,47,40,1300\n8,2.9,0.08,46,39,1350\n"
+CASE = """flow_function: {file: flow.csv}
+wall_friction: {angle: 20 deg, error: 1 deg}
+"""
+
+
+class Hopper(clod.Case):
+
+    def write(self, name, text):
+        with open(self.path(name), "w") as file:
+            file.write(text)
+
+    def hopper(self, *arguments, code=0):
+        done = clod.run("hopper", *arguments, *QUICK, cwd=self.folder)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def found(self, *arguments):
+        return json.loads(self.hopper("case.yaml", "--json", *arguments).stdout)
+
+    def refuse(self, case, words, rows=ROWS, head=FLOW, more=()):
+        """The case is refused with exit status 2 and these words."""
+        self.write("case.yaml", case)
+        self.write("flow.csv", head + rows)
+        done = self.hopper("case.yaml", *more, code=2)
+        self.assertEqual(done.stdout, "")
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def start(self, case=CASE, rows=ROWS):
+        self.write("case.yaml", case)
+        self.write("flow.csv", FLOW + rows)
+
+    # ---- what comes out
+
+    def test_template_runs_and_writes_its_files(self):
+        self.assertEqual(clod.run("new", "hopper", cwd=self.folder).returncode, 0)
+        self.assertEqual(sorted(os.listdir(self.folder)),
+                         ["flow-function.csv", "hopper.yaml", "wall.csv"])
+        told = self.hopper("hopper.yaml", "-o", "design").stdout
+        with open(self.path("design.json")) as file:
+            found = json.load(file)
+        self.assertEqual(found["cone"]["outcome"], "flows")
+        for shape in ("cone", "wedge"):
+            for key, scale, digits in (("outlet_m", 1e3, 1), ("half_angle_deg", 1, 1),
+                                       ("flow_factor", 1, 3), ("sigma_1_Pa", 1e-3, 3)):
+                for end in ("value", "low", "high"):
+                    self.assertIn(f"{scale * found[shape][key][end]:.{digits}f}", told)
+        self.check_chart("design.svg", found)
+        again = clod.run("new", "hopper", cwd=self.folder)
+        self.assertEqual(again.returncode, 2)
+        self.assertIn("File exists", again.stderr)
+
+    def check_chart(self, name, found):
+        """A picture of well-formed XML, every place in it inside its frame, its numbers those of
+        the result."""
+        root = xml.etree.ElementTree.parse(self.path(name)).getroot()
+        width, height = float(root.get("width")), float(root.get("height"))
+        texts = [node.text for node in root.iter("{http://www.w3.org/2000/svg}text")]
+        for shape in ("cone", "wedge"):
+            factor = found[shape]["flow_factor"]["value"]
+            self.assertIn(f"{shape}, ff = {factor:.2f}", texts)
+        for mark in root.iter("{http://www.w3.org/2000/svg}circle"):
+            self.assertTrue(0 < float(mark.get("cx")) < width)
+            self.assertTrue(0 < float(mark.get("cy")) < height)
+        for path in root.iter("{http://www.w3.org/2000/svg}path"):
+            numbers = [float(x) for x in re.findall(r"-?[0-9.]+", path.get("d"))]
+            self.assertTrue(numbers and min(numbers) > 0 and max(numbers) < width)
+
+    def test_same_bytes_on_one_processor_and_on_all(self):
+        self.start()
+        first = self.hopper("case.yaml", "--json").stdout
+        one = min(os.sched_getaffinity(0))
+        done = clod.run("hopper", "case.yaml", "--json", *QUICK, cwd=self.folder,
+                        preexec_fn=lambda: os.sched_setaffinity(0, {one}))
+        self.assertEqual(done.stdout, first)
+        other = self.found("--set", "interval.seed=2")
+        self.assertNotEqual(other["cone"]["outlet_m"]["low"],
+                            json.loads(first)["cone"]["outlet_m"]["low"])
+        self.assertEqual(other["cone"]["outlet_m"]["value"],
+                         json.loads(first)["cone"]["outlet_m"]["value"])
+
+    def test_units_do_not_matter(self):
+        self.start()
+        first = self.found()["cone"]["outlet_m"]["value"]
+        self.write("flow.csv", "sigma_1 (Pa);f_c (mbar);phi_e (rad);rho_b (g/cm3)\n" + "".join(
+            f"{1e3 * s};{10 * f};{math.radians(p)};{r / 1000}\n"
+            for s, f, p, r in ((2, 1.4, 48, 1250), (4, 1.9, 47, 1300), (8, 2.9, 46, 1350))))
+        self.assertAlmostEqual(self.found()["cone"]["outlet_m"]["value"], first, delta=1e-7 * first)
+
+    def test_smaller_outlets_arch_and_larger_do_not(self):
+        self.start()
+        critical = self.found()["cone"]["outlet_m"]["value"]
+        shares = []
+        for part in (0.5, 1.0, 2.0):
+            cone = self.found("--set", f"cone.outlet={part * critical} m")["cone"]
+            margin = cone["arching_margin"]["value"]
+            self.assertTrue((margin > 1.0) == (part > 1.0) or part == 1.0)
+            shares.append(cone["planned_outlet_arching_share"])
+        self.assertEqual((shares[0], shares[2]), (1.0, 0.0))
+        self.assertTrue(0.2 < shares[1] < 0.8)
+
+    def test_no_arch_says_what_decides(self):
+        self.start(CASE + "largest_particle: 10 mm\n", "2,0.1,0,45,40,1250\n8,0.4,0,45,40,1350\n")
+        told = self.hopper("case.yaml").stdout
+        self.assertIn("no cohesive arch at any outlet", told)
+        self.assertRegex(told, r"outlet by particles, 8 times +80\.0 +mm")
+        found = self.found()
+        self.assertEqual(found["cone"]["outcome"], "no_arch")
+        self.assertEqual(found["cone"]["outlet_m"]["value"], 0.0)
+        self.assertIsNone(found["cone"]["sigma_1_Pa"]["value"])
+
+    def test_a_solid_that_cannot_flow(self):
+        self.start(CASE, "2,3.0,0,45,40,1250\n8,9.0,0,45,40,1350\n")
+        self.assertIn("cannot flow by gravity", " ".join(self.hopper("case.yaml").stdout.split()))
+        self.assertEqual(self.found()["cone"]["outlet_m"]["value"], "infinite")
+
+    def test_rough_walls_are_funnel_flow_with_a_rathole(self):
+        self.start(CASE.replace("angle: 20 deg", "angle: 46 deg"))
+        told = self.hopper("case.yaml", "-o", "rough").stdout
+        self.assertIn("Funnel flow: the solid does not slide along this wall", told)
+        self.assertRegex(told, r"diameter, emptying \(least\) +[0-9]+\.[0-9]")
+        with open(self.path("rough.svg")) as file:
+            self.assertIn("cone: funnel flow", file.read())
+
+    def test_extrapolation_is_said(self):
+        self.start(CASE, "20,4.2,0,45,40,1250\n40,7.2,0,45,40,1350\n")
+        self.assertIn("outside what was measured, 20.000 to 40.000 kPa: an extrapolation",
+                      " ".join(self.hopper("case.yaml").stdout.split()))
+
+    def test_shear_tests_are_evaluated_as_by_locus(self):
+        """Points, a results folder, and what clod locus --csv prints of all: the same design."""
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+        low = "".join(f"4,3.4,{s},{0.7 + 0.75 * s},1300\n" for s in (1.0, 2.0, 3.0))
+        high = "".join(f"10,8.1,{s},{1.2 + 0.73 * s},1350\n" for s in (2.5, 5.0, 7.5))
+        self.write("low.csv", head + low)
+        os.mkdir(self.path("run"))
+        self.write("run/points.csv", head + high)
+        self.write("case.yaml", "flow_function: {shear_tests: [{points: low.csv}, {points: run}]}\n"
+                   "wall_friction: {angle: 18 deg}\n")
+        found = self.found()
+        self.assertEqual(len(found["measured"]["flow_function"]), 2)
+        self.assertGreater(len(found["measured"]["phi_t"]), 1)
+        self.assertEqual(found["cone"]["outcome"], "flows")
+        self.write("all.csv", head + low + high)
+        loci = clod.run("locus", "all.csv", "--csv", cwd=self.folder).stdout
+        self.write("loci.csv", loci)
+        self.write("case.yaml", "flow_function: {file: loci.csv}\n"
+                   "wall_friction: {angle: 18 deg}\n")
+        table = self.found()
+        for key in ("outlet_m", "half_angle_deg", "flow_factor"):
+            self.assertAlmostEqual(table["cone"][key]["value"], found["cone"][key]["value"],
+                                   delta=1e-6 * found["cone"][key]["value"])
+
+    # ---- what is refused
+
+    def test_cases_with_mistakes(self):
+        bad = CASE.replace("angle: 20 deg", "angle: 20")
+        self.refuse(bad, ["case.yaml:2:24: wall_friction.angle", "deg", "^"])
+        self.refuse(CASE.replace("20 deg", "95 deg"), ["is out of range", "85 deg"])
+        self.refuse(CASE + "marign: 2 deg\n", ["marign", "did you mean margin?"])
+        self.refuse("wall_friction: {angle: 20 deg}\n", ["needs the key flow_function"])
+        self.refuse("flow_function: {curve: line}\nwall_friction: {angle: 20 deg}\n",
+                    ["case.yaml:1:1: flow_function", "needs file"])
+        self.refuse("flow_function: {file: flow.csv}\nwall_friction: {error: 1 deg}\n",
+                    ["case.yaml:2:1: wall_friction", "needs file or angle"])
+        self.refuse(CASE.replace("angle:", "file: w.csv, angle:"),
+                    ["has file and angle; keep one of them"])
+        self.refuse(CASE, ["margin", "is out of range"], more=["--set", "margin=40 deg"])
+        self.refuse("", ["is empty; clod new hopper writes an example"])
+        self.refuse("- a\n", ["must be a section with keys"])
+
+    def test_tables_with_mistakes(self):
+        self.refuse(CASE, ["flow.csv:1: the header has no column f_c", "sigma_1 [kPa],f_c"],
+                    head=FLOW.replace("f_c [kPa],", "", 1))
+        self.refuse(CASE, ['flow.csv:1: there is no column "sigma1"', "sigma_1"],
+                    head=FLOW.replace("sigma_1", "sigma1"))
+        self.refuse(CASE, ["flow.csv:1: column f_c has no unit"],
+                    head=FLOW.replace("f_c [kPa]", "f_c"))
+        self.refuse(CASE, ["flow.csv:1: column phi_e [kPa]", "an angle"],
+                    head=FLOW.replace("phi_e [deg]", "phi_e [kPa]"))
+        self.refuse(CASE, ['flow.csv:2: column phi_e: "95" must be below 90'],
+                    rows=ROWS.replace("48", "95"))
+        self.refuse(CASE, ['flow.csv:2: column f_c: "-1.4" must be 0 or more'],
+                    rows=ROWS.replace("1.4", "-1.4", 1))
+        self.refuse(CASE, ["flow.csv:3: 5 cells, but the header has 6 columns"],
+                    rows=ROWS.replace("1300", "").replace("40,\n4", "40\n4").replace(
+                        "47,40,", "47,40"))
+        self.refuse(CASE.replace("flow.csv", "none.csv"), ["none.csv", "No such file"])
+
+    def test_measurements_that_cannot_be(self):
+        self.refuse(CASE, ["static angle of internal friction", "above the effective one",
+                           "interchanged?"], rows="2,1.4,0,40,48,1250\n8,2.9,0,39,46,1350\n")
+        self.refuse(CASE, ["make no flow function"], rows="2,1.4,0,48,40,1250\n")
+        self.refuse(CASE, ["phi_e is not known", "effective_friction"],
+                    head="sigma_1 [kPa],f_c [kPa],rho_b [kg/m3]\n",
+                    rows="2,1.4,1250\n8,2.9,1300\n")
+        self.refuse(CASE, ["rho_b is not known", "bulk_density"],
+                    head="sigma_1 [kPa],f_c [kPa],phi_e [deg]\n", rows="2,1.4,48\n8,2.9,47\n")
+        self.refuse(CASE.replace("flow.csv", "flow.csv, curve: points"),
+                    ["two points at nearly the same stress", "curve: line"],
+                    rows="2,1.4,0,48,40,1250\n2.01,1.5,0,48,40,1250\n8,2.9,0,46,40,1350\n")
+
+    def test_the_command_line(self):
+        self.assertIn("which case?", self.hopper(code=2).stderr)
+        self.start()
+        self.assertIn("one case at a time", self.hopper("case.yaml", "case.yaml", code=2).stderr)
+        self.assertIn("none.yaml", self.hopper("none.yaml", code=2).stderr)
+        self.assertEqual(self.hopper("case.yaml", "-o", "no/folder", code=1).returncode, 1)
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
