@@ -9,6 +9,11 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 import clod
 
+# tests/restart/box.yaml in a fraction of a second
+SHORT = [word for key, value in (("stages.0.duration", "10 ms"), ("stages.1.duration", "10 ms"),
+                                 ("stages.2.duration", "10 ms"), ("output.snapshot_interval", "5 ms"))
+         for word in ("--set", f"{key}={value}")]
+
 COMPLETE = "# clod\ntitle: \"%s\"\nmaterials:\n  ore:\n    density: %s kg/m3\n"
 
 FREE = {

@@ -84,11 +84,11 @@ class Report(clod.Case):
         self.assertIn("none.csv", said)
 
     def test_fresh_removes_the_page(self):
-        box = clod.source("tests/restart/box.yaml")
-        self.made("run", box, "-o", "box")
+        box = [clod.source("tests/restart/box.yaml"), *pages.SHORT]
+        self.made("run", *box, "-o", "box")
         self.assertIn("report.html", os.listdir(self.path("box")))
         self.assertIn("report-kinetic-energy.svg", os.listdir(self.path("box")))
-        self.made("run", box, "-o", "box", "--fresh", "--no-report")
+        self.made("run", *box, "-o", "box", "--fresh", "--no-report")
         self.assertEqual([name for name in os.listdir(self.path("box")) if name.startswith("report")],
                          ["report.txt"])
 
