@@ -48,7 +48,9 @@ static void put_group(clod_sheet *sheet, const clod_table *series, const double 
     clod_series_groups_words(group->quantity, title);
     name_figure(groups, g, name);
     clod_figure figure;
-    title[0] = title[0] >= 'a' && title[0] <= 'z' ? (char)(title[0] - 'a' + 'A') : title[0];
+    if (title[0] >= 'a' && title[0] <= 'z') {
+        title[0] = (char)(title[0] - 'a' + 'A');
+    }
     clod_figure_init(&figure, name, title);
     clod_figure_axis_set(&figure.x, "time", "s", 1.0);
     clod_series_groups_words(group->quantity, title);
