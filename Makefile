@@ -4,7 +4,7 @@
 #   make run ARGS=--fresh  the same, with options for `clod run`
 #   make test              set up, build, run every test and check
 .PHONY: build run chute test verify validate cross bench bench-peers check-arm format lint package install clean help \
-	setup setup-test setup-peers setup-arm
+	setup setup-report setup-test setup-peers setup-arm
 .DEFAULT_GOAL := build
 
 ARGS :=
@@ -15,6 +15,9 @@ JOBS := $(shell nproc)
 
 setup: ## install the packages that a build needs
 	@tools/setup build
+
+setup-report: ## install what puts the scripts into report pages (npm; 150 MB)
+	@tools/setup report
 
 setup-test: ## install the packages that the tests need as well
 	@tools/setup test

@@ -21,13 +21,17 @@
 #include "clod/run.h"
 #include "duration.h"
 #include "one_case.h"
+#include "report/report.h"
 
 #define LOG_INTERVAL 10.0 ///< s between plain lines when standard error is not a terminal
 
 typedef struct request {
     clod_one_case of;
     clod_run_options options;
+    bool no_report; ///< no page at the end
 } request;
+
+enum { KEY_NO_REPORT = 256 };
 
 /** What the progress line shows; parts report from their own threads. */
 typedef struct screen {
@@ -114,6 +118,8 @@ static const struct argp_option OPTIONS[] = {
      "instruction set: scalar, avx2, avx512, neon (this machine's best); results do not depend "
      "on it",
      0},
+    {"no-report", KEY_NO_REPORT, NULL, 0,
+     "write no report.html at the end; clod report writes it later", 0},
     {0},
 };
 
@@ -159,6 +165,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         return 0;
     case 'i':
         self->options.simd = argument;
+        return 0;
+    case KEY_NO_REPORT:
+        self->no_report = true;
         return 0;
     default:
         return clod_one_case_parse(&self->of, key, argument, state);
@@ -217,6 +226,25 @@ static int exit_status(const clod_status *status)
     return status->code == CLOD_USAGE ? 2 : 1;
 }
 
+/** Write the page of a run that is complete. The run is done, so what fails here is only said. */
+static void write_report(const request *self)
+{
+    clod_status status = {CLOD_OK, ""};
+    char *standard =
+        self->options.directory == NULL ? clod_report_folder(self->of.path, &status) : NULL;
+    const char *folder = self->options.directory != NULL ? self->options.directory : standard;
+    const clod_report_options options = {.runs = &folder, .run_count = 1};
+    char *path = NULL;
+    if (folder == NULL || !clod_report_write(&options, &path, &status)) {
+        fprintf(stderr, "clod run: the run is complete, but not its page report.html: %s\n",
+                status.text);
+    } else {
+        fprintf(stderr, "clod: figures and tables for the browser: %s\n", path);
+    }
+    clod_report_free(path);
+    clod_report_free(standard);
+}
+
 static int run_case(request *self)
 {
     screen shown = {.terminal = isatty(STDERR_FILENO) != 0, .last = -LOG_INTERVAL};
@@ -241,6 +269,8 @@ static int run_case(request *self)
               "folder\n",
               stderr);
         ok = false;
+    } else if (ok && !self->no_report) {
+        write_report(self);
     } else if (!ok) {
         fprintf(stderr, "%sclod run: %s\n", shown.terminal ? CLEAR_LINE : "", status.text);
     }

@@ -18,7 +18,9 @@ void clod_figure_init(clod_figure *self, const char *name, const char *title)
     for (char *at = self->name; *at != '\0'; at++) {
         const bool plain = (*at >= 'a' && *at <= 'z') || (*at >= 'A' && *at <= 'Z') ||
                            (*at >= '0' && *at <= '9');
-        *at = plain ? *at : '-';
+        if (!plain) {
+            *at = '-';
+        }
     }
     snprintf(self->title, sizeof self->title, "%s", title);
 }

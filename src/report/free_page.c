@@ -12,8 +12,8 @@
 /** The tables of a page: parts of the summary in this order. */
 static void put_tables(FILE *out, const json_t *summary)
 {
-    const json_t *balance = json_object_get(summary, "balance");
-    const json_t *clumps = json_object_get(summary, "clumps");
+    json_t *balance = json_object_get(summary, "balance");
+    json_t *clumps = json_object_get(summary, "clumps");
     clod_html_section(out, "tables", "Tables");
     clod_summary_tables_put(out, "Gauges", json_object_get(summary, "gauges"));
     clod_summary_tables_put(out, "Balance", balance);

@@ -14,9 +14,13 @@ void clod_packed_base64(FILE *out, const unsigned char *bytes, size_t count)
         const unsigned long word = (unsigned long)bytes[i] << 16 |
                                    (left > 1 ? (unsigned long)bytes[i + 1] << 8 : 0) |
                                    (left > 2 ? (unsigned long)bytes[i + 2] : 0);
-        const char text[4] = {LETTERS[word >> 18], LETTERS[word >> 12 & 63],
-                              left > 1 ? LETTERS[word >> 6 & 63] : '=',
-                              left > 2 ? LETTERS[word & 63] : '='};
+        char text[4] = {LETTERS[word >> 18], LETTERS[word >> 12 & 63], '=', '='};
+        if (left > 1) {
+            text[2] = LETTERS[word >> 6 & 63];
+        }
+        if (left > 2) {
+            text[3] = LETTERS[word & 63];
+        }
         fwrite(text, 1, sizeof text, out);
     }
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "output/folder.h"
 #include "report/cards.h"
 #include "report/grain_view.h"
 #include "report/head.h"
@@ -107,6 +108,11 @@ const char *clod_report_lacks(void)
                  "there is no 3-D view. To get them, install Node.js with npm (Debian: apt "
                  "install nodejs npm, or make setup-report in the sources), connect to a "
                  "network, and build clod again";
+}
+
+char *clod_report_folder(const char *case_path, clod_status *status)
+{
+    return clod_folder_default(case_path, status);
 }
 
 void clod_report_free(char *text)

@@ -44,6 +44,10 @@ bool clod_report_compare(const clod_report_options *options, char **path, clod_s
  */
 const char *clod_report_lacks(void);
 
+/** Owned name of the results folder that `clod run` takes for a case when none is given; NULL with
+ *  status as clod_run fails then. */
+char *clod_report_folder(const char *case_path, clod_status *status);
+
 /** Free a text; NULL is fine. */
 void clod_report_free(char *text);
 

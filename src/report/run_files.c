@@ -56,8 +56,9 @@ static bool load_times(clod_run_files *self, clod_status *status)
     if (!load_text(self, "log.jsonl", &text, status)) {
         return false;
     }
-    for (char *at = text; at != NULL && (at = strstr(at, KEY)) != NULL;) {
-        at += strlen(KEY);
+    for (const char *line = text != NULL ? strstr(text, KEY) : NULL; line != NULL;
+         line = strstr(line + 1, KEY)) {
+        const char *at = line + strlen(KEY);
         const char *end = strchr(at, '"');
         char time[32];
         snprintf(time, sizeof time, "%.*s", end != NULL ? (int)(end - at) : 0, at);

@@ -28,16 +28,29 @@ static void add_column(clod_figure *figure, const clod_table *series, const doub
     clod_memory_free(value);
 }
 
+/** Name of a group's figure: the quantity, and the unit if an earlier group has the same quantity. */
+static void name_figure(const clod_series_groups *groups, size_t g, char name[160])
+{
+    const clod_series_group *group = &groups->group[g];
+    bool taken = false;
+    for (size_t k = 0; k < g; k++) {
+        taken = taken || strcmp(groups->group[k].quantity, group->quantity) == 0;
+    }
+    snprintf(name, 160, "%s%s%s", group->quantity, taken ? "-" : "", taken ? group->unit : "");
+}
+
 /** One figure with the columns of a group. */
 static void put_group(clod_sheet *sheet, const clod_table *series, const double *time,
-                      const clod_series_group *group)
+                      const clod_series_groups *groups, size_t g)
 {
+    const clod_series_group *group = &groups->group[g];
     char name[160], title[96];
     clod_series_groups_words(group->quantity, title);
-    snprintf(name, sizeof name, "%s-%s", group->quantity, group->unit);
-    name[strcmp(group->unit, "1") == 0 ? strlen(group->quantity) : strlen(name)] = '\0';
+    name_figure(groups, g, name);
     clod_figure figure;
-    title[0] = title[0] >= 'a' && title[0] <= 'z' ? (char)(title[0] - 'a' + 'A') : title[0];
+    if (title[0] >= 'a' && title[0] <= 'z') {
+        title[0] = (char)(title[0] - 'a' + 'A');
+    }
     clod_figure_init(&figure, name, title);
     clod_figure_axis_set(&figure.x, "time", "s", 1.0);
     clod_series_groups_words(group->quantity, title);
@@ -79,13 +92,13 @@ void clod_series_figures_put(clod_sheet *sheet, const clod_table *series, bool m
     for (size_t k = 0; time != NULL && main && k < MAIN_COUNT; k++) {
         for (size_t g = 0; g < groups.count; g++) {
             if (is_main(&groups.group[g], k)) {
-                put_group(sheet, series, time, &groups.group[g]);
+                put_group(sheet, series, time, &groups, g);
             }
         }
     }
     for (size_t g = 0; time != NULL && !main && g < groups.count; g++) {
         if (!is_any_main(&groups.group[g])) {
-            put_group(sheet, series, time, &groups.group[g]);
+            put_group(sheet, series, time, &groups, g);
         }
     }
     clod_memory_free(time);

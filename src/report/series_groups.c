@@ -90,8 +90,8 @@ void clod_series_groups_fini(clod_series_groups *self)
 void clod_series_groups_words(const char *name, char words[96])
 {
     snprintf(words, 96, "%s", name);
-    for (char *at = words; *at != '\0'; at++) {
-        *at = *at == '_' ? ' ' : *at;
+    for (char *at = strchr(words, '_'); at != NULL; at = strchr(at, '_')) {
+        *at = ' ';
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdint.h>
 #include <string.h>
 
 #include "report/figure_json.h"
@@ -31,6 +30,14 @@ static const struct {
              {"_s", "s"},
              {"_m", "m"}};
 
+/** Blanks for underscores. */
+static void put_blanks(char *name)
+{
+    for (char *at = strchr(name, '_'); at != NULL; at = strchr(at, '_')) {
+        *at = ' ';
+    }
+}
+
 void clod_summary_tables_name(const char *key, char name[96], char unit[16])
 {
     size_t length = strlen(key);
@@ -43,9 +50,7 @@ void clod_summary_tables_name(const char *key, char name[96], char unit[16])
         }
     }
     snprintf(name, 96, "%.*s", (int)length, key);
-    for (char *at = name; *at != '\0'; at++) {
-        *at = *at == '_' ? ' ' : *at;
-    }
+    put_blanks(name);
 }
 
 /** Objects side by side, and the keys of their numbers. */
@@ -74,11 +79,11 @@ static bool is_shown(const json_t *value)
 }
 
 /** Whether it is an object with something that is shown. */
-static bool has_shown(const json_t *item)
+static bool has_shown(json_t *item)
 {
     const char *key;
     json_t *value;
-    json_object_foreach((json_t *)(uintptr_t)item, key, value)
+    json_object_foreach(item, key, value)
     {
         if (is_shown(value)) {
             return true;
@@ -87,11 +92,11 @@ static bool has_shown(const json_t *item)
     return false;
 }
 
-static void add_keys(layout *self, const json_t *item)
+static void add_keys(layout *self, json_t *item)
 {
     const char *key;
     json_t *value;
-    json_object_foreach((json_t *)(uintptr_t)item, key, value)
+    json_object_foreach(item, key, value)
     {
         bool known = !is_shown(value) || strcmp(key, "name") == 0 || strcmp(key, "part") == 0 ||
                      strcmp(key, "errors_note") == 0;
@@ -104,7 +109,7 @@ static void add_keys(layout *self, const json_t *item)
     }
 }
 
-static void add_item(layout *self, const json_t *item, const char *name)
+static void add_item(layout *self, json_t *item, const char *name)
 {
     if (has_shown(item) && self->items < MOST) {
         const size_t k = self->items++;
@@ -114,10 +119,10 @@ static void add_item(layout *self, const json_t *item, const char *name)
     }
 }
 
-static void lay_out(layout *self, const json_t *from)
+static void lay_out(layout *self, json_t *from)
 {
     size_t k;
-    const json_t *item;
+    json_t *item;
     json_array_foreach(from, k, item)
     {
         const char *name = json_string_value(json_object_get(item, "name"));
@@ -128,13 +133,11 @@ static void lay_out(layout *self, const json_t *from)
     }
     const char *key;
     json_t *value;
-    json_object_foreach((json_t *)(uintptr_t)from, key, value)
+    json_object_foreach(from, key, value)
     {
         char name[96];
         snprintf(name, sizeof name, "%s", key);
-        for (char *at = name; *at != '\0'; at++) {
-            *at = *at == '_' ? ' ' : *at;
-        }
+        put_blanks(name);
         add_item(self, value, name);
     }
 }
@@ -204,7 +207,7 @@ static void put_rows(FILE *out, const layout *self)
     }
 }
 
-void clod_summary_tables_put(FILE *out, const char *title, const json_t *from)
+void clod_summary_tables_put(FILE *out, const char *title, json_t *from)
 {
     layout self = {.items = 0};
     lay_out(&self, from);

@@ -16,7 +16,7 @@
  * @param from   array or object of objects; borrowed; NULL is fine
  * Test  tests/report/test_page.py
  */
-void clod_summary_tables_put(FILE *out, const char *title, const json_t *from);
+void clod_summary_tables_put(FILE *out, const char *title, json_t *from);
 
 /** Split a key, "mass_flow_kg_per_s", into "mass flow" and "kg/s"; a unit "" if it has none. */
 void clod_summary_tables_name(const char *key, char name[96], char unit[16]);

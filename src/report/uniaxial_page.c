@@ -97,7 +97,7 @@ static bool put_curves(clod_sheet *sheet, const clod_run_files *run, clod_status
 
 bool clod_run_pages_uniaxial(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
 {
-    const json_t *strengths = json_object_get(run->summary, "flow_function");
+    json_t *strengths = json_object_get(run->summary, "flow_function");
     clod_html_section(sheet->body, "results", "Results");
     clod_summary_tables_put(sheet->body, NULL, strengths);
     if (json_object_get(json_array_get(strengths, 0), "errors_note") != NULL) {

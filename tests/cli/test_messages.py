@@ -12,7 +12,7 @@ import clod
 
 BOX = clod.source("tests/restart/box.yaml")
 RING = clod.source("tests/restart/ring.yaml")
-VERBS = ["new", "run", "check", "contact", "locus", "mesh", "explain", "schema"]
+VERBS = ["new", "run", "check", "contact", "locus", "mesh", "report", "compare", "explain", "schema"]
 
 
 class Messages(clod.Case):

@@ -29,6 +29,7 @@ async function start() {
   // for tests: what was drawn, in the document itself
   document.documentElement.dataset.figures = drawn;
   document.documentElement.dataset.views = JSON.stringify(seen);
+  document.documentElement.dataset.overflow = document.documentElement.scrollWidth - document.documentElement.clientWidth;
   document.documentElement.dataset.errors = JSON.stringify(errors);
   document.documentElement.dataset.ready = "yes";
 }

@@ -235,32 +235,35 @@ class View {
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** Share of pixels that are not background. */
-  coverage() {
+  /** Share of pixels that are not background, and how many colours they have. */
+  seen() {
     this.draw();
     const gl = this.renderer.getContext();
     const {drawingBufferWidth: width, drawingBufferHeight: height} = gl;
     const pixels = new Uint8Array(4 * width * height);
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    const colours = new Set();
     let covered = 0;
     for (let k = 0; k < pixels.length; k += 4) {
-      covered += pixels[k] < 250 || pixels[k + 1] < 250 || pixels[k + 2] < 250;
+      if (pixels[k] < 250 || pixels[k + 1] < 250 || pixels[k + 2] < 250) {
+        covered++;
+        colours.add(pixels[k] << 16 | pixels[k + 1] << 8 | pixels[k + 2]);
+      }
     }
-    return covered / (width * height);
+    return {grains: this.data.grains.count, coverage: covered / (width * height), colours: colours.size};
   }
 }
 
-/** Draw the views; for each the number of grains and the share of pixels that show something. */
+/** Draw the views; what is seen in each. */
 export function drawViews(views) {
   return views.map((data, k) => {
     const place = document.getElementById(`view-${k}`);
     try {
-      const view = new View(place, data);
-      return {grains: data.grains.count, coverage: view.coverage()};
+      return new View(place, data).seen();
     } catch (error) {
       place.textContent = `This browser shows no 3-D view (${error.message}).`;
       place.style.padding = "1em";
-      return {grains: data.grains.count, coverage: 0};
+      return {grains: data.grains.count, coverage: 0, colours: 0};
     }
   });
 }

@@ -1,0 +1,124 @@
+"""Results folders made by hand, and what stands in a page, for the tests of this folder."""
+
+import html.parser
+import json
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+# tests/restart/box.yaml in a fraction of a second
+SHORT = [word for key, value in (("stages.0.duration", "10 ms"), ("stages.1.duration", "10 ms"),
+                                 ("stages.2.duration", "10 ms"), ("output.snapshot_interval", "5 ms"))
+         for word in ("--set", f"{key}={value}")]
+
+COMPLETE = "# clod\ntitle: \"%s\"\nmaterials:\n  ore:\n    density: %s kg/m3\n"
+
+FREE = {
+    "title": "A <chute> & more", "version": "clod 9", "time_s": 2.5, "dt_s": 1e-5, "steps": 250000,
+    "grains": 120, "contacts": 300, "coordination": 5.0, "max_overlap": 0.0125, "kinetic_energy_J": 0.5,
+    "wall_clock_s": 61.5,
+    "outlets": {"delivered": {"grains": 166083, "mass_kg": 0.12345678, "kinetic_energy_J": 0.0}},
+    "left": {"x_min": {"grains": 0, "mass_kg": 0.0}, "x_max": {"grains": 0, "mass_kg": 0.0}},
+    "gauges": {"head": {"mass_flow_kg_per_s": {"mean": 0.8343702206, "deviation": 0.0204139}, "alarms": 2,
+                        "blocked_at_end": True}},
+}
+def text(number):
+    """A number as clod prints it: with as few digits as read back exactly."""
+    return repr(float(number)).removesuffix(".0")
+
+
+SERIES = "time [s],kinetic_energy [J],gauge_head.mass_flow [kg/s],feed.power [W],feed.angle [rad]\n" + "".join(
+    f"{text(0.1 * k)},{text(0.01 * k * k)},{'nan' if k < 3 else text(0.5 + 0.001 * k)},{-k},0\n" for k in range(26))
+
+UNIAXIAL = {
+    "title": "Two stresses", "version": "clod 9",
+    "parts": [{"part": "fill", "seed": 4, "grains": 250}, {"part": "stress-1"}],
+    "flow_function": [{"part": "stress-1", "errors_note": "one specimen: scatter between specimens not included",
+                       "consolidation_stress_Pa": 10000.0, "sigma_1_Pa": 10076.6, "sigma_c_Pa": 11677.46,
+                       "sigma_c_error_Pa": 59.87, "ffc": 0.862911}],
+    "warnings": ["stress-1: only 7.2 grain diameters"],
+}
+STRESS = "time [s],strain [1],axial_stress [Pa],bulk_density [kg/m3]\n0,0,1,900\n0.1,0,9000,1000\n" + "".join(
+    f"{text(0.2 + 0.1 * k)},{text(0.001 * k)},{text(1000.5 * k)},{1000 + k}\n" for k in range(10))
+
+
+def write(folder, **files):
+    """Write files, given by name with __ for points; objects as JSON."""
+    os.makedirs(folder, exist_ok=True)
+    for name, content in files.items():
+        with open(os.path.join(folder, name.replace("__", ".").replace("_HYPHEN_", "-")), "w") as file:
+            file.write(content if isinstance(content, str) else json.dumps(content, indent=2))
+
+
+def free_run(folder, density="2500", **changes):
+    """A folder as a free run leaves it, with no snapshots."""
+    summary = {**FREE, **changes}
+    write(folder, summary__json=summary, series__csv=SERIES, report__txt="all of it\n", case__yaml="title: short\n",
+          **{"case_HYPHEN_complete__yaml": COMPLETE % (summary["title"], density)})
+
+
+def uniaxial(folder):
+    write(folder, summary__json=UNIAXIAL, report__txt="all of it\n",
+          **{"stress_HYPHEN_1__csv": STRESS,
+             "case_HYPHEN_complete__yaml": COMPLETE % (UNIAXIAL["title"], "2500") + "uniaxial:\n  seeds: 1\n"})
+
+
+class Page(html.parser.HTMLParser):
+    """The tables, list items and texts of a page, and the numbers behind its figures.
+
+    Numbers of the data block stay the texts that they are.
+    """
+
+    def __init__(self, text):
+        super().__init__()
+        self.text = text
+        self.tables, self.items, self.words = [], [], []
+        self.inside = []
+        self.cell = None
+        self.feed(text)
+        block = re.search(r'<script type="application/json" id="clod-data">(.*?)</script>', text, re.S)[1]
+        data = json.loads(block, parse_float=str, parse_int=str)
+        self.figures = {figure["name"]: figure for figure in data["figures"]}
+        self.views = data["views"]
+
+    def handle_starttag(self, tag, attributes):
+        self.inside.append(tag)
+        if tag == "table":
+            self.tables.append([])
+        elif tag == "tr":
+            self.tables[-1].append([])
+        elif tag in ("td", "th"):
+            self.tables[-1][-1].append("")
+        elif tag == "li":
+            self.items.append("")
+
+    def handle_endtag(self, tag):
+        while self.inside and self.inside.pop() != tag:
+            pass
+
+    def handle_data(self, data):
+        if "td" in self.inside or "th" in self.inside:
+            self.tables[-1][-1][-1] += data
+        elif "li" in self.inside:
+            self.items[-1] += data
+        if "script" not in self.inside and "style" not in self.inside:
+            self.words.append(data)
+
+    def row(self, name):
+        """Cells of the first row of any table that begins with this."""
+        return next(row for table in self.tables for row in table if row and row[0] == name)
+
+
+def load(path):
+    with open(path) as file:
+        return Page(file.read())
+
+
+def cells(folder, name):
+    """Columns of a CSV file by name, as the texts that are there."""
+    with open(os.path.join(folder, name)) as file:
+        rows = [line.rstrip("\n").split(",") for line in file]
+    return {head.split(" [")[0]: [row[k] for row in rows[1:]] for k, head in enumerate(rows[0])}

@@ -1,0 +1,181 @@
+"""clod report and clod compare: numbers on the page are those in the files; what is refused."""
+
+import json
+import os
+import re
+import sys
+import xml.etree.ElementTree
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import pages
+from pages import clod
+
+LAB = ("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+       "10,7.2,3,3.25,1650\n10,7.2,5,4.5,1650\n10,7.2,7.5,5.75,1650\n")
+
+
+class Report(clod.Case):
+
+    def made(self, *arguments, code=0):
+        done = clod.run(*arguments, cwd=self.folder)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def page(self, name):
+        return pages.load(self.path(name))
+
+    def assert_curve(self, figure, number, table, x, y, first=0):
+        """The curve has the texts of these columns from row `first` on; nan is null."""
+        curve = figure["curves"][number]
+        self.assertEqual(curve["x"], table[x][first:])
+        self.assertEqual(curve["y"], [None if text == "nan" else text for text in table[y][first:]])
+
+    def test_ring_shear(self):
+        """A real test: the run itself writes the page; laboratory points come over it later."""
+        case = clod.source("tests/restart/ring.yaml")
+        done = self.made("run", case, "-o", "ring", "-t", "2")
+        self.assertIn("ring/report.html", done.stderr)
+        page = self.page("ring/report.html")
+        with open(self.path("ring/summary.json")) as file:
+            summary = json.load(file)
+        with open(self.path("ring/report.txt")) as file:
+            told = file.read()
+        self.assertTrue(summary["warnings"])
+        for warning in summary["warnings"] + summary["locus"]["loci"][0]["warnings"]:
+            self.assertIn(warning, page.items)
+        self.assertLess(page.text.index('id="warnings"'), page.text.index('id="results"'))
+        # the results as report.txt rounds them
+        for line in told.splitlines():
+            found = re.match(r"  (\S.*?)\s+(?:sigma_|tau_|phi_|c |ffc|rho_)\S*\s+([-0-9.]+) ±", line)
+            if found and not found[1].startswith("flowability"):
+                self.assertTrue(page.row(found[1])[2].startswith(found[2]), (line, page.row(found[1])))
+        preshear = pages.cells(self.path("ring"), "preshear.csv")
+        first = max(k for k, text in enumerate(preshear["displacement"]) if float(text) == 0.0)
+        self.assertLess(len(preshear["time"]) - first, 2000)  # else rows would be left out
+        self.assert_curve(page.figures["Shear-stress--preshear"], 0, preshear, "displacement",
+                          "shear_stress", first)
+        self.assert_curve(page.figures["Height-of-the-specimen--preshear"], 0, preshear,
+                          "displacement", "height", first)
+        locus = page.figures["yield-locus"]
+        self.assertEqual(locus["equal"], True)
+        points = summary["locus"]["loci"][0]["points"]
+        self.assertEqual([float(x) for x in locus["curves"][1]["x"]], [p["sigma_s_Pa"] for p in points])
+        self.assertEqual([float(y) for y in locus["curves"][1]["y"]], [p["prorated_Pa"] for p in points])
+        self.assertIn("one specimen: scatter between specimens not included", " ".join(page.words))
+        self.lab_points(locus)
+
+    def lab_points(self, before):
+        with open(self.path("lab.csv"), "w") as file:
+            file.write(LAB)
+        self.made("report", "ring", "--lab", "lab.csv", "-o", "with.html")
+        curves = self.page("with.html").figures["yield-locus"]["curves"]
+        self.assertEqual(curves[:len(before["curves"])], before["curves"])
+        hollow = [curve for curve in curves if curve["style"] == "hollow"]
+        self.assertEqual([[float(x) for x in curve["x"]] for curve in hollow], [[3000, 5000, 7500], [10000]])
+        # prorated with a tau_pre that all share: as measured, but for the last bit
+        for y, wanted in zip(hollow[0]["y"], [3250, 4500, 5750]):
+            self.assertAlmostEqual(float(y), wanted, delta=1e-9)
+        figures = sorted(name for name in os.listdir(self.folder) if name.startswith("with-"))
+        self.assertIn("with-yield-locus.svg", figures)
+        for name in figures:
+            root = xml.etree.ElementTree.parse(self.path(name)).getroot()
+            self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
+        said = self.made("report", "ring", "--lab", "none.csv", code=2).stderr
+        self.assertIn("none.csv", said)
+
+    def test_fresh_removes_the_page(self):
+        box = [clod.source("tests/restart/box.yaml"), *pages.SHORT]
+        self.made("run", *box, "-o", "box")
+        self.assertIn("report.html", os.listdir(self.path("box")))
+        self.assertIn("report-kinetic-energy.svg", os.listdir(self.path("box")))
+        self.made("run", *box, "-o", "box", "--fresh", "--no-report")
+        self.assertEqual([name for name in os.listdir(self.path("box")) if name.startswith("report")],
+                         ["report.txt"])
+
+    def test_nothing_from_outside(self):
+        """A browser loads nothing but the file: no addresses in what it would fetch."""
+        pages.free_run(self.path("run"))
+        self.assertEqual(self.made("report", "run").stdout, "run/report.html\n")
+        page = self.page("run/report.html")
+        markup = re.sub(r"<script>.*?</script>", "", page.text, flags=re.S)
+        self.assertIsNone(re.search(r"\b(src|href)\s*=|<link|@import|url\(\s*[\"']?http", markup))
+
+    def test_free_run(self):
+        pages.free_run(self.path("run"))
+        self.made("report", "run/")
+        page = self.page("run/report.html")
+        series = pages.cells(self.path("run"), "series.csv")
+        self.assert_curve(page.figures["kinetic-energy"], 0, series, "time", "kinetic_energy")
+        self.assert_curve(page.figures["mass-flow"], 0, series, "time", "gauge_head.mass_flow")
+        self.assertNotIn("angle", page.figures)  # it never changes
+        self.assertEqual(page.row("mass flow")[1:], ["0.83437 ± 0.02", "kg/s"])
+        self.assertEqual(page.row("grains")[1], "166083")
+        self.assertNotIn("x min", [row[1] for table in page.tables for row in table if len(row) > 1])
+        self.assertEqual(page.items, ["Gauge head gave alarm of blocking 2 times, and is blocked at the end."])
+        # names from the case are text, never markup
+        self.assertIn("<h1>A &lt;chute&gt; &amp; more</h1>", page.text)
+        for text in ("2.5 s", "1.2 %", "61.5"):
+            self.assertIn(text, page.words)
+
+    def test_uniaxial(self):
+        pages.uniaxial(self.path("run"))
+        self.made("report", "run")
+        page = self.page("run/report.html")
+        stress = pages.cells(self.path("run"), "stress-1.csv")
+        self.assert_curve(page.figures["axial-stress"], 0, stress, "strain", "axial_stress", 2)
+        flow = page.figures["flow-function"]["curves"][0]
+        self.assertEqual([flow[key] for key in ("x", "y", "error")], [["10076.6"], ["11677.46"], ["59.87"]])
+        self.assertEqual(page.items, ["stress-1: only 7.2 grain diameters"])
+        self.assertEqual(page.row("sigma c")[1:], ["11677", "Pa"])
+
+    def test_a_run_that_goes_on(self):
+        pages.free_run(self.path("run"))
+        os.remove(self.path("run/report.txt"))
+        os.remove(self.path("run/summary.json"))
+        with open(self.path("run/series.csv"), "a") as file:
+            file.write("2.6,0.7")  # a row that is just being written
+        self.made("report", "run")
+        page = self.page("run/report.html")
+        self.assertEqual(page.items, ["The run is not complete: this page shows what there is so far."])
+        self.assertEqual(len(page.figures["kinetic-energy"]["curves"][0]["x"]), 26)
+
+    def test_compare(self):
+        pages.free_run(self.path("one"))
+        pages.free_run(self.path("two"), density="2600", grains=7)
+        pages.free_run(self.path("three"), grains=8)
+        self.assertEqual(self.made("compare", "one", "two", "three").stdout, "compare.html\n")
+        page = self.page("compare.html")
+        self.assertEqual([page.row(name)[2] for name in ("one", "two", "three")], ["120", "7", "8"])
+        self.assertEqual(page.row("materials.ore.density"),
+                         ["materials.ore.density", "2500 kg/m3", "2600 kg/m3", "2500 kg/m3"])
+        series = pages.cells(self.path("one"), "series.csv")
+        figure = page.figures["kinetic-energy"]
+        self.assertEqual([curve["name"] for curve in figure["curves"]], ["one", "two", "three"])
+        for number in range(3):
+            self.assert_curve(figure, number, series, "time", "kinetic_energy")
+        self.assertTrue(os.path.exists(self.path("compare-kinetic-energy.svg")))
+
+    def test_refusals(self):
+        pages.free_run(self.path("run"))
+        pages.uniaxial(self.path("other"))
+        os.mkdir(self.path("empty"))
+        with open(self.path("lab.csv"), "w") as file:
+            file.write(LAB)
+        for arguments, text in ((["report"], "which run?"),
+                                (["report", "empty"], "is not the results folder of a run"),
+                                (["report", "run", "other", "-o", "a.html"], "there are several runs"),
+                                (["report", "run", "--lab", "lab.csv"], "is no shear test"),
+                                (["compare", "run", "other"], "is of another kind")):
+            self.assertIn(text, self.made(*arguments, code=2).stderr)
+        with open(self.path("run/series.csv"), "a") as file:
+            file.write("1,2\n")
+        said = self.made("report", "run", code=2).stderr
+        self.assertIn("series.csv:28: 2 cells, but the header has 5 columns", said)
+        with open(self.path("run/summary.json"), "w") as file:
+            file.write("{")
+        self.assertIn("summary.json is damaged", self.made("report", "run", code=2).stderr)
+        self.assertFalse(os.path.exists(self.path("run/report.html")))
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
