@@ -66,7 +66,7 @@ static const clod_csv_kind FLOW_KIND = {
     .row = sizeof(row),
     .known = "sigma_1, f_c, phi_e, phi_t, rho_b, and each of them with _error",
     .example = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],rho_b [kg/m3]",
-    .item = "point of a flow function",
+    .item = "flow function point",
     .skipped = SKIPPED,
 };
 
@@ -112,16 +112,15 @@ static const clod_csv_column WALL[] = {
 
 static const clod_csv_kind PHI_E_KIND =
     KIND(PHI_E, "sigma_1, phi_e, sigma_1_error, phi_e_error", "sigma_1 [kPa],phi_e [deg]",
-         "point of phi_e");
+         "phi_e point");
 static const clod_csv_kind PHI_T_KIND =
     KIND(PHI_T, "sigma_1, phi_t, sigma_1_error, phi_t_error", "sigma_1 [kPa],phi_t [deg]",
-         "point of phi_t");
-static const clod_csv_kind RHO_KIND =
-    KIND(RHO, "sigma_1, rho_b, sigma_1_error, rho_b_error", "sigma_1 [kPa],rho_b [kg/m3]",
-         "point of the bulk density");
+         "phi_t point");
+static const clod_csv_kind RHO_KIND = KIND(RHO, "sigma_1, rho_b, sigma_1_error, rho_b_error",
+                                           "sigma_1 [kPa],rho_b [kg/m3]", "bulk density point");
 static const clod_csv_kind WALL_KIND =
     KIND(WALL, "sigma_w, tau_w, sigma_w_error, tau_w_error", "sigma_w [kPa],tau_w [kPa]",
-         "point of the wall yield locus");
+         "wall yield locus point");
 
 /** Read a file of a kind; its rows are owned by the caller. */
 static bool read_file(const char *path, const clod_csv_kind *kind, void **rows, size_t *count,

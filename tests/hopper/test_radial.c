@@ -75,11 +75,9 @@ static void charts_are_met_within_their_reading(void **state)
 static void limits_lie_just_above_the_closed_form(void **state)
 {
     (void)state;
-    static const double PAIRS[][3] = {// phi_e, phi_w, most above
-                                      {30, 19, 1.2},
-                                      {40, 16, 0.3},
-                                      {40, 20, 0.3},
-                                      {50, 20, 0.1}};
+    static const double PAIRS[][3] = {// phi_e, phi_w, most above; the last two walls are smooth
+                                      {30, 19, 1.2}, {40, 16, 0.3}, {40, 20, 0.3},
+                                      {50, 20, 0.1}, {40, 0, 1.2},  {50, 0, 1.2}};
     for (size_t k = 0; k < sizeof PAIRS / sizeof PAIRS[0]; k++) {
         const double s = sin(PAIRS[k][0] * DEGREE);
         const double beta = clod_radial_beta(PAIRS[k][0] * DEGREE, PAIRS[k][1] * DEGREE);
