@@ -16,7 +16,7 @@ static void check_counts(clod_loader *loader, const clod_case_clumps *clumps)
         const clod_case_clump_count *count = &clumps->counts[k];
         snprintf(key, sizeof key, "clumps.counts.%s", count->name);
         if (strcmp(count->name, "all") == 0) {
-            clod_check_fail(loader, key, "all are told anyway; take another name");
+            clod_check_fail(loader, key, "all are counted anyway; take another name");
         } else if (!count->has_region && !count->free) {
             clod_check_fail(loader, key,
                             "counts what all clumps are; give it a region, free: true or both");

@@ -51,7 +51,7 @@ void clod_check_inlet(clod_loader *loader, const char *path, const clod_case *se
     if (self->time.design_stress == 0.0) {
         fail(
             loader, path, "inlet",
-            "nothing tells under which load grains will come; give it, for instance "
+            "the load on the grains that will come is not known; give it, for instance "
             "time: {design_stress: 5 kPa}, the weight of the deepest bed that there will be on "
             "its area");
     }

@@ -43,7 +43,7 @@ static void check_region(clod_loader *loader, const char *path, const clod_case 
         clod_check_region(loader, path, &outlet->region) &&
         !(thickness(&outlet->region) > radius)) {
         clod_check_fail(loader, key,
-                        "is %.4g m thick; grains move by up to a radius between two looks, "
+                        "is %.4g m thick; grains move by up to a radius between two checks, "
                         "so make it thicker than that of the largest, %.4g m",
                         thickness(&outlet->region), radius);
     }

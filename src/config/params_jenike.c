@@ -83,10 +83,11 @@ static const clod_param ROWS[] = {
                         "goes.",
                         "docs/theory/jenike.md", CLOD_ABOVE(0, 1)),
     CLOD_PROGRAMME_STEADY(J),
-    CLOD_PROGRAMME_PRESHEAR(J, "1 mm", "4 mm",
-                            "The way of a Jenike cell is that of its offset and rim."),
+    CLOD_PROGRAMME_PRESHEAR(
+        J, "1 mm", "4 mm",
+        "The displacement of a Jenike cell is limited by its offset and rim."),
     CLOD_PROGRAMME_WAYS(J, "2 mm", "0.4 mm", "0.1 mm",
-                        "The way of a Jenike cell is too short for more."),
+                        "The displacement of a Jenike cell is too short for more."),
     CLOD_PROGRAMME_SEEDS(J),
 };
 

@@ -54,7 +54,7 @@ static const clod_param MATERIAL[] = {
      .example = "1e-4",
      CLOD_AT(M, archard),
      .help =
-         "Wear coefficient of sliding: worn volume = archard x pressing force x way/hardness.",
+         "Wear coefficient of sliding: worn volume = archard x pressing force x sliding distance/hardness.",
      .source = "docs/theory/wear.md"},
     {.key = "finnie",
      .kind = CLOD_PARAM_REAL,

@@ -347,7 +347,7 @@ static const clod_param STAGE[] = {
      CLOD_AT(S, rest),
      .help =
          "The stage ends early when the grains are at rest: some of them carry load, and "
-         "none is faster than this at 5 looks in a row, 200 steps apart or more, so that all "
+         "none is faster than this at 5 checks in a row, 200 steps apart or more, so that all "
          "of them last longer than a grain in free fall is slow. 0 never ends it early.",
      .source = "convention"},
     {.key = "walls",
