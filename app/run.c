@@ -28,10 +28,10 @@
 typedef struct request {
     clod_one_case of;
     clod_run_options options;
-    bool no_report; ///< no page at the end
+    bool report; ///< write its page at the end
 } request;
 
-enum { KEY_NO_REPORT = 256 };
+enum { KEY_REPORT = 256 };
 
 /** What the progress line shows; parts report from their own threads. */
 typedef struct screen {
@@ -118,8 +118,8 @@ static const struct argp_option OPTIONS[] = {
      "instruction set: scalar, avx2, avx512, neon (this machine's best); results do not depend "
      "on it",
      0},
-    {"no-report", KEY_NO_REPORT, NULL, 0,
-     "write no report.html at the end; clod report writes it later", 0},
+    {"report", KEY_REPORT, NULL, 0,
+     "at the end write report.html, a page for the browser, as clod report does", 0},
     {0},
 };
 
@@ -166,8 +166,8 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     case 'i':
         self->options.simd = argument;
         return 0;
-    case KEY_NO_REPORT:
-        self->no_report = true;
+    case KEY_REPORT:
+        self->report = true;
         return 0;
     default:
         return clod_one_case_parse(&self->of, key, argument, state);
@@ -269,7 +269,7 @@ static int run_case(request *self)
               "folder\n",
               stderr);
         ok = false;
-    } else if (ok && !self->no_report) {
+    } else if (ok && self->report) {
         write_report(self);
     } else if (!ok) {
         fprintf(stderr, "%sclod run: %s\n", shown.terminal ? CLEAR_LINE : "", status.text);

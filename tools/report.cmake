@@ -25,7 +25,7 @@ function(clod_report_install)
     file(COPY ${CLOD_REPORT_WEB}/package.json ${CLOD_REPORT_WEB}/package-lock.json
       DESTINATION ${CLOD_REPORT_WORK})
     execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --prefer-offline
-        --fetch-retries=1 --fetch-timeout=30000
+        --fetch-retries=1 --fetch-retry-mintimeout=1000 --fetch-timeout=30000
       WORKING_DIRECTORY ${CLOD_REPORT_WORK} TIMEOUT 300
       RESULT_VARIABLE result OUTPUT_FILE ${CLOD_REPORT_WORK}/npm.log
       ERROR_FILE ${CLOD_REPORT_WORK}/npm.log)

@@ -45,7 +45,7 @@ class Browser(clod.Case):
 
     def test_free_run_with_grains(self):
         done = clod.run("run", clod.source("tests/restart/box.yaml"), "-o", self.path("box"),
-                        *pages.SHORT, "--no-report")
+                        *pages.SHORT)
         self.assertEqual(done.returncode, 0, done.stderr)
         made = clod.run("report", self.path("box"))
         self.need_scripts(made)

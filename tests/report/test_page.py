@@ -33,7 +33,7 @@ class Report(clod.Case):
     def test_ring_shear(self):
         """A real test: the run itself writes the page; laboratory points come over it later."""
         case = clod.source("tests/restart/ring.yaml")
-        done = self.made("run", case, "-o", "ring", "-t", "2")
+        done = self.made("run", case, "-o", "ring", "-t", "2", "--report")
         self.assertIn("ring/report.html", done.stderr)
         page = self.page("ring/report.html")
         with open(self.path("ring/summary.json")) as file:
@@ -85,10 +85,10 @@ class Report(clod.Case):
 
     def test_fresh_removes_the_page(self):
         box = [clod.source("tests/restart/box.yaml"), *pages.SHORT]
-        self.made("run", *box, "-o", "box")
+        self.made("run", *box, "-o", "box", "--report")
         self.assertIn("report.html", os.listdir(self.path("box")))
         self.assertIn("report-kinetic-energy.svg", os.listdir(self.path("box")))
-        self.made("run", *box, "-o", "box", "--fresh", "--no-report")
+        self.made("run", *box, "-o", "box", "--fresh")
         self.assertEqual([name for name in os.listdir(self.path("box")) if name.startswith("report")],
                          ["report.txt"])
 
