@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/plural.h"
 #include "base/clock.h"
+#include "base/plural.h"
 #include "clod/ranks.h"
 #include "clod/version.h"
 #include "measure/contacts.h"
