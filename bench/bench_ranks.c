@@ -1,7 +1,8 @@
 /**
  * @file bench_ranks.c
  * What ranks say to each other: messages and bytes of a step and of a rebuild, ghosts and imbalance,
- * as one line of JSON. Ranks are threads of this process, so these are counts, not times.
+ * and the processor time of all ranks together, as JSON. Ranks are threads of this process, so the
+ * counts are those of MPI, and the time has no network in it.
  *
  *   bench_ranks RANKS EDGE
  *
@@ -11,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "bed.h"
 #include "step/crew_part.h"
@@ -30,6 +32,7 @@ typedef struct bench {
     int edge, ranks;
     counted begin, stepped, rebuilt; ///< before and after WINDOW steps, and after a rebuild
     int64_t steps;                   ///< of the last span
+    double processor;                ///< s, of all ranks in it
     size_t own[RANKS_MOST];          ///< grains of each rank
 } bench;
 
@@ -79,8 +82,20 @@ static void look(const clod_ranks *ranks, counted *all)
     }
 }
 
-static void note_sizes(bench *self, const clod_partition *partition)
+static double processor_time(void)
 {
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void note_sizes(bench *self, const clod_step *step)
+{
+    if (step->crew == NULL) { // one rank
+        self->own[0] = step->state->grains.count;
+        return;
+    }
+    const clod_partition *partition = &step->crew->spread.partition;
     for (size_t b = 0; b < clod_partition_blocks(partition); b++) {
         self->own[partition->owner[b]] += (size_t)partition->weight[b];
     }
@@ -108,11 +123,13 @@ static void run_first(bench *self, clod_ranks *ranks)
         advance(&step, WINDOW);
         look(ranks, &self->stepped);
     } while (step.rebuilds != rebuilds);
+    self->processor = -processor_time();
     for (; step.rebuilds == rebuilds; self->steps += WINDOW) {
         advance(&step, WINDOW);
     }
+    self->processor += processor_time();
     look(ranks, &self->rebuilt);
-    note_sizes(self, &step.crew->spread.partition);
+    note_sizes(self, &step);
     clod_step_fini(&step);
     clod_state_fini(&state);
     clod_crew_dismiss(ranks);
@@ -160,17 +177,16 @@ static void write(const bench *self)
     }
     printf(
         "{\"ranks\": %d, \"grains\": %.0f, \"imbalance\": %.3f, \"ghosts_a_grain\": %.3f,\n"
-        " \"step\": {\"messages_a_rank\": %.2f, \"bytes_a_rank\": %.0f, \"most_bytes\": %.0f, "
-        "\"collectives\": %.2f, \"collective_bytes\": %.0f},\n"
-        " \"rebuild\": {\"messages_a_rank\": %.0f, \"bytes_a_rank\": %.0f, "
-        "\"collectives\": %.0f, \"collective_bytes\": %.0f}}\n",
+        " \"step\": {\"messages_a_rank\": %.1f, \"bytes_a_rank\": %.0f, \"most_bytes\": %.0f},\n"
+        " \"rebuild\": {\"messages_a_rank\": %.0f, \"bytes_a_rank\": %.0f},\n"
+        " \"steps_to_rebuild\": %lld, \"collectives_a_step\": %.2f, "
+        "\"collective_bytes_a_step\": %.0f, \"processor_s_a_step\": %.4g}\n",
         self->ranks, grains, most * ranks / grains, step.bytes / WINDOW / GHOST_BYTES / grains,
         step.messages / ranks / WINDOW, step.bytes / ranks / WINDOW, step.most_bytes / WINDOW,
-        step.collectives / WINDOW, step.collective_bytes / WINDOW,
         (rebuild.messages - windows * step.messages) / ranks,
-        (rebuild.bytes - windows * step.bytes) / ranks,
-        rebuild.collectives - windows * step.collectives,
-        rebuild.collective_bytes - windows * step.collective_bytes);
+        (rebuild.bytes - windows * step.bytes) / ranks, (long long)self->steps,
+        rebuild.collectives / (double)self->steps,
+        rebuild.collective_bytes / (double)self->steps, self->processor / (double)self->steps);
 }
 
 int main(int argc, char **argv)
@@ -178,8 +194,8 @@ int main(int argc, char **argv)
     static bench self;
     self.ranks = argc == 3 ? (int)strtol(argv[1], NULL, 10) : 0;
     self.edge = argc == 3 ? (int)strtol(argv[2], NULL, 10) : 0;
-    if (self.ranks < 2 || self.ranks > RANKS_MOST || self.edge < 4 || self.edge > 400) {
-        fail("bench_ranks RANKS EDGE: 2 to 64 ranks, 4 to 400 grains along an edge");
+    if (self.ranks < 1 || self.ranks > RANKS_MOST || self.edge < 4 || self.edge > 400) {
+        fail("bench_ranks RANKS EDGE: 1 to 64 ranks, 4 to 400 grains along an edge");
     }
     ranks_run(self.ranks, run_rank, &self);
     write(&self);

@@ -16,7 +16,7 @@
 #include "sim/earlier.h"
 #include "sim/identity.h"
 #include "sim/origin.h"
-#include "sim/ranks_check.h"
+#include "sim/ranks_log.h"
 #include "sim/testers.h"
 #include "sim/trial.h"
 #include "step/kernel.h"
@@ -40,7 +40,7 @@ static bool run_case(const clod_job_shared *sim, char **report, clod_status *sta
                         clod_version_text(), "case", sim->from->path, "title",
                         sim->from->title != NULL ? sim->from->title : "", "threads",
                         sim->options->threads);
-    clod_ranks_tell_places(sim);
+    clod_ranks_log_places(sim);
     return clod_testers_of(sim->from)->run(sim, report, status);
 }
 
@@ -58,10 +58,6 @@ static bool check_request(const clod_case *from, const clod_run_options *options
                                 from->path, testers);
     }
     if (!clod_begin_has_grains(from, status)) {
-        return false;
-    }
-    if (options->ranks != NULL && clod_ranks_size(options->ranks) > 1 &&
-        !clod_ranks_check(from, status)) {
         return false;
     }
     return clod_kernel_choose(options->simd) != NULL ||
@@ -106,7 +102,7 @@ static bool run_in_folder(clod_job_shared *sim, const char *complete, char **rep
     if (earlier == CLOD_EARLIER_GO_ON) {
         ok = fill_folder(sim, complete, status) && run_case(sim, report, status) &&
              write_report(sim, *report, status);
-        clod_ranks_tell_work(sim);
+        clod_ranks_log_work(sim);
         ok = close_log(sim, ok, status);
     }
     clod_folder_close(&folder);

@@ -17,20 +17,6 @@ static void give_order(const clod_crew *self, clod_crew_order what)
     clod_ranks_tell(self->ranks, &what, sizeof what);
 }
 
-/** What works on one rank only so far. */
-static bool check(const clod_state *state, clod_status *status)
-{
-    static const char ALONE[] = "on more than one rank %s cannot be computed yet: run it "
-                                "without mpirun, or with mpirun -n 1";
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        const clod_wall *wall = &state->walls.wall[w];
-        if (wall->wear != NULL) {
-            return clod_status_fail(status, CLOD_USAGE, ALONE, "wear (output.surfaces)");
-        }
-    }
-    return true;
-}
-
 /** The lists of the whole bed are on the ranks from now on. */
 static void drop_lists(clod_step *whole, const clod_step_options *options)
 {
@@ -42,7 +28,7 @@ static void drop_lists(clod_step *whole, const clod_step_options *options)
 
 bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_status *status)
 {
-    if (!check(whole->state, status) || !clod_step_export(whole, status)) {
+    if (!clod_step_export(whole, status)) {
         return false;
     }
     clod_crew *self = clod_memory_alloc(1, sizeof *self);

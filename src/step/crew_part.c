@@ -67,7 +67,9 @@ bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_s
     const bool good =
         update(self, status) &&
         (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status)) &&
-        clod_step_advance(&self->step, what->steps, status);
+        clod_step_advance(&self->step, what->steps, status) &&
+        (!self->spread.wear_lost ||
+         clod_status_fail(status, CLOD_FAILED, "no memory for the sums of surfaces"));
     return clod_ranks_agree(self->ranks, good, status);
 }
 

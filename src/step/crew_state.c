@@ -62,7 +62,12 @@ void clod_crew_state_copy(clod_state *to, const clod_state *from)
     get_numbers(&n, from);
     put_numbers(to, &n);
     for (int32_t w = 0; w < to->walls.count; w++) {
-        put_wall(&to->walls.wall[w], &from->walls.wall[w]);
+        clod_wall *wall = &to->walls.wall[w];
+        const clod_wall *other = &from->walls.wall[w];
+        put_wall(wall, other);
+        if (other->wear != NULL) {
+            memcpy(wall->wear, other->wear, (size_t)other->wear_rows * sizeof *wall->wear);
+        }
     }
     if (to->walls.count > 0) { // without walls there is no array
         memcpy(to->build_walls, from->build_walls,
@@ -98,6 +103,10 @@ static bool tell_shapes(clod_ranks *ranks, clod_walls *walls, clod_status *statu
         clod_wall *wall = &walls->wall[w];
         wall->shapes = clod_memory_alloc((size_t)wall->shape_count, sizeof *wall->shapes);
         good = good && wall->shapes != NULL;
+        if (wall->wear_rows > 0) { // its sums are added by rank 0: it only says that there are
+            wall->wear = clod_memory_alloc(1, sizeof *wall->wear);
+            good = good && wall->wear != NULL;
+        }
     }
     if (!clod_ranks_agree(ranks, good || fail(status), status)) {
         return false;

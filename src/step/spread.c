@@ -20,9 +20,11 @@ bool clod_spread_init(clod_spread *self, clod_ranks *ranks, int32_t walls, clod_
     ghosts->out_start = clod_memory_alloc(size + 1, sizeof *ghosts->out_start);
     ghosts->in_start = clod_memory_alloc(size + 1, sizeof *ghosts->in_start);
     ghosts->message = clod_memory_alloc(2 * size, sizeof *ghosts->message);
+    self->wear_out = clod_memory_alloc(size, sizeof *self->wear_out);
+    self->wear_begin = clod_memory_alloc(size + 1, sizeof *self->wear_begin);
     const bool good =
-        (self->felt != NULL && ghosts->out_start != NULL && ghosts->in_start != NULL &&
-         ghosts->message != NULL) ||
+        (self->felt != NULL && self->wear_out != NULL && self->wear_begin != NULL &&
+         ghosts->out_start != NULL && ghosts->in_start != NULL && ghosts->message != NULL) ||
         clod_status_fail(status, CLOD_FAILED, "no memory for %d ranks", ranks->size);
     const size_t blocks = CLOD_PARTITION_BLOCKS * sizeof *self->partition.weight;
     return clod_ranks_agree(ranks,
@@ -176,6 +178,13 @@ void clod_spread_fini(clod_spread *self)
     clod_memory_free(self->owner);
     clod_memory_free(self->run);
     clod_memory_free(self->felt);
+    clod_memory_free(self->wear);
+    clod_memory_free(self->wear_begin);
+    for (int r = 0; self->wear_out != NULL && r < self->ranks->size; r++) {
+        clod_bytes_fini(&self->wear_out[r]);
+    }
+    clod_memory_free(self->wear_out);
+    clod_bytes_fini(&self->wear_in);
     clod_partition_fini(&self->partition);
     *self = (clod_spread){0};
 }

@@ -31,6 +31,9 @@ typedef struct clod_spread_sums {
     _Alignas(64) clod_step_heat spent; ///< sent with the ledger only
 } clod_spread_sums;
 
+/** What a contact did to a surface in a step (spread_wear.h). */
+typedef struct clod_wear_record clod_wear_record;
+
 /** Owner of a grain that leaves. */
 #define CLOD_SPREAD_NOBODY (-1)
 
@@ -45,6 +48,13 @@ typedef struct clod_spread {
     clod_ghosts ghosts;
     clod_fixed *felt; ///< [walls] by each wall in this step, and behind it clod_spread_sums
     int32_t walls;
+    // with the sums of surfaces
+    clod_wear_record *wear; ///< [wear_count] of this step
+    size_t wear_count, wear_room;
+    clod_bytes *wear_out; ///< [ranks]
+    clod_bytes wear_in;
+    size_t *wear_begin; ///< [ranks + 1]
+    bool wear_lost;     ///< some could not be added
 } clod_spread;
 
 /** Empty, with room for what so many walls feel; on failure on any rank false on all. */

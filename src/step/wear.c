@@ -1,12 +1,13 @@
 // Stage wear: what the grains did to each place of the walls in this step, onto its sums. A place's
-// addends come law by law, form by form, in the order of grains: one order on any number of threads.
+// addends come law by law, form by form, in the order of grains: one order on any number of threads,
+// and of ranks (spread_wear.c).
 #include "state/wear.h"
 
 #include <math.h>
 
 #include "parallel/threads.h"
 #include "step/impact.h"
-#include "step/step.h"
+#include "step/spread_wear.h"
 
 /** Places, and surfaces, of all walls that a thread adds to: its share of the numbers. */
 static bool is_mine(const clod_step *self, int32_t number, int thread)
@@ -62,6 +63,30 @@ static clod_wear_place place_of(const clod_step *self, const clod_wall *wall,
     return at;
 }
 
+/** Note what a contact did, for rank 0 to add. */
+static void note(clod_step *self, int part, size_t group, size_t number, clod_wear_place at)
+{
+    const clod_near_blocks *walls = &self->near.walls;
+    const size_t b = walls->group_start[group] + number / CLOD_LANES;
+    const int lane = (int)(number % CLOD_LANES);
+    const clod_rub_block *rub = &walls->rub[b];
+    const clod_wall_block *block = (const clod_wall_block *)walls->block + b;
+    clod_wear_record *record = clod_spread_wear_note(self, group, block->i[lane]);
+    if (record == NULL) {
+        return;
+    }
+    record->wall = block->wall[lane];
+    record->place = at.place;
+    record->face = at.face;
+    add(record->sum, rub, lane, self->view.dt);
+    if (rub->closed[lane] > 1.5 && clod_impact_begins(&self->near, part, group, number)) {
+        record->begins = 1;
+        record->impact =
+            clod_impact_of(rub->mass[lane], rub->approach[lane], rub->speed2[lane]);
+        add_impact(record->sum, &record->impact);
+    }
+}
+
 /** Contacts of one part of the list. */
 static void add_group(clod_step *self, int part, size_t group, clod_wall_form form, int thread)
 {
@@ -77,6 +102,10 @@ static void add_group(clod_step *self, int part, size_t group, clod_wall_form fo
             continue;
         }
         const clod_wear_place at = place_of(self, wall, block, form, lane);
+        if (self->spread != NULL) {
+            note(self, part, group, c, at);
+            continue;
+        }
         const bool mine = is_mine(self, at.place, thread);
         if (mine) {
             add(wall->wear[at.place], rub, lane, self->view.dt);
@@ -98,6 +127,9 @@ static void add_group(clod_step *self, int part, size_t group, clod_wall_form fo
 void clod_step_wear(clod_step *self, int thread)
 {
     const clod_near *near = &self->near;
+    if (self->spread != NULL && thread > 0) {
+        return; // one thread of each rank notes what it has, for rank 0 to add
+    }
     for (int32_t l = 0; near->wear && l < near->laws; l++) {
         for (int form = 0; form < CLOD_FORMS; form++) {
             for (int p = 0; p < near->parts; p++) {
@@ -105,5 +137,8 @@ void clod_step_wear(clod_step *self, int thread)
                           (clod_wall_form)form, thread);
             }
         }
+    }
+    if (near->wear && self->spread != NULL) {
+        clod_spread_wear_add(self);
     }
 }

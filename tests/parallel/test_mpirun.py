@@ -85,17 +85,8 @@ class Mpirun(clod.Case):
         self.assertEqual(done.returncode, 0, done.stderr_text)
         self.assert_same_end(one, out, ["run"])
 
-    def refused(self, case, key, *options):
-        out = self.path("out")
-        done = run(2, "run", case, "-o", out, *options)
-        self.assertEqual(done.returncode, 2, done.stderr_text)
-        self.assertEqual(done.stderr_text.count("clod run: "), 1, done.stderr_text)
-        self.assertIn(key, done.stderr_text)
-        self.assertIn("more than one rank", done.stderr_text)
-        self.assertFalse(os.path.exists(out))
-
-    def test_what_works_on_one_rank_only_is_refused(self):
-        self.refused(SLIT, "output.surfaces", "--set", "output.surfaces=true")
+    def test_sums_of_surfaces(self):
+        self.assert_same_on((3,), RAIN, "--set", "output.surfaces=true")
 
     def test_one_message_for_a_mistake(self):
         done = run(3, "run", self.path("none.yaml"))

@@ -1,6 +1,8 @@
 // A bed spread over ranks has the bits of one process, whatever their number.
 #include "step/crew.h"
 
+#include "state/wear.h"
+
 #include "support/bed.h"
 #include "support/bits.h"
 #include "support/ranks_threads.h"
@@ -13,6 +15,7 @@ typedef struct rank_bed {
     bool ledger;
     bool open; ///< grains leave through a side and an outlet, some are removed, and some come
     bool streams; ///< grains come
+    bool wear;    ///< walls have the sums of surfaces
     clod_step_options options;
     scene *into; ///< of rank 0
 } rank_bed;
@@ -98,6 +101,9 @@ static void run_bed(scene *s, const rank_bed *how)
     if (how->open) {
         open_bed(&s->state.domain);
     }
+    for (int32_t w = 0; how->wear && w < s->state.walls.count; w++) {
+        assert_true(clod_wear_begin(&s->state.walls.wall[w]));
+    }
     scene_start_with(s, how->options);
     if (how->ledger) {
         scene_open_ledger(s);
@@ -132,6 +138,18 @@ static void run_rank(clod_ranks *ranks, void *context)
     }
 }
 
+/** Contacts with walls that began, all walls together. */
+static double impacts_of(const clod_walls *walls)
+{
+    double sum = 0.0;
+    for (int32_t w = 0; w < walls->count; w++) {
+        for (int32_t p = 0; p < walls->wall[w].wear_places; p++) {
+            sum += walls->wall[w].wear[p][CLOD_WEAR_IMPACTS];
+        }
+    }
+    return sum;
+}
+
 static void compare(rank_bed how)
 {
     static const int RANKS[] = {2, 3, 4, 7, 16};
@@ -143,6 +161,7 @@ static void compare(rank_bed how)
     how.options.threads = threads;
     assert_true(!how.open || one.state.exchange.left[CLOD_FACES] > 2);
     assert_true(!how.open || one.state.exchange.left[0] + one.state.exchange.left[1] > 2);
+    assert_true(!how.wear || impacts_of(&one.state.walls) > 9.0);
     for (size_t k = 0; k < counts; k++) {
         scene several;
         how.into = &several;
@@ -209,6 +228,13 @@ static void grains_that_come_are_dealt_to_their_ranks(void **state)
     compare((rank_bed){.kind = BED_CLUSTER, .streams = true, .options.threads = 1});
 }
 
+static void sums_of_surfaces_have_the_bits_of_one_rank(void **state)
+{
+    (void)state;
+    compare((rank_bed){.kind = BED_DRUM, .wear = true, .options.threads = 1});
+    compare((rank_bed){.kind = BED_HOPPER, .wear = true, .options.threads = 2});
+}
+
 /** A grain with the id of another one is refused, whichever rank has that, and nothing changes. */
 static void ask_for_a_double(clod_ranks *ranks, void *context)
 {
@@ -259,6 +285,7 @@ int main(void)
         cmocka_unit_test(ranks_with_threads_have_the_bits_of_one_rank),
         cmocka_unit_test(grains_that_come_and_go_have_the_bits_of_one_rank),
         cmocka_unit_test(grains_that_come_are_dealt_to_their_ranks),
+        cmocka_unit_test(sums_of_surfaces_have_the_bits_of_one_rank),
         cmocka_unit_test(a_grain_with_the_id_of_another_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

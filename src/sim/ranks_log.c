@@ -1,4 +1,4 @@
-#include "sim/ranks_check.h"
+#include "sim/ranks_log.h"
 
 #include <stdio.h>
 
@@ -6,7 +6,7 @@
 #include "clod/ranks.h"
 #include "parallel/ranks.h"
 
-void clod_ranks_tell_places(const clod_job_shared *sim)
+void clod_ranks_log_places(const clod_job_shared *sim)
 {
     const clod_run_options *options = sim->options;
     const clod_ranks *ranks = options->ranks;
@@ -36,7 +36,7 @@ void clod_ranks_tell_places(const clod_job_shared *sim)
                         "threads_each", threads, "hosts", hosts);
 }
 
-void clod_ranks_tell_work(const clod_job_shared *sim)
+void clod_ranks_log_work(const clod_job_shared *sim)
 {
     const clod_ranks *ranks = sim->options->ranks;
     if (ranks == NULL || ranks->size == 1) {
@@ -48,14 +48,4 @@ void clod_ranks_tell_work(const clod_job_shared *sim)
                         (json_int_t)count->bytes, "exchanges", (json_int_t)count->exchanges,
                         "collectives", (json_int_t)count->shares, "bytes_to_each",
                         (json_int_t)count->share_bytes, "waited_s", count->waited);
-}
-
-bool clod_ranks_check(const clod_case *from, clod_status *status)
-{
-    return !from->output.surfaces ||
-           clod_status_fail(
-               status, CLOD_USAGE,
-               "%s: output.surfaces does not work on more than one rank yet: leave "
-               "it out, or run without mpirun, with --threads",
-               from->path);
 }
