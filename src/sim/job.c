@@ -15,6 +15,7 @@
 #include "setup/bound.h"
 #include "setup/grains.h"
 #include "sim/energy_series.h"
+#include "sim/job_steps.h"
 #include "sim/job_store.h"
 #include "sim/job_tables.h"
 #include "sim/origin.h"
@@ -129,20 +130,6 @@ static void tell_progress(job_loop *loop, bool finished)
     loop->progress_step = job->state.step;
 }
 
-/** After the planned steps: bring the state to what the procedure must see of it. */
-static bool see(job_loop *loop, clod_status *status)
-{
-    const clod_procedure *p = &loop->job->procedure;
-    clod_sight sees = {.whole = true};
-    if (p->sight != NULL) {
-        sees.whole = false;
-        p->sight(p->data, p->context, &loop->job->state, &sees);
-    }
-    return sees.whole ? clod_step_see(&loop->step, status)
-                      : sees.boxes == 0 ||
-                            clod_step_see_near(&loop->step, sees.box, sees.boxes, status);
-}
-
 /**
  * Steps towards the procedure's next look or the next snapshot, as many as take some tenths of
  * a second: a signal is heard and a checkpoint is in time however far that is. How steps are
@@ -161,7 +148,7 @@ static bool advance(job_loop *loop, clod_status *status)
         return false;
     }
     memory->planned -= steps;
-    if (memory->planned == 0 && !see(loop, status)) {
+    if (memory->planned == 0 && !clod_job_see(loop->job, &loop->step, status)) {
         return false;
     }
     const double spent = clod_clock_now() - begin;
@@ -363,29 +350,6 @@ static bool loop_to_end(job_loop *loop, clod_status *status)
     return true;
 }
 
-/** Grains that there will be at once, at most: those that are there, or are to come. */
-static size_t most_grains(const clod_job *job)
-{
-    double expected = 0.0;
-    clod_status ignored; // its sizes have been read before
-    if (clod_setup_grains_coming(job->sim->from) > 0) {
-        clod_setup_grains_expect(job->sim->from, &expected, &ignored);
-    }
-    return job->state.grains.count + (size_t)expected;
-}
-
-/** Threads of the step; of several ranks each has one, unless somebody asked for more. */
-static int threads_of(const clod_job *job)
-{
-    const clod_ranks *ranks = job->sim->options->ranks;
-    if (!job->sim->any_threads) {
-        return job->threads;
-    }
-    return ranks != NULL && clod_ranks_size(ranks) > 1
-               ? 1
-               : clod_threads_worth(job->threads, most_grains(job));
-}
-
 static bool open_loop(job_loop *loop, clod_status *status)
 {
     clod_job *job = loop->job;
@@ -397,7 +361,7 @@ static bool open_loop(job_loop *loop, clod_status *status)
     if (job->resumed && !clod_job_cut_pictures(job, status)) {
         return false;
     }
-    const clod_step_options options = {.threads = threads_of(job),
+    const clod_step_options options = {.threads = clod_job_threads(job),
                                        .ranks = job->sim->options->ranks,
                                        .simd = job->sim->options->simd,
                                        .overlap_limit = job->sim->from->time.overlap_limit,
