@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stddef.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,27 +26,48 @@ static bool read_number(const char *text, double *seconds)
     return false;
 }
 
-/** "1-12:30:00"; false: no such thing. */
+/** A whole number of at most six digits and the mark behind it, 0 at the end; false: no such thing. */
+static bool read_field(const char **text, double *number, char *mark)
+{
+    const size_t digits = strspn(*text, "0123456789");
+    if (digits == 0 || digits > 6) {
+        return false;
+    }
+    *number = (double)strtoul(*text, NULL, 10);
+    *mark = (*text)[digits];
+    *text += digits + (*mark != '\0');
+    return true;
+}
+
+/** "12:30:00", "30:00" or "1-12:30:00"; false: no such thing. */
 static bool read_clock(const char *text, double *seconds)
 {
-    unsigned days = 0, hours = 0, minutes = 0, rest = 0;
-    int end = 0;
-    if (sscanf(text, "%4u-%n", &days, &end) < 1 || end == 0) {
-        days = 0;
-        end = 0;
+    double field[3] = {0.0}; // hours, minutes, seconds behind days; else the last is seconds
+    double days = 0.0, number;
+    char mark;
+    int count = 0;
+    bool has_days = false;
+    do {
+        if (count == 3 || !read_field(&text, &number, &mark)) {
+            return false;
+        }
+        if (mark == '-' && count == 0 && !has_days) {
+            days = number;
+            has_days = true;
+        } else if (mark == ':' || mark == '\0') {
+            field[count++] = number;
+        } else {
+            return false;
+        }
+    } while (mark != '\0');
+    if (!has_days && count < 3) { // minutes:seconds; a single number has no unit
+        field[2] = field[1];
+        field[1] = field[0];
+        field[0] = 0.0;
     }
-    text += end;
-    end = 0;
-    if (sscanf(text, "%6u:%2u%n", &hours, &minutes, &end) < 2) {
-        return false;
-    }
-    text += end;
-    end = 0;
-    if (*text != '\0' && (sscanf(text, ":%2u%n", &rest, &end) < 1 || text[end] != '\0')) {
-        return false;
-    }
-    *seconds = 86400.0 * days + 3600.0 * hours + 60.0 * minutes + rest;
-    return minutes < 60 && rest < 60;
+    *seconds = 86400.0 * days + 3600.0 * field[0] + 60.0 * field[1] + field[2];
+    const bool long_minutes = !has_days && count == 2;
+    return (has_days || count > 1) && (field[1] < 60.0 || long_minutes) && field[2] < 60.0;
 }
 
 bool clod_duration_read(const char *text, double *seconds)

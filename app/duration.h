@@ -7,7 +7,8 @@
 #include <stdbool.h>
 
 /**
- * Read "90 s", "30 min", "2.5 h", "1 d", or [DAYS-]HOURS:MINUTES[:SECONDS] as Slurm and PBS do.
+ * Read "90 s", "30 min", "2.5 h", "1 d", or as Slurm and PBS write it: MINUTES:SECONDS,
+ * HOURS:MINUTES:SECONDS, DAYS-HOURS[:MINUTES[:SECONDS]].
  *
  * @param seconds  [out] > 0
  * @return         false: it is none of these

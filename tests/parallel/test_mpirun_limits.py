@@ -29,6 +29,14 @@ class TimeLimit(clod.Case):
             self.assertEqual(done.returncode, 0, done.stderr)
 
     @clod.quick_only
+    def test_fields_are_days_hours_minutes_seconds(self):
+        for text in ("0:01", "0:00:01", "0-00:00:01"):
+            done = clod.run("run", SLIT, "-o", self.path(text), "--set", "stages.1.duration=10 s",
+                            "--time-limit", text)
+            self.assertEqual(done.returncode, 143, done.stderr)
+            self.assertIn("before the time limit of 1 s;", done.stderr)
+
+    @clod.quick_only
     def test_stops_in_time_and_goes_on(self):
         one, out = self.path("one"), self.path("out")
         self.assertEqual(clod.run("run", SLIT, "-o", one, "-t", "1", *LONG).returncode, 0)
