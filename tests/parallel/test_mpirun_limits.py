@@ -12,7 +12,8 @@ import rank_kills
 
 SLIT = clod.source("tests/parallel/slit.yaml")
 SMALL = clod.source("tests/support/small.yaml")
-LONG = ("--set", "stages.1.duration=40 ms")
+# beyond the limits by several times
+LONG = ("--set", "stages.1.duration=40 ms", "--set", "time.step=8e-7 s")
 
 
 class TimeLimit(clod.Case):
@@ -31,7 +32,7 @@ class TimeLimit(clod.Case):
     @clod.quick_only
     def test_fields_are_days_hours_minutes_seconds(self):
         for text in ("0:01", "0:00:01", "0-00:00:01"):
-            done = clod.run("run", SLIT, "-o", self.path(text), "--set", "stages.1.duration=10 s",
+            done = clod.run("run", SLIT, "-o", self.path(text), *LONG, "--set", "time.step=1e-7 s",
                             "--time-limit", text)
             self.assertEqual(done.returncode, 143, done.stderr)
             self.assertIn("before the time limit of 1 s;", done.stderr)
