@@ -81,6 +81,34 @@ class Hopper(clod.Case):
             numbers = [float(x) for x in re.findall(r"-?[0-9.]+", path.get("d"))]
             self.assertTrue(numbers and min(numbers) > 0 and max(numbers) < width)
 
+        for shape, colour in (("cone", "#0072B2"), ("wedge", "#D55E00")):
+            self.check_bars(root, colour, found[shape], 70, ("sigma_1_Pa", "strength_Pa"), 1e-3)
+            self.check_bars(root, colour, found[shape], 560, ("half_angle_deg", "phi_w_deg"), 1)
+
+    def check_bars(self, root, colour, found, left, keys, scale):
+        """The bars of the panel whose frame begins at `left` end where the intervals do: read by
+        the numbers at the panel's ticks, to a quarter of a pixel at either end."""
+        def ticks(across, place):
+            return [(float(node.get(across)), float(node.text))
+                    for node in root.iter("{http://www.w3.org/2000/svg}text")
+                    if place(float(node.get("x")), float(node.get("y")))
+                    and re.fullmatch(r"[0-9.e+-]+", node.text)]
+        lines = [{end: float(node.get(end)) for end in ("x1", "x2", "y1", "y2")}
+                 for node in root.iter("{http://www.w3.org/2000/svg}line")
+                 if node.get("stroke") == colour and node.get("stroke-width") is None]
+        lines = [line for line in lines if left <= line["x1"] <= left + 400]
+        across = next(line for line in lines if line["y1"] == line["y2"])
+        upright = next(line for line in lines if line["x1"] == line["x2"])
+        below = ticks("x", lambda x, y: y == 394 and left <= x <= left + 400)
+        beside = ticks("y", lambda x, y: x == left - 8)
+        for marks, ends, key, shift in ((below, (across["x1"], across["x2"]), keys[0], 0),
+                                        (beside, (upright["y1"], upright["y2"]), keys[1], -4)):
+            (pixel, value), (last_pixel, last_value) = marks[0], marks[-1]
+            slope = (last_value - value) / (last_pixel - pixel)
+            for end, word in zip(ends, ("low", "high")):
+                self.assertAlmostEqual(value + slope * (end - pixel - shift),
+                                       scale * found[key][word], delta=0.25 * abs(slope))
+
     def test_same_bytes_on_one_processor_and_on_all(self):
         self.start()
         first = self.hopper("case.yaml", "--json").stdout
