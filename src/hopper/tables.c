@@ -176,9 +176,19 @@ static void put(clod_curve_point *point, clod_locus_value value)
     point->y_error = isfinite(value.error) ? value.error : 0.0;
 }
 
+/** What clod locus says about a yield locus. */
+static void take_notes(const clod_locus *locus, clod_tables_notes *notes)
+{
+    notes->one_specimen = notes->one_specimen || clod_locus_one_specimen(locus);
+    for (size_t k = 0; k < locus->warning_count; k++) {
+        clod_hopper_warn(notes->warnings, "Yield locus at a preshear stress of %.3f kPa: %s",
+                         1e-3 * locus->sigma_p.value, locus->warnings[k]);
+    }
+}
+
 /** Rows of the loci of a study. */
-static bool take_study(const clod_locus_study *study, clod_solid *solid, bool *one_specimen,
-                       clod_status *status)
+static bool take_study(const clod_locus_study *study, clod_solid *solid,
+                       clod_tables_notes *notes, clod_status *status)
 {
     row *rows = clod_memory_alloc(study->count, sizeof *rows);
     if (rows == NULL) {
@@ -200,7 +210,10 @@ static bool take_study(const clod_locus_study *study, clod_solid *solid, bool *o
         put(&rows[g].rho, locus->rho_b);
         rows[g].strength.x = locus->sigma_1.value;
         rows[g].strength.x_error = isfinite(locus->sigma_1.error) ? locus->sigma_1.error : 0.0;
-        *one_specimen = *one_specimen || clod_locus_one_specimen(locus);
+        take_notes(locus, notes);
+    }
+    if (study->warning[0] != '\0') {
+        clod_hopper_warn(notes->warnings, "Flow function: %s", study->warning);
     }
     good = good && take_rows(rows, study->count, solid, status);
     clod_memory_free(rows);
@@ -234,8 +247,8 @@ static bool add_points(const char *path, clod_locus_point **all, size_t *count,
     return true;
 }
 
-static bool read_tests(const clod_hopper_strength *from, clod_solid *solid, bool *one_specimen,
-                       clod_status *status)
+static bool read_tests(const clod_hopper_strength *from, clod_solid *solid,
+                       clod_tables_notes *notes, clod_status *status)
 {
     clod_locus_point *points = NULL;
     size_t count = 0;
@@ -244,17 +257,17 @@ static bool read_tests(const clod_hopper_strength *from, clod_solid *solid, bool
         good = add_points(from->tests[t].points, &points, &count, status);
     }
     clod_locus_study *study = good ? clod_locus_study_create(points, count, status) : NULL;
-    good = study != NULL && take_study(study, solid, one_specimen, status);
+    good = study != NULL && take_study(study, solid, notes, status);
     clod_locus_study_destroy(&study);
     clod_memory_free(points);
     return good;
 }
 
 static bool read_strength(const clod_hopper_strength *from, clod_solid *solid,
-                          bool *one_specimen, clod_status *status)
+                          clod_tables_notes *notes, clod_status *status)
 {
     if (from->file == NULL) {
-        return read_tests(from, solid, one_specimen, status);
+        return read_tests(from, solid, notes, status);
     }
     void *rows;
     size_t count;
@@ -298,12 +311,11 @@ static void wall_of_angle(const clod_hopper_property *from, clod_curve *wall)
     }
 }
 
-bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, bool *one_specimen,
+bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tables_notes *notes,
                       clod_status *status)
 {
     *solid = (clod_solid){0};
-    *one_specimen = false;
-    if (!read_strength(&from->strength, solid, one_specimen, status) ||
+    if (!read_strength(&from->strength, solid, notes, status) ||
         !read_property(&from->phi_e, &PHI_E_KIND, &solid->phi_e, status) ||
         !read_property(&from->phi_t, &PHI_T_KIND, &solid->phi_t, status) ||
         !read_property(&from->rho, &RHO_KIND, &solid->rho, status) ||

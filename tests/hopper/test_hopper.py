@@ -194,6 +194,22 @@ class Hopper(clod.Case):
             self.assertAlmostEqual(table["cone"][key]["value"], found["cone"][key]["value"],
                                    delta=1e-6 * found["cone"][key]["value"])
 
+    def test_warnings_of_yield_loci_are_handed_on(self):
+        """Two points make a line without a scatter; clod locus says so, and so does the hopper."""
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+        self.write("low.csv", head + "".join(
+            f"4,3.4,{s},{0.7 + 0.75 * s},1300\n" for s in (1.0, 3.0)))
+        self.write("high.csv", head + "".join(
+            f"10,8.1,{s},{1.2 + 0.73 * s},1350\n" for s in (2.5, 5.0, 7.5)))
+        self.write("case.yaml", "flow_function: {shear_tests: [{points: low.csv}, "
+                   "{points: high.csv}]}\nwall_friction: {angle: 18 deg}\n")
+        locus = json.loads(clod.run("locus", "low.csv", "--json", cwd=self.folder).stdout)
+        said = locus["loci"][0]["warnings"]
+        self.assertTrue(any("two points" in text for text in said), said)
+        found = self.found()["warnings"]
+        for text in said:
+            self.assertIn("Yield locus at a preshear stress of 4.000 kPa: " + text, found)
+
     # ---- what is refused
 
     def test_cases_with_mistakes(self):
