@@ -60,6 +60,32 @@ static const char *const SKIPPED[] = {"seeds",
                                       "strain_at_peak",
                                       NULL};
 
+#define RHO_LEAST 10.0 // kg/m3: as clod locus has it; foam beads, the lightest, pour with more
+#define RHO_MOST 15000.0 // kg/m3: powders of tungsten and platinum are lighter
+
+/** No solid pours with such a density: it is the unit. 0: not there. */
+static bool check_density(const clod_csv *self, double rho)
+{
+    if (rho == 0.0 || (rho >= RHO_LEAST && rho <= RHO_MOST)) {
+        return true;
+    }
+    return clod_status_fail(
+        self->status, CLOD_USAGE,
+        "%s:%zu: column rho_b: %.6g kg/m3 is outside %g to %g kg/m3; is its "
+        "unit another one, [g/cm3]?",
+        self->path, self->line, rho, RHO_LEAST, RHO_MOST);
+}
+
+static bool check_flow(const clod_csv *self, const void *of)
+{
+    return check_density(self, ((const row *)of)->rho.y);
+}
+
+static bool check_rho(const clod_csv *self, const void *of)
+{
+    return check_density(self, ((const clod_curve_point *)of)->y);
+}
+
 static const clod_csv_kind FLOW_KIND = {
     .columns = FLOW,
     .count = sizeof FLOW / sizeof FLOW[0],
@@ -68,6 +94,7 @@ static const clod_csv_kind FLOW_KIND = {
     .example = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],rho_b [kg/m3]",
     .item = "flow function point",
     .skipped = SKIPPED,
+    .check_row = check_flow,
 };
 
 #define POINT(field) .offset = offsetof(clod_curve_point, field)
@@ -88,10 +115,11 @@ static const clod_csv_kind FLOW_KIND = {
     {                                                                                          \
         .names = {__VA_ARGS__}, .unit = si, POINT(y_error)                                     \
     }
-#define KIND(table, names, line, what)                                                         \
+#define KIND(table, names, line, what, ...)                                                    \
     {                                                                                          \
         .columns = table, .count = sizeof(table) / sizeof((table)[0]),                         \
-        .row = sizeof(clod_curve_point), .known = names, .example = line, .item = what         \
+        .row = sizeof(clod_curve_point), .known = names, .example = line, .item = what,        \
+        __VA_ARGS__                                                                            \
     }
 
 static const clod_csv_column PHI_E[] = {SIGMA("sigma_1"), SIGMA_ERROR("sigma_1_error"),
@@ -112,15 +140,16 @@ static const clod_csv_column WALL[] = {
 
 static const clod_csv_kind PHI_E_KIND =
     KIND(PHI_E, "sigma_1, phi_e, sigma_1_error, phi_e_error", "sigma_1 [kPa],phi_e [deg]",
-         "phi_e point");
+         "phi_e point", .check_row = NULL);
 static const clod_csv_kind PHI_T_KIND =
     KIND(PHI_T, "sigma_1, phi_t, sigma_1_error, phi_t_error", "sigma_1 [kPa],phi_t [deg]",
-         "phi_t point");
-static const clod_csv_kind RHO_KIND = KIND(RHO, "sigma_1, rho_b, sigma_1_error, rho_b_error",
-                                           "sigma_1 [kPa],rho_b [kg/m3]", "bulk density point");
+         "phi_t point", .check_row = NULL);
+static const clod_csv_kind RHO_KIND =
+    KIND(RHO, "sigma_1, rho_b, sigma_1_error, rho_b_error", "sigma_1 [kPa],rho_b [kg/m3]",
+         "bulk density point", .check_row = check_rho);
 static const clod_csv_kind WALL_KIND =
     KIND(WALL, "sigma_w, tau_w, sigma_w_error, tau_w_error", "sigma_w [kPa],tau_w [kPa]",
-         "wall yield locus point");
+         "wall yield locus point", .check_row = NULL);
 
 /** Read a file of a kind; its rows are owned by the caller. */
 static bool read_file(const char *path, const clod_csv_kind *kind, void **rows, size_t *count,

@@ -244,6 +244,13 @@ class Hopper(clod.Case):
         self.refuse(CASE, ["flow.csv:3: 5 cells, but the header has 6 columns"],
                     rows=ROWS.replace("1300", "").replace("40,\n4", "40\n4").replace(
                         "47,40,", "47,40"))
+        self.refuse(CASE, ["flow.csv:2: column rho_b: 1.21 kg/m3 is outside 10 to 15000 kg/m3",
+                           "[g/cm3]?"], rows="2,1.4,0,48,40,1.21\n8,2.9,0,46,39,1.3\n")
+        self.write("rho.csv", "sigma_1 [kPa],rho_b [kg/m3]\n2,1210\n8,1.3\n")
+        self.refuse(CASE + "bulk_density: {file: rho.csv}\n",
+                    ["rho.csv:3: column rho_b: 1.3 kg/m3 is outside", "[g/cm3]?"])
+        self.refuse(CASE + "bulk_density: {value: 1.21 kg/m3}\n",
+                    ["bulk_density.value", "is out of range", "10"])
         self.refuse(CASE.replace("flow.csv", "none.csv"), ["none.csv", "No such file"])
 
     def test_measurements_that_cannot_be(self):
