@@ -36,6 +36,15 @@ static void reach(const clod_hopper *self, clod_plot *panel)
     panel->most_y = clod_plot_round_up(fmax(panel->most_y, 1e-6));
 }
 
+/** A pair of numbers with their intervals. */
+static void put_state(const clod_plot *panel, int s, const clod_hopper_value *x,
+                      const clod_hopper_value *y, double scale)
+{
+    clod_plot_mark(panel, (clod_plot_point){scale * x->value, scale * y->value},
+                   (clod_plot_point){scale * x->low, scale * y->low},
+                   (clod_plot_point){scale * x->high, scale * y->high}, COLOURS[s]);
+}
+
 static void put_flow_factor(const clod_hopper *self, int s, const clod_plot *panel)
 {
     const clod_hopper_found *found = &self->shape[s];
@@ -54,9 +63,7 @@ static void put_flow_factor(const clod_hopper *self, int s, const clod_plot *pan
     const clod_hopper_value *sigma_1 = &found->number[CLOD_HOPPER_SIGMA_1];
     const clod_hopper_value *strength = &found->number[CLOD_HOPPER_STRENGTH];
     if (!isnan(sigma_1->value)) {
-        clod_plot_mark(panel, (clod_plot_point){1e-3 * sigma_1->value, 1e-3 * strength->value},
-                       0.5e-3 * (sigma_1->high - sigma_1->low),
-                       0.5e-3 * (strength->high - strength->low), COLOURS[s]);
+        put_state(panel, s, sigma_1, strength, 1e-3);
     }
 }
 
@@ -74,8 +81,12 @@ static void put_flow_function(const clod_hopper *self, clod_plot *panel)
     clod_plot_legend(panel, 0, &pen, "flow function");
     for (size_t i = 0; i < curve->count; i++) {
         const clod_curve_point *point = &curve->points[i];
+        const double dx = point->x_error;
+        const double dy = point->y_error;
         clod_plot_mark(panel, (clod_plot_point){1e-3 * point->x, 1e-3 * point->y},
-                       1e-3 * point->x_error, 1e-3 * point->y_error, BLACK);
+                       (clod_plot_point){1e-3 * (point->x - dx), 1e-3 * (point->y - dy)},
+                       (clod_plot_point){1e-3 * (point->x + dx), 1e-3 * (point->y + dy)},
+                       BLACK);
     }
     put_flow_factor(self, CLOD_RADIAL_CONE, panel);
     put_flow_factor(self, CLOD_RADIAL_WEDGE, panel);
@@ -105,10 +116,7 @@ static void put_limits(const clod_hopper *self, clod_plot *panel)
         const clod_hopper_value *angle = &self->shape[s].number[CLOD_HOPPER_HALF_ANGLE];
         const clod_hopper_value *wall = &self->shape[s].number[CLOD_HOPPER_PHI_W];
         if (self->shape[s].design.outcome != CLOD_HOPPER_FUNNEL) {
-            clod_plot_mark(panel,
-                           (clod_plot_point){DEGREES * angle->value, DEGREES * wall->value},
-                           0.5 * DEGREES * (angle->high - angle->low),
-                           0.5 * DEGREES * (wall->high - wall->low), COLOURS[s]);
+            put_state(panel, s, angle, wall, DEGREES);
         }
     }
 }

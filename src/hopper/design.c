@@ -122,11 +122,12 @@ clod_hopper_design clod_hopper_design_shape(const clod_solid *solid,
     return self;
 }
 
-clod_hopper_margin clod_hopper_margin_of(const clod_solid *solid, const clod_hopper_wish *wish,
-                                         double outlet)
+/** The margin by rounds from a first stress. */
+static clod_hopper_margin margin_from(const clod_solid *solid, const clod_hopper_wish *wish,
+                                      double outlet, double first)
 {
     clod_hopper_margin self = {.ratio = (double)NAN};
-    double sigma_1 = wish->first > 0.0 ? wish->first : solid->strength.points[0].x;
+    double sigma_1 = first;
     for (int round = 0; round < ROUNDS; round++) {
         clod_hopper_design at;
         if (!shape_at(solid, wish, sigma_1, &at)) {
@@ -142,4 +143,16 @@ clod_hopper_margin clod_hopper_margin_of(const clod_solid *solid, const clod_hop
         }
     }
     return self;
+}
+
+clod_hopper_margin clod_hopper_margin_of(const clod_solid *solid, const clod_hopper_wish *wish,
+                                         double outlet)
+{
+    const clod_curve *strength = &solid->strength;
+    const double first = wish->first > 0.0 ? wish->first : strength->points[0].x;
+    const clod_hopper_margin self = margin_from(solid, wish, outlet, first);
+    // as in a design: adhesion may hold the solid at small stresses only
+    return isnan(self.ratio)
+               ? margin_from(solid, wish, outlet, strength->points[strength->count - 1].x)
+               : self;
 }

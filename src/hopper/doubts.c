@@ -1,7 +1,6 @@
 #include "hopper/doubts.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -85,20 +84,6 @@ bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clo
            check_angles(path, solid, status);
 }
 
-static void warn(clod_hopper *self, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-static void warn(clod_hopper *self, const char *format, ...)
-{
-    if (self->warning_count == CLOD_HOPPER_WARNINGS) {
-        return;
-    }
-    va_list args;
-    va_start(args, format);
-    vsnprintf(self->warnings[self->warning_count++], CLOD_HOPPER_WARNING_TEXT, format, args);
-    va_end(args);
-}
-
 /** A state outside what was measured. */
 static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *curve,
                         const char *what, double stress)
@@ -109,8 +94,8 @@ static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *c
     const double low = curve->points[0].x;
     const double high = curve->points[curve->count - 1].x;
     if (stress < low * (1.0 - APART) || stress > high * (1.0 + APART)) {
-        warn(
-            self,
+        clod_hopper_warn(
+            &self->warnings,
             "%s: at the critical outlet %s is %.3f kPa, outside what was measured, %.3f to %.3f "
             "kPa: an extrapolation.",
             name, what, 1e-3 * stress, 1e-3 * low, 1e-3 * high);
@@ -121,10 +106,11 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
 {
     const clod_hopper_design *at = &found->design;
     if (at->outcome == CLOD_HOPPER_UNSETTLED) {
-        warn(self,
-             "%s: no critical state was found: the measured properties change too much with "
-             "stress.",
-             name);
+        clod_hopper_warn(
+            &self->warnings,
+            "%s: no critical state was found: the measured properties change too much with "
+            "stress.",
+            name);
     }
     if (at->outcome == CLOD_HOPPER_FLOWS) {
         warn_beyond(self, name, &self->solid.strength, "sigma_1", at->state.sigma_1);
@@ -133,8 +119,8 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
     }
     if (found->wish.half_angle > 0.0 && at->outcome != CLOD_HOPPER_FUNNEL &&
         at->half_angle > at->limit - found->wish.margin) {
-        warn(
-            self,
+        clod_hopper_warn(
+            &self->warnings,
             found->wish.shape == CLOD_RADIAL_CONE
                 ? "%s: the half angle of %.1f deg is less than the margin of %.1f deg below "
                   "the limit of mass flow, %.1f deg."
@@ -167,7 +153,8 @@ static void warn_errors(clod_hopper *self)
         }
     }
     if (list[0] != '\0') {
-        warn(self, "Without errors, and so not part of the intervals: %s.", list);
+        clod_hopper_warn(&self->warnings,
+                         "Without errors, and so not part of the intervals: %s.", list);
     }
 }
 
@@ -175,20 +162,23 @@ static void warn_rathole(clod_hopper *self)
 {
     const double phi_t = self->hole.state.phi_t;
     if (self->solid.phi_t.count == 0) {
-        warn(self,
-             "No rathole diameter: the key static_friction, or a column phi_t of the flow "
-             "function, is missing.");
+        clod_hopper_warn(
+            &self->warnings,
+            "No rathole diameter: the key static_friction, or a column phi_t of the flow "
+            "function, is missing.");
     } else if (isnan(self->hole.emptying) &&
                !(phi_t >= CLOD_RATHOLE_LEAST && phi_t <= CLOD_RATHOLE_MOST)) {
-        warn(self,
-             "No rathole diameter: Jenike's function G is known from 30 to 70 deg, and the "
-             "static angle of internal friction is %.1f deg.",
-             phi_t / DEGREE);
+        clod_hopper_warn(
+            &self->warnings,
+            "No rathole diameter: Jenike's function G is known from 30 to 70 deg, and the "
+            "static angle of internal friction is %.1f deg.",
+            phi_t / DEGREE);
     }
     if (self->hole.filling > self->silo.diameter && self->silo.diameter > 0.0) {
-        warn(self,
-             "The rathole after filling is wider than the silo: a solid that does not slide "
-             "along the wall may stay at all of it.");
+        clod_hopper_warn(
+            &self->warnings,
+            "The rathole after filling is wider than the silo: a solid that does not slide "
+            "along the wall may stay at all of it.");
     }
 }
 
@@ -199,6 +189,6 @@ void clod_doubts_warn(clod_hopper *self, bool one_specimen)
     warn_rathole(self);
     warn_errors(self);
     if (one_specimen) {
-        warn(self, "Errors of " CLOD_LOCUS_ONE_SPECIMEN ".");
+        clod_hopper_warn(&self->warnings, "Errors of " CLOD_LOCUS_ONE_SPECIMEN ".");
     }
 }

@@ -87,8 +87,8 @@ char *clod_hopper_json(const clod_hopper *self)
 {
     CLOD_NEED(self);
     json_t *warnings = json_array();
-    for (size_t i = 0; i < self->warning_count; i++) {
-        json_array_append_new(warnings, json_string(self->warnings[i]));
+    for (size_t i = 0; i < self->warnings.count; i++) {
+        json_array_append_new(warnings, json_string(self->warnings.text[i]));
     }
     const clod_hopper_interval *interval_of = &self->from.interval;
     json_t *all = json_pack(

@@ -72,14 +72,14 @@ clod_hopper *clod_hopper_create(const char *path, const char *const *overrides,
         clod_status_fail(status, CLOD_FAILED, "No memory for the design.");
         return NULL;
     }
-    bool one_specimen;
+    clod_tables_notes notes = {.warnings = &self->warnings};
     if (!clod_hopper_case_load(path, overrides, override_count, &self->from, status) ||
-        !clod_tables_read(&self->from, &self->solid, &one_specimen, status) ||
+        !clod_tables_read(&self->from, &self->solid, &notes, status) ||
         !clod_doubts_check(&self->from, path, &self->solid, status) || !fill(self, status)) {
         clod_hopper_destroy(&self);
         return NULL;
     }
-    clod_doubts_warn(self, one_specimen);
+    clod_doubts_warn(self, notes.one_specimen);
     return self;
 }
 

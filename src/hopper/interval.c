@@ -27,6 +27,12 @@ typedef struct task {
     bool lost[JOBS]; ///< no memory
 } task;
 
+/** Whether there is an outlet, and a half angle above it. */
+static bool asked_for_margin(const clod_hopper_found *found)
+{
+    return found->planned > 0.0 && found->design.outcome != CLOD_HOPPER_FUNNEL;
+}
+
 void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *found,
                            clod_hopper_outcome *outcome, double number[CLOD_HOPPER_NUMBERS])
 {
@@ -46,7 +52,7 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     number[CLOD_HOPPER_RHO] = at.state.rho;
     number[CLOD_HOPPER_ARCH] = slides ? at.arch : none;
     number[CLOD_HOPPER_MARGIN] = none;
-    if (found->planned > 0.0 && found->design.outcome != CLOD_HOPPER_FUNNEL) {
+    if (asked_for_margin(found)) {
         clod_hopper_wish built =
             found->wish; // its angle is that of the design, not of a sample
         built.half_angle = found->design.half_angle;
@@ -98,6 +104,10 @@ static void run_sample(const task *self, size_t item, clod_solid *solid)
         found.wish.tolerance = SAMPLE_TOLERANCE;
         found.wish.first = found.design.state.sigma_1;
         clod_interval_numbers(solid, &found, &to->outcome[s], to->number[s]);
+        double *margin = &to->number[s][CLOD_HOPPER_MARGIN];
+        if (asked_for_margin(&found) && isnan(*margin)) {
+            *margin = 0.0; // what does not slide does not flow
+        }
     }
     const clod_rathole hole = clod_rathole_of(solid, &self->hopper->silo);
     to->hole[CLOD_HOPPER_EMPTYING] = hole.emptying;

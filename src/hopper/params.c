@@ -95,7 +95,7 @@ static const clod_param RHO[] = {
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_OPTIONAL,
      .unit = "kg/m3",
-     CLOD_FROM(1, 25000),
+     CLOD_FROM(10, 15000),
      .example = "1650 kg/m3",
      CLOD_AT(P, value),
      GIVEN,

@@ -162,21 +162,21 @@ void clod_plot_line(const clod_plot *self, const clod_plot_point *point, size_t 
             pen->colour, pen->width, pen->dashed ? " stroke-dasharray=\"6 4\"" : "");
 }
 
-void clod_plot_mark(const clod_plot *self, clod_plot_point at, double dx, double dy,
-                    const char *colour)
+void clod_plot_mark(const clod_plot *self, clod_plot_point at, clod_plot_point low,
+                    clod_plot_point high, const char *colour)
 {
     if (!(at.x <= self->most_x && at.y <= self->most_y)) {
         return;
     }
     const double x = x_of(self, at.x);
     const double y = y_of(self, at.y);
-    const double right = x_of(self, fmin(self->most_x, at.x + dx));
-    const double above = y_of(self, fmin(self->most_y, at.y + dy));
-    if (dx > 0.0) {
-        put_segment(self->out, x_of(self, fmax(0.0, at.x - dx)), y, right, y, colour);
+    const double right = x_of(self, fmin(self->most_x, high.x));
+    const double above = y_of(self, fmin(self->most_y, high.y));
+    if (high.x > low.x && low.x < self->most_x) {
+        put_segment(self->out, x_of(self, fmax(0.0, low.x)), y, right, y, colour);
     }
-    if (dy > 0.0) {
-        put_segment(self->out, x, y_of(self, fmax(0.0, at.y - dy)), x, above, colour);
+    if (high.y > low.y && low.y < self->most_y) {
+        put_segment(self->out, x, y_of(self, fmax(0.0, low.y)), x, above, colour);
     }
     fprintf(self->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", x, y, colour);
 }

@@ -42,9 +42,9 @@ void clod_plot_axes(const clod_plot *self, const char *x, const char *y);
 void clod_plot_line(const clod_plot *self, const clod_plot_point *point, size_t count,
                     const clod_plot_pen *pen);
 
-/** A mark with error bars of half lengths dx and dy; those of 0 are left out. */
-void clod_plot_mark(const clod_plot *self, clod_plot_point at, double dx, double dy,
-                    const char *colour);
+/** A mark with bars from low to high through it; those without a length are left out. */
+void clod_plot_mark(const clod_plot *self, clod_plot_point at, clod_plot_point low,
+                    clod_plot_point high, const char *colour);
 
 /** A line of the legend, number `row` from above: a colour and what it stands for. */
 void clod_plot_legend(const clod_plot *self, int row, const clod_plot_pen *pen,

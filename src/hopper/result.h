@@ -8,11 +8,10 @@
 #include "hopper/case.h"
 #include "hopper/design.h"
 #include "hopper/rathole.h"
+#include "hopper/warnings.h"
 
 #define CLOD_HOPPER_SHAPES 2
 #define CLOD_HOPPER_OUTCOMES 5
-#define CLOD_HOPPER_WARNINGS 16
-#define CLOD_HOPPER_WARNING_TEXT 320
 
 /** Numbers of one shape. */
 typedef enum clod_hopper_number {
@@ -56,6 +55,5 @@ struct clod_hopper {
     clod_rathole_silo silo;
     clod_hopper_value rathole[CLOD_HOPPER_HOLES];
     clod_rathole hole;
-    size_t warning_count;
-    char warnings[CLOD_HOPPER_WARNINGS][CLOD_HOPPER_WARNING_TEXT];
+    clod_hopper_warnings warnings;
 };

@@ -152,9 +152,9 @@ char *clod_hopper_table(const clod_hopper *self)
     fprintf(out, "\n  %.3g %% interval from %lld samples, seed %lld; H(theta) by %s\n",
             100.0 * self->from.interval.level, (long long)self->from.interval.samples,
             (long long)self->from.interval.seed, CLOD_HOPPER_ARCH_NAMES[self->from.arch]);
-    fputs(self->warning_count > 0 ? "\n  Warnings\n" : "", out);
-    for (size_t i = 0; i < self->warning_count; i++) {
-        put_text(out, "  - ", self->warnings[i]);
+    fputs(self->warnings.count > 0 ? "\n  Warnings\n" : "", out);
+    for (size_t i = 0; i < self->warnings.count; i++) {
+        put_text(out, "  - ", self->warnings.text[i]);
     }
     return clod_text_close(&text);
 }

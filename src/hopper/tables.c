@@ -60,6 +60,32 @@ static const char *const SKIPPED[] = {"seeds",
                                       "strain_at_peak",
                                       NULL};
 
+#define RHO_LEAST 10.0 // kg/m3: as clod locus has it; foam beads, the lightest, pour with more
+#define RHO_MOST 15000.0 // kg/m3: powders of tungsten and platinum are lighter
+
+/** No solid pours with such a density: it is the unit. 0: not there. */
+static bool check_density(const clod_csv *self, double rho)
+{
+    if (rho == 0.0 || (rho >= RHO_LEAST && rho <= RHO_MOST)) {
+        return true;
+    }
+    return clod_status_fail(
+        self->status, CLOD_USAGE,
+        "%s:%zu: column rho_b: %.6g kg/m3 is outside %g to %g kg/m3; is its "
+        "unit another one, [g/cm3]?",
+        self->path, self->line, rho, RHO_LEAST, RHO_MOST);
+}
+
+static bool check_flow(const clod_csv *self, const void *of)
+{
+    return check_density(self, ((const row *)of)->rho.y);
+}
+
+static bool check_rho(const clod_csv *self, const void *of)
+{
+    return check_density(self, ((const clod_curve_point *)of)->y);
+}
+
 static const clod_csv_kind FLOW_KIND = {
     .columns = FLOW,
     .count = sizeof FLOW / sizeof FLOW[0],
@@ -68,6 +94,7 @@ static const clod_csv_kind FLOW_KIND = {
     .example = "sigma_1 [kPa],f_c [kPa],f_c_error [kPa],phi_e [deg],rho_b [kg/m3]",
     .item = "flow function point",
     .skipped = SKIPPED,
+    .check_row = check_flow,
 };
 
 #define POINT(field) .offset = offsetof(clod_curve_point, field)
@@ -88,10 +115,11 @@ static const clod_csv_kind FLOW_KIND = {
     {                                                                                          \
         .names = {__VA_ARGS__}, .unit = si, POINT(y_error)                                     \
     }
-#define KIND(table, names, line, what)                                                         \
+#define KIND(table, names, line, what, ...)                                                    \
     {                                                                                          \
         .columns = table, .count = sizeof(table) / sizeof((table)[0]),                         \
-        .row = sizeof(clod_curve_point), .known = names, .example = line, .item = what         \
+        .row = sizeof(clod_curve_point), .known = names, .example = line, .item = what,        \
+        __VA_ARGS__                                                                            \
     }
 
 static const clod_csv_column PHI_E[] = {SIGMA("sigma_1"), SIGMA_ERROR("sigma_1_error"),
@@ -112,15 +140,16 @@ static const clod_csv_column WALL[] = {
 
 static const clod_csv_kind PHI_E_KIND =
     KIND(PHI_E, "sigma_1, phi_e, sigma_1_error, phi_e_error", "sigma_1 [kPa],phi_e [deg]",
-         "phi_e point");
+         "phi_e point", .check_row = NULL);
 static const clod_csv_kind PHI_T_KIND =
     KIND(PHI_T, "sigma_1, phi_t, sigma_1_error, phi_t_error", "sigma_1 [kPa],phi_t [deg]",
-         "phi_t point");
-static const clod_csv_kind RHO_KIND = KIND(RHO, "sigma_1, rho_b, sigma_1_error, rho_b_error",
-                                           "sigma_1 [kPa],rho_b [kg/m3]", "bulk density point");
+         "phi_t point", .check_row = NULL);
+static const clod_csv_kind RHO_KIND =
+    KIND(RHO, "sigma_1, rho_b, sigma_1_error, rho_b_error", "sigma_1 [kPa],rho_b [kg/m3]",
+         "bulk density point", .check_row = check_rho);
 static const clod_csv_kind WALL_KIND =
     KIND(WALL, "sigma_w, tau_w, sigma_w_error, tau_w_error", "sigma_w [kPa],tau_w [kPa]",
-         "wall yield locus point");
+         "wall yield locus point", .check_row = NULL);
 
 /** Read a file of a kind; its rows are owned by the caller. */
 static bool read_file(const char *path, const clod_csv_kind *kind, void **rows, size_t *count,
@@ -176,9 +205,19 @@ static void put(clod_curve_point *point, clod_locus_value value)
     point->y_error = isfinite(value.error) ? value.error : 0.0;
 }
 
+/** What clod locus says about a yield locus. */
+static void take_notes(const clod_locus *locus, clod_tables_notes *notes)
+{
+    notes->one_specimen = notes->one_specimen || clod_locus_one_specimen(locus);
+    for (size_t k = 0; k < locus->warning_count; k++) {
+        clod_hopper_warn(notes->warnings, "Yield locus at a preshear stress of %.3f kPa: %s",
+                         1e-3 * locus->sigma_p.value, locus->warnings[k]);
+    }
+}
+
 /** Rows of the loci of a study. */
-static bool take_study(const clod_locus_study *study, clod_solid *solid, bool *one_specimen,
-                       clod_status *status)
+static bool take_study(const clod_locus_study *study, clod_solid *solid,
+                       clod_tables_notes *notes, clod_status *status)
 {
     row *rows = clod_memory_alloc(study->count, sizeof *rows);
     if (rows == NULL) {
@@ -200,7 +239,10 @@ static bool take_study(const clod_locus_study *study, clod_solid *solid, bool *o
         put(&rows[g].rho, locus->rho_b);
         rows[g].strength.x = locus->sigma_1.value;
         rows[g].strength.x_error = isfinite(locus->sigma_1.error) ? locus->sigma_1.error : 0.0;
-        *one_specimen = *one_specimen || clod_locus_one_specimen(locus);
+        take_notes(locus, notes);
+    }
+    if (study->warning[0] != '\0') {
+        clod_hopper_warn(notes->warnings, "Flow function: %s", study->warning);
     }
     good = good && take_rows(rows, study->count, solid, status);
     clod_memory_free(rows);
@@ -234,8 +276,8 @@ static bool add_points(const char *path, clod_locus_point **all, size_t *count,
     return true;
 }
 
-static bool read_tests(const clod_hopper_strength *from, clod_solid *solid, bool *one_specimen,
-                       clod_status *status)
+static bool read_tests(const clod_hopper_strength *from, clod_solid *solid,
+                       clod_tables_notes *notes, clod_status *status)
 {
     clod_locus_point *points = NULL;
     size_t count = 0;
@@ -244,17 +286,17 @@ static bool read_tests(const clod_hopper_strength *from, clod_solid *solid, bool
         good = add_points(from->tests[t].points, &points, &count, status);
     }
     clod_locus_study *study = good ? clod_locus_study_create(points, count, status) : NULL;
-    good = study != NULL && take_study(study, solid, one_specimen, status);
+    good = study != NULL && take_study(study, solid, notes, status);
     clod_locus_study_destroy(&study);
     clod_memory_free(points);
     return good;
 }
 
 static bool read_strength(const clod_hopper_strength *from, clod_solid *solid,
-                          bool *one_specimen, clod_status *status)
+                          clod_tables_notes *notes, clod_status *status)
 {
     if (from->file == NULL) {
-        return read_tests(from, solid, one_specimen, status);
+        return read_tests(from, solid, notes, status);
     }
     void *rows;
     size_t count;
@@ -298,12 +340,11 @@ static void wall_of_angle(const clod_hopper_property *from, clod_curve *wall)
     }
 }
 
-bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, bool *one_specimen,
+bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tables_notes *notes,
                       clod_status *status)
 {
     *solid = (clod_solid){0};
-    *one_specimen = false;
-    if (!read_strength(&from->strength, solid, one_specimen, status) ||
+    if (!read_strength(&from->strength, solid, notes, status) ||
         !read_property(&from->phi_e, &PHI_E_KIND, &solid->phi_e, status) ||
         !read_property(&from->phi_t, &PHI_T_KIND, &solid->phi_t, status) ||
         !read_property(&from->rho, &RHO_KIND, &solid->rho, status) ||

@@ -6,16 +6,23 @@
 
 #include "hopper/case.h"
 #include "hopper/solid.h"
+#include "hopper/warnings.h"
+
+/** What is to be said beside what was read. */
+typedef struct clod_tables_notes {
+    bool one_specimen;              ///< whether a strength comes from a single specimen
+    clod_hopper_warnings *warnings; ///< those of yield loci are added to it
+} clod_tables_notes;
 
 /**
  * Read everything measured.
  *
  * @param solid        [out] owned points (clod_tables_fini), also after an error
- * @param one_specimen [out] whether a strength comes from a single specimen
+ * @param notes        [in, out]
  * Errors  CLOD_USAGE with file, line, column, value and what to do; CLOD_FAILED: memory.
  * Threads safe.   Test  tests/hopper/test_hopper.py
  */
-bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, bool *one_specimen,
+bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tables_notes *notes,
                       clod_status *status);
 
 /** Free the points; a solid of zeros is fine. */

@@ -138,6 +138,32 @@ static void the_state_fits_its_own_properties(void **state)
     assert_true(clod_hopper_margin_of(&of.solid, &wish, 0.9 * at.outlet).ratio < 0.99);
 }
 
+/**
+ * A wall that holds the solid at the smallest measured stress, 0.8 kPa, and lets it slide at those
+ * under a wide outlet: its margin is the stress in the arch, rho g B/H, over the strength there,
+ * wherever the search begins.
+ */
+static void adhesion_at_small_stresses_only(void **state)
+{
+    (void)state;
+    static made of;
+    make_solid(&of, 48.0, 20.0, 1300.0);
+    add_strength(&of, 0.8, 3.2);
+    add_strength(&of, 6.0, 5.0);
+    add_strength(&of, 20.0, 9.0);
+    static clod_curve_point wall[] = {
+        {1e3, 1.0e3, 0, 0}, {2e3, 1.3e3, 0, 0}, {4e3, 1.9e3, 0, 0}, {16e3, 5.5e3, 0, 0}};
+    of.solid.wall = (clod_curve){CLOD_CURVE_EXTENDED, wall, 4};
+    clod_hopper_wish wish = wish_of(CLOD_RADIAL_CONE, 20.0, CLOD_HOPPER_ARCH_ARNOLD);
+    const clod_hopper_margin at = clod_hopper_margin_of(&of.solid, &wish, 2.0);
+    check_relative(at.stress, 1300.0 * 9.80665 * 2.0 * 65.0 / 150.0, 1e-12);
+    assert_true(at.state.sigma_1 > 6e3 && at.state.sigma_1 < 20e3);
+    // 5 kPa at 6 kPa, and 4 kPa more at 20 kPa
+    check_relative(at.ratio, at.stress / (5e3 + (at.state.sigma_1 - 6e3) * 4.0 / 14.0), 1e-9);
+    wish.first = 20e3;
+    check_relative(clod_hopper_margin_of(&of.solid, &wish, 2.0).ratio, at.ratio, 1e-6);
+}
+
 /** H as the fits say: 20 degrees, 2.308 and 2.333, 1.100 and 1.111. */
 static void both_fits_of_h(void **state)
 {
@@ -206,6 +232,7 @@ int main(void)
         cmocka_unit_test(iron_concentrate),
         cmocka_unit_test(a_straight_flow_function_is_met_where_it_must),
         cmocka_unit_test(the_state_fits_its_own_properties),
+        cmocka_unit_test(adhesion_at_small_stresses_only),
         cmocka_unit_test(both_fits_of_h),
         cmocka_unit_test(what_else_may_come_out),
         cmocka_unit_test(results_follow_what_was_measured),

@@ -81,6 +81,34 @@ class Hopper(clod.Case):
             numbers = [float(x) for x in re.findall(r"-?[0-9.]+", path.get("d"))]
             self.assertTrue(numbers and min(numbers) > 0 and max(numbers) < width)
 
+        for shape, colour in (("cone", "#0072B2"), ("wedge", "#D55E00")):
+            self.check_bars(root, colour, found[shape], 70, ("sigma_1_Pa", "strength_Pa"), 1e-3)
+            self.check_bars(root, colour, found[shape], 560, ("half_angle_deg", "phi_w_deg"), 1)
+
+    def check_bars(self, root, colour, found, left, keys, scale):
+        """The bars of the panel whose frame begins at `left` end where the intervals do: read by
+        the numbers at the panel's ticks, to a quarter of a pixel at either end."""
+        def ticks(across, place):
+            return [(float(node.get(across)), float(node.text))
+                    for node in root.iter("{http://www.w3.org/2000/svg}text")
+                    if place(float(node.get("x")), float(node.get("y")))
+                    and re.fullmatch(r"[0-9.e+-]+", node.text)]
+        lines = [{end: float(node.get(end)) for end in ("x1", "x2", "y1", "y2")}
+                 for node in root.iter("{http://www.w3.org/2000/svg}line")
+                 if node.get("stroke") == colour and node.get("stroke-width") is None]
+        lines = [line for line in lines if left <= line["x1"] <= left + 400]
+        across = next(line for line in lines if line["y1"] == line["y2"])
+        upright = next(line for line in lines if line["x1"] == line["x2"])
+        below = ticks("x", lambda x, y: y == 394 and left <= x <= left + 400)
+        beside = ticks("y", lambda x, y: x == left - 8)
+        for marks, ends, key, shift in ((below, (across["x1"], across["x2"]), keys[0], 0),
+                                        (beside, (upright["y1"], upright["y2"]), keys[1], -4)):
+            (pixel, value), (last_pixel, last_value) = marks[0], marks[-1]
+            slope = (last_value - value) / (last_pixel - pixel)
+            for end, word in zip(ends, ("low", "high")):
+                self.assertAlmostEqual(value + slope * (end - pixel - shift),
+                                       scale * found[key][word], delta=0.25 * abs(slope))
+
     def test_same_bytes_on_one_processor_and_on_all(self):
         self.start()
         first = self.hopper("case.yaml", "--json").stdout
@@ -166,6 +194,22 @@ class Hopper(clod.Case):
             self.assertAlmostEqual(table["cone"][key]["value"], found["cone"][key]["value"],
                                    delta=1e-6 * found["cone"][key]["value"])
 
+    def test_warnings_of_yield_loci_are_handed_on(self):
+        """Two points make a line without a scatter; clod locus says so, and so does the hopper."""
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n"
+        self.write("low.csv", head + "".join(
+            f"4,3.4,{s},{0.7 + 0.75 * s},1300\n" for s in (1.0, 3.0)))
+        self.write("high.csv", head + "".join(
+            f"10,8.1,{s},{1.2 + 0.73 * s},1350\n" for s in (2.5, 5.0, 7.5)))
+        self.write("case.yaml", "flow_function: {shear_tests: [{points: low.csv}, "
+                   "{points: high.csv}]}\nwall_friction: {angle: 18 deg}\n")
+        locus = json.loads(clod.run("locus", "low.csv", "--json", cwd=self.folder).stdout)
+        said = locus["loci"][0]["warnings"]
+        self.assertTrue(any("two points" in text for text in said), said)
+        found = self.found()["warnings"]
+        for text in said:
+            self.assertIn("Yield locus at a preshear stress of 4.000 kPa: " + text, found)
+
     # ---- what is refused
 
     def test_cases_with_mistakes(self):
@@ -200,6 +244,13 @@ class Hopper(clod.Case):
         self.refuse(CASE, ["flow.csv:3: 5 cells, but the header has 6 columns"],
                     rows=ROWS.replace("1300", "").replace("40,\n4", "40\n4").replace(
                         "47,40,", "47,40"))
+        self.refuse(CASE, ["flow.csv:2: column rho_b: 1.21 kg/m3 is outside 10 to 15000 kg/m3",
+                           "[g/cm3]?"], rows="2,1.4,0,48,40,1.21\n8,2.9,0,46,39,1.3\n")
+        self.write("rho.csv", "sigma_1 [kPa],rho_b [kg/m3]\n2,1210\n8,1.3\n")
+        self.refuse(CASE + "bulk_density: {file: rho.csv}\n",
+                    ["rho.csv:3: column rho_b: 1.3 kg/m3 is outside", "[g/cm3]?"])
+        self.refuse(CASE + "bulk_density: {value: 1.21 kg/m3}\n",
+                    ["bulk_density.value", "is out of range", "10"])
         self.refuse(CASE.replace("flow.csv", "none.csv"), ["none.csv", "No such file"])
 
     def test_measurements_that_cannot_be(self):

@@ -110,7 +110,10 @@ static void funnel_flow_counts(void **state)
     of.wall.y_error = 0.1;
     begin(&hopper, &of.solid);
     for (int s = 0; s < CLOD_HOPPER_SHAPES; s++) {
-        hopper.shape[s].wish.half_angle = 5.0 * DEGREE;
+        clod_hopper_found *found = &hopper.shape[s];
+        found->wish.half_angle = 5.0 * DEGREE;
+        found->design = clod_hopper_design_shape(&of.solid, &found->wish);
+        found->planned = 1e3 * found->design.outlet;
     }
     fill(&hopper);
     const clod_hopper_found *cone = &hopper.shape[CLOD_RADIAL_CONE];
@@ -120,6 +123,10 @@ static void funnel_flow_counts(void **state)
     assert_true(isinf(cone->number[CLOD_HOPPER_OUTLET].high));
     assert_true(isfinite(cone->number[CLOD_HOPPER_OUTLET].low));
     assert_true(cone->number[CLOD_HOPPER_HALF_ANGLE].low == 0.0);
+    // with a wall angle that does not depend on stress they are in funnel flow at any outlet
+    assert_true(cone->number[CLOD_HOPPER_MARGIN].low == 0.0);
+    assert_true(cone->number[CLOD_HOPPER_MARGIN].high > 1.0);
+    check_close(cone->arching, share, 1e-9);
 }
 
 int main(void)
