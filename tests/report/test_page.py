@@ -117,6 +117,32 @@ class Report(clod.Case):
         for text in ("2.5 s", "1.2 %", "61.5"):
             self.assertIn(text, page.words)
 
+    def test_names_of_figures_are_unique(self):
+        """Two figures that ask for one name: each has its place in the page, its file and its curve."""
+        gauges = {name: pages.FREE["gauges"]["head"] for name in ("a_b", "a-b")}
+        pages.free_run(self.path("run"), gauges=gauges)
+        pages.write(self.path("run"), series__csv="time [s],belt.energy [J],clumps [1]\n0,1,4\n1,2,5\n2,4,9\n",
+                    energy__csv="time [s],kinetic [J],heat [J]\n0,7,8\n1,6,9\n",
+                    clumps__csv="time [s],count,from,to,share [1]\n0,0,1,2,0.25\n0,0,3,4,0.75\n",
+                    gauge_a_b_HYPHEN_profile__csv="x [m],lower [m],mean [m],upper [m]\n0,1,2,3\n1,2,3,4\n",
+                    **{"gauge_a_HYPHEN_b_HYPHEN_profile__csv": "x [m],lower [m],mean [m],upper [m]\n0,5,6,7\n1,6,7,8\n"})
+        self.made("report", "run")
+        page = self.page("run/report.html")
+        names = ["clumps", "clumps-2", "energy", "energy-ledger", "gauge-a-b-profile", "gauge-a-b-profile-2"]
+        ids = re.findall(r'<figure [^>]*id="figure-([^"]*)"', page.text)
+        self.assertEqual(sorted(ids), names)
+        self.assertEqual(sorted(re.findall(r'<clipPath id="clip-([^"]*)"', page.text)), names)
+        self.assertEqual(sorted(page.figures), names)
+        files = sorted(name for name in os.listdir(self.path("run")) if name.endswith(".svg"))
+        self.assertEqual(files, sorted(f"report-{name}.svg" for name in names))
+        for name, first in (("energy", ["1", "2", "4"]), ("energy-ledger", ["7", "6"]),
+                            ("gauge-a-b-profile", ["1", "2"]), ("gauge-a-b-profile-2", ["5", "6"]),
+                            ("clumps", ["0.25", "0.75"]), ("clumps-2", ["4", "5", "9"])):
+            self.assertEqual(page.figures[name]["curves"][0]["y"], first, name)
+            svg = xml.etree.ElementTree.parse(self.path(f"run/report-{name}.svg")).getroot()
+            title = svg.find("{http://www.w3.org/2000/svg}title").text
+            self.assertEqual(title, page.figures[name]["title"])
+
     def test_uniaxial(self):
         pages.uniaxial(self.path("run"))
         self.made("report", "run")
