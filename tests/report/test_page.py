@@ -1,5 +1,6 @@
 """clod report and clod compare: numbers on the page are those in the files; what is refused."""
 
+import html
 import json
 import os
 import re
@@ -164,6 +165,30 @@ class Report(clod.Case):
         page = self.page("run/report.html")
         self.assertEqual(page.items, ["The run is not complete: this page shows what there is so far."])
         self.assertEqual(len(page.figures["kinetic-energy"]["curves"][0]["x"]), 26)
+
+    def test_a_title_with_quotes(self):
+        """While there is no summary the title is that of the case, read as YAML."""
+        pages.free_run(self.path("run"))
+        os.remove(self.path("run/summary.json"))
+        case = pages.COMPLETE % (r'A \"quoted\" <b> & \u00e9', "2500")
+        pages.write(self.path("run"), **{"case_HYPHEN_complete__yaml": case})
+        self.made("report", "run")
+        heading = re.search(r"<h1>(.*?)</h1>", self.page("run/report.html").text)[1]
+        self.assertEqual(html.unescape(heading), 'A "quoted" <b> & \u00e9')
+        self.assertNotIn("<", heading)
+
+    def test_a_half_written_line_of_the_log(self):
+        """Only whole times are told; with none there is no time at all."""
+        whole = '{"time":"2026-01-31T12:34:56Z","event":"begin"}\n'
+        for log, told in ((whole + '{"time":"', True), (whole + '{"time":"2026-02-0', True),
+                          (whole + '{"time":"2026-02-01"}\n', True), ('{"time":""}\n', False), ("", False)):
+            pages.free_run(self.path("run"))
+            pages.write(self.path("run"), log__jsonl=log)
+            self.made("report", "run")
+            page = self.page("run/report.html")
+            self.assertEqual("run, computed until 2026-01-31 12:34 UTC" in "".join(page.words), told, log)
+            self.assertEqual("computed until" in "".join(page.words), told, log)
+            self.assertEqual(page.row("last entry of the log")[1], "2026-01-31T12:34:56Z" if told else "not known")
 
     def test_compare(self):
         pages.free_run(self.path("one"))
