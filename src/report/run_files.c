@@ -145,6 +145,50 @@ bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *
            clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
 }
 
+/** Put one more folder of the path before the name; false: the name is the whole path. */
+static bool lengthen(clod_run_files *self)
+{
+    const char *at = self->name;
+    while (at > self->folder && at[-1] == '/') {
+        at--;
+    }
+    while (at > self->folder && at[-1] != '/') {
+        at--;
+    }
+    const bool longer = at < self->name;
+    self->name = at;
+    return longer;
+}
+
+/** Lengthen all names that are that of run k; whether any became longer. */
+static bool part_names(clod_run_files *runs, size_t count, size_t k)
+{
+    const char *name = runs[k].name;
+    bool longer = false;
+    bool shared = false;
+    for (size_t j = k + 1; j < count; j++) {
+        if (strcmp(runs[j].name, name) == 0) {
+            shared = true;
+            longer = lengthen(&runs[j]) || longer;
+        }
+    }
+    return (shared && lengthen(&runs[k])) || longer;
+}
+
+void clod_run_files_names(clod_run_files *runs, size_t count)
+{
+    for (size_t k = 0; k < count; k++) {
+        runs[k].name = runs[k].folder + strlen(runs[k].folder);
+        lengthen(&runs[k]);
+    }
+    for (bool longer = true; longer;) {
+        longer = false;
+        for (size_t k = 0; k < count; k++) {
+            longer = part_names(runs, count, k) || longer;
+        }
+    }
+}
+
 const char *clod_run_files_part(const clod_run_files *self, size_t k)
 {
     const json_t *part = json_array_get(json_object_get(self->summary, "parts"), k);

@@ -206,6 +206,41 @@ class Report(clod.Case):
             self.assert_curve(figure, number, series, "time", "kinetic_energy")
         self.assertTrue(os.path.exists(self.path("compare-kinetic-energy.svg")))
 
+    def test_names_of_compared_runs(self):
+        """As many parts of the path as it takes to tell the runs apart, and no more."""
+        for folders, names in ((["a/run", "b/run"], ["a/run", "b/run"]),
+                               (["a/run", "c/a/run", "b/last"], ["a/run", "c/a/run", "last"]),
+                               (["run", "a/run/"], ["run", "a/run"]),
+                               (["b//run", self.path("a/run")], ["b//run", "a/run"]),
+                               (["a/run", "a/run"], ["a/run", "a/run"])):
+            for number, folder in enumerate(folders):
+                pages.free_run(self.path(folder), density=str(2500 + number))
+            self.made("compare", *folders)
+            page = self.page("compare.html")
+            self.assertEqual([curve["name"] for curve in page.figures["kinetic-energy"]["curves"]], names)
+            self.assertEqual([row[0] for row in page.tables[0][1:]], names)
+            if folders[0] != folders[1]:
+                self.assertEqual(page.row("key")[1:], names)
+
+    def test_a_run_named_laboratory(self):
+        """Hollow points are those of --lab, whatever the folders are called."""
+        points = [{"sigma_s_Pa": 3000.0, "prorated_Pa": 3250.0}, {"sigma_s_Pa": 5000.0, "prorated_Pa": 4500.0}]
+        locus = {"sigma_p_Pa": 10000.0, "tau_p_Pa": 7200.0, "c_Pa": 1375.0, "phi_lin_deg": 32.0, "points": points,
+                 "flow": "free-flowing"}
+        complete = pages.COMPLETE % ("Ring", "2500") + "ring_shear:\n  seeds: 1\n"
+        for name in ("laboratory", "other"):
+            pages.write(self.path(name), summary__json={"title": "Ring", "locus": {"loci": [locus]}},
+                        **{"case_HYPHEN_complete__yaml": complete})
+        with open(self.path("lab.csv"), "w") as file:
+            file.write(LAB)
+        self.made("compare", "laboratory", "other")
+        curves = self.page("compare.html").figures["yield-locus"]["curves"]
+        self.assertEqual([curve["style"] for curve in curves], ["line", "points", "points"] * 2)
+        self.made("compare", "laboratory", "other", "--lab", "lab.csv")
+        with_lab = self.page("compare.html").figures["yield-locus"]["curves"]
+        self.assertEqual(with_lab[:6], curves)
+        self.assertEqual([curve["style"] for curve in with_lab[6:9]], ["dashed", "hollow", "hollow"])
+
     def test_refusals(self):
         pages.free_run(self.path("run"))
         pages.uniaxial(self.path("other"))
