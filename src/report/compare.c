@@ -36,6 +36,7 @@ static bool open_runs(const clod_report_options *options, clod_run_files *runs,
                                     runs[0].kind_text);
         }
     }
+    clod_run_files_names(runs, options->run_count);
     return true;
 }
 
@@ -72,11 +73,11 @@ static bool put_shear(clod_sheet *sheet, const clod_run_files *runs, size_t coun
     for (size_t k = 0; k < count; k++) {
         const json_t *study = json_object_get(runs[k].summary, "locus");
         if (study != NULL) {
-            sets[used++] = (clod_shear_loci){clod_compare_tables_name(&runs[k]), study};
+            sets[used++] = (clod_shear_loci){.of = runs[k].name, .study = study};
         }
     }
     if (lab != NULL) {
-        sets[used++] = (clod_shear_loci){"laboratory", lab};
+        sets[used++] = (clod_shear_loci){.of = "laboratory", .study = lab, .lab = true};
     }
     clod_html_section(sheet->body, "figures", "Figures");
     if (used > 0) {

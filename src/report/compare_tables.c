@@ -8,12 +8,6 @@
 
 #define MOST_KEYS 200
 
-const char *clod_compare_tables_name(const clod_run_files *run)
-{
-    const char *slash = strrchr(run->folder, '/');
-    return slash != NULL && slash[1] != '\0' ? slash + 1 : run->folder;
-}
-
 static void put_loci(FILE *out, const char *name, const json_t *study)
 {
     const json_t *locus;
@@ -39,8 +33,7 @@ static void put_shear(FILE *out, const clod_run_files *runs, size_t count, const
     }
     fputs("<th>flow (Jenike)</th></tr></thead>\n<tbody>", out);
     for (size_t k = 0; k < count; k++) {
-        put_loci(out, clod_compare_tables_name(&runs[k]),
-                 json_object_get(runs[k].summary, "locus"));
+        put_loci(out, runs[k].name, json_object_get(runs[k].summary, "locus"));
     }
     put_loci(out, "laboratory", lab);
 }
@@ -93,7 +86,7 @@ static void put_uniaxial(FILE *out, const clod_run_files *runs, size_t count)
         const json_t *one;
         json_array_foreach(json_object_get(runs[k].summary, "flow_function"), s, one)
         {
-            put_numbers(out, clod_compare_tables_name(&runs[k]), one, COLUMNS, columns);
+            put_numbers(out, runs[k].name, one, COLUMNS, columns);
         }
     }
 }
@@ -110,7 +103,7 @@ static void put_free(FILE *out, const clod_run_files *runs, size_t count)
     const size_t columns = sizeof COLUMNS / sizeof *COLUMNS;
     put_heads(out, COLUMNS, columns);
     for (size_t k = 0; k < count; k++) {
-        put_numbers(out, clod_compare_tables_name(&runs[k]), runs[k].summary, COLUMNS, columns);
+        put_numbers(out, runs[k].name, runs[k].summary, COLUMNS, columns);
     }
 }
 
@@ -214,7 +207,7 @@ bool clod_compare_tables_keys(FILE *out, const clod_run_files *runs, size_t coun
         "<div class=\"scroll\"><table class=\"copied\" id=\"keys-table\"><thead><tr><th>key</th>",
         out);
     for (size_t k = 0; k < count; k++) {
-        clod_html_cell(out, "th", clod_compare_tables_name(&runs[k]));
+        clod_html_cell(out, "th", runs[k].name);
     }
     fputs("</tr></thead>\n<tbody>", out);
     for (size_t k = 0; good && k < keys.count; k++) {

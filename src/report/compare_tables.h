@@ -9,9 +9,6 @@
 
 #include "report/run_files.h"
 
-/** What a run is called beside others: the last name of its folder; borrowed. */
-const char *clod_compare_tables_name(const clod_run_files *run);
-
 /** The results of all runs, and of the laboratory (NULL: none), a row each. */
 void clod_compare_tables_results(FILE *out, const clod_run_files *runs, size_t count,
                                  const json_t *lab);

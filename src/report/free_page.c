@@ -116,7 +116,7 @@ static bool put_others(clod_sheet *sheet, const clod_run_files *run, clod_status
     if (good) {
         clod_table_fini(&table);
         good = clod_table_read(&table, run->folder, "energy.csv", status);
-        clod_series_figures_all(sheet, &table, "energy", "Energy ledger", "J");
+        clod_series_figures_all(sheet, &table, "energy-ledger", "Energy ledger", "J");
         clod_table_fini(&table);
     }
     return good;

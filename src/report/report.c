@@ -26,10 +26,10 @@ static bool put_shear(clod_sheet *sheet, const clod_run_files *run, const json_t
     size_t count = 0;
     const json_t *study = json_object_get(run->summary, "locus");
     if (study != NULL) {
-        sets[count++] = (clod_shear_loci){"simulation", study};
+        sets[count++] = (clod_shear_loci){.of = "simulation", .study = study};
     }
     if (lab != NULL) {
-        sets[count++] = (clod_shear_loci){"laboratory", lab};
+        sets[count++] = (clod_shear_loci){.of = "laboratory", .study = lab, .lab = true};
     }
     if (count > 0) {
         clod_html_section(sheet->body, "results", "Results");

@@ -7,7 +7,10 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "config/yaml.h"
 #include "output/file.h"
+
+#define TIME_LENGTH strlen("2026-01-31T12:00") ///< what the head of a page shows
 
 /** Kinds of case by the key that stands in every complete case of them. */
 static const struct {
@@ -48,7 +51,7 @@ static bool load_summary(clod_run_files *self, clod_status *status)
                             self->folder, error.line, error.text);
 }
 
-/** The time in the first and the last line of the log. */
+/** The time in the first and the last line of the log that have a whole one. */
 static bool load_times(clod_run_files *self, clod_status *status)
 {
     static const char KEY[] = "{\"time\":\"";
@@ -59,9 +62,12 @@ static bool load_times(clod_run_files *self, clod_status *status)
     for (const char *line = text != NULL ? strstr(text, KEY) : NULL; line != NULL;
          line = strstr(line + 1, KEY)) {
         const char *at = line + strlen(KEY);
-        const char *end = strchr(at, '"');
+        const size_t length = strcspn(at, "\"\n");
         char time[32];
-        snprintf(time, sizeof time, "%.*s", end != NULL ? (int)(end - at) : 0, at);
+        if (length < TIME_LENGTH || at[length] != '"') {
+            continue; // the line is just being written
+        }
+        snprintf(time, sizeof time, "%.*s", (int)length, at);
         if (self->began == NULL) {
             self->began = clod_memory_text(time);
         }
@@ -72,20 +78,31 @@ static bool load_times(clod_run_files *self, clod_status *status)
     return true;
 }
 
+/** Title of the complete case, owned; NULL: it has none. */
+static char *read_title(const clod_run_files *self)
+{
+    clod_arena arena = {0};
+    clod_report errors = {.name =
+                              "case-complete.yaml"}; // a case that cannot be read has no title
+    const char *text = self->complete != NULL ? self->complete : "";
+    const clod_node *title =
+        clod_tree_find(clod_yaml_read(&arena, text, strlen(text), 0, &errors), "title");
+    const bool good =
+        title != NULL && title->kind == CLOD_NODE_SCALAR && title->text[0] != '\0';
+    char *copy = good ? clod_memory_text(title->text) : NULL;
+    clod_report_fini(&errors);
+    clod_arena_fini(&arena);
+    return copy;
+}
+
 /** The title of the summary, or in the complete case, or the folder. */
 static void find_title(clod_run_files *self)
 {
-    static const char KEY[] = "\ntitle: \"";
     const char *known = json_string_value(json_object_get(self->summary, "title"));
-    const char *at = self->complete != NULL ? strstr(self->complete, KEY) : NULL;
-    if (known == NULL && at != NULL) {
-        char title[256];
-        at += strlen(KEY);
-        snprintf(title, sizeof title, "%.*s", (int)strcspn(at, "\"\n"), at);
-        self->title = clod_memory_text(title);
-    } else {
-        self->title =
-            clod_memory_text(known != NULL && known[0] != '\0' ? known : self->folder);
+    self->title =
+        known != NULL && known[0] != '\0' ? clod_memory_text(known) : read_title(self);
+    if (self->title == NULL) {
+        self->title = clod_memory_text(self->folder);
     }
 }
 
@@ -126,6 +143,50 @@ bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *
     find_kind(self);
     return self->title != NULL ||
            clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
+}
+
+/** Put one more folder of the path before the name; false: the name is the whole path. */
+static bool lengthen(clod_run_files *self)
+{
+    const char *at = self->name;
+    while (at > self->folder && at[-1] == '/') {
+        at--;
+    }
+    while (at > self->folder && at[-1] != '/') {
+        at--;
+    }
+    const bool longer = at < self->name;
+    self->name = at;
+    return longer;
+}
+
+/** Lengthen all names that are that of run k; whether any became longer. */
+static bool part_names(clod_run_files *runs, size_t count, size_t k)
+{
+    const char *name = runs[k].name;
+    bool longer = false;
+    bool shared = false;
+    for (size_t j = k + 1; j < count; j++) {
+        if (strcmp(runs[j].name, name) == 0) {
+            shared = true;
+            longer = lengthen(&runs[j]) || longer;
+        }
+    }
+    return (shared && lengthen(&runs[k])) || longer;
+}
+
+void clod_run_files_names(clod_run_files *runs, size_t count)
+{
+    for (size_t k = 0; k < count; k++) {
+        runs[k].name = runs[k].folder + strlen(runs[k].folder);
+        lengthen(&runs[k]);
+    }
+    for (bool longer = true; longer;) {
+        longer = false;
+        for (size_t k = 0; k < count; k++) {
+            longer = part_names(runs, count, k) || longer;
+        }
+    }
 }
 
 const char *clod_run_files_part(const clod_run_files *self, size_t k)

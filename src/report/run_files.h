@@ -18,6 +18,7 @@ typedef enum clod_run_kind {
 
 typedef struct clod_run_files {
     char *folder;          ///< owned
+    const char *name;      ///< end of `folder`: what the run is called beside others
     char *title;           ///< owned: of the case, or the folder
     char *case_text;       ///< owned: case.yaml; NULL: none
     char *complete;        ///< owned: case-complete.yaml; NULL: none
@@ -36,6 +37,14 @@ typedef struct clod_run_files {
  * Threads safe.   Test  tests/report/test_page.py
  */
 bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *status);
+
+/**
+ * Name runs that stand side by side: the last name of each folder, and as many of those above it as
+ * it takes for all names to differ. Two of one folder keep one name.
+ *
+ * @param runs  [count] opened   Test  tests/report/test_page.py
+ */
+void clod_run_files_names(clod_run_files *runs, size_t count);
 
 /** Number k of the parts that the run has, borrowed; NULL behind the last. */
 const char *clod_run_files_part(const clod_run_files *self, size_t k);

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "report/compare_tables.h"
 #include "report/flow_figure.h"
 #include "report/series_groups.h"
 #include "report/shear_rows.h"
@@ -81,8 +80,7 @@ bool clod_series_compare_parts(clod_sheet *sheet, const clod_run_files *runs, si
             }
             snprintf(file, sizeof file, "%s.csv", name);
             good = clod_table_read(&table, runs[r].folder, file, status);
-            add_table(&figure, &table, over, column,
-                      named ? "" : clod_compare_tables_name(&runs[r]), r);
+            add_table(&figure, &table, over, column, named ? "" : runs[r].name, r);
             clod_table_fini(&table);
             named = true;
         }
@@ -108,8 +106,8 @@ static void add_strengths(clod_figure *figure, const clod_run_files *run, size_t
             used++;
         }
     }
-    clod_figure_add(figure, clod_compare_tables_name(run), CLOD_FIGURE_POINTS,
-                    (int)(number % CLOD_FIGURE_COLOURS), used, x, y, error);
+    clod_figure_add(figure, run->name, CLOD_FIGURE_POINTS, (int)(number % CLOD_FIGURE_COLOURS),
+                    used, x, y, error);
 }
 
 bool clod_series_compare_strengths(clod_sheet *sheet, const clod_run_files *runs, size_t count,
@@ -163,7 +161,7 @@ static void put_column(clod_sheet *sheet, const clod_run_files *runs, const clod
     clod_series_groups_words(name, title);
     clod_figure_init(&figure, name, title);
     for (size_t k = 0; k < count; k++) {
-        add_table(&figure, &tables[k], "time", name, clod_compare_tables_name(&runs[k]), k);
+        add_table(&figure, &tables[k], "time", name, runs[k].name, k);
     }
     clod_sheet_figure(sheet, &figure);
 }

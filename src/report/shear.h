@@ -13,6 +13,7 @@
 typedef struct clod_shear_loci {
     const char *of;      ///< "simulation", "laboratory", or the name of a run
     const json_t *study; ///< as clod_locus_json has it; borrowed
+    bool lab;            ///< points of a laboratory, not of a run
 } clod_shear_loci;
 
 /**

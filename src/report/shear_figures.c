@@ -67,11 +67,6 @@ static void add_locus(clod_figure *figure, const json_t *locus, const char *of, 
     }
 }
 
-static bool is_lab(const clod_shear_loci *set)
-{
-    return strcmp(set->of, "laboratory") == 0;
-}
-
 static void put_loci(clod_sheet *sheet, const clod_shear_loci *sets, size_t count)
 {
     clod_figure figure;
@@ -88,8 +83,7 @@ static void put_loci(clod_sheet *sheet, const clod_shear_loci *sets, size_t coun
     for (size_t s = 0; s < count; s++) {
         const json_t *locus;
         for (size_t g = 0; (locus = clod_shear_locus(sets[s].study, g)) != NULL; g++) {
-            add_locus(&figure, locus, sets[s].of, is_lab(&sets[s]),
-                      colour++ % CLOD_FIGURE_COLOURS);
+            add_locus(&figure, locus, sets[s].of, sets[s].lab, colour++ % CLOD_FIGURE_COLOURS);
         }
     }
     clod_sheet_figure(sheet, &figure);
@@ -117,7 +111,7 @@ static void put_flow_function(clod_sheet *sheet, const clod_shear_loci *sets, si
             n++;
         }
         clod_figure_add(&figure, sets[s].of,
-                        is_lab(&sets[s]) ? CLOD_FIGURE_HOLLOW : CLOD_FIGURE_POINTS,
+                        sets[s].lab ? CLOD_FIGURE_HOLLOW : CLOD_FIGURE_POINTS,
                         (int)(s % CLOD_FIGURE_COLOURS), n, x, y, error);
     }
     clod_flow_figure_classes(&figure, largest);

@@ -24,6 +24,26 @@ bool clod_sheet_open(clod_sheet *self, clod_status *status)
            fail_memory(status);
 }
 
+static bool is_taken(const clod_sheet *self, const char *name)
+{
+    for (size_t k = 0; k < self->file_count; k++) {
+        if (strcmp(self->files[k].name, name) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/** Put -2, -3 and so on behind the name until no earlier figure has it. */
+static void make_unique(const clod_sheet *self, clod_figure *figure)
+{
+    char name[sizeof figure->name];
+    snprintf(name, sizeof name, "%.*s", (int)sizeof name - 16, figure->name);
+    for (unsigned k = 2; is_taken(self, figure->name); k++) {
+        snprintf(figure->name, sizeof figure->name, "%.*s-%u", (int)sizeof name - 16, name, k);
+    }
+}
+
 /** Keep a figure's SVG as a file, and show it in the body. */
 static void take_svg(clod_sheet *self, const clod_figure *figure)
 {
@@ -51,6 +71,7 @@ void clod_sheet_figure(clod_sheet *self, clod_figure *figure)
 {
     self->lost = self->lost || figure->lost;
     if (!self->lost && clod_figure_shows(figure)) {
+        make_unique(self, figure);
         fprintf(self->body, "<figure class=\"figure%s\" id=\"figure-%s\"><h3>",
                 figure->equal ? " wide" : "", figure->name);
         clod_html_text(self->body, figure->title);

@@ -27,7 +27,10 @@ typedef struct clod_sheet {
 /** Begin a page, which must stay where it is. Errors  CLOD_FAILED: no memory. */
 bool clod_sheet_open(clod_sheet *self, clod_status *status);
 
-/** Put a figure into the page; nothing when it shows nothing. Frees its content. */
+/**
+ * Put a figure into the page; nothing when it shows nothing. One whose name an earlier figure has gets
+ * a number behind it. Frees its content.
+ */
 void clod_sheet_figure(clod_sheet *self, clod_figure *figure);
 
 /** Begin or end a run of figures that stand side by side where there is room. */

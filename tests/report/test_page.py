@@ -1,5 +1,6 @@
 """clod report and clod compare: numbers on the page are those in the files; what is refused."""
 
+import html
 import json
 import os
 import re
@@ -117,6 +118,32 @@ class Report(clod.Case):
         for text in ("2.5 s", "1.2 %", "61.5"):
             self.assertIn(text, page.words)
 
+    def test_names_of_figures_are_unique(self):
+        """Two figures that ask for one name: each has its place in the page, its file and its curve."""
+        gauges = {name: pages.FREE["gauges"]["head"] for name in ("a_b", "a-b")}
+        pages.free_run(self.path("run"), gauges=gauges)
+        pages.write(self.path("run"), series__csv="time [s],belt.energy [J],clumps [1]\n0,1,4\n1,2,5\n2,4,9\n",
+                    energy__csv="time [s],kinetic [J],heat [J]\n0,7,8\n1,6,9\n",
+                    clumps__csv="time [s],count,from,to,share [1]\n0,0,1,2,0.25\n0,0,3,4,0.75\n",
+                    gauge_a_b_HYPHEN_profile__csv="x [m],lower [m],mean [m],upper [m]\n0,1,2,3\n1,2,3,4\n",
+                    **{"gauge_a_HYPHEN_b_HYPHEN_profile__csv": "x [m],lower [m],mean [m],upper [m]\n0,5,6,7\n1,6,7,8\n"})
+        self.made("report", "run")
+        page = self.page("run/report.html")
+        names = ["clumps", "clumps-2", "energy", "energy-ledger", "gauge-a-b-profile", "gauge-a-b-profile-2"]
+        ids = re.findall(r'<figure [^>]*id="figure-([^"]*)"', page.text)
+        self.assertEqual(sorted(ids), names)
+        self.assertEqual(sorted(re.findall(r'<clipPath id="clip-([^"]*)"', page.text)), names)
+        self.assertEqual(sorted(page.figures), names)
+        files = sorted(name for name in os.listdir(self.path("run")) if name.endswith(".svg"))
+        self.assertEqual(files, sorted(f"report-{name}.svg" for name in names))
+        for name, first in (("energy", ["1", "2", "4"]), ("energy-ledger", ["7", "6"]),
+                            ("gauge-a-b-profile", ["1", "2"]), ("gauge-a-b-profile-2", ["5", "6"]),
+                            ("clumps", ["0.25", "0.75"]), ("clumps-2", ["4", "5", "9"])):
+            self.assertEqual(page.figures[name]["curves"][0]["y"], first, name)
+            svg = xml.etree.ElementTree.parse(self.path(f"run/report-{name}.svg")).getroot()
+            title = svg.find("{http://www.w3.org/2000/svg}title").text
+            self.assertEqual(title, page.figures[name]["title"])
+
     def test_uniaxial(self):
         pages.uniaxial(self.path("run"))
         self.made("report", "run")
@@ -139,6 +166,30 @@ class Report(clod.Case):
         self.assertEqual(page.items, ["The run is not complete: this page shows what there is so far."])
         self.assertEqual(len(page.figures["kinetic-energy"]["curves"][0]["x"]), 26)
 
+    def test_a_title_with_quotes(self):
+        """While there is no summary the title is that of the case, read as YAML."""
+        pages.free_run(self.path("run"))
+        os.remove(self.path("run/summary.json"))
+        case = pages.COMPLETE % (r'A \"quoted\" <b> & \u00e9', "2500")
+        pages.write(self.path("run"), **{"case_HYPHEN_complete__yaml": case})
+        self.made("report", "run")
+        heading = re.search(r"<h1>(.*?)</h1>", self.page("run/report.html").text)[1]
+        self.assertEqual(html.unescape(heading), 'A "quoted" <b> & \u00e9')
+        self.assertNotIn("<", heading)
+
+    def test_a_half_written_line_of_the_log(self):
+        """Only whole times are told; with none there is no time at all."""
+        whole = '{"time":"2026-01-31T12:34:56Z","event":"begin"}\n'
+        for log, told in ((whole + '{"time":"', True), (whole + '{"time":"2026-02-0', True),
+                          (whole + '{"time":"2026-02-01"}\n', True), ('{"time":""}\n', False), ("", False)):
+            pages.free_run(self.path("run"))
+            pages.write(self.path("run"), log__jsonl=log)
+            self.made("report", "run")
+            page = self.page("run/report.html")
+            self.assertEqual("run, computed until 2026-01-31 12:34 UTC" in "".join(page.words), told, log)
+            self.assertEqual("computed until" in "".join(page.words), told, log)
+            self.assertEqual(page.row("last entry of the log")[1], "2026-01-31T12:34:56Z" if told else "not known")
+
     def test_compare(self):
         pages.free_run(self.path("one"))
         pages.free_run(self.path("two"), density="2600", grains=7)
@@ -154,6 +205,41 @@ class Report(clod.Case):
         for number in range(3):
             self.assert_curve(figure, number, series, "time", "kinetic_energy")
         self.assertTrue(os.path.exists(self.path("compare-kinetic-energy.svg")))
+
+    def test_names_of_compared_runs(self):
+        """As many parts of the path as it takes to tell the runs apart, and no more."""
+        for folders, names in ((["a/run", "b/run"], ["a/run", "b/run"]),
+                               (["a/run", "c/a/run", "b/last"], ["a/run", "c/a/run", "last"]),
+                               (["run", "a/run/"], ["run", "a/run"]),
+                               (["b//run", self.path("a/run")], ["b//run", "a/run"]),
+                               (["a/run", "a/run"], ["a/run", "a/run"])):
+            for number, folder in enumerate(folders):
+                pages.free_run(self.path(folder), density=str(2500 + number))
+            self.made("compare", *folders)
+            page = self.page("compare.html")
+            self.assertEqual([curve["name"] for curve in page.figures["kinetic-energy"]["curves"]], names)
+            self.assertEqual([row[0] for row in page.tables[0][1:]], names)
+            if folders[0] != folders[1]:
+                self.assertEqual(page.row("key")[1:], names)
+
+    def test_a_run_named_laboratory(self):
+        """Hollow points are those of --lab, whatever the folders are called."""
+        points = [{"sigma_s_Pa": 3000.0, "prorated_Pa": 3250.0}, {"sigma_s_Pa": 5000.0, "prorated_Pa": 4500.0}]
+        locus = {"sigma_p_Pa": 10000.0, "tau_p_Pa": 7200.0, "c_Pa": 1375.0, "phi_lin_deg": 32.0, "points": points,
+                 "flow": "free-flowing"}
+        complete = pages.COMPLETE % ("Ring", "2500") + "ring_shear:\n  seeds: 1\n"
+        for name in ("laboratory", "other"):
+            pages.write(self.path(name), summary__json={"title": "Ring", "locus": {"loci": [locus]}},
+                        **{"case_HYPHEN_complete__yaml": complete})
+        with open(self.path("lab.csv"), "w") as file:
+            file.write(LAB)
+        self.made("compare", "laboratory", "other")
+        curves = self.page("compare.html").figures["yield-locus"]["curves"]
+        self.assertEqual([curve["style"] for curve in curves], ["line", "points", "points"] * 2)
+        self.made("compare", "laboratory", "other", "--lab", "lab.csv")
+        with_lab = self.page("compare.html").figures["yield-locus"]["curves"]
+        self.assertEqual(with_lab[:6], curves)
+        self.assertEqual([curve["style"] for curve in with_lab[6:9]], ["dashed", "hollow", "hollow"])
 
     def test_refusals(self):
         pages.free_run(self.path("run"))
