@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "state/ids.h"
-#include "step/records.h"
 
 /** What is on its way. */
 typedef struct parcels {
@@ -185,8 +185,9 @@ bool clod_migrate(clod_spread *self, clod_state *state,
         good =
             move_grains(self, state, skin(context, &self->bed), &grains, status) &&
             clod_ranks_swap(self->ranks, contacts.out, &contacts.in, contacts.begin, status) &&
-            clod_ranks_agree(self->ranks,
-                             clod_records_get_contacts(&contacts.in, state, status), status);
+            clod_ranks_agree(
+                self->ranks,
+                clod_records_get_contacts(&contacts.in, state, &self->torn, status), status);
     }
     parcels_fini(&grains);
     parcels_fini(&contacts);
@@ -246,7 +247,10 @@ bool clod_migrate_gather(clod_spread *self, clod_state *state, clod_state *whole
         good = clod_ranks_agree(self->ranks, mine, status);
     }
     if (good && to_first(self, state, &way, false, status)) {
-        const bool mine = whole == NULL || clod_records_get_contacts(&way.in, whole, status);
+        clod_torn torn = {0}; // all grains are there
+        const bool mine =
+            whole == NULL || clod_records_get_contacts(&way.in, whole, &torn, status);
+        CLOD_ASSERT(!torn.any);
         good = clod_ranks_agree(self->ranks, mine, status) &&
                gather_gone(self, state, whole, &way, status);
     } else {

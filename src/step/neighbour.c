@@ -324,6 +324,15 @@ static bool find_all_pairs(clod_neighbour *self, const clod_state *state)
     return true;
 }
 
+bool clod_neighbour_fail_torn(const clod_state *state, uint64_t id, clod_status *status)
+{
+    return clod_status_fail(status, CLOD_FAILED,
+                            "step %lld: grain %llu is far away from a grain or wall that "
+                            "it touched one step before; the time step (%g s) is most "
+                            "likely too large, see clod check",
+                            (long long)state->step, (unsigned long long)id, state->dt);
+}
+
 bool clod_neighbour_build_end(clod_neighbour *self, const clod_state *state,
                               clod_status *status)
 {
@@ -336,12 +345,8 @@ bool clod_neighbour_build_end(clod_neighbour *self, const clod_state *state,
         left = find_wall_pairs(&self->walls, state->contacts, pairs, state->contact_count);
     }
     if (left < state->contact_count) {
-        const uint64_t grain = state->grains.id[state->contacts[left].i];
-        return clod_status_fail(status, CLOD_FAILED,
-                                "step %lld: grain %llu is far away from a grain or wall that "
-                                "it touched one step before; the time step (%g s) is most "
-                                "likely too large, see clod check",
-                                (long long)state->step, (unsigned long long)grain, state->dt);
+        return clod_neighbour_fail_torn(state, state->grains.id[state->contacts[left].i],
+                                        status);
     }
     clod_neighbour_give_back(self);
     return true;

@@ -167,7 +167,7 @@ bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *s
  * The same in steps (reorder.h): the order alone, in `sort` and `rank`, after the wrap that is
  * also here alone; and the note of when and where the rebuild is, without the positions of the
  * grains: until each thread notes its chunk of these, when the lists have been made and there is
- * room again, `now` is set and the grains have not moved.
+ * room again, or have failed, `now` is set and the grains have not moved.
  *
  * @param going  so many grains go: their `rank` is CLOD_NEIGHBOUR_GOES before and after
  */
@@ -233,6 +233,9 @@ bool clod_neighbour_reserve(clod_neighbour *self, const clod_state *state, clod_
 
 /** Add a pair at the end of the candidates; false without room, and beyond the limit. */
 bool clod_neighbour_add(clod_pairs *self, size_t j);
+
+/** Say that a grain is far from what it touched one step before; false. */
+bool clod_neighbour_fail_torn(const clod_state *state, uint64_t id, clod_status *status);
 
 /** Say why no more candidates could be added: beyond a limit, or without memory; false. */
 bool clod_neighbour_fail_to_add(const clod_neighbour *self, size_t grains, clod_status *status);

@@ -24,10 +24,18 @@ void clod_records_put_contact(clod_bytes *to, const clod_grains *grains,
 /** Grains behind those that the state has; both must keep the same columns. False without memory. */
 bool clod_records_get_grains(const clod_bytes *from, clod_state *state, clod_status *status);
 
+/** Whether a contact has come without one of its grains: then these are far from each other. */
+typedef struct clod_torn {
+    bool any;
+    uint64_t id; ///< of its first grain
+} clod_torn;
+
 /**
  * Contacts in place of those that the state has, with its rows; pairs before walls, otherwise in
  * the order of the records, each met as its first grain meets its second.
  *
- * @return  false without memory
+ * @param torn  [out] contacts without one of their grains are left out
+ * @return      false without memory
  */
-bool clod_records_get_contacts(const clod_bytes *from, clod_state *state, clod_status *status);
+bool clod_records_get_contacts(const clod_bytes *from, clod_state *state, clod_torn *torn,
+                               clod_status *status);

@@ -236,11 +236,21 @@ static void search(clod_step *self, int part)
     }
 }
 
+/** The candidates of all parts; every contact must be among them. */
+static bool find_candidates(clod_step *self)
+{
+    if (!clod_neighbour_build_end(&self->neighbour, self->state, &self->status)) {
+        return false;
+    }
+    const clod_spread *spread = self->spread;
+    return spread == NULL || !spread->torn.any ||
+           clod_neighbour_fail_torn(self->state, spread->torn.id, &self->status);
+}
+
 static void join(clod_step *self, int part)
 {
     (void)part;
-    self->failed = self->remake.again &&
-                   !clod_neighbour_build_end(&self->neighbour, self->state, &self->status);
+    self->failed = self->remake.again && !find_candidates(self);
     if (!self->failed) {
         if (self->remake.again && self->spread != NULL) {
             clod_spread_leave_out(self->spread, &self->neighbour, self->state->grains.count);
@@ -376,6 +386,17 @@ void clod_remake_begin(clod_step *self, bool again, double speed)
     atomic_store(&self->remake.failed, PHASE_COUNT);
 }
 
+/** A list that could not be made after the rows got their new order: what is noted of the rebuild
+ *  is in that order too. */
+static void note_failed(clod_step *self)
+{
+    clod_state *state = self->state;
+    if (self->neighbour.now) {
+        clod_neighbour_note_positions(state, (clod_chunk){0, state->grains.count});
+        self->neighbour.now = false;
+    }
+}
+
 /**
  * The phases as one thread sees them; a barrier follows each. Where one has failed, all threads
  * leave after its barrier: thread 0 may be in the next one by then, so the number counts.
@@ -393,6 +414,7 @@ void clod_remake_lists(clod_step *self, int part)
             PHASES[k].run(self, 0);
             self->failed = !clod_spread_agree(self->spread, !self->failed, &self->status);
             if (self->failed) {
+                note_failed(self);
                 atomic_store(&self->remake.failed, k);
             }
         }

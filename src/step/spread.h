@@ -14,6 +14,7 @@
 #include "step/layers.h"
 #include "step/leavers.h"
 #include "step/partition.h"
+#include "step/records.h"
 #include "step/step.h"
 
 /** Ghosts of every step: rows that go to and come from each rank. */
@@ -45,6 +46,7 @@ typedef struct clod_spread {
     int32_t *owner;           ///< [rows] rank of each grain; NULL: all are this rank's
     clod_chunk *run;          ///< [runs] rows that are this rank's
     size_t runs, owner_room, run_room;
+    clod_torn torn; ///< at the last rebuild
     clod_ghosts ghosts;
     clod_fixed *felt; ///< [walls] by each wall in this step, and behind it clod_spread_sums
     int32_t walls;

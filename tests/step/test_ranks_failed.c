@@ -1,0 +1,93 @@
+// Runs that break down: the state they leave is that of the step, the same from several ranks.
+#include <string.h>
+
+#include "step/crew.h"
+
+#include "support/bed.h"
+#include "support/bits.h"
+#include "support/ranks_threads.h"
+
+// steps of time: contacts are lost within ranks; between them too
+#define NEAR 4e-4 ///< s
+#define FAR 2e-3  ///< s
+
+/** A bed that one too long step tears apart, in a rebuild that puts its rows into a new order. */
+static void tear(scene *s, double dt, clod_step_options options)
+{
+    clod_status status = {0};
+    bed_init(s, BED_CLUSTER, 1);
+    scene_start_with(s, options);
+    scene_run(s, 1000);
+    s->state.dt = dt;
+    assert_false(clod_step_advance(&s->step, 10, &status));
+    assert_non_null(strstr(status.text, "is far away from a grain or wall that it touched"));
+    assert_true(clod_step_export(&s->step, &status));
+}
+
+static void check_places(const clod_state *state)
+{
+    assert_true(state->grains.count > 300);
+    for (size_t g = 0; g < state->grains.count; g++) {
+        assert_memory_equal(state->build_position[g], state->grains.position[g],
+                            sizeof *state->build_position);
+    }
+}
+
+static void places_at_the_rebuild_are_in_the_order_of_grains(void **state)
+{
+    (void)state;
+    for (int threads = 1; threads <= 2; threads++) {
+        scene s;
+        tear(&s, FAR, (clod_step_options){.threads = threads});
+        check_places(&s.state);
+        assert_false(s.step.neighbour.now);
+        scene_end(&s);
+    }
+}
+
+typedef struct torn_bed {
+    double dt;
+    scene *into;
+} torn_bed;
+
+static void tear_rank(clod_ranks *ranks, void *context)
+{
+    const torn_bed *how = context;
+    if (ranks->rank > 0) {
+        clod_crew_serve(ranks);
+        return;
+    }
+    tear(how->into, how->dt, (clod_step_options){.threads = 1, .ranks = ranks});
+    clod_crew_end(&how->into->step.crew);
+    clod_crew_dismiss(ranks);
+}
+
+/** Contacts that are torn apart over ranks are no more; all else is the same. */
+static void ranks_leave_what_one_leaves(void **state)
+{
+    (void)state;
+    for (int far = 0; far < 2; far++) {
+        scene one, several;
+        torn_bed how = {far ? FAR : NEAR, &several};
+        tear(&one, how.dt, (clod_step_options){.threads = 1});
+        ranks_run(2, tear_rank, &how);
+        check_places(&several.state);
+        assert_true(bits_same_grains(&one.state.grains, &several.state.grains));
+        if (far) {
+            assert_true(several.state.contact_count < one.state.contact_count);
+        } else {
+            check_same_bits(&one.state, &several.state);
+        }
+        scene_end(&several);
+        scene_end(&one);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(places_at_the_rebuild_are_in_the_order_of_grains),
+        cmocka_unit_test(ranks_leave_what_one_leaves),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
