@@ -65,6 +65,16 @@ class Hopper(clod.Case):
         self.assertEqual(again.returncode, 2)
         self.assertIn("File exists", again.stderr)
 
+    def test_a_table_that_is_there_keeps_the_template_from_being_written(self):
+        self.write("wall.csv", "mine\n")
+        done = clod.run("new", "hopper", cwd=self.folder)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("wall.csv: File exists, and nothing was written", done.stderr)
+        self.assertIn("another folder", done.stderr)
+        self.assertEqual(os.listdir(self.folder), ["wall.csv"])
+        with open(self.path("wall.csv")) as file:
+            self.assertEqual(file.read(), "mine\n")
+
     def check_chart(self, name, found):
         """A picture of well-formed XML, every place in it inside its frame, its numbers those of
         the result."""
