@@ -220,6 +220,13 @@ class Hopper(clod.Case):
         for text in said:
             self.assertIn("Yield locus at a preshear stress of 4.000 kPa: " + text, found)
 
+    def test_a_title_with_control_characters_makes_a_good_picture(self):
+        self.start('title: "Ore\\x01 \\e[1m<A> & B"\n' + CASE)
+        self.hopper("case.yaml", "-o", "design")
+        root = xml.etree.ElementTree.parse(self.path("design.svg")).getroot()
+        self.assertEqual(next(root.iter("{http://www.w3.org/2000/svg}text")).text,
+                         "Ore [1m<A> & B")
+
     # ---- what is refused
 
     def test_cases_with_mistakes(self):
