@@ -245,6 +245,30 @@ class Hopper(clod.Case):
         self.refuse("", ["is empty; clod new hopper writes an example"])
         self.refuse("- a\n", ["must be a section with keys"])
 
+    def test_a_case_for_another_verb(self):
+        clod.run("new", "hopper", cwd=self.folder)
+        clod.run("new", "free-run", cwd=self.folder)
+        done = self.hopper("free-run.yaml", code=2)
+        self.assertIn("free-run.yaml:3:1: is a simulation's case, no hopper's; clod run",
+                      done.stderr)
+        self.assertNotIn("not known", done.stderr)
+        for verb in ("run", "check", "contact"):
+            done = clod.run(verb, "hopper.yaml", cwd=self.folder)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("hopper.yaml:3:1: is a hopper's case, no simulation's; clod hopper",
+                          done.stderr)
+            self.assertNotIn("not known", done.stderr)
+
+    def test_shear_points_without_preshear(self):
+        """Only clod locus has options for it."""
+        tests = "flow_function: {shear_tests: [{points: p.csv}]}\nwall_friction: {angle: 18 deg}\n"
+        self.write("p.csv", "sigma_sh [kPa],tau_sh [kPa]\n1,1.4\n2,2.1\n")
+        self.refuse(tests, ["p.csv:1: the header has no column sigma_pre; add it."])
+        self.write("p.csv", "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
+                   "4,,1,1.4\n")
+        self.refuse(tests, ['p.csv:2: column tau_pre: "" is empty; fill it in.'])
+        self.assertNotIn("--tau-pre", self.hopper("case.yaml", code=2).stderr)
+
     def test_tables_with_mistakes(self):
         self.refuse(CASE, ["flow.csv:1: the header has no column f_c", "sigma_1 [kPa],f_c"],
                     head=FLOW.replace("f_c [kPa],", "", 1))
