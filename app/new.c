@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "app.h"
 #include "arguments.h"
@@ -114,26 +115,52 @@ static int write_text(const char *text, const char *path)
     return EXIT_SUCCESS;
 }
 
-/** The case, and the tables it names into its folder. */
-static int write_case(const template *chosen, const char *path)
+/** Path of a table beside the case: owned, or NULL. */
+static char *path_beside(const char *path, const char *name)
 {
     const char *slash = strrchr(path, '/');
     const size_t folder = slash == NULL ? 0 : (size_t)(slash - path) + 1;
-    int result = write_text(chosen->text, path);
-    for (size_t i = 0; i < TABLES && result == EXIT_SUCCESS; i++) {
-        const table *also = &chosen->tables[i];
-        if (also->name == NULL) {
-            break;
+    const size_t size = folder + strlen(name) + 1;
+    char *beside = malloc(size);
+    if (beside == NULL) {
+        fputs("clod new: no memory\n", stderr);
+    } else {
+        snprintf(beside, size, "%.*s%s", (int)folder, path, name);
+    }
+    return beside;
+}
+
+/** Say that a file is there, which new never overwrites; whether it is not. */
+static bool is_free(const char *path)
+{
+    struct stat about;
+    if (lstat(path, &about) != 0) {
+        return true;
+    }
+    fprintf(stderr,
+            "clod new: %s: File exists, and nothing was written; rename it, or write into "
+            "another folder: clod new TEMPLATE FOLDER/FILE.yaml\n",
+            path);
+    return false;
+}
+
+/** The case, and the tables it names into its folder: all of them or, if one is there, none. */
+static int write_case(const template *chosen, const char *path)
+{
+    char *beside[TABLES] = {NULL};
+    int result = is_free(path) ? EXIT_SUCCESS : CLOD_USAGE;
+    for (size_t i = 0; i < TABLES && chosen->tables[i].name != NULL && result == 0; i++) {
+        beside[i] = path_beside(path, chosen->tables[i].name);
+        result = beside[i] == NULL    ? CLOD_FAILED
+                 : is_free(beside[i]) ? EXIT_SUCCESS
+                                      : CLOD_USAGE;
+    }
+    result = result == EXIT_SUCCESS ? write_text(chosen->text, path) : result;
+    for (size_t i = 0; i < TABLES; i++) {
+        if (result == EXIT_SUCCESS && beside[i] != NULL) {
+            result = write_text(chosen->tables[i].text, beside[i]);
         }
-        const size_t size = folder + strlen(also->name) + 1;
-        char *beside = malloc(size);
-        if (beside == NULL) {
-            fputs("clod new: no memory\n", stderr);
-            return CLOD_FAILED;
-        }
-        snprintf(beside, size, "%.*s%s", (int)folder, path, also->name);
-        result = write_text(also->text, beside);
-        free(beside);
+        free(beside[i]);
     }
     return result;
 }

@@ -38,7 +38,7 @@ static const clod_csv_column COLUMNS[COLUMN_COUNT] = {
     {.names = {"rho_b_error"}, .unit = "kg/m3", POINT(rho_b_error)},
 };
 
-/** The option of `clod locus` that gives a column's value to all rows. */
+/** The option of `clod locus`, which alone has defaults, for a column's value in all rows. */
 static const char *option_of(size_t index)
 {
     return index == SIGMA_PRE ? "sigma-pre" : "tau-pre";
@@ -47,8 +47,14 @@ static const char *option_of(size_t index)
 static bool check_header(const clod_csv *self)
 {
     const clod_locus_point *first = self->first;
-    const double defaults[] = {[SIGMA_PRE] = first->sigma_p, [TAU_PRE] = first->tau_p};
+    const double defaults[] = {[SIGMA_PRE] = first != NULL ? first->sigma_p : 0.0,
+                               [TAU_PRE] = first != NULL ? first->tau_p : 0.0};
     for (size_t i = SIGMA_PRE; i <= TAU_PRE; i++) {
+        if (!clod_csv_has(self, i) && first == NULL) {
+            return clod_status_fail(self->status, CLOD_USAGE,
+                                    "%s:%zu: the header has no column %s; add it.", self->path,
+                                    self->line, COLUMNS[i].names[0]);
+        }
         if (!clod_csv_has(self, i) && defaults[i] == 0.0) {
             return clod_status_fail(self->status, CLOD_USAGE,
                                     "%s:%zu: the header has no column %s and no value for all "
@@ -65,8 +71,9 @@ static bool check_row(const clod_csv *self, const void *row)
     if (point->sigma_p == 0.0 || point->tau_p == 0.0) {
         const bool sigma = point->sigma_p == 0.0;
         return clod_csv_fail(self, &COLUMNS[sigma ? SIGMA_PRE : TAU_PRE], "",
-                             sigma ? "is empty; fill it in, or give --sigma-pre."
-                                   : "is empty; fill it in, or give --tau-pre.");
+                             self->first == NULL ? "is empty; fill it in."
+                             : sigma             ? "is empty; fill it in, or give --sigma-pre."
+                                                 : "is empty; fill it in, or give --tau-pre.");
     }
     return true;
 }
@@ -130,7 +137,10 @@ bool clod_locus_parse(const char *path, const char *text, size_t length,
     *points = NULL;
     *count = 0;
     clod_locus_point first = {0};
-    clod_csv self = {.kind = &POINTS, .first = &first, .path = path, .status = status};
+    clod_csv self = {.kind = &POINTS,
+                     .first = defaults != NULL ? &first : NULL,
+                     .path = path,
+                     .status = status};
     if (!read_default(given.sigma_pre, SIGMA_PRE, &first.sigma_p, status) ||
         !read_default(given.tau_pre, TAU_PRE, &first.tau_p, status) ||
         !clod_csv_parse(&self, text, length)) {

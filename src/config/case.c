@@ -39,6 +39,12 @@ static char *folder_of(const char *path, clod_arena *arena)
 /** Tree -> structs -> checks; errors go to the report. */
 static void build(clod_loader *loader, clod_case *self)
 {
+    if (clod_tree_find(loader->root, "flow_function") != NULL &&
+        clod_tree_find(loader->root, "materials") == NULL) {
+        clod_report_add(loader->report, loader->root->place, "",
+                        "is a hopper's case, no simulation's; clod hopper reads it");
+        return;
+    }
     clod_load_section(loader, &CLOD_TABLE_CASE, loader->root, loader->root->place, self);
     if (!loader->report->lost) {
         clod_contacts_load(loader, self);

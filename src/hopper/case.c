@@ -79,6 +79,22 @@ static bool read_tree(clod_loader *loader, const char *text, size_t length, size
     return true;
 }
 
+/** Tree -> struct -> checks. */
+static void build(clod_loader *loader, clod_hopper_case *self)
+{
+    if (clod_tree_find(loader->root, "materials") != NULL &&
+        clod_tree_find(loader->root, "flow_function") == NULL) {
+        clod_report_add(loader->report, loader->root->place, "",
+                        "is a simulation's case, no hopper's; clod run reads it, and clod new "
+                        "hopper writes an example of a hopper's");
+        return;
+    }
+    clod_load_section(loader, &CLOD_TABLE_HOPPER, loader->root, loader->root->place, self);
+    if (!loader->report->lost) {
+        check(loader, self);
+    }
+}
+
 /** Folder of the case, against which its files are found. */
 static void folder_of(const char *path, char folder[PATH_MAX])
 {
@@ -102,10 +118,7 @@ bool clod_hopper_case_load(const char *path, const char *const *overrides,
     folder_of(path, folder);
     clod_loader loader = {.report = &report, .arena = &arena, .folder = folder};
     if (read_tree(&loader, text, length, override_count)) {
-        clod_load_section(&loader, &CLOD_TABLE_HOPPER, loader.root, loader.root->place, self);
-        if (!report.lost) {
-            check(&loader, self);
-        }
+        build(&loader, self);
     }
     const bool good = clod_report_finish(&report, status);
     clod_report_fini(&report);

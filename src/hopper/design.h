@@ -30,7 +30,7 @@ typedef struct clod_hopper_wish {
 typedef enum clod_hopper_outcome {
     CLOD_HOPPER_FLOWS,    ///< without an arch above the critical outlet
     CLOD_HOPPER_NO_ARCH,  ///< the strength nowhere reaches the stress of an arch
-    CLOD_HOPPER_ARCHES,   ///< the strength is above it everywhere: no outlet is large enough
+    CLOD_HOPPER_ARCHES,   ///< it stays above it, everywhere or beyond some stress
     CLOD_HOPPER_FUNNEL,   ///< the solid does not slide along the wall: funnel flow
     CLOD_HOPPER_UNSETTLED ///< properties change so with stress that no state was found
 } clod_hopper_outcome;

@@ -10,8 +10,8 @@
 /**
  * Refuse what cannot be.
  *
- * Errors  CLOD_USAGE: a property is missing, two points at one stress, phi_e below phi_t, a
- *         strength above sigma_1 everywhere.   Threads  pure.   Test  tests/hopper/test_hopper.py
+ * Errors  CLOD_USAGE: a property is missing, two points at one stress, phi_e below phi_t.
+ * Threads  pure.   Test  tests/hopper/test_hopper.py
  */
 bool clod_doubts_check(const clod_hopper_case *from, const char *path, const clod_solid *solid,
                        clod_status *status);

@@ -52,7 +52,9 @@ static void put_escaped(FILE *out, const char *text)
             fputs("&amp;", out);
             break;
         default:
-            fputc(*text, out);
+            if ((unsigned char)*text >= ' ' || *text == '\t' || *text == '\n') {
+                fputc(*text, out); // XML has no other control characters, not even escaped
+            }
         }
     }
 }

@@ -59,8 +59,8 @@ static void put_verdict(FILE *out, const clod_hopper_found *found)
             ("Mass flow. The strength nowhere reaches the stress of an arch: no cohesive arch "
              "at any outlet. Particles and the flow rate decide about its size."),
         [CLOD_HOPPER_ARCHES] =
-            ("The strength is above the stress of an arch at every consolidation: an arch at "
-             "any outlet, the solid cannot flow by gravity."),
+            ("The strength stays above the stress of an arch, at every stress or beyond some "
+             "stress: no outlet is large enough, the solid cannot flow by gravity."),
         [CLOD_HOPPER_FUNNEL] =
             ("Funnel flow: the solid does not slide along this wall. A smoother or a steeper "
              "one may help; otherwise see the rathole."),

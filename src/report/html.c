@@ -17,7 +17,9 @@ void clod_html_text(FILE *out, const char *text)
             fputs("&quot;", out);
             break;
         default:
-            fputc(*at, out);
+            if ((unsigned char)*at >= ' ' || *at == '\t' || *at == '\n') {
+                fputc(*at, out); // XML has no other control characters, not even escaped
+            }
         }
     }
 }

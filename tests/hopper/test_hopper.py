@@ -65,6 +65,16 @@ class Hopper(clod.Case):
         self.assertEqual(again.returncode, 2)
         self.assertIn("File exists", again.stderr)
 
+    def test_a_table_that_is_there_keeps_the_template_from_being_written(self):
+        self.write("wall.csv", "mine\n")
+        done = clod.run("new", "hopper", cwd=self.folder)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("wall.csv: File exists, and nothing was written", done.stderr)
+        self.assertIn("another folder", done.stderr)
+        self.assertEqual(os.listdir(self.folder), ["wall.csv"])
+        with open(self.path("wall.csv")) as file:
+            self.assertEqual(file.read(), "mine\n")
+
     def check_chart(self, name, found):
         """A picture of well-formed XML, every place in it inside its frame, its numbers those of
         the result."""
@@ -210,6 +220,13 @@ class Hopper(clod.Case):
         for text in said:
             self.assertIn("Yield locus at a preshear stress of 4.000 kPa: " + text, found)
 
+    def test_a_title_with_control_characters_makes_a_good_picture(self):
+        self.start('title: "Ore\\x01 \\e[1m<A> & B"\n' + CASE)
+        self.hopper("case.yaml", "-o", "design")
+        root = xml.etree.ElementTree.parse(self.path("design.svg")).getroot()
+        self.assertEqual(next(root.iter("{http://www.w3.org/2000/svg}text")).text,
+                         "Ore [1m<A> & B")
+
     # ---- what is refused
 
     def test_cases_with_mistakes(self):
@@ -227,6 +244,30 @@ class Hopper(clod.Case):
         self.refuse(CASE, ["margin", "is out of range"], more=["--set", "margin=40 deg"])
         self.refuse("", ["is empty; clod new hopper writes an example"])
         self.refuse("- a\n", ["must be a section with keys"])
+
+    def test_a_case_for_another_verb(self):
+        clod.run("new", "hopper", cwd=self.folder)
+        clod.run("new", "free-run", cwd=self.folder)
+        done = self.hopper("free-run.yaml", code=2)
+        self.assertIn("free-run.yaml:3:1: is a simulation's case, no hopper's; clod run",
+                      done.stderr)
+        self.assertNotIn("not known", done.stderr)
+        for verb in ("run", "check", "contact"):
+            done = clod.run(verb, "hopper.yaml", cwd=self.folder)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("hopper.yaml:3:1: is a hopper's case, no simulation's; clod hopper",
+                          done.stderr)
+            self.assertNotIn("not known", done.stderr)
+
+    def test_shear_points_without_preshear(self):
+        """Only clod locus has options for it."""
+        tests = "flow_function: {shear_tests: [{points: p.csv}]}\nwall_friction: {angle: 18 deg}\n"
+        self.write("p.csv", "sigma_sh [kPa],tau_sh [kPa]\n1,1.4\n2,2.1\n")
+        self.refuse(tests, ["p.csv:1: the header has no column sigma_pre; add it."])
+        self.write("p.csv", "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
+                   "4,,1,1.4\n")
+        self.refuse(tests, ['p.csv:2: column tau_pre: "" is empty; fill it in.'])
+        self.assertNotIn("--tau-pre", self.hopper("case.yaml", code=2).stderr)
 
     def test_tables_with_mistakes(self):
         self.refuse(CASE, ["flow.csv:1: the header has no column f_c", "sigma_1 [kPa],f_c"],
