@@ -1,5 +1,6 @@
 """Results folders made by hand, and what stands in a page, for the tests of this folder."""
 
+import html
 import html.parser
 import json
 import os
@@ -110,6 +111,41 @@ class Page(html.parser.HTMLParser):
     def row(self, name):
         """Cells of the first row of any table that begins with this."""
         return next(row for table in self.tables for row in table if row and row[0] == name)
+
+
+class Drawn:
+    """What plotly has drawn of a figure, from the document of a browser: nothing of the SVG before it."""
+
+    def __init__(self, dom, name):
+        figure = re.search(rf'<figure [^>]*id="figure-{re.escape(name)}".*?</figure>', dom, re.S)[0]
+        self.live = figure[figure.index('<div class="live'):]
+        self.legend = self.texts('<text class="legendtext"')
+        self.titles = self.texts('<text class="xtitle"') + self.texts('<text class="ytitle"')
+
+    def texts(self, start):
+        """The texts as a reader sees them; elements within would stay markup."""
+        found = re.findall(start + r'(?:"[^"]*"|[^">])*>(.*?)</text>', self.live, re.S)
+        return [html.unescape(text) for text in found]
+
+    def marks(self):
+        """Places of the points in the plot."""
+        found = re.findall(r'<path class="point"[^>]*transform="translate\(([-\d.]+),([-\d.]+)\)"', self.live)
+        return [(float(x), float(y)) for x, y in found]
+
+    def lines(self):
+        """The first and the last place of each curve."""
+        curves = re.findall(r'<g class="trace .*?</g></g>', self.live, re.S)
+        paths = [re.search(r'class="js-line" d="M([^"]*)"', curve) for curve in curves]
+        ends = [re.findall(r"[-\d.]+,[-\d.]+", path[1]) for path in paths if path]
+        return [[tuple(map(float, places[k].split(","))) for k in (0, -1)] for places in ends]
+
+    def pixels(self, axis):
+        """Pixels for one unit of an axis, from the labels of its first and its last tick."""
+        ticks = re.findall(rf'<g class="{axis}tick"><text[^>]*translate\(([-\d.]+),([-\d.]+)\)[^>]*>([^<]*)</text>', self.live)
+        first, last = ticks[0], ticks[-1]
+        at = "xy".index(axis)
+        number = [float(tick[2].replace("\u2212", "-")) for tick in (first, last)]
+        return (float(last[at]) - float(first[at])) / (number[1] - number[0])
 
 
 def load(path):

@@ -43,6 +43,22 @@ class Browser(clod.Case):
         if "built without the scripts" in done.stderr:
             self.skipTest("no scripts: clod was built without npm or a network")
 
+    def unfolded(self, name):
+        """Figures that are not folded away, and the names of their curves, as the file has them."""
+        page = pages.load(self.path(name))
+        open_parts = re.sub(r"<details.*?</details>", "", page.text, flags=re.S)
+        return {figure: [curve["name"] for curve in page.figures[figure]["curves"] if curve["name"]]
+                for figure in re.findall(r'<figure [^>]*id="figure-([^"]*)"', open_parts)}
+
+    def assert_drawn(self, seen, dom, legends):
+        """Plotly has drawn these figures, with these legends, and no other."""
+        self.assertEqual(seen["figures"], str(len(legends)))
+        drawn = [name for name in re.findall(r'<figure [^>]*id="figure-([^"]*)"', dom)
+                 if "main-svg" in pages.Drawn(dom, name).live]
+        self.assertEqual(sorted(drawn), sorted(legends))
+        for name, legend in legends.items():
+            self.assertEqual(pages.Drawn(dom, name).legend, legend, name)
+
     def test_free_run_with_grains(self):
         done = clod.run("run", clod.source("tests/restart/box.yaml"), "-o", self.path("box"),
                         *pages.SHORT)
@@ -51,27 +67,57 @@ class Browser(clod.Case):
         self.need_scripts(made)
         with open(self.path("box/summary.json")) as file:
             summary = json.load(file)
-        seen, _ = self.show("box/report.html")
+        seen, dom = self.show("box/report.html")
+        self.assert_drawn(seen, dom, self.unfolded("box/report.html"))
         view, = json.loads(seen["views"])
         self.assertEqual(view["grains"], summary["grains"])
         self.assertGreater(view["coverage"], 0.05)  # of the canvas
         self.assertGreater(view["colours"], 50)     # spheres have shades
-        self.assertGreater(int(seen["figures"]), 1)
 
     def test_numbers_and_width(self):
         pages.uniaxial(self.path("run"))
         self.need_scripts(clod.run("report", self.path("run")))
         for width in (1200, 390):
             seen, dom = self.show("run/report.html", width)
-            self.assertEqual(seen["figures"], "3")
-            # plotly has drawn: its own elements hold the curves
-            self.assertEqual(dom.count('class="main-svg"') >= 3, True)
-            self.assertIn("11677", dom)
+            self.assert_drawn(seen, dom, {
+                "flow-function": ["simulation", "ffc = 1", "ffc = 2", "ffc = 4", "ffc = 10"],
+                "axial-stress": ["stress-1"], "bulk-density": ["stress-1"]})
+            self.assert_places(dom)
         pages.free_run(self.path("one"))
         pages.free_run(self.path("two"), density="2600")
         clod.run("compare", self.path("one"), self.path("two"), "-o", self.path("both.html"))
-        seen, _ = self.show("both.html", 390)
-        self.assertGreater(int(seen["figures"]), 1)
+        seen, dom = self.show("both.html", 390)
+        names = ["one", "two"]
+        self.assert_drawn(seen, dom, {"kinetic-energy": names, "gauge-head-mass-flow": names, "feed-power": names})
+
+    def assert_places(self, dom):
+        """The strength, and both ends of the stress, stand where the labels of the axes say.
+
+        Plotly rounds places to hundredths of a pixel: two points and two labels are off by 0.025 at most.
+        """
+        flow = pages.Drawn(dom, "flow-function")
+        (x, y), = flow.marks()
+        origin = flow.lines()[0][0]  # of the line ffc = 1
+        self.assertAlmostEqual(x, origin[0] + 10.0766 * flow.pixels("x"), delta=0.03)
+        self.assertAlmostEqual(y, origin[1] + 11.67746 * flow.pixels("y"), delta=0.03)
+        stress = pages.Drawn(dom, "axial-stress")
+        (first, last), = stress.lines()  # from 0 % and 0 kPa to 0.9 % and 9.0045 kPa
+        self.assertAlmostEqual(last[0] - first[0], 0.9 * stress.pixels("x"), delta=0.03)
+        self.assertAlmostEqual(last[1] - first[1], 9.0045 * stress.pixels("y"), delta=0.03)
+
+    def test_names_are_no_markup(self):
+        """Folders, and units of columns, that plotly and a browser would read as markup."""
+        names = ["a <b> & &lt; <i>", "two<br>lines & <sub>"]
+        for name in names:
+            pages.free_run(self.path(name))
+            series = pages.SERIES.replace("kinetic_energy [J]", "kinetic_energy [<b>&lt;J]")
+            pages.write(self.path(name), series__csv=series)
+        done = clod.run("compare", *map(self.path, names), "-o", self.path("both.html"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.need_scripts(clod.run("report", self.path(names[0])))
+        seen, dom = self.show("both.html")
+        self.assert_drawn(seen, dom, {"kinetic-energy": names, "gauge-head-mass-flow": names, "feed-power": names})
+        self.assertEqual(pages.Drawn(dom, "kinetic-energy").titles, ["time [s]", "kinetic energy [<b>&lt;J]"])
 
 
 if __name__ == "__main__":

@@ -4,13 +4,19 @@ import Plotly from "plotly.js-basic-dist-min";
 
 const DASH = {line: "solid", dashed: "dash", dotted: "dot"};
 
+/** A text that plotly shows as it is: it reads some HTML in names and titles. */
+function plain(text) {
+  return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+}
+
 function traceOf(figure, curve) {
   const times = (list, factor) => list.map(value => value === null ? null : value * factor);
   const marks = curve.style === "points" || curve.style === "hollow";
   const trace = {
     x: times(curve.x, figure.x.factor),
     y: times(curve.y, figure.y.factor),
-    name: curve.name,
+    name: plain(curve.name),
+    hoverlabel: {namelength: -1}, // whole: plotly would cut an entity in two
     showlegend: curve.name !== "",
     mode: marks ? "markers" : "lines",
     hoverinfo: curve.name === "" ? "x+y" : "x+y+name",
@@ -28,7 +34,7 @@ function traceOf(figure, curve) {
 }
 
 function titleOf(axis) {
-  return axis.unit === "" ? axis.text : `${axis.text} [${axis.unit}]`;
+  return plain(axis.unit === "" ? axis.text : `${axis.text} [${axis.unit}]`);
 }
 
 /** Height at which a figure of equal scales fills its width; not too high. */
