@@ -126,7 +126,7 @@ static void conclude(clod_crew *self, bool good, const clod_status *status)
     self->stale = true;
     whole->rebuilds = self->rebuilds + self->step.rebuilds;
     whole->refreshes = self->refreshes + self->step.refreshes;
-    if (!good && self->step.failed) {
+    if (!good && (self->step.failed || self->broken)) {
         whole->failed = true;
         whole->status = *status;
     }
@@ -138,7 +138,7 @@ bool clod_crew_advance(clod_crew *self, int64_t steps, clod_status *status)
     give_order(self, what);
     const bool good = clod_crew_part_advance(self, &what, status);
     conclude(self, good, status);
-    return good || (self->step.failed ? false : report_trouble(self, status));
+    return good || (!self->whole->failed && report_trouble(self, status));
 }
 
 /** Whether only grains are to come that need no look at the whole bed. */

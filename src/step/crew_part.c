@@ -61,15 +61,30 @@ static bool update(clod_crew *self, clod_status *status)
            clod_spread_list(&self->spread, &self->state, self->step.neighbour.skin, status);
 }
 
-bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_status *status)
+/** What comes before steps and changes; on all ranks alike. */
+static bool prepare(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
     const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
     const bool good =
         update(self, status) &&
-        (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status)) &&
-        clod_step_advance(&self->step, what->steps, status) &&
-        (!self->spread.wear_lost ||
-         clod_status_fail(status, CLOD_FAILED, "no memory for the sums of surfaces"));
+        (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status));
+    self->broken = self->broken || !good;
+    return good;
+}
+
+/** Whether all sums of surfaces have been added up. */
+static bool has_all_wear(clod_crew *self, clod_status *status)
+{
+    self->broken = self->broken || self->spread.wear_lost;
+    return !self->spread.wear_lost ||
+           clod_status_fail(status, CLOD_FAILED, "no memory for the sums of surfaces");
+}
+
+bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_status *status)
+{
+    const bool good = prepare(self, what, status) &&
+                      clod_step_advance(&self->step, what->steps, status) &&
+                      has_all_wear(self, status);
     return clod_ranks_agree(self->ranks, good, status);
 }
 
@@ -92,11 +107,7 @@ bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_
 /** Grains that are in the queue of rank 0 come. */
 bool clod_crew_part_take(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
-    const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
-    const bool good =
-        update(self, status) &&
-        (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status)) &&
-        clod_step_take(&self->step, status);
+    const bool good = prepare(self, what, status) && clod_step_take(&self->step, status);
     return clod_ranks_agree(self->ranks, good, status);
 }
 

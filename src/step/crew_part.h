@@ -19,6 +19,7 @@ struct clod_crew {
     clod_laws laws;
     clod_spread spread;
     clod_step step;
+    bool broken; ///< on all ranks: something beside the step has failed, for good
 };
 
 /** What rank 0 can order. */

@@ -1,7 +1,8 @@
 // Runs that break down: the state they leave is that of the step, the same from several ranks.
 #include <string.h>
 
-#include "step/crew.h"
+#include "state/wear.h"
+#include "step/crew_part.h"
 
 #include "support/bed.h"
 #include "support/bits.h"
@@ -83,11 +84,45 @@ static void ranks_leave_what_one_leaves(void **state)
     }
 }
 
+static void lose_wear(clod_ranks *ranks, void *context)
+{
+    scene *s = context;
+    if (ranks->rank > 0) {
+        clod_crew_serve(ranks);
+        return;
+    }
+    bed_init(s, BED_DRUM, 1);
+    for (int32_t w = 0; w < s->state.walls.count; w++) {
+        assert_true(clod_wear_begin(&s->state.walls.wall[w]));
+    }
+    scene_start_with(s, (clod_step_options){.threads = 1, .ranks = ranks});
+    scene_run(s, 10);
+    s->step.crew->spread.wear_lost = true; // as without memory
+    for (int k = 0; k < 2; k++) {          // and for good
+        clod_status status = {0};
+        assert_false(clod_step_advance(&s->step, 10, &status));
+        assert_int_equal(status.code, CLOD_FAILED);
+        assert_string_equal(status.text, "no memory for the sums of surfaces");
+    }
+    assert_int_equal(s->state.step, 20);
+    clod_crew_end(&s->step.crew);
+    clod_crew_dismiss(ranks);
+}
+
+static void a_lack_of_memory_for_surfaces_is_told(void **state)
+{
+    (void)state;
+    scene s;
+    ranks_run(2, lose_wear, &s);
+    scene_end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(places_at_the_rebuild_are_in_the_order_of_grains),
         cmocka_unit_test(ranks_leave_what_one_leaves),
+        cmocka_unit_test(a_lack_of_memory_for_surfaces_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
