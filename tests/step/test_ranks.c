@@ -161,7 +161,7 @@ static void compare(rank_bed how)
     how.options.threads = threads;
     assert_true(!how.open || one.state.exchange.left[CLOD_FACES] > 2);
     assert_true(!how.open || one.state.exchange.left[0] + one.state.exchange.left[1] > 2);
-    assert_true(!how.wear || impacts_of(&one.state.walls) > 9.0);
+    assert_true(!how.wear || impacts_of(&one.state.walls) >= 5.0); // enough to compare
     for (size_t k = 0; k < counts; k++) {
         scene several;
         how.into = &several;
