@@ -139,14 +139,17 @@ static double (*read_corners(const clod_vtkhdf *file, size_t count, clod_status 
     return corner;
 }
 
-static bool put_walls(FILE *out, const char *path, clod_status *status)
+/** The first triangles of the walls, and how many there are. */
+static bool put_walls(FILE *out, const char *path, size_t *total, size_t *shown,
+                      clod_status *status)
 {
     clod_vtkhdf *file = clod_vtkhdf_open(path, status);
     if (file == NULL) {
         return false;
     }
-    size_t count = file->rows[CLOD_VTKHDF_CELLS];
-    count = count < CLOD_GRAIN_VIEW_MOST ? count : CLOD_GRAIN_VIEW_MOST;
+    *total = file->rows[CLOD_VTKHDF_CELLS];
+    const size_t count = *total < CLOD_GRAIN_VIEW_MOST ? *total : CLOD_GRAIN_VIEW_MOST;
+    *shown = count;
     double(*corner)[3] = read_corners(file, count, status);
     bool good = corner != NULL;
     fprintf(out, "{\"triangles\":%zu,\"corner\":", count);
@@ -164,8 +167,8 @@ static bool put_frame(clod_sheet *sheet, const clod_film *film, const char *part
                       clod_status *status)
 {
     const clod_film_frame *last = &film->frames[film->count - 1];
-    size_t total = 0;
-    size_t shown = 0;
+    size_t total = 0, shown = 0;
+    size_t triangles = 0, drawn = 0;
     clod_html_section(sheet->body, "view", "The last snapshot");
     FILE *out = clod_sheet_view(sheet);
     fputs("{\"time\":", out);
@@ -174,7 +177,7 @@ static bool put_frame(clod_sheet *sheet, const clod_film *film, const char *part
     bool good = put_grains(out, last->grains, &total, &shown, status);
     if (good && last->walls != NULL) {
         fputs(",\"walls\":", out);
-        good = put_walls(out, last->walls, status);
+        good = put_walls(out, last->walls, &triangles, &drawn, status);
     }
     fputs("}", out);
     fputs("<p class=\"note\">", sheet->body);
@@ -186,6 +189,10 @@ static bool put_frame(clod_sheet *sheet, const clod_film *film, const char *part
     fprintf(sheet->body, "%.6g s, %zu grains", last->time, total);
     if (shown < total) {
         fprintf(sheet->body, ", of which %zu, evenly chosen, are shown", shown);
+    }
+    if (drawn < triangles) {
+        fprintf(sheet->body, "; of %zu triangles of walls the first %zu are shown", triangles,
+                drawn);
     }
     fputs(". Drag to turn, wheel or two fingers to zoom.</p>\n", sheet->body);
     return good;

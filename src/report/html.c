@@ -2,7 +2,7 @@
 
 void clod_html_text(FILE *out, const char *text)
 {
-    for (const char *at = text; *at != '\0'; at++) {
+    for (const char *at = text != NULL ? text : "-"; *at != '\0'; at++) {
         switch (*at) {
         case '&':
             fputs("&amp;", out);

@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-/** Write a text so that it stands in HTML, SVG or an attribute as it is. */
+/** Write a text so that it stands in HTML, SVG or an attribute as it is; NULL: a dash. */
 void clod_html_text(FILE *out, const char *text);
 
 /** Write a table cell, `tag` th or td. */

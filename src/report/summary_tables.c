@@ -59,6 +59,7 @@ typedef struct layout {
     char head[MOST][96];
     const char *key[MOST];
     size_t items, keys;
+    size_t more_items, more_keys; ///< that have no room
 } layout;
 
 static bool is_spread(const json_t *value)
@@ -105,17 +106,24 @@ static void add_keys(layout *self, json_t *item)
         }
         if (!known && self->keys < MOST) {
             self->key[self->keys++] = key;
+        } else if (!known) {
+            self->more_keys++;
         }
     }
 }
 
 static void add_item(layout *self, json_t *item, const char *name)
 {
-    if (has_shown(item) && self->items < MOST) {
+    if (!has_shown(item)) {
+        return;
+    }
+    if (self->items < MOST) {
         const size_t k = self->items++;
         self->item[k] = item;
         snprintf(self->head[k], sizeof self->head[k], "%s", name);
         add_keys(self, item);
+    } else {
+        self->more_items++;
     }
 }
 
@@ -224,4 +232,10 @@ void clod_summary_tables_put(FILE *out, const char *title, json_t *from)
     fputs("<th>unit</th></tr></thead>\n<tbody>", out);
     put_rows(out, &self);
     fputs("</tbody></table></div>\n", out);
+    if (self.more_items > 0 || self.more_keys > 0) {
+        fprintf(out,
+                "<p class=\"note\">%zu columns more, and %zu rows of these, are in "
+                "summary.json.</p>\n",
+                self.more_items, self.more_keys);
+    }
 }

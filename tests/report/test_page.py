@@ -241,6 +241,25 @@ class Report(clod.Case):
         self.assertEqual(with_lab[:6], curves)
         self.assertEqual([curve["style"] for curve in with_lab[6:9]], ["dashed", "hollow", "hollow"])
 
+    def test_a_locus_without_class_of_flow(self):
+        """Without strength there is no flowability, and no class of it."""
+        points = [{"sigma_s_Pa": 3000.0, "prorated_Pa": 1500.0}, {"sigma_s_Pa": 5000.0, "prorated_Pa": 2500.0}]
+        locus = {"sigma_p_Pa": 10000.0, "tau_p_Pa": 5000.0, "c_Pa": 0.0, "phi_lin_deg": 26.565, "points": points}
+        complete = pages.COMPLETE % ("Ring", "2500") + "ring_shear:\n  seeds: 1\n"
+        for name in ("one", "two"):
+            pages.write(self.path(name), summary__json={"title": "Ring", "locus": {"loci": [locus]}},
+                        **{"case_HYPHEN_complete__yaml": complete})
+        self.made("report", "one")
+        self.assertEqual(self.page("one/report.html").row("flow (Jenike)")[2], "-")
+        self.made("compare", "one", "two")
+        self.assertEqual([self.page("compare.html").row(name)[-1] for name in ("one", "two")], ["-", "-"])
+
+    def test_more_outlets_than_a_table_holds(self):
+        one = pages.FREE["outlets"]["delivered"]
+        pages.free_run(self.path("run"), outlets={f"lip{k}": one for k in range(70)})
+        self.made("report", "run")
+        self.assertIn("6 columns more, and 0 rows of these, are in summary.json.", self.page("run/report.html").text)
+
     def test_refusals(self):
         pages.free_run(self.path("run"))
         pages.uniaxial(self.path("other"))
