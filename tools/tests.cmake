@@ -59,6 +59,10 @@ foreach(source IN LISTS CLOD_TEST_SOURCES)
     TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 endforeach()
 
+# It tests what only the program has.
+target_sources(test_duration PRIVATE app/duration.c)
+target_include_directories(test_duration PRIVATE app)
+
 # It lets calls for memory fail.
 target_link_options(test_sim_memory PRIVATE -Wl,--wrap=aligned_alloc)
 

@@ -84,7 +84,7 @@ static clod_check_bytes count_bytes(const clod_step *step)
     const clod_state *state = step->state;
     const double grains = (double)state->grains.capacity;
     const double rows = grains * ((3 * 4 + 8 + 2 + 4) * sizeof(double) + sizeof(uint16_t) +
-                                  4 * sizeof(float)); // with build_position, way and origin
+                                  4 * sizeof(float)); // with build_position, skin and origin
     const double contacts = (double)state->contact_count * (double)sizeof(clod_contact);
     const double candidates =
         (double)near->pairs.count * sizeof(clod_partner) + grains * sizeof(uint32_t);

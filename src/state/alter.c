@@ -16,18 +16,24 @@ void clod_state_keep_walls(clod_state *self, const int32_t *rank)
     walls->count = kept;
 }
 
-bool clod_state_add_walls(clod_state *self, clod_wall *walls, size_t count, clod_status *status)
+bool clod_state_reserve_walls(clod_state *self, size_t count, clod_status *status)
 {
     const size_t old = (size_t)self->walls.count;
+    if (count == 0) {
+        return true;
+    }
     clod_wall *grown = clod_memory_grow(self->walls.wall, old, old + count, sizeof *grown);
     if (grown == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu walls", old + count);
     }
     self->walls.wall = grown;
+    return true;
+}
+
+void clod_state_add_walls(clod_state *self, clod_wall *walls, size_t count)
+{
     for (size_t w = 0; w < count; w++) {
-        grown[old + w] = walls[w];
+        self->walls.wall[self->walls.count++] = walls[w];
         clod_wall_give(&walls[w]);
     }
-    self->walls.count = (int32_t)(old + count);
-    return true;
 }

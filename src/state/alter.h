@@ -15,6 +15,18 @@
  */
 void clod_state_keep_walls(clod_state *self, const int32_t *rank);
 
-/** Put walls behind the others; their shapes are taken over. False without memory. */
-bool clod_state_add_walls(clod_state *self, clod_wall *walls, size_t count,
-                          clod_status *status);
+/**
+ * Room for walls that come.
+ *
+ * Errors  false without memory; all is as before then.   Threads  pure.
+ * Test    tests/sim/test_sim_memory.c
+ */
+bool clod_state_reserve_walls(clod_state *self, size_t count, clod_status *status);
+
+/**
+ * Put walls behind the others; their shapes are taken over.
+ *
+ * @param count  at most what clod_state_reserve_walls made room for
+ * Errors  none.   Threads  pure.   Test  tests/step/test_change.c
+ */
+void clod_state_add_walls(clod_state *self, clod_wall *walls, size_t count);

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "parallel/exact.h"
+#include "state/alter.h"
 #include "step/crew.h"
 #include "step/derived.h"
 #include "step/remake.h"
@@ -9,7 +10,7 @@
 #include "step/spread.h"
 #include "step/team.h"
 
-/** Room for the grains that come; without it all is as before. */
+/** Room for the grains and walls that come; without it all is as before. */
 static bool make_room(clod_step *self, clod_status *status)
 {
     clod_state *state = self->state;
@@ -18,7 +19,7 @@ static bool make_room(clod_step *self, clod_status *status)
                           ? clod_spread_make_room(self->spread, state, count, status)
                           : clod_grains_reserve(&state->grains, count, status);
     clod_step_set_view(self); // the rows may lie elsewhere
-    return room;
+    return room && clod_state_reserve_walls(state, state->changes.new_walls, status);
 }
 
 /** What comes, behind the other rows: a new grain carries its weight for the first half kick. */

@@ -154,7 +154,7 @@ static bool order_take(clod_crew *self, clod_status *status)
 {
     clod_changes *queue = &self->whole->state->changes;
     const clod_crew_order what = prepare(self, CLOD_CREW_TAKE, 0);
-    self->state.changes = *queue; // taken over
+    self->state.changes = *queue; // clod_step_take frees it, or clod_crew_part_end
     *queue = (clod_changes){0};
     give_order(self, what);
     const bool good = clod_crew_part_take(self, &what, status);

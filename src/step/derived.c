@@ -67,7 +67,7 @@ bool clod_step_derive(clod_step *self, clod_status *status)
     if (self->moving == NULL || self->summed == NULL || self->placed == NULL ||
         self->is_near == NULL || !clod_wall_rows_init(&self->walls, &self->state->walls) ||
         !clod_outlet_shapes_list(&self->outlets, &self->state->walls)) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for %d walls",
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the shapes of %d walls",
                                 (int)self->state->walls.count);
     }
     return clod_neighbour_periods_fit(&self->state->domain, self->neighbour.radius_max, status);

@@ -82,7 +82,7 @@ static void add_leaver(clod_leavers *sums, const clod_state *state, size_t row, 
     clod_exact_add(&sums->kick, energy - kinetic(v, v[3], w));
 }
 
-int clod_leavers_exit(const clod_leavers_ways *ways, const clod_domain *domain,
+int clod_leavers_exit(const clod_leavers_outlets *outlets, const clod_domain *domain,
                       const double *position)
 {
     const int face = domain->removes ? clod_leavers_face(domain, position) : -1;
@@ -91,16 +91,17 @@ int clod_leavers_exit(const clod_leavers_ways *ways, const clod_domain *domain,
     }
     const int region = clod_domain_outlet(domain, position);
     const int outlet =
-        region >= 0 ? region : clod_outlet_shapes_touched(ways->shapes, ways->rows, position);
+        region >= 0 ? region
+                    : clod_outlet_shapes_touched(outlets->shapes, outlets->rows, position);
     return outlet >= 0 ? CLOD_FACES + outlet : -1;
 }
 
-size_t clod_leavers_mark(clod_leavers *sums, clod_state *state, const clod_leavers_ways *ways,
-                         double half_kick, int32_t *rank)
+size_t clod_leavers_mark(clod_leavers *sums, clod_state *state,
+                         const clod_leavers_outlets *outlets, double half_kick, int32_t *rank)
 {
     size_t leavers = 0;
     for (size_t g = 0; g < state->grains.count; g++) {
-        const int face = clod_leavers_exit(ways, &state->domain, state->grains.position[g]);
+        const int face = clod_leavers_exit(outlets, &state->domain, state->grains.position[g]);
         if (face >= 0 && rank[g] != CLOD_NEIGHBOUR_GOES) {
             rank[g] = CLOD_NEIGHBOUR_GOES;
             sums->left[face]++;

@@ -15,14 +15,14 @@
 int clod_leavers_face(const clod_domain *domain, const double *position);
 
 /** Surfaces that remove grains, where they are now; borrowed. */
-typedef struct clod_leavers_ways {
+typedef struct clod_leavers_outlets {
     const clod_outlet_shapes *shapes;
     const clod_wall_rows *rows;
-} clod_leavers_ways;
+} clod_leavers_outlets;
 
 /** The way out that a grain takes, of CLOD_EXITS: a side that removes, a region, a surface; or
  *  -1. */
-int clod_leavers_exit(const clod_leavers_ways *ways, const clod_domain *domain,
+int clod_leavers_exit(const clod_leavers_outlets *outlets, const clod_domain *domain,
                       const double *position);
 
 /** Grains that leave at one rebuild. Sums are exact: the order of rows does not matter, nor how
@@ -49,8 +49,8 @@ typedef struct clod_leavers {
  * @return           how many
  * Errors  none.   Threads  one, the others wait.   Test  tests/step/test_leave.c
  */
-size_t clod_leavers_mark(clod_leavers *sums, clod_state *state, const clod_leavers_ways *ways,
-                         double half_kick, int32_t *rank);
+size_t clod_leavers_mark(clod_leavers *sums, clod_state *state,
+                         const clod_leavers_outlets *outlets, double half_kick, int32_t *rank);
 
 /** Add those of another rank. */
 void clod_leavers_merge(clod_leavers *self, const clod_leavers *other);

@@ -42,14 +42,14 @@ static void mark_leavers(clod_step *self)
         memset(self->neighbour.rank, 0, state->grains.count * sizeof(int32_t));
     }
     clod_leavers leavers = {0};
-    const clod_leavers_ways ways = {&self->outlets, &self->walls};
+    const clod_leavers_outlets outlets = {&self->outlets, &self->walls};
     clod_outlet_shapes_place(&self->outlets, &self->walls, &state->walls);
     const double half_kick = remake->changes ? 0.0 : 0.5 * state->dt;
     if (self->spread != NULL) {
-        clod_spread_mark_leavers(self, &ways, half_kick, &leavers);
+        clod_spread_mark_leavers(self, &outlets, half_kick, &leavers);
     } else {
         remake->going +=
-            clod_leavers_mark(&leavers, state, &ways, half_kick, self->neighbour.rank);
+            clod_leavers_mark(&leavers, state, &outlets, half_kick, self->neighbour.rank);
     }
     clod_leavers_book(&leavers, state);
     if (leavers.grains > 0 && !remake->changes) {
@@ -167,10 +167,7 @@ static bool change_walls(clod_step *self)
     if (self->remake.wall_rank != NULL) {
         clod_state_keep_walls(state, self->remake.wall_rank);
     }
-    if (queue->new_walls > 0 &&
-        !clod_state_add_walls(state, queue->new_wall, queue->new_walls, &self->status)) {
-        return false;
-    }
+    clod_state_add_walls(state, queue->new_wall, queue->new_walls);
     clod_memory_free(state->build_position); // for other numbers of grains and walls
     clod_memory_free(state->build_walls);
     state->build_position = NULL;

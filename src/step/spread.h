@@ -97,8 +97,8 @@ bool clod_spread_check_ids(clod_spread *self, const clod_state *state, clod_stat
 double clod_spread_fastest(const clod_step *step);
 
 /** Grains that leave at a rebuild, of all ranks: neighbour.rank marks those of the rows here. */
-void clod_spread_mark_leavers(clod_step *step, const clod_leavers_ways *ways, double half_kick,
-                              clod_leavers *sums);
+void clod_spread_mark_leavers(clod_step *step, const clod_leavers_outlets *outlets,
+                              double half_kick, clod_leavers *sums);
 
 /** Wrap the rows, ghosts too; those that leave have no owner from now on. False on this
  *  rank alone: a grain is beyond an open side that stops the run. */

@@ -30,18 +30,18 @@ static void merge_leavers(const void *context, void *into, const void *from)
     clod_leavers_merge(into, from);
 }
 
-void clod_spread_mark_leavers(clod_step *step, const clod_leavers_ways *ways, double half_kick,
-                              clod_leavers *sums)
+void clod_spread_mark_leavers(clod_step *step, const clod_leavers_outlets *outlets,
+                              double half_kick, clod_leavers *sums)
 {
     clod_state *state = step->state;
     int32_t *rank = step->neighbour.rank;
     for (size_t g = 0; g < state->grains.count; g++) { // ghosts are counted by their owners
         rank[g] = clod_spread_owns(step->spread, (int32_t)g) ? 0 : CLOD_NEIGHBOUR_GOES;
     }
-    clod_leavers_mark(sums, state, ways, half_kick, rank);
+    clod_leavers_mark(sums, state, outlets, half_kick, rank);
     for (size_t g = 0; g < state->grains.count; g++) {
         if (!clod_spread_owns(step->spread, (int32_t)g) &&
-            clod_leavers_exit(ways, &state->domain, state->grains.position[g]) < 0) {
+            clod_leavers_exit(outlets, &state->domain, state->grains.position[g]) < 0) {
             rank[g] = 0;
         }
     }

@@ -1,7 +1,5 @@
 #include "step/spread_wear.h"
 
-#include <stdlib.h>
-
 #include "base/room.h"
 
 clod_wear_record *clod_spread_wear_note(clod_step *step, size_t group, int32_t row)
@@ -22,28 +20,50 @@ clod_wear_record *clod_spread_wear_note(clod_step *step, size_t group, int32_t r
     return record;
 }
 
-static int compare(uint64_t a, uint64_t b)
+/** Law by law, form by form, in the order of grains. */
+static bool is_before(const clod_wear_record *a, const clod_wear_record *b)
 {
-    return (a > b) - (a < b);
+    if (a->group != b->group) {
+        return a->group < b->group;
+    }
+    if (a->key != b->key) {
+        return a->key < b->key;
+    }
+    return a->id != b->id ? a->id < b->id : a->number < b->number;
 }
 
-/** Law by law, form by form, in the order of grains. */
-static int in_order(const void *a, const void *b)
+/** The record at `root` goes down the heap to its place. */
+static void sift(clod_wear_record *record, size_t root, size_t count)
 {
-    const clod_wear_record *x = a, *y = b;
-    const int by_group = compare((uint64_t)x->group, (uint64_t)y->group);
-    const int by_key = compare(x->key, y->key), by_id = compare(x->id, y->id);
-    return by_group != 0 ? by_group
-           : by_key != 0 ? by_key
-           : by_id != 0  ? by_id
-                         : compare((uint64_t)x->number, (uint64_t)y->number);
+    const clod_wear_record sinking = record[root];
+    for (size_t child = 2 * root + 1; child < count; child = 2 * root + 1) {
+        child += child + 1 < count && is_before(&record[child], &record[child + 1]);
+        if (!is_before(&sinking, &record[child])) {
+            break;
+        }
+        record[root] = record[child];
+        root = child;
+    }
+    record[root] = sinking;
+}
+
+/** Heapsort: in place, since qsort may allocate. */
+static void sort(clod_wear_record *record, size_t count)
+{
+    for (size_t k = count / 2; k > 0; k--) {
+        sift(record, k - 1, count);
+    }
+    for (size_t last = count; last > 1; last--) {
+        const clod_wear_record greatest = record[0];
+        record[0] = record[last - 1];
+        record[last - 1] = greatest;
+        sift(record, 0, last - 1);
+    }
 }
 
 static void add_all(clod_state *state, clod_wear_record *record, size_t count)
 {
-    if (count > 1) {
-        qsort(record, count, sizeof *record, in_order);
-    }
+    sort(record, count);
     for (size_t k = 0; k < count; k++) {
         clod_wall *wall = &state->walls.wall[record[k].wall];
         double *sum = wall->wear[record[k].place];

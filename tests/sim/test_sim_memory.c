@@ -271,6 +271,7 @@ static uint64_t live(long failing, bool *dead)
         if (*dead) {
             int end = 0;
             sscanf(status.text, "no memory for %*d grains%n", &end);
+            sscanf(status.text, "no memory for %*d walls%n", &end);
             assert_true(end == 0 || status.text[end] != '\0'); // of rows: nothing is lost
             expect_dead();
             break;
