@@ -140,8 +140,8 @@ static void put_reader(FILE *to, int id, const char *folder, const char *stem, c
 static void put_colours(FILE *to, int id, int opacity, double most)
 {
     const double top = most > 0.0 ? most : 1.0;
-    const double colours[] = {0.0, 0.231373, 0.298039, 0.752941,  0.5 * top, 0.865003, 0.865003,
-                              0.865003, top, 0.705882, 0.0156863, 0.14902};
+    const double colours[] = {0.0,      0.231373, 0.298039, 0.752941, 0.5 * top, 0.865003,
+                              0.865003, 0.865003, top,      0.705882, 0.0156863, 0.14902};
     const double opaque[] = {0.0, 0.0, 0.5, 0.0, top, 1.0, 0.5, 0.0};
     enum { DIVERGING = 3, GROW_EVERY_TIME_STEP = 1 };
     begin_proxy(to, "piecewise_functions", "PiecewiseFunction", opacity, ALL_SERVERS);
