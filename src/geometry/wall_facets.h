@@ -36,5 +36,6 @@ static inline clod_wall_pose clod_wall_facets_pose(const double (*row)[4])
             pose.rotation[a][b] = row[1 + a][b];
         }
     }
+    pose.stays = clod_wall_pose_stays(&pose);
     return pose;
 }

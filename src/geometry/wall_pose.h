@@ -11,6 +11,7 @@ typedef struct clod_wall_pose {
     clod_vec3 origin;      ///< m, the spin point in space: spin_point + shift
     clod_vec3 point;       ///< m, the spin point in the frame
     double rotation[3][3]; ///< from the frame to space
+    bool stays;            ///< the frame is that of space; false: that is not known
 } clod_wall_pose;
 
 /** The pose at angle 0. Threads: pure. */
@@ -48,9 +49,25 @@ static inline clod_wall_pose clod_wall_pose_now(const clod_wall *wall)
     return pose;
 }
 
+/** Whether the frame is that of space: the wall has never moved. */
+static inline bool clod_wall_pose_stays(const clod_wall_pose *pose)
+{
+    bool stays = pose->origin.x == pose->point.x && pose->origin.y == pose->point.y &&
+                 pose->origin.z == pose->point.z;
+    for (int a = 0; a < 3; a++) {
+        for (int b = 0; b < 3; b++) {
+            stays &= pose->rotation[a][b] == (a == b ? 1.0 : 0.0);
+        }
+    }
+    return stays;
+}
+
 /** A point of space in the wall's frame [m]. */
 static inline clod_vec3 clod_wall_to_frame(const clod_wall_pose *pose, clod_vec3 p)
 {
+    if (pose->stays) {
+        return p;
+    }
     const double(*r)[3] = pose->rotation;
     const clod_vec3 d = clod_vec3_sub(p, pose->origin);
     return (clod_vec3){pose->point.x + r[0][0] * d.x + r[1][0] * d.y + r[2][0] * d.z,
@@ -61,6 +78,9 @@ static inline clod_vec3 clod_wall_to_frame(const clod_wall_pose *pose, clod_vec3
 /** A direction given in the wall's frame, in space. */
 static inline clod_vec3 clod_wall_to_space(const clod_wall_pose *pose, clod_vec3 d)
 {
+    if (pose->stays) {
+        return d;
+    }
     const double(*r)[3] = pose->rotation;
     return (clod_vec3){r[0][0] * d.x + r[0][1] * d.y + r[0][2] * d.z,
                        r[1][0] * d.x + r[1][1] * d.y + r[1][2] * d.z,

@@ -160,7 +160,7 @@ clod_surface_closest clod_surface_closest_of(const clod_surface *self, uint32_t 
                                              clod_vec3 p)
 {
     const clod_surface_facet made = clod_surface_facet_of(self, facet);
-    return clod_surface_facet_closest(self, &made, p);
+    return clod_surface_facet_closest(&made, p);
 }
 
 /** The nearest facet of a patch so far. */

@@ -91,15 +91,28 @@ static inline clod_vec3 clod_surface_facet_side(const clod_surface_facet *self, 
     return height < 0.0 ? clod_vec3_scale(self->normal, -1.0) : self->normal;
 }
 
+/** Closest point to p, written part by part: a copy of the whole waits for what was just written.
+ *  Threads: pure. */
+static inline void clod_surface_facet_find(const clod_surface_facet *self, clod_vec3 p,
+                                           clod_surface_closest *closest)
+{
+    const double height = clod_surface_facet_height(self, p);
+    const clod_vec3 foot = clod_vec3_axpy(p, -height, self->normal);
+    if (self->cylinder != 0 || !clod_surface_facet_holds(self, foot)) {
+        *closest = clod_surface_facet_beside(self->surface, self, p);
+        return;
+    }
+    closest->distance = fabs(height);
+    closest->point = foot;
+    closest->direction = clod_surface_facet_side(self, height);
+    closest->edges = 0;
+}
+
 /** Closest point to p. Threads: pure. Test: tests/mesh/test_surface_touch.c */
-static inline clod_surface_closest clod_surface_facet_closest(const clod_surface *self,
-                                                              const clod_surface_facet *facet,
+static inline clod_surface_closest clod_surface_facet_closest(const clod_surface_facet *self,
                                                               clod_vec3 p)
 {
-    const double height = clod_surface_facet_height(facet, p);
-    const clod_vec3 foot = clod_vec3_axpy(p, -height, facet->normal);
-    return facet->cylinder == 0 && clod_surface_facet_holds(facet, foot)
-               ? (clod_surface_closest){fabs(height), foot,
-                                        clod_surface_facet_side(facet, height), 0}
-               : clod_surface_facet_beside(self, facet, p);
+    clod_surface_closest closest;
+    clod_surface_facet_find(self, p, &closest);
+    return closest;
 }

@@ -22,13 +22,14 @@ static int32_t slot_of(const clod_surface_hit *hit)
 /** Distance of a point from the facet of a hit [m]. */
 static double apart(const clod_surface_hit *hit, clod_vec3 point)
 {
-    return clod_surface_facet_closest(hit->of->surface, hit->of, point).distance;
+    return clod_surface_facet_closest(hit->of, point).distance;
 }
 
 /** Distance up to which a point is on a facet [m]. */
 static double touching(const clod_surface_hit *a, const clod_surface_hit *b)
 {
-    return 2.0 * fmax(a->of->surface->weld, b->of->surface->weld);
+    const double first = a->of->surface->weld, second = b->of->surface->weld;
+    return 2.0 * (first > second ? first : second);
 }
 
 static bool is_one_bend(const clod_surface_hit *contact, const clod_surface_hit *hit)
@@ -49,7 +50,7 @@ static bool is_same_place(const clod_surface_hit *contact, const clod_surface_hi
 static double gap(const clod_surface_hit *from, const clod_surface_hit *to)
 {
     const clod_vec3 over =
-        clod_surface_facet_closest(to->of->surface, to->of, from->at.point).point;
+        clod_surface_facet_closest(to->of, from->at.point).point;
     return apart(from, over);
 }
 
@@ -109,6 +110,20 @@ static bool is_before(const clod_surface_hit *a, const clod_surface_hit *b)
             a->facet < b->facet);
 }
 
+/** The last hit to its place among the nearer ones. Most are in order: those are not copied. */
+static void sort_last(clod_surface_hit *hits, int32_t last)
+{
+    if (last == 0 || !is_before(&hits[last], &hits[last - 1])) {
+        return;
+    }
+    const clod_surface_hit hit = hits[last];
+    int32_t at = last;
+    for (; at > 0 && is_before(&hit, &hits[at - 1]); at--) {
+        hits[at] = hits[at - 1];
+    }
+    hits[at] = hit;
+}
+
 int32_t clod_surface_touch(const clod_surface_facet *facets, int32_t count, clod_vec3 p,
                            double radius, clod_surface_hit *hits)
 {
@@ -118,19 +133,16 @@ int32_t clod_surface_touch(const clod_surface_facet *facets, int32_t count, clod
         if (clod_surface_facet_is_beyond(facet->surface, facet, p, radius)) {
             continue;
         }
-        clod_surface_hit hit = {.at = clod_surface_facet_closest(facet->surface, facet, p),
-                                .of = facet,
-                                .facet = facet->number,
-                                .patch = facet->patch};
-        if (hit.at.distance >= radius) {
+        clod_surface_hit *hit = &hits[found];
+        clod_surface_facet_find(facet, p, &hit->at);
+        if (hit->at.distance >= radius) {
             continue;
         }
-        hit.slot = slot_of(&hit);
-        int32_t at = found++;
-        for (; at > 0 && is_before(&hit, &hits[at - 1]); at--) {
-            hits[at] = hits[at - 1];
-        }
-        hits[at] = hit;
+        hit->of = facet;
+        hit->facet = facet->number;
+        hit->patch = facet->patch;
+        hit->slot = slot_of(hit);
+        sort_last(hits, found++);
     }
     for (int32_t k = 0; k < found; k++) {
         hits[k].root = root_of(hits, k, p, radius);

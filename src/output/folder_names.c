@@ -23,7 +23,7 @@
     "(clumps|impacts)[.]csv|history_map[.]hdf|report[.]html|report-[A-Za-z0-9-]+[.]svg|"       \
     "restart(-" PART ")?(-failed|-at-[0-9]+)?_[ab][.]h5|"                                      \
     "(" PART "_)?(snap|walls|contacts)_[0-9]{6,}[.]hdf|"                                       \
-    "(run|" PART ")(_walls|_contacts)?[.]hdf[.]series)([.]part)?"
+    "(run|" PART ")((_walls|_contacts)?[.]hdf[.]series|[.]pvsm))([.]part)?"
 
 #define COPY_OF_CASE "case(-complete)?[.]yaml"
 

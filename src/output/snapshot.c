@@ -13,6 +13,7 @@
 #include "output/folder_files.h"
 #include "output/hdf.h"
 #include "output/hdf_series.h"
+#include "output/paraview.h"
 #include "output/vtk_cells.h"
 #include "output/wall_mesh.h"
 
@@ -123,11 +124,37 @@ static void put_wear(clod_hdf *hdf, const clod_wall_mesh *mesh)
     }
 }
 
-static bool put_walls(clod_hdf *hdf, const clod_state *state, clod_status *status)
+static void view_grains(clod_paraview *view, const clod_grains *grains)
+{
+    double square = 0.0;
+    for (size_t g = 0; g < grains->count; g++) {
+        const double *p = grains->position[g], *v = grains->velocity[g];
+        clod_paraview_add(view, p, p[3]);
+        square = fmax(square, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    view->speed = sqrt(square);
+}
+
+static void view_walls(clod_paraview *view, const clod_wall_mesh *mesh)
+{
+    view->wears = mesh->wears;
+    for (size_t f = 0; f < mesh->count; f++) {
+        for (int c = 0; c < 3; c++) {
+            clod_paraview_add(view, mesh->corner[f][c], 0.0);
+        }
+        if (mesh->wears) {
+            view->pressure = fmax(view->pressure, mesh->wear[f][CLOD_WALL_MESH_PRESSURE]);
+        }
+    }
+}
+
+static bool put_walls(clod_hdf *hdf, const clod_state *state, clod_paraview *view,
+                      clod_status *status)
 {
     clod_wall_mesh mesh;
     bool good = clod_wall_mesh_make(&mesh, state, status);
     if (good) {
+        view_walls(view, &mesh);
         const size_t n = mesh.count;
         const clod_hdf_column columns[] = {
             {VTK_POINTS, "m", CLOD_HDF_F64, 3, 3 * n, mesh.corner, sizeof mesh.corner[0][0]},
@@ -265,10 +292,21 @@ static bool put_contacts(clod_hdf *hdf, const clod_state *state,
     return clod_vtk_cells_put(hdf, n, VTK_LINE, 2, status);
 }
 
+/** What a picture is taken of, and what ParaView's state file shall know of it. */
+typedef struct scene {
+    const clod_folder *folder;
+    const char *stem;
+    int64_t number;
+    const clod_state *state;
+    const clod_contact_source *contacts;
+    clod_paraview *view;
+} scene;
+
 /** Write one picture into an open file. */
-static bool put_picture(const clod_hdf_place *place, const clod_state *state,
-                        const clod_contact_source *from, int kind, clod_status *status)
+static bool put_picture(const clod_hdf_place *place, const scene *self, int kind,
+                        clod_status *status)
 {
+    const clod_state *state = self->state;
     clod_hdf *hdf = clod_hdf_create(place, CLOD_HDF_PICTURE, status);
     if (hdf == NULL) {
         return false;
@@ -276,9 +314,9 @@ static bool put_picture(const clod_hdf_place *place, const clod_state *state,
     clod_vtk_cells_head(hdf);
     clod_hdf_put_ints(hdf, "/", "step", &state->step, 1);
     clod_hdf_put_real(hdf, "/", VTK_TIME, state->time);
-    const bool good = kind == GRAINS  ? put_grains(hdf, state, from, status)
-                      : kind == WALLS ? put_walls(hdf, state, status)
-                                      : put_contacts(hdf, state, from, status);
+    const bool good = kind == GRAINS  ? put_grains(hdf, state, self->contacts, status)
+                      : kind == WALLS ? put_walls(hdf, state, self->view, status)
+                                      : put_contacts(hdf, state, self->contacts, status);
     clod_status finishing;
     uint64_t size;
     return clod_hdf_finish(&hdf, &size, good ? status : &finishing) && good;
@@ -292,15 +330,6 @@ static bool name_series(char name[NAME_MAX + 1], const char *stem, int kind,
                             kind == GRAINS ? "" : KINDS[kind]) <= NAME_MAX ||
            clod_file_fail(status, "name a series", stem, ENAMETOOLONG);
 }
-
-/** What a picture is taken of. */
-typedef struct scene {
-    const clod_folder *folder;
-    const char *stem;
-    int64_t number;
-    const clod_state *state;
-    const clod_contact_source *contacts;
-} scene;
 
 /** Write one picture and put it into its series. */
 static bool write_picture(const scene *self, int kind, clod_snapshot_film *film,
@@ -318,7 +347,7 @@ static bool write_picture(const scene *self, int kind, clod_snapshot_film *film,
         return false;
     }
     const clod_hdf_place place = {self->folder, name, draft.descriptor, 0};
-    const bool good = put_picture(&place, self->state, self->contacts, kind, status);
+    const bool good = put_picture(&place, self, kind, status);
     return clod_folder_draft_end(&draft, good, status) &&
            clod_hdf_series_add(self->folder, series, name, self->state->time,
                                &film->crc32[kind], status);
@@ -330,10 +359,14 @@ bool clod_snapshot_write(const clod_folder *folder, const char *stem, int64_t nu
 {
     clod_contact_list list;
     const clod_contact_source own = clod_contact_source_of(&list, state);
-    const scene of = {folder, stem, number, state, from != NULL ? from : &own};
+    clod_paraview view = clod_paraview_begin(state->time);
+    const scene of = {folder, stem, number, state, from != NULL ? from : &own, &view};
+    view.contacts = contacts;
+    view_grains(&view, &state->grains);
     return write_picture(&of, GRAINS, film, status) &&
            write_picture(&of, WALLS, film, status) &&
-           (!contacts || write_picture(&of, CONTACTS, film, status));
+           (!contacts || write_picture(&of, CONTACTS, film, status)) &&
+           clod_paraview_write(&view, folder, stem, status);
 }
 
 bool clod_snapshot_resume(const clod_folder *folder, const char *stem, double time,

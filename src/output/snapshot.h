@@ -20,7 +20,8 @@ typedef struct clod_snapshot_film {
 } clod_snapshot_film;
 
 /**
- * Write grains and walls, and contacts when asked, and put them into their series.
+ * Write grains and walls, and contacts when asked, and put them into their series; and the state
+ * file of ParaView that shows them (paraview.h).
  *
  * The series keeps only entries of earlier times, so a resumed run leaves the index of an
  * uninterrupted one.

@@ -200,7 +200,9 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
                                              from, radius, hits);
     const double open = 2.0 * radius;
     for (size_t l = 0; l < at->count; l++) {
-        memcpy(at->row[l], (double[4]){0.0, 0.0, 1.0, open}, sizeof at->row[l]);
+        at->row[l][0] = at->row[l][1] = 0.0;
+        at->row[l][2] = 1.0;
+        at->row[l][3] = open;
     }
     for (int32_t k = 0; k < count; k++) {
         if (hits[k].root == k) {
@@ -229,7 +231,7 @@ static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site 
     double least = INFINITY;
     size_t nearest = 0;
     for (size_t k = 0; k < site->facets; k++) {
-        const double d = clod_surface_facet_closest(facet[k].surface, &facet[k], from).distance;
+        const double d = clod_surface_facet_closest(&facet[k], from).distance;
         const bool first = facet[k].number < facet[nearest].number;
         nearest = d < least || (d == least && first) ? k : nearest;
         least = fmin(least, d);
@@ -241,10 +243,9 @@ static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site 
 static void find_plane(const clod_touch_part *part, const clod_touch_site *site,
                        const clod_wall_pose *pose, clod_vec3 from, double row[4])
 {
-    const clod_surface_plane *plane = &part->facet[site->facet].surface->planes[site->plane];
-    const double height = clod_vec3_dot(clod_vec3_sub(from, plane->point), plane->normal);
-    put_row(row, pose, height < 0.0 ? clod_vec3_scale(plane->normal, -1.0) : plane->normal,
-            fabs(height));
+    const clod_surface_facet *facet = &part->facet[site->facet]; // all have the plane's normal
+    const double height = clod_surface_facet_height(facet, from);
+    put_row(row, pose, clod_surface_facet_side(facet, height), fabs(height));
 }
 
 void clod_touch_find(clod_near *near, const clod_state *state, const clod_wall_rows *walls,

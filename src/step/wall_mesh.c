@@ -42,7 +42,7 @@ static double distance_of(const clod_surface *surface, const clod_surface_facet 
     if (!*listed) {
         return INFINITY;
     }
-    const double distance = clod_surface_facet_closest(surface, facet, from).distance;
+    const double distance = clod_surface_facet_closest(facet, from).distance;
     *listed = facet->cylinder != 0 || distance < reach + slack_of(surface);
     return distance;
 }

@@ -10,10 +10,11 @@
 #include "verify/profile.h"
 #include "verify/suite.h"
 
-#define DIAMETER 5e-3 ///< m, mean of the grains
-#define LENGTH 0.08   ///< m, of the piece of belt, between smooth planes
-#define WIDTH 0.25    ///< m, of the belt laid flat
-#define MIDDLE 0.095  ///< m, middle roll
+#define DIAMETER 5e-3  ///< m, mean of the grains
+#define DENSITY 2500.0 ///< kg/m3, of the grains
+#define LENGTH 0.08    ///< m, of the piece of belt, between smooth planes
+#define WIDTH 0.25     ///< m, of the belt laid flat
+#define MIDDLE 0.095   ///< m, middle roll
 #define ANGLE (35.0 * M_PI / 180.0)
 #define GRAINS 2400
 #define CORE 0.025 ///< m, half width of the piece of the heap whose density is taken
@@ -32,7 +33,7 @@ static const char CASE[] =
     "# Written by clod verify.\n"
     "title: A heap on a troughed belt\n"
     "materials:\n"
-    "  bead: {density: 2500 kg/m3, youngs_modulus: 3 MPa, poissons_ratio: 0.25}\n"
+    "  bead: {density: %g kg/m3, youngs_modulus: 3 MPa, poissons_ratio: 0.25}\n"
     "  end: {youngs_modulus: 3 MPa, poissons_ratio: 0.25}\n"
     "contacts:\n"
     "  default: {law: hertz, restitution: 0.4, friction: 0.6, rolling: epsd2, rolling_friction: "
@@ -90,7 +91,15 @@ static bool find_profile(heap *self, const clod_grains *grains, clod_status *sta
     return true;
 }
 
-/** Mass of all, and density of the core below `top`. */
+/** What of a grain lies between two heights [m3]. */
+static double volume_between(const double *grain, double low, double top)
+{
+    const double r = grain[3], a = fmax(low - grain[2], -r), b = fmin(top - grain[2], r);
+    return b > a ? M_PI * (r * r * (b - a) - (b * b * b - a * a * a) / 3.0) : 0.0;
+}
+
+/** Mass of all, and density of the core below `top`: a slab of one or two grains has its density
+ *  only where what is cut counts in part. */
 static void weigh(heap *self, const clod_grains *grains, double top)
 {
     double core = 0.0;
@@ -100,8 +109,7 @@ static void weigh(heap *self, const clod_grains *grains, double top)
         if (!is_in(self, p)) {
             continue;
         }
-        const bool in = fabs(p[1]) < CORE && p[2] > CORE_LOW && p[2] < top;
-        core += in ? mass : 0.0;
+        core += fabs(p[1]) < CORE ? DENSITY * volume_between(p, CORE_LOW, top) : 0.0;
         self->mass += mass;
         self->momentum += mass * grains->velocity[g][0];
     }
@@ -120,7 +128,7 @@ static bool find_heap(heap *self, const clod_grains *grains, clod_status *status
         return false;
     }
     const double middle = self->profile.height[columns / 2];
-    weigh(self, grains, middle - 3.0 * DIAMETER);
+    weigh(self, grains, middle - 2.0 * DIAMETER);
     return true;
 }
 
@@ -201,7 +209,7 @@ static const char STREAM[] =
     "# Written by clod verify.\n"
     "title: A stream on a troughed belt\n"
     "materials:\n"
-    "  bead: {density: 2500 kg/m3, youngs_modulus: 3 MPa, poissons_ratio: 0.25}\n"
+    "  bead: {density: %g kg/m3, youngs_modulus: 3 MPa, poissons_ratio: 0.25}\n"
     "contacts:\n"
     "  default: {law: hertz, restitution: 0.4, friction: 0.6, rolling: epsd2, rolling_friction: "
     "0.1}\n"
@@ -281,8 +289,8 @@ static bool verify_stream(const clod_verify_bench *bench, clod_status *status)
 {
     char text[4096];
     conveyed found = {.looks = 0.0};
-    snprintf(text, sizeof text, STREAM, 0.45 * DIAMETER, 0.55 * DIAMETER, FLOW, SPEED, WIDTH,
-             MIDDLE, SPEED);
+    snprintf(text, sizeof text, STREAM, DENSITY, 0.45 * DIAMETER, 0.55 * DIAMETER, FLOW, SPEED,
+             WIDTH, MIDDLE, SPEED);
     return clod_verify_bed_run(bench, "trough-stream", text, look_at_stream, &found, status) &&
            check_stream(bench, &found, status);
 }
@@ -291,8 +299,8 @@ bool clod_verify_trough(const clod_verify_bench *bench, clod_status *status)
 {
     char text[4096];
     heap found = {.from = 0.0};
-    snprintf(text, sizeof text, CASE, GRAINS, 0.45 * DIAMETER, 0.55 * DIAMETER, LENGTH, WIDTH,
-             MIDDLE, LENGTH);
+    snprintf(text, sizeof text, CASE, DENSITY, GRAINS, 0.45 * DIAMETER, 0.55 * DIAMETER, LENGTH,
+             WIDTH, MIDDLE, LENGTH);
     return clod_verify_bed_run(bench, "trough", text, look, &found, status) &&
            check(bench, &found, status) && verify_stream(bench, status);
 }

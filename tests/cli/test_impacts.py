@@ -49,6 +49,20 @@ walls:
 stages: [{{name: run, duration: {duration} s}}]
 output: {{series_interval: 2 ms, surfaces: true, steady_since: {since} s}}
 """
+# A floor, and a ramp that goes up from its end at x = 0: of one file, or of another wall.
+FLOOR = "o floor\nv -100 -50 0\nv 0 -50 0\nv 0 50 0\nv -100 50 0\nf 1 2 3\nf 1 3 4\n"
+RAMP = "o ramp\nv 0 -50 0\nv {x} -50 {z}\nv {x} 50 {z}\nv 0 50 0\nf {a} {b} {c}\nf {a} {c} {d}\n"
+BENT = """\
+materials: {{ore: {{density: 2500 kg/m3}}}}
+contacts: {{default: {{law: hooke, k1: 1e5 N/m, restitution: 0.5, friction: 0}}}}
+gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]
+time: {{step: 1e-6 s, design_stress: 100 Pa}}
+domain: {{min: [-0.5 m, -0.2 m, -0.1 m], max: [0.5 m, 0.2 m, 0.2 m]}}
+grains: [{{material: ore, file: grains.csv}}]
+walls: {{floor: {{material: ore, shapes: [{{mesh: {{file: floor.obj, unit: 1 mm}}}}]}}{others}}}
+stages: [{{name: run, duration: {duration} s}}]
+output: {{series_interval: 1 ms, surfaces: true}}
+"""
 RADIUS = 5e-3
 MASS = 2500 * 4 / 3 * math.pi * RADIUS ** 3
 HEADER = ["surface", "angle_from [deg]", "angle_to [deg]", "normal_energy_from [J]",
@@ -169,6 +183,35 @@ class Impacts(clod.Case):
             if name != "plate.near":
                 self.assertEqual(face["impacts"]["number"], 0, name)
                 self.assertEqual(face["impacts_per_s"], 0.0, name)
+
+    def hits_of_a_ramp(self, bend, one_file):
+        """A ball slides over the floor at 1 m/s and meets the ramp; the run ends 0.15 ms later, while it is
+        pressed into it (half of the contact's time is 0.18 ms)."""
+        angle = math.radians(bend)
+        first = 5 if one_file else 1
+        ramp = RAMP.format(x=100 * math.cos(angle), z=100 * math.sin(angle), a=first, b=first + 1,
+                           c=first + 2, d=first + 3)
+        files = {"floor.obj": FLOOR + ramp} if one_file else {"floor.obj": FLOOR, "ramp.obj": ramp}
+        others = "" if one_file else (", ramp: {material: ore, "
+                                      "shapes: [{mesh: {file: ramp.obj, unit: 1 mm}}]}")
+        meeting = RADIUS * math.tan(angle / 2)  # so far before the bend the ball touches both
+        files["case.yaml"] = BENT.format(others=others, duration=10e-3 - meeting + 0.15e-3)
+        height = RADIUS - MASS * 9.81 / 1e5  # rests on the floor
+        files["grains.csv"] = ("x [m],y [m],z [m],radius [m],vx [m/s],vy [m/s],vz [m/s]\n"
+                               f"-0.01,0.013,{height!r},{RADIUS!r},1,0,0\n")
+        for name, text in files.items():
+            with open(self.path(name), "w") as file:
+                file.write(text)
+        done = clod.run("run", "case.yaml", "-o", "out", "--fresh", "-t", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        ramp, = [face for face in self.summary("out")["surfaces"] if face["name"].endswith("ramp")]
+        self.assertGreater(ramp["press_N"], 0.01)  # it was there: the ball weighs 0.013 N
+        return ramp["impacts"]["number"]
+
+    def test_a_bend_of_20_degrees_is_where_impacts_begin(self):
+        for one_file in (True, False):
+            self.assertEqual([self.hits_of_a_ramp(bend, one_file) for bend in (5, 18, 22, 60)],
+                             [0, 0, 1, 1], one_file)
 
     def test_same_bytes_on_two_threads_and_after_a_stop(self):
         """Grains that bounce on all surfaces; what was counted before the stop is still there."""

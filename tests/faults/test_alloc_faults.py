@@ -104,7 +104,7 @@ def without_clock(path):
     name = os.path.basename(path)
     if TIMED.match(name):
         return b""
-    content = clod.read(path)
+    content = clod.without_folder(*os.path.split(path))
     return CLOCK.sub("", content.decode()).encode() if name == "report.txt" else content
 
 

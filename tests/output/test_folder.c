@@ -91,12 +91,14 @@ static const char *const OWN[] = {
     "contacts_000001.hdf", "seed-1-preshear_snap_000001.hdf",
     "run.hdf.series",      "point-1_walls.hdf.series.part",
     "reverse.csv",         "restart-seed-2-reverse_a.h5",
+    "run.pvsm",            "preshear.pvsm.part",
 };
 static const char *const FOREIGN[] = {
     "notes.txt",        "my.hdf",          "my.hdf.series",       "my_snap_000001.hdf",
     "snap_1.hdf",       "series.csv.bak",  "xseries.csv",         "point-x.csv",
     "point-1 copy.csv", "seed-1-data.csv", "restart-copy_a.h5",   "restart_c.h5",
     "figure.png",       "logxjsonl",       "seed1_snap_0000.hdf", "seed-1-points.csv",
+    "my.pvsm",
 };
 static const char *const COPIES[] = {"case.yaml", "case-complete.yaml"};
 #define COUNT(array) (sizeof(array) / sizeof *(array))
