@@ -27,8 +27,27 @@ int clod_ranks_mpi_processes(void)
     const char *text = getenv("OMPI_COMM_WORLD_SIZE");
     text = text != NULL ? text : getenv("PMI_SIZE");
     text = text != NULL || getenv("PMIX_RANK") == NULL ? text : getenv("SLURM_STEP_NUM_TASKS");
-    const long processes = text != NULL ? strtol(text, NULL, 10) : 1;
-    return processes > 1 && processes <= INT_MAX ? (int)processes : 1;
+    const long processes = text != NULL ? strtol(text, NULL, 10) : 0;
+    const bool said = processes >= 1 && processes <= INT_MAX;
+    return said ? (int)processes : clod_ranks_mpi_started() ? 0 : 1;
+}
+
+/** Whether a process that sees no other one is alone; `cause` may be why it sees none. */
+static bool check_alone(const char *cause, clod_status *status)
+{
+    const int processes = clod_ranks_mpi_processes();
+    if (processes > 1) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%d processes were started together, but this one does not "
+                                "see the others, and each would compute all: %s",
+                                processes, cause);
+    }
+    return processes == 1 ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "several processes may have been started together (the launcher "
+                            "does not say how many), but this one sees no other, and each "
+                            "would compute all: %s",
+                            cause);
 }
 
 #ifdef CLOD_MPI
@@ -109,6 +128,10 @@ bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
                                         "this MPI allows no threads: it gives level %d, "
                                         "MPI_THREAD_FUNNELED is needed",
                                         thread_level)) &&
+                      (self->size > 1 ||
+                       check_alone("start them with the mpirun of the MPI that clod was built "
+                                   "with, or one alone without mpirun",
+                                   status)) &&
                       clod_ranks_init(self, status);
     if (!good) {
         clod_ranks_mpi_close(self);
@@ -130,11 +153,9 @@ void clod_ranks_mpi_close(clod_ranks *self)
 bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
 {
     *self = (clod_ranks){.size = 1};
-    return clod_ranks_mpi_processes() == 1 ||
-           clod_status_fail(status, CLOD_USAGE,
-                            "several processes were started, but this clod was built without "
-                            "MPI: run it without mpirun, or build it where libopenmpi-dev is "
-                            "installed");
+    return check_alone("this clod was built without MPI: run it without mpirun, or build it "
+                       "where libopenmpi-dev is installed",
+                       status);
 }
 
 void clod_ranks_mpi_close(clod_ranks *self)

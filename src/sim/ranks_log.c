@@ -20,10 +20,13 @@ void clod_ranks_log_places(const clod_job_shared *sim)
         if (!clod_rank_places_host(ranks->place, ranks->size, r, &host)) {
             continue;
         }
-        json_array_append_new(hosts, json_pack("{s:s, s:i, s:i}", "host", host.name, "ranks",
-                                               host.ranks, "processors", host.processors));
-        if (host.ranks * threads > host.processors && options->notice != NULL) {
-            char text[256];
+        json_t *processors =
+            host.processors > 0 ? json_integer(host.processors) : json_null();
+        json_array_append_new(hosts, json_pack("{s:s, s:i, s:o}", "host", host.name, "ranks",
+                                               host.ranks, "processors", processors));
+        if (host.processors > 0 && host.ranks * threads > host.processors &&
+            options->notice != NULL) {
+            char text[256 + CLOD_PLACE_HOST];
             snprintf(text, sizeof text,
                      "warning: %d rank%s on %s have %d processor%s for %d thread%s each: they "
                      "take turns, and every step waits for the last of them",
