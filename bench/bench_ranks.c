@@ -89,15 +89,17 @@ static double processor_time(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static void note_sizes(bench *self, const clod_step *step)
+static void note_sizes(bench *self, clod_step *step)
 {
-    if (step->crew == NULL) { // one rank
-        self->own[0] = step->state->grains.count;
-        return;
+    clod_status status = {0};
+    if (!clod_step_see(step, &status)) {
+        fail(status.text);
     }
-    const clod_partition *partition = &step->crew->spread.partition;
-    for (size_t b = 0; b < clod_partition_blocks(partition); b++) {
-        self->own[partition->owner[b]] += (size_t)partition->weight[b];
+    for (size_t g = 0; g < step->state->grains.count; g++) {
+        const double *place = step->state->build_position[g];
+        const int r =
+            step->crew != NULL ? clod_partition_owner(&step->crew->spread.partition, place) : 0;
+        self->own[r]++;
     }
 }
 

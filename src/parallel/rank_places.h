@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define CLOD_PLACE_WORDS 16  ///< of 64 processors each
+#define CLOD_PLACE_WORDS 16 ///< of 64 processors each
 #define CLOD_PLACE_HOST 256 ///< bytes of the longest name of a host, and its end
 
 typedef struct clod_rank_place {

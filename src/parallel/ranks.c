@@ -18,11 +18,18 @@ bool clod_ranks_init(clod_ranks *self, clod_status *status)
                             self->size);
 }
 
+/** A call has ended. */
+static void count_time(clod_ranks_count *count, double began, double worked)
+{
+    count->waited += clod_clock_now() - began;
+    count->spun += clod_clock_worked() - worked;
+}
+
 void clod_ranks_share(clod_ranks *self, const void *mine, size_t bytes, void *all)
 {
-    const double begin = clod_clock_now();
+    const double began = clod_clock_now(), worked = clod_clock_worked();
     self->share(self, mine, bytes, all);
-    self->count.waited += clod_clock_now() - begin;
+    count_time(&self->count, began, worked);
     self->count.shares++;
     self->count.share_bytes += (int64_t)bytes;
 }
@@ -30,9 +37,9 @@ void clod_ranks_share(clod_ranks *self, const void *mine, size_t bytes, void *al
 void clod_ranks_exchange(clod_ranks *self, const clod_message *out, int outs,
                          const clod_message *in, int ins)
 {
-    const double begin = clod_clock_now();
+    const double began = clod_clock_now(), worked = clod_clock_worked();
     self->exchange(self, out, outs, in, ins);
-    self->count.waited += clod_clock_now() - begin;
+    count_time(&self->count, began, worked);
     self->count.exchanges++;
     for (int k = 0; k < outs; k++) {
         self->count.messages += out[k].bytes > 0;

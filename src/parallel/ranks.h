@@ -32,7 +32,15 @@ typedef struct clod_ranks_count {
     int64_t share_bytes;       ///< that it had for each other rank
     int64_t bytes;             ///< of its messages
     double waited;             ///< s in both calls
+    double spun;               ///< s, of processor time in both
 } clod_ranks_count;
+
+/** How even the work of all ranks was, as seen at rebuilds; the same on all. */
+typedef struct clod_ranks_evenness {
+    int64_t looks, cuts; ///< how often it was looked at, and the bed was cut anew for it
+    int64_t moved;       ///< grains that got another owner
+    double sum, most;    ///< of the most work of a rank over the mean, at each look
+} clod_ranks_evenness;
 
 typedef struct clod_ranks clod_ranks;
 struct clod_ranks {
@@ -45,6 +53,7 @@ struct clod_ranks {
                      const clod_message *in, int ins);
     clod_rank_place *place; ///< [size] where they run; NULL: not known; owned
     clod_ranks_count count;
+    clod_ranks_evenness evenness;
     void *group;           ///< what the two need
     char *room;            ///< scratch of the functions below; owned
     size_t room_bytes;     ///< of it
