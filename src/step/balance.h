@@ -24,7 +24,7 @@ typedef struct clod_balance {
     double began;  ///< s, when it began to
     double time;   ///< s, until then
     int64_t moved; ///< grains of this rank that got another owner at the last rebuild
-    double each;   ///< weight of a grain or contact of this rank at the last look
+    double each;   ///< weight of a unit of this rank at the last look; 1 is the mean
 } clod_balance;
 
 /** Count time from now on, until clod_balance_pause. */
@@ -35,7 +35,7 @@ void clod_balance_pause(clod_balance *self, const clod_ranks *ranks);
  * Look at the work of all ranks, which is counted anew from now on. self->each is known then, and
  * ranks->evenness tells it.
  *
- * @param units  grains and contacts of this rank
+ * @param units  of work of this rank: grains, and its halves of contacts
  * @return       whether it is too uneven, on all ranks alike
  */
 bool clod_balance_asks(clod_balance *self, clod_ranks *ranks, double units);

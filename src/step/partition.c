@@ -66,6 +66,14 @@ void clod_partition_add(clod_partition *self, const double position[3], double w
                           along(self, 2, position[2]))] += (float)weight;
 }
 
+void clod_partition_scale(clod_partition *self, double factor)
+{
+    const size_t blocks = clod_partition_blocks(self);
+    for (size_t b = 0; b < blocks; b++) {
+        self->weight[b] *= (float)factor;
+    }
+}
+
 void clod_partition_merge(float *into, const float *from, size_t blocks)
 {
     for (size_t b = 0; b < blocks; b++) {

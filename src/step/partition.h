@@ -44,6 +44,9 @@ void clod_partition_begin(clod_partition *self, const double min[3], const doubl
 /** Put a weight into the block at a place; 2^24 times of them at most add up. */
 void clod_partition_add(clod_partition *self, const double position[3], double weight);
 
+/** All weights times a factor. */
+void clod_partition_scale(clod_partition *self, double factor);
+
 /** Weights of another rank onto those of this one. */
 void clod_partition_merge(float *into, const float *from, size_t blocks);
 

@@ -26,38 +26,43 @@ static clod_layers_extent extent_of(const clod_spread *self, const clod_state *s
     return all;
 }
 
-/** Own grains, and contacts whose first grain is own. */
-static double count_units(const clod_spread *self, const clod_state *state)
+/** Put units of work into the block of a row, if it is own; how many. */
+static double weigh_row(clod_spread *self, const clod_state *state, int32_t row, double units)
+{
+    if (!clod_spread_has(self, (size_t)row)) {
+        return 0.0;
+    }
+    clod_partition_add(&self->partition, state->build_position[row], units);
+    return units;
+}
+
+/** Put the units of work of own grains into the blocks: each is one, a half of a contact with
+ *  another is a half, a contact with a wall is one. How many they are. */
+static double weigh(clod_spread *self, const clod_state *state)
 {
     double units = 0.0;
+    clod_partition_begin(&self->partition, self->bed.min, self->bed.max);
     for (size_t g = 0; g < state->grains.count; g++) {
-        units += clod_spread_has(self, g);
+        units += weigh_row(self, state, (int32_t)g, 1.0);
     }
     for (size_t k = 0; k < state->contact_count; k++) {
-        units += clod_spread_has(self, (size_t)state->contacts[k].i);
+        const clod_contact *contact = &state->contacts[k];
+        if (contact->shape < 0) {
+            units += weigh_row(self, state, contact->i, 0.5);
+            units += weigh_row(self, state, contact->j, 0.5);
+        } else {
+            units += weigh_row(self, state, contact->i, 1.0);
+        }
     }
     return units;
 }
 
-static void weigh_row(clod_spread *self, const clod_state *state, size_t row)
-{
-    if (clod_spread_has(self, row)) {
-        clod_partition_add(&self->partition, state->build_position[row], self->balance.each);
-    }
-}
-
-/** Cut by the weights of what count_units counts, of all ranks. */
-static void cut_anew(clod_spread *self, const clod_state *state)
+/** Cut by the weights of all ranks. */
+static void cut_anew(clod_spread *self)
 {
     clod_partition *partition = &self->partition;
-    clod_partition_begin(partition, self->bed.min, self->bed.max);
-    for (size_t g = 0; g < state->grains.count; g++) {
-        weigh_row(self, state, g);
-    }
-    for (size_t k = 0; k < state->contact_count; k++) {
-        weigh_row(self, state, (size_t)state->contacts[k].i);
-    }
     const size_t blocks = clod_partition_blocks(partition);
+    clod_partition_scale(partition, self->balance.each);
     clod_ranks_merge(self->ranks, partition->weight, blocks * sizeof *partition->weight,
                      merge_weights, &blocks);
     clod_partition_cut(partition);
@@ -69,9 +74,9 @@ void clod_spread_cut(clod_spread *self, const clod_state *state)
     clod_ranks_merge(self->ranks, &self->bed, sizeof self->bed, merge_bed, NULL);
     self->layers = clod_layers_from(&self->bed);
     self->balance.each = 1.0;
-    if (!self->partition.exists ||
-        clod_balance_asks(&self->balance, self->ranks, count_units(self, state))) {
-        cut_anew(self, state);
+    const double units = weigh(self, state);
+    if (!self->partition.exists || clod_balance_asks(&self->balance, self->ranks, units)) {
+        cut_anew(self);
     }
     clod_partition_bound(&self->partition, self->bed.min, self->bed.max);
 }

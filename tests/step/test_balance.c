@@ -7,7 +7,7 @@
 #include "support/bits.h"
 #include "support/ranks_threads.h"
 
-#define SOME 300 ///< steps
+#define SOME 100 ///< steps
 
 typedef struct balanced_bed {
     clod_step_options options;
@@ -122,7 +122,7 @@ static void run_leaving_rank(clod_ranks *ranks, void *context)
     make_leaving(s);
     scene_start_with(s, how->options);
     how->grains_begin = most_grains(s, ranks->size);
-    scene_run(s, 2 * SOME);
+    scene_run(s, 600);
     assert_int_equal(s->state.exchange.left[CLOD_FACES - 1] + s->state.exchange.left[0] +
                          s->state.exchange.left[1],
                      4 * 6 * 6);
