@@ -1,20 +1,22 @@
 #define _GNU_SOURCE // sched_getaffinity
 #include "parallel/rank_places.h"
 
+#include <limits.h>
 #include <sched.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
+_Static_assert(CLOD_PLACE_HOST > HOST_NAME_MAX, "a name of a host and its end");
+
 clod_rank_place clod_rank_place_here(void)
 {
-    clod_rank_place self = {.host = "?"};
+    clod_rank_place self = {.host = ""};
     cpu_set_t allowed;
-    if (gethostname(self.host, sizeof self.host) != 0) {
-        snprintf(self.host, sizeof self.host, "?");
+    if (gethostname(self.host, sizeof self.host - 1) != 0 || self.host[0] == '\0') {
+        return (clod_rank_place){.host = "?"};
     }
-    self.host[sizeof self.host - 1] = '\0';
-    CPU_ZERO(&allowed);
+    CPU_ZERO(&allowed); // of more than CPU_SETSIZE processors the system says nothing
     if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {
         for (unsigned k = 0; k < 64 * CLOD_PLACE_WORDS; k++) {
             self.processor[k / 64] |= (uint64_t)(CPU_ISSET(k, &allowed) != 0) << (k % 64);
@@ -38,6 +40,7 @@ bool clod_rank_places_host(const clod_rank_place *place, int ranks, int rank,
                            clod_rank_host *host)
 {
     clod_rank_place all = place[rank];
+    bool known = true;
     *host = (clod_rank_host){.name = place[rank].host};
     for (int r = 0; r < ranks; r++) {
         if (strcmp(place[r].host, host->name) != 0) {
@@ -47,10 +50,11 @@ bool clod_rank_places_host(const clod_rank_place *place, int ranks, int rank,
             return false;
         }
         host->ranks++;
+        known = known && clod_rank_place_processors(&place[r]) > 0;
         for (int w = 0; w < CLOD_PLACE_WORDS; w++) {
             all.processor[w] |= place[r].processor[w];
         }
     }
-    host->processors = clod_rank_place_processors(&all);
+    host->processors = known ? clod_rank_place_processors(&all) : 0;
     return true;
 }

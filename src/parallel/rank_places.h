@@ -9,22 +9,25 @@
 #include <stdint.h>
 
 #define CLOD_PLACE_WORDS 16 ///< of 64 processors each
+#define CLOD_PLACE_HOST 256 ///< bytes of the longest name of a host, and its end
 
 typedef struct clod_rank_place {
-    char host[64];
+    char host[CLOD_PLACE_HOST];
     uint64_t processor[CLOD_PLACE_WORDS]; ///< bit k of word w: number 64 w + k is allowed
 } clod_rank_place;
 
-/** Of this process; a host without a name is "?". */
+/** Of this process. A host whose name the system does not say is "?"; then, and where the system
+ *  does not say which processors are allowed, none is set. */
 clod_rank_place clod_rank_place_here(void);
 
-/** How many processors it may use. */
+/** How many processors it may use; 0: not known. */
 int clod_rank_place_processors(const clod_rank_place *self);
 
 /** Ranks of one host. */
 typedef struct clod_rank_host {
     const char *name; ///< borrowed
-    int ranks, processors;
+    int ranks;
+    int processors; ///< 0: not known of one of its ranks
 } clod_rank_host;
 
 /**

@@ -18,26 +18,59 @@ bool clod_ranks_init(clod_ranks *self, clod_status *status)
                             self->size);
 }
 
+/** A call has ended. */
+static void count_time(clod_ranks_count *count, double began, double worked)
+{
+    count->waited += clod_clock_now() - began;
+    count->spun += clod_clock_worked() - worked;
+}
+
 void clod_ranks_share(clod_ranks *self, const void *mine, size_t bytes, void *all)
 {
-    const double begin = clod_clock_now();
+    const double began = clod_clock_now(), worked = clod_clock_worked();
     self->share(self, mine, bytes, all);
-    self->count.waited += clod_clock_now() - begin;
+    count_time(&self->count, began, worked);
     self->count.shares++;
     self->count.share_bytes += (int64_t)bytes;
+}
+
+/** Messages that are not empty, and their bytes. */
+static void count_messages(const clod_message *out, int outs, int64_t *messages, int64_t *bytes)
+{
+    for (int k = 0; k < outs; k++) {
+        *messages += out[k].bytes > 0;
+        *bytes += (int64_t)out[k].bytes;
+    }
+}
+
+bool clod_ranks_keep(clod_ranks *self, const clod_message *out, int outs,
+                     const clod_message *in, int ins, clod_status *status)
+{
+    self->kept_messages = self->kept_bytes = 0;
+    count_messages(out, outs, &self->kept_messages, &self->kept_bytes);
+    return self->keep(self, out, outs, in, ins) ||
+           clod_status_fail(status, CLOD_FAILED, "no memory for %d messages between ranks",
+                            outs + ins);
+}
+
+void clod_ranks_repeat(clod_ranks *self)
+{
+    const double began = clod_clock_now(), worked = clod_clock_worked();
+    self->repeat(self);
+    count_time(&self->count, began, worked);
+    self->count.exchanges++;
+    self->count.messages += self->kept_messages;
+    self->count.bytes += self->kept_bytes;
 }
 
 void clod_ranks_exchange(clod_ranks *self, const clod_message *out, int outs,
                          const clod_message *in, int ins)
 {
-    const double begin = clod_clock_now();
+    const double began = clod_clock_now(), worked = clod_clock_worked();
     self->exchange(self, out, outs, in, ins);
-    self->count.waited += clod_clock_now() - begin;
+    count_time(&self->count, began, worked);
     self->count.exchanges++;
-    for (int k = 0; k < outs; k++) {
-        self->count.messages += out[k].bytes > 0;
-        self->count.bytes += (int64_t)out[k].bytes;
-    }
+    count_messages(out, outs, &self->count.messages, &self->count.bytes);
 }
 
 void clod_ranks_fini(clod_ranks *self)

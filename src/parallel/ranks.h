@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file ranks.h
- * Ranks that compute one bed together: what they say to each other. Two calls do everything
- * else; they are MPI's (ranks_mpi.c) or those of threads in one process
+ * Ranks that compute one bed together: what they say to each other. Two calls do everything, and
+ * two more do again and again what is the same each time; they are MPI's (ranks_mpi.c) or those of threads in one process
  * (tests/support/ranks_threads.h).
  *
  * All ranks make the same calls in the same order. What a rank gets does not depend on who comes
@@ -32,7 +32,15 @@ typedef struct clod_ranks_count {
     int64_t share_bytes;       ///< that it had for each other rank
     int64_t bytes;             ///< of its messages
     double waited;             ///< s in both calls
+    double spun;               ///< s, of processor time in both
 } clod_ranks_count;
+
+/** How even the work of all ranks was, as seen at rebuilds; the same on all. */
+typedef struct clod_ranks_evenness {
+    int64_t looks, cuts; ///< how often it was looked at, and the bed was cut anew for it
+    int64_t moved;       ///< grains that got another owner
+    double sum, most;    ///< of the most work of a rank over the mean, at each look
+} clod_ranks_evenness;
 
 typedef struct clod_ranks clod_ranks;
 struct clod_ranks {
@@ -43,18 +51,30 @@ struct clod_ranks {
      *  same number of bytes; empty ones may be named by one of them alone. */
     void (*exchange)(clod_ranks *self, const clod_message *out, int outs,
                      const clod_message *in, int ins);
+    /** Messages as of exchange, which repeat exchanges each time with what is in their places then.
+     *  They replace those before them; false without memory, on this rank alone. */
+    bool (*keep)(clod_ranks *self, const clod_message *out, int outs, const clod_message *in,
+                 int ins);
+    void (*repeat)(clod_ranks *self);
     clod_rank_place *place; ///< [size] where they run; NULL: not known; owned
     clod_ranks_count count;
-    void *group;           ///< what the two need
-    char *room;            ///< scratch of the functions below; owned
-    size_t room_bytes;     ///< of it
-    clod_message *message; ///< [2 * size] scratch; owned
+    clod_ranks_evenness evenness;
+    int64_t kept_messages, kept_bytes; ///< of a repetition
+    void *group;                       ///< what the two need
+    char *room;                        ///< scratch of the functions below; owned
+    size_t room_bytes;                 ///< of it
+    clod_message *message;             ///< [2 * size] scratch; owned
 };
 
 /** As the call of the same name, and counted. */
 void clod_ranks_share(clod_ranks *self, const void *mine, size_t bytes, void *all);
 void clod_ranks_exchange(clod_ranks *self, const clod_message *out, int outs,
                          const clod_message *in, int ins);
+
+/** The same of the other two: the messages are borrowed until others are kept. */
+bool clod_ranks_keep(clod_ranks *self, const clod_message *out, int outs,
+                     const clod_message *in, int ins, clod_status *status);
+void clod_ranks_repeat(clod_ranks *self);
 
 /** Scratch of the functions below; false without memory. Then clod_ranks_fini. */
 bool clod_ranks_init(clod_ranks *self, clod_status *status);

@@ -27,8 +27,27 @@ int clod_ranks_mpi_processes(void)
     const char *text = getenv("OMPI_COMM_WORLD_SIZE");
     text = text != NULL ? text : getenv("PMI_SIZE");
     text = text != NULL || getenv("PMIX_RANK") == NULL ? text : getenv("SLURM_STEP_NUM_TASKS");
-    const long processes = text != NULL ? strtol(text, NULL, 10) : 1;
-    return processes > 1 && processes <= INT_MAX ? (int)processes : 1;
+    const long processes = text != NULL ? strtol(text, NULL, 10) : 0;
+    const bool said = processes >= 1 && processes <= INT_MAX;
+    return said ? (int)processes : clod_ranks_mpi_started() ? 0 : 1;
+}
+
+/** Whether a process that sees no other one is alone; `cause` may be why it sees none. */
+static bool check_alone(const char *cause, clod_status *status)
+{
+    const int processes = clod_ranks_mpi_processes();
+    if (processes > 1) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%d processes were started together, but this one does not "
+                                "see the others, and each would compute all: %s",
+                                processes, cause);
+    }
+    return processes == 1 ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "several processes may have been started together (the launcher "
+                            "does not say how many), but this one sees no other, and each "
+                            "would compute all: %s",
+                            cause);
 }
 
 #ifdef CLOD_MPI
@@ -38,9 +57,14 @@ int clod_ranks_mpi_processes(void)
 /** Bytes of one piece of a message: MPI counts in int. */
 #define PIECE ((size_t)1 << 30)
 
+/** Tags of messages that are exchanged once, and again and again. */
+enum { ONCE, KEPT };
+
 typedef struct mpi_group {
     MPI_Request *request; ///< of the pieces of an exchange
     size_t room;
+    MPI_Request *kept; ///< [kept_count] of those that are repeated
+    size_t kept_count, kept_room;
 } mpi_group;
 
 static void share(clod_ranks *self, const void *mine, size_t bytes, void *all)
@@ -67,9 +91,9 @@ static MPI_Request *begin(const clod_message *message, bool out, MPI_Request *re
         const int bytes = (int)(left < PIECE ? left : PIECE);
         char *data = (char *)message->data + at;
         if (out) {
-            MPI_Isend(data, bytes, MPI_BYTE, message->peer, 0, MPI_COMM_WORLD, request++);
+            MPI_Isend(data, bytes, MPI_BYTE, message->peer, ONCE, MPI_COMM_WORLD, request++);
         } else {
-            MPI_Irecv(data, bytes, MPI_BYTE, message->peer, 0, MPI_COMM_WORLD, request++);
+            MPI_Irecv(data, bytes, MPI_BYTE, message->peer, ONCE, MPI_COMM_WORLD, request++);
         }
     }
     return request;
@@ -93,6 +117,58 @@ static void exchange(clod_ranks *self, const clod_message *out, int outs,
     MPI_Waitall((int)pieces, group->request, MPI_STATUSES_IGNORE);
 }
 
+static void drop_kept(mpi_group *group)
+{
+    for (size_t k = 0; k < group->kept_count; k++) {
+        MPI_Request_free(&group->kept[k]);
+    }
+    group->kept_count = 0;
+}
+
+/** Requests of the pieces of a message that is repeated. */
+static void keep_message(mpi_group *group, const clod_message *message, bool out)
+{
+    for (size_t at = 0; at < message->bytes; at += PIECE) {
+        const size_t left = message->bytes - at;
+        const int bytes = (int)(left < PIECE ? left : PIECE);
+        char *data = (char *)message->data + at;
+        MPI_Request *request = &group->kept[group->kept_count++];
+        if (out) {
+            MPI_Send_init(data, bytes, MPI_BYTE, message->peer, KEPT, MPI_COMM_WORLD, request);
+        } else {
+            MPI_Recv_init(data, bytes, MPI_BYTE, message->peer, KEPT, MPI_COMM_WORLD, request);
+        }
+    }
+}
+
+static bool keep(clod_ranks *self, const clod_message *out, int outs, const clod_message *in,
+                 int ins)
+{
+    mpi_group *group = self->group;
+    drop_kept(group);
+    const size_t pieces = pieces_of(out, outs) + pieces_of(in, ins);
+    if (!clod_room_for(&group->kept, &group->kept_room, pieces, sizeof *group->kept)) {
+        return false;
+    }
+    for (int k = 0; k < ins; k++) { // first, so that nothing comes unawaited
+        keep_message(group, &in[k], false);
+    }
+    for (int k = 0; k < outs; k++) {
+        keep_message(group, &out[k], true);
+    }
+    return true;
+}
+
+static void repeat(clod_ranks *self)
+{
+    mpi_group *group = self->group;
+    if (group->kept_count == 0) { // no array of them, which MPI_Startall refuses
+        return;
+    }
+    MPI_Startall((int)group->kept_count, group->kept);
+    MPI_Waitall((int)group->kept_count, group->kept, MPI_STATUSES_IGNORE);
+}
+
 bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
 {
     int thread_level;
@@ -101,7 +177,8 @@ bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
         return clod_status_fail(status, CLOD_FAILED, "no memory for MPI");
     }
     MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &thread_level);
-    *self = (clod_ranks){.share = share, .exchange = exchange, .group = group};
+    *self = (clod_ranks){
+        .share = share, .exchange = exchange, .keep = keep, .repeat = repeat, .group = group};
     MPI_Comm_rank(MPI_COMM_WORLD, &self->rank);
     MPI_Comm_size(MPI_COMM_WORLD, &self->size);
     const bool good = (thread_level >= MPI_THREAD_FUNNELED ||
@@ -109,6 +186,10 @@ bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
                                         "this MPI allows no threads: it gives level %d, "
                                         "MPI_THREAD_FUNNELED is needed",
                                         thread_level)) &&
+                      (self->size > 1 ||
+                       check_alone("start them with the mpirun of the MPI that clod was built "
+                                   "with, or one alone without mpirun",
+                                   status)) &&
                       clod_ranks_init(self, status);
     if (!good) {
         clod_ranks_mpi_close(self);
@@ -119,7 +200,9 @@ bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
 void clod_ranks_mpi_close(clod_ranks *self)
 {
     mpi_group *group = self->group;
+    drop_kept(group);
     MPI_Finalize();
+    clod_memory_free(group->kept);
     clod_memory_free(group->request);
     clod_memory_free(group);
     clod_ranks_fini(self);
@@ -130,11 +213,9 @@ void clod_ranks_mpi_close(clod_ranks *self)
 bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
 {
     *self = (clod_ranks){.size = 1};
-    return clod_ranks_mpi_processes() == 1 ||
-           clod_status_fail(status, CLOD_USAGE,
-                            "several processes were started, but this clod was built without "
-                            "MPI: run it without mpirun, or build it where libopenmpi-dev is "
-                            "installed");
+    return check_alone("this clod was built without MPI: run it without mpirun, or build it "
+                       "where libopenmpi-dev is installed",
+                       status);
 }
 
 void clod_ranks_mpi_close(clod_ranks *self)

@@ -9,14 +9,15 @@
 /** Whether mpirun, or srun with PMIx or PMI, has started this process. */
 bool clod_ranks_mpi_started(void);
 
-/** How many processes it has started with this one: 1 where nobody has. */
+/** How many processes it has started with this one: 1 where nobody has; 0: it does not say. */
 int clod_ranks_mpi_processes(void);
 
 /**
  * Join the ranks that it has started.
  *
  * @param self  [out] clod_ranks_mpi_close when it is not needed any more
- * Errors  CLOD_USAGE: there are several, and this clod knows no MPI; CLOD_FAILED.
+ * Errors  CLOD_USAGE: this process sees no other rank, but there are others, or may be, as its
+ *         starter says (this clod knows no MPI, or another one): each would compute all. CLOD_FAILED.
  */
 bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status);
 

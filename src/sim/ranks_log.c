@@ -20,10 +20,12 @@ void clod_ranks_log_places(const clod_job_shared *sim)
         if (!clod_rank_places_host(ranks->place, ranks->size, r, &host)) {
             continue;
         }
-        json_array_append_new(hosts, json_pack("{s:s, s:i, s:i}", "host", host.name, "ranks",
-                                               host.ranks, "processors", host.processors));
-        if (host.ranks * threads > host.processors && options->notice != NULL) {
-            char text[256];
+        json_t *processors = host.processors > 0 ? json_integer(host.processors) : json_null();
+        json_array_append_new(hosts, json_pack("{s:s, s:i, s:o}", "host", host.name, "ranks",
+                                               host.ranks, "processors", processors));
+        if (host.processors > 0 && host.ranks * threads > host.processors &&
+            options->notice != NULL) {
+            char text[256 + CLOD_PLACE_HOST];
             snprintf(text, sizeof text,
                      "warning: %d rank%s on %s have %d processor%s for %d thread%s each: they "
                      "take turns, and every step waits for the last of them",
@@ -43,6 +45,14 @@ void clod_ranks_log_work(const clod_job_shared *sim)
         return;
     }
     const clod_ranks_count *count = &ranks->count;
+    const clod_ranks_evenness *even = &ranks->evenness;
+    if (even->looks > 0) {
+        clod_eventlog_write(sim->log, "balance of ranks", "{s:I, s:I, s:I, s:f, s:f}",
+                            "rebuilds", (json_int_t)even->looks, "cuts", (json_int_t)even->cuts,
+                            "grains_moved", (json_int_t)even->moved, "most_over_mean",
+                            even->sum / (double)even->looks, "most_over_mean_at_most",
+                            even->most);
+    }
     clod_eventlog_write(sim->log, "messages of rank 0", "{s:I, s:I, s:I, s:I, s:I, s:f}",
                         "messages", (json_int_t)count->messages, "bytes",
                         (json_int_t)count->bytes, "exchanges", (json_int_t)count->exchanges,

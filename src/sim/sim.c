@@ -1,6 +1,7 @@
 #include "sim/sim.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -67,14 +68,18 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
 static bool check_processes(const clod_sim_options *options, clod_status *status)
 {
     const int processes = clod_ranks_mpi_processes();
+    char number[16] = "several"; // a launcher that does not say
+    if (processes > 0) {
+        snprintf(number, sizeof number, "%d", processes);
+    }
     return processes == 1 || (options != NULL && options->each_process) ||
            clod_status_fail(
                status, CLOD_USAGE,
-               "%d processes were started together (mpirun, srun), and each would "
+               "%s processes were started together (mpirun, srun), and each would "
                "compute all of this simulation: run the program without mpirun, or "
                "set each_process where every process shall have a simulation of its "
                "own. mpirun clod run computes one case on several processes",
-               processes);
+               number);
 }
 
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,

@@ -45,7 +45,8 @@ bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_st
                             .clumps = whole->state->grains.clump != NULL,
                             .threads = whole->threads,
                             .brute_force = options->brute_force,
-                            .overlap_limit = options->overlap_limit};
+                            .overlap_limit = options->overlap_limit,
+                            .balance = options->balance};
     snprintf(what.simd, sizeof what.simd, "%s", options->simd != NULL ? options->simd : "");
     give_order(self, what);
     if (!clod_crew_part_begin(self, &what, status)) {

@@ -34,10 +34,14 @@ static double same_skin(const void *context, const clod_layers_extent *bed)
 bool clod_crew_part_begin(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
     if (!make_part(self, what->clumps, status) ||
-        !clod_spread_init(&self->spread, self->ranks, self->state.walls.count, status) ||
-        !clod_migrate(&self->spread, &self->state, same_skin, &self->state, status)) {
+        !clod_spread_init(&self->spread, self->ranks, self->state.walls.count, status)) {
         return false;
     }
+    self->spread.balance.options = what->balance;
+    if (!clod_migrate(&self->spread, &self->state, same_skin, &self->state, status)) {
+        return false;
+    }
+    self->spread.balance.moved = 0; // nobody had them
     const clod_step_options options = {.threads = what->threads,
                                        .simd = what->simd[0] != '\0' ? what->simd : NULL,
                                        .brute_force = what->brute_force,
@@ -82,9 +86,11 @@ static bool has_all_wear(clod_crew *self, clod_status *status)
 
 bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
-    const bool good = prepare(self, what, status) &&
-                      clod_step_advance(&self->step, what->steps, status) &&
-                      has_all_wear(self, status);
+    bool good = prepare(self, what, status);
+    clod_balance_go_on(&self->spread.balance, self->ranks);
+    good = good && clod_step_advance(&self->step, what->steps, status) &&
+           has_all_wear(self, status);
+    clod_balance_pause(&self->spread.balance, self->ranks);
     return clod_ranks_agree(self->ranks, good, status);
 }
 

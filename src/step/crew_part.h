@@ -44,6 +44,7 @@ typedef struct clod_crew_order {
     int threads;
     bool brute_force;
     double overlap_limit;
+    clod_balance_options balance;
     char simd[16];
 } clod_crew_order;
 

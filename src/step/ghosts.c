@@ -40,29 +40,10 @@ static void unpack(const clod_spread *self, clod_grains *grains, size_t numbers)
     }
 }
 
-/** Messages with the rows [start[r], start[r + 1]) for each rank r; how many there are. */
-static int address(const clod_spread *self, const size_t *start, double *numbers, size_t each,
-                   clod_message *message)
-{
-    int count = 0;
-    for (int r = 0; r < self->ranks->size; r++) {
-        const size_t rows = start[r + 1] - start[r];
-        if (rows > 0) {
-            message[count++] =
-                (clod_message){r, numbers + start[r] * each, rows * each * sizeof *numbers};
-        }
-    }
-    return count;
-}
-
 static void exchange(const clod_spread *self, clod_grains *grains, size_t numbers)
 {
-    const clod_ghosts *ghosts = &self->ghosts;
     pack(self, grains, numbers);
-    clod_message *out = ghosts->message;
-    const int outs = address(self, ghosts->out_start, ghosts->sent, numbers, out);
-    const int ins = address(self, ghosts->in_start, ghosts->got, numbers, out + outs);
-    clod_ranks_exchange(self->ranks, out, outs, out + outs, ins);
+    clod_ranks_repeat(self->ranks);
     unpack(self, grains, numbers);
 }
 

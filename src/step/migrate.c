@@ -43,11 +43,6 @@ static void parcels_clear(parcels *self)
     }
 }
 
-static bool is_own(const clod_spread *self, size_t row)
-{
-    return self->owner == NULL || clod_spread_owns(self, (int32_t)row);
-}
-
 static bool is_nobodys(const clod_spread *self, size_t row)
 {
     return self->owner != NULL && self->owner[row] == CLOD_SPREAD_NOBODY;
@@ -58,52 +53,6 @@ static int new_owner(const clod_spread *self, const clod_state *state, int32_t r
     return clod_partition_owner(&self->partition, state->build_position[row]);
 }
 
-// ---- the cut
-
-static void merge_bed(const void *context, void *into, const void *from)
-{
-    (void)context;
-    clod_layers_extent_merge(into, from);
-}
-
-static void merge_weights(const void *context, void *into, const void *from)
-{
-    clod_partition_merge(into, from, *(const size_t *)context);
-}
-
-/** Extent of the own rows. */
-static clod_layers_extent extent_of(const clod_spread *self, const clod_state *state)
-{
-    clod_layers_extent all = clod_layers_extent_of(NULL, 0);
-    for (size_t g = 0; g < state->grains.count; g++) {
-        if (is_own(self, g)) {
-            const clod_layers_extent one =
-                clod_layers_extent_of((const double(*)[4])state->build_position + g, 1);
-            clod_layers_extent_merge(&all, &one);
-        }
-    }
-    return all;
-}
-
-/** Layers and partition of the whole bed. */
-static void cut(clod_spread *self, const clod_state *state)
-{
-    self->bed = extent_of(self, state);
-    clod_ranks_merge(self->ranks, &self->bed, sizeof self->bed, merge_bed, NULL);
-    self->layers = clod_layers_from(&self->bed);
-    clod_partition *partition = &self->partition;
-    clod_partition_begin(partition, self->bed.min, self->bed.max);
-    for (size_t g = 0; g < state->grains.count; g++) {
-        if (is_own(self, g)) {
-            clod_partition_add(partition, state->build_position[g]);
-        }
-    }
-    const size_t blocks = clod_partition_blocks(partition);
-    clod_ranks_merge(self->ranks, partition->weight, blocks * sizeof *partition->weight,
-                     merge_weights, &blocks);
-    clod_partition_cut(partition);
-}
-
 // ---- what goes where
 
 /** Contacts whose earlier grain is own, to the new owners of both. */
@@ -112,7 +61,7 @@ static void pack_contacts(const clod_spread *self, const clod_state *state, clod
     for (size_t k = 0; k < state->contact_count; k++) {
         const clod_contact *contact = &state->contacts[k];
         const bool leaves = contact->shape < 0 && is_nobodys(self, (size_t)contact->j);
-        if (!is_own(self, (size_t)contact->i) || leaves) {
+        if (!clod_spread_has(self, (size_t)contact->i) || leaves) {
             continue;
         }
         const int first = new_owner(self, state, contact->i);
@@ -124,11 +73,13 @@ static void pack_contacts(const clod_spread *self, const clod_state *state, clod
     }
 }
 
-static void pack_grains(const clod_spread *self, const clod_state *state, clod_bytes *out)
+static void pack_grains(clod_spread *self, const clod_state *state, clod_bytes *out)
 {
     for (size_t g = 0; g < state->grains.count; g++) {
-        if (is_own(self, g)) {
-            clod_records_put_grain(&out[new_owner(self, state, (int32_t)g)], state, g);
+        if (clod_spread_has(self, g)) {
+            const int owner = new_owner(self, state, (int32_t)g);
+            clod_records_put_grain(&out[owner], state, g);
+            self->balance.moved += owner != self->ranks->rank;
         }
     }
 }
@@ -180,7 +131,7 @@ bool clod_migrate(clod_spread *self, clod_state *state,
     bool good = parcels_init(&grains, self->ranks, status);
     good = parcels_init(&contacts, self->ranks, status) && good;
     if (good) {
-        cut(self, state);
+        clod_spread_cut(self, state);
         pack_contacts(self, state, contacts.out); // while the rows are there
         good =
             move_grains(self, state, skin(context, &self->bed), &grains, status) &&
@@ -200,12 +151,12 @@ static bool to_first(clod_spread *self, const clod_state *state, parcels *way, b
 {
     parcels_clear(way);
     for (size_t g = 0; grains && g < state->grains.count; g++) {
-        if (is_own(self, g)) {
+        if (clod_spread_has(self, g)) {
             clod_records_put_grain(&way->out[0], state, g);
         }
     }
     for (size_t k = 0; !grains && k < state->contact_count; k++) {
-        if (is_own(self, (size_t)state->contacts[k].i)) {
+        if (clod_spread_has(self, (size_t)state->contacts[k].i)) {
             clod_records_put_contact(&way->out[0], &state->grains, &state->contacts[k]);
         }
     }
@@ -283,7 +234,8 @@ bool clod_migrate_near(clod_spread *self, const clod_state *state, const clod_do
     parcels way;
     bool good = parcels_init(&way, self->ranks, status);
     for (size_t g = 0; good && g < state->grains.count; g++) {
-        if (is_own(self, g) && reaches(&state->domain, state->grains.position[g], box, count)) {
+        if (clod_spread_has(self, g) &&
+            reaches(&state->domain, state->grains.position[g], box, count)) {
             clod_records_put_grain(&way.out[0], state, g);
         }
     }

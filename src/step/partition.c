@@ -5,14 +5,17 @@
 
 #include "base/memory.h"
 
+/** How much longer than the axis of the last cut another one must be to be cut instead. */
+#define MUCH_LONGER 1.5
+
 bool clod_partition_init(clod_partition *self, int ranks, clod_status *status)
 {
     *self = (clod_partition){.ranks = ranks};
-    self->owner = clod_memory_alloc(CLOD_PARTITION_BLOCKS, sizeof *self->owner);
     self->weight = clod_memory_alloc(CLOD_PARTITION_BLOCKS, sizeof *self->weight);
+    self->plane = clod_memory_alloc((size_t)ranks, sizeof *self->plane);
     self->low = clod_memory_alloc((size_t)ranks, sizeof *self->low);
     self->high = clod_memory_alloc((size_t)ranks, sizeof *self->high);
-    return (self->owner != NULL && self->weight != NULL && self->low != NULL &&
+    return (self->weight != NULL && self->plane != NULL && self->low != NULL &&
             self->high != NULL) ||
            clod_status_fail(status, CLOD_FAILED, "no memory to cut a bed for %d ranks", ranks);
 }
@@ -57,45 +60,77 @@ static size_t block_of(const clod_partition *self, int32_t x, int32_t y, int32_t
     return ((size_t)z * (size_t)self->n[1] + (size_t)y) * (size_t)self->n[0] + (size_t)x;
 }
 
-static size_t block_at(const clod_partition *self, const double p[3])
+void clod_partition_add(clod_partition *self, const double position[3], double weight)
 {
-    return block_of(self, along(self, 0, p[0]), along(self, 1, p[1]), along(self, 2, p[2]));
+    self->weight[block_of(self, along(self, 0, position[0]), along(self, 1, position[1]),
+                          along(self, 2, position[2]))] += (float)weight;
 }
 
-void clod_partition_add(clod_partition *self, const double position[3])
+void clod_partition_scale(clod_partition *self, double factor)
 {
-    self->weight[block_at(self, position)]++;
+    const size_t blocks = clod_partition_blocks(self);
+    for (size_t b = 0; b < blocks; b++) {
+        self->weight[b] *= (float)factor;
+    }
 }
 
-void clod_partition_merge(int32_t *into, const int32_t *from, size_t blocks)
+void clod_partition_merge(float *into, const float *from, size_t blocks)
 {
     for (size_t b = 0; b < blocks; b++) {
-        into[b] = into[b] < INT32_MAX - from[b] ? into[b] + from[b] : INT32_MAX;
+        into[b] += from[b];
     }
 }
 
 int clod_partition_owner(const clod_partition *self, const double position[3])
 {
-    return self->owner[block_at(self, position)];
+    int first = 0, last = self->ranks;
+    while (last - first > 1) {
+        const int middle = first + (last - first) / 2;
+        const clod_partition_plane plane = self->plane[middle];
+        *(position[plane.axis] < plane.at ? &last : &first) = middle;
+    }
+    return first;
 }
 
-/** Blocks [low, high) of ranks [first, last). */
+// ---- the cut
+
+/** A box of ranks [first, last); lengths in blocks. */
 typedef struct piece {
-    int32_t low[3], high[3];
+    double low[3], high[3];
     int first, last;
 } piece;
 
-/** Grains in each slice of a piece across an axis; of all. */
-static int64_t weigh(const clod_partition *self, const piece *at, int axis,
-                     int64_t slice[CLOD_PARTITION_ACROSS])
+/** What of block k is between two places along an axis. */
+static double share_of(int32_t k, double low, double high)
 {
-    int64_t all = 0;
+    return fmax(fmin(high, (double)k + 1.0) - fmax(low, (double)k), 0.0);
+}
+
+/** Blocks that a piece has a share of along an axis: [range[0], range[1]). */
+static void blocks_of(const piece *at, int axis, int32_t range[2])
+{
+    range[0] = (int32_t)floor(at->low[axis]);
+    range[1] = (int32_t)ceil(at->high[axis]);
+}
+
+/** Weight in each slice of a piece across an axis; of all. */
+static double weigh(const clod_partition *self, const piece *at, int axis,
+                    double slice[CLOD_PARTITION_ACROSS])
+{
+    int32_t range[3][2];
+    double all = 0.0;
+    for (int a = 0; a < 3; a++) {
+        blocks_of(at, a, range[a]);
+    }
     memset(slice, 0, CLOD_PARTITION_ACROSS * sizeof *slice);
-    for (int32_t z = at->low[2]; z < at->high[2]; z++) {
-        for (int32_t y = at->low[1]; y < at->high[1]; y++) {
-            for (int32_t x = at->low[0]; x < at->high[0]; x++) {
+    for (int32_t z = range[2][0]; z < range[2][1]; z++) {
+        for (int32_t y = range[1][0]; y < range[1][1]; y++) {
+            const double row =
+                share_of(z, at->low[2], at->high[2]) * share_of(y, at->low[1], at->high[1]);
+            for (int32_t x = range[0][0]; x < range[0][1]; x++) {
                 const int32_t k[3] = {x, y, z};
-                const int32_t weight = self->weight[block_of(self, x, y, z)];
+                const double weight = row * share_of(x, at->low[0], at->high[0]) *
+                                      (double)self->weight[block_of(self, x, y, z)];
                 slice[k[axis]] += weight;
                 all += weight;
             }
@@ -104,52 +139,37 @@ static int64_t weigh(const clod_partition *self, const piece *at, int axis,
     return all;
 }
 
-/** The axis along which a piece is longest; of equal ones the one with most blocks. */
-static int longest_axis(const clod_partition *self, const piece *at)
+/** The axis of the last cut, or the longest if that is much longer. */
+static int choose_axis(const clod_partition *self, const piece *at, int before)
 {
-    int best = 0;
-    double most = -1.0;
+    double length[3];
+    int best = self->exists ? before : 0;
     for (int a = 0; a < 3; a++) {
-        const int32_t n = at->high[a] - at->low[a];
-        const double length = n > 1 ? (double)n * self->width[a] : 0.0;
-        if (length > most) {
-            most = length;
-            best = a;
-        }
+        length[a] = (at->high[a] - at->low[a]) * self->width[a];
+    }
+    for (int a = 0; a < 3; a++) {
+        const double kept = self->exists && best == before ? MUCH_LONGER : 1.0;
+        best = length[a] > kept * length[best] ? a : best;
     }
     return best;
 }
 
-/** Where to cut: the lower ranks get the share of the grains that is nearest to theirs. */
-static int32_t cut_at(const piece *at, int axis, const int64_t slice[CLOD_PARTITION_ACROSS],
-                      double wanted)
+/** Where a piece has so much of its weight below. */
+static double cut_at(const piece *at, int axis, const double slice[CLOD_PARTITION_ACROSS],
+                     double wanted)
 {
-    int32_t best = at->low[axis];
-    double below = 0.0, least = INFINITY;
-    for (int32_t k = at->low[axis]; k <= at->high[axis]; k++) {
-        if (fabs(below - wanted) < least) {
-            least = fabs(below - wanted);
-            best = k;
+    int32_t range[2];
+    double below = 0.0;
+    blocks_of(at, axis, range);
+    for (int32_t k = range[0]; k < range[1]; k++) {
+        const double low = fmax((double)k, at->low[axis]);
+        if (slice[k] > 0.0 && below + slice[k] >= wanted) {
+            return low +
+                   share_of(k, at->low[axis], at->high[axis]) * (wanted - below) / slice[k];
         }
-        below += k < at->high[axis] ? (double)slice[k] : 0.0;
+        below += slice[k];
     }
-    return best;
-}
-
-/** A piece for one rank alone. */
-static void give(clod_partition *self, const piece *at)
-{
-    for (int a = 0; a < 3; a++) {
-        self->low[at->first][a] = self->min[a] + self->width[a] * (double)at->low[a];
-        self->high[at->first][a] = self->min[a] + self->width[a] * (double)at->high[a];
-    }
-    for (int32_t z = at->low[2]; z < at->high[2]; z++) {
-        for (int32_t y = at->low[1]; y < at->high[1]; y++) {
-            for (int32_t x = at->low[0]; x < at->high[0]; x++) {
-                self->owner[block_of(self, x, y, z)] = at->first;
-            }
-        }
-    }
+    return at->high[axis];
 }
 
 void clod_partition_cut(clod_partition *self)
@@ -161,19 +181,57 @@ void clod_partition_cut(clod_partition *self)
         const piece at = stack[--depth];
         const int ranks = at.last - at.first;
         if (ranks == 1) {
-            give(self, &at);
             continue;
         }
-        int64_t slice[CLOD_PARTITION_ACROSS];
-        const int axis = longest_axis(self, &at);
-        const int lower = ranks / 2;
-        const double all = (double)weigh(self, &at, axis, slice);
+        double slice[CLOD_PARTITION_ACROSS];
+        const int lower = ranks / 2, middle = at.first + lower;
+        clod_partition_plane *plane = &self->plane[middle];
+        const int axis = plane->axis = choose_axis(self, &at, plane->axis);
+        const double all = weigh(self, &at, axis, slice);
+        self->exists = self->exists || all > 0.0;
+        const double cut = cut_at(&at, axis, slice, all * (double)lower / (double)ranks);
+        plane->at = self->min[axis] + self->width[axis] * cut;
         piece left = at, right = at;
-        left.last = right.first = at.first + lower;
-        left.high[axis] = right.low[axis] =
-            cut_at(&at, axis, slice, all * (double)lower / (double)ranks);
+        left.last = right.first = middle;
+        left.high[axis] = right.low[axis] = cut;
         stack[depth++] = right;
         stack[depth++] = left;
+    }
+}
+
+// ---- boxes
+
+/** Box of a rank between the planes that a place of it passes. */
+static void bound_rank(clod_partition *self, int rank)
+{
+    double *low = self->low[rank], *high = self->high[rank];
+    bool none = false;
+    int first = 0, last = self->ranks;
+    while (last - first > 1) {
+        const int middle = first + (last - first) / 2;
+        const clod_partition_plane plane = self->plane[middle];
+        if (rank < middle) { // what it has is below
+            none = none || !(plane.at > low[plane.axis]);
+            high[plane.axis] = fmin(high[plane.axis], plane.at);
+            last = middle;
+        } else {
+            none = none || plane.at > high[plane.axis];
+            low[plane.axis] = fmax(low[plane.axis], plane.at);
+            first = middle;
+        }
+    }
+    if (none) {
+        low[0] = INFINITY;
+        high[0] = -INFINITY;
+    }
+}
+
+void clod_partition_bound(clod_partition *self, const double min[3], const double max[3])
+{
+    for (int r = 0; r < self->ranks; r++) {
+        memcpy(self->low[r], min, sizeof *self->low);
+        memcpy(self->high[r], max, sizeof *self->high);
+        bound_rank(self, r);
     }
 }
 
@@ -185,7 +243,7 @@ bool clod_partition_reaches(const clod_partition *self, const clod_domain *domai
         const double half = 0.5 * (high - low);
         const double off =
             fabs(clod_domain_separation(domain, a, position[a], low + half)) - half;
-        if (!(off <= reach) || !(high > low || self->width[a] == 0.0)) {
+        if (!(low <= high && off <= reach)) {
             return false;
         }
     }
@@ -194,8 +252,8 @@ bool clod_partition_reaches(const clod_partition *self, const clod_domain *domai
 
 void clod_partition_fini(clod_partition *self)
 {
-    clod_memory_free(self->owner);
     clod_memory_free(self->weight);
+    clod_memory_free(self->plane);
     clod_memory_free(self->low);
     clod_memory_free(self->high);
     *self = (clod_partition){0};

@@ -1,13 +1,15 @@
 #pragma once
 /**
  * @file partition.h
- * Which rank owns which part of space: recursive coordinate bisection of a grid of blocks, by the
- * numbers of grains in them. Every rank makes the same from the same numbers. No result depends
- * on where the cuts are.
+ * Which rank owns which part of space: recursive coordinate bisection. Planes are put anywhere
+ * along an axis, by the weights of the blocks of a grid, which are taken to be even within a
+ * block; they stay until the bed is cut anew. Every rank makes the same from the same numbers. No
+ * result depends on where the cuts are.
  *
  * Source  Berger and Bokhari (1987), doi:10.1109/TC.1987.1676942.   Test  tests/step/test_partition.c
  */
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -17,35 +19,48 @@
 /** Most blocks of the grid, and along an axis. */
 enum { CLOD_PARTITION_BLOCKS = 16384, CLOD_PARTITION_ACROSS = 64 };
 
+/** Where a piece of the bed is cut: lower places belong to the lower ranks of the piece. */
+typedef struct clod_partition_plane {
+    int axis;
+    double at; ///< m
+} clod_partition_plane;
+
 typedef struct clod_partition {
     int ranks;
-    int32_t n[3];                 ///< blocks along each axis
+    bool exists;                  ///< it has been cut, with some weight
+    int32_t n[3];                 ///< blocks along each axis, of the last grid
     double min[3];                ///< m
     double width[3];              ///< m, of a block
-    int32_t *owner;               ///< [blocks] rank of each
-    int32_t *weight;              ///< [blocks] grains in each
-    double (*low)[3], (*high)[3]; ///< [ranks] m, box of each; low = high: it has no block
+    float *weight;                ///< [blocks]
+    clod_partition_plane *plane;  ///< [ranks] of r > 0: below the upper half that begins with r
+    double (*low)[3], (*high)[3]; ///< [ranks] m, box of each; low > high: it has none
 } clod_partition;
 
 bool clod_partition_init(clod_partition *self, int ranks, clod_status *status);
 
-/** A grid over a box, without any grains in it. */
+/** A grid over a box, without any weight in it. */
 void clod_partition_begin(clod_partition *self, const double min[3], const double max[3]);
 
-/** Count a grain in its block. */
-void clod_partition_add(clod_partition *self, const double position[3]);
+/** Put a weight into the block at a place; 2^24 times of them at most add up. */
+void clod_partition_add(clod_partition *self, const double position[3], double weight);
 
-/** Grains of another rank in each block onto those of this one; a block with more than INT32_MAX
- *  weighs as much as that. */
-void clod_partition_merge(int32_t *into, const int32_t *from, size_t blocks);
+/** All weights times a factor. */
+void clod_partition_scale(clod_partition *self, double factor);
+
+/** Weights of another rank onto those of this one. */
+void clod_partition_merge(float *into, const float *from, size_t blocks);
 
 /** Number of blocks: `weight` has so many. */
 size_t clod_partition_blocks(const clod_partition *self);
 
-/** Cut by the weights of all ranks. */
+/** Cut by the weights of all ranks, along the axes of the last cut where they are still good: so
+ *  planes move as little as the weights do. */
 void clod_partition_cut(clod_partition *self);
 
-/** The rank that owns a place; places beyond the box belong to the nearest block. */
+/** Boxes of the ranks, in a bed whose grains lie within a box. */
+void clod_partition_bound(clod_partition *self, const double min[3], const double max[3]);
+
+/** The rank that owns a place. */
 int clod_partition_owner(const clod_partition *self, const double position[3]);
 
 /** Whether a place is within `reach` [m] of the box of a rank, along every axis, by the nearest

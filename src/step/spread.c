@@ -86,7 +86,33 @@ static size_t list_rows(const clod_spread *self, const clod_state *state, double
     return count;
 }
 
-static bool list_ghosts(clod_spread *self, const clod_state *state, double skin)
+/** Messages with the rows [start[r], start[r + 1]) for each rank r; how many there are. */
+static int address(const clod_spread *self, const size_t *start, double *numbers, size_t each,
+                   clod_message *message)
+{
+    int count = 0;
+    for (int r = 0; r < self->ranks->size; r++) {
+        const size_t rows = start[r + 1] - start[r];
+        if (rows > 0) {
+            message[count++] =
+                (clod_message){r, numbers + start[r] * each, rows * each * sizeof *numbers};
+        }
+    }
+    return count;
+}
+
+/** The messages of every step until the next list. */
+static bool keep_messages(clod_spread *self, size_t numbers, clod_status *status)
+{
+    const clod_ghosts *ghosts = &self->ghosts;
+    clod_message *out = ghosts->message;
+    const int outs = address(self, ghosts->out_start, ghosts->sent, numbers, out);
+    const int ins = address(self, ghosts->in_start, ghosts->got, numbers, out + outs);
+    return clod_ranks_keep(self->ranks, out, outs, out + outs, ins, status);
+}
+
+static bool list_ghosts(clod_spread *self, const clod_state *state, double skin,
+                        clod_status *status)
 {
     clod_ghosts *ghosts = &self->ghosts;
     const size_t out = list_rows(self, state, skin, true, ghosts->out_start, NULL);
@@ -96,24 +122,23 @@ static bool list_ghosts(clod_spread *self, const clod_state *state, double skin)
         !clod_room_for(&ghosts->in, &ghosts->in_room, in, sizeof *ghosts->in) ||
         !clod_room_for(&ghosts->sent, &ghosts->sent_room, out * numbers, sizeof(double)) ||
         !clod_room_for(&ghosts->got, &ghosts->got_room, in * numbers, sizeof(double))) {
-        return false;
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the ghosts of %zu grains",
+                                state->grains.count);
     }
     list_rows(self, state, skin, true, ghosts->out_start, ghosts->out);
     list_rows(self, state, skin, false, ghosts->in_start, ghosts->in);
-    return true;
+    return keep_messages(self, numbers, status);
 }
 
 bool clod_spread_list(clod_spread *self, const clod_state *state, double skin,
                       clod_status *status)
 {
-    bool good = reserve(self, state->grains.count);
+    bool good = reserve(self, state->grains.count) ||
+                clod_status_fail(status, CLOD_FAILED, "no memory for the owners of %zu grains",
+                                 state->grains.count);
     if (good) {
         find_owners(self, state);
-        good = list_ghosts(self, state, skin);
-    }
-    if (!good) {
-        clod_status_fail(status, CLOD_FAILED, "no memory for the ghosts of %zu grains",
-                         state->grains.count);
+        good = list_ghosts(self, state, skin, status);
     }
     return clod_ranks_agree(self->ranks, good, status);
 }

@@ -11,6 +11,7 @@
 
 #include "parallel/fixed.h"
 #include "parallel/ranks.h"
+#include "step/balance.h"
 #include "step/layers.h"
 #include "step/leavers.h"
 #include "step/partition.h"
@@ -43,8 +44,9 @@ typedef struct clod_spread {
     clod_layers_extent bed;   ///< of all grains, at the last rebuild
     clod_layers layers;       ///< of it
     clod_partition partition; ///< of the last rebuild
-    int32_t *owner;           ///< [rows] rank of each grain; NULL: all are this rank's
-    clod_chunk *run;          ///< [runs] rows that are this rank's
+    clod_balance balance;
+    int32_t *owner;  ///< [rows] rank of each grain; NULL: all are this rank's
+    clod_chunk *run; ///< [runs] rows that are this rank's
     size_t runs, owner_room, run_room;
     clod_torn torn; ///< at the last rebuild
     clod_ghosts ghosts;
@@ -75,6 +77,10 @@ static inline size_t clod_spread_numbers(const clod_state *state)
 {
     return state->grains.before != NULL ? 20 : 12;
 }
+
+/** Layers of the whole bed by state->build_position, and the boxes of ranks in it: cut anew if their
+ *  work asks for it. Own rows are those of self->owner. */
+void clod_spread_cut(clod_spread *self, const clod_state *state);
 
 /** How far from a rank's box a grain may matter to it [m]. */
 double clod_spread_reach(const clod_spread *self, double radius, double skin);
@@ -129,6 +135,12 @@ void clod_spread_merge_stored(const clod_spread *self, clod_step_stored *sums);
 static inline bool clod_spread_owns(const clod_spread *self, int32_t row)
 {
     return self->owner[row] == self->ranks->rank;
+}
+
+/** The same where a rank may have all rows. */
+static inline bool clod_spread_has(const clod_spread *self, size_t row)
+{
+    return self->owner == NULL || clod_spread_owns(self, (int32_t)row);
 }
 
 /** The own rows of a run that are in a chunk. Threads: any. */

@@ -15,6 +15,7 @@
 #include "parallel/ranks.h"
 #include "state/contact_source.h"
 #include "state/state.h"
+#include "step/balance.h"
 #include "step/kernel.h"
 #include "step/near.h"
 #include "step/near_reader.h"
@@ -32,8 +33,9 @@ typedef struct clod_step_options {
     /** Whether laws and time step suit what state->changes brings, before it is done
      *  (clod_setup_bound_accepts); NULL: nobody asks. */
     bool (*accepts)(const void *context, const clod_state *state, clod_status *status);
-    const void *context; ///< of accepts; borrowed until clod_step_fini
-    clod_ranks *ranks;   ///< that step the bed together; borrowed; NULL: this process alone
+    const void *context;          ///< of accepts; borrowed until clod_step_fini
+    clod_balance_options balance; ///< of several ranks
+    clod_ranks *ranks; ///< that step the bed together; borrowed; NULL: this process alone
     struct clod_spread *spread; ///< the state is this rank's part of a bed (crew.h); borrowed
 } clod_step_options;
 

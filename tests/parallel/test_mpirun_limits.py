@@ -52,6 +52,33 @@ class TimeLimit(clod.Case):
         self.assert_same_end(one, out, ["run"])
 
 
+@clod.quick_only
+class Launchers(clod.Case):
+    """Processes that do not see each other, each with the same command: as one that the mpirun of
+    another MPI starts, or where clod knows no MPI."""
+
+    def assert_refused(self, reason, **environment):
+        out = self.path("out")
+        done = clod.run("run", SMALL, "-o", out, env={**os.environ, **environment})
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn(reason, done.stderr)
+        self.assertIn("each would compute all: ", done.stderr)
+        self.assertFalse(os.path.exists(out))
+
+    def test_several_that_do_not_see_each_other_are_refused(self):
+        for name in ("OMPI_COMM_WORLD_SIZE", "PMI_SIZE"):
+            self.assert_refused("4 processes were started together", **{name: "4"})
+
+    def test_an_unknown_number_is_refused(self):
+        self.assert_refused("several processes may have been started together", PMIX_RANK="0")
+        self.assert_refused("4 processes were started", PMIX_RANK="2", SLURM_STEP_NUM_TASKS="4")
+
+    def test_one_alone_runs(self):
+        done = clod.run("run", SMALL, "-o", self.path("out"),
+                        env={**os.environ, "OMPI_COMM_WORLD_SIZE": "1"})
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+
 @unittest.skipUnless(os.environ.get("CLOD_MPI") == "1", "clod was built without MPI")
 @clod.quick_only
 class Ranks(clod.Case):
@@ -62,6 +89,9 @@ class Ranks(clod.Case):
         done = rank_kills.run(2, "run", SLIT, "-o", out, *LONG, "--time-limit", "0.6 s")
         self.assertEqual(done.returncode, 143, done.stderr)
         self.assertEqual(done.stderr.count("before the time limit of 0.6 s"), 1, done.stderr)
+        even, = [event for event in clod.log(out) if event["event"] == "balance of ranks"]
+        self.assertTrue(0 <= even["cuts"] <= even["rebuilds"] > 0)
+        self.assertTrue(1 <= even["most_over_mean"] <= even["most_over_mean_at_most"] < 2)
         done = clod.run("run", SLIT, "-o", out, "-t", "1", *LONG)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assert_same_end(one, out, ["run"])

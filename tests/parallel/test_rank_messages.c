@@ -102,6 +102,38 @@ static void bytes_arrive_at_whom_they_are_for(void **state)
     }
 }
 
+/** Rounds of messages around the ranks that are kept once; then others the other way. */
+static void repeat_rounds(clod_ranks *ranks, void *context)
+{
+    clod_ranks_count *count = context;
+    clod_status status = {0};
+    int64_t sent = 0, got = -1;
+    for (int way = 1; way < SIZE; way += SIZE - 2) {
+        const int from = (ranks->rank + SIZE - way) % SIZE;
+        const clod_message out = {(ranks->rank + way) % SIZE, &sent, sizeof sent};
+        const clod_message in = {from, &got, sizeof got};
+        CLOD_ASSERT(clod_ranks_keep(ranks, &out, 1, &in, 1, &status));
+        for (int k = 0; k < 3; k++) {
+            sent = 10 * k + ranks->rank; // what is in their places then
+            clod_ranks_repeat(ranks);
+            CLOD_ASSERT(got == 10 * k + from);
+        }
+    }
+    count[ranks->rank] = ranks->count;
+}
+
+static void messages_that_are_kept_are_repeated(void **state)
+{
+    (void)state;
+    clod_ranks_count count[SIZE];
+    ranks_run(SIZE, repeat_rounds, count);
+    for (int r = 0; r < SIZE; r++) {
+        assert_int_equal(count[r].exchanges, 6);
+        assert_int_equal(count[r].messages, 6);
+        assert_int_equal(count[r].bytes, 6 * sizeof(int64_t));
+    }
+}
+
 /** As if every other rank had so many bytes for this one: more together than any address. */
 #define ENORMOUS ((size_t)5 << 45)
 
@@ -173,6 +205,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sums_are_merged_in_the_order_of_ranks),
+        cmocka_unit_test(messages_that_are_kept_are_repeated),
         cmocka_unit_test(bytes_arrive_at_whom_they_are_for),
         cmocka_unit_test(what_is_said_is_counted),
         cmocka_unit_test(more_bytes_than_an_int_counts),

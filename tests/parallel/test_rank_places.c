@@ -28,6 +28,33 @@ static void ranks_are_counted_by_host(void **state)
     assert_int_equal(host.processors, 2);
 }
 
+/** A kernel of more processors than the mask has says none of them. */
+static void processors_of_one_rank_that_are_not_known_are_not_counted(void **state)
+{
+    (void)state;
+    static const clod_rank_place SOME[] = {{.host = "a", .processor = {3}}, {.host = "a"}};
+    clod_rank_host host;
+    assert_true(clod_rank_places_host(SOME, 2, 0, &host));
+    assert_int_equal(host.ranks, 2);
+    assert_int_equal(host.processors, 0);
+}
+
+/** Names of 64 letters, the longest that Linux knows, which differ in the last. */
+static void long_names_are_told_apart(void **state)
+{
+    (void)state;
+    clod_rank_place place[2] = {0};
+    for (int r = 0; r < 2; r++) {
+        memset(place[r].host, 'n', 64);
+        place[r].host[63] = (char)('0' + r);
+    }
+    clod_rank_host host;
+    assert_true(clod_rank_places_host(place, 2, 0, &host));
+    assert_int_equal(host.ranks, 1);
+    assert_int_equal(strlen(host.name), 64);
+    assert_true(clod_rank_places_host(place, 2, 1, &host));
+}
+
 static void this_process_has_a_host_and_processors(void **state)
 {
     (void)state;
@@ -42,6 +69,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ranks_are_counted_by_host),
+        cmocka_unit_test(processors_of_one_rank_that_are_not_known_are_not_counted),
+        cmocka_unit_test(long_names_are_told_apart),
         cmocka_unit_test(this_process_has_a_host_and_processors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -46,6 +46,13 @@ static void several_processes_must_be_meant(void **state)
     assert_true(can_be_made(NULL, ""));
     setenv("PMIX_RANK", "0", 1);
     assert_false(can_be_made(NULL, REASON));
+    unsetenv("SLURM_STEP_NUM_TASKS"); // started by somebody who does not say how many there are
+    assert_false(can_be_made(NULL, "several processes were started together"));
+    assert_true(can_be_made(&each, ""));
+    unsetenv("PMIX_RANK");
+    setenv("OMPI_COMM_WORLD_SIZE", "many", 1);
+    assert_false(can_be_made(NULL, "several processes were started together"));
+    unsetenv("OMPI_COMM_WORLD_SIZE");
 }
 
 int main(void)

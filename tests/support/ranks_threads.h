@@ -22,8 +22,15 @@ typedef struct ranks_post {
     int outs;
 } ranks_post;
 
+/** Messages that a rank repeats. */
+typedef struct ranks_kept {
+    const clod_message *out, *in;
+    int outs, ins;
+} ranks_kept;
+
 typedef struct ranks_team {
     clod_barrier barrier;
+    ranks_kept kept[RANKS_MOST];
     ranks_post post[RANKS_MOST];
     clod_ranks rank[RANKS_MOST];
     void (*run)(clod_ranks *ranks, void *context);
@@ -71,6 +78,21 @@ static inline void ranks_exchange(clod_ranks *self, const clod_message *out, int
     clod_barrier_wait(&team->barrier);
 }
 
+static inline bool ranks_keep(clod_ranks *self, const clod_message *out, int outs,
+                              const clod_message *in, int ins)
+{
+    ranks_team *team = self->group;
+    team->kept[self->rank] = (ranks_kept){out, in, outs, ins};
+    return true;
+}
+
+static inline void ranks_repeat(clod_ranks *self)
+{
+    const ranks_team *team = self->group;
+    const ranks_kept *kept = &team->kept[self->rank];
+    ranks_exchange(self, kept->out, kept->outs, kept->in, kept->ins);
+}
+
 static inline void *ranks_thread(void *argument)
 {
     clod_ranks *ranks = argument;
@@ -95,6 +117,8 @@ static inline void ranks_run(int size, void (*run)(clod_ranks *ranks, void *cont
                                     .size = size,
                                     .share = ranks_share,
                                     .exchange = ranks_exchange,
+                                    .keep = ranks_keep,
+                                    .repeat = ranks_repeat,
                                     .group = &team};
         CLOD_ASSERT(clod_ranks_init(&team.rank[r], &status));
     }
