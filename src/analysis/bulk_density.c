@@ -96,8 +96,8 @@ static void fit(clod_bulk_density *self, double *work)
     const double slope = count > 2 ? clod_fit_slope_error(&line, count) : (double)NAN;
     const double foot = slope * sqrt(line.sxx / n + line.mean_x * line.mean_x);
     const double rho = exp(line.intercept);
-    self->rho_1 = (clod_locus_value){rho, rho * foot, NAN};
-    self->compressibility = (clod_locus_value){line.slope, slope, NAN};
+    self->rho_1 = (clod_locus_value){rho, rho * foot, (double)NAN};
+    self->compressibility = (clod_locus_value){line.slope, slope, (double)NAN};
     self->r_squared = line.r_squared;
 }
 

@@ -22,7 +22,9 @@ static void find_header(const char *text, size_t length, char header[HEADER])
         memcpy(header, text + at, taken);
         header[taken] = '\0';
         const size_t blank = strspn(header, " \t\r");
-        header[0] = header[blank] == '\0' || header[blank] == '#' ? '\0' : header[0];
+        if (header[blank] == '\0' || header[blank] == '#') {
+            header[0] = '\0';
+        }
         at += line + 1;
     }
 }

@@ -136,8 +136,8 @@ static line line_of(const point *points, size_t count, double *work)
         work[count + i] = points[i].tau;
     }
     line self = {.fit = clod_fit_line(work, work + count, count)};
-    self.phi_w = (clod_locus_value){atan(self.fit.slope), NAN, NAN};
-    self.tau_ad = (clod_locus_value){self.fit.intercept, NAN, NAN};
+    self.phi_w = (clod_locus_value){atan(self.fit.slope), (double)NAN, (double)NAN};
+    self.tau_ad = (clod_locus_value){self.fit.intercept, (double)NAN, (double)NAN};
     find_errors(&self, points, count);
     return self;
 }
@@ -147,7 +147,7 @@ static clod_locus_value angle_of(const point *p)
 {
     const double ratio = p->tau / p->sigma;
     const double error = sqrt(stated(p, ratio)) / p->sigma / (1.0 + ratio * ratio);
-    return (clod_locus_value){atan(ratio), error > 0.0 ? error : (double)NAN, NAN};
+    return (clod_locus_value){atan(ratio), error > 0.0 ? error : (double)NAN, (double)NAN};
 }
 
 static void put_marks(clod_wall_locus *self, const point *points, size_t count,
