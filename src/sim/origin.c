@@ -211,7 +211,8 @@ static bool compare(clod_origin *self, const clod_job_shared *sim, clod_status *
             status, CLOD_USAGE,
             "--from %s: %s differs, so that specimen is not one of this case. A test can go on "
             "from the preparation of another run with other shear, wall or consolidation "
-            "stresses, shear_min, shear_max, crush_max, beyond_peak and peak_window; all that differs:\n%s",
+            "stresses, shear_min, shear_max, crush_max, beyond_peak and peak_window; all that "
+            "differs:\n%s",
             self->folder, now.refused, self->differences);
     }
     return ok;

@@ -190,7 +190,7 @@ class Report(clod.Case):
         self.assertEqual([curve["name"] for curve in page.figures["wall-yield-locus"]["curves"]], ["one", "", "two", ""])
         self.assertEqual(page.row("kinematic angle of wall friction")[1:],
                          ["φw", "18.25 ± 0.13", "18.25 ± 0.13", "deg"])
-        self.assertEqual(len(page.figures["shear-stress-wall"]["curves"]), 2)
+        self.assertEqual(len(page.figures["Shear-stress--wall"]["curves"]), 2)
 
     def test_a_run_that_goes_on(self):
         pages.free_run(self.path("run"))
