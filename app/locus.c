@@ -1,6 +1,7 @@
 /**
  * @file locus.c
- * clod locus POINTS.csv: yield loci and flow function of shear points.
+ * clod locus TABLE.csv: yield loci and flow function of shear points, wall yield loci, bulk
+ * densities.
  */
 
 #include <argp.h>
@@ -11,7 +12,7 @@
 
 #include "app.h"
 #include "arguments.h"
-#include "clod/locus.h"
+#include "clod/measured.h"
 #include "clod/text_file.h"
 
 enum { KEY_JSON = 256, KEY_CSV, KEY_SIGMA, KEY_TAU };
@@ -19,14 +20,15 @@ enum { KEY_JSON = 256, KEY_CSV, KEY_SIGMA, KEY_TAU };
 typedef struct request {
     const char *points, *output;
     clod_locus_defaults defaults;
-    char *(*write)(const clod_locus_study *study);
+    char *(*write)(const clod_measured *table);
     bool json, csv;
 } request;
 
 static const struct argp_option OPTIONS[] = {
     {"json", KEY_JSON, NULL, 0, "print everything as JSON", 0},
     {"csv", KEY_CSV, NULL, 0,
-     "print one row per preshear stress as CSV; warnings go to standard error", 0},
+     "print one row per preshear stress, or per point, as CSV; warnings go to standard error",
+     0},
     {"output", 'o', "FILE", 0, "write to FILE; - is standard output", 0},
     {"sigma-pre", KEY_SIGMA, "STRESS", 0,
      "preshear normal stress of rows without one, e.g. 10kPa", 0},
@@ -39,11 +41,11 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     request *self = state->input;
     switch (key) {
     case KEY_JSON:
-        self->write = clod_locus_json;
+        self->write = clod_measured_json;
         self->json = true;
         return 0;
     case KEY_CSV:
-        self->write = clod_locus_csv;
+        self->write = clod_measured_csv;
         self->csv = true;
         return 0;
     case 'o':
@@ -57,7 +59,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         return 0;
     case ARGP_KEY_ARG:
         if (self->points != NULL) {
-            argp_error(state, "one file of points at a time");
+            argp_error(state, "one table at a time");
         }
         self->points = argument;
         return 0;
@@ -67,7 +69,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         }
         return 0;
     case ARGP_KEY_NO_ARGS:
-        argp_error(state, "which file of points?");
+        argp_error(state, "which table?");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -85,41 +87,28 @@ static bool put(const request *self, const char *text, clod_status *status)
 }
 
 /** A CSV has no place for warnings: they go to standard error. */
-static void show_warnings(const clod_locus_study *study)
+static void show_warning(void *context, const char *text)
 {
-    for (size_t g = 0; g < study->count; g++) {
-        const clod_locus *locus = &study->groups[g].locus;
-        for (size_t i = 0; i < locus->warning_count; i++) {
-            fprintf(stderr, "clod locus: preshear at %.3f kPa: %s\n",
-                    locus->sigma_p.value / 1000.0, locus->warnings[i]);
-        }
-    }
-    if (study->warning[0] != '\0') {
-        fprintf(stderr, "clod locus: %s\n", study->warning);
-    }
+    (void)context;
+    fprintf(stderr, "clod locus: %s\n", text);
 }
 
 static bool run(const request *self, clod_status *status)
 {
-    clod_locus_point *points;
-    size_t count;
-    if (!clod_locus_read(self->points, &self->defaults, &points, &count, status)) {
-        return false;
-    }
-    clod_locus_study *study = clod_locus_study_create(points, count, status);
-    clod_locus_free(points);
-    if (study == NULL) {
+    clod_measured table;
+    if (!clod_measured_read(self->points, &self->defaults, &table, status)) {
+        clod_measured_fini(&table);
         return false;
     }
     if (self->csv) {
-        show_warnings(study);
+        clod_measured_warnings(&table, show_warning, NULL);
     }
-    char *text = self->write(study);
+    char *text = self->write(&table);
     const bool done = text != NULL
                           ? put(self, text, status)
                           : clod_status_fail(status, CLOD_FAILED, "No memory for the result.");
     clod_locus_free(text);
-    clod_locus_study_destroy(&study);
+    clod_measured_fini(&table);
     return done;
 }
 
@@ -128,15 +117,21 @@ int clod_app_locus(int argc, char **argv)
     const struct argp argp = {
         .options = OPTIONS,
         .parser = parse,
-        .args_doc = "POINTS.csv",
+        .args_doc = "TABLE.csv",
         .doc =
-            "Evaluate shear points, simulated or measured: yield locus, Mohr circles, flow "
-            "function. POINTS.csv may be - for standard input.\vColumns of the file, units in "
-            "its header: sigma_pre [kPa], tau_pre "
+            "Evaluate a table, simulated or measured: shear points to yield locus, Mohr circles "
+            "and flow function; wall friction to wall yield locus, wall friction angles and "
+            "adhesion; bulk densities to compressibility. TABLE.csv may be - for standard "
+            "input.\vThe columns say what the table is; their units stand in its header.\n"
+            "Shear points: sigma_pre [kPa], tau_pre "
             "[kPa], sigma_sh [kPa], tau_sh [kPa]; optional seed, rho_b [kg/m3], "
-            "tau_pre_error [kPa], tau_sh_error [kPa], rho_b_error [kg/m3].",
+            "tau_pre_error [kPa], tau_sh_error [kPa], rho_b_error [kg/m3].\n"
+            "Wall friction: sigma_w [kPa], tau_w [kPa]; optional seed, sigma_w_error [kPa], "
+            "tau_w_error [kPa].\n"
+            "Bulk densities: sigma_1 [kPa], rho_b [kg/m3]; optional sigma_1_error [kPa], "
+            "rho_b_error [kg/m3].",
     };
-    request self = {.write = clod_locus_table};
+    request self = {.write = clod_measured_table};
     if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {
         return CLOD_FAILED;
     }

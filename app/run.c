@@ -307,7 +307,8 @@ int clod_app_run(int argc, char **argv)
         .args_doc = "CASE",
         .doc =
             "Run a case file: a free run, a ring shear or Jenike shear test up to the yield "
-            "locus, or a uniaxial test up to the flow function.\v"
+            "locus, a uniaxial test up to the flow function, or a wall friction test up to "
+            "the wall yield locus.\v"
             "After an interruption, the same command continues from the last checkpoint. "
             "Ctrl-C, SIGTERM and SIGHUP stop the run with a checkpoint (exit status 130, 143 "
             "and 129); a second Ctrl-C stops it at once, without one. On SIGUSR1 the run "

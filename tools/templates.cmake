@@ -2,7 +2,8 @@
 # CMake run again.
 set(header "#pragma once\n// Written by tools/templates.cmake from cases/.\n")
 foreach(entry IN ITEMS "RING_SHEAR=copper-ore-5/case.yaml" "JENIKE=copper-ore-jenike/case.yaml"
-    "UNIAXIAL=copper-ore-uniaxial/case.yaml" "FREE_RUN=free-run/case.yaml"
+    "UNIAXIAL=copper-ore-uniaxial/case.yaml" "WALL_FRICTION=wall-friction/case.yaml"
+    "FREE_RUN=free-run/case.yaml"
     "CONTACT_BENCH=contact-bench/case.yaml" "HOPPER=hopper-design/hopper.yaml"
     "HOPPER_FLOW_FUNCTION=hopper-design/flow-function.csv" "HOPPER_WALL=hopper-design/wall.csv")
   string(REPLACE "=" ";" entry ${entry})

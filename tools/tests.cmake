@@ -103,7 +103,7 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 file(GLOB CLOD_TEST_SCRIPTS CONFIGURE_DEPENDS tests/*/test_*.py)
 if(CLOD_SANITIZE)
   # What these look at (numbers, progress lines) does not depend on the build, and takes long.
-  list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "cli/test_(ring_shear|jenike|uniaxial|terminal)\\.py$")
+  list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "cli/test_(ring_shear|jenike|uniaxial|wall_friction|terminal)\\.py$")
   # Faults are injected by a preloaded library, which the sanitizers do not go with.
   list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "faults/test_")
 endif()

@@ -256,6 +256,34 @@ typedef struct clod_case_uniaxial {
     double beyond_peak; ///< strain recorded beyond the peak
 } clod_case_uniaxial;
 
+#define CLOD_CASE_WALL_STRESSES 16 ///< of a wall friction test, at most
+
+/** Wall friction test: a specimen on a plate of the wall's material (docs/theory/wall-friction.md). */
+typedef struct clod_case_wall_friction {
+    bool present;
+    char *grain_material, *side_material, *plate_material, *lid_material;
+    int cell;                                 ///< 0: ring, 1: straight
+    double inner_radius, outer_radius, depth; ///< m; straight: inner_radius has no meaning
+    int64_t bar_count;                        ///< ring: on the lid
+    double bar_height, bar_width;             ///< m
+    double lid_mass;                          ///< kg
+    double lid_damping;                       ///< fraction of critical
+    double radius_mean, radius_sd, radius_min, radius_max; ///< m
+    int64_t grain_count;                                   ///< 0 = as many as fill the depth
+    double fill_fraction;        ///< solid fraction assumed while filling
+    double fill_adhesion;        ///< fraction of k_adh during filling
+    double fill_max, settle_max; ///< s at most until grains, and lid, rest
+    double *wall_stresses;       ///< Pa, in any order
+    size_t wall_stress_count;
+    double speed;              ///< m/s at the largest stress; in a ring at r_m
+    double block_displacement; ///< m of shear, one block average
+    int64_t steady_blocks;     ///< blocks that must agree
+    double steady_tolerance;   ///< relative
+    double shear_min;          ///< m of shear at each stress at least
+    double shear_max;          ///< m of shear at each stress at most
+    int64_t seeds;             ///< number of repeats: seed, seed + 1, ...
+} clod_case_wall_friction;
+
 /** One leg of the contact bench: linear from the values before to these in `steps` steps. */
 typedef struct clod_case_leg {
     double overlap;  ///< m at the end of the leg
@@ -314,6 +342,7 @@ typedef struct clod_case {
     clod_case_ring_shear ring_shear;
     clod_case_jenike jenike;
     clod_case_uniaxial uniaxial;
+    clod_case_wall_friction wall_friction;
     clod_case_contact_bench contact_bench;
 } clod_case;
 
@@ -354,6 +383,7 @@ typedef enum clod_case_kind {
     CLOD_CASE_RING_SHEAR,
     CLOD_CASE_JENIKE,
     CLOD_CASE_UNIAXIAL,
+    CLOD_CASE_WALL_FRICTION,
     CLOD_CASE_CONTACT_BENCH,
     CLOD_CASE_KINDS ///< how many there are
 } clod_case_kind;

@@ -1,8 +1,8 @@
 #pragma once
 /**
  * @file run.h
- * Run a case: a free run, a shear test from filling to yield locus, or a uniaxial test
- * from filling to flow function. The same call goes on from the checkpoints that an interrupted
+ * Run a case: a free run, a shear test from filling to yield locus, a uniaxial test from
+ * filling to flow function, or a wall friction test from filling to wall yield locus. The same call goes on from the checkpoints that an interrupted
  * run left in its folder. A NULL where an argument is needed: see clod/status.h.
  */
 

@@ -5,9 +5,9 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "analysis/fields.h"
+#include "analysis/prose.h"
 #include "base/given.h"
 #include "base/memory.h"
 #include "base/text.h"
@@ -97,23 +97,6 @@ static void put_marks(FILE *out, const clod_locus *locus)
     }
 }
 
-/** A warning, broken between words; lines after the first are indented. */
-static void put_warning(FILE *out, const char *text)
-{
-    const size_t width = 88;
-    fputs("  - ", out);
-    while (strlen(text) > width) {
-        size_t end = width;
-        while (end > 0 && text[end] != ' ') {
-            end--;
-        }
-        end = end == 0 ? width : end;
-        fprintf(out, "%.*s\n    ", (int)end, text);
-        text += end + (text[end] == ' ' ? 1 : 0);
-    }
-    fprintf(out, "%s\n", text);
-}
-
 static void put_locus(FILE *out, const clod_locus *locus)
 {
     fprintf(out, "Yield locus at preshear %.3f kPa: %zu points", locus->sigma_p.value / 1000.0,
@@ -132,7 +115,7 @@ static void put_locus(FILE *out, const clod_locus *locus)
         fputs("\n  Warnings\n", out);
     }
     for (size_t i = 0; i < locus->warning_count; i++) {
-        put_warning(out, locus->warnings[i]);
+        clod_prose_warning(out, locus->warnings[i]);
     }
 }
 
@@ -164,7 +147,7 @@ static void put_flow_function(FILE *out, const clod_locus_study *study)
     }
     if (study->warning[0] != '\0') {
         fputs("\n  Warnings\n", out);
-        put_warning(out, study->warning);
+        clod_prose_warning(out, study->warning);
     }
 }
 

@@ -12,6 +12,14 @@ void clod_check_case(clod_loader *loader, clod_case *self);
 /** Checks of every tester that is there (check_tester.c). */
 void clod_check_tester(clod_loader *loader, clod_case *self);
 
+/** What the checks of all testers share (check_tester.c): radii of the grains of `section`;
+ *  weight of a solid of some height, as dense as filling assumes [Pa]; gravity of a `cell`. */
+void clod_check_tester_radius(clod_loader *loader, const char *section, double mean, double min,
+                              double max);
+double clod_check_tester_weight(const clod_case *self, const char *material, double fraction,
+                                double height);
+void clod_check_tester_gravity(clod_loader *loader, const clod_case *self, const char *cell);
+
 /** Weight of the solid above a shear plane [Pa], and in words where it is. */
 typedef struct clod_check_above {
     double weight;
@@ -26,6 +34,8 @@ void clod_check_programme(clod_loader *loader, const char *section,
 void clod_check_ring_shear(clod_loader *loader, const clod_case *self);
 void clod_check_jenike(clod_loader *loader, const clod_case *self);
 void clod_check_uniaxial(clod_loader *loader, const clod_case *self);
+void clod_check_wall_friction(clod_loader *loader,
+                              const clod_case *self); // check_wall_friction.c
 void clod_check_contact_bench(clod_loader *loader, const clod_case *self);
 
 /** Checks of grains, walls, stages and domain (check_run.c). */

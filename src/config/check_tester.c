@@ -14,8 +14,8 @@ static bool clean(const clod_loader *loader, const char *path)
 }
 
 /** Radii of a tester's grains, at `section`.radius; the mean lies between the ends. */
-static void check_radius(clod_loader *loader, const char *section, double mean, double min,
-                         double max)
+void clod_check_tester_radius(clod_loader *loader, const char *section, double mean, double min,
+                              double max)
 {
     char path[64];
     snprintf(path, sizeof path, "%s.radius", section);
@@ -66,8 +66,8 @@ static void check_cell(clod_loader *loader, const clod_case_ring_shear *ring)
 }
 
 /** Weight of a solid of some height, as dense as filling assumes [Pa]. */
-static double solid_weight(const clod_case *self, const char *material, double fraction,
-                           double height)
+double clod_check_tester_weight(const clod_case *self, const char *material, double fraction,
+                                double height)
 {
     const int ore = material == NULL ? -1 : clod_case_material_index(self, material);
     const double density = ore < 0 ? 0.0 : self->materials[ore].density;
@@ -76,7 +76,7 @@ static double solid_weight(const clod_case *self, const char *material, double f
 
 /** The cell stands upright and is filled from above: weight presses the solid onto its base.
  */
-static void check_gravity(clod_loader *loader, const clod_case *self, const char *cell)
+void clod_check_tester_gravity(clod_loader *loader, const clod_case *self, const char *cell)
 {
     const double *g = self->gravity;
     if (clean(loader, "gravity") && (g[0] != 0.0 || g[1] != 0.0 || !(g[2] < 0.0))) {
@@ -94,12 +94,14 @@ void clod_check_ring_shear(clod_loader *loader, const clod_case *self)
     clod_check_material(loader, self, "ring_shear.side_material", ring->side_material);
     clod_check_material(loader, self, "ring_shear.base_material", ring->base_material);
     clod_check_material(loader, self, "ring_shear.lid_material", ring->lid_material);
-    check_gravity(loader, self, "a ring shear cell");
-    check_radius(loader, "ring_shear", ring->radius_mean, ring->radius_min, ring->radius_max);
+    clod_check_tester_gravity(loader, self, "a ring shear cell");
+    clod_check_tester_radius(loader, "ring_shear", ring->radius_mean, ring->radius_min,
+                             ring->radius_max);
     check_cell(loader, ring);
-    const clod_check_above above = {
-        solid_weight(self, ring->grain_material, ring->fill_fraction, ring->bar_height),
-        "between the bars of the lid"};
+    const clod_check_above above = {clod_check_tester_weight(self, ring->grain_material,
+                                                             ring->fill_fraction,
+                                                             ring->bar_height),
+                                    "between the bars of the lid"};
     clod_check_programme(loader, "ring_shear", &ring->programme, &above);
 }
 
@@ -142,12 +144,14 @@ void clod_check_jenike(clod_loader *loader, const clod_case *self)
     clod_check_material(loader, self, "jenike.side_material", test->side_material);
     clod_check_material(loader, self, "jenike.base_material", test->base_material);
     clod_check_material(loader, self, "jenike.lid_material", test->lid_material);
-    check_gravity(loader, self, "a Jenike cell");
-    check_radius(loader, "jenike", test->radius_mean, test->radius_min, test->radius_max);
+    clod_check_tester_gravity(loader, self, "a Jenike cell");
+    clod_check_tester_radius(loader, "jenike", test->radius_mean, test->radius_min,
+                             test->radius_max);
     check_rings(loader, test);
-    const clod_check_above above = {
-        solid_weight(self, test->grain_material, test->fill_fraction, test->ring_height),
-        "in the shear ring"};
+    const clod_check_above above = {clod_check_tester_weight(self, test->grain_material,
+                                                             test->fill_fraction,
+                                                             test->ring_height),
+                                    "in the shear ring"};
     clod_check_programme(loader, "jenike", &test->programme, &above);
 }
 
@@ -197,8 +201,9 @@ void clod_check_uniaxial(clod_loader *loader, const clod_case *self)
     clod_check_material(loader, self, "uniaxial.side_material", test->side_material);
     clod_check_material(loader, self, "uniaxial.base_material", test->base_material);
     clod_check_material(loader, self, "uniaxial.lid_material", test->lid_material);
-    check_gravity(loader, self, "the mould of a uniaxial test");
-    check_radius(loader, "uniaxial", test->radius_mean, test->radius_min, test->radius_max);
+    clod_check_tester_gravity(loader, self, "the mould of a uniaxial test");
+    clod_check_tester_radius(loader, "uniaxial", test->radius_mean, test->radius_min,
+                             test->radius_max);
     check_mould(loader, test);
     check_consolidations(loader, test);
 }

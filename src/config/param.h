@@ -97,6 +97,7 @@ extern const clod_table CLOD_TABLE_OUTPUT;
 extern const clod_table CLOD_TABLE_RING_SHEAR;
 extern const clod_table CLOD_TABLE_JENIKE;
 extern const clod_table CLOD_TABLE_UNIAXIAL;
+extern const clod_table CLOD_TABLE_WALL_FRICTION;
 extern const clod_table CLOD_TABLE_CONTACT_BENCH;
 
 /** Row of a table by key, or NULL. */

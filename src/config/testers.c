@@ -83,13 +83,43 @@ static double uniaxial_damping(const clod_case *from)
     return from->uniaxial.lid_damping;
 }
 
-static double uniaxial_stress(const clod_case *from)
+static double largest(const double *stresses, size_t count)
 {
     double stress = 0.0;
-    for (size_t k = 0; k < from->uniaxial.consolidation_stress_count; k++) {
-        stress = fmax(stress, from->uniaxial.consolidation_stresses[k]);
+    for (size_t k = 0; k < count; k++) {
+        stress = fmax(stress, stresses[k]);
     }
     return stress;
+}
+
+static double uniaxial_stress(const clod_case *from)
+{
+    return largest(from->uniaxial.consolidation_stresses,
+                   from->uniaxial.consolidation_stress_count);
+}
+
+// ---- wall_friction
+
+static bool has_wall_friction(const clod_case *from)
+{
+    return from->wall_friction.present;
+}
+
+static clod_tester_materials wall_friction_materials(const clod_case *from)
+{
+    const clod_case_wall_friction *cell = &from->wall_friction;
+    return (clod_tester_materials){
+        cell->grain_material, {cell->side_material, cell->plate_material, cell->lid_material}};
+}
+
+static double wall_friction_damping(const clod_case *from)
+{
+    return from->wall_friction.lid_damping;
+}
+
+static double wall_friction_stress(const clod_case *from)
+{
+    return largest(from->wall_friction.wall_stresses, from->wall_friction.wall_stress_count);
 }
 
 // ---- contact_bench
@@ -129,6 +159,13 @@ const clod_config_tester CLOD_CONFIG_TESTER[CLOD_CASE_KINDS] = {
                             .stress = uniaxial_stress,
                             .lid_damping = uniaxial_damping,
                             .check = clod_check_uniaxial},
+    [CLOD_CASE_WALL_FRICTION] = {.key = "wall_friction",
+                                 .cell = true,
+                                 .present = has_wall_friction,
+                                 .materials = wall_friction_materials,
+                                 .stress = wall_friction_stress,
+                                 .lid_damping = wall_friction_damping,
+                                 .check = clod_check_wall_friction},
     [CLOD_CASE_CONTACT_BENCH] = {.key = "contact_bench",
                                  .present = has_contact_bench,
                                  .materials = contact_bench_materials,

@@ -36,5 +36,5 @@ bool clod_config_begins_empty(const clod_case *self);
 
 #define CLOD_CONFIG_TESTER_KEYS 256
 
-/** "ring_shear, jenike, uniaxial": keys of all that make a cell, for messages. */
+/** "ring_shear, jenike, uniaxial, wall_friction": keys of all that make a cell, for messages. */
 void clod_config_tester_keys(char text[CLOD_CONFIG_TESTER_KEYS]);

@@ -30,6 +30,15 @@ typedef struct clod_curve {
 void clod_curve_sort(clod_curve *self);
 
 /**
+ * Sort the points and replace those at one stress by their mean; its error is that of their
+ * scatter, or of what they state when that is more.
+ *
+ * @param apart  relative distance from the first of them below which two stresses are one
+ * Errors  none.   Threads  pure.   Test  tests/hopper/test_curve.c
+ */
+void clod_curve_merge(clod_curve *self, double apart);
+
+/**
  * The property at x; not below 0.
  *
  * @return NAN when it is not known

@@ -6,10 +6,13 @@
 #include <stdio.h>
 #include <sys/stat.h>
 
+#include "analysis/bulk_density.h"
 #include "analysis/csv.h"
 #include "base/input.h"
 #include "base/memory.h"
+#include "clod/bulk_density.h"
 #include "clod/locus.h"
+#include "clod/wall_locus.h"
 
 /** A row of the flow function; 0: not there. */
 typedef struct row {
@@ -60,30 +63,10 @@ static const char *const SKIPPED[] = {"seeds",
                                       "strain_at_peak",
                                       NULL};
 
-#define RHO_LEAST 10.0 // kg/m3: as clod locus has it; foam beads, the lightest, pour with more
-#define RHO_MOST 15000.0 // kg/m3: powders of tungsten and platinum are lighter
-
-/** No solid pours with such a density: it is the unit. 0: not there. */
-static bool check_density(const clod_csv *self, double rho)
-{
-    if (rho == 0.0 || (rho >= RHO_LEAST && rho <= RHO_MOST)) {
-        return true;
-    }
-    return clod_status_fail(
-        self->status, CLOD_USAGE,
-        "%s:%zu: column rho_b: %.6g kg/m3 is outside %g to %g kg/m3; is its "
-        "unit another one, [g/cm3]?",
-        self->path, self->line, rho, RHO_LEAST, RHO_MOST);
-}
-
 static bool check_flow(const clod_csv *self, const void *of)
 {
-    return check_density(self, ((const row *)of)->rho.y);
-}
-
-static bool check_rho(const clod_csv *self, const void *of)
-{
-    return check_density(self, ((const clod_curve_point *)of)->y);
+    const double rho = ((const row *)of)->rho.y;
+    return rho == 0.0 || clod_bulk_density_check(self, rho); // 0: not there
 }
 
 static const clod_csv_kind FLOW_KIND = {
@@ -96,6 +79,9 @@ static const clod_csv_kind FLOW_KIND = {
     .skipped = SKIPPED,
     .check_row = check_flow,
 };
+
+/** Wall normal stresses no further apart, relative, are one: tests of the same programme. */
+#define SAME_STRESS 0.02
 
 #define POINT(field) .offset = offsetof(clod_curve_point, field)
 #define SIGMA(name)                                                                            \
@@ -127,30 +113,12 @@ static const clod_csv_column PHI_E[] = {SIGMA("sigma_1"), SIGMA_ERROR("sigma_1_e
 static const clod_csv_column PHI_T[] = {SIGMA("sigma_1"), SIGMA_ERROR("sigma_1_error"),
                                         ANGLE("phi_t", "phi_lin"),
                                         ERROR("rad", "phi_t_error", "phi_lin_error")};
-static const clod_csv_column RHO[] = {
-    SIGMA("sigma_1"),
-    SIGMA_ERROR("sigma_1_error"),
-    {.names = {"rho_b", "rho"}, .unit = "kg/m3", .positive = true, .required = true, POINT(y)},
-    ERROR("kg/m3", "rho_b_error")};
-static const clod_csv_column WALL[] = {
-    SIGMA("sigma_w"),
-    SIGMA_ERROR("sigma_w_error"),
-    {.names = {"tau_w"}, .unit = "Pa", .required = true, POINT(y)},
-    ERROR("Pa", "tau_w_error")};
-
 static const clod_csv_kind PHI_E_KIND =
     KIND(PHI_E, "sigma_1, phi_e, sigma_1_error, phi_e_error", "sigma_1 [kPa],phi_e [deg]",
          "phi_e point", .check_row = NULL);
 static const clod_csv_kind PHI_T_KIND =
     KIND(PHI_T, "sigma_1, phi_t, sigma_1_error, phi_t_error", "sigma_1 [kPa],phi_t [deg]",
          "phi_t point", .check_row = NULL);
-static const clod_csv_kind RHO_KIND =
-    KIND(RHO, "sigma_1, rho_b, sigma_1_error, rho_b_error", "sigma_1 [kPa],rho_b [kg/m3]",
-         "bulk density point", .check_row = check_rho);
-static const clod_csv_kind WALL_KIND =
-    KIND(WALL, "sigma_w, tau_w, sigma_w_error, tau_w_error", "sigma_w [kPa],tau_w [kPa]",
-         "wall yield locus point", .check_row = NULL);
-
 /** Read a file of a kind; its rows are owned by the caller. */
 static bool read_file(const char *path, const clod_csv_kind *kind, void **rows, size_t *count,
                       clod_status *status)
@@ -249,17 +217,24 @@ static bool take_study(const clod_locus_study *study, clod_solid *solid,
     return good;
 }
 
+/** The file itself, or the table of this name in a results folder. */
+static const char *find_table(const char *path, const char *table, char inside[PATH_MAX])
+{
+    struct stat kind;
+    const bool folder = stat(path, &kind) == 0 && S_ISDIR(kind.st_mode);
+    snprintf(inside, PATH_MAX, "%s%s%s", path, folder ? "/" : "", folder ? table : "");
+    return inside;
+}
+
 /** Append the points of a test: of the file, or of points.csv in a results folder. */
 static bool add_points(const char *path, clod_locus_point **all, size_t *count,
                        clod_status *status)
 {
-    struct stat kind;
     char inside[PATH_MAX];
-    const bool folder = stat(path, &kind) == 0 && S_ISDIR(kind.st_mode);
-    snprintf(inside, sizeof inside, "%s%s", path, folder ? "/points.csv" : "");
     clod_locus_point *points;
     size_t more;
-    if (!clod_locus_read(inside, NULL, &points, &more, status)) {
+    if (!clod_locus_read(find_table(path, "points.csv", inside), NULL, &points, &more,
+                         status)) {
         return false;
     }
     clod_locus_point *grown = clod_memory_grow(*all, *count, *count + more, sizeof **all);
@@ -306,8 +281,77 @@ static bool read_strength(const clod_hopper_strength *from, clod_solid *solid,
     return good;
 }
 
+/** Read a property's file; the points are owned by the caller. */
+typedef bool property_reader(const char *path, clod_curve *curve, clod_status *status);
+
+static bool read_angles(const char *path, const clod_csv_kind *kind, clod_curve *curve,
+                        clod_status *status)
+{
+    void *rows;
+    const bool good = read_file(path, kind, &rows, &curve->count, status);
+    curve->points = rows;
+    return good;
+}
+
+static bool read_phi_e(const char *path, clod_curve *curve, clod_status *status)
+{
+    return read_angles(path, &PHI_E_KIND, curve, status);
+}
+
+static bool read_phi_t(const char *path, clod_curve *curve, clod_status *status)
+{
+    return read_angles(path, &PHI_T_KIND, curve, status);
+}
+
+static bool make_points(clod_curve *curve, size_t count, clod_status *status)
+{
+    curve->points = clod_memory_alloc(count, sizeof *curve->points);
+    curve->count = curve->points != NULL ? count : 0;
+    return curve->points != NULL ||
+           clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
+}
+
+static bool read_rho(const char *path, clod_curve *curve, clod_status *status)
+{
+    char *text;
+    size_t length, count;
+    clod_bulk_density_point *points;
+    if (!clod_input_read(path, SIZE_MAX, &text, &length, status)) {
+        return false;
+    }
+    bool good = clod_bulk_density_parse(path, text, length, &points, &count, status);
+    clod_memory_free(text);
+    good = good && make_points(curve, count, status);
+    for (size_t i = 0; good && i < count; i++) {
+        curve->points[i] = (clod_curve_point){points[i].sigma_1, points[i].rho_b,
+                                              points[i].sigma_1_error, points[i].rho_b_error};
+    }
+    clod_locus_free(points);
+    return good;
+}
+
+/** A wall yield locus: of the file, or of wall_friction.csv in a results folder. */
+static bool read_wall(const char *path, clod_curve *curve, clod_status *status)
+{
+    char inside[PATH_MAX];
+    size_t count;
+    clod_wall_locus_point *points;
+    bool good = clod_wall_locus_read(find_table(path, "wall_friction.csv", inside), &points,
+                                     &count, status);
+    good = good && make_points(curve, count, status);
+    for (size_t i = 0; good && i < count; i++) {
+        curve->points[i] = (clod_curve_point){points[i].sigma, points[i].tau,
+                                              points[i].sigma_error, points[i].tau_error};
+    }
+    clod_locus_free(points);
+    if (good) { // of several seeds, or measured twice
+        clod_curve_merge(curve, SAME_STRESS);
+    }
+    return good;
+}
+
 /** A property of its own, in place of what the flow function brought. */
-static bool read_property(const clod_hopper_property *from, const clod_csv_kind *kind,
+static bool read_property(const clod_hopper_property *from, property_reader *read,
                           clod_curve *curve, clod_status *status)
 {
     if (!from->present) {
@@ -316,17 +360,12 @@ static bool read_property(const clod_hopper_property *from, const clod_csv_kind 
     clod_memory_free(curve->points);
     *curve = (clod_curve){0};
     if (from->file != NULL) {
-        void *rows;
-        const bool good = read_file(from->file, kind, &rows, &curve->count, status);
-        curve->points = rows;
-        return good;
+        return read(from->file, curve, status);
     }
-    curve->points = clod_memory_alloc(1, sizeof *curve->points);
-    if (curve->points == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "No memory for a point.");
+    if (!make_points(curve, 1, status)) {
+        return false;
     }
     curve->points[0] = (clod_curve_point){1.0, from->value, 0.0, from->error};
-    curve->count = 1;
     return true;
 }
 
@@ -345,10 +384,10 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
 {
     *solid = (clod_solid){0};
     if (!read_strength(&from->strength, solid, notes, status) ||
-        !read_property(&from->phi_e, &PHI_E_KIND, &solid->phi_e, status) ||
-        !read_property(&from->phi_t, &PHI_T_KIND, &solid->phi_t, status) ||
-        !read_property(&from->rho, &RHO_KIND, &solid->rho, status) ||
-        !read_property(&from->wall, &WALL_KIND, &solid->wall, status)) {
+        !read_property(&from->phi_e, read_phi_e, &solid->phi_e, status) ||
+        !read_property(&from->phi_t, read_phi_t, &solid->phi_t, status) ||
+        !read_property(&from->rho, read_rho, &solid->rho, status) ||
+        !read_property(&from->wall, read_wall, &solid->wall, status)) {
         return false;
     }
     wall_of_angle(&from->wall, &solid->wall);

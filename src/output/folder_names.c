@@ -18,7 +18,7 @@
 #define RESULT                                                                                 \
     "log[.]jsonl|(series|energy|leavers|" PART                                                 \
     "(-energy)?)[.]csv|case(-complete)?[.]yaml[.]part|"                                        \
-    "(summary[.]json|report[.]txt|points[.]csv|flow_function[.]csv|"                           \
+    "(summary[.]json|report[.]txt|points[.]csv|flow_function[.]csv|wall_friction[.]csv|"       \
     "gauge_[A-Za-z0-9_]+-(profile|trajectory)[.]csv|"                                          \
     "(clumps|impacts)[.]csv|history_map[.]hdf|report[.]html|report-[A-Za-z0-9-]+[.]svg|"       \
     "restart(-" PART ")?(-failed|-at-[0-9]+)?_[ab][.]h5|"                                      \

@@ -12,9 +12,11 @@
 
 /**
  * How the parts of the testers are called in the names of files, as a regular expression;
- * sim/ring_run.c (ring_shear and jenike) and sim/uniaxial_run.c give these names.
+ * sim/ring_run.c (ring_shear and jenike), sim/uniaxial_run.c and sim/wall_shear_run.c give these
+ * names.
  */
-#define CLOD_FOLDER_PART "((seed-[0-9]+-)?(preshear|reverse|point-[0-9]+)|fill|stress-[0-9]+)"
+#define CLOD_FOLDER_PART                                                                       \
+    "((seed-[0-9]+-)?(preshear|reverse|point-[0-9]+|fill|wall)|stress-[0-9]+)"
 
 /**
  * The first name in the folder, in the order of the alphabet, that a run would write to.

@@ -4,6 +4,7 @@
 
 #include "report/html.h"
 #include "report/shear_rows.h"
+#include "report/wall_page.h"
 
 typedef struct card {
     const char *key, *text, *format;
@@ -76,6 +77,9 @@ void clod_cards_put(FILE *out, const clod_run_files *run)
         break;
     case CLOD_RUN_UNIAXIAL:
         put_strengths(out, json_object_get(run->summary, "flow_function"));
+        break;
+    case CLOD_RUN_WALL:
+        clod_wall_page_cards(out, json_object_get(run->summary, "wall_locus"));
         break;
     default:
         for (size_t k = 0; k < sizeof FREE / sizeof *FREE; k++) {

@@ -14,6 +14,7 @@
 #include "report/shear.h"
 #include "report/shear_rows.h"
 #include "report/sheet.h"
+#include "report/wall_page.h"
 
 static bool fail_memory(clod_status *status)
 {
@@ -93,10 +94,45 @@ static bool put_shear(clod_sheet *sheet, const clod_run_files *runs, size_t coun
     return good;
 }
 
+/** Wall yield loci in a table and over each other, and the curves of all. */
+static bool put_walls(clod_sheet *sheet, const clod_run_files *runs, size_t count,
+                      const json_t *lab, clod_status *status)
+{
+    clod_wall_page_locus *loci = clod_memory_alloc(count + 1, sizeof *loci);
+    size_t used = 0;
+    if (loci == NULL) {
+        return fail_memory(status);
+    }
+    for (size_t k = 0; k < count; k++) {
+        const json_t *locus = json_object_get(runs[k].summary, "wall_locus");
+        if (json_is_object(locus)) {
+            loci[used++] = (clod_wall_page_locus){.of = runs[k].name, .locus = locus};
+        }
+    }
+    if (lab != NULL) {
+        loci[used++] = (clod_wall_page_locus){.of = "laboratory", .locus = lab, .lab = true};
+    }
+    clod_html_section(sheet->body, "results", "Results");
+    clod_wall_page_table(sheet->body, loci, used);
+    clod_html_section(sheet->body, "differences", "What differs between the cases");
+    bool good = clod_compare_tables_keys(sheet->body, runs, count, status);
+    clod_html_section(sheet->body, "figures", "Figures");
+    clod_wall_page_figures(sheet, loci, used);
+    clod_memory_free(loci);
+    clod_sheet_columns(sheet, true);
+    good = good && clod_series_compare_parts(sheet, runs, count, "wall", "displacement",
+                                             "shear_stress", status);
+    clod_sheet_columns(sheet, false);
+    return good;
+}
+
 static bool put_runs(clod_sheet *sheet, const clod_run_files *runs, size_t count,
                      const json_t *lab, clod_status *status)
 {
     put_head(sheet->body, runs, count);
+    if (runs[0].kind == CLOD_RUN_WALL) {
+        return put_walls(sheet, runs, count, lab, status);
+    }
     clod_html_section(sheet->body, "results", "Results");
     clod_compare_tables_results(sheet->body, runs, count, lab);
     clod_html_section(sheet->body, "differences", "What differs between the cases");
@@ -123,7 +159,8 @@ bool clod_report_compare(const clod_report_options *options, char **path, clod_s
     bool good = runs != NULL || fail_memory(status);
     good = good && open_runs(options, runs, status);
     if (good && options->lab != NULL) {
-        lab = clod_shear_lab(options->lab, &runs[0], status);
+        lab = runs[0].kind == CLOD_RUN_WALL ? clod_wall_page_lab(options->lab, status)
+                                            : clod_shear_lab(options->lab, &runs[0], status);
         good = lab != NULL;
     }
     good = good && clod_sheet_open(&sheet, status) &&

@@ -13,6 +13,7 @@
 #include "report/scripts.h"
 #include "report/shear.h"
 #include "report/sheet.h"
+#include "report/wall_page.h"
 
 static bool fail_memory(clod_status *status)
 {
@@ -55,6 +56,8 @@ static bool put_run(clod_sheet *sheet, const clod_run_files *run, const json_t *
         good = put_shear(sheet, run, lab, status);
     } else if (run->kind == CLOD_RUN_UNIAXIAL) {
         good = clod_run_pages_uniaxial(sheet, run, status);
+    } else if (run->kind == CLOD_RUN_WALL) {
+        good = clod_wall_page_put(sheet, run, lab, status);
     } else {
         good = clod_run_pages_free(sheet, run, status);
     }
@@ -85,7 +88,8 @@ bool clod_report_write(const clod_report_options *options, char **path, clod_sta
     bool good = *path != NULL || fail_memory(status);
     good = clod_run_files_open(&run, options->runs[0], status) && good;
     if (good && options->lab != NULL) {
-        lab = clod_shear_lab(options->lab, &run, status);
+        lab = run.kind == CLOD_RUN_WALL ? clod_wall_page_lab(options->lab, status)
+                                        : clod_shear_lab(options->lab, &run, status);
         good = lab != NULL;
     }
     good = good && clod_sheet_open(&sheet, status) && put_run(&sheet, &run, lab, status) &&

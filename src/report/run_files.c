@@ -21,6 +21,7 @@ static const struct {
     {"\nring_shear:", CLOD_RUN_SHEAR, "Ring shear test"},
     {"\njenike:", CLOD_RUN_SHEAR, "Jenike shear test"},
     {"\nuniaxial:", CLOD_RUN_UNIAXIAL, "Uniaxial test"},
+    {"\nwall_friction:", CLOD_RUN_WALL, "Wall friction test"},
 };
 
 /** Read a text of the folder; none there is fine. */

@@ -14,6 +14,7 @@ typedef enum clod_run_kind {
     CLOD_RUN_FREE,
     CLOD_RUN_SHEAR, ///< ring shear or Jenike
     CLOD_RUN_UNIAXIAL,
+    CLOD_RUN_WALL, ///< wall friction
 } clod_run_kind;
 
 typedef struct clod_run_files {

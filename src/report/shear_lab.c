@@ -14,8 +14,8 @@ json_t *clod_shear_lab(const char *path, const clod_run_files *run, clod_status 
     if (run->kind != CLOD_RUN_SHEAR) {
         clod_status_fail(
             status, CLOD_USAGE,
-            "--lab %s: %s is no shear test: only their pages have yield loci to lay "
-            "laboratory points over.",
+            "--lab %s: %s is no shear or wall friction test: only their pages have yield loci to "
+            "lay laboratory points over.",
             path, run->folder);
         return NULL;
     }

@@ -12,6 +12,7 @@
 #include "setup/ring_cell.h"
 #include "setup/state.h"
 #include "setup/uniaxial_cell.h"
+#include "setup/wall_friction_cell.h"
 
 /** Solid fraction of grains that stand for those of an inlet. */
 #define LOOSE 0.1
@@ -33,6 +34,8 @@ static const cell CELL[CLOD_CASE_KINDS] = {
                           offsetof(clod_case, jenike.grain_count)},
     [CLOD_CASE_UNIAXIAL] = {clod_setup_uniaxial_cell, clod_uniaxial_cell_amount,
                             offsetof(clod_case, uniaxial.grain_count)},
+    [CLOD_CASE_WALL_FRICTION] = {clod_setup_wall_friction_cell, clod_wall_friction_cell_amount,
+                                 offsetof(clod_case, wall_friction.grain_count)},
     [CLOD_CASE_CONTACT_BENCH] = {.make = clod_setup_state}, // as it is: no grains
 };
 

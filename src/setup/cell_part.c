@@ -1,11 +1,15 @@
 #include "setup/cell_part.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "base/assert.h"
 #include "base/memory.h"
 #include "setup/insertion.h"
 #include "setup/state.h"
+
+/** Free length at both ends of a bar, as a fraction of the smallest radius. */
+#define BAR_CLEARANCE 0.1
 
 bool clod_cell_part_walls(clod_state *state, int32_t count, clod_status *status)
 {
@@ -54,6 +58,41 @@ clod_shape clod_cell_part_side(double radius, double height, clod_side side)
         .half = {0.0, 0.0, 0.5 * height},
         .side = side,
     };
+}
+
+static double bar_length(const clod_cell_part_bars *bars)
+{
+    return bars->outer - bars->inner - 2.0 * BAR_CLEARANCE * bars->radius_min;
+}
+
+double clod_cell_part_bars_volume(const clod_cell_part_bars *bars)
+{
+    return (double)bars->count * (bar_length(bars) * bars->width * bars->height);
+}
+
+/** A radial bar; `bottom` is the height of its lower face. */
+static clod_shape make_bar(const clod_cell_part_bars *bars, int64_t number, double bottom)
+{
+    const double angle = 2.0 * M_PI * (double)number / (double)bars->count;
+    const clod_vec3 radial = {cos(angle), sin(angle), 0.0};
+    const double middle = 0.5 * (bars->inner + bars->outer);
+    return (clod_shape){
+        .kind = CLOD_SHAPE_BAR,
+        .center = {middle * radial.x, middle * radial.y, bottom + 0.5 * bars->height},
+        .axis = {radial, {-radial.y, radial.x, 0.0}, {0.0, 0.0, 1.0}},
+        .half = {0.5 * bar_length(bars), 0.5 * bars->width, 0.5 * bars->height},
+    };
+}
+
+void clod_cell_part_barred_ring(const clod_cell_part_bars *bars, double height, double facing,
+                                clod_wall *wall)
+{
+    wall->shapes[0] = clod_cell_part_ring(bars->inner, bars->outer, height, facing);
+    const double bottom = facing > 0.0 ? height : height - bars->height;
+    for (int64_t b = 0; b < bars->count; b++) {
+        wall->shapes[b + 1] = make_bar(bars, b, bottom);
+    }
+    clod_wall_find_symmetry(wall);
 }
 
 bool clod_cell_part_fill(const clod_case *from, const clod_cell_part_filling *what,

@@ -27,6 +27,22 @@ clod_shape clod_cell_part_ring(double inner, double outer, double height, double
 /** The shell of a cylinder that stands on z = 0. */
 clod_shape clod_cell_part_side(double radius, double height, clod_side side);
 
+/** Radial bars on a ring. */
+typedef struct clod_cell_part_bars {
+    double inner, outer;  ///< m, radii of the ring
+    double radius_min;    ///< m, of the grains: a part of it is free at both ends of a bar
+    int64_t count;        ///< 0: none
+    double height, width; ///< m
+} clod_cell_part_bars;
+
+/** Volume of all bars [m3]. */
+double clod_cell_part_bars_volume(const clod_cell_part_bars *bars);
+
+/** A flat ring with bars on it; `facing` is 1 when grains are above, else -1.
+ *  @param wall  [in,out] with room for count + 1 shapes */
+void clod_cell_part_barred_ring(const clod_cell_part_bars *bars, double height, double facing,
+                                clod_wall *wall);
+
 /** A loose filling of a cell. */
 typedef struct clod_cell_part_filling {
     const char *name;     ///< of the tester in messages

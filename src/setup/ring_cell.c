@@ -7,9 +7,6 @@
 #include "setup/cell_part.h"
 #include "setup/walls.h"
 
-/** Free length at both ends of a bar, as a fraction of the smallest radius. */
-#define BAR_CLEARANCE 0.1
-
 double clod_ring_cell_area(const clod_case_ring_shear *cell)
 {
     return M_PI *
@@ -22,17 +19,21 @@ static bool cell_sizes(const clod_case_ring_shear *cell, clod_sizes *sizes, clod
                                   cell->radius_max, status);
 }
 
-/** Length of a bar [m]. */
-static double bar_length(const clod_case_ring_shear *cell)
+static clod_cell_part_bars bars_of(const clod_case_ring_shear *cell)
 {
-    return cell->outer_radius - cell->inner_radius - 2.0 * BAR_CLEARANCE * cell->radius_min;
+    return (clod_cell_part_bars){.inner = cell->inner_radius,
+                                 .outer = cell->outer_radius,
+                                 .radius_min = cell->radius_min,
+                                 .count = cell->bar_count,
+                                 .height = cell->bar_height,
+                                 .width = cell->bar_width};
 }
 
 /** Solid volume that fills the depth between and beside the bars [m3]. */
 static double solid_volume(const clod_case_ring_shear *cell)
 {
-    const double bar = bar_length(cell) * cell->bar_width * cell->bar_height;
-    const double bars = 2.0 * (double)cell->bar_count * bar;
+    const clod_cell_part_bars bars_each = bars_of(cell); // of lid and base
+    const double bars = 2.0 * clod_cell_part_bars_volume(&bars_each);
     return cell->fill_fraction * (clod_ring_cell_area(cell) * cell->depth - bars);
 }
 
@@ -60,31 +61,12 @@ size_t clod_ring_cell_count(const clod_case *from, int64_t seed, clod_status *st
                : 0;
 }
 
-/** A radial bar; `bottom` is the height of its lower face. */
-static clod_shape make_bar(const clod_case_ring_shear *cell, int64_t number, double bottom)
-{
-    const double angle = 2.0 * M_PI * (double)number / (double)cell->bar_count;
-    const clod_vec3 radial = {cos(angle), sin(angle), 0.0};
-    const double middle = 0.5 * (cell->inner_radius + cell->outer_radius);
-    return (clod_shape){
-        .kind = CLOD_SHAPE_BAR,
-        .center = {middle * radial.x, middle * radial.y, bottom + 0.5 * cell->bar_height},
-        .axis = {radial, {-radial.y, radial.x, 0.0}, {0.0, 0.0, 1.0}},
-        .half = {0.5 * bar_length(cell), 0.5 * cell->bar_width, 0.5 * cell->bar_height},
-    };
-}
-
 /** A ring with bars on it: the trough (facing 1) or the lid (facing -1). */
 static void fill_ring(const clod_case_ring_shear *cell, double height, double facing,
                       clod_wall *wall)
 {
-    wall->shapes[0] =
-        clod_cell_part_ring(cell->inner_radius, cell->outer_radius, height, facing);
-    const double bottom = facing > 0.0 ? height : height - cell->bar_height;
-    for (int64_t b = 0; b < cell->bar_count; b++) {
-        wall->shapes[b + 1] = make_bar(cell, b, bottom);
-    }
-    clod_wall_find_symmetry(wall);
+    const clod_cell_part_bars bars = bars_of(cell);
+    clod_cell_part_barred_ring(&bars, height, facing, wall);
 }
 
 /** Trough and sides, which the grains need; the lid's place follows from the grains. */

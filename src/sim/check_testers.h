@@ -82,6 +82,15 @@ void clod_check_ring_put(json_t *to, const clod_check_report *r);
 void clod_check_jenike_warn(const clod_check_subject *subject, clod_check_report *r);
 void clod_check_jenike_write(clod_check_page *to, const clod_check_report *r);
 
+/** A wall friction test (check_wall_friction.c). */
+bool clod_check_wall_look(const clod_check_subject *subject, clod_check_report *report,
+                          clod_status *status);
+int clod_check_wall_batches(const clod_case *from, bool most,
+                            clod_check_batch all[CLOD_CHECK_BATCHES]);
+void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *r);
+void clod_check_wall_write(clod_check_page *to, const clod_check_report *r);
+void clod_check_wall_put(json_t *to, const clod_check_report *r);
+
 /** A uniaxial test (check_uniaxial.c). */
 bool clod_check_uniaxial_look(const clod_check_subject *subject, clod_check_report *report,
                               clod_status *status);

@@ -157,9 +157,9 @@ static bool begins(const char *key, const char *with)
 /** Whether a test may go on from a preparation with another value of this key. */
 static bool comes_after(const char *key)
 {
-    static const char *const LATER[] = {"shear_stresses", "shear_max",
-                                        "beyond_peak",    "peak_window",
-                                        "crush_max",      "consolidation_stresses"};
+    static const char *const LATER[] = {"shear_stresses", "shear_max", "beyond_peak",
+                                        "peak_window",    "crush_max", "consolidation_stresses",
+                                        "wall_stresses",  "shear_min"};
     const char *dot = strchr(key, '.');
     for (size_t k = 0; dot != NULL && k < sizeof LATER / sizeof *LATER; k++) {
         if (strcmp(dot + 1, LATER[k]) == 0) {
@@ -210,8 +210,9 @@ static bool compare(clod_origin *self, const clod_job_shared *sim, clod_status *
         return clod_status_fail(
             status, CLOD_USAGE,
             "--from %s: %s differs, so that specimen is not one of this case. A test can go on "
-            "from the preparation of another run with other shear or consolidation stresses, "
-            "shear_max, crush_max, beyond_peak and peak_window; all that differs:\n%s",
+            "from the preparation of another run with other shear, wall or consolidation "
+            "stresses, shear_min, shear_max, crush_max, beyond_peak and peak_window; all that "
+            "differs:\n%s",
             self->folder, now.refused, self->differences);
     }
     return ok;

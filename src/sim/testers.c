@@ -4,6 +4,7 @@
 #include "sim/free_run.h"
 #include "sim/ring_run.h"
 #include "sim/uniaxial_run.h"
+#include "sim/wall_shear_run.h"
 
 static const clod_tester_row ROWS[CLOD_CASE_KINDS] = {
     [CLOD_CASE_FREE] = {.run = clod_free_run,
@@ -39,6 +40,15 @@ static const clod_tester_row ROWS[CLOD_CASE_KINDS] = {
                             .stress = "largest stress",
                             .write = clod_check_uniaxial_write,
                             .put = clod_check_uniaxial_put},
+    [CLOD_CASE_WALL_FRICTION] = {.run = clod_wall_shear_run,
+                                 .try_origin = clod_wall_shear_try_origin,
+                                 .first = &CLOD_WALL_SHEAR_TESTER,
+                                 .look = clod_check_wall_look,
+                                 .batches = clod_check_wall_batches,
+                                 .warn = clod_check_wall_warn,
+                                 .stress = "largest wall normal stress",
+                                 .write = clod_check_wall_write,
+                                 .put = clod_check_wall_put},
     [CLOD_CASE_CONTACT_BENCH] = {.run = NULL}, // clod contact runs it
 };
 

@@ -41,6 +41,22 @@ double clod_bed_largest(const clod_state *state)
     return largest;
 }
 
+double clod_bed_bars_volume(const clod_state *state)
+{
+    double volume = 0.0;
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        const clod_wall *wall = &state->walls.wall[w];
+        for (int32_t s = 0; s < wall->shape_count; s++) {
+            const clod_shape *shape = &wall->shapes[s];
+            const double *half = shape->half;
+            volume += clod_shape_kinds_row(shape->kind)->solid
+                          ? 8.0 * half[0] * half[1] * half[2]
+                          : 0.0;
+        }
+    }
+    return volume;
+}
+
 double clod_bed_rms_speed(const clod_state *state)
 {
     clod_exact sum = {0};

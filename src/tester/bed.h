@@ -16,6 +16,9 @@ double clod_bed_mass(const clod_state *state);
 /** Largest radius of the grains [m]. */
 double clod_bed_largest(const clod_state *state);
 
+/** Volume of all bars on walls [m3]. */
+double clod_bed_bars_volume(const clod_state *state);
+
 /** Root mean square of the grains' speeds [m/s]. */
 double clod_bed_rms_speed(const clod_state *state);
 

@@ -6,23 +6,6 @@
 #include "tester/bed.h"
 #include "tester/shear_tester.h"
 
-/** Volume of the bars of trough and lid [m3]. */
-static double bars_volume(const clod_state *state)
-{
-    double volume = 0.0;
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        const clod_wall *wall = &state->walls.wall[w];
-        for (int32_t s = 0; s < wall->shape_count; s++) {
-            const clod_shape *shape = &wall->shapes[s];
-            const double *half = shape->half;
-            volume += clod_shape_kinds_row(shape->kind)->solid
-                          ? 8.0 * half[0] * half[1] * half[2]
-                          : 0.0;
-        }
-    }
-    return volume;
-}
-
 static void describe(clod_ring_shear *self, const clod_case *from, const clod_state *state)
 {
     const clod_case_ring_shear *cell = &from->ring_shear;
@@ -31,7 +14,7 @@ static void describe(clod_ring_shear *self, const clod_case *from, const clod_st
     *self = (clod_ring_shear){
         .area = M_PI * (ro * ro - ri * ri),
         .mean_radius = 2.0 / 3.0 * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri),
-        .bars_volume = bars_volume(state),
+        .bars_volume = clod_bed_bars_volume(state),
         .bar_height = cell->bar_height,
         .lid_mass = cell->lid_mass,
         .lowest_lid = 2.0 * cell->bar_height + 2.0 * clod_bed_largest(state),

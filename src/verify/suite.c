@@ -46,6 +46,8 @@ static const entry TESTS[] = {
      "the same for every restitution with every friction", true},
     {"flow-function", clod_verify_flow_function, "uniaxial test: strength over consolidation",
      true},
+    {"wall-friction", clod_verify_wall_friction,
+     "smooth plates at their own friction, rough ones at the solid's", true},
     {"janssen", clod_verify_janssen, "silo: the wall carries part of the weight", true},
     {"beverloo", clod_verify_beverloo, "discharge rate of a flat-bottomed silo", true},
     {"repose", clod_verify_repose, "angle of repose against friction and rolling friction",

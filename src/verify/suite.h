@@ -32,6 +32,7 @@ clod_verify_test clod_verify_passivity;
 clod_verify_test clod_verify_passivity_sweep;
 clod_verify_test clod_verify_flow_function;
 clod_verify_test clod_verify_janssen;
+clod_verify_test clod_verify_wall_friction;
 clod_verify_test clod_verify_beverloo;
 clod_verify_test clod_verify_repose;
 clod_verify_test clod_verify_mesh_drum;

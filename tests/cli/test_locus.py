@@ -93,6 +93,37 @@ class Locus(clod.Case):
             self.assertEqual(done.stderr, f"clod {verb}: .: cannot be read: Is a directory; "
                              "name a file in it\n")
 
+    def test_wall_friction_and_density_tables(self):
+        """By hand: tau_w = 0.6 sigma_w + 0.5 kPa, off by 0.1 and 0.3 kPa; 1000 kg/m3 (s/kPa)^log10(1.1)."""
+        wall = "sigma_w [kPa],tau_w [kPa]\n1,1\n2,2\n3,2\n4,3\n"
+        told = self.locus("-", input=wall).stdout
+        for text in ("phi_w        30.96 ±     5.96  deg", "tau_ad       0.500 ±    0.387  kPa",
+                     "     4.000     3.000 ±      -     36.87"):
+            self.assertIn(text, told)
+        found = json.loads(self.locus("-", "--json", input=wall).stdout)
+        self.assertAlmostEqual(found["phi_w_deg"]["value"], 30.9637565, places=6)
+        again = self.locus("-", "--csv", input=wall).stdout
+        self.assertEqual(self.locus("-", input=again).stdout, told)
+        rho = "sigma_1 [kPa],rho_b [g/cm3]\n1,1\n10,1.1\n100,1.21\n"
+        self.assertIn("rho_1       1000.0", self.locus("-", input=rho).stdout)
+        self.assertAlmostEqual(json.loads(self.locus("-", "--json", input=rho).stdout)
+                               ["compressibility"]["value"], 0.0413926852, places=9)
+        again = self.locus("-", "--csv", input=rho).stdout
+        self.assertEqual(self.locus("-", input=again).stdout, self.locus("-", input=rho).stdout)
+
+    def test_wall_friction_tables_that_are_wrong(self):
+        for text, said in (("sigma_w [kPa],tau_w [deg]\n1,1\n", "deg"),
+                           ("sigma_w [kPa],phi [deg]\n1,1\n", "phi"),
+                           ("sigma_w [Pa],tau_w [kPa]\n1,1\n", "a wall friction angle of 89.9 deg"),
+                           ("sigma_w [kPa],tau_w [kPa]\n1,1\n", "at least two points")):
+            self.assertIn(said, self.locus("-", input=text, code=2).stderr)
+        wall = "sigma_w [kPa],tau_w [kPa]\n1,1\n2,2\n"
+        self.assertIn("standard input: a wall yield locus has no preshear; leave out --sigma-pre",
+                      self.locus("-", "--sigma-pre", "1 kPa", input=wall, code=2).stderr)
+        falling = "sigma_w [kPa],tau_w [kPa]\n1,1\n2,0.5\n"
+        self.assertIn("clod locus: The shear stress falls",
+                      self.locus("-", "--csv", input=falling).stderr)
+
 
 class New(clod.Case):
 

@@ -59,7 +59,7 @@ static void the_list_names_what_makes_a_cell(void **state)
     (void)state;
     char text[CLOD_CONFIG_TESTER_KEYS];
     clod_config_tester_keys(text);
-    assert_string_equal(text, "ring_shear, jenike, uniaxial");
+    assert_string_equal(text, "ring_shear, jenike, uniaxial, wall_friction");
 }
 
 int main(void)

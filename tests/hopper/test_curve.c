@@ -99,6 +99,24 @@ static void a_curve_may_rise_through_the_ray_first(void **state)
     check_close(x, 6.0, 1e-13);
 }
 
+/** Two at 2 % apart are one, at their mean; standard error of two values 1 apart: 0.5. The third
+ *  states more than the two scatter. */
+static void points_at_one_stress_are_merged(void **state)
+{
+    (void)state;
+    clod_curve_point points[] = {
+        {4.0, 2.0, 0, 0}, {100.0, 31.0, 0, 0.1}, {4.08, 2.0, 0, 0.2}, {101.0, 30.0, 0, 0.1}};
+    clod_curve merged = curve(CLOD_CURVE_EXTENDED, points, 4);
+    clod_curve_merge(&merged, 0.0201);
+    assert_int_equal(merged.count, 2);
+    check_close(merged.points[0].x, 4.04, 1e-13);
+    check_close(merged.points[0].y_error, 0.1, 1e-13); // stated: sqrt(0.2^2)/2
+    check_close(merged.points[1].x, 100.5, 1e-12);
+    check_close(merged.points[1].y, 30.5, 1e-12);
+    check_close(merged.points[1].y_error, 0.5, 1e-12);
+    check_close(merged.points[1].x_error, 0.5, 1e-12);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -109,6 +127,7 @@ int main(void)
         cmocka_unit_test(rays_are_met_on_every_piece),
         cmocka_unit_test(rays_may_be_missed_on_either_side),
         cmocka_unit_test(a_curve_may_rise_through_the_ray_first),
+        cmocka_unit_test(points_at_one_stress_are_merged),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,6 +18,8 @@ PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_kind", "clod_ring_shear_p
                                       "clod_ring_shear_flag", "clod_ring_shear"]),
          ("src/tester/uniaxial.h", ["clod_uniaxial_phase", "clod_uniaxial_flag",
                                     "clod_uniaxial"]),
+         ("src/tester/wall_shear.h", ["clod_wall_shear_phase", "clod_wall_shear_flag",
+                                      "clod_wall_shear_point", "clod_wall_shear"]),
          ("src/measure/steady.h", ["CLOD_STEADY_MAX", "clod_steady"]),
          ("src/measure/peak.h", ["CLOD_PEAK_BINS", "clod_peak"]),
          ("src/sim/free_stages.h", ["clod_free_end", "clod_free_stages",

@@ -46,6 +46,27 @@ STRESS = "time [s],strain [1],axial_stress [Pa],bulk_density [kg/m3]\n0,0,1,900\
     f"{text(0.2 + 0.1 * k)},{text(0.001 * k)},{text(1000.5 * k)},{1000 + k}\n" for k in range(10))
 
 
+def value(value, error):
+    return {"value": value, "error": error, "scatter": None}
+
+
+WALL = {
+    "title": "On a liner", "version": "clod 9", "parts": [{"part": "fill", "seed": 4, "grains": 250}, {"part": "wall"}],
+    "wall_locus": {
+        "phi_w_deg": value(18.25, 0.13), "tau_ad_Pa": value(62.5, 31.25), "r_squared": 0.9987, "errors_from": "fit",
+        "errors_note": "one specimen: scatter between specimens not included", "seed_count": 1, "warnings": [],
+        "points": [{"seed": 4, "sigma_w_Pa": 10001.5, "sigma_w_error_Pa": 3.5, "tau_w_Pa": 3361.25,
+                    "tau_w_error_Pa": 12.5, "phi_x_deg": 18.576, "phi_x_error_deg": 0.065, "line_Pa": 3360.0},
+                   {"seed": 4, "sigma_w_Pa": 5000.25, "sigma_w_error_Pa": 1.5, "tau_w_Pa": 1711.75,
+                    "tau_w_error_Pa": 6.25, "phi_x_deg": 18.898, "phi_x_error_deg": 0.065, "line_Pa": 1711.0}]},
+    "warnings": ["wall: inertial number 0.0031"],
+}
+SLIP = ("time [s],displacement [m],normal_stress [Pa],shear_stress [Pa],height [m],bulk_density [kg/m3]\n"
+        "0,0,1,0,0.03,900\n0.1,0,9000,10,0.025,1000\n" + "".join(
+            f"{text(0.2 + 0.1 * k)},{text(0.001 * k)},{text(1000.5 * k)},{text(300.25 * k)},{text(0.025)},{1000 + k}\n"
+            for k in range(10)))
+
+
 def write(folder, **files):
     """Write files, given by name with __ for points; objects as JSON."""
     os.makedirs(folder, exist_ok=True)
@@ -65,6 +86,11 @@ def uniaxial(folder):
     write(folder, summary__json=UNIAXIAL, report__txt="all of it\n",
           **{"stress_HYPHEN_1__csv": STRESS,
              "case_HYPHEN_complete__yaml": COMPLETE % (UNIAXIAL["title"], "2500") + "uniaxial:\n  seeds: 1\n"})
+
+
+def wall(folder, **changes):
+    write(folder, summary__json={**WALL, **changes}, report__txt="all of it\n", wall__csv=SLIP,
+          **{"case_HYPHEN_complete__yaml": COMPLETE % (WALL["title"], "2500") + "wall_friction:\n  seeds: 1\n"})
 
 
 class Page(html.parser.HTMLParser):

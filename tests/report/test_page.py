@@ -155,6 +155,43 @@ class Report(clod.Case):
         self.assertEqual(page.items, ["stress-1: only 7.2 grain diameters"])
         self.assertEqual(page.row("sigma c")[1:], ["11677", "Pa"])
 
+    def test_wall_friction(self):
+        """Laboratory points, here on tau = 0.25 sigma + 0.5 kPa, stand beside those of the run."""
+        pages.wall(self.path("run"))
+        with open(self.path("lab.csv"), "w") as file:
+            file.write("sigma_w [kPa],tau_w [kPa],tau_w_error [kPa]\n8,2.5,0.1\n4,1.5,0.1\n")
+        self.made("report", "run", "--lab", "lab.csv")
+        page = self.page("run/report.html")
+        self.assertEqual(page.items, ["wall: inertial number 0.0031"])
+        line = page.figures["wall-yield-locus"]
+        self.assertTrue(line["equal"])
+        points, fit, lab, lab_fit = line["curves"]
+        self.assertEqual([points[key] for key in ("x", "y", "error")],
+                         [["10001.5", "5000.25"], ["3361.25", "1711.75"], ["12.5", "6.25"]])
+        self.assertEqual((fit["y"][0], lab["style"], lab_fit["style"]), ("62.5", "hollow", "dashed"))
+        self.assertEqual(lab["y"], ["2500", "1500"])
+        self.assertAlmostEqual(float(lab_fit["y"][0]), 500.0, places=6)
+        angle, lab = page.figures["wall-friction-angle"]["curves"]
+        self.assertEqual(angle["y"], ["18.576", "18.898"])
+        slip = pages.cells(self.path("run"), "wall.csv")
+        for column in ("shear_stress", "normal_stress", "height", "bulk_density"):
+            self.assert_curve(page.figures[column.replace("_", "-")], 0, slip, "displacement", column, 2)
+        self.assertEqual(page.row("kinematic angle of wall friction")[1:],
+                         ["φw", "18.25 ± 0.13", "14.04 ± 1.91", "deg"])
+        self.assertEqual(page.row("wall adhesion")[1:], ["τad", "0.062 ± 0.031", "0.500 ± 0.224", "kPa"])
+        for text in ("10.002", "3.361", "18.58"):
+            self.assertTrue(any(text in cell for table in page.tables for row in table for cell in row), text)
+
+    def test_wall_friction_tests_side_by_side(self):
+        pages.wall(self.path("one"))
+        pages.wall(self.path("two"))
+        self.made("compare", "one", "two", "-o", "both.html")
+        page = self.page("both.html")
+        self.assertEqual([curve["name"] for curve in page.figures["wall-yield-locus"]["curves"]], ["one", "", "two", ""])
+        self.assertEqual(page.row("kinematic angle of wall friction")[1:],
+                         ["φw", "18.25 ± 0.13", "18.25 ± 0.13", "deg"])
+        self.assertEqual(len(page.figures["Shear-stress--wall"]["curves"]), 2)
+
     def test_a_run_that_goes_on(self):
         pages.free_run(self.path("run"))
         os.remove(self.path("run/report.txt"))
@@ -269,7 +306,7 @@ class Report(clod.Case):
         for arguments, text in ((["report"], "which run?"),
                                 (["report", "empty"], "is not the results folder of a run"),
                                 (["report", "run", "other", "-o", "a.html"], "there are several runs"),
-                                (["report", "run", "--lab", "lab.csv"], "is no shear test"),
+                                (["report", "run", "--lab", "lab.csv"], "is no shear or wall friction test"),
                                 (["compare", "run", "other"], "is of another kind")):
             self.assertIn(text, self.made(*arguments, code=2).stderr)
         with open(self.path("run/series.csv"), "a") as file:

@@ -1,0 +1,218 @@
+#include "analysis/bulk_density.h"
+
+#include <jansson.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "analysis/fit.h"
+#include "analysis/prose.h"
+#include "base/given.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "clod/bulk_density.h"
+
+#define RHO_LEAST 10.0   // kg/m3: foam beads, the lightest solid, pour with more
+#define RHO_MOST 15000.0 // kg/m3: powders of tungsten and platinum are lighter
+#define KILO 1000.0
+
+typedef clod_bulk_density_point point;
+
+// ---- reading
+
+#define POINT(field) .offset = offsetof(clod_bulk_density_point, field)
+
+static const clod_csv_column COLUMNS[] = {
+    {.names = {"sigma_1"}, .unit = "Pa", .positive = true, .required = true, POINT(sigma_1)},
+    {.names = {"sigma_1_error"}, .unit = "Pa", POINT(sigma_1_error)},
+    {.names = {"rho_b", "rho"},
+     .unit = "kg/m3",
+     .positive = true,
+     .required = true,
+     POINT(rho_b)},
+    {.names = {"rho_b_error"}, .unit = "kg/m3", POINT(rho_b_error)},
+};
+
+bool clod_bulk_density_check(const clod_csv *self, double rho)
+{
+    return (rho >= RHO_LEAST && rho <= RHO_MOST) ||
+           clod_status_fail(
+               self->status, CLOD_USAGE,
+               "%s:%zu: column rho_b: %.6g kg/m3 is outside %g to %g kg/m3; is its "
+               "unit another one, [g/cm3]?",
+               self->path, self->line, rho, RHO_LEAST, RHO_MOST);
+}
+
+static bool check_row(const clod_csv *self, const void *row)
+{
+    return clod_bulk_density_check(self, ((const point *)row)->rho_b);
+}
+
+static const clod_csv_kind POINTS = {
+    .columns = COLUMNS,
+    .count = sizeof COLUMNS / sizeof COLUMNS[0],
+    .row = sizeof(point),
+    .known = "sigma_1, rho_b, sigma_1_error, rho_b_error",
+    .example = "sigma_1 [kPa],rho_b [kg/m3]",
+    .item = "bulk density point",
+    .check_row = check_row,
+};
+
+bool clod_bulk_density_parse(const char *path, const char *text, size_t length,
+                             clod_bulk_density_point **points, size_t *count,
+                             clod_status *status)
+{
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(text, status) || !CLOD_GIVEN(points, status) ||
+        !CLOD_GIVEN(count, status)) {
+        return false;
+    }
+    clod_csv self = {.kind = &POINTS, .path = path, .status = status};
+    const bool good = clod_csv_parse(&self, text, length);
+    *points = good ? self.rows : NULL;
+    *count = good ? self.count : 0;
+    return good;
+}
+
+// ---- the power law
+
+static int ascending(const void *first, const void *second)
+{
+    const double a = ((const point *)first)->sigma_1;
+    const double b = ((const point *)second)->sigma_1;
+    return (a > b) - (a < b);
+}
+
+static void fit(clod_bulk_density *self, double *work)
+{
+    const size_t count = self->point_count;
+    for (size_t i = 0; i < count; i++) {
+        work[i] = log(self->points[i].sigma_1 / KILO);
+        work[count + i] = log(self->points[i].rho_b);
+    }
+    const clod_fit line = clod_fit_line(work, work + count, count);
+    const double n = (double)count;
+    const double slope = count > 2 ? clod_fit_slope_error(&line, count) : (double)NAN;
+    const double foot = slope * sqrt(line.sxx / n + line.mean_x * line.mean_x);
+    const double rho = exp(line.intercept);
+    self->rho_1 = (clod_locus_value){rho, rho * foot, (double)NAN};
+    self->compressibility = (clod_locus_value){line.slope, slope, (double)NAN};
+    self->r_squared = line.r_squared;
+}
+
+bool clod_bulk_density_evaluate(const clod_bulk_density_point *points, size_t count,
+                                clod_bulk_density *self, clod_status *status)
+{
+    if (!CLOD_GIVEN(self, status) || (count > 0 && !CLOD_GIVEN(points, status))) {
+        return false;
+    }
+    memset(self, 0, sizeof *self);
+    double *work = clod_memory_alloc(2 * count + 1, sizeof *work);
+    self->points = clod_memory_alloc(count + 1, sizeof *self->points);
+    if (work == NULL || self->points == NULL) {
+        clod_memory_free(work);
+        clod_bulk_density_fini(self);
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
+    }
+    if (count > 0) {
+        memcpy(self->points, points, count * sizeof *points);
+        qsort(self->points, count, sizeof *self->points, ascending);
+    }
+    const bool good = count > 1 && self->points[0].sigma_1 > 0.0 &&
+                      self->points[count - 1].sigma_1 > self->points[0].sigma_1;
+    self->point_count = count;
+    if (good) {
+        fit(self, work);
+    } else {
+        clod_bulk_density_fini(self);
+        clod_status_fail(status, CLOD_USAGE,
+                         "Bulk density over stress needs at least two points at different "
+                         "stresses above 0; there %s %zu.",
+                         count == 1 ? "is" : "are", count);
+    }
+    clod_memory_free(work);
+    return good;
+}
+
+void clod_bulk_density_fini(clod_bulk_density *self)
+{
+    CLOD_NEED(self);
+    clod_memory_free(self->points);
+    self->points = NULL;
+    self->point_count = 0;
+}
+
+// ---- writing
+
+/** The power law at a stress [kg/m3]. */
+static double law(const clod_bulk_density *self, double sigma_1)
+{
+    return self->rho_1.value * pow(sigma_1 / KILO, self->compressibility.value);
+}
+
+char *clod_bulk_density_table(const clod_bulk_density *self)
+{
+    CLOD_NEED(self);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    if (out == NULL) {
+        return NULL;
+    }
+    fprintf(out, "Bulk density: %zu points, rho_b = rho_1 (sigma_1/1 kPa)^beta\n\n",
+            self->point_count);
+    fprintf(out, "  %-32s %-8s%10.1f ± ", "bulk density at 1 kPa", "rho_1", self->rho_1.value);
+    clod_prose_number(out, 8, 1, self->rho_1.error);
+    fprintf(out, "  kg/m3\n  %-32s %-8s%10.4f ± ", "compressibility", "beta",
+            self->compressibility.value);
+    clod_prose_number(out, 8, 4, self->compressibility.error);
+    fprintf(out, "\n  %-32s %-8s%10.4f\n\n", "fit of the law", "r2", self->r_squared);
+    fputs("  ± one standard error, from scatter about the law.\n", out);
+    fprintf(out, "\n  %10s%10s%10s\n  %10s%10s%10s\n", "sigma_1", "rho_b", "law", "[kPa]",
+            "[kg/m3]", "[kg/m3]");
+    for (size_t i = 0; i < self->point_count; i++) {
+        const point *p = &self->points[i];
+        fprintf(out, "  %10.3f%10.1f%10.1f\n", p->sigma_1 / KILO, p->rho_b,
+                law(self, p->sigma_1));
+    }
+    return clod_text_close(&text);
+}
+
+char *clod_bulk_density_json(const clod_bulk_density *self)
+{
+    CLOD_NEED(self);
+    json_t *points = json_array();
+    for (size_t i = 0; i < self->point_count; i++) {
+        const point *p = &self->points[i];
+        json_array_append_new(points,
+                              json_pack("{s:f, s:f, s:f, s:f, s:f}", "sigma_1_Pa", p->sigma_1,
+                                        "sigma_1_error_Pa", p->sigma_1_error, "rho_b_kg_m3",
+                                        p->rho_b, "rho_b_error_kg_m3", p->rho_b_error,
+                                        "law_kg_m3", law(self, p->sigma_1)));
+    }
+    json_t *all = json_pack("{s:{s:f, s:o}, s:{s:f, s:o}, s:f, s:o}", "rho_1_kg_m3", "value",
+                            self->rho_1.value, "error", clod_json_number(self->rho_1.error),
+                            "compressibility", "value", self->compressibility.value, "error",
+                            clod_json_number(self->compressibility.error), "r_squared",
+                            self->r_squared, "points", points);
+    char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
+    json_decref(all);
+    return text;
+}
+
+char *clod_bulk_density_csv(const clod_bulk_density *self)
+{
+    CLOD_NEED(self);
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    if (out == NULL) {
+        return NULL;
+    }
+    fputs("sigma_1 [Pa],sigma_1_error [Pa],rho_b [kg/m3],rho_b_error [kg/m3]\n", out);
+    for (size_t i = 0; i < self->point_count; i++) {
+        const point *p = &self->points[i];
+        fprintf(out, "%.10g,%.10g,%.10g,%.10g\n", p->sigma_1, p->sigma_1_error, p->rho_b,
+                p->rho_b_error);
+    }
+    return clod_text_close(&text);
+}

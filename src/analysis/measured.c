@@ -1,0 +1,205 @@
+#include "clod/measured.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/given.h"
+#include "base/input.h"
+#include "base/memory.h"
+
+#define HEADER 1024 ///< bytes of a header that are looked at
+
+/** The first line that is neither empty nor a comment, cut to its names. */
+static void find_header(const char *text, size_t length, char header[HEADER])
+{
+    size_t at = 0;
+    header[0] = '\0';
+    while (at < length && header[0] == '\0') {
+        const char *end = memchr(text + at, '\n', length - at);
+        const size_t line = end != NULL ? (size_t)(end - (text + at)) : length - at;
+        const size_t taken = line < HEADER - 1 ? line : HEADER - 1;
+        memcpy(header, text + at, taken);
+        header[taken] = '\0';
+        const size_t blank = strspn(header, " \t\r");
+        if (header[blank] == '\0' || header[blank] == '#') {
+            header[0] = '\0';
+        }
+        at += line + 1;
+    }
+}
+
+/** Whether a header has a column of this name. */
+static bool has(const char *header, const char *name)
+{
+    static const char ENDS[] = ",;\t \"[\r";
+    const size_t length = strlen(name);
+    for (const char *at = header; (at = strstr(at, name)) != NULL; at += length) {
+        const bool begins = at == header || strchr(ENDS, at[-1]) != NULL;
+        const bool ends = at[length] == '\0' || strchr(ENDS, at[length]) != NULL;
+        if (begins && ends) {
+            return true;
+        }
+    }
+    return false;
+}
+
+clod_measured_kind clod_measured_kind_of(const char *text, size_t length)
+{
+    char header[HEADER];
+    CLOD_NEED(text);
+    const size_t mark = length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    find_header(text + mark, length - mark, header);
+    if (has(header, "sigma_w") || has(header, "tau_w")) {
+        return CLOD_MEASURED_WALL;
+    }
+    const bool density = has(header, "rho_b") || has(header, "rho");
+    const bool strength = has(header, "f_c") || has(header, "sigma_c") || has(header, "fc");
+    return has(header, "sigma_1") && density && !strength ? CLOD_MEASURED_DENSITY
+                                                          : CLOD_MEASURED_SHEAR;
+}
+
+// ---- each kind
+
+static bool read_shear(const char *path, const char *text, size_t length,
+                       const clod_locus_defaults *defaults, clod_measured *self,
+                       clod_status *status)
+{
+    clod_locus_point *points;
+    size_t count;
+    if (!clod_locus_parse(path, text, length, defaults, &points, &count, status)) {
+        return false;
+    }
+    self->study = clod_locus_study_create(points, count, status);
+    clod_locus_free(points);
+    return self->study != NULL;
+}
+
+static bool read_wall(const char *path, const char *text, size_t length, clod_measured *self,
+                      clod_status *status)
+{
+    clod_wall_locus_point *points;
+    size_t count;
+    if (!clod_wall_locus_parse(path, text, length, &points, &count, status)) {
+        return false;
+    }
+    const bool good = clod_wall_locus_evaluate(points, count, &self->wall, status);
+    clod_locus_free(points);
+    return good;
+}
+
+static bool read_density(const char *path, const char *text, size_t length, clod_measured *self,
+                         clod_status *status)
+{
+    clod_bulk_density_point *points;
+    size_t count;
+    if (!clod_bulk_density_parse(path, text, length, &points, &count, status)) {
+        return false;
+    }
+    const bool good = clod_bulk_density_evaluate(points, count, &self->density, status);
+    clod_locus_free(points);
+    return good;
+}
+
+/** A preshear that was given for a table without one is a mistake. */
+static bool check_defaults(const char *path, const clod_locus_defaults *defaults,
+                           const clod_measured *self, clod_status *status)
+{
+    const bool given =
+        defaults != NULL && (defaults->sigma_pre != NULL || defaults->tau_pre != NULL);
+    return !given || self->kind == CLOD_MEASURED_SHEAR ||
+           clod_status_fail(status, CLOD_USAGE, "%s: a %s has no preshear; leave out --%s.",
+                            path,
+                            self->kind == CLOD_MEASURED_WALL ? "wall yield locus"
+                                                             : "table of bulk densities",
+                            defaults->sigma_pre != NULL ? "sigma-pre" : "tau-pre");
+}
+
+static bool parse(const char *path, const char *text, size_t length,
+                  const clod_locus_defaults *defaults, clod_measured *self, clod_status *status)
+{
+    self->kind = clod_measured_kind_of(text, length);
+    if (!check_defaults(path, defaults, self, status)) {
+        return false;
+    }
+    switch (self->kind) {
+    case CLOD_MEASURED_WALL:
+        return read_wall(path, text, length, self, status);
+    case CLOD_MEASURED_DENSITY:
+        return read_density(path, text, length, self, status);
+    default:
+        return read_shear(path, text, length, defaults, self, status);
+    }
+}
+
+bool clod_measured_read(const char *path, const clod_locus_defaults *defaults,
+                        clod_measured *self, clod_status *status)
+{
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(self, status)) {
+        return false;
+    }
+    memset(self, 0, sizeof *self);
+    char *text;
+    size_t size;
+    const bool standard = strcmp(path, "-") == 0;
+    if (!clod_input_read(standard ? NULL : path, SIZE_MAX, &text, &size, status)) {
+        return false;
+    }
+    const bool good =
+        parse(standard ? CLOD_INPUT_STANDARD : path, text, size, defaults, self, status);
+    clod_memory_free(text);
+    return good;
+}
+
+void clod_measured_fini(clod_measured *self)
+{
+    CLOD_NEED(self);
+    clod_locus_study_destroy(&self->study);
+    clod_wall_locus_fini(&self->wall);
+    clod_bulk_density_fini(&self->density);
+}
+
+char *clod_measured_table(const clod_measured *self)
+{
+    CLOD_NEED(self);
+    return self->kind == CLOD_MEASURED_WALL      ? clod_wall_locus_table(&self->wall)
+           : self->kind == CLOD_MEASURED_DENSITY ? clod_bulk_density_table(&self->density)
+                                                 : clod_locus_table(self->study);
+}
+
+char *clod_measured_json(const clod_measured *self)
+{
+    CLOD_NEED(self);
+    return self->kind == CLOD_MEASURED_WALL      ? clod_wall_locus_json(&self->wall)
+           : self->kind == CLOD_MEASURED_DENSITY ? clod_bulk_density_json(&self->density)
+                                                 : clod_locus_json(self->study);
+}
+
+char *clod_measured_csv(const clod_measured *self)
+{
+    CLOD_NEED(self);
+    return self->kind == CLOD_MEASURED_WALL      ? clod_wall_locus_csv(&self->wall)
+           : self->kind == CLOD_MEASURED_DENSITY ? clod_bulk_density_csv(&self->density)
+                                                 : clod_locus_csv(self->study);
+}
+
+void clod_measured_warnings(const clod_measured *self,
+                            void (*say)(void *context, const char *text), void *context)
+{
+    CLOD_NEED(self);
+    for (size_t k = 0; k < self->wall.warning_count; k++) {
+        say(context, self->wall.warnings[k]);
+    }
+    for (size_t g = 0; self->study != NULL && g < self->study->count; g++) {
+        const clod_locus *locus = &self->study->groups[g].locus;
+        for (size_t i = 0; i < locus->warning_count; i++) {
+            char text[CLOD_LOCUS_WARNING_TEXT + 64];
+            snprintf(text, sizeof text, "preshear at %.3f kPa: %s",
+                     locus->sigma_p.value / 1000.0, locus->warnings[i]);
+            say(context, text);
+        }
+    }
+    if (self->study != NULL && self->study->warning[0] != '\0') {
+        say(context, self->study->warning);
+    }
+}

@@ -1,0 +1,13 @@
+#pragma once
+/**
+ * @file prose.h
+ * Pieces of the tables for people.
+ */
+
+#include <stdio.h>
+
+/** A number in a column of `width`; "-" when it is none. */
+void clod_prose_number(FILE *out, int width, int digits, double value);
+
+/** A warning, broken between words; lines after the first are indented. */
+void clod_prose_warning(FILE *out, const char *text);

@@ -1,0 +1,268 @@
+#include "clod/wall_locus.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "analysis/fit.h"
+#include "analysis/warnings.h"
+#include "base/given.h"
+#include "base/memory.h"
+
+#define R2_LEAST 0.95       ///< as of a yield locus
+#define ADHESION_ERRORS 2.0 ///< standard errors below 0 that are no chance
+
+typedef clod_wall_locus_point point;
+
+void clod_wall_locus_fini(clod_wall_locus *self)
+{
+    CLOD_NEED(self);
+    clod_memory_free(self->marks);
+    self->marks = NULL;
+    self->point_count = 0;
+}
+
+bool clod_wall_locus_one_specimen(const clod_wall_locus *self)
+{
+    CLOD_NEED(self);
+    return self->errors == CLOD_LOCUS_ERRORS_FIT && self->seed_count == 1;
+}
+
+static void __attribute__((format(printf, 2, 3)))
+warn(clod_wall_locus *self, const char *format, ...)
+{
+    if (self->warning_count < CLOD_WALL_LOCUS_WARNINGS) {
+        va_list args;
+        va_start(args, format);
+        vsnprintf(self->warnings[self->warning_count++], CLOD_LOCUS_WARNING_TEXT, format, args);
+        va_end(args);
+    }
+}
+
+// ---- what comes in
+
+static bool check_point(const point *p, size_t number, clod_status *status)
+{
+    const bool good = isfinite(p->sigma) && p->sigma > 0.0 && isfinite(p->tau) &&
+                      isfinite(p->sigma_error) && p->sigma_error >= 0.0 &&
+                      isfinite(p->tau_error) && p->tau_error >= 0.0;
+    return good || clod_status_fail(status, CLOD_USAGE,
+                                    "Point %zu: a wall normal stress of %g Pa with a shear "
+                                    "stress of %g Pa: the first must be above 0, and errors 0 "
+                                    "or more.",
+                                    number + 1, p->sigma, p->tau);
+}
+
+/** By seed, then in descending order of sigma. */
+static int in_order(const void *first, const void *second)
+{
+    const point *a = first;
+    const point *b = second;
+    return a->seed != b->seed ? (a->seed > b->seed) - (a->seed < b->seed)
+                              : (a->sigma < b->sigma) - (a->sigma > b->sigma);
+}
+
+/** Sorted points of one seed make a line. */
+static bool check_seed(const point *points, size_t count, clod_status *status)
+{
+    const long long seed = (long long)points[0].seed;
+    if (count < 2) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "A wall yield locus needs at least two points, better five; "
+                                "seed %lld has %zu.",
+                                seed, count);
+    }
+    const double most = points[0].sigma;
+    return most - points[count - 1].sigma > CLOD_WARNINGS_SAME_STRESS * most ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "All %zu points of seed %lld have the same wall normal stress, "
+                            "%.3f kPa to within 1 %%: a line needs points at different ones.",
+                            count, seed, 1e-3 * most);
+}
+
+// ---- one seed
+
+/** Line through the points of one seed, with the standard errors of what is read off it. */
+typedef struct line {
+    clod_fit fit;
+    clod_locus_value phi_w, tau_ad;
+    bool known; ///< whether the errors are
+} line;
+
+/** Square of what is stated for a point, as the line sees it [Pa^2]. */
+static double stated(const point *p, double slope)
+{
+    const double across = slope * p->sigma_error;
+    return p->tau_error * p->tau_error + across * across;
+}
+
+/**
+ * Errors by propagation: of each point what is stated for it, and what the points scatter about
+ * the line beyond that.
+ */
+static void find_errors(line *self, const point *points, size_t count)
+{
+    const double n = (double)count;
+    double mean = 0.0;
+    bool all = true;
+    for (size_t i = 0; i < count; i++) {
+        const double one = stated(&points[i], self->fit.slope);
+        mean += one / n;
+        all = all && one > 0.0;
+    }
+    const double scatter = count > 2 ? self->fit.residual / (n - 2.0) : 0.0;
+    const double beyond = fmax(scatter - mean, 0.0);
+    double of_slope = 0.0;
+    double of_intercept = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        const double variance = stated(&points[i], self->fit.slope) + beyond;
+        const double lever = (points[i].sigma - self->fit.mean_x) / self->fit.sxx;
+        const double foot = 1.0 / n - self->fit.mean_x * lever;
+        of_slope += lever * lever * variance;
+        of_intercept += foot * foot * variance;
+    }
+    self->known = all || count > 2;
+    const double slope = self->fit.slope;
+    self->phi_w.error = self->known ? sqrt(of_slope) / (1.0 + slope * slope) : (double)NAN;
+    self->tau_ad.error = self->known ? sqrt(of_intercept) : (double)NAN;
+}
+
+static line line_of(const point *points, size_t count, double *work)
+{
+    for (size_t i = 0; i < count; i++) {
+        work[i] = points[i].sigma;
+        work[count + i] = points[i].tau;
+    }
+    line self = {.fit = clod_fit_line(work, work + count, count)};
+    self.phi_w = (clod_locus_value){atan(self.fit.slope), (double)NAN, (double)NAN};
+    self.tau_ad = (clod_locus_value){self.fit.intercept, (double)NAN, (double)NAN};
+    find_errors(&self, points, count);
+    return self;
+}
+
+/** phi_x = atan(tau/sigma), with the errors of both. */
+static clod_locus_value angle_of(const point *p)
+{
+    const double ratio = p->tau / p->sigma;
+    const double error = sqrt(stated(p, ratio)) / p->sigma / (1.0 + ratio * ratio);
+    return (clod_locus_value){atan(ratio), error > 0.0 ? error : (double)NAN, (double)NAN};
+}
+
+static void put_marks(clod_wall_locus *self, const point *points, size_t count,
+                      const clod_fit *fit)
+{
+    for (size_t i = 0; i < count; i++) {
+        self->marks[self->point_count++] = (clod_wall_locus_mark){
+            points[i], angle_of(&points[i]), fit->intercept + fit->slope * points[i].sigma};
+    }
+}
+
+// ---- all seeds
+
+/** Add a value of one more seed; `value` and `scatter` are running mean and sum of squares. */
+static void add_seed(clod_locus_value *all, clod_locus_value one, size_t number)
+{
+    const double step = one.value - all->value;
+    all->value += step / (double)number;
+    all->scatter += step * (one.value - all->value);
+    all->error = one.error;
+}
+
+/** From the sums to mean, standard error of the mean and scatter. */
+static void end_seeds(clod_locus_value *all, size_t seeds)
+{
+    if (seeds > 1) {
+        all->scatter = sqrt(all->scatter / ((double)seeds - 1.0));
+        all->error = all->scatter / sqrt((double)seeds);
+    } else {
+        all->scatter = (double)NAN;
+    }
+}
+
+static void look(clod_wall_locus *self)
+{
+    const double angle = self->phi_w.value;
+    if (angle < 0.0) {
+        warn(self, "The shear stress falls while the normal stress rises: no wall friction has "
+                   "a negative angle. Look at the points: their columns, their units, whether "
+                   "shear was steady.");
+    }
+    if (self->tau_ad.value < 0.0 &&
+        !(self->tau_ad.value > -ADHESION_ERRORS * self->tau_ad.error)) {
+        warn(self,
+             "The line meets the axis below 0, at %.3f kPa: the wall yield locus bends. Use "
+             "phi_x near the stresses at hand, not the line.",
+             1e-3 * self->tau_ad.value);
+    }
+    if (self->r_squared < R2_LEAST) {
+        warn(self, "The points do not lie on a line (r2 = %.3f): use phi_x at each stress.",
+             self->r_squared);
+    }
+}
+
+static bool evaluate(const point *points, size_t count, double *work, clod_wall_locus *self,
+                     clod_status *status)
+{
+    bool known = true;
+    self->r_squared = 1.0;
+    for (size_t first = 0, next; first < count; first = next) {
+        next = first + 1;
+        while (next < count && points[next].seed == points[first].seed) {
+            next++;
+        }
+        if (!check_seed(points + first, next - first, status)) {
+            return false;
+        }
+        const line one = line_of(points + first, next - first, work);
+        self->seed_count++;
+        add_seed(&self->phi_w, one.phi_w, self->seed_count);
+        add_seed(&self->tau_ad, one.tau_ad, self->seed_count);
+        self->r_squared = fmin(self->r_squared, one.fit.r_squared);
+        known = known && one.known;
+        put_marks(self, points + first, next - first, &one.fit);
+    }
+    end_seeds(&self->phi_w, self->seed_count);
+    end_seeds(&self->tau_ad, self->seed_count);
+    self->errors = self->seed_count > 1 ? CLOD_LOCUS_ERRORS_SEEDS
+                   : known              ? CLOD_LOCUS_ERRORS_FIT
+                                        : CLOD_LOCUS_ERRORS_NONE;
+    look(self);
+    return true;
+}
+
+bool clod_wall_locus_evaluate(const clod_wall_locus_point *points, size_t count,
+                              clod_wall_locus *locus, clod_status *status)
+{
+    if (!CLOD_GIVEN(locus, status) || (count > 0 && !CLOD_GIVEN(points, status))) {
+        return false;
+    }
+    memset(locus, 0, sizeof *locus);
+    if (count == 0) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "There are no points of a wall yield locus.");
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!check_point(&points[i], i, status)) {
+            return false;
+        }
+    }
+    point *sorted = clod_memory_alloc(count, sizeof *sorted);
+    double *work = clod_memory_alloc(2 * count, sizeof *work);
+    locus->marks = clod_memory_alloc(count, sizeof *locus->marks);
+    bool good = sorted != NULL && work != NULL && locus->marks != NULL;
+    if (good) {
+        memcpy(sorted, points, count * sizeof *sorted);
+        qsort(sorted, count, sizeof *sorted, in_order);
+        good = evaluate(sorted, count, work, locus, status);
+    } else {
+        clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
+    }
+    if (!good) {
+        clod_wall_locus_fini(locus);
+    }
+    clod_memory_free(sorted);
+    clod_memory_free(work);
+    return good;
+}

@@ -1,0 +1,92 @@
+/**
+ * @file wall_points.c
+ * Wall yield loci from a CSV file, simulated or measured, with units in its header.
+ */
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "analysis/csv.h"
+#include "base/given.h"
+#include "base/input.h"
+#include "base/memory.h"
+#include "clod/wall_locus.h"
+
+#define ANGLE_MOST 80.0 ///< deg, of phi_x: beyond it columns or units are wrong
+#define DEGREES (180.0 / M_PI)
+
+enum { SIGMA = 1, TAU, COLUMN_COUNT = 5 };
+
+#define POINT(field) .offset = offsetof(clod_wall_locus_point, field)
+
+static const clod_csv_column COLUMNS[COLUMN_COUNT] = {
+    {.names = {"seed"}, .unit = "", POINT(seed)},
+    [SIGMA] =
+        {.names = {"sigma_w"}, .unit = "Pa", .positive = true, .required = true, POINT(sigma)},
+    [TAU] = {.names = {"tau_w"}, .unit = "Pa", .required = true, POINT(tau)},
+    {.names = {"sigma_w_error"}, .unit = "Pa", POINT(sigma_error)},
+    {.names = {"tau_w_error"}, .unit = "Pa", POINT(tau_error)},
+};
+
+/** Columns that a wall friction test and clod locus --csv write and nobody reads here. */
+static const char *const SKIPPED[] = {"wall_stress", "phi_x",        "phi_x_error", "line",
+                                      "rho_b",       "displacement", "steady",      NULL};
+
+static bool check_row(const clod_csv *self, const void *row)
+{
+    const clod_wall_locus_point *p = row;
+    const double angle = DEGREES * atan2(p->tau, p->sigma);
+    return angle <= ANGLE_MOST ||
+           clod_status_fail(self->status, CLOD_USAGE,
+                            "%s:%zu: tau_w = %.6g Pa at sigma_w = %.6g Pa is a wall friction "
+                            "angle of %.1f deg; no wall has more than %.0f deg. Have the two "
+                            "columns been exchanged, or has one another unit?",
+                            self->path, self->line, p->tau, p->sigma, angle, ANGLE_MOST);
+}
+
+static const clod_csv_kind POINTS = {
+    .columns = COLUMNS,
+    .count = COLUMN_COUNT,
+    .row = sizeof(clod_wall_locus_point),
+    .known = "sigma_w, tau_w, seed, sigma_w_error, tau_w_error",
+    .example = "sigma_w [kPa],tau_w [kPa]",
+    .item = "wall yield locus point",
+    .skipped = SKIPPED,
+    .check_row = check_row,
+};
+
+bool clod_wall_locus_parse(const char *path, const char *text, size_t length,
+                           clod_wall_locus_point **points, size_t *count, clod_status *status)
+{
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(text, status) || !CLOD_GIVEN(points, status) ||
+        !CLOD_GIVEN(count, status)) {
+        return false;
+    }
+    clod_csv self = {.kind = &POINTS, .path = path, .status = status};
+    const bool good = clod_csv_parse(&self, text, length);
+    *points = good ? self.rows : NULL;
+    *count = good ? self.count : 0;
+    return good;
+}
+
+bool clod_wall_locus_read(const char *path, clod_wall_locus_point **points, size_t *count,
+                          clod_status *status)
+{
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(points, status) ||
+        !CLOD_GIVEN(count, status)) {
+        return false;
+    }
+    *points = NULL;
+    *count = 0;
+    char *text;
+    size_t size;
+    const bool standard = strcmp(path, "-") == 0;
+    if (!clod_input_read(standard ? NULL : path, SIZE_MAX, &text, &size, status)) {
+        return false;
+    }
+    const bool done = clod_wall_locus_parse(standard ? CLOD_INPUT_STANDARD : path, text, size,
+                                            points, count, status);
+    clod_memory_free(text);
+    return done;
+}

@@ -1,0 +1,127 @@
+#include <math.h>
+#include <stdio.h>
+
+#include "base/plural.h"
+#include "config/check.h"
+
+#define SECTION "wall_friction"
+#define STRESSES "wall_friction.wall_stresses"
+
+static bool clean(const clod_loader *loader, const char *path)
+{
+    return clod_report_clean(loader->report, path);
+}
+
+static void check_bars(clod_loader *loader, const clod_case_wall_friction *test)
+{
+    if (test->bar_height >= test->depth) {
+        clod_check_fail(loader,
+                        clod_check_written(loader, SECTION ".bar_height", SECTION ".depth"),
+                        "the bars of the lid reach the plate: %.10g m is not less than depth = "
+                        "%.10g m",
+                        test->bar_height, test->depth);
+    }
+    if ((double)test->bar_count * test->bar_width >= 2.0 * M_PI * test->inner_radius) {
+        clod_check_fail(loader, SECTION ".bar_width",
+                        "%lld bar%s of %.10g m: there is no gap at the inner radius",
+                        (long long)test->bar_count, clod_plural((double)test->bar_count),
+                        test->bar_width);
+    }
+}
+
+static void check_cell(clod_loader *loader, const clod_case_wall_friction *test)
+{
+    if (!clean(loader, SECTION)) {
+        return;
+    }
+    const bool ring = test->cell == 0;
+    const double width =
+        ring ? test->outer_radius - test->inner_radius : 2.0 * test->outer_radius;
+    if (width <= 0.0) {
+        clod_check_fail(loader, SECTION ".inner_radius",
+                        "must be smaller than outer_radius = %.10g m", test->outer_radius);
+        return;
+    }
+    if (2.0 * test->radius_max > fmin(width, test->depth)) {
+        clod_check_fail(
+            loader, SECTION ".radius.max",
+            "grains of %.10g m diameter do not fit into the cell: width %.10g m, depth %.10g m",
+            2.0 * test->radius_max, width, test->depth);
+    }
+    if (ring && test->bar_count > 0) {
+        check_bars(loader, test);
+    }
+}
+
+/** Two stresses make a line; none is below the weight of the solid on the plate. */
+static void check_stresses(clod_loader *loader, const clod_case *self)
+{
+    const clod_case_wall_friction *test = &self->wall_friction;
+    if (test->wall_stress_count == 0 || !clean(loader, STRESSES)) {
+        return; // missing or wrong, which has been said
+    }
+    if (test->wall_stress_count < 2 || test->wall_stress_count > CLOD_CASE_WALL_STRESSES) {
+        clod_check_fail(loader, STRESSES,
+                        "%zu stress%s: a wall yield locus needs two at least, and takes %d at "
+                        "most; five are usual",
+                        test->wall_stress_count, test->wall_stress_count == 1 ? "" : "es",
+                        CLOD_CASE_WALL_STRESSES);
+        return;
+    }
+    double most = 0.0;
+    const double weight =
+        clod_check_tester_weight(self, test->grain_material, test->fill_fraction, test->depth);
+    for (size_t k = 0; k < test->wall_stress_count; k++) {
+        most = fmax(most, test->wall_stresses[k]);
+        if (test->wall_stresses[k] <= weight) {
+            char path[64];
+            snprintf(path, sizeof path, STRESSES ".%zu", k);
+            clod_check_fail(loader, path,
+                            "%.10g Pa is not above the weight of the solid on the plate, about "
+                            "%.2g Pa; the lid cannot pull",
+                            test->wall_stresses[k], weight);
+        }
+    }
+    clod_check_apart(loader, STRESSES, test->wall_stresses, test->wall_stress_count,
+                     CLOD_CHECK_APART * most,
+                     "both give the same point of the wall yield locus");
+}
+
+/** The ways of shear must be long enough for what is to be seen on them. */
+static void check_ways(clod_loader *loader, const clod_case_wall_friction *test)
+{
+    const double blocks = (double)test->steady_blocks * test->block_displacement;
+    if (!clean(loader, SECTION)) {
+        return;
+    }
+    if (blocks > test->shear_max * (1.0 + 1e-9)) { // products of decimal numbers round
+        clod_check_fail(
+            loader,
+            clod_check_written(loader, SECTION ".shear_max", SECTION ".block_displacement"),
+            "the shear stress can never be steady: %lld blocks (steady_blocks) of %.10g m "
+            "(block_displacement) are longer than shear_max = %.10g m",
+            (long long)test->steady_blocks, test->block_displacement, test->shear_max);
+    }
+    if (test->shear_min > test->shear_max) {
+        clod_check_fail(loader,
+                        clod_check_written(loader, SECTION ".shear_max", SECTION ".shear_min"),
+                        "shear cannot end: it goes on for shear_min = %.10g m at least, which "
+                        "is above shear_max = %.10g m",
+                        test->shear_min, test->shear_max);
+    }
+}
+
+void clod_check_wall_friction(clod_loader *loader, const clod_case *self)
+{
+    const clod_case_wall_friction *test = &self->wall_friction;
+    clod_check_material(loader, self, SECTION ".grain_material", test->grain_material);
+    clod_check_material(loader, self, SECTION ".side_material", test->side_material);
+    clod_check_material(loader, self, SECTION ".plate_material", test->plate_material);
+    clod_check_material(loader, self, SECTION ".lid_material", test->lid_material);
+    clod_check_tester_gravity(loader, self, "a wall friction cell");
+    clod_check_tester_radius(loader, SECTION, test->radius_mean, test->radius_min,
+                             test->radius_max);
+    check_cell(loader, test);
+    check_stresses(loader, self);
+    check_ways(loader, test);
+}

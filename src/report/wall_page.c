@@ -1,0 +1,321 @@
+#include "report/wall_page.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "clod/wall_locus.h"
+#include "report/html.h"
+#include "report/shear_rows.h"
+#include "report/table.h"
+
+#define MOST_POINTS 512
+
+typedef clod_wall_page_locus locus;
+
+// ---- numbers
+
+/** A result with its error. */
+static const struct {
+    const char *key, *text, *symbol, *unit;
+    double factor;
+    int digits;
+} ROWS[] = {
+    {"phi_w_deg", "kinematic angle of wall friction", "&phi;<sub>w</sub>", "deg", 1.0, 2},
+    {"tau_ad_Pa", "wall adhesion", "&tau;<sub>ad</sub>", "kPa", 1e-3, 3},
+};
+#define ROW_COUNT (sizeof ROWS / sizeof ROWS[0])
+
+static void put_value(FILE *out, const json_t *from, size_t row)
+{
+    const json_t *value = json_object_get(from, ROWS[row].key);
+    const double error = clod_shear_number(value, "error");
+    const double scatter = clod_shear_number(value, "scatter");
+    const double mean = clod_shear_number(value, "value");
+    if (!isfinite(mean)) {
+        fputs("undefined", out);
+        return;
+    }
+    fprintf(out, "%.*f", ROWS[row].digits, ROWS[row].factor * mean);
+    if (isfinite(error)) {
+        fprintf(out, " <small>&plusmn; %.*f</small>", ROWS[row].digits,
+                ROWS[row].factor * error);
+    }
+    if (isfinite(scatter)) {
+        fprintf(out, " <small>(s %.*f)</small>", ROWS[row].digits, ROWS[row].factor * scatter);
+    }
+}
+
+void clod_wall_page_cards(FILE *out, const json_t *from)
+{
+    for (size_t k = 0; from != NULL && k < ROW_COUNT; k++) {
+        fputs("<div class=\"card\"><b>", out);
+        put_value(out, from, k);
+        fprintf(out, " <small>%s</small></b><span>%s, %s</span></div>\n", ROWS[k].unit,
+                ROWS[k].symbol, ROWS[k].text);
+    }
+}
+
+void clod_wall_page_table(FILE *out, const clod_wall_page_locus *loci, size_t count)
+{
+    fputs("<div class=\"scroll\"><table class=\"results\" id=\"results-table\"><thead><tr><th>"
+          "quantity</th><th></th>",
+          out);
+    for (size_t s = 0; s < count; s++) {
+        clod_html_cell(out, "th", loci[s].of);
+    }
+    fputs("<th>unit</th></tr></thead>\n<tbody>", out);
+    for (size_t k = 0; k < ROW_COUNT; k++) {
+        fprintf(out, "<tr><th>%s</th><td>%s</td>", ROWS[k].text, ROWS[k].symbol);
+        for (size_t s = 0; s < count; s++) {
+            fputs("<td>", out);
+            put_value(out, loci[s].locus, k);
+            fputs("</td>", out);
+        }
+        fprintf(out, "<td>%s</td></tr>\n", ROWS[k].unit);
+    }
+    fputs("<tr><th>fit of the line</th><td>r&sup2;</td>", out);
+    for (size_t s = 0; s < count; s++) {
+        fprintf(out, "<td>%.4f</td>", clod_shear_number(loci[s].locus, "r_squared"));
+    }
+    fputs("<td></td></tr>\n</tbody></table></div>\n", out);
+}
+
+/** What the errors are. */
+static void put_notes(FILE *out, const clod_wall_page_locus *loci, size_t count)
+{
+    for (size_t s = 0; s < count; s++) {
+        const char *note = json_string_value(json_object_get(loci[s].locus, "errors_note"));
+        const double seeds = clod_shear_number(loci[s].locus, "seed_count");
+        fputs("<p class=\"note\">", out);
+        clod_html_text(out, loci[s].of);
+        if (seeds > 1.0) {
+            fprintf(out,
+                    ": mean &plusmn; standard error of the mean, and scatter s (standard "
+                    "deviation) of %.0f specimens.",
+                    seeds);
+        } else {
+            fputs(
+                ": &plusmn; one standard error, from scatter about the line and errors of the "
+                "points",
+                out);
+            fputs(note != NULL ? "; <strong>" : ".", out);
+            clod_html_text(out, note != NULL ? note : "");
+            fputs(note != NULL ? "</strong>." : "", out);
+        }
+        fputs("</p>\n", out);
+    }
+}
+
+/** A number with its error in a cell. */
+static void put_cell(FILE *out, double value, double error, int digits)
+{
+    fprintf(out, "<td>%.*f", digits, value);
+    if (isfinite(error) && error > 0.0) {
+        fprintf(out, " <small>&plusmn; %.*f</small>", digits, error);
+    }
+    fputs("</td>", out);
+}
+
+static void put_points(FILE *out, const clod_wall_page_locus *loci, size_t count)
+{
+    fputs("<div class=\"scroll\"><table id=\"points-table\"><thead><tr><th>points</th>"
+          "<th>seed</th><th>&sigma;<sub>w</sub> [kPa]</th><th>&tau;<sub>w</sub> [kPa]</th>"
+          "<th>&phi;<sub>x</sub> [deg]</th><th>&tau; of the line [kPa]</th></tr></thead>\n"
+          "<tbody>",
+          out);
+    for (size_t s = 0; s < count; s++) {
+        size_t k;
+        const json_t *p;
+        json_array_foreach(json_object_get(loci[s].locus, "points"), k, p)
+        {
+            fputs("<tr>", out);
+            clod_html_cell(out, "th", loci[s].of);
+            fprintf(out, "<td>%.0f</td>", clod_shear_number(p, "seed"));
+            put_cell(out, 1e-3 * clod_shear_number(p, "sigma_w_Pa"),
+                     1e-3 * clod_shear_number(p, "sigma_w_error_Pa"), 3);
+            put_cell(out, 1e-3 * clod_shear_number(p, "tau_w_Pa"),
+                     1e-3 * clod_shear_number(p, "tau_w_error_Pa"), 3);
+            put_cell(out, clod_shear_number(p, "phi_x_deg"),
+                     clod_shear_number(p, "phi_x_error_deg"), 2);
+            put_cell(out, 1e-3 * clod_shear_number(p, "line_Pa"), (double)NAN, 3);
+            fputs("</tr>\n", out);
+        }
+    }
+    fputs("</tbody></table></div>\n", out);
+}
+
+// ---- figures
+
+/** The points of a locus over the wall normal stress; returns the largest of those. */
+static double add_points(clod_figure *figure, const locus *from, const char *name,
+                         const char *key, const char *error_key, int colour)
+{
+    double x[MOST_POINTS], y[MOST_POINTS], error[MOST_POINTS];
+    double largest = 0.0;
+    size_t used = 0;
+    size_t k;
+    const json_t *p;
+    json_array_foreach(json_object_get(from->locus, "points"), k, p)
+    {
+        if (used < MOST_POINTS) {
+            x[used] = clod_shear_number(p, "sigma_w_Pa");
+            y[used] = clod_shear_number(p, key);
+            error[used] = clod_shear_number(p, error_key);
+            largest = fmax(largest, x[used++]);
+        }
+    }
+    clod_figure_add(figure, name, from->lab ? CLOD_FIGURE_HOLLOW : CLOD_FIGURE_POINTS, colour,
+                    used, x, y, error);
+    return largest;
+}
+
+/** The fitted line, from the stress 0 on. */
+static void add_line(clod_figure *figure, const locus *from, double end, int colour)
+{
+    const double slope = tan(
+        clod_shear_number(json_object_get(from->locus, "phi_w_deg"), "value") * M_PI / 180.0);
+    const double foot = clod_shear_number(json_object_get(from->locus, "tau_ad_Pa"), "value");
+    const double begin = foot < 0.0 && slope > 0.0 ? -foot / slope : 0.0;
+    const double x[2] = {begin, end};
+    const double y[2] = {foot + slope * begin, foot + slope * end};
+    clod_figure_add(figure, "", from->lab ? CLOD_FIGURE_DASHED : CLOD_FIGURE_LINE, colour, 2, x,
+                    y, NULL);
+}
+
+void clod_wall_page_figures(clod_sheet *sheet, const clod_wall_page_locus *loci, size_t count)
+{
+    clod_figure line;
+    clod_figure angle;
+    clod_figure_init(&line, "wall-yield-locus", "Wall yield locus");
+    clod_figure_axis_set(&line.x, "wall normal stress", "kPa", 1e-3);
+    clod_figure_axis_set(&line.y, "wall shear stress", "kPa", 1e-3);
+    line.equal = true;
+    clod_figure_init(&angle, "wall-friction-angle", "Wall friction angle over stress");
+    clod_figure_axis_set(&angle.x, "wall normal stress", "kPa", 1e-3);
+    clod_figure_axis_set(&angle.y, "wall friction angle phi_x", "deg", 1.0);
+    angle.from_zero = true;
+    snprintf(line.note, sizeof line.note,
+             "Both axes have the same scale. The line is fitted to the points; where it meets "
+             "the shear stress axis is the wall adhesion.");
+    for (size_t s = 0; s < count; s++) {
+        const int colour = (int)(s % CLOD_FIGURE_COLOURS);
+        const double end =
+            add_points(&line, &loci[s], loci[s].of, "tau_w_Pa", "tau_w_error_Pa", colour);
+        add_line(&line, &loci[s], end, colour);
+        add_points(&angle, &loci[s], loci[s].of, "phi_x_deg", "phi_x_error_deg", colour);
+    }
+    clod_sheet_columns(sheet, true);
+    clod_sheet_figure(sheet, &line);
+    clod_sheet_figure(sheet, &angle);
+    clod_sheet_columns(sheet, false);
+}
+
+/** What is drawn over displacement. */
+static const struct {
+    const char *column, *text, *unit;
+    double factor;
+} CURVES[] = {
+    {"shear_stress", "wall shear stress", "kPa", 1e-3},
+    {"normal_stress", "wall normal stress", "kPa", 1e-3},
+    {"height", "height of the specimen", "mm", 1e3},
+    {"bulk_density", "bulk density", "kg/m3", 1.0},
+};
+#define CURVE_COUNT (sizeof CURVES / sizeof CURVES[0])
+
+/** Add a part's curves to the figures; false: its table is damaged. */
+static bool add_part(clod_figure *figures, const clod_run_files *run, const char *part,
+                     int number, clod_status *status)
+{
+    clod_table table;
+    char name[256];
+    snprintf(name, sizeof name, "%s.csv", part);
+    const bool good = clod_table_read(&table, run->folder, name, status);
+    const int at = good ? clod_table_find(&table, "displacement") : -1;
+    double *x = at >= 0 ? clod_table_numbers(&table, at) : NULL;
+    const size_t first = x != NULL ? clod_figure_begin(x, table.rows) : 0;
+    for (size_t q = 0; x != NULL && q < CURVE_COUNT; q++) {
+        const int column = clod_table_find(&table, CURVES[q].column);
+        double *y = column >= 0 ? clod_table_numbers(&table, column) : NULL;
+        if (y != NULL) {
+            clod_figure_add(&figures[q], part, CLOD_FIGURE_LINE, number % CLOD_FIGURE_COLOURS,
+                            table.rows - first, x + first, y + first, NULL);
+        }
+        clod_memory_free(y);
+    }
+    clod_memory_free(x);
+    clod_table_fini(&table);
+    return good;
+}
+
+static bool put_curves(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+{
+    clod_figure figures[CURVE_COUNT];
+    for (size_t q = 0; q < CURVE_COUNT; q++) {
+        char title[128];
+        snprintf(title, sizeof title, "%c%s", CURVES[q].text[0] - 'a' + 'A',
+                 CURVES[q].text + 1);
+        clod_figure_init(&figures[q], CURVES[q].column, title);
+        clod_figure_axis_set(&figures[q].x, "displacement of the plate", "mm", 1e3);
+        clod_figure_axis_set(&figures[q].y, CURVES[q].text, CURVES[q].unit, CURVES[q].factor);
+    }
+    bool good = true;
+    int number = 0;
+    const char *part;
+    for (size_t p = 0; good && (part = clod_run_files_part(run, p)) != NULL; p++) {
+        good = strstr(part, "wall") == NULL || add_part(figures, run, part, number++, status);
+    }
+    for (size_t q = 0; q < CURVE_COUNT; q++) {
+        clod_sheet_figure(sheet, &figures[q]);
+    }
+    return good;
+}
+
+bool clod_wall_page_put(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
+                        clod_status *status)
+{
+    locus loci[2];
+    size_t count = 0;
+    const json_t *own = json_object_get(run->summary, "wall_locus");
+    if (json_is_object(own)) {
+        loci[count++] = (locus){.of = "simulation", .locus = own};
+    }
+    if (lab != NULL) {
+        loci[count++] = (locus){.of = "laboratory", .locus = lab, .lab = true};
+    }
+    if (count > 0) {
+        clod_html_section(sheet->body, "results", "Results");
+        clod_wall_page_table(sheet->body, loci, count);
+        put_notes(sheet->body, loci, count);
+        clod_wall_page_figures(sheet, loci, count);
+        put_points(sheet->body, loci, count);
+    }
+    clod_html_section(sheet->body, "curves", "Curves of the test");
+    clod_sheet_columns(sheet, true);
+    const bool good = put_curves(sheet, run, status);
+    clod_sheet_columns(sheet, false);
+    return good;
+}
+
+// ---- laboratory
+
+json_t *clod_wall_page_lab(const char *path, clod_status *status)
+{
+    clod_wall_locus_point *points;
+    clod_wall_locus made = {0};
+    size_t count;
+    if (!clod_wall_locus_read(path, &points, &count, status)) {
+        return NULL;
+    }
+    const bool good = clod_wall_locus_evaluate(points, count, &made, status);
+    clod_locus_free(points);
+    char *text = good ? clod_wall_locus_json(&made) : NULL;
+    json_t *all = text != NULL ? json_loads(text, 0, NULL) : NULL;
+    if (good && all == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "No memory for the laboratory's points.");
+    }
+    clod_locus_free(text);
+    clod_wall_locus_fini(&made);
+    return all;
+}

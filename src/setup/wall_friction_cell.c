@@ -1,0 +1,157 @@
+#include "setup/wall_friction_cell.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/assert.h"
+#include "setup/cell_part.h"
+#include "setup/walls.h"
+
+static bool is_ring(const clod_case_wall_friction *cell)
+{
+    return cell->cell == 0;
+}
+
+/** Inner radius of the specimen [m]. */
+static double inner_of(const clod_case_wall_friction *cell)
+{
+    return is_ring(cell) ? cell->inner_radius : 0.0;
+}
+
+/** Bars of the lid; a straight cell has none. */
+static clod_cell_part_bars bars_of(const clod_case_wall_friction *cell)
+{
+    return (clod_cell_part_bars){.inner = inner_of(cell),
+                                 .outer = cell->outer_radius,
+                                 .radius_min = cell->radius_min,
+                                 .count = is_ring(cell) ? cell->bar_count : 0,
+                                 .height = cell->bar_height,
+                                 .width = cell->bar_width};
+}
+
+double clod_wall_friction_cell_area(const clod_case_wall_friction *cell)
+{
+    const double inner = inner_of(cell);
+    return M_PI * (cell->outer_radius * cell->outer_radius - inner * inner);
+}
+
+static bool cell_sizes(const clod_case_wall_friction *cell, clod_sizes *sizes,
+                       clod_status *status)
+{
+    return clod_sizes_init_normal(sizes, cell->radius_mean, cell->radius_sd, cell->radius_min,
+                                  cell->radius_max, status);
+}
+
+bool clod_wall_friction_cell_amount(const clod_case *from, clod_sizes *sizes,
+                                    clod_amount *amount, clod_status *status)
+{
+    const clod_case_wall_friction *cell = &from->wall_friction;
+    const int material = clod_case_material_index(from, cell->grain_material);
+    CLOD_ASSERT(material >= 0); // checked at load
+    const clod_cell_part_bars bars = bars_of(cell);
+    const double room =
+        clod_wall_friction_cell_area(cell) * cell->depth - clod_cell_part_bars_volume(&bars);
+    *amount = (clod_amount){.key = "wall_friction",
+                            .sizes = sizes,
+                            .count = cell->grain_count,
+                            .volume = cell->fill_fraction * room,
+                            .density = from->materials[material].density};
+    return cell_sizes(cell, sizes, status);
+}
+
+/** The plate: of a ring as wide as it; of a straight cell endless, for it moves on and on. */
+static void make_plate(const clod_case_wall_friction *cell, clod_wall *plate)
+{
+    plate->shapes[0] = clod_cell_part_ring(inner_of(cell), cell->outer_radius, 0.0, 1.0);
+    if (!is_ring(cell)) {
+        plate->shapes[0].kind = CLOD_SHAPE_PLANE;
+    }
+    clod_wall_find_symmetry(plate);
+}
+
+/** Side walls from the plate up. */
+static void make_sides(const clod_case_wall_friction *cell, double height, clod_wall *sides)
+{
+    sides->shapes[0] = clod_cell_part_side(cell->outer_radius, height, CLOD_SIDE_INSIDE);
+    if (is_ring(cell)) {
+        sides->shapes[1] = clod_cell_part_side(cell->inner_radius, height, CLOD_SIDE_OUTSIDE);
+    }
+    clod_wall_find_symmetry(sides);
+}
+
+/** Plate and sides, which the grains need; the lid's place follows from the grains. */
+static bool make_walls(const clod_case *from, clod_state *state, clod_status *status)
+{
+    const clod_case_wall_friction *cell = &from->wall_friction;
+    if (!clod_cell_part_walls(state, CLOD_WALL_FRICTION_CELL_WALLS, status)) {
+        return false;
+    }
+    clod_wall *plate = &state->walls.wall[CLOD_WALL_FRICTION_CELL_PLATE];
+    clod_wall *sides = &state->walls.wall[CLOD_WALL_FRICTION_CELL_SIDES];
+    clod_wall *lid = &state->walls.wall[CLOD_WALL_FRICTION_CELL_LID];
+    if (!clod_cell_part_wall(from, "plate", cell->plate_material, 1, plate, status) ||
+        !clod_cell_part_wall(from, "sides", cell->side_material, is_ring(cell) ? 2 : 1, sides,
+                             status) ||
+        !clod_cell_part_wall(from, "lid", cell->lid_material, bars_of(cell).count + 1, lid,
+                             status)) {
+        return false;
+    }
+    make_plate(cell, plate);
+    make_sides(cell, 0.0, sides);
+    lid->shape_count = 0; // open until the grains are in
+    return true;
+}
+
+/** The lid above the grains, the sides up to it, and the domain around all. */
+static void close_cell(const clod_case_wall_friction *cell, double height, clod_state *state)
+{
+    const clod_cell_part_bars bars = bars_of(cell);
+    const double hang = bars.count > 0 ? bars.height : 0.0;
+    const double lid_height = height + 0.5 * cell->radius_max + hang;
+    clod_wall *lid = &state->walls.wall[CLOD_WALL_FRICTION_CELL_LID];
+    lid->shape_count = (int32_t)(bars.count + 1);
+    clod_cell_part_barred_ring(&bars, lid_height, -1.0, lid);
+    lid->load = CLOD_LOAD_STRESS;
+    lid->mass = cell->lid_mass;
+    lid->area = clod_wall_friction_cell_area(cell);
+    make_sides(cell, lid_height, &state->walls.wall[CLOD_WALL_FRICTION_CELL_SIDES]);
+    const double margin = 4.0 * cell->radius_max;
+    const double wide = cell->outer_radius + margin;
+    state->domain =
+        (clod_domain){.min = {-wide, -wide, -margin}, .max = {wide, wide, lid_height + margin}};
+}
+
+/** Fill the open cell; *height is the highest point of the grains. */
+static bool fill_cell(const clod_case *from, int64_t seed, clod_state *state, double *height,
+                      clod_status *status)
+{
+    const clod_case_wall_friction *cell = &from->wall_friction;
+    clod_sizes sizes;
+    clod_amount amount;
+    if (!clod_wall_friction_cell_amount(from, &sizes, &amount, status)) {
+        return false;
+    }
+    const clod_cell_part_filling what = {
+        .name = "wall_friction",
+        .material = cell->grain_material,
+        .sizes = &sizes,
+        .seed = seed,
+        .count = clod_amount_count(&amount, (uint64_t)seed, 1, status),
+        .inner = inner_of(cell),
+        .outer = cell->outer_radius};
+    return what.count > 0 && clod_cell_part_fill(from, &what, state, height, status);
+}
+
+bool clod_setup_wall_friction_cell(const clod_case *from, int64_t seed, clod_state *state,
+                                   clod_status *status)
+{
+    const clod_case_wall_friction *cell = &from->wall_friction;
+    *state = (clod_state){.build_motion = -1.0, .adhesion = cell->fill_adhesion};
+    memcpy(state->gravity, from->gravity, sizeof state->gravity);
+    double height = 0.0;
+    if (!make_walls(from, state, status) || !fill_cell(from, seed, state, &height, status)) {
+        return false;
+    }
+    close_cell(cell, height, state);
+    return clod_cell_part_finish(from, state, status);
+}

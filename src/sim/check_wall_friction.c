@@ -1,0 +1,136 @@
+#include <math.h>
+
+#include "setup/wall_friction_cell.h"
+#include "sim/check_testers.h"
+#include "tester/limits.h"
+
+#define BAR_LIMIT 0.98 ///< grain diameters, as good as one
+
+static double width_of(const clod_case_wall_friction *test)
+{
+    return test->cell == 0 ? test->outer_radius - test->inner_radius : 2.0 * test->outer_radius;
+}
+
+bool clod_check_wall_look(const clod_check_subject *subject, clod_check_report *report,
+                          clod_status *status)
+{
+    const clod_case_wall_friction *test = &subject->from->wall_friction;
+    const double area = clod_wall_friction_cell_area(test);
+    if (!clod_check_heights(subject, test->depth, area, report, status)) {
+        return false;
+    }
+    const double diameter = 2.0 * report->radius_mean;
+    const bool bars = test->cell == 0 && test->bar_count > 0;
+    double lowest = report->stress;
+    for (size_t s = 0; s < test->wall_stress_count; s++) {
+        lowest = fmin(lowest, test->wall_stresses[s]);
+    }
+    report->lowest_stress = lowest;
+    report->lowest_speed = test->speed * sqrt(lowest / report->stress);
+    report->inertial_preshear = clod_check_inertia(
+        subject, diameter, test->speed / report->height_aimed, report->stress);
+    report->across_width = width_of(test) / diameter;
+    report->bar_diameters = bars ? test->bar_height / diameter : 0.0;
+    return true;
+}
+
+static clod_check_batch filling(const clod_case_wall_friction *test, bool most)
+{
+    const double time = most ? test->fill_max : CLOD_CHECK_FILL_LIKELY;
+    return (clod_check_batch){(int)test->seeds, (double)test->seeds * time, time};
+}
+
+/** Consolidation, then run-in and shear at each stress. */
+static clod_check_batch shearing(const clod_case_wall_friction *test, double largest, bool most)
+{
+    const double blocks = (double)test->steady_blocks * test->block_displacement;
+    const double likely = fmin(fmax(blocks, test->shear_min), test->shear_max);
+    const double way = test->block_displacement + (most ? test->shear_max : likely);
+    double time = most ? test->settle_max + test->depth / CLOD_LIMITS_LOWER_SPEED
+                       : CLOD_CHECK_LOAD_LIKELY;
+    for (size_t s = 0; s < test->wall_stress_count; s++) {
+        time += way / (test->speed * sqrt(test->wall_stresses[s] / largest));
+    }
+    return (clod_check_batch){(int)test->seeds, (double)test->seeds * time, time};
+}
+
+int clod_check_wall_batches(const clod_case *from, bool most,
+                            clod_check_batch all[CLOD_CHECK_BATCHES])
+{
+    all[0] = filling(&from->wall_friction, most);
+    all[1] = shearing(&from->wall_friction, clod_case_tester_stress(from), most);
+    return 2;
+}
+
+void clod_check_wall_write(clod_check_page *to, const clod_check_report *r)
+{
+    clod_check_line(
+        to, "inertial number",
+        "%.3g if the solid is sheared over its height of %.3g mm and does not slip;",
+        r->inertial_preshear, 1e3 * r->height_aimed);
+    clod_check_line(
+        to, "",
+        "the lowest stress, %.4g kPa, is sheared at %.3g mm/s: the same inertial number",
+        1e-3 * r->lowest_stress, 1e3 * r->lowest_speed);
+    clod_check_line(to, "cell", "%.1f grain diameters wide, %.1f deep; bars %.2f high",
+                    r->across_width, r->across_depth, r->bar_diameters);
+}
+
+static const clod_check_real WALL_REALS[] = {
+    CLOD_CHECK_REAL("inertial_number", inertial_preshear),
+    CLOD_CHECK_REAL("height_aimed_m", height_aimed),
+    CLOD_CHECK_REAL("height_loose_m", height_loose),
+    CLOD_CHECK_REAL("lowest_stress_Pa", lowest_stress),
+    CLOD_CHECK_REAL("lowest_speed_m_per_s", lowest_speed),
+    CLOD_CHECK_REAL("diameters_across_width", across_width),
+    CLOD_CHECK_REAL("diameters_across_depth", across_depth),
+    CLOD_CHECK_REAL("bar_height_diameters", bar_diameters),
+};
+
+void clod_check_wall_put(json_t *to, const clod_check_report *r)
+{
+    clod_check_put(to, r, WALL_REALS, sizeof WALL_REALS / sizeof WALL_REALS[0]);
+}
+
+void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_case_wall_friction *test = &subject->from->wall_friction;
+    const double across = fmin(r->across_width, r->across_depth);
+    if (r->inertial_preshear > CLOD_LIMITS_INERTIA) {
+        clod_check_warning(
+            r,
+            "inertial number %.3g: the grains' inertia adds to the shear stress of a rough wall "
+            "(%.2g is quasi-static). Lower wall_friction.speed to %.2g mm/s",
+            r->inertial_preshear, CLOD_LIMITS_INERTIA_GOOD,
+            1e3 * test->speed * CLOD_LIMITS_INERTIA_GOOD / r->inertial_preshear);
+    }
+    if (across < CLOD_LIMITS_WALL_GRAINS) {
+        clod_check_warning(
+            r,
+            "only %.1f grain diameters across the %s of the specimen (at least %.0f): use a "
+            "larger cell or smaller grains",
+            across, r->across_width < r->across_depth ? "width" : "depth",
+            CLOD_LIMITS_WALL_GRAINS);
+    }
+    if (test->cell == 0 && r->bar_diameters < BAR_LIMIT) {
+        clod_check_warning(
+            r,
+            "the bars of the lid are %.2f grain diameters high: the solid may slip along the "
+            "lid, not along the plate. Raise wall_friction.bar_height to %.3g mm%s",
+            r->bar_diameters, 2e3 * r->radius_mean,
+            test->bar_count == 0 ? ", and bar_count to 20" : "");
+    }
+    const double gap = r->across_depth - r->bar_diameters;
+    if (r->bar_diameters > 0.0 && gap < CLOD_LIMITS_BARS_GRAINS) {
+        clod_check_warning(
+            r,
+            "only %.1f grain diameters between the bars of the lid and the plate (at least "
+            "%.0f): grains roll there and the plate feels too little. Raise "
+            "wall_friction.depth, or lower bar_height",
+            gap, CLOD_LIMITS_BARS_GRAINS);
+    }
+    if (test->wall_stress_count < 3) {
+        clod_check_warning(r, "2 stresses: a line needs three or more to show its error; add "
+                              "some to wall_friction.wall_stresses");
+    }
+}

@@ -1,0 +1,115 @@
+#include "sim/wall_shear_warnings.h"
+
+#include <math.h>
+
+#include "sim/warning_box.h"
+#include "tester/limits.h"
+#include "tester/wall_shear.h"
+
+#define SIDE_LIMIT 0.05 ///< of the wall normal stress that the sides carry
+
+static void add_settling(json_t *list, const clod_case *from, const clod_part *part)
+{
+    const clod_wall_shear *t = part->test;
+    if ((t->flags & CLOD_WALL_SHEAR_NOT_SETTLED) != 0) {
+        const bool filling = part->point < 0;
+        clod_warning_box_add(
+            list, "%s: %s did not come to rest within wall_friction.%s (%.3g s): raise it%s",
+            part->name, filling ? "filling" : "consolidation",
+            filling ? "fill_max" : "settle_max",
+            filling ? from->wall_friction.fill_max : from->wall_friction.settle_max,
+            filling ? "" : ", or wall_friction.lid_damping if the lid swings");
+    }
+}
+
+/** A shear stress that still changed where the stress ended. */
+static void add_steadiness(json_t *list, const clod_case *from, const clod_part *part,
+                           int64_t k)
+{
+    const clod_wall_shear *t = part->test;
+    const clod_wall_shear_point *p = &t->point[k];
+    if (p->steady == 0) {
+        clod_warning_box_add(
+            list,
+            "%s: at %.4g kPa the wall shear stress was not steady after %.3g mm "
+            "(wall_friction.shear_max): %.4g kPa, changing by %.2g ± %.2g kPa per mm. Raise it, "
+            "or block_displacement if the solid slips and sticks",
+            part->name, 1e-3 * t->stresses[k], 1e3 * from->wall_friction.shear_max,
+            1e-3 * p->shear, 1e-6 * p->rate, 1e-6 * p->rate_error);
+    }
+}
+
+/** The load of the lid should be on the plate, not on the sides. */
+static void add_sides(json_t *list, const clod_part *part, int64_t k)
+{
+    const clod_wall_shear *t = part->test;
+    const double carried = 1.0 - t->point[k].normal / t->stresses[k];
+    if (fabs(carried) > SIDE_LIMIT) {
+        clod_warning_box_add(
+            list,
+            "%s: of %.4g kPa, %.4g kPa came to the plate: the side walls carry the rest. The "
+            "wall yield locus has the stress on the plate. Lower the friction of the side "
+            "material, or wall_friction.depth",
+            part->name, 1e-3 * t->stresses[k], 1e-3 * t->point[k].normal);
+    }
+}
+
+/** I = (speed/height) d sqrt(rho/sigma), as if the whole specimen were sheared. */
+static void add_inertia(json_t *list, const clod_case *from, const clod_part *part)
+{
+    const clod_case_wall_friction *test = &from->wall_friction;
+    const clod_wall_shear *t = part->test;
+    const clod_case_material *ore =
+        &from->materials[clod_case_material_index(from, test->grain_material)];
+    const double number = test->speed / t->point[0].height * 2.0 * test->radius_mean *
+                          sqrt(ore->density / t->stresses[0]);
+    if (number > CLOD_LIMITS_INERTIA) {
+        clod_warning_box_add(list,
+                             "%s: inertial number %.2g if the solid is sheared and does not "
+                             "slip: not quasi-static (%.0e); lower wall_friction.speed",
+                             part->name, number, CLOD_LIMITS_INERTIA_GOOD);
+    }
+}
+
+/** Between bars and plate one layer of grains rolls like the balls of a bearing. */
+static void add_gap(json_t *list, const clod_case *from, const clod_part *part)
+{
+    const clod_wall_shear *t = part->test;
+    const double gap =
+        (t->point[t->at - 1].height - t->bar_height) / (2.0 * from->wall_friction.radius_mean);
+    if (t->bar_height > 0.0 && gap < CLOD_LIMITS_BARS_GRAINS) {
+        clod_warning_box_add(
+            list,
+            "%s: only %.1f grain diameters between the bars of the lid and the "
+            "plate (at least %.0f): grains roll there and the plate feels too "
+            "little. Raise wall_friction.depth, or lower bar_height",
+            part->name, gap, CLOD_LIMITS_BARS_GRAINS);
+    }
+}
+
+json_t *clod_wall_shear_warnings(const clod_case *from, const clod_part *part, int parts)
+{
+    json_t *list = json_array();
+    for (int p = 0; p < parts; p++) {
+        const clod_wall_shear *t = part[p].test;
+        const int64_t points = part[p].point >= 0 ? t->at : 0;
+        add_settling(list, from, &part[p]);
+        for (int64_t k = 0; k < points; k++) {
+            add_steadiness(list, from, &part[p], k);
+        }
+        for (int64_t k = 0; k < points; k++) {
+            add_sides(list, &part[p], k);
+        }
+        if (points > 0) {
+            add_inertia(list, from, &part[p]);
+            add_gap(list, from, &part[p]);
+        }
+        if (part[p].max_overlap > CLOD_LIMITS_OVERLAP_MOST) {
+            clod_warning_box_add(list,
+                                 "%s: overlap up to %.1f %% of a radius at its end; the laws "
+                                 "assume small ones: raise the stiffness",
+                                 part[p].name, 100.0 * part[p].max_overlap);
+        }
+    }
+    return list;
+}

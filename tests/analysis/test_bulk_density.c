@@ -1,0 +1,85 @@
+// Bulk density over stress: the power law through points that have one, and what is no density.
+
+#include "clod/bulk_density.h"
+
+#include <string.h>
+
+#include "support/check.h"
+
+/** 1000 kg/m3 at 1 kPa, 1.1 times as much for each factor of 10: exponent log10(1.1). */
+static void points_of_a_power_law_give_it_back(void **state)
+{
+    const clod_bulk_density_point points[] = {{.sigma_1 = 1e5, .rho_b = 1210.0},
+                                              {.sigma_1 = 1e3, .rho_b = 1000.0},
+                                              {.sigma_1 = 1e4, .rho_b = 1100.0}};
+    clod_bulk_density self;
+    clod_status status = {0};
+    (void)state;
+    assert_true(clod_bulk_density_evaluate(points, 3, &self, &status));
+    check_relative(self.rho_1.value, 1000.0, 1e-12);
+    check_relative(self.compressibility.value, log10(1.1), 1e-12);
+    check_close(self.compressibility.error, 0.0, 1e-9);
+    check_close(self.r_squared, 1.0, 1e-12);
+    assert_true(self.points[0].sigma_1 == 1e3 && self.points[2].sigma_1 == 1e5);
+    clod_bulk_density_fini(&self);
+}
+
+/**
+ * Logarithms of stress in decades 0, 1, 2, of density 0, a, 0: slope 0, scatter 2 a^2/3 about a
+ * mean of a/3 with one degree of freedom; the sum of squares of ln is 2 (ln 10)^2.
+ */
+static void the_error_is_that_of_the_scatter(void **state)
+{
+    const double a = 0.06;
+    const double ten = 2.302585092994046;
+    const clod_bulk_density_point points[] = {{.sigma_1 = 1e3, .rho_b = 1000.0},
+                                              {.sigma_1 = 1e4, .rho_b = 1000.0 * exp(a)},
+                                              {.sigma_1 = 1e5, .rho_b = 1000.0}};
+    clod_bulk_density self;
+    clod_status status = {0};
+    (void)state;
+    assert_true(clod_bulk_density_evaluate(points, 3, &self, &status));
+    const double scatter = sqrt(2.0 / 3.0) * a;
+    check_close(self.compressibility.value, 0.0, 1e-12);
+    check_relative(self.compressibility.error, scatter / (sqrt(2.0) * ten), 1e-9);
+    check_relative(self.rho_1.value, 1000.0 * exp(a / 3.0), 1e-12);
+    // at 0 decades: variance of the mean 1/3, and of the slope 1/2 a decade away
+    check_relative(self.rho_1.error / self.rho_1.value, scatter * sqrt(1.0 / 3.0 + 0.5), 1e-9);
+    clod_bulk_density_fini(&self);
+}
+
+static void expect_error(const char *text, const char *wanted)
+{
+    clod_bulk_density_point *points;
+    clod_bulk_density self = {0};
+    size_t count;
+    clod_status status = {0};
+    const bool read =
+        clod_bulk_density_parse("rho.csv", text, strlen(text), &points, &count, &status);
+    assert_false(read && clod_bulk_density_evaluate(points, count, &self, &status));
+    clod_locus_free(points);
+    assert_int_equal(status.code, CLOD_USAGE);
+    if (strstr(status.text, wanted) == NULL) {
+        fail_msg("\"%s\" is not in \"%s\"", wanted, status.text);
+    }
+}
+
+static void what_is_no_density_is_refused(void **state)
+{
+    (void)state;
+    expect_error("sigma_1 [kPa],rho_b [kg/m3]\n1,1.65\n",
+                 "rho.csv:2: column rho_b: 1.65 kg/m3 is outside 10 to 15000 kg/m3");
+    expect_error("sigma_1 [kPa],rho_b [kg/m3]\n1,1650\n", "at least two points");
+    expect_error("sigma_1 [kPa],rho_b [kg/m3]\n1,1650\n1,1660\n", "at different stresses");
+    expect_error("sigma_1 [kPa],depth [m]\n1,1\n", "depth");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_of_a_power_law_give_it_back),
+        cmocka_unit_test(the_error_is_that_of_the_scatter),
+        cmocka_unit_test(what_is_no_density_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,157 @@
+// Wall yield loci from points worked out by hand.
+
+#include "clod/wall_locus.h"
+
+#include <string.h>
+
+#include "support/check.h"
+
+#define DEGREES (180.0 / M_PI)
+
+static clod_wall_locus evaluate(const clod_wall_locus_point *points, size_t count)
+{
+    clod_wall_locus locus;
+    clod_status status = {0};
+    if (!clod_wall_locus_evaluate(points, count, &locus, &status)) {
+        fail_msg("%s", status.text);
+    }
+    return locus;
+}
+
+static void expect_failure(const clod_wall_locus_point *points, size_t count, const char *text)
+{
+    clod_wall_locus locus;
+    clod_status status = {0};
+    assert_false(clod_wall_locus_evaluate(points, count, &locus, &status));
+    assert_int_equal(status.code, CLOD_USAGE);
+    assert_null(locus.marks);
+    if (strstr(status.text, text) == NULL) {
+        fail_msg("\"%s\" is not in \"%s\"", text, status.text);
+    }
+}
+
+/**
+ * In kPa: means 2.5 and 2, sums of products 5 and 3: slope 0.6, intercept 0.5; off the line by
+ * -0.1, 0.3, -0.3, 0.1: variance 0.2/2. Slope: sqrt(0.1/5); intercept: sqrt(0.1 (1/4 + 2.5^2/5)).
+ */
+static void a_line_through_one_test_has_the_errors_of_its_scatter(void **state)
+{
+    (void)state;
+    const clod_wall_locus_point points[] = {{.sigma = 2e3, .tau = 2e3},
+                                            {.sigma = 4e3, .tau = 3e3},
+                                            {.sigma = 1e3, .tau = 1e3},
+                                            {.sigma = 3e3, .tau = 2e3}};
+    clod_wall_locus locus = evaluate(points, 4);
+    check_relative(locus.phi_w.value, atan(0.6), 1e-12);
+    check_relative(locus.phi_w.error, sqrt(0.02) / 1.36, 1e-12);
+    check_relative(locus.tau_ad.value, 500.0, 1e-12);
+    check_relative(locus.tau_ad.error, 1e3 * sqrt(0.15), 1e-12);
+    assert_true(isnan(locus.phi_w.scatter));
+    assert_int_equal(locus.errors, CLOD_LOCUS_ERRORS_FIT);
+    assert_true(clod_wall_locus_one_specimen(&locus));
+    // in descending order; tan phi_x = 3/4 at the largest; no error is stated
+    assert_int_equal(locus.point_count, 4);
+    assert_true(locus.marks[0].point.sigma == 4e3 && locus.marks[3].point.sigma == 1e3);
+    check_close(DEGREES * locus.marks[0].phi_x.value, 36.86989764584402, 1e-12);
+    assert_true(isnan(locus.marks[0].phi_x.error));
+    check_relative(locus.marks[3].line, 1100.0, 1e-12);
+    clod_wall_locus_fini(&locus);
+}
+
+/**
+ * Two points: slope 0.5 through the origin. Errors of 0.1 kPa: of the slope sqrt(2) 0.1/2, of the
+ * intercept 0.1 sqrt(1.5^2 + 0.5^2); phi_x at 3 kPa: 0.1/3/(1 + 0.25).
+ */
+static void stated_errors_carry_over(void **state)
+{
+    (void)state;
+    clod_wall_locus_point points[] = {{.sigma = 1e3, .tau = 500.0, .tau_error = 100.0},
+                                      {.sigma = 3e3, .tau = 1500.0, .tau_error = 100.0}};
+    clod_wall_locus locus = evaluate(points, 2);
+    check_relative(locus.phi_w.error, sqrt(2.0) * 0.05 / 1.25, 1e-12);
+    check_relative(locus.tau_ad.error, 100.0 * sqrt(2.5), 1e-12);
+    check_close(locus.tau_ad.value, 0.0, 1e-9);
+    check_relative(locus.marks[0].phi_x.error, 0.1 / 3.0 / 1.25, 1e-12);
+    clod_wall_locus_fini(&locus);
+    // the same error in sigma, which the slope makes half as much
+    points[0].tau_error = points[1].tau_error = 0.0;
+    points[0].sigma_error = points[1].sigma_error = 200.0;
+    locus = evaluate(points, 2);
+    check_relative(locus.phi_w.error, sqrt(2.0) * 0.05 / 1.25, 1e-12);
+    clod_wall_locus_fini(&locus);
+    points[0].sigma_error = 0.0; // of one point nothing is known: of the line neither
+    locus = evaluate(points, 2);
+    assert_true(isnan(locus.phi_w.error) && locus.errors == CLOD_LOCUS_ERRORS_NONE);
+    clod_wall_locus_fini(&locus);
+}
+
+/** Slopes 0.5 and 0.7: mean angle, scatter of two, which is sqrt(2) times the standard error. */
+static void seeds_give_their_mean_and_scatter(void **state)
+{
+    (void)state;
+    const clod_wall_locus_point points[] = {{.seed = 2, .sigma = 1e3, .tau = 700.0},
+                                            {.seed = 1, .sigma = 1e3, .tau = 500.0},
+                                            {.seed = 2, .sigma = 2e3, .tau = 1400.0},
+                                            {.seed = 1, .sigma = 2e3, .tau = 1000.0}};
+    clod_wall_locus locus = evaluate(points, 4);
+    const double apart = atan(0.7) - atan(0.5);
+    assert_int_equal(locus.seed_count, 2);
+    assert_int_equal(locus.errors, CLOD_LOCUS_ERRORS_SEEDS);
+    check_relative(locus.phi_w.value, 0.5 * (atan(0.5) + atan(0.7)), 1e-12);
+    check_relative(locus.phi_w.scatter, apart / sqrt(2.0), 1e-12);
+    check_relative(locus.phi_w.error, 0.5 * apart, 1e-12);
+    assert_int_equal(locus.marks[0].point.seed, 1);
+    check_relative(locus.marks[3].line, 700.0, 1e-12); // of its own seed
+    clod_wall_locus_fini(&locus);
+}
+
+static void what_is_no_locus_is_refused(void **state)
+{
+    (void)state;
+    clod_wall_locus_point points[] = {{.sigma = 1e3, .tau = 500.0},
+                                      {.sigma = 1.005e3, .tau = 500.0}};
+    expect_failure(points, 0, "no points");
+    expect_failure(points, 1, "seed 0 has 1");
+    expect_failure(points, 2, "same wall normal stress, 1.005 kPa");
+    points[1].sigma = 0.0;
+    expect_failure(points, 2, "Point 2: a wall normal stress of 0 Pa");
+    points[1] = (clod_wall_locus_point){.sigma = 2e3, .tau = 900.0, .tau_error = -1.0};
+    expect_failure(points, 2, "errors 0 or more");
+}
+
+/** Falling shear stress; a line far below the origin; a bent one. */
+static void a_locus_that_is_odd_says_so(void **state)
+{
+    (void)state;
+    const clod_wall_locus_point falls[] = {{.sigma = 1e3, .tau = 500.0},
+                                           {.sigma = 2e3, .tau = 400.0}};
+    const clod_wall_locus_point below[] = {{.sigma = 1e3, .tau = 100.0},
+                                           {.sigma = 2e3, .tau = 500.0},
+                                           {.sigma = 3e3, .tau = 900.0}};
+    const clod_wall_locus_point bent[] = {{.sigma = 1e3, .tau = 100.0},
+                                          {.sigma = 2e3, .tau = 900.0},
+                                          {.sigma = 3e3, .tau = 500.0}};
+    clod_wall_locus locus = evaluate(falls, 2);
+    assert_non_null(strstr(locus.warnings[0], "falls while the normal stress rises"));
+    clod_wall_locus_fini(&locus);
+    locus = evaluate(below, 3);
+    assert_int_equal(locus.warning_count, 1);
+    assert_non_null(strstr(locus.warnings[0], "below 0, at -0.300 kPa"));
+    clod_wall_locus_fini(&locus);
+    locus = evaluate(bent, 3);
+    assert_int_equal(locus.warning_count, 1);
+    assert_non_null(strstr(locus.warnings[0], "do not lie on a line"));
+    clod_wall_locus_fini(&locus);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_line_through_one_test_has_the_errors_of_its_scatter),
+        cmocka_unit_test(stated_errors_carry_over),
+        cmocka_unit_test(seeds_give_their_mean_and_scatter),
+        cmocka_unit_test(what_is_no_locus_is_refused),
+        cmocka_unit_test(a_locus_that_is_odd_says_so),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,94 @@
+// Tables of wall friction and of bulk density, read with their units; and which of them a table is.
+
+#include <string.h>
+
+#include "clod/measured.h"
+#include "support/check.h"
+
+static void expect_error(const char *text, const char *wanted)
+{
+    clod_wall_locus_point *points;
+    size_t count;
+    clod_status status = {0};
+    assert_false(
+        clod_wall_locus_parse("wall.csv", text, strlen(text), &points, &count, &status));
+    assert_int_equal(status.code, CLOD_USAGE);
+    assert_null(points);
+    if (strstr(status.text, wanted) == NULL) {
+        fail_msg("\"%s\" is not in \"%s\"", wanted, status.text);
+    }
+}
+
+static void units_and_order_are_those_of_the_header(void **state)
+{
+    static const char TEXT[] = "# liner: steel\ntau_w [kPa];sigma_w [psi];tau_w_error [Pa]\n"
+                               "1.5;1;20\n0.8;0.5;\n";
+    clod_wall_locus_point *points;
+    size_t count;
+    clod_status status = {0};
+    (void)state;
+    assert_true(
+        clod_wall_locus_parse("wall.csv", TEXT, strlen(TEXT), &points, &count, &status));
+    assert_int_equal(count, 2);
+    check_relative(points[0].sigma, 6894.757293168, 1e-9); // 1 lbf/in2
+    check_close(points[0].tau, 1500.0, 1e-9);
+    check_close(points[0].tau_error, 20.0, 1e-12);
+    assert_true(points[1].tau_error == 0.0);
+    clod_locus_free(points);
+}
+
+static void what_is_wrong_is_said_with_its_place(void **state)
+{
+    (void)state;
+    expect_error("sigma_w [kPa]\n10\n", "wall.csv:1: the header has no column tau_w");
+    expect_error("sigma_w [kPa],tau_w [kPa],force [N]\n10,3,1\n", "force");
+    expect_error("sigma_w [mm],tau_w [kPa]\n10,3\n", "mm");
+    expect_error("sigma_w [kPa],tau_w [kPa]\n10,3\n0,2\n", "wall.csv:3: column sigma_w: \"0\"");
+    expect_error("sigma_w [kPa],tau_w [kPa]\n10,-3\n", "wall.csv:2: column tau_w: \"-3\"");
+    expect_error("sigma_w [kPa],tau_w [Pa]\n10,x\n", "is not a number");
+    expect_error("sigma_w [kPa],tau_w [kPa]\n", "there is no wall yield locus point in it");
+}
+
+/** atan(60) = 89.05 deg: kPa beside Pa. */
+static void an_impossible_angle_is_an_error(void **state)
+{
+    (void)state;
+    expect_error("sigma_w [Pa],tau_w [kPa]\n50,3\n",
+                 "wall.csv:2: tau_w = 3000 Pa at sigma_w = 50 Pa is a wall friction angle of "
+                 "89.0 deg; no wall has more than 80 deg");
+}
+
+static void a_table_is_what_its_header_says(void **state)
+{
+    static const struct {
+        const char *text;
+        clod_measured_kind kind;
+    } TABLES[] = {
+        {"sigma_w [kPa],tau_w [kPa]\n", CLOD_MEASURED_WALL},
+        {"\xEF\xBB\xBF# a comment\n\n\"tau_w [kPa]\"\n", CLOD_MEASURED_WALL},
+        {"sigma_1 [kPa];rho_b [kg/m3]\n", CLOD_MEASURED_DENSITY},
+        {"rho[g/cm3]\tsigma_1[kPa]", CLOD_MEASURED_DENSITY},
+        {"sigma_1 [kPa],f_c [kPa],rho_b [kg/m3]\n", CLOD_MEASURED_SHEAR},
+        {"sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],rho_b [kg/m3]\n",
+         CLOD_MEASURED_SHEAR},
+        {"sigma_wall [kPa],tau_wall [kPa]\n", CLOD_MEASURED_SHEAR},
+        {"# sigma_w\nsigma_sh [kPa]\n", CLOD_MEASURED_SHEAR},
+        {"", CLOD_MEASURED_SHEAR},
+    };
+    (void)state;
+    for (size_t k = 0; k < sizeof TABLES / sizeof *TABLES; k++) {
+        assert_int_equal(clod_measured_kind_of(TABLES[k].text, strlen(TABLES[k].text)),
+                         TABLES[k].kind);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(units_and_order_are_those_of_the_header),
+        cmocka_unit_test(what_is_wrong_is_said_with_its_place),
+        cmocka_unit_test(an_impossible_angle_is_an_error),
+        cmocka_unit_test(a_table_is_what_its_header_says),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,139 @@
+// The warning box of the wall friction test: each text with its remedy, from fabricated results.
+
+#include "sim/wall_shear_warnings.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "support/check.h"
+#include "tester/wall_shear.h"
+
+typedef struct box {
+    clod_case from;
+    clod_case_material ore;
+    clod_part part[2];
+    clod_wall_shear test[2];
+} box;
+
+static box now;
+
+/** A filling, and a shear that is as it should be: nothing to warn of. */
+static int make_box(void **state)
+{
+    (void)state;
+    memset(&now, 0, sizeof now);
+    now.ore = (clod_case_material){.name = "ore", .density = 2500.0};
+    now.from.materials = &now.ore;
+    now.from.material_count = 1;
+    now.from.wall_friction = (clod_case_wall_friction){.grain_material = "ore",
+                                                       .radius_mean = 1e-3,
+                                                       .speed = 1e-3,
+                                                       .shear_max = 0.02,
+                                                       .fill_max = 0.5,
+                                                       .settle_max = 0.25};
+    for (int p = 0; p < 2; p++) {
+        snprintf(now.part[p].name, sizeof now.part[p].name, p == 0 ? "fill" : "wall");
+        now.part[p].point = p - 1;
+        now.part[p].test = &now.test[p];
+    }
+    now.test[1].at = 2;
+    for (int k = 0; k < 2; k++) {
+        const double stress = k == 0 ? 20e3 : 10e3;
+        now.test[1].stresses[k] = stress;
+        now.test[1].point[k] = (clod_wall_shear_point){
+            .normal = stress, .shear = 0.3 * stress, .height = 0.02, .steady = 1};
+    }
+    return 0;
+}
+
+/** The only warning holds all of the texts (NULL ends them); none when there are none. */
+static void expect(const char *const *texts)
+{
+    json_t *list = clod_wall_shear_warnings(&now.from, now.part, 2);
+    assert_int_equal(json_array_size(list), texts[0] != NULL ? 1 : 0);
+    for (int t = 0; texts[t] != NULL; t++) {
+        const char *warning = json_string_value(json_array_get(list, 0));
+        if (strstr(warning, texts[t]) == NULL) {
+            fail_msg("\"%s\" is not in \"%s\"", texts[t], warning);
+        }
+    }
+    json_decref(list);
+}
+#define EXPECT(...) expect((const char *const[]){__VA_ARGS__, NULL})
+
+static void nothing_is_wrong(void **state)
+{
+    (void)state;
+    EXPECT(NULL);
+}
+
+static void a_limit_of_time_is_named(void **state)
+{
+    (void)state;
+    now.test[0].flags = CLOD_WALL_SHEAR_NOT_SETTLED;
+    EXPECT("fill: filling", "wall_friction.fill_max (0.5 s): raise it");
+    make_box(state);
+    now.test[1].flags = CLOD_WALL_SHEAR_NOT_SETTLED;
+    EXPECT("wall: consolidation", "wall_friction.settle_max (0.25 s)", "lid_damping");
+}
+
+static void a_stress_that_was_not_steady_has_its_rate(void **state)
+{
+    (void)state;
+    now.test[1].point[1].steady = 0;
+    now.test[1].point[1].rate = 40e3; // Pa/m: 0.04 kPa/mm
+    now.test[1].point[1].rate_error = 10e3;
+    EXPECT("wall: at 10 kPa", "not steady after 20 mm",
+           "3 kPa, changing by 0.04 ± 0.01 kPa per mm");
+}
+
+/** 18.8 of 20 kPa: 6 % are missing. */
+static void sides_that_carry_are_told(void **state)
+{
+    (void)state;
+    now.test[1].point[0].normal = 18.8e3;
+    EXPECT("wall: of 20 kPa, 18.8 kPa came to the plate", "side material");
+    now.test[1].point[0].normal = 19.2e3; // 4 %
+    EXPECT(NULL);
+}
+
+/** I = 0.01/0.02 1/s 2 mm sqrt(2500/20e3) = 3.5e-4 at 10 mm/s, and 3.5e-3 at 100 mm/s. */
+static void what_is_too_fast_is_told(void **state)
+{
+    (void)state;
+    now.from.wall_friction.speed = 0.01;
+    EXPECT(NULL);
+    now.from.wall_friction.speed = 0.1;
+    EXPECT("wall: inertial number 0.0035", "lower wall_friction.speed");
+}
+
+/** 20 mm less 17: 1.5 grains of 2 mm. */
+static void bars_near_the_plate_are_told(void **state)
+{
+    (void)state;
+    now.test[1].bar_height = 0.015;
+    EXPECT(NULL);
+    now.test[1].bar_height = 0.017;
+    EXPECT("wall: only 1.5 grain diameters between the bars", "Raise wall_friction.depth");
+}
+
+static void soft_grains_are_told(void **state)
+{
+    (void)state;
+    now.part[1].max_overlap = 0.06;
+    EXPECT("wall: overlap up to 6.0 % of a radius");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(nothing_is_wrong, make_box),
+        cmocka_unit_test_setup(a_limit_of_time_is_named, make_box),
+        cmocka_unit_test_setup(a_stress_that_was_not_steady_has_its_rate, make_box),
+        cmocka_unit_test_setup(sides_that_carry_are_told, make_box),
+        cmocka_unit_test_setup(what_is_too_fast_is_told, make_box),
+        cmocka_unit_test_setup(bars_near_the_plate_are_told, make_box),
+        cmocka_unit_test_setup(soft_grains_are_told, make_box),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
