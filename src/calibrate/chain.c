@@ -10,7 +10,7 @@
 #define START_SCALE 0.05 ///< standard deviation of the first proposals
 #define FORGET 0.6       ///< the adaptation's steps fall as step^-0.6
 #define JITTER 1e-8      ///< added to the covariance's diagonal, so that it stays positive
-#define STARTS 64        ///< random places of which a chain takes the first that has a density
+#define STARTS 500       ///< random places from which a chain's start is drawn
 
 /** One chain on its way. */
 typedef struct chain {
@@ -53,18 +53,37 @@ static void factor(chain *self)
     }
 }
 
+/** A start drawn from random places, each with its density as its weight: a chain that began anywhere could
+ *  stay at a lesser summit far from all others. One after the other, so that none needs to be kept. */
+static void draw_start(chain *self)
+{
+    const size_t d = self->setup->dimensions;
+    double top = -HUGE_VAL; // the largest density so far
+    double sum = 0.0;       // of all densities over the largest
+    self->density = -HUGE_VAL;
+    for (int tried = 0; tried < STARTS; tried++) {
+        double place[CLOD_CHAIN_MOST];
+        for (size_t k = 0; k < d; k++) {
+            place[k] = uniform(self);
+        }
+        const double density = self->setup->density(self->setup->context, place);
+        if (density > top) {
+            sum = top > -HUGE_VAL ? sum * exp(top - density) : 0.0;
+            top = density;
+        }
+        const double weight = top > -HUGE_VAL ? exp(density - top) : 0.0;
+        sum += weight;
+        if (tried == 0 || uniform(self) * sum < weight) {
+            memcpy(self->point, place, d * sizeof *place);
+            self->density = density;
+        }
+    }
+}
+
 static void start(chain *self)
 {
     const size_t d = self->setup->dimensions;
-    for (int tried = 0; tried < STARTS; tried++) {
-        for (size_t k = 0; k < d; k++) {
-            self->point[k] = uniform(self);
-        }
-        self->density = self->setup->density(self->setup->context, self->point);
-        if (self->density > -HUGE_VAL) {
-            break;
-        }
-    }
+    draw_start(self);
     for (size_t k = 0; k < d; k++) {
         self->mean[k] = self->point[k];
         self->covariance[k][k] = START_SCALE * START_SCALE;

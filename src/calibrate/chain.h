@@ -26,7 +26,8 @@ typedef struct clod_chain_setup {
 
 /**
  * Sample. Proposals are normal with the chain's own covariance, times a scale that brings the accepted
- * share near 0.3; both are found in the warm-up and fixed afterwards. Each chain starts at a random place.
+ * share near 0.3; both are found in the warm-up and fixed afterwards. Each chain starts at
+ * one of many random places, drawn by their densities.
  *
  * @param samples   [out] [chains][kept][dimensions]
  * @param accepted  [out] share of accepted steps after the warm-up, of all chains

@@ -266,7 +266,7 @@ clod_surrogate_value clod_surrogate_at(const clod_surrogate *self, const double 
     terms_at(self, inputs, h.vector.data);
     double mean;
     gsl_blas_ddot(&h.vector, self->beta, &mean);
-    double left = 0.0;
+    double left = 1.0; // a polynomial may be off everywhere by as much as runs are off it
     if (self->kind == CLOD_SURROGATE_GAUSSIAN) {
         for (size_t i = 0; i < self->count; i++) {
             room[i] = clod_surrogate_correlation(self, inputs,

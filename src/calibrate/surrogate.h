@@ -31,7 +31,8 @@ typedef struct clod_surrogate clod_surrogate;
 
 typedef struct clod_surrogate_value {
     double mean;     ///< of packings
-    double variance; ///< of that mean, from what the runs cannot tell; noise of packings not in it
+    double variance; ///< of that mean, from what the runs cannot tell. Noise of packings is not in it, but for
+                     ///< a polynomial: nothing tells its misfit from that noise, so all counts as misfit
 } clod_surrogate_value;
 
 /** Leave one point out: how well the others foretell it. */

@@ -97,7 +97,8 @@ static bool leave(const clod_surrogate *self, size_t row, double centre, double 
         return false;
     }
     const clod_surrogate_value told = clod_surrogate_at(left, out, room);
-    const double noise = clod_surrogate_noise(self);
+    const double noise =
+        self->kind == CLOD_SURROGATE_GAUSSIAN ? clod_surrogate_noise(self) : 0.0;
     const double error = mean - told.mean;
     const double deviation = sqrt(told.variance + noise * noise / packings);
     to->square += error * error;

@@ -101,6 +101,35 @@ static void edges_are_kept(void **state)
     check_close(sqrt(product_of(0, 0)), 0.2165, 0.01);
 }
 
+/** Two summits, 0.7 apart and 0.01 wide, the second with exp(-12) of the first's weight: in 24 000 samples
+ *  0.15 are expected there. A chain that begins near it would stay. */
+static double two_summits(void *context, const double *u)
+{
+    (void)context;
+    const double a = (u[0] - 0.85) / 0.01;
+    const double b = (u[0] - 0.15) / 0.01;
+    return fmax(-0.5 * a * a, -12.0 - 0.5 * b * b);
+}
+
+static void no_chain_stays_at_a_lesser_summit(void **state)
+{
+    (void)state;
+    clod_chain_setup setup = {.dimensions = 2,
+                              .chains = CHAINS,
+                              .warm_up = 2000,
+                              .kept = KEPT,
+                              .density = two_summits};
+    for (setup.seed = 1; setup.seed <= 5; setup.seed++) {
+        double accepted;
+        clod_chain_run(&setup, samples[0], &accepted);
+        int low = 0;
+        for (int i = 0; i < CHAINS * KEPT; i++) {
+            low += samples[i][0] < 0.5 ? 1 : 0;
+        }
+        assert_true(low <= 5);
+    }
+}
+
 /** x = a x + sqrt(1 - a^2) e has n (1 - a)/(1 + a) independent values in n. */
 static void effective_number_of_a_known_series(void **state)
 {
@@ -140,6 +169,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_gaussian_has_its_moments),
         cmocka_unit_test(edges_are_kept),
+        cmocka_unit_test(no_chain_stays_at_a_lesser_summit),
         cmocka_unit_test(effective_number_of_a_known_series),
         cmocka_unit_test(chains_that_disagree_are_seen),
     };

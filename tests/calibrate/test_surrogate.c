@@ -30,8 +30,8 @@ static clod_surrogate *create(const clod_surrogate_runs *runs, clod_surrogate_ki
     return self;
 }
 
-/** Slope 1, intercept 1/6, squares left 1/6 with one degree of freedom; variance of the line's value
- *  s^2 (1/3 + (u - 1/2)^2 / (1/2)). */
+/** Slope 1, intercept 1/6, squares left 1/6 with one degree of freedom; variance of a further run,
+ *  s^2 (1 + 1/3 + (u - 1/2)^2 / (1/2)). */
 static void a_line_is_that_of_least_squares(void **state)
 {
     (void)state;
@@ -44,7 +44,7 @@ static void a_line_is_that_of_least_squares(void **state)
     for (double at = 0.0; at <= 1.0; at += 0.25) {
         const clod_surrogate_value told = clod_surrogate_at(self, &at, room);
         check_close(told.mean, 1.0 / 6.0 + at, 1e-14);
-        check_close(told.variance, (1.0 / 3.0 + 2.0 * (at - 0.5) * (at - 0.5)) / 6.0, 1e-14);
+        check_close(told.variance, (4.0 / 3.0 + 2.0 * (at - 0.5) * (at - 0.5)) / 6.0, 1e-14);
     }
     check_close(clod_surrogate_noise(self), sqrt(1.0 / 6.0), 1e-14);
     clod_surrogate_destroy(&self);
