@@ -16,9 +16,9 @@
 #include "arguments.h"
 #include "calibrate/calibrate.h"
 
-enum { KEY_CHECK = 256 };
-
 #if CLOD_GSL
+
+enum { KEY_CHECK = 256 };
 
 typedef struct request {
     const char *path;

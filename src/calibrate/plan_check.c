@@ -16,7 +16,8 @@ void clod_plan_complain(clod_loader *loader, const char *path, const char *forma
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
     const clod_node *node = clod_tree_nearest(loader->root, path);
-    clod_report_add(loader->report, clod_load_place(node), path, "%s", text);
+    const bool value = node->kind == CLOD_NODE_SCALAR;
+    clod_report_add(loader->report, value ? node->place : clod_load_place(node), path, "%s", text);
 }
 
 /** A number and the unit behind it. */
