@@ -111,9 +111,10 @@ static int run(request *self)
     const bool good = clod_calibrate_run(self->path, &self->options, &report, &status);
     int result = EXIT_SUCCESS;
     if (good && report != NULL && (fputs(report, stdout) == EOF || fflush(stdout) != 0)) {
-        fputs("clod calibrate: the results cannot be written to standard output; they are in the "
-              "folder\n",
-              stderr);
+        fputs(
+            "clod calibrate: the results cannot be written to standard output; they are in the "
+            "folder\n",
+            stderr);
         result = CLOD_FAILED;
     } else if (good && report == NULL) {
         puts("The plan, its cases and tables are in order.");
@@ -155,10 +156,11 @@ int clod_app_calibrate(int argc, char **argv)
 int clod_app_calibrate(int argc, char **argv)
 {
     (void)argc;
-    fprintf(stderr,
-            "%s: this clod was built without GSL and NLopt. Install the Debian packages libgsl-dev and "
-            "libnlopt-dev, and build it again.\n",
-            argv[0]);
+    fprintf(
+        stderr,
+        "%s: this clod was built without GSL and NLopt. Install the Debian packages libgsl-dev and "
+        "libnlopt-dev, and build it again.\n",
+        argv[0]);
     return CLOD_FAILED;
 }
 

@@ -37,11 +37,10 @@ static bool put_all(const clod_plan *plan, const clod_runs *runs, const clod_stu
     *result = (clod_result){.plan = plan, .study = study, .runs = runs};
     clod_result_warn(result);
     *report = clod_result_table(result);
-    const bool good =
-        put(runs->folder, "card.yaml", clod_result_card(result), status) &&
-        put(runs->folder, "posterior.csv", clod_result_samples(result), status) &&
-        put(runs->folder, "calibration.json", clod_result_json(result), status) &&
-        put(runs->folder, "report.txt", clod_memory_text(*report), status);
+    const bool good = put(runs->folder, "card.yaml", clod_result_card(result), status) &&
+                      put(runs->folder, "posterior.csv", clod_result_samples(result), status) &&
+                      put(runs->folder, "calibration.json", clod_result_json(result), status) &&
+                      put(runs->folder, "report.txt", clod_memory_text(*report), status);
     clod_memory_free(result);
     return good;
 }
@@ -88,7 +87,8 @@ static bool work(const clod_plan *plan, const char *directory,
 bool clod_calibrate_run(const char *path, const clod_calibrate_options *options, char **report,
                         clod_status *status)
 {
-    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(options, status) || !CLOD_GIVEN(report, status)) {
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(options, status) ||
+        !CLOD_GIVEN(report, status)) {
         return false;
     }
     *report = NULL;

@@ -19,7 +19,8 @@ typedef struct chain {
     double point[CLOD_CHAIN_MOST], density;
     double mean[CLOD_CHAIN_MOST];
     double covariance[CLOD_CHAIN_MOST][CLOD_CHAIN_MOST];
-    double factor[CLOD_CHAIN_MOST][CLOD_CHAIN_MOST]; ///< lower Cholesky factor of the covariance
+    double factor[CLOD_CHAIN_MOST]
+                 [CLOD_CHAIN_MOST]; ///< lower Cholesky factor of the covariance
     double log_scale;
 } chain;
 
@@ -47,8 +48,7 @@ static void factor(chain *self)
             for (size_t k = 0; k < j; k++) {
                 sum -= self->factor[i][k] * self->factor[j][k];
             }
-            self->factor[i][j] =
-                i == j ? sqrt(fmax(sum, JITTER)) : sum / self->factor[j][j];
+            self->factor[i][j] = i == j ? sqrt(fmax(sum, JITTER)) : sum / self->factor[j][j];
         }
     }
 }

@@ -91,9 +91,8 @@ double clod_chain_effective(const clod_chain_series *series)
     double time = -1.0; // integrated autocorrelation time
     double least = HUGE_VAL;
     for (size_t lag = 0; lag + 1 < all.length && all.total > 0.0; lag += 2) {
-        const double pair =
-            (lag == 0 ? 1.0 : correlation(series, &all, lag)) +
-            correlation(series, &all, lag + 1);
+        const double pair = (lag == 0 ? 1.0 : correlation(series, &all, lag)) +
+                            correlation(series, &all, lag + 1);
         if (pair <= 0.0) {
             break;
         }

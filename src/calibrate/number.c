@@ -33,7 +33,8 @@ static const clod_number NUMBERS[] = {
 };
 #define NUMBER_COUNT (sizeof NUMBERS / sizeof NUMBERS[0])
 
-static const clod_number OF_SUMMARY = {"", "1", {"", 1.0, 4}, -HUGE_VAL, HUGE_VAL, false, false};
+static const clod_number OF_SUMMARY = {"",       "1",   {"", 1.0, 4}, -HUGE_VAL,
+                                       HUGE_VAL, false, false};
 
 static bool has(const clod_number *self, clod_case_kind kind)
 {
@@ -117,7 +118,8 @@ static json_t *read_summary(const char *folder, clod_status *status)
     json_t *summary = json_loadb(text, length, 0, &error);
     clod_memory_free(text);
     if (summary == NULL) {
-        clod_status_fail(status, CLOD_USAGE, "%s:%d: damaged: %s", path, error.line, error.text);
+        clod_status_fail(status, CLOD_USAGE, "%s:%d: damaged: %s", path, error.line,
+                         error.text);
     }
     return summary;
 }
@@ -125,9 +127,8 @@ static json_t *read_summary(const char *folder, clod_status *status)
 /** A row of a uniaxial test's flow function. */
 static void of_row(const json_t *row, const clod_plan_target *target, double *value)
 {
-    static const char *const KEYS[][2] = {{"sigma_c", "sigma_c_Pa"},
-                                          {"rho_b", "bulk_density_kg_m3"},
-                                          {"ffc", "ffc"}};
+    static const char *const KEYS[][2] = {
+        {"sigma_c", "sigma_c_Pa"}, {"rho_b", "bulk_density_kg_m3"}, {"ffc", "ffc"}};
     const double stress = json_number_value(json_object_get(row, "consolidation_stress_Pa"));
     for (size_t k = 0; k < sizeof KEYS / sizeof KEYS[0]; k++) {
         const json_t *found = json_object_get(row, KEYS[k][1]);
@@ -165,10 +166,10 @@ static bool unknown(const clod_plan_target *target, const json_t *from, const ch
     {
         clod_suggest_offer(&near, key);
     }
-    return clod_status_fail(status, CLOD_USAGE,
-                            "%s/summary.json has no number %s: nothing is called \"%s\" there%s",
-                            folder, target->number, word,
-                            clod_suggest_text(&near, hint, sizeof hint));
+    return clod_status_fail(
+        status, CLOD_USAGE,
+        "%s/summary.json has no number %s: nothing is called \"%s\" there%s", folder,
+        target->number, word, clod_suggest_text(&near, hint, sizeof hint));
 }
 
 /** A number by its path. */

@@ -11,7 +11,7 @@ typedef struct clod_number {
     const char *key;
     const char *unit; ///< SI
     clod_plan_measure measure;
-    double least, most; ///< SI: what a measured value may be
+    double least, most;   ///< SI: what a measured value may be
     bool shear, uniaxial; ///< tests that have it
 } clod_number;
 

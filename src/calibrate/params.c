@@ -38,8 +38,9 @@ static const clod_param PARAMETER[] = {
      .choices = SCALES,
      .fallback = "linear",
      CLOD_AT(P, scale),
-     .help = "How points are spread, and what is equally likely beforehand: equal steps or equal "
-             "ratios.",
+     .help =
+         "How points are spread, and what is equally likely beforehand: equal steps or equal "
+         "ratios.",
      .source = THEORY},
 };
 static const clod_table PARAMETER_TABLE = {
@@ -48,22 +49,25 @@ static const clod_table PARAMETER_TABLE = {
 #define W clod_plan_wish
 static const clod_param WISH[] = {
     TEXT_ROW(W, "test", test, CLOD_PARAM_REQUIRED, "ring", "Name of the test."),
-    TEXT_ROW(W, "number", number, CLOD_PARAM_OPTIONAL, "phi_e",
-             "Which of its results: phi_lin, phi_e, phi_sf, c, tau_p, tau, sigma_1, sigma_2, sigma_c, "
-             "ffc, rho_b of a shear test; sigma_c, ffc, rho_b of a uniaxial test; a path in summary.json "
-             "of a free run."),
+    TEXT_ROW(
+        W, "number", number, CLOD_PARAM_OPTIONAL, "phi_e",
+        "Which of its results: phi_lin, phi_e, phi_sf, c, tau_p, tau, sigma_1, sigma_2, sigma_c, "
+        "ffc, rho_b of a shear test; sigma_c, ffc, rho_b of a uniaxial test; a path in summary.json "
+        "of a free run."),
     TEXT_ROW(W, "value", value, CLOD_PARAM_OPTIONAL, "47.3 deg", "What was measured."),
     TEXT_ROW(W, "error", error, CLOD_PARAM_OPTIONAL, "2 deg",
              "Its standard error; with locus that of each point, where the table has none."),
-    TEXT_ROW(W, "discrepancy", discrepancy, CLOD_PARAM_OPTIONAL, "1 deg",
-             "Standard deviation of what the model is expected to miss at any parameters; none: 0."),
+    TEXT_ROW(
+        W, "discrepancy", discrepancy, CLOD_PARAM_OPTIONAL, "1 deg",
+        "Standard deviation of what the model is expected to miss at any parameters; none: 0."),
     {.key = "locus",
      .kind = CLOD_PARAM_FILE,
      .need = CLOD_PARAM_OPTIONAL,
      .example = "lab.csv",
      CLOD_AT(W, locus),
-     .help = "Table of measured shear points, as clod locus reads it, in place of number and value: each "
-             "prorated point with the case's preshear stress is a target tau.",
+     .help =
+         "Table of measured shear points, as clod locus reads it, in place of number and value: each "
+         "prorated point with the case's preshear stress is a target tau.",
      .source = HOWTO},
     {.key = "normal_stress",
      .kind = CLOD_PARAM_REAL,
@@ -72,7 +76,8 @@ static const clod_param WISH[] = {
      CLOD_ABOVE(0, 1e8),
      .example = "20 kPa",
      CLOD_AT(W, normal_stress),
-     .help = "Of tau: the normal stress at shear; of a uniaxial test: the consolidation stress.",
+     .help =
+         "Of tau: the normal stress at shear; of a uniaxial test: the consolidation stress.",
      .source = HOWTO},
     {.key = "held_back",
      .kind = CLOD_PARAM_BOOL,
@@ -128,8 +133,9 @@ static const clod_param ROWS[] = {
      CLOD_ABOVE(0, 1e8),
      .example = "2 h",
      CLOD_AT(C, budget),
-     .help = "Time on the clock that the runs may take on all processors; the first point is timed, and "
-             "tells how many points fit. Either this or points.",
+     .help =
+         "Time on the clock that the runs may take on all processors; the first point is timed, and "
+         "tells how many points fit. Either this or points.",
      .source = HOWTO},
     {.key = "points",
      .kind = CLOD_PARAM_INTEGER,
@@ -167,6 +173,5 @@ static const clod_param ROWS[] = {
      .source = THEORY},
 };
 
-const clod_table CLOD_TABLE_PLAN = {.title = "The plan of a calibration.",
-                                    CLOD_ROWS(ROWS),
-                                    .size = sizeof(clod_plan)};
+const clod_table CLOD_TABLE_PLAN = {
+    .title = "The plan of a calibration.", CLOD_ROWS(ROWS), .size = sizeof(clod_plan)};

@@ -40,9 +40,10 @@ char *clod_plan_setting(const clod_plan_parameter *self, double place)
 static void build(clod_loader *loader, clod_plan *self)
 {
     if (clod_tree_find(loader->root, "materials") != NULL) {
-        clod_report_add(loader->report, loader->root->place, "",
-                        "is a simulation's case, no plan; clod run reads it, and clod new calibrate "
-                        "writes an example of a plan");
+        clod_report_add(
+            loader->report, loader->root->place, "",
+            "is a simulation's case, no plan; clod run reads it, and clod new calibrate "
+            "writes an example of a plan");
         return;
     }
     clod_load_section(loader, &CLOD_TABLE_PLAN, loader->root, loader->root->place, self);
@@ -89,9 +90,9 @@ bool clod_plan_load(const char *path, clod_plan *self, clod_status *status)
         return false;
     }
     self->path = clod_memory_text(path);
-    const bool good =
-        (self->path != NULL || clod_status_fail(status, CLOD_FAILED, "No memory for the plan.")) &&
-        read_text(path, text, length, self, status);
+    const bool good = (self->path != NULL ||
+                       clod_status_fail(status, CLOD_FAILED, "No memory for the plan.")) &&
+                      read_text(path, text, length, self, status);
     clod_memory_free(text);
     return good;
 }

@@ -18,17 +18,17 @@
 
 /** A case that is run for each point; the fields after `path` come from the case. */
 typedef struct clod_plan_test {
-    char *name; ///< owned
-    char *path; ///< of the case file, owned
+    char *name;        ///< owned
+    char *path;        ///< of the case file, owned
     clod_case *middle; ///< owned; the case with all parameters in the middle of their ranges
 } clod_plan_test;
 
 typedef struct clod_plan_parameter {
-    char *name;           ///< owned
-    char *key;            ///< as in --set
-    char *from, *to;      ///< as written
-    int scale;            ///< clod_plan_scale
-    double low, high;     ///< numbers of from and to
+    char *name;                ///< owned
+    char *key;                 ///< as in --set
+    char *from, *to;           ///< as written
+    int scale;                 ///< clod_plan_scale
+    double low, high;          ///< numbers of from and to
     char unit[CLOD_PLAN_UNIT]; ///< as written behind both; "": none
 } clod_plan_parameter;
 

@@ -17,7 +17,8 @@ void clod_plan_complain(clod_loader *loader, const char *path, const char *forma
     va_end(args);
     const clod_node *node = clod_tree_nearest(loader->root, path);
     const bool value = node->kind == CLOD_NODE_SCALAR;
-    clod_report_add(loader->report, value ? node->place : clod_load_place(node), path, "%s", text);
+    clod_report_add(loader->report, value ? node->place : clod_load_place(node), path, "%s",
+                    text);
 }
 
 /** A number and the unit behind it. */
@@ -45,14 +46,16 @@ static void check_range(clod_loader *loader, clod_plan_parameter *self)
     }
     snprintf(path, sizeof path, "parameters.%.60s.to", self->name);
     if (strcmp(self->unit, unit) != 0) {
-        clod_plan_complain(loader, path, "has the unit \"%s\", but from has \"%s\"; give both in one",
-                           unit, self->unit);
+        clod_plan_complain(loader, path,
+                           "has the unit \"%s\", but from has \"%s\"; give both in one", unit,
+                           self->unit);
     } else if (!(self->high > self->low)) {
         clod_plan_complain(loader, path, "%s is not above from, %s", self->to, self->from);
     } else if (self->scale == CLOD_PLAN_LOG && self->low <= 0.0) {
         snprintf(path, sizeof path, "parameters.%.60s.from", self->name);
-        clod_plan_complain(loader, path, "%s: a log scale begins above 0; give a small value, or scale: "
-                                         "linear",
+        clod_plan_complain(loader, path,
+                           "%s: a log scale begins above 0; give a small value, or scale: "
+                           "linear",
                            self->from);
     }
 }
@@ -104,9 +107,11 @@ static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_tes
 {
     char path[PATH];
     snprintf(path, sizeof path, "tests.%.60s", test->name);
-    if (strspn(test->name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") !=
+    if (strspn(test->name,
+               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") !=
         strlen(test->name)) {
-        clod_plan_complain(loader, path, "is no name for folders; use letters, digits, - and _");
+        clod_plan_complain(loader, path,
+                           "is no name for folders; use letters, digits, - and _");
         return;
     }
     clod_status status = {CLOD_OK, ""};
@@ -122,12 +127,14 @@ static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_tes
     }
     test->middle = load_case(self, test, self->parameter_count, 0.5, &status);
     if (test->middle == NULL) {
-        clod_plan_complain(loader, path, "with all parameters in the middle: %.800s", status.text);
+        clod_plan_complain(loader, path, "with all parameters in the middle: %.800s",
+                           status.text);
         return;
     }
     const clod_case_programme *shear = clod_case_shear(test->middle);
     if (clod_case_kind_of(test->middle) == CLOD_CASE_CONTACT_BENCH) {
-        clod_plan_complain(loader, path, "is a contact bench; only tests and free runs are run");
+        clod_plan_complain(loader, path,
+                           "is a contact bench; only tests and free runs are run");
     } else if (shear != NULL && shear->seeds > 1) {
         clod_plan_complain(loader, path,
                            "the case has seeds: %lld; leave it out there, and give seeds here",
@@ -141,13 +148,16 @@ static void check_numbers(clod_loader *loader, const clod_plan *self)
     if (self->budget > 0.0 && self->points > 0) {
         clod_plan_complain(loader, "points", "has a budget beside it; keep one of them");
     } else if (self->budget <= 0.0 && self->points == 0) {
-        clod_plan_complain(loader, "", "needs the key budget, for instance budget: 2 h, or points");
+        clod_plan_complain(loader, "",
+                           "needs the key budget, for instance budget: 2 h, or points");
     } else if (self->points > 0 && (size_t)self->points < least) {
-        clod_plan_complain(loader, "points", "%lld is out of range; %zu parameters need at least %zu",
+        clod_plan_complain(loader, "points",
+                           "%lld is out of range; %zu parameters need at least %zu",
                            (long long)self->points, self->parameter_count, least);
     }
     if (self->parameter_count > CLOD_PLAN_PARAMETERS) {
-        clod_plan_complain(loader, "parameters", "are %zu; at most %d can be calibrated together",
+        clod_plan_complain(loader, "parameters",
+                           "are %zu; at most %d can be calibrated together",
                            self->parameter_count, CLOD_PLAN_PARAMETERS);
     }
     for (size_t k = 0; k < self->parameter_count; k++) {

@@ -98,8 +98,8 @@ static bool find_test(maker *self, size_t *test)
         clod_suggest_offer(&near, self->plan->tests[k].name);
     }
     char hint[128];
-    clod_plan_complain(self->loader, at(self, "test"), "there is no test %s%s", self->wish->test,
-                       clod_suggest_text(&near, hint, sizeof hint));
+    clod_plan_complain(self->loader, at(self, "test"), "there is no test %s%s",
+                       self->wish->test, clod_suggest_text(&near, hint, sizeof hint));
     return false;
 }
 
@@ -137,14 +137,16 @@ static bool check_stress(maker *self, const clod_case *from, const char *number,
         return stress <= 0.0;
     }
     if (stress <= 0.0) {
-        clod_plan_complain(self->loader, at(self, ""), "%s needs the key normal_stress", number);
+        clod_plan_complain(self->loader, at(self, ""), "%s needs the key normal_stress",
+                           number);
         return false;
     }
     const clod_case_programme *shear = clod_case_shear(from);
     const bool there =
         shear != NULL ? covers(shear, stress) : has_stress(&from->uniaxial, stress);
     if (!there) {
-        clod_plan_complain(self->loader, at(self, self->wish->locus != NULL ? "locus" : "normal_stress"),
+        clod_plan_complain(self->loader,
+                           at(self, self->wish->locus != NULL ? "locus" : "normal_stress"),
                            "%.6g kPa is %s of test %s; give it there", 1e-3 * stress,
                            shear != NULL ? "outside the shear_stresses"
                                          : "not among the consolidation_stresses",
@@ -177,10 +179,10 @@ static void make_number(maker *self, size_t test)
     const clod_number *kind = clod_number_find(clod_case_kind_of(from), wish->number);
     if (kind == NULL) {
         char hint[160];
-        clod_plan_complain(self->loader, at(self, "number"), "test %s has no number %s%s", wish->test,
-                           wish->number,
-                           clod_number_hint(clod_case_kind_of(from), wish->number, hint,
-                                            sizeof hint));
+        clod_plan_complain(
+            self->loader, at(self, "number"), "test %s has no number %s%s", wish->test,
+            wish->number,
+            clod_number_hint(clod_case_kind_of(from), wish->number, hint, sizeof hint));
         return;
     }
     clod_plan_target made = {.test = test,
@@ -196,8 +198,8 @@ static void make_number(maker *self, size_t test)
     if (made.value < kind->least || made.value > kind->most) {
         clod_plan_complain(self->loader, at(self, "value"),
                            "%s is impossible; allowed is %.6g to %.6g %s", wish->value,
-                           kind->measure.factor * kind->least, kind->measure.factor * kind->most,
-                           kind->measure.unit);
+                           kind->measure.factor * kind->least,
+                           kind->measure.factor * kind->most, kind->measure.unit);
         return;
     }
     name_target(&made, wish->test, wish->number);
@@ -233,7 +235,8 @@ static void make_mark(maker *self, size_t test, const clod_locus_mark *mark,
 }
 
 /** Stated error of a mark's point. */
-static double error_of(const clod_locus_mark *mark, const clod_locus_point *points, size_t count)
+static double error_of(const clod_locus_mark *mark, const clod_locus_point *points,
+                       size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         if (points[i].seed == mark->seed && points[i].sigma_s == mark->sigma &&
@@ -268,8 +271,8 @@ static void make_marks(maker *self, size_t test, const clod_locus_study *study,
         return;
     }
     clod_plan_complain(self->loader, at(self, "locus"),
-                       "has no points with the preshear stress of test %s, %.6g kPa", self->wish->test,
-                       1e-3 * preshear);
+                       "has no points with the preshear stress of test %s, %.6g kPa",
+                       self->wish->test, 1e-3 * preshear);
 }
 
 /** The points of a measured yield locus. */
@@ -277,12 +280,14 @@ static void make_locus(maker *self, size_t test)
 {
     const clod_plan_wish *wish = self->wish;
     if (wish->number != NULL || wish->value != NULL || wish->normal_stress > 0.0) {
-        clod_plan_complain(self->loader, at(self, "locus"),
-                           "has number, value or normal_stress beside it; the table has them all");
+        clod_plan_complain(
+            self->loader, at(self, "locus"),
+            "has number, value or normal_stress beside it; the table has them all");
         return;
     }
     if (clod_case_shear(self->plan->tests[test].middle) == NULL) {
-        clod_plan_complain(self->loader, at(self, "locus"), "test %s is no shear test", wish->test);
+        clod_plan_complain(self->loader, at(self, "locus"), "test %s is no shear test",
+                           wish->test);
         return;
     }
     clod_status status = {CLOD_OK, ""};
@@ -322,11 +327,12 @@ static void check_angles(clod_loader *loader, const clod_plan *self)
         const clod_plan_target *effective = with(self, t, "phi_e");
         if (line != NULL && effective != NULL &&
             line->value - effective->value > FIRM * hypot(line->error, effective->error)) {
-            clod_plan_complain(loader, "targets",
-                               "test %s: phi_e %.1f deg is below phi_lin %.1f deg, which no yield locus "
-                               "with a cohesion of 0 or more can have",
-                               self->tests[t].name, effective->measure.factor * effective->value,
-                               line->measure.factor * line->value);
+            clod_plan_complain(
+                loader, "targets",
+                "test %s: phi_e %.1f deg is below phi_lin %.1f deg, which no yield locus "
+                "with a cohesion of 0 or more can have",
+                self->tests[t].name, effective->measure.factor * effective->value,
+                line->measure.factor * line->value);
         }
     }
 }
@@ -340,11 +346,12 @@ static void check_twice(clod_loader *loader, const clod_plan *self)
             const clod_plan_target *b = &self->targets[k];
             const double apart = fabs(a->value - b->value) / hypot(a->error, b->error);
             if (strcmp(a->name, b->name) == 0 && apart > 2.0 * FIRM) {
-                clod_plan_complain(loader, "targets",
-                                   "%s is there as %.6g and as %.6g %s, %.1f standard errors apart: they "
-                                   "contradict each other",
-                                   a->name, a->measure.factor * a->value,
-                                   b->measure.factor * b->value, a->measure.unit, apart);
+                clod_plan_complain(
+                    loader, "targets",
+                    "%s is there as %.6g and as %.6g %s, %.1f standard errors apart: they "
+                    "contradict each other",
+                    a->name, a->measure.factor * a->value, b->measure.factor * b->value,
+                    a->measure.unit, apart);
             }
         }
     }

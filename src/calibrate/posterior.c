@@ -48,7 +48,8 @@ static double log_density(void *context, const double *place)
 }
 
 /** The runs that have a target's number. */
-static size_t take(const clod_posterior_runs *runs, size_t target, double *inputs, double *results)
+static size_t take(const clod_posterior_runs *runs, size_t target, double *inputs,
+                   double *results)
 {
     const clod_plan *plan = runs->plan;
     const size_t d = plan->parameter_count;
@@ -72,16 +73,16 @@ static bool fit_target(const clod_posterior_runs *runs, size_t number, double *r
     const size_t all = runs->points * (size_t)plan->seeds;
     const size_t count = take(runs, number, room, room + all * d);
     const clod_surrogate_runs taken = {d, count, room, room + all * d};
-    const clod_surrogate_kind kind =
-        clod_surrogate_choose(d, clod_surrogate_points(&taken));
+    const clod_surrogate_kind kind = clod_surrogate_choose(d, clod_surrogate_points(&taken));
     clod_status why = {CLOD_OK, ""};
     to->runs = count;
     to->surrogate = clod_surrogate_create(&taken, kind, &why);
     if (to->surrogate == NULL) {
-        return clod_status_fail(status, CLOD_FAILED,
-                                "Target %s: %zu of %zu runs have this number. %s Other ranges, or "
-                                "another target, may help; runs.csv has all results.",
-                                plan->targets[number].name, count, all, why.text);
+        return clod_status_fail(
+            status, CLOD_FAILED,
+            "Target %s: %zu of %zu runs have this number. %s Other ranges, or "
+            "another target, may help; runs.csv has all results.",
+            plan->targets[number].name, count, all, why.text);
     }
     to->checked = clod_surrogate_leave_one_out(to->surrogate, &to->check, &why);
     return true;
@@ -123,7 +124,8 @@ static void interval(double *values, size_t stride, size_t count, double level, 
 }
 
 /** Moments, interval and agreement of one parameter. `room` [count] */
-static void look_at_parameter(const clod_plan *plan, clod_posterior *self, size_t k, double *room)
+static void look_at_parameter(const clod_plan *plan, clod_posterior *self, size_t k,
+                              double *room)
 {
     clod_posterior_parameter *to = &self->parameters[k];
     const double *samples = self->samples + k;
@@ -240,8 +242,8 @@ clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_stat
     self->parameters = clod_memory_alloc(d, sizeof *self->parameters);
     self->correlation = clod_memory_alloc(d * d, sizeof(double));
     self->samples = clod_memory_alloc(self->count * d, sizeof(double));
-    bool good = self->targets != NULL && self->parameters != NULL && self->correlation != NULL &&
-                self->samples != NULL;
+    bool good = self->targets != NULL && self->parameters != NULL &&
+                self->correlation != NULL && self->samples != NULL;
     if (!good) {
         self->target_count = self->targets == NULL ? 0 : self->target_count;
         clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");

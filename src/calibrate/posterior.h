@@ -31,7 +31,8 @@ typedef struct clod_posterior_parameter {
     double mean, deviation, low, high;
     double width; ///< interval over that of the range: 1: the targets tell nothing
     double rhat, effective;
-    double below, above; ///< share of the samples in the lowest and the highest 5 % of the range
+    double below,
+        above; ///< share of the samples in the lowest and the highest 5 % of the range
 } clod_posterior_parameter;
 
 typedef struct clod_posterior {

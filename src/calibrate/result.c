@@ -9,9 +9,10 @@
 
 #define SAMPLES 1000 // of posterior.csv
 #define CONTRADICTION 0.05
-#define EDGE_SHARE 0.3      // of the samples in the last 5 % of a range
-#define LARGEST_RHAT 1.05   // Gelman et al. (2013) ask for 1.1 at most; many now for 1.01 to 1.05
-#define LEAST_EFFECTIVE 400 // samples: 100 a chain (Vehtari et al., Bayesian Anal. 16 (2021) 667)
+#define EDGE_SHARE 0.3    // of the samples in the last 5 % of a range
+#define LARGEST_RHAT 1.05 // Gelman et al. (2013) ask for 1.1 at most; many now for 1.01 to 1.05
+#define LEAST_EFFECTIVE                                                                        \
+    400 // samples: 100 a chain (Vehtari et al., Bayesian Anal. 16 (2021) 667)
 #define LEAST_Q2 0.5
 #define TIED 0.9
 
@@ -67,26 +68,30 @@ static void warn_targets(clod_result *self)
     const clod_posterior *from = self->study->posterior;
     if (from->p_value < CONTRADICTION) {
         const size_t t = farthest(self);
-        warn(self,
-             "The targets contradict each other, or the model cannot reach them within these ranges: "
-             "chi-square %.3g of %zu target%s, posterior predictive p = %.2g. Farthest off is %s, "
-             "measured %+.1f deviations from what the model gives. Intervals below are then too narrow: "
-             "look at the measurements, widen ranges, free another parameter, or state a discrepancy.",
-             from->chi_square, from->used, clod_plural((double)from->used),
-             from->p_value, self->plan->targets[t].name, from->targets[t].off);
+        warn(
+            self,
+            "The targets contradict each other, or the model cannot reach them within these ranges: "
+            "chi-square %.3g of %zu target%s, posterior predictive p = %.2g. Farthest off is %s, "
+            "measured %+.1f deviations from what the model gives. Intervals below are then too narrow: "
+            "look at the measurements, widen ranges, free another parameter, or state a discrepancy.",
+            from->chi_square, from->used, clod_plural((double)from->used), from->p_value,
+            self->plan->targets[t].name, from->targets[t].off);
     }
     for (size_t t = 0; t < from->target_count; t++) {
         const clod_posterior_target *one = &from->targets[t];
         const size_t all = self->study->points * (size_t)self->plan->seeds;
         if (one->runs < all) {
-            warn(self, "%s: only %zu of %zu runs have this number; the others failed or do not define it.",
-                 self->plan->targets[t].name, one->runs, all);
+            warn(
+                self,
+                "%s: only %zu of %zu runs have this number; the others failed or do not define it.",
+                self->plan->targets[t].name, one->runs, all);
         }
         if (one->checked && one->check.q2 < LEAST_Q2) {
-            warn(self,
-                 "%s: its surrogate foretells points that are left out hardly better than their mean "
-                 "(Q2 %.2f): the parameters do not move it much, or more points or seeds are needed.",
-                 self->plan->targets[t].name, one->check.q2);
+            warn(
+                self,
+                "%s: its surrogate foretells points that are left out hardly better than their mean "
+                "(Q2 %.2f): the parameters do not move it much, or more points or seeds are needed.",
+                self->plan->targets[t].name, one->check.q2);
         }
     }
 }
@@ -98,26 +103,33 @@ static void warn_parameters(clod_result *self)
         const clod_posterior_parameter *one = &from->parameters[k];
         const char *name = self->plan->parameters[k].name;
         if (one->below > EDGE_SHARE || one->above > EDGE_SHARE) {
-            warn(self, "%s wants to go beyond the %s end of its range (%.0f %% of the samples lie in the "
-                       "last 5 %% before it).",
-                 name, one->above > one->below ? "upper" : "lower",
-                 100.0 * fmax(one->above, one->below));
+            warn(
+                self,
+                "%s wants to go beyond the %s end of its range (%.0f %% of the samples lie in the "
+                "last 5 %% before it).",
+                name, one->above > one->below ? "upper" : "lower",
+                100.0 * fmax(one->above, one->below));
         }
         if (clod_result_told_of(one) == CLOD_RESULT_UNTOLD) {
-            warn(self, "These targets do not tell %s: its interval is %.0f %% as wide as its range.",
+            warn(self,
+                 "These targets do not tell %s: its interval is %.0f %% as wide as its range.",
                  name, 100.0 * one->width);
         }
         if (!(one->rhat <= LARGEST_RHAT) || !(one->effective >= LEAST_EFFECTIVE)) {
-            warn(self, "The Markov chains do not agree about %s (R-hat %.3f, %.0f independent samples): "
-                       "give more sampling.samples.",
-                 name, one->rhat, one->effective);
+            warn(
+                self,
+                "The Markov chains do not agree about %s (R-hat %.3f, %.0f independent samples): "
+                "give more sampling.samples.",
+                name, one->rhat, one->effective);
         }
         for (size_t m = 0; m < k; m++) {
             const double tie = from->correlation[k * from->dimensions + m];
             if (fabs(tie) > TIED) {
-                warn(self, "%s and %s are tied (correlation %+.2f): the targets tell a combination of "
-                           "them, not each.",
-                     self->plan->parameters[m].name, name, tie);
+                warn(
+                    self,
+                    "%s and %s are tied (correlation %+.2f): the targets tell a combination of "
+                    "them, not each.",
+                    self->plan->parameters[m].name, name, tie);
             }
         }
     }

@@ -94,9 +94,13 @@ static void put_head(FILE *out, const clod_result *self)
     fprintf(out, "# Material card%s%s, by clod calibrate from %s.\n",
             self->plan->title == NULL ? "" : ": ",
             self->plan->title == NULL ? "" : self->plan->title, self->plan->path);
-    fprintf(out, "# Means, with %.3g %% intervals. calibration.json has everything, posterior.csv samples.\n",
-            100.0 * self->plan->sampling.level);
-    fputs("# Use it: include: card.yaml in a case, which then must not give these keys itself.\n", out);
+    fprintf(
+        out,
+        "# Means, with %.3g %% intervals. calibration.json has everything, posterior.csv samples.\n",
+        100.0 * self->plan->sampling.level);
+    fputs(
+        "# Use it: include: card.yaml in a case, which then must not give these keys itself.\n",
+        out);
     fputs("# All that is not here is as in the cases of the tests:\n", out);
     for (size_t t = 0; t < self->plan->test_count; t++) {
         fprintf(out, "#   %s: %s\n", self->plan->tests[t].name, self->plan->tests[t].path);
@@ -107,7 +111,8 @@ static void put_head(FILE *out, const clod_result *self)
     for (size_t k = 0; k < from->dimensions; k++) {
         for (size_t m = 0; m < k; m++) {
             fprintf(out, "# correlation of %s and %s: %+.2f\n", self->plan->parameters[m].name,
-                    self->plan->parameters[k].name, from->correlation[k * from->dimensions + m]);
+                    self->plan->parameters[k].name,
+                    from->correlation[k * from->dimensions + m]);
         }
     }
 }

@@ -20,16 +20,16 @@ static json_t *parameter(const clod_result *self, size_t k)
         json_object_set_new(tied, self->plan->parameters[m].name,
                             clod_json_number(from->correlation[k * from->dimensions + m]));
     }
-    return json_pack("{s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:s, s:o, s:o, s:o}", "key",
-                     of->key, "unit", of->unit, "scale", of->scale == CLOD_PLAN_LOG ? "log" : "linear",
-                     "from", clod_json_number(of->low), "to", clod_json_number(of->high), "mean",
-                     clod_json_number(clod_plan_number(of, one->mean)), "low",
-                     clod_json_number(clod_plan_number(of, one->low)), "high",
-                     clod_json_number(clod_plan_number(of, one->high)), "relative_width",
-                     clod_json_number(one->width), "told",
-                     CLOD_RESULT_TOLD_NAMES[clod_result_told_of(one)], "rhat",
-                     clod_json_number(one->rhat), "effective_samples",
-                     clod_json_number(one->effective), "correlations", tied);
+    return json_pack(
+        "{s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:s, s:o, s:o, s:o}", "key", of->key,
+        "unit", of->unit, "scale", of->scale == CLOD_PLAN_LOG ? "log" : "linear", "from",
+        clod_json_number(of->low), "to", clod_json_number(of->high), "mean",
+        clod_json_number(clod_plan_number(of, one->mean)), "low",
+        clod_json_number(clod_plan_number(of, one->low)), "high",
+        clod_json_number(clod_plan_number(of, one->high)), "relative_width",
+        clod_json_number(one->width), "told", CLOD_RESULT_TOLD_NAMES[clod_result_told_of(one)],
+        "rhat", clod_json_number(one->rhat), "effective_samples",
+        clod_json_number(one->effective), "correlations", tied);
 }
 
 static json_t *surrogate(const clod_posterior_target *one, const clod_plan *plan, double factor)
@@ -44,15 +44,17 @@ static json_t *surrogate(const clod_posterior_target *one, const clod_plan *plan
         json_object_set_new(lengths, plan->parameters[k].name,
                             clod_json_number(clod_surrogate_length(one->surrogate, k)));
     }
-    json_t *self = json_pack("{s:s, s:I, s:o, s:o}", "kind",
-                             KINDS[clod_surrogate_kind_of(one->surrogate)], "runs",
-                             (json_int_t)one->runs, "packing_deviation",
-                             clod_json_number(factor * clod_surrogate_noise(one->surrogate)),
-                             "relative_lengths", lengths);
+    json_t *self =
+        json_pack("{s:s, s:I, s:o, s:o}", "kind", KINDS[clod_surrogate_kind_of(one->surrogate)],
+                  "runs", (json_int_t)one->runs, "packing_deviation",
+                  clod_json_number(factor * clod_surrogate_noise(one->surrogate)),
+                  "relative_lengths", lengths);
     if (one->checked) {
-        json_object_set_new(self, "left_out_error", clod_json_number(factor * one->check.error));
+        json_object_set_new(self, "left_out_error",
+                            clod_json_number(factor * one->check.error));
         json_object_set_new(self, "q2", clod_json_number(one->check.q2));
-        json_object_set_new(self, "within_two_deviations", clod_json_number(one->check.covered));
+        json_object_set_new(self, "within_two_deviations",
+                            clod_json_number(one->check.covered));
     }
     return self;
 }

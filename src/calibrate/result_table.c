@@ -32,8 +32,8 @@ static void put_parameters(FILE *out, const clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
     const double tail = 50.0 * (1.0 - self->plan->sampling.level);
-    fprintf(out, "\nParameters\n  %-16s %12s %11.3g %% %10.3g %%  %-10s %6s  %-7s %7s %8s\n", "", "mean",
-            tail, 100.0 - tail, "unit", "width", "told", "R-hat", "samples");
+    fprintf(out, "\nParameters\n  %-16s %12s %11.3g %% %10.3g %%  %-10s %6s  %-7s %7s %8s\n",
+            "", "mean", tail, 100.0 - tail, "unit", "width", "told", "R-hat", "samples");
     for (size_t k = 0; k < from->dimensions; k++) {
         const clod_posterior_parameter *one = &from->parameters[k];
         const clod_plan_parameter *of = &self->plan->parameters[k];
@@ -42,9 +42,10 @@ static void put_parameters(FILE *out, const clod_result *self)
                 clod_plan_number(of, one->high), of->unit, one->width,
                 CLOD_RESULT_TOLD_NAMES[clod_result_told_of(one)], one->rhat, one->effective);
     }
-    fputs("  width: of the interval over that of the range as given; 1: the targets tell nothing.\n"
-          "  Of a range with scale: log the mean is that of the logarithm.\n",
-          out);
+    fputs(
+        "  width: of the interval over that of the range as given; 1: the targets tell nothing.\n"
+        "  Of a range with scale: log the mean is that of the logarithm.\n",
+        out);
 }
 
 static void put_correlations(FILE *out, const clod_result *self)
@@ -74,10 +75,10 @@ static void put_target(FILE *out, const clod_result *self, size_t t)
     const double f = of->measure.factor;
     const int digits = of->measure.digits;
     const bool inside = of->value >= one->low && of->value <= one->high;
-    fprintf(out, "  %-34s %10.*f %8.*f %8.*f %10.*f %10.*f %10.*f  %-6s %-4s %+5.1f\n", of->name,
-            digits, f * of->value, digits, f * of->error, digits, f * of->discrepancy, digits,
-            f * one->mean, digits, f * one->low, digits, f * one->high, of->measure.unit,
-            inside ? "yes" : "NO", one->off);
+    fprintf(out, "  %-34s %10.*f %8.*f %8.*f %10.*f %10.*f %10.*f  %-6s %-4s %+5.1f\n",
+            of->name, digits, f * of->value, digits, f * of->error, digits, f * of->discrepancy,
+            digits, f * one->mean, digits, f * one->low, digits, f * one->high,
+            of->measure.unit, inside ? "yes" : "NO", one->off);
 }
 
 static void put_targets(FILE *out, const clod_result *self, bool held_back, const char *title)
@@ -89,9 +90,9 @@ static void put_targets(FILE *out, const clod_result *self, bool held_back, cons
         }
         if (!begun) {
             const double tail = 50.0 * (1.0 - self->plan->sampling.level);
-            fprintf(out, "\n%s\n  %-34s %10s %8s %8s %10s %8.3g %% %8.3g %%  %-6s %-4s %5s\n", title, "",
-                    "measured", "error", "discr.", "model", tail, 100.0 - tail, "unit", "in",
-                    "off");
+            fprintf(out, "\n%s\n  %-34s %10s %8s %8s %10s %8.3g %% %8.3g %%  %-6s %-4s %5s\n",
+                    title, "", "measured", "error", "discr.", "model", tail, 100.0 - tail,
+                    "unit", "in", "off");
             begun = true;
         }
         put_target(out, self, t);
@@ -105,8 +106,10 @@ static void put_surrogates(FILE *out, const clod_result *self)
         [CLOD_SURROGATE_QUADRATIC] = "quadratic",
         [CLOD_SURROGATE_GAUSSIAN] = "process",
     };
-    fprintf(out, "\nSurrogates, each point foretold by the others\n  %-34s %-10s %5s %10s %10s %7s %9s\n",
-            "", "kind", "runs", "packings", "error", "Q2", "in 2 dev.");
+    fprintf(
+        out,
+        "\nSurrogates, each point foretold by the others\n  %-34s %-10s %5s %10s %10s %7s %9s\n",
+        "", "kind", "runs", "packings", "error", "Q2", "in 2 dev.");
     for (size_t t = 0; t < self->plan->target_count; t++) {
         const clod_plan_target *of = &self->plan->targets[t];
         const clod_posterior_target *one = &self->study->posterior->targets[t];
@@ -121,9 +124,10 @@ static void put_surrogates(FILE *out, const clod_result *self)
             fputs("          -       -         -\n", out);
         }
     }
-    fputs("  packings: standard deviation between packings of one point; error: root of the mean square\n"
-          "  of a left-out point's error; Q2: 1 where it is exact, 0 where the mean would do as well.\n",
-          out);
+    fputs(
+        "  packings: standard deviation between packings of one point; error: root of the mean square\n"
+        "  of a left-out point's error; Q2: 1 where it is exact, 0 where the mean would do as well.\n",
+        out);
 }
 
 char *clod_result_table(const clod_result *self)
@@ -135,11 +139,13 @@ char *clod_result_table(const clod_result *self)
     }
     const clod_posterior *from = self->study->posterior;
     const char *title = self->plan->title;
-    fprintf(out, "Calibration%s%s: %zu points of %lld packing%s, %zu of them added where the posterior is "
-                 "least certain\n",
-            title == NULL ? "" : ": ", title == NULL ? "" : title, self->study->points,
-            (long long)self->plan->seeds, self->plan->seeds == 1 ? "" : "s",
-            self->study->points - self->study->designed);
+    fprintf(
+        out,
+        "Calibration%s%s: %zu points of %lld packing%s, %zu of them added where the posterior is "
+        "least certain\n",
+        title == NULL ? "" : ": ", title == NULL ? "" : title, self->study->points,
+        (long long)self->plan->seeds, self->plan->seeds == 1 ? "" : "s",
+        self->study->points - self->study->designed);
     fputs(self->warning_count > 0 ? "\nWarnings\n" : "", out);
     for (size_t k = 0; k < self->warning_count; k++) {
         put_text(out, self->warnings[k]);
@@ -148,9 +154,11 @@ char *clod_result_table(const clod_result *self)
     put_correlations(out, self);
     put_targets(out, self, false, "Targets that were used");
     put_targets(out, self, true, "Targets that were held back, foretold");
-    fprintf(out, "  %.3g %% interval of what a laboratory would measure; off: (measured - model) over "
-                 "its deviation.\n  chi-square %.3g of %zu, posterior predictive p = %.2g\n",
-            100.0 * self->plan->sampling.level, from->chi_square, from->used, from->p_value);
+    fprintf(
+        out,
+        "  %.3g %% interval of what a laboratory would measure; off: (measured - model) over "
+        "its deviation.\n  chi-square %.3g of %zu, posterior predictive p = %.2g\n",
+        100.0 * self->plan->sampling.level, from->chi_square, from->used, from->p_value);
     put_surrogates(out, self);
     return clod_text_close(&text);
 }

@@ -143,12 +143,14 @@ static char *describe(const clod_plan *plan)
     if (out == NULL) {
         return NULL;
     }
-    fprintf(out, "Runs of a calibration: another plan needs another folder.\nseed %lld, seeds %lld\n",
-            (long long)plan->seed, (long long)plan->seeds);
+    fprintf(
+        out,
+        "Runs of a calibration: another plan needs another folder.\nseed %lld, seeds %lld\n",
+        (long long)plan->seed, (long long)plan->seeds);
     for (size_t k = 0; k < plan->parameter_count; k++) {
         const clod_plan_parameter *one = &plan->parameters[k];
-        fprintf(out, "parameter %s %.17g %.17g %s %s\n", one->key, one->low, one->high, one->unit,
-                one->scale == CLOD_PLAN_LOG ? "log" : "linear");
+        fprintf(out, "parameter %s %.17g %.17g %s %s\n", one->key, one->low, one->high,
+                one->unit, one->scale == CLOD_PLAN_LOG ? "log" : "linear");
     }
     for (size_t k = 0; k < plan->test_count; k++) {
         char *echo = clod_case_echo(plan->tests[k].middle);
@@ -167,16 +169,18 @@ bool clod_rows_mark(const clod_runs *runs, clod_status *status)
     char *text = describe(runs->plan);
     void *before = NULL;
     size_t size;
-    bool good = text != NULL || clod_status_fail(status, CLOD_FAILED, "No memory for the design.");
+    bool good =
+        text != NULL || clod_status_fail(status, CLOD_FAILED, "No memory for the design.");
     good = good && clod_folder_read(runs->folder, MARK, &before, &size, status);
     if (good && before == NULL) {
         good = clod_folder_write(runs->folder, MARK, text, status);
     } else if (good && strcmp(before, text) != 0) {
-        good = clod_status_fail(status, CLOD_USAGE,
-                                "%s has runs of another plan: parameters, ranges, seeds or cases differ "
-                                "from its " MARK ". Give another folder with -o, or remove this one. "
-                                "(Targets, budget and points may change.)",
-                                runs->folder->path);
+        good = clod_status_fail(
+            status, CLOD_USAGE,
+            "%s has runs of another plan: parameters, ranges, seeds or cases differ "
+            "from its " MARK ". Give another folder with -o, or remove this one. "
+            "(Targets, budget and points may change.)",
+            runs->folder->path);
     }
     clod_memory_free(before);
     clod_memory_free(text);

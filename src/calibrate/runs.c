@@ -15,8 +15,8 @@
 #include "calibrate/number.h"
 #include "calibrate/rows.h"
 
-#define NAP 20000000 // ns between looks at the processes
-#define FIXED 9      // arguments beside the settings
+#define NAP 20000000  // ns between looks at the processes
+#define FIXED 9       // arguments beside the settings
 #define PATIENCE 1000 // naps until a folder that an earlier process still writes must be free
 
 size_t clod_runs_row_of(const clod_plan *plan, size_t point, size_t packing, size_t test)
@@ -165,8 +165,8 @@ static void tell_row(const crew *self, size_t row)
     char text[700];
     clod_runs_name(runs->plan, row, name, sizeof name);
     snprintf(text, sizeof text, "%s %s after %.0f s (%zu of %zu)%s%s", name,
-             of->state == CLOD_RUNS_DONE ? "done" : "failed", of->seconds, self->done, self->all,
-             of->why != NULL ? ": " : "", of->why != NULL ? of->why : "");
+             of->state == CLOD_RUNS_DONE ? "done" : "failed", of->seconds, self->done,
+             self->all, of->why != NULL ? ": " : "", of->why != NULL ? of->why : "");
     if (runs->options.tell != NULL) {
         runs->options.tell(runs->options.context, text);
     }
@@ -185,18 +185,19 @@ static bool settle(crew *self, size_t row, int result, double seconds, clod_stat
                                 "Interrupted; the same command goes on.");
     }
     if (WIFSIGNALED(result)) {
-        return clod_status_fail(status, CLOD_FAILED,
-                                "%s/%s was ended by signal %d, by someone or for want of memory. The same "
-                                "command goes on.",
-                                runs->folder->path, name, WTERMSIG(result));
+        return clod_status_fail(
+            status, CLOD_FAILED,
+            "%s/%s was ended by signal %d, by someone or for want of memory. The same "
+            "command goes on.",
+            runs->folder->path, name, WTERMSIG(result));
     }
     to->seconds = seconds;
     to->state = code == 0 ? CLOD_RUNS_DONE : CLOD_RUNS_FAILED;
     if (code != 0) {
         to->why = clod_rows_last_words(runs, row);
         if (to->why != NULL && strstr(to->why, strerror(ENOSPC)) != NULL) {
-            return clod_status_fail(status, CLOD_FAILED, "%s: %s. The same command goes on.", name,
-                                    to->why);
+            return clod_status_fail(status, CLOD_FAILED, "%s: %s. The same command goes on.",
+                                    name, to->why);
         }
     }
     if (!clod_rows_write(runs, row, status)) {
@@ -212,8 +213,7 @@ static bool settle(crew *self, size_t row, int result, double seconds, clod_stat
 static bool feed(crew *self, clod_status *status)
 {
     for (int w = 0; w < self->runs->options.workers; w++) {
-        while (self->next < self->end &&
-               self->runs->rows[self->next].state != CLOD_RUNS_NONE) {
+        while (self->next < self->end && self->runs->rows[self->next].state != CLOD_RUNS_NONE) {
             self->next++;
         }
         if (self->children[w].process == 0 && self->next < self->end &&
@@ -263,9 +263,9 @@ static bool work(crew *self, clod_status *status)
 {
     size_t left = 1;
     while (left > 0 || self->next < self->end) {
-        const bool good = !stopped(self->runs) ||
-                          clod_status_fail(status, CLOD_INTERRUPTED,
-                                           "Interrupted; the same command goes on.");
+        const bool good =
+            !stopped(self->runs) || clod_status_fail(status, CLOD_INTERRUPTED,
+                                                     "Interrupted; the same command goes on.");
         if (!good || !feed(self, status) || !collect(self, &left, status)) {
             dismiss(self);
             return false;
@@ -325,10 +325,9 @@ static bool check_first(const clod_runs *self, clod_status *status)
     for (size_t t = 0; t < self->plan->test_count; t++) {
         size_t failed = 0;
         for (size_t s = 0; s < (size_t)self->plan->seeds; s++) {
-            failed += self->rows[clod_runs_row_of(self->plan, 0, s, t)].state ==
-                              CLOD_RUNS_FAILED
-                          ? 1
-                          : 0;
+            failed +=
+                self->rows[clod_runs_row_of(self->plan, 0, s, t)].state == CLOD_RUNS_FAILED ? 1
+                                                                                            : 0;
         }
         if (failed == (size_t)self->plan->seeds) {
             const clod_runs_row *row = &self->rows[clod_runs_row_of(self->plan, 0, 0, t)];
@@ -336,7 +335,8 @@ static bool check_first(const clod_runs *self, clod_status *status)
                 status, CLOD_FAILED,
                 "Test %s fails in the middle of all ranges: %s. Mend the case or the ranges, and "
                 "remove %s.",
-                self->plan->tests[t].name, row->why != NULL ? row->why : "", self->folder->path);
+                self->plan->tests[t].name, row->why != NULL ? row->why : "",
+                self->folder->path);
         }
     }
     return true;
@@ -375,7 +375,8 @@ bool clod_runs_compute(void *context, size_t first, size_t count, const double *
         return false;
     }
     for (size_t packing = first * seeds; packing < (first + count) * seeds; packing++) {
-        if (!read_numbers(self, packing, results + packing * self->plan->target_count, status)) {
+        if (!read_numbers(self, packing, results + packing * self->plan->target_count,
+                          status)) {
             return false;
         }
     }

@@ -10,14 +10,18 @@
 #include "output/folder.h"
 
 typedef struct clod_runs_options {
-    const char *program; ///< path of clod
-    int workers;         ///< processes side by side
+    const char *program;   ///< path of clod
+    int workers;           ///< processes side by side
     clod_run_signal *stop; ///< not zero: stop all, with checkpoints
     void (*tell)(void *context, const char *text);
     void *context;
 } clod_runs_options;
 
-typedef enum clod_runs_state { CLOD_RUNS_NONE, CLOD_RUNS_DONE, CLOD_RUNS_FAILED } clod_runs_state;
+typedef enum clod_runs_state {
+    CLOD_RUNS_NONE,
+    CLOD_RUNS_DONE,
+    CLOD_RUNS_FAILED
+} clod_runs_state;
 
 /** A run: its point, packing and test follow from its place. */
 typedef struct clod_runs_row {

@@ -29,7 +29,8 @@ static void put_head(FILE *out, const clod_plan *plan)
     for (size_t t = 0; t < plan->target_count; t++) {
         const clod_plan_target *one = &plan->targets[t];
         fputc(',', out);
-        fprintf(out, "%s [%s]", one->name, one->measure.unit[0] == '\0' ? "1" : one->measure.unit);
+        fprintf(out, "%s [%s]", one->name,
+                one->measure.unit[0] == '\0' ? "1" : one->measure.unit);
     }
     fputs(",failed\n", out);
 }
@@ -57,7 +58,8 @@ static void put_row(FILE *out, const clod_runs *self, size_t point, size_t packi
     for (size_t k = 0; k < d; k++) {
         fprintf(out, ",%.9g", clod_plan_number(&plan->parameters[k], places[point * d + k]));
     }
-    const double *numbers = results + (point * (size_t)plan->seeds + packing) * plan->target_count;
+    const double *numbers =
+        results + (point * (size_t)plan->seeds + packing) * plan->target_count;
     for (size_t t = 0; t < plan->target_count; t++) {
         if (isfinite(numbers[t])) {
             fprintf(out, ",%.9g", plan->targets[t].measure.factor * numbers[t]);

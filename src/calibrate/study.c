@@ -15,9 +15,8 @@
 static bool grow(const clod_plan *plan, clod_study *self, size_t points, clod_status *status)
 {
     const size_t each = (size_t)plan->seeds * plan->target_count;
-    double *places =
-        clod_memory_grow(self->places, self->points * plan->parameter_count,
-                         points * plan->parameter_count, sizeof *places);
+    double *places = clod_memory_grow(self->places, self->points * plan->parameter_count,
+                                      points * plan->parameter_count, sizeof *places);
     if (places != NULL) {
         self->places = places;
     }
@@ -60,8 +59,8 @@ static bool count_points(const clod_plan *plan, const clod_study_source *source,
     const double fit = fmin(floor(plan->budget / each), MOST_POINTS);
     *points = (size_t)fit;
     char text[240];
-    snprintf(text, sizeof text, "the first point took %.3g s: %.0f point%s fit into %.3g min", each,
-             fit, clod_plural(fit), plan->budget / 60.0);
+    snprintf(text, sizeof text, "the first point took %.3g s: %.0f point%s fit into %.3g min",
+             each, fit, clod_plural(fit), plan->budget / 60.0);
     tell(source, text);
     if (*points < least) {
         return clod_status_fail(
@@ -71,9 +70,9 @@ static bool count_points(const clod_plan *plan, const clod_study_source *source,
             "larger budget and the same command goes on; smaller cells, softer contacts or fewer seeds "
             "make runs shorter.",
             plan->path, plan->budget / 60.0, (long long)plan->seeds,
-            clod_plural((double)plan->seeds), each, fit, clod_plural(fit), plan->parameter_count,
-            clod_plural((double)plan->parameter_count), plan->parameter_count == 1 ? "s" : "",
-            least, 1.05 * each * (double)least / 60.0);
+            clod_plural((double)plan->seeds), each, fit, clod_plural(fit),
+            plan->parameter_count, clod_plural((double)plan->parameter_count),
+            plan->parameter_count == 1 ? "s" : "", least, 1.05 * each * (double)least / 60.0);
     }
     return true;
 }
@@ -87,10 +86,11 @@ static size_t size_of_design(const clod_plan *plan, size_t points)
 }
 
 /** Whether another batch fits the budget, by what the points so far have taken. */
-static bool fits(const clod_plan *plan, const clod_study_source *source, size_t done, size_t more)
+static bool fits(const clod_plan *plan, const clod_study_source *source, size_t done,
+                 size_t more)
 {
-    return plan->points > 0 || source->seconds(source->context, done) *
-                                       (double)(done + more) <= plan->budget;
+    return plan->points > 0 ||
+           source->seconds(source->context, done) * (double)(done + more) <= plan->budget;
 }
 
 static bool renew_posterior(const clod_plan *plan, clod_study *self, clod_status *status)
@@ -115,7 +115,8 @@ static bool refine(const clod_plan *plan, const clod_study_source *source, size_
         }
         if (!grow(plan, self, self->points + more, status) ||
             !clod_posterior_refine(plan, self->posterior, more,
-                                   self->places + self->points * plan->parameter_count, status) ||
+                                   self->places + self->points * plan->parameter_count,
+                                   status) ||
             !compute(source, self, self->points + more, status) ||
             !renew_posterior(plan, self, status)) {
             return false;

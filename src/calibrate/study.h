@@ -24,9 +24,9 @@ typedef struct clod_study_source {
 } clod_study_source;
 
 typedef struct clod_study {
-    size_t points, designed; ///< all, and those of the design before any posterior
-    double *places;          ///< [points][parameters] owned
-    double *results;         ///< [points][seeds][targets] owned
+    size_t points, designed;   ///< all, and those of the design before any posterior
+    double *places;            ///< [points][parameters] owned
+    double *results;           ///< [points][seeds][targets] owned
     clod_posterior *posterior; ///< owned
 } clod_study;
 

@@ -269,8 +269,8 @@ clod_surrogate_value clod_surrogate_at(const clod_surrogate *self, const double 
     double left = 1.0; // a polynomial may be off everywhere by as much as runs are off it
     if (self->kind == CLOD_SURROGATE_GAUSSIAN) {
         for (size_t i = 0; i < self->count; i++) {
-            room[i] = clod_surrogate_correlation(self, inputs,
-                                                 self->inputs + i * self->dimensions);
+            room[i] =
+                clod_surrogate_correlation(self, inputs, self->inputs + i * self->dimensions);
         }
         gsl_blas_dtrsv(CblasLower, CblasNoTrans, CblasNonUnit, self->factor, &w.vector);
         double part, square;

@@ -17,7 +17,7 @@
 #define MOST_NUGGET 1e4
 #define STARTS 3
 #define EVALUATIONS 150 ///< for each hyperparameter and start
-#define TOLERANCE 1e-4 ///< of the log likelihood
+#define TOLERANCE 1e-4  ///< of the log likelihood
 
 /** Logs of lengths and nugget into the surrogate. */
 static void put(clod_surrogate *self, const double *logs)

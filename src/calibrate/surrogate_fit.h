@@ -15,10 +15,10 @@ struct clod_surrogate {
     clod_surrogate_kind kind;
     double *inputs, *results; ///< [count][dimensions], [count] owned
     double lengths[CLOD_SURROGATE_MOST];
-    double nugget;     ///< variance of the noise of packings over that of the process
-    double variance;   ///< of the process; of the noise in a polynomial
-    double least;      ///< that the variance is kept above
-    double likelihood; ///< restricted, logarithm, without constants
+    double nugget;        ///< variance of the noise of packings over that of the process
+    double variance;      ///< of the process; of the noise in a polynomial
+    double least;         ///< that the variance is kept above
+    double likelihood;    ///< restricted, logarithm, without constants
     gsl_matrix *factor;   ///< L
     gsl_matrix *basis;    ///< L^-1 H
     gsl_matrix *normal;   ///< Cholesky factor of H' V^-1 H

@@ -17,7 +17,8 @@ static bool read_text(clod_loader *self, const clod_node *node)
         self->report->lost = true;
         return false;
     }
-    snprintf(path, size, "%s%s%s", relative ? self->folder : "", relative ? "/" : "", node->text);
+    snprintf(path, size, "%s%s%s", relative ? self->folder : "", relative ? "/" : "",
+             node->text);
     char *text;
     size_t length;
     clod_status status = {CLOD_OK, ""};

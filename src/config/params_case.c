@@ -172,8 +172,9 @@ static const clod_param ROWS[] = {
      .example = "card.yaml",
      .used = never,
      CLOD_AT(C, include),
-     .help = "File with further keys of the case, for instance a material card of clod calibrate. A key is in "
-             "one of the two files only. The complete case has the keys in place of this one.",
+     .help =
+         "File with further keys of the case, for instance a material card of clod calibrate. A key is in "
+         "one of the two files only. The complete case has the keys in place of this one.",
      .source = "docs/howto/calibrate.md"},
     {.key = "seed",
      .kind = CLOD_PARAM_INTEGER,

@@ -70,7 +70,8 @@ static void a_gaussian_has_its_moments(void **state)
         check_close(mean_of(k), MEAN[k], 5.0 * SD[k] / sqrt(effective));
         check_relative(sqrt(product_of(k, k)), SD[k], 5.0 / sqrt(2.0 * effective));
     }
-    check_close(product_of(0, 1) / sqrt(product_of(0, 0) * product_of(1, 1)), CORRELATION, 0.05);
+    check_close(product_of(0, 1) / sqrt(product_of(0, 0) * product_of(1, 1)), CORRELATION,
+                0.05);
 }
 
 static double flat(void *context, const double *u)

@@ -58,8 +58,7 @@ static int repeat(uint64_t number, double *width)
 {
     material made = {.repeat = number};
     for (uint64_t k = 0; k < PARAMETERS; k++) {
-        made.truth[k] =
-            0.15 + 0.7 * clod_random_uniform(number, CLOD_RANDOM_TEST, 90 + k, 0);
+        made.truth[k] = 0.15 + 0.7 * clod_random_uniform(number, CLOD_RANDOM_TEST, 90 + k, 0);
     }
     plan_made plan;
     plan_make(&plan, PARAMETERS, TARGETS);
@@ -98,9 +97,10 @@ static void the_truth_lies_in_its_intervals_as_often_as_they_say(void **state)
         all += inside;
         first += k < 10 && inside == PARAMETERS ? 1 : 0;
     }
-    print_message("both parameters inside in %d of 10 repeats; %d of %d intervals hold the truth; mean "
-                  "width %.2f of the range\n",
-                  first, all, REPEATS * PARAMETERS, width);
+    print_message(
+        "both parameters inside in %d of 10 repeats; %d of %d intervals hold the truth; mean "
+        "width %.2f of the range\n",
+        first, all, REPEATS * PARAMETERS, width);
     assert_true(first >= 8);
     // At a true share of 0.9: this few or fewer in one of 1000 such tests.
     assert_true(gsl_cdf_binomial_P((unsigned)all, 0.9, REPEATS * PARAMETERS) > 1e-3);

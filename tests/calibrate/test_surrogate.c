@@ -68,8 +68,8 @@ static void a_quadratic_is_met_exactly(void **state)
     clod_surrogate_destroy(&self);
 }
 
-#define N 7              ///< runs of the kriging test, two of them at one point
-#define M (N + 3)        ///< with three coefficients
+#define N 7       ///< runs of the kriging test, two of them at one point
+#define M (N + 3) ///< with three coefficients
 #define NUGGET 0.2
 
 /** Solve a x = b by elimination with pivots; both are overwritten. */
@@ -227,9 +227,8 @@ static void the_likelihood_is_the_greatest(void **state)
         const double lengths[] = {0.1 * pow(100.0, (k % 6) / 5.0),
                                   0.1 * pow(100.0, (k / 6 % 6) / 5.0)};
         clod_status status = {CLOD_OK, ""};
-        clod_surrogate *other =
-            clod_surrogate_create_at(&runs, CLOD_SURROGATE_GAUSSIAN, lengths,
-                                     1e-6 * pow(1e10, (k / 36) / 5.0), &status);
+        clod_surrogate *other = clod_surrogate_create_at(
+            &runs, CLOD_SURROGATE_GAUSSIAN, lengths, 1e-6 * pow(1e10, (k / 36) / 5.0), &status);
         if (other != NULL) {
             check_at_most(clod_surrogate_likelihood(other),
                           clod_surrogate_likelihood(best) + 1e-3);

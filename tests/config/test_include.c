@@ -94,10 +94,11 @@ static void a_key_in_both_is_refused_with_both_places(void **state)
 {
     (void)state;
     char words[256];
-    snprintf(words, sizeof words,
-             "%s/case.yaml:4:38: contacts.default.friction: is given in %s/card.yaml too, in line 3; keep "
-             "one of them",
-             folder, folder);
+    snprintf(
+        words, sizeof words,
+        "%s/case.yaml:4:38: contacts.default.friction: is given in %s/card.yaml too, in line 3; keep "
+        "one of them",
+        folder, folder);
     refuse("include: card.yaml\n", "contacts:\n  default:\n    friction: 0.4\n", words);
 }
 
