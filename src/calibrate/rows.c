@@ -105,7 +105,11 @@ static void flatten(char *text)
     for (const char *from = text; *from != '\0'; from++) {
         const bool blank = (unsigned char)*from <= ' ';
         if (!blank || (to > 0 && text[to - 1] != ' ')) {
-            text[to++] = blank ? ' ' : *from;
+            text[to] = *from;
+            if (blank) {
+                text[to] = ' ';
+            }
+            to++;
         }
     }
     text[to] = '\0';

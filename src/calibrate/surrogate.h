@@ -31,17 +31,16 @@ typedef struct clod_surrogate clod_surrogate;
 
 typedef struct clod_surrogate_value {
     double mean; ///< of packings
-    double
-        variance; ///< of that mean, from what the runs cannot tell. Noise of packings is not in it, but for
-    ///< a polynomial: nothing tells its misfit from that noise, so all counts as misfit
+    /** Of that mean, from what the runs cannot tell. Noise of packings is not in it, but for a
+     * polynomial: nothing tells its misfit from that noise, so all counts as misfit. */
+    double variance;
 } clod_surrogate_value;
 
 /** Leave one point out: how well the others foretell it. */
 typedef struct clod_surrogate_check {
     size_t points;
-    double error; ///< root of the mean square error of a point's mean
-    double
-        q2; ///< 1 - square errors over squares about the mean; 1: exact, 0: no better than it
+    double error;   ///< root of the mean square error of a point's mean
+    double q2;      ///< 1 - square errors over squares about the mean; 1: exact
     double covered; ///< share of the points within two standard deviations of their prediction
 } clod_surrogate_check;
 
