@@ -3,7 +3,7 @@
 #   make run               set up, build, run the full ring shear test of the 5 % ore
 #   make run ARGS=--fresh  the same, with options for `clod run`
 #   make test              set up, build, run every test and check
-.PHONY: build run chute test verify validate cross bench bench-peers check-arm format lint package install clean help \
+.PHONY: build run chute calibrate test verify validate cross bench bench-peers check-arm format lint package install clean help \
 	setup setup-report setup-test setup-peers setup-arm
 .DEFAULT_GOAL := build
 
@@ -44,6 +44,9 @@ chute: build ## run the small transfer chute, dry and at 8 % moisture, and compa
 	@$(RELEASE)/clod picture run/chute-dry --beside run/chute-8 --time 2.75 --range 0,4 --size 1600x800 \
 		-o run/chutes.png
 	@$(RELEASE)/clod picture run/chute-8 --color clump_size --hide feed --size 1000x1000 -o run/clumps.png
+
+calibrate: build ## calibrate k_adh of the 5 % ore against its laboratory angle (25 minutes), with ARGS
+	$(RELEASE)/clod calibrate cases/calibrate-kadh/plan.yaml -o run/calibrate-kadh $(ARGS)
 
 test: setup-test ## build and run every test and check
 	@cmake --preset test --log-level=WARNING

@@ -5,6 +5,7 @@
  * "clod VERB", and returns the exit status: 0 done, 1 failed, 2 wrong use.
  */
 
+int clod_app_calibrate(int argc, char **argv);
 int clod_app_check(int argc, char **argv);
 int clod_app_contact(int argc, char **argv);
 int clod_app_explain(int argc, char **argv);

@@ -28,8 +28,8 @@ static const verb VERBS[] = {
     {"check", clod_app_check, "check a case and estimate its run time, memory and disk space"},
     {"contact", clod_app_contact, "drive one contact along a path and print force and history"},
     {"locus", clod_app_locus, "evaluate shear points, simulated or measured, as a yield locus"},
-    {"hopper", clod_app_hopper,
-     "design a hopper: half angle for mass flow, critical outlet, rathole"},
+    {"hopper", clod_app_hopper, "design a hopper: half angle, critical outlet, rathole"},
+    {"calibrate", clod_app_calibrate, "calibrate a material against laboratory measurements"},
     {"mesh", clod_app_mesh, "check a triangle mesh: STL, OBJ or PLY"},
     {"picture", clod_app_picture, "draw snapshots of a run as PNG, or as a movie"},
     {"report", clod_app_report, "write a page for the browser about a run"},
@@ -49,7 +49,7 @@ static void print_version(FILE *out, struct argp_state *state)
 
 #define LIST_BEGIN "Verbs:\n"
 #define LIST_END "\nclod VERB --help explains one of them."
-#define LIST_ROOM 16 ///< name and blanks of a line
+#define LIST_ROOM 17 ///< name and blanks of a line
 
 /** The list of verbs, in place of the options at the end of --help; argp frees it. */
 static char *list_verbs(int key, const char *text, void *input)
@@ -69,7 +69,7 @@ static char *list_verbs(int key, const char *text, void *input)
     }
     int used = snprintf(list, size, LIST_BEGIN);
     for (size_t i = 0; i < VERB_COUNT; i++) {
-        used += snprintf(list + used, size - (size_t)used, "  %-8s  %s\n", VERBS[i].name,
+        used += snprintf(list + used, size - (size_t)used, "  %-9s  %s\n", VERBS[i].name,
                          VERBS[i].help);
     }
     snprintf(list + used, size - (size_t)used, LIST_END);

@@ -60,6 +60,10 @@ static const template TEMPLATES[] = {
      CLOD_TEMPLATE_HOPPER,
      {{"flow-function.csv", CLOD_TEMPLATE_HOPPER_FLOW_FUNCTION},
       {"wall.csv", CLOD_TEMPLATE_HOPPER_WALL}}},
+    {"calibrate",
+     "calibration of an ore's adhesion against a measured angle, for clod calibrate",
+     CLOD_TEMPLATE_CALIBRATE,
+     {{"ring.yaml", CLOD_TEMPLATE_CALIBRATE_RING}}},
 };
 
 #define TEMPLATE_COUNT (sizeof TEMPLATES / sizeof TEMPLATES[0])

@@ -5,7 +5,8 @@ foreach(entry IN ITEMS "RING_SHEAR=copper-ore-5/case.yaml" "JENIKE=copper-ore-je
     "UNIAXIAL=copper-ore-uniaxial/case.yaml" "WALL_FRICTION=wall-friction/case.yaml"
     "FREE_RUN=free-run/case.yaml"
     "CONTACT_BENCH=contact-bench/case.yaml" "HOPPER=hopper-design/hopper.yaml"
-    "HOPPER_FLOW_FUNCTION=hopper-design/flow-function.csv" "HOPPER_WALL=hopper-design/wall.csv")
+    "HOPPER_FLOW_FUNCTION=hopper-design/flow-function.csv" "HOPPER_WALL=hopper-design/wall.csv"
+    "CALIBRATE=calibrate-kadh/plan.yaml" "CALIBRATE_RING=calibrate-kadh/ring.yaml")
   string(REPLACE "=" ";" entry ${entry})
   list(GET entry 0 name)
   list(GET entry 1 file)

@@ -314,6 +314,7 @@ typedef struct clod_case {
     char *path; ///< file it came from
     char *text; ///< its whole text, for the copy in the results folder and the checkpoint
     char *title;
+    char *include; ///< file whose keys were taken over (in all fields); NULL: none
     int64_t seed;
     bool periodic[3];
     bool has_domain;

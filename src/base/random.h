@@ -13,7 +13,8 @@ typedef enum clod_random_purpose {
     CLOD_RANDOM_POSITION = 2,
     CLOD_RANDOM_VELOCITY = 3,
     CLOD_RANDOM_TEST = 4,
-    CLOD_RANDOM_MEASURED = 5, ///< errors of measured values
+    CLOD_RANDOM_MEASURED = 5,  ///< errors of measured values
+    CLOD_RANDOM_CALIBRATE = 6, ///< samples of calibrated parameters
 } clod_random_purpose;
 
 /**

@@ -12,6 +12,7 @@
 #include "base/memory.h"
 #include "config/check.h"
 #include "config/contacts.h"
+#include "config/include.h"
 #include "config/load.h"
 #include "config/override.h"
 #include "config/param.h"
@@ -45,6 +46,12 @@ static void build(clod_loader *loader, clod_case *self)
                         "is a hopper's case, no simulation's; clod hopper reads it");
         return;
     }
+    if (clod_tree_find(loader->root, "targets") != NULL &&
+        clod_tree_find(loader->root, "materials") == NULL) {
+        clod_report_add(loader->report, loader->root->place, "",
+                        "is the plan of a calibration; clod calibrate reads it");
+        return;
+    }
     clod_load_section(loader, &CLOD_TABLE_CASE, loader->root, loader->root->place, self);
     if (!loader->report->lost) {
         clod_contacts_load(loader, self);
@@ -60,6 +67,7 @@ static void read_tree(clod_loader *loader, const char *text, size_t length, size
         const clod_place start = {.line = 1, .column = 1, .width = 1};
         clod_report_add(report, start, "", "is empty; clod new writes an example");
     }
+    clod_include_merge(loader);
     for (size_t i = 0; i < overrides && loader->root != NULL && !report->lost; i++) {
         clod_override_apply(loader, i);
     }

@@ -150,6 +150,14 @@ static bool has_random(const clod_case *whole, const void *self)
     return random;
 }
 
+/** What was included stands in the echo itself. */
+static bool never(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    (void)self;
+    return false;
+}
+
 static const clod_param ROWS[] = {
     {.key = "title",
      .kind = CLOD_PARAM_TEXT,
@@ -158,6 +166,16 @@ static const clod_param ROWS[] = {
      CLOD_AT(C, title),
      .help = "One line that names the case in results.",
      .source = "convention"},
+    {.key = "include",
+     .kind = CLOD_PARAM_FILE,
+     .need = CLOD_PARAM_OPTIONAL,
+     .example = "card.yaml",
+     .used = never,
+     CLOD_AT(C, include),
+     .help =
+         "File with further keys of the case, for instance a material card of clod calibrate. A key is in "
+         "one of the two files only. The complete case has the keys in place of this one.",
+     .source = "docs/howto/calibrate.md"},
     {.key = "seed",
      .kind = CLOD_PARAM_INTEGER,
      .need = CLOD_PARAM_OPTIONAL,

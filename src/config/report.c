@@ -92,21 +92,22 @@ static int compare(const void *left, const void *right)
     if (a->place.source != b->place.source) {
         return a->place.source < b->place.source ? -1 : 1;
     }
-    if (a->place.source == 0 && a->place.line != b->place.line) {
+    if (a->place.source <= 0 && a->place.line != b->place.line) {
         return a->place.line < b->place.line ? -1 : 1;
     }
-    if (a->place.source == 0 && a->place.column != b->place.column) {
+    if (a->place.source <= 0 && a->place.column != b->place.column) {
         return a->place.column < b->place.column ? -1 : 1;
     }
     return a->order < b->order ? -1 : a->order > b->order;
 }
 
-/** Start of line number `line` (from 1), or NULL past the end. */
-static const char *find_line(const clod_report *self, int line, size_t *length)
+/** Start of a place's line, or NULL past the end. */
+static const char *find_line(const clod_report *self, clod_place place, size_t *length)
 {
-    const char *end = self->text + self->length;
-    const char *at = self->text;
-    for (int i = 1; i < line && at != NULL && at < end; i++) {
+    const bool included = place.source == CLOD_PLACE_INCLUDED;
+    const char *at = included ? self->included_text : self->text;
+    const char *end = at + (included ? self->included_length : self->length);
+    for (int i = 1; i < place.line && at != NULL && at < end; i++) {
         at = memchr(at, '\n', (size_t)(end - at));
         at = at == NULL ? NULL : at + 1;
     }
@@ -138,7 +139,7 @@ static size_t byte_of_column(const char *line, size_t length, int column)
 static void print_source(FILE *out, const clod_report *self, clod_place place)
 {
     size_t length = 0;
-    const char *line = find_line(self, place.line, &length);
+    const char *line = find_line(self, place, &length);
     if (line == NULL || length == 0) {
         return;
     }
@@ -168,8 +169,11 @@ static void print_source(FILE *out, const clod_report *self, clod_place place)
 
 static void print_item(FILE *out, const clod_report *self, const clod_report_item *item)
 {
-    if (item->place.source == 0) {
-        fprintf(out, "%s:%d:%d: ", self->name, item->place.line, item->place.column);
+    const bool file = item->place.source <= 0;
+    if (file) {
+        const bool included = item->place.source == CLOD_PLACE_INCLUDED;
+        fprintf(out, "%s:%d:%d: ", included ? self->included_name : self->name,
+                item->place.line, item->place.column);
     } else {
         fprintf(out, "--set %s: ", self->overrides[item->place.source - 1]);
     }
@@ -177,7 +181,7 @@ static void print_item(FILE *out, const clod_report *self, const clod_report_ite
         fprintf(out, "%s: ", item->path);
     }
     fprintf(out, "%s\n", item->message);
-    if (item->place.source == 0) {
+    if (file) {
         print_source(out, self, item->place);
     }
 }

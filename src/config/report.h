@@ -23,6 +23,8 @@ typedef struct clod_report {
     const char *name; ///< of the file, as the user wrote it
     const char *text; ///< of the file
     size_t length;
+    const char *included_name, *included_text; ///< of the file that it includes; NULL: none
+    size_t included_length;
     const char *const *overrides; ///< texts of --set
     clod_arena arena;
     clod_report_item *items; ///< owned

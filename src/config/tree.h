@@ -11,9 +11,11 @@
 #include "config/arena.h"
 #include "config/index.h"
 
+#define CLOD_PLACE_INCLUDED (-1) ///< source of what the file that a case includes has
+
 /** Where something was written. Columns count characters; lines and columns start at 1. */
 typedef struct clod_place {
-    int source; ///< 0: the case file; k > 0: override number k - 1
+    int source; ///< 0: the case file; k > 0: override number k - 1; CLOD_PLACE_INCLUDED
     int line, column;
     int width; ///< characters, at least 1
 } clod_place;

@@ -41,7 +41,8 @@ class Cases(clod.Case):
                     with open(self.path("grains.csv"), "w") as file:
                         file.write(DRUM_GRAINS)
                     path = self.path(name)
-                verb = ["hopper"] if name == "hopper.yaml" else ["check", "-t", "1"]
+                verb = {"hopper.yaml": ["hopper"], "plan.yaml": ["calibrate", "--check"]}.get(
+                    name, ["check", "-t", "1"])
                 done = clod.run(*verb, path)
                 self.assertEqual(done.returncode, 0, done.stderr)
 

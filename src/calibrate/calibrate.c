@@ -1,0 +1,112 @@
+#include "calibrate/calibrate.h"
+
+#include "base/given.h"
+#include "base/memory.h"
+#include "calibrate/plan.h"
+#include "calibrate/result.h"
+#include "calibrate/runs.h"
+#include "calibrate/study.h"
+#include "output/folder_files.h"
+#include "parallel/threads.h"
+
+/** Write a text that was made, and free it. */
+static bool put(const clod_folder *folder, const char *name, char *text, clod_status *status)
+{
+    const bool good =
+        (text != NULL || clod_status_fail(status, CLOD_FAILED, "No memory for %s.", name)) &&
+        clod_folder_write(folder, name, text, status);
+    clod_memory_free(text);
+    return good;
+}
+
+/** The runs as a table: also of a calibration that came to no end. */
+static bool put_runs(const clod_runs *runs, const clod_study *study, clod_status *status)
+{
+    const size_t points = runs->points < study->points ? runs->points : study->points;
+    return put(runs->folder, "runs.csv",
+               clod_runs_csv(runs, points, study->places, study->results), status);
+}
+
+static bool put_all(const clod_plan *plan, const clod_runs *runs, const clod_study *study,
+                    char **report, clod_status *status)
+{
+    clod_result *result = clod_memory_alloc(1, sizeof *result);
+    if (result == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the result.");
+    }
+    *result = (clod_result){.plan = plan, .study = study, .runs = runs};
+    clod_result_warn(result);
+    *report = clod_result_table(result);
+    const bool good = put(runs->folder, "card.yaml", clod_result_card(result), status) &&
+                      put(runs->folder, "posterior.csv", clod_result_samples(result), status) &&
+                      put(runs->folder, "calibration.json", clod_result_json(result), status) &&
+                      put(runs->folder, "report.txt", clod_memory_text(*report), status);
+    clod_memory_free(result);
+    return good;
+}
+
+/** What the course of the study says, by way of the runs, which are its context. */
+static void tell(void *context, const char *text)
+{
+    const clod_runs *runs = context;
+    if (runs->options.tell != NULL) {
+        runs->options.tell(runs->options.context, text);
+    }
+}
+
+/** Design, runs, posterior, files. */
+static bool work(const clod_plan *plan, const char *directory,
+                 const clod_calibrate_options *options, char **report, clod_status *status)
+{
+    const clod_runs_options how = {.program = options->program,
+                                   .workers = clod_threads_take(options->workers),
+                                   .stop = options->stop,
+                                   .tell = options->tell,
+                                   .context = options->context};
+    clod_runs *runs = clod_runs_open(plan, directory, &how, status);
+    if (runs == NULL) {
+        return false;
+    }
+    const clod_study_source source = {.compute = clod_runs_compute,
+                                      .seconds = clod_runs_seconds,
+                                      .tell = tell,
+                                      .context = runs};
+    clod_study study;
+    bool good = clod_study_run(plan, &source, &study, status);
+    if (good) {
+        good = put_runs(runs, &study, status) && put_all(plan, runs, &study, report, status);
+    } else {
+        clod_status second; // the first failure is told
+        (void)put_runs(runs, &study, &second);
+    }
+    clod_study_fini(&study);
+    clod_runs_close(&runs);
+    return good;
+}
+
+bool clod_calibrate_run(const char *path, const clod_calibrate_options *options, char **report,
+                        clod_status *status)
+{
+    if (!CLOD_GIVEN(path, status) || !CLOD_GIVEN(options, status) ||
+        !CLOD_GIVEN(report, status)) {
+        return false;
+    }
+    *report = NULL;
+    clod_plan plan;
+    bool good = clod_plan_load(path, &plan, status);
+    char *standard =
+        good && options->directory == NULL ? clod_folder_default(path, status) : NULL;
+    const char *directory = options->directory != NULL ? options->directory : standard;
+    good = good && directory != NULL;
+    if (good && !options->dry) {
+        good = work(&plan, directory, options, report, status);
+    }
+    clod_memory_free(standard);
+    clod_plan_fini(&plan);
+    return good;
+}
+
+void clod_calibrate_free(char *text)
+{
+    clod_memory_free(text);
+}

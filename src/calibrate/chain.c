@@ -1,0 +1,161 @@
+#include "calibrate/chain.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/assert.h"
+#include "base/random.h"
+
+#define WANTED 0.3       ///< accepted share
+#define START_SCALE 0.05 ///< standard deviation of the first proposals
+#define FORGET 0.6       ///< the adaptation's steps fall as step^-0.6
+#define JITTER 1e-8      ///< added to the covariance's diagonal, so that it stays positive
+#define STARTS 500       ///< random places from which a chain's start is drawn
+
+/** One chain on its way. */
+typedef struct chain {
+    const clod_chain_setup *setup;
+    uint64_t number, draw;
+    double point[CLOD_CHAIN_MOST], density;
+    double mean[CLOD_CHAIN_MOST];
+    double covariance[CLOD_CHAIN_MOST][CLOD_CHAIN_MOST];
+    double factor[CLOD_CHAIN_MOST]
+                 [CLOD_CHAIN_MOST]; ///< lower Cholesky factor of the covariance
+    double log_scale;
+} chain;
+
+static double uniform(chain *self)
+{
+    return clod_random_uniform(self->setup->seed, CLOD_RANDOM_CALIBRATE, self->number,
+                               self->draw++);
+}
+
+/** Standard normal number: Box and Muller. */
+static double normal(chain *self)
+{
+    const double u = uniform(self);
+    const double v = uniform(self);
+    return sqrt(-2.0 * log(u)) * cos(2.0 * M_PI * v);
+}
+
+/** Lower Cholesky factor of the covariance. */
+static void factor(chain *self)
+{
+    const size_t d = self->setup->dimensions;
+    for (size_t i = 0; i < d; i++) {
+        for (size_t j = 0; j <= i; j++) {
+            double sum = self->covariance[i][j] + (i == j ? JITTER : 0.0);
+            for (size_t k = 0; k < j; k++) {
+                sum -= self->factor[i][k] * self->factor[j][k];
+            }
+            self->factor[i][j] = i == j ? sqrt(fmax(sum, JITTER)) : sum / self->factor[j][j];
+        }
+    }
+}
+
+/** A start drawn from random places, each with its density as its weight: a chain that began anywhere could
+ *  stay at a lesser summit far from all others. One after the other, so that none needs to be kept. */
+static void draw_start(chain *self)
+{
+    const size_t d = self->setup->dimensions;
+    double top = -HUGE_VAL; // the largest density so far
+    double sum = 0.0;       // of all densities over the largest
+    self->density = -HUGE_VAL;
+    for (int tried = 0; tried < STARTS; tried++) {
+        double place[CLOD_CHAIN_MOST];
+        for (size_t k = 0; k < d; k++) {
+            place[k] = uniform(self);
+        }
+        const double density = self->setup->density(self->setup->context, place);
+        if (density > top) {
+            sum = top > -HUGE_VAL ? sum * exp(top - density) : 0.0;
+            top = density;
+        }
+        const double weight = top > -HUGE_VAL ? exp(density - top) : 0.0;
+        sum += weight;
+        if (tried == 0 || uniform(self) * sum < weight) {
+            memcpy(self->point, place, d * sizeof *place);
+            self->density = density;
+        }
+    }
+}
+
+static void start(chain *self)
+{
+    const size_t d = self->setup->dimensions;
+    draw_start(self);
+    for (size_t k = 0; k < d; k++) {
+        self->mean[k] = self->point[k];
+        self->covariance[k][k] = START_SCALE * START_SCALE;
+    }
+    self->log_scale = log(2.38 * 2.38 / (double)d);
+    factor(self);
+}
+
+/** Whether the step goes on to a new point; `chance` [out]: how likely it was. */
+static bool advance(chain *self, double *chance)
+{
+    const size_t d = self->setup->dimensions;
+    double next[CLOD_CHAIN_MOST];
+    double dice[CLOD_CHAIN_MOST];
+    const double scale = exp(0.5 * self->log_scale);
+    bool inside = true;
+    for (size_t i = 0; i < d; i++) {
+        dice[i] = normal(self);
+        double move = 0.0;
+        for (size_t k = 0; k <= i; k++) {
+            move += self->factor[i][k] * dice[k];
+        }
+        next[i] = self->point[i] + scale * move;
+        inside = inside && next[i] > 0.0 && next[i] < 1.0;
+    }
+    const double density =
+        inside ? self->setup->density(self->setup->context, next) : -HUGE_VAL;
+    *chance = density > -HUGE_VAL ? fmin(1.0, exp(density - self->density)) : 0.0;
+    if (uniform(self) >= *chance) {
+        return false;
+    }
+    memcpy(self->point, next, d * sizeof *next);
+    self->density = density;
+    return true;
+}
+
+/** Take mean, covariance and scale nearer to what the chain shows. */
+static void adapt(chain *self, size_t step, double chance)
+{
+    const size_t d = self->setup->dimensions;
+    const double weight = pow((double)step + 2.0, -FORGET);
+    double away[CLOD_CHAIN_MOST];
+    for (size_t k = 0; k < d; k++) {
+        away[k] = self->point[k] - self->mean[k];
+        self->mean[k] += weight * away[k];
+    }
+    for (size_t i = 0; i < d; i++) {
+        for (size_t j = 0; j <= i; j++) {
+            self->covariance[i][j] += weight * (away[i] * away[j] - self->covariance[i][j]);
+        }
+    }
+    self->log_scale += 2.0 * weight * (chance - WANTED);
+    factor(self);
+}
+
+void clod_chain_run(const clod_chain_setup *setup, double *samples, double *accepted)
+{
+    const size_t d = setup->dimensions;
+    CLOD_ASSERT(d >= 1 && d <= CLOD_CHAIN_MOST);
+    size_t moved = 0;
+    for (size_t c = 0; c < setup->chains; c++) {
+        chain self = {.setup = setup, .number = c};
+        start(&self);
+        double chance;
+        for (size_t k = 0; k < setup->warm_up; k++) {
+            advance(&self, &chance);
+            adapt(&self, k, chance);
+        }
+        for (size_t k = 0; k < setup->kept; k++) {
+            moved += advance(&self, &chance) ? 1 : 0;
+            memcpy(samples + (c * setup->kept + k) * d, self.point, d * sizeof(double));
+        }
+    }
+    *accepted = (double)moved / (double)(setup->chains * setup->kept);
+}

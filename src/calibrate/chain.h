@@ -1,0 +1,55 @@
+#pragma once
+/**
+ * @file chain.h
+ * Samples of a probability density in the unit cube: adaptive Metropolis, several chains, and how well
+ * they agree.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define CLOD_CHAIN_MOST 16 ///< dimensions
+
+/** Logarithm of the density at a point inside the cube, up to a constant; -INFINITY: none. */
+typedef double (*clod_chain_density)(void *context, const double *point);
+
+typedef struct clod_chain_setup {
+    size_t dimensions;
+    size_t chains;
+    size_t warm_up; ///< steps in which the proposals adapt; not kept
+    size_t kept;    ///< samples of each chain
+    uint64_t seed;
+    clod_chain_density density;
+    void *context;
+} clod_chain_setup;
+
+/**
+ * Sample. Proposals are normal with the chain's own covariance, times a scale that brings the accepted
+ * share near 0.3; both are found in the warm-up and fixed afterwards. Each chain starts at
+ * one of many random places, drawn by their densities.
+ *
+ * @param samples   [out] [chains][kept][dimensions]
+ * @param accepted  [out] share of accepted steps after the warm-up, of all chains
+ * Errors  none.   Threads  safe.
+ * Source  Haario, Saksman and Tamminen, Bernoulli 7 (2001) 223; Andrieu and Thoms, Stat. Comput. 18 (2008)
+ *         343, algorithm 4.
+ * Test    tests/calibrate/test_chain.c
+ */
+void clod_chain_run(const clod_chain_setup *setup, double *samples, double *accepted);
+
+/** Samples of one coordinate: chain k has [kept] of them at `values + k * kept * stride`, `stride` apart.
+ */
+typedef struct clod_chain_series {
+    const double *values;
+    size_t chains, kept, stride;
+} clod_chain_series;
+
+/** Split R-hat: spread of all half chains over that within them; 1 when they agree.
+ *  Source  Gelman et al., Bayesian Data Analysis, 3rd edition (2013), 11.4. */
+double clod_chain_rhat(const clod_chain_series *series);
+
+/** Number of independent samples that would tell the mean as well.
+ *  Source  the same, 11.5, with Geyer's sequence of falling pairs (Stat. Sci. 7 (1992) 473).
+ *  @return  NAN without memory */
+double clod_chain_effective(const clod_chain_series *series);

@@ -1,0 +1,33 @@
+#pragma once
+/**
+ * @file number.h
+ * Which results of a test can be targets, and how they are read from the folder of its run.
+ */
+
+#include "calibrate/plan.h"
+
+/** One kind of number; its measure says its unit for people. */
+typedef struct clod_number {
+    const char *key;
+    const char *unit; ///< SI
+    clod_plan_measure measure;
+    double least, most;   ///< SI: what a measured value may be
+    bool shear, uniaxial; ///< tests that have it
+} clod_number;
+
+/** The kind of a number of a test of this kind of case; NULL: there is none. Of a free run every path of
+ *  its summary is one. */
+const clod_number *clod_number_find(clod_case_kind kind, const char *key);
+
+/** "; did you mean phi_e?" or "; it has phi_lin, ...": after an unknown number. */
+const char *clod_number_hint(clod_case_kind kind, const char *key, char *buffer, size_t size);
+
+/**
+ * The number of a target in the results folder of a finished run.
+ *
+ * @param value  [out] SI; NAN where the test does not define it
+ * Errors  CLOD_USAGE: a free run's summary has no such number, with the nearest; a file that is damaged;
+ *         CLOD_FAILED: disk, memory.   Threads  safe.   Test  tests/calibrate/test_calibrate.py
+ */
+bool clod_number_read(const clod_plan *plan, const clod_plan_target *target, const char *folder,
+                      double *value, clod_status *status);

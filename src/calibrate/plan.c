@@ -1,0 +1,109 @@
+#include "calibrate/plan.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/input.h"
+#include "base/memory.h"
+#include "calibrate/params.h"
+#include "calibrate/plan_check.h"
+#include "config/load.h"
+#include "config/yaml.h"
+
+size_t clod_plan_least_points(size_t parameters)
+{
+    return 2 * (parameters + 1) + 1;
+}
+
+double clod_plan_number(const clod_plan_parameter *self, double place)
+{
+    if (self->scale == CLOD_PLAN_LOG) {
+        return self->low * pow(self->high / self->low, place);
+    }
+    return self->low + place * (self->high - self->low);
+}
+
+char *clod_plan_setting(const clod_plan_parameter *self, double place)
+{
+    const size_t size = strlen(self->key) + strlen(self->unit) + 40;
+    char *text = clod_memory_alloc(size, 1);
+    if (text != NULL) {
+        snprintf(text, size, "%s=%.9g%s%s", self->key, clod_plan_number(self, place),
+                 self->unit[0] == '\0' ? "" : " ", self->unit);
+    }
+    return text;
+}
+
+/** Tree -> struct -> checks. */
+static void build(clod_loader *loader, clod_plan *self)
+{
+    if (clod_tree_find(loader->root, "materials") != NULL) {
+        clod_report_add(
+            loader->report, loader->root->place, "",
+            "is a simulation's case, no plan; clod run reads it, and clod new calibrate "
+            "writes an example of a plan");
+        return;
+    }
+    clod_load_section(loader, &CLOD_TABLE_PLAN, loader->root, loader->root->place, self);
+    if (!loader->report->lost && loader->report->count == 0) {
+        clod_plan_check(loader, self);
+    }
+}
+
+/** Folder of the plan, against which its files are found. */
+static void folder_of(const char *path, char folder[PATH_MAX])
+{
+    const char *slash = strrchr(path, '/');
+    const int length = slash == NULL ? 1 : slash == path ? 1 : (int)(slash - path);
+    snprintf(folder, PATH_MAX, "%.*s", length, slash == NULL ? "." : path);
+}
+
+static bool read_text(const char *path, const char *text, size_t length, clod_plan *self,
+                      clod_status *status)
+{
+    clod_report report = {.name = path, .text = text, .length = length};
+    clod_arena arena = {0};
+    char folder[PATH_MAX];
+    folder_of(path, folder);
+    clod_loader loader = {.report = &report, .arena = &arena, .folder = folder};
+    loader.root = clod_yaml_read(&arena, text, length, 0, &report);
+    if (loader.root != NULL) {
+        build(&loader, self);
+    } else if (report.count == 0) {
+        const clod_place start = {.line = 1, .column = 1, .width = 1};
+        clod_report_add(&report, start, "", "is empty; clod new calibrate writes an example");
+    }
+    const bool good = clod_report_finish(&report, status);
+    clod_report_fini(&report);
+    clod_arena_fini(&arena);
+    return good;
+}
+
+bool clod_plan_load(const char *path, clod_plan *self, clod_status *status)
+{
+    *self = (clod_plan){0};
+    char *text;
+    size_t length;
+    if (!clod_input_read(path, CLOD_YAML_BYTES + 1, &text, &length, status)) {
+        return false;
+    }
+    self->path = clod_memory_text(path);
+    const bool good = (self->path != NULL ||
+                       clod_status_fail(status, CLOD_FAILED, "No memory for the plan.")) &&
+                      read_text(path, text, length, self, status);
+    clod_memory_free(text);
+    return good;
+}
+
+void clod_plan_fini(clod_plan *self)
+{
+    for (size_t k = 0; k < self->test_count; k++) {
+        clod_case_destroy(&self->tests[k].middle);
+    }
+    clod_memory_free(self->targets);
+    clod_memory_free(self->path);
+    clod_load_free(&CLOD_TABLE_PLAN, self);
+    *self = (clod_plan){0};
+}

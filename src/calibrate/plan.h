@@ -1,0 +1,102 @@
+#pragma once
+/**
+ * @file plan.h
+ * The plan of a calibration: tests, parameters with ranges, measured targets, budget.
+ * docs/howto/calibrate.md explains its keys.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "clod/case.h"
+#include "clod/status.h"
+
+#define CLOD_PLAN_UNIT 32
+#define CLOD_PLAN_NAME 112
+#define CLOD_PLAN_PARAMETERS 12 ///< at most
+
+/** A case that is run for each point; the fields after `path` come from the case. */
+typedef struct clod_plan_test {
+    char *name;        ///< owned
+    char *path;        ///< of the case file, owned
+    clod_case *middle; ///< owned; the case with all parameters in the middle of their ranges
+} clod_plan_test;
+
+typedef struct clod_plan_parameter {
+    char *name;                ///< owned
+    char *key;                 ///< as in --set
+    char *from, *to;           ///< as written
+    int scale;                 ///< clod_plan_scale
+    double low, high;          ///< numbers of from and to
+    char unit[CLOD_PLAN_UNIT]; ///< as written behind both; "": none
+} clod_plan_parameter;
+
+typedef enum clod_plan_scale { CLOD_PLAN_LINEAR, CLOD_PLAN_LOG } clod_plan_scale;
+
+/** A target as written: of one number, or the points of a measured yield locus. */
+typedef struct clod_plan_wish {
+    char *test, *number, *value, *error, *discrepancy;
+    char *locus;          ///< path, resolved against the plan; NULL: number and value
+    double normal_stress; ///< Pa; 0: none
+    bool held_back;
+} clod_plan_wish;
+
+/** What a number of a test is measured in. */
+typedef struct clod_plan_measure {
+    const char *unit; ///< for people
+    double factor;    ///< SI -> unit
+    int digits;
+} clod_plan_measure;
+
+/** A target with its number; SI. */
+typedef struct clod_plan_target {
+    char name[CLOD_PLAN_NAME];   ///< for people: "ring: phi_e"
+    char number[CLOD_PLAN_NAME]; ///< of the test
+    size_t test;                 ///< index
+    double normal_stress;
+    double value, error, discrepancy; ///< standard deviations
+    bool held_back;
+    clod_plan_measure measure;
+} clod_plan_target;
+
+typedef struct clod_plan_sampling {
+    int64_t samples; ///< of each chain
+    double level;    ///< of intervals
+} clod_plan_sampling;
+
+typedef struct clod_plan {
+    char *title;
+    double budget;  ///< s on the clock; 0: points are given
+    int64_t points; ///< 0: as many as the budget allows
+    int64_t seeds, seed;
+    clod_plan_test *tests;
+    clod_plan_parameter *parameters;
+    clod_plan_wish *wishes;
+    size_t test_count, parameter_count, wish_count;
+    clod_plan_sampling sampling;
+    clod_plan_target *targets; ///< [target_count] owned
+    size_t target_count;
+    char *path; ///< owned
+} clod_plan;
+
+/**
+ * Read a plan, the cases it names and the measured tables.
+ *
+ * @param self  [out] owned content (clod_plan_fini), also after an error
+ * Errors  CLOD_USAGE with file, line, caret, value, allowed range and what to do: plan, cases with the
+ *         ends of the ranges, tables; CLOD_FAILED: memory.
+ * Threads safe.   Test  tests/calibrate/test_calibrate.py
+ */
+bool clod_plan_load(const char *path, clod_plan *self, clod_status *status);
+
+void clod_plan_fini(clod_plan *self);
+
+/** A parameter's number at a place in [0, 1] of its range, in its own unit. */
+double clod_plan_number(const clod_plan_parameter *self, double place);
+
+/** Different points that this many parameters need at least: two a coefficient of a line, and one. */
+size_t clod_plan_least_points(size_t parameters);
+
+/** "key=value unit", as --set takes it; owned (clod_memory_free), NULL without memory. */
+char *clod_plan_setting(const clod_plan_parameter *self, double place);

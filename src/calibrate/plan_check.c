@@ -1,0 +1,186 @@
+#include "calibrate/plan_check.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "config/unit.h"
+
+#define PATH 200
+
+void clod_plan_complain(clod_loader *loader, const char *path, const char *format, ...)
+{
+    char text[3000];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    const clod_node *node = clod_tree_nearest(loader->root, path);
+    const bool value = node->kind == CLOD_NODE_SCALAR;
+    clod_report_add(loader->report, value ? node->place : clod_load_place(node), path, "%s",
+                    text);
+}
+
+/** A number and the unit behind it. */
+static bool read_end(clod_loader *loader, const clod_plan_parameter *self, const char *end,
+                     const char *text, double *number, char unit[CLOD_PLAN_UNIT])
+{
+    char path[PATH];
+    snprintf(path, sizeof path, "parameters.%.60s.%s", self->name, end);
+    const char *rest = clod_unit_number(text, number);
+    if (rest == NULL || strlen(rest) >= CLOD_PLAN_UNIT) {
+        clod_plan_complain(loader, path, "%s is no number with a unit", text);
+        return false;
+    }
+    snprintf(unit, CLOD_PLAN_UNIT, "%s", rest);
+    return true;
+}
+
+static void check_range(clod_loader *loader, clod_plan_parameter *self)
+{
+    char path[PATH];
+    char unit[CLOD_PLAN_UNIT];
+    if (!read_end(loader, self, "from", self->from, &self->low, self->unit) ||
+        !read_end(loader, self, "to", self->to, &self->high, unit)) {
+        return;
+    }
+    snprintf(path, sizeof path, "parameters.%.60s.to", self->name);
+    if (strcmp(self->unit, unit) != 0) {
+        clod_plan_complain(loader, path,
+                           "has the unit \"%s\", but from has \"%s\"; give both in one", unit,
+                           self->unit);
+    } else if (!(self->high > self->low)) {
+        clod_plan_complain(loader, path, "%s is not above from, %s", self->to, self->from);
+    } else if (self->scale == CLOD_PLAN_LOG && self->low <= 0.0) {
+        snprintf(path, sizeof path, "parameters.%.60s.from", self->name);
+        clod_plan_complain(loader, path,
+                           "%s: a log scale begins above 0; give a small value, or scale: "
+                           "linear",
+                           self->from);
+    }
+}
+
+/** The case of a test with all parameters in the middle but one, which is at `place`. */
+static clod_case *load_case(const clod_plan *self, const clod_plan_test *test, size_t moved,
+                            double place, clod_status *status)
+{
+    char *settings[CLOD_PLAN_PARAMETERS] = {NULL};
+    bool good = true;
+    for (size_t k = 0; k < self->parameter_count; k++) {
+        settings[k] = clod_plan_setting(&self->parameters[k], k == moved ? place : 0.5);
+        good = good && settings[k] != NULL;
+    }
+    clod_case *found = NULL;
+    if (good) {
+        found = clod_case_load(test->path, (const char *const *)settings, self->parameter_count,
+                               status);
+    } else {
+        clod_status_fail(status, CLOD_FAILED, "no memory for the case");
+    }
+    for (size_t k = 0; k < self->parameter_count; k++) {
+        clod_memory_free(settings[k]);
+    }
+    return found;
+}
+
+/** The case must load with each parameter at either end. */
+static void check_ends(clod_loader *loader, const clod_plan *self, const clod_plan_test *test)
+{
+    clod_status status = {CLOD_OK, ""};
+    for (size_t k = 0; k < self->parameter_count; k++) {
+        for (int end = 0; end < 2; end++) {
+            clod_case *found = load_case(self, test, k, end, &status);
+            if (found == NULL) {
+                char path[PATH];
+                snprintf(path, sizeof path, "parameters.%.60s.%s", self->parameters[k].name,
+                         end == 0 ? "from" : "to");
+                clod_plan_complain(loader, path, "test %s refuses it: %.800s", test->name,
+                                   status.text);
+                return;
+            }
+            clod_case_destroy(&found);
+        }
+    }
+}
+
+static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_test *test)
+{
+    char path[PATH];
+    snprintf(path, sizeof path, "tests.%.60s", test->name);
+    if (strspn(test->name,
+               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") !=
+        strlen(test->name)) {
+        clod_plan_complain(loader, path,
+                           "is no name for folders; use letters, digits, - and _");
+        return;
+    }
+    clod_status status = {CLOD_OK, ""};
+    clod_case *plain = clod_case_load(test->path, NULL, 0, &status);
+    if (plain == NULL) {
+        clod_plan_complain(loader, path, "%.800s", status.text);
+        return;
+    }
+    clod_case_destroy(&plain);
+    check_ends(loader, self, test);
+    if (loader->report->count > 0) {
+        return;
+    }
+    test->middle = load_case(self, test, self->parameter_count, 0.5, &status);
+    if (test->middle == NULL) {
+        clod_plan_complain(loader, path, "with all parameters in the middle: %.800s",
+                           status.text);
+        return;
+    }
+    const clod_case_programme *shear = clod_case_shear(test->middle);
+    if (clod_case_kind_of(test->middle) == CLOD_CASE_CONTACT_BENCH) {
+        clod_plan_complain(loader, path,
+                           "is a contact bench; only tests and free runs are run");
+    } else if (shear != NULL && shear->seeds > 1) {
+        clod_plan_complain(loader, path,
+                           "the case has seeds: %lld; leave it out there, and give seeds here",
+                           (long long)shear->seeds);
+    }
+}
+
+static void check_numbers(clod_loader *loader, const clod_plan *self)
+{
+    const size_t least = clod_plan_least_points(self->parameter_count);
+    if (self->budget > 0.0 && self->points > 0) {
+        clod_plan_complain(loader, "points", "has a budget beside it; keep one of them");
+    } else if (self->budget <= 0.0 && self->points == 0) {
+        clod_plan_complain(loader, "",
+                           "needs the key budget, for instance budget: 2 h, or points");
+    } else if (self->points > 0 && (size_t)self->points < least) {
+        clod_plan_complain(loader, "points",
+                           "%lld is out of range; %zu parameters need at least %zu",
+                           (long long)self->points, self->parameter_count, least);
+    }
+    if (self->parameter_count > CLOD_PLAN_PARAMETERS) {
+        clod_plan_complain(loader, "parameters",
+                           "are %zu; at most %d can be calibrated together",
+                           self->parameter_count, CLOD_PLAN_PARAMETERS);
+    }
+    for (size_t k = 0; k < self->parameter_count; k++) {
+        for (size_t m = 0; m < k; m++) {
+            if (strcmp(self->parameters[k].key, self->parameters[m].key) == 0) {
+                clod_plan_complain(loader, "parameters", "%s and %s have the same key, %s",
+                                   self->parameters[m].name, self->parameters[k].name,
+                                   self->parameters[k].key);
+            }
+        }
+    }
+}
+
+void clod_plan_check(clod_loader *loader, clod_plan *self)
+{
+    check_numbers(loader, self);
+    for (size_t k = 0; k < self->parameter_count; k++) {
+        check_range(loader, &self->parameters[k]);
+    }
+    for (size_t k = 0; k < self->test_count && loader->report->count == 0; k++) {
+        check_test(loader, self, &self->tests[k]);
+    }
+    if (loader->report->count == 0 && !loader->report->lost) {
+        clod_plan_make_targets(loader, self);
+    }
+}

@@ -1,0 +1,383 @@
+/**
+ * @file plan_targets.c
+ * Targets of a plan: units, what a test can tell, measured yield loci, and what cannot be true.
+ */
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "calibrate/number.h"
+#include "calibrate/plan_check.h"
+#include "clod/locus.h"
+#include "config/suggest.h"
+#include "config/unit.h"
+
+#define PATH 64
+#define SAME_STRESS 0.02 // relative: as clod locus tells consolidation stresses apart
+#define FIRM 2.0         // standard errors that make a contradiction
+
+/** What is being made. */
+typedef struct maker {
+    clod_loader *loader;
+    clod_plan *plan;
+    const clod_plan_wish *wish;
+    size_t number; ///< of the wish
+    char path[PATH];
+} maker;
+
+/** Path of a key of the wish. */
+static const char *at(maker *self, const char *key)
+{
+    snprintf(self->path, sizeof self->path, "targets.%zu%s%s", self->number,
+             key[0] == '\0' ? "" : ".", key);
+    return self->path;
+}
+
+static clod_plan_target *add(maker *self)
+{
+    clod_plan *plan = self->plan;
+    clod_plan_target *grown = clod_memory_grow(plan->targets, plan->target_count,
+                                               plan->target_count + 1, sizeof *grown);
+    if (grown == NULL) {
+        self->loader->report->lost = true;
+        return NULL;
+    }
+    plan->targets = grown;
+    return &grown[plan->target_count++];
+}
+
+/** A quantity in the unit of the number; false after a complaint. */
+static bool quantity(maker *self, const char *key, const char *text, const clod_number *kind,
+                     double *value)
+{
+    char message[CLOD_UNIT_MESSAGE];
+    const char *unit = clod_unit_number(text, value);
+    if (unit == NULL) {
+        clod_plan_complain(self->loader, at(self, key), "%s is no number", text);
+        return false;
+    }
+    if (!clod_unit_convert(unit, kind->unit, value, message)) {
+        clod_plan_complain(self->loader, at(self, key), "%s: %s", text, message);
+        return false;
+    }
+    return true;
+}
+
+/** A standard error or deviation: above 0, or 0 where it may be left out. */
+static bool deviation(maker *self, const char *key, const char *text, const clod_number *kind,
+                      bool needed, double *value)
+{
+    *value = 0.0;
+    if (text == NULL) {
+        if (needed) {
+            clod_plan_complain(self->loader, at(self, ""),
+                               "needs the key error, the standard error of what was measured");
+        }
+        return !needed;
+    }
+    if (!quantity(self, key, text, kind, value)) {
+        return false;
+    }
+    if (*value < 0.0 || (needed && *value == 0.0)) {
+        clod_plan_complain(self->loader, at(self, key), "%s is not above 0", text);
+        return false;
+    }
+    return true;
+}
+
+static bool find_test(maker *self, size_t *test)
+{
+    clod_suggest near = clod_suggest_start(self->wish->test);
+    for (size_t k = 0; k < self->plan->test_count; k++) {
+        if (strcmp(self->plan->tests[k].name, self->wish->test) == 0) {
+            *test = k;
+            return true;
+        }
+        clod_suggest_offer(&near, self->plan->tests[k].name);
+    }
+    char hint[128];
+    clod_plan_complain(self->loader, at(self, "test"), "there is no test %s%s",
+                       self->wish->test, clod_suggest_text(&near, hint, sizeof hint));
+    return false;
+}
+
+/** Whether a stress is among those of a uniaxial test. */
+static bool has_stress(const clod_case_uniaxial *from, double stress)
+{
+    for (size_t k = 0; k < from->consolidation_stress_count; k++) {
+        if (fabs(from->consolidation_stresses[k] / stress - 1.0) < SAME_STRESS) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/** Whether the simulated points reach to both sides of a normal stress. */
+static bool covers(const clod_case_programme *shear, double stress)
+{
+    double least = HUGE_VAL, most = 0.0;
+    for (size_t k = 0; k < shear->shear_stress_count; k++) {
+        least = fmin(least, shear->shear_stresses[k]);
+        most = fmax(most, shear->shear_stresses[k]);
+    }
+    return stress >= (1.0 - SAME_STRESS) * least && stress <= (1.0 + SAME_STRESS) * most;
+}
+
+/** A normal stress where one is needed, within what the test has. */
+static bool check_stress(maker *self, const clod_case *from, const char *number, double stress)
+{
+    const clod_case_kind kind = clod_case_kind_of(from);
+    const bool needed = kind == CLOD_CASE_UNIAXIAL || strcmp(number, "tau") == 0;
+    if (kind == CLOD_CASE_FREE || !needed) {
+        if (stress > 0.0) {
+            clod_plan_complain(self->loader, at(self, "normal_stress"), "%s has none", number);
+        }
+        return stress <= 0.0;
+    }
+    if (stress <= 0.0) {
+        clod_plan_complain(self->loader, at(self, ""), "%s needs the key normal_stress",
+                           number);
+        return false;
+    }
+    const clod_case_programme *shear = clod_case_shear(from);
+    const bool there =
+        shear != NULL ? covers(shear, stress) : has_stress(&from->uniaxial, stress);
+    if (!there) {
+        clod_plan_complain(self->loader,
+                           at(self, self->wish->locus != NULL ? "locus" : "normal_stress"),
+                           "%.6g kPa is %s of test %s; give it there", 1e-3 * stress,
+                           shear != NULL ? "outside the shear_stresses"
+                                         : "not among the consolidation_stresses",
+                           self->wish->test);
+    }
+    return there;
+}
+
+static void name_target(clod_plan_target *to, const char *test, const char *number)
+{
+    snprintf(to->number, sizeof to->number, "%s", number);
+    if (to->normal_stress > 0.0) {
+        snprintf(to->name, sizeof to->name, "%.40s: %.40s at %.4g kPa", test, number,
+                 1e-3 * to->normal_stress);
+    } else {
+        snprintf(to->name, sizeof to->name, "%.40s: %.60s", test, number);
+    }
+}
+
+/** A target of a number and a value. */
+static void make_number(maker *self, size_t test)
+{
+    const clod_plan_wish *wish = self->wish;
+    const clod_case *from = self->plan->tests[test].middle;
+    if (wish->number == NULL || wish->value == NULL) {
+        clod_plan_complain(self->loader, at(self, ""), "needs %s, or locus",
+                           wish->number == NULL ? "number and value" : "value");
+        return;
+    }
+    const clod_number *kind = clod_number_find(clod_case_kind_of(from), wish->number);
+    if (kind == NULL) {
+        char hint[160];
+        clod_plan_complain(
+            self->loader, at(self, "number"), "test %s has no number %s%s", wish->test,
+            wish->number,
+            clod_number_hint(clod_case_kind_of(from), wish->number, hint, sizeof hint));
+        return;
+    }
+    clod_plan_target made = {.test = test,
+                             .normal_stress = wish->normal_stress,
+                             .held_back = wish->held_back,
+                             .measure = kind->measure};
+    if (!check_stress(self, from, wish->number, wish->normal_stress) ||
+        !quantity(self, "value", wish->value, kind, &made.value) ||
+        !deviation(self, "error", wish->error, kind, true, &made.error) ||
+        !deviation(self, "discrepancy", wish->discrepancy, kind, false, &made.discrepancy)) {
+        return;
+    }
+    if (made.value < kind->least || made.value > kind->most) {
+        clod_plan_complain(self->loader, at(self, "value"),
+                           "%s is impossible; allowed is %.6g to %.6g %s", wish->value,
+                           kind->measure.factor * kind->least,
+                           kind->measure.factor * kind->most, kind->measure.unit);
+        return;
+    }
+    name_target(&made, wish->test, wish->number);
+    clod_plan_target *to = add(self);
+    if (to != NULL) {
+        *to = made;
+    }
+}
+
+/** One measured shear point as a target. */
+static void make_mark(maker *self, size_t test, const clod_locus_mark *mark,
+                      const clod_plan_target *common, double error)
+{
+    clod_plan_target made = *common;
+    made.test = test;
+    made.normal_stress = mark->sigma;
+    made.value = mark->prorated;
+    made.error = error > 0.0 ? error : common->error;
+    if (made.error <= 0.0) {
+        clod_plan_complain(self->loader, at(self, ""),
+                           "needs the key error: the table has no tau_sh_error at %.6g kPa",
+                           1e-3 * mark->sigma);
+        return;
+    }
+    if (!check_stress(self, self->plan->tests[test].middle, "tau", mark->sigma)) {
+        return;
+    }
+    name_target(&made, self->wish->test, "tau");
+    clod_plan_target *to = add(self);
+    if (to != NULL) {
+        *to = made;
+    }
+}
+
+/** Stated error of a mark's point. */
+static double error_of(const clod_locus_mark *mark, const clod_locus_point *points,
+                       size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (points[i].seed == mark->seed && points[i].sigma_s == mark->sigma &&
+            points[i].tau_s == mark->measured) {
+            return points[i].tau_s_error;
+        }
+    }
+    return 0.0;
+}
+
+/** Points of the locus with the preshear stress of the test. */
+static void make_marks(maker *self, size_t test, const clod_locus_study *study,
+                       const clod_locus_point *points, size_t count)
+{
+    const clod_number *kind = clod_number_find(CLOD_CASE_RING_SHEAR, "tau");
+    const double preshear = clod_case_shear(self->plan->tests[test].middle)->preshear_stress;
+    clod_plan_target common = {.held_back = self->wish->held_back, .measure = kind->measure};
+    if (!deviation(self, "error", self->wish->error, kind, false, &common.error) ||
+        !deviation(self, "discrepancy", self->wish->discrepancy, kind, false,
+                   &common.discrepancy)) {
+        return;
+    }
+    for (size_t g = 0; g < study->count; g++) {
+        const clod_locus *locus = &study->groups[g].locus;
+        if (fabs(locus->sigma_p.value / preshear - 1.0) >= SAME_STRESS) {
+            continue;
+        }
+        for (size_t k = 0; k < locus->point_count; k++) {
+            make_mark(self, test, &locus->marks[k], &common,
+                      error_of(&locus->marks[k], points, count));
+        }
+        return;
+    }
+    clod_plan_complain(self->loader, at(self, "locus"),
+                       "has no points with the preshear stress of test %s, %.6g kPa",
+                       self->wish->test, 1e-3 * preshear);
+}
+
+/** The points of a measured yield locus. */
+static void make_locus(maker *self, size_t test)
+{
+    const clod_plan_wish *wish = self->wish;
+    if (wish->number != NULL || wish->value != NULL || wish->normal_stress > 0.0) {
+        clod_plan_complain(
+            self->loader, at(self, "locus"),
+            "has number, value or normal_stress beside it; the table has them all");
+        return;
+    }
+    if (clod_case_shear(self->plan->tests[test].middle) == NULL) {
+        clod_plan_complain(self->loader, at(self, "locus"), "test %s is no shear test",
+                           wish->test);
+        return;
+    }
+    clod_status status = {CLOD_OK, ""};
+    clod_locus_point *points;
+    size_t count;
+    if (!clod_locus_read(wish->locus, NULL, &points, &count, &status)) {
+        clod_plan_complain(self->loader, at(self, "locus"), "%.800s", status.text);
+        return;
+    }
+    clod_locus_study *study = clod_locus_study_create(points, count, &status);
+    if (study == NULL) {
+        clod_plan_complain(self->loader, at(self, "locus"), "%.800s", status.text);
+    } else {
+        make_marks(self, test, study, points, count);
+    }
+    clod_locus_study_destroy(&study);
+    clod_locus_free(points);
+}
+
+/** Target of a test with this number, or NULL. */
+static const clod_plan_target *with(const clod_plan *self, size_t test, const char *number)
+{
+    for (size_t k = 0; k < self->target_count; k++) {
+        if (self->targets[k].test == test && strcmp(self->targets[k].number, number) == 0) {
+            return &self->targets[k];
+        }
+    }
+    return NULL;
+}
+
+/** The line through the origin that touches the steady circle is at least as steep as the yield locus,
+ *  which touches it too, if the cohesion is not below 0. */
+static void check_angles(clod_loader *loader, const clod_plan *self)
+{
+    for (size_t t = 0; t < self->test_count; t++) {
+        const clod_plan_target *line = with(self, t, "phi_lin");
+        const clod_plan_target *effective = with(self, t, "phi_e");
+        if (line != NULL && effective != NULL &&
+            line->value - effective->value > FIRM * hypot(line->error, effective->error)) {
+            clod_plan_complain(
+                loader, "targets",
+                "test %s: phi_e %.1f deg is below phi_lin %.1f deg, which no yield locus "
+                "with a cohesion of 0 or more can have",
+                self->tests[t].name, effective->measure.factor * effective->value,
+                line->measure.factor * line->value);
+        }
+    }
+}
+
+/** The same number twice: once is enough, or the values are two specimens'. */
+static void check_twice(clod_loader *loader, const clod_plan *self)
+{
+    for (size_t k = 0; k < self->target_count; k++) {
+        for (size_t m = 0; m < k; m++) {
+            const clod_plan_target *a = &self->targets[m];
+            const clod_plan_target *b = &self->targets[k];
+            const double apart = fabs(a->value - b->value) / hypot(a->error, b->error);
+            if (strcmp(a->name, b->name) == 0 && apart > 2.0 * FIRM) {
+                clod_plan_complain(
+                    loader, "targets",
+                    "%s is there as %.6g and as %.6g %s, %.1f standard errors apart: they "
+                    "contradict each other",
+                    a->name, a->measure.factor * a->value, b->measure.factor * b->value,
+                    a->measure.unit, apart);
+            }
+        }
+    }
+}
+
+void clod_plan_make_targets(clod_loader *loader, clod_plan *self)
+{
+    size_t used = 0;
+    for (size_t k = 0; k < self->wish_count; k++) {
+        maker make = {.loader = loader, .plan = self, .wish = &self->wishes[k], .number = k};
+        size_t test;
+        if (!find_test(&make, &test)) {
+            continue;
+        }
+        if (make.wish->locus != NULL) {
+            make_locus(&make, test);
+        } else {
+            make_number(&make, test);
+        }
+    }
+    for (size_t k = 0; k < self->target_count; k++) {
+        used += self->targets[k].held_back ? 0 : 1;
+    }
+    if (loader->report->count == 0 && used == 0) {
+        clod_plan_complain(loader, "targets", "are all held back; at least one must be used");
+    }
+    check_angles(loader, self);
+    check_twice(loader, self);
+}

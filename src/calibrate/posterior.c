@@ -1,0 +1,273 @@
+#include "calibrate/posterior.h"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics_double.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/random.h"
+#include "calibrate/chain.h"
+
+#define CHAINS 4
+#define WARM_UP 2000
+#define LOOKED 2000 ///< samples at which the targets are foretold
+#define EDGE 0.05
+#define DICE 1000 ///< stream of random numbers beside those of the chains
+
+/** What the density needs. */
+typedef struct density {
+    const clod_plan *plan;
+    const clod_posterior_target *targets;
+    double *room; ///< of the surrogates
+} density;
+
+/** Variance of a measured value about the mean of packings, without the surrogate's. */
+static double measured_variance(const clod_plan_target *target)
+{
+    return target->error * target->error + target->discrepancy * target->discrepancy;
+}
+
+static double log_density(void *context, const double *place)
+{
+    const density *self = context;
+    double sum = 0.0;
+    for (size_t t = 0; t < self->plan->target_count; t++) {
+        const clod_plan_target *target = &self->plan->targets[t];
+        if (target->held_back) {
+            continue;
+        }
+        const clod_surrogate_value told =
+            clod_surrogate_at(self->targets[t].surrogate, place, self->room);
+        const double variance = measured_variance(target) + told.variance;
+        const double off = target->value - told.mean;
+        sum -= 0.5 * (off * off / variance + log(variance));
+    }
+    return sum;
+}
+
+/** The runs that have a target's number. */
+static size_t take(const clod_posterior_runs *runs, size_t target, double *inputs,
+                   double *results)
+{
+    const clod_plan *plan = runs->plan;
+    const size_t d = plan->parameter_count;
+    const size_t seeds = (size_t)plan->seeds;
+    size_t count = 0;
+    for (size_t row = 0; row < runs->points * seeds; row++) {
+        const double value = runs->results[row * plan->target_count + target];
+        if (isfinite(value)) {
+            memcpy(inputs + count * d, runs->places + row / seeds * d, d * sizeof *inputs);
+            results[count++] = value;
+        }
+    }
+    return count;
+}
+
+static bool fit_target(const clod_posterior_runs *runs, size_t number, double *room,
+                       clod_posterior_target *to, clod_status *status)
+{
+    const clod_plan *plan = runs->plan;
+    const size_t d = plan->parameter_count;
+    const size_t all = runs->points * (size_t)plan->seeds;
+    const size_t count = take(runs, number, room, room + all * d);
+    const clod_surrogate_runs taken = {d, count, room, room + all * d};
+    const clod_surrogate_kind kind = clod_surrogate_choose(d, clod_surrogate_points(&taken));
+    clod_status why = {CLOD_OK, ""};
+    to->runs = count;
+    to->surrogate = clod_surrogate_create(&taken, kind, &why);
+    if (to->surrogate == NULL) {
+        return clod_status_fail(
+            status, CLOD_FAILED,
+            "Target %s: %zu of %zu runs have this number. %s Other ranges, or "
+            "another target, may help; runs.csv has all results.",
+            plan->targets[number].name, count, all, why.text);
+    }
+    to->checked = clod_surrogate_leave_one_out(to->surrogate, &to->check, &why);
+    return true;
+}
+
+static bool fit(const clod_posterior_runs *runs, clod_posterior *self, clod_status *status)
+{
+    const size_t all = runs->points * (size_t)runs->plan->seeds;
+    double *room = clod_memory_alloc(all * (self->dimensions + 1), sizeof *room);
+    if (room == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the runs.");
+    }
+    bool good = true;
+    for (size_t t = 0; t < self->target_count && good; t++) {
+        good = fit_target(runs, t, room, &self->targets[t], status);
+    }
+    clod_memory_free(room);
+    return good;
+}
+
+/** Room for a prediction of any surrogate; NULL without memory. */
+static double *make_room(const clod_posterior *self)
+{
+    size_t most = 1;
+    for (size_t t = 0; t < self->target_count; t++) {
+        const size_t room = clod_surrogate_room(self->targets[t].surrogate);
+        most = room > most ? room : most;
+    }
+    return clod_memory_alloc(most, sizeof(double));
+}
+
+static void interval(double *values, size_t stride, size_t count, double level, double *low,
+                     double *high)
+{
+    gsl_sort(values, stride, count);
+    const double tail = 0.5 * (1.0 - level);
+    *low = gsl_stats_quantile_from_sorted_data(values, stride, count, tail);
+    *high = gsl_stats_quantile_from_sorted_data(values, stride, count, 1.0 - tail);
+}
+
+/** Moments, interval and agreement of one parameter. `room` [count] */
+static void look_at_parameter(const clod_plan *plan, clod_posterior *self, size_t k,
+                              double *room)
+{
+    clod_posterior_parameter *to = &self->parameters[k];
+    const double *samples = self->samples + k;
+    const size_t d = self->dimensions;
+    const clod_chain_series series = {samples, CHAINS, self->count / CHAINS, d};
+    to->rhat = clod_chain_rhat(&series);
+    to->effective = clod_chain_effective(&series);
+    to->mean = gsl_stats_mean(samples, d, self->count);
+    to->deviation = gsl_stats_sd(samples, d, self->count);
+    to->below = to->above = 0.0;
+    for (size_t i = 0; i < self->count; i++) {
+        room[i] = samples[i * d];
+        to->below += (room[i] < EDGE ? 1.0 : 0.0) / (double)self->count;
+        to->above += (room[i] > 1.0 - EDGE ? 1.0 : 0.0) / (double)self->count;
+    }
+    interval(room, 1, self->count, plan->sampling.level, &to->low, &to->high);
+    to->width = (to->high - to->low) / plan->sampling.level;
+    for (size_t m = 0; m < d; m++) {
+        self->correlation[k * d + m] =
+            k == m ? 1.0 : gsl_stats_correlation(samples, d, self->samples + m, d, self->count);
+    }
+}
+
+/** Standard normal number of a sample. */
+static double normal(const clod_plan *plan, size_t target, size_t sample)
+{
+    const uint64_t seed = (uint64_t)plan->seed;
+    const uint64_t item = DICE + target;
+    const double u = clod_random_uniform(seed, CLOD_RANDOM_CALIBRATE, item, 2 * sample);
+    const double v = clod_random_uniform(seed, CLOD_RANDOM_CALIBRATE, item, 2 * sample + 1);
+    return sqrt(-2.0 * log(u)) * cos(2.0 * M_PI * v);
+}
+
+/** What is foretold of one target at some samples: adds to the chi-square of each. `room` [2 looked] */
+static void foretell(const clod_plan *plan, clod_posterior *self, size_t t, size_t looked,
+                     double *chi, double *values, double *room)
+{
+    const clod_plan_target *target = &plan->targets[t];
+    clod_posterior_target *to = &self->targets[t];
+    double mean = 0.0, square = 0.0, inner = 0.0;
+    for (size_t i = 0; i < looked; i++) {
+        const double *place = self->samples + i * (self->count / looked) * self->dimensions;
+        const clod_surrogate_value told = clod_surrogate_at(to->surrogate, place, room);
+        const double variance = measured_variance(target) + told.variance;
+        const double off = target->value - told.mean;
+        chi[i] += target->held_back ? 0.0 : off * off / variance;
+        values[i] = told.mean + sqrt(variance) * normal(plan, t, i);
+        mean += told.mean / (double)looked;
+        square += told.mean * told.mean / (double)looked;
+        inner += variance / (double)looked;
+    }
+    to->mean = mean;
+    to->off = (target->value - mean) / sqrt(inner + fmax(0.0, square - mean * mean));
+    interval(values, 1, looked, plan->sampling.level, &to->low, &to->high);
+}
+
+static bool look(const clod_plan *plan, clod_posterior *self, clod_status *status)
+{
+    const size_t looked = self->count < LOOKED ? self->count : LOOKED;
+    double *values = clod_memory_alloc(self->count, sizeof *values);
+    double *chi = clod_memory_alloc(looked, sizeof *chi);
+    double *room = make_room(self);
+    const bool good = values != NULL && chi != NULL && room != NULL;
+    if (good) {
+        for (size_t k = 0; k < self->dimensions; k++) {
+            look_at_parameter(plan, self, k, values);
+        }
+        for (size_t t = 0; t < self->target_count; t++) {
+            foretell(plan, self, t, looked, chi, values, room);
+            self->used += plan->targets[t].held_back ? 0 : 1;
+        }
+        for (size_t i = 0; i < looked; i++) {
+            self->chi_square += chi[i] / (double)looked;
+            self->p_value += gsl_cdf_chisq_Q(chi[i], (double)self->used) / (double)looked;
+        }
+    }
+    clod_memory_free(values);
+    clod_memory_free(chi);
+    clod_memory_free(room);
+    return good || clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
+}
+
+static bool sample(const clod_plan *plan, clod_posterior *self, clod_status *status)
+{
+    density of = {plan, self->targets, make_room(self)};
+    if (of.room == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for the Markov chains.");
+    }
+    const clod_chain_setup setup = {.dimensions = self->dimensions,
+                                    .chains = CHAINS,
+                                    .warm_up = WARM_UP,
+                                    .kept = self->count / CHAINS,
+                                    .seed = (uint64_t)plan->seed,
+                                    .density = log_density,
+                                    .context = &of};
+    clod_chain_run(&setup, self->samples, &self->accepted);
+    clod_memory_free(of.room);
+    return true;
+}
+
+clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_status *status)
+{
+    const clod_plan *plan = runs->plan;
+    clod_posterior *self = clod_memory_alloc(1, sizeof *self);
+    if (self == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
+        return NULL;
+    }
+    const size_t d = plan->parameter_count;
+    self->dimensions = d;
+    self->target_count = plan->target_count;
+    self->count = CHAINS * (size_t)plan->sampling.samples;
+    self->targets = clod_memory_alloc(plan->target_count, sizeof *self->targets);
+    self->parameters = clod_memory_alloc(d, sizeof *self->parameters);
+    self->correlation = clod_memory_alloc(d * d, sizeof(double));
+    self->samples = clod_memory_alloc(self->count * d, sizeof(double));
+    bool good = self->targets != NULL && self->parameters != NULL &&
+                self->correlation != NULL && self->samples != NULL;
+    if (!good) {
+        self->target_count = self->targets == NULL ? 0 : self->target_count;
+        clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
+    }
+    good = good && fit(runs, self, status) && sample(plan, self, status) &&
+           look(plan, self, status);
+    if (!good) {
+        clod_posterior_destroy(&self);
+    }
+    return self;
+}
+
+void clod_posterior_destroy(clod_posterior **self)
+{
+    if (self == NULL || *self == NULL) {
+        return;
+    }
+    for (size_t t = 0; t < (*self)->target_count; t++) {
+        clod_surrogate_destroy(&(*self)->targets[t].surrogate);
+    }
+    clod_memory_free((*self)->targets);
+    clod_memory_free((*self)->parameters);
+    clod_memory_free((*self)->correlation);
+    clod_memory_free((*self)->samples);
+    clod_memory_free(*self);
+    *self = NULL;
+}

@@ -1,0 +1,71 @@
+#pragma once
+/**
+ * @file posterior.h
+ * What measured targets tell about parameters: the posterior from surrogates, its samples and what
+ * follows from them. docs/theory/calibration.md has the equations.
+ */
+
+#include "calibrate/plan.h"
+#include "calibrate/surrogate.h"
+
+/** Runs so far: [points][seeds] of them, in this order. */
+typedef struct clod_posterior_runs {
+    const clod_plan *plan;
+    size_t points;
+    const double *places;  ///< [points][parameters], in [0, 1]
+    const double *results; ///< [points][seeds][targets], SI; NAN: failed, or not defined
+} clod_posterior_runs;
+
+typedef struct clod_posterior_target {
+    clod_surrogate *surrogate; ///< owned
+    size_t runs;               ///< that have the number
+    clod_surrogate_check check;
+    bool checked;
+    double mean;      ///< of the model, over the posterior
+    double low, high; ///< interval of what a laboratory would measure
+    double off;       ///< (measured - mean) over its standard deviation
+} clod_posterior_target;
+
+/** All in [0, 1] of the range. */
+typedef struct clod_posterior_parameter {
+    double mean, deviation, low, high;
+    double width; ///< interval over that of the range: 1: the targets tell nothing
+    double rhat, effective;
+    double below,
+        above; ///< share of the samples in the lowest and the highest 5 % of the range
+} clod_posterior_parameter;
+
+typedef struct clod_posterior {
+    size_t dimensions, target_count;
+    clod_posterior_target *targets;       ///< [target_count] owned
+    clod_posterior_parameter *parameters; ///< [dimensions] owned
+    double *correlation;                  ///< [dimensions][dimensions] owned
+    double *samples;                      ///< [count][dimensions] owned
+    size_t count;
+    double accepted;
+    double chi_square, p_value; ///< posterior predictive, of the targets that are used
+    size_t used;                ///< targets
+} clod_posterior;
+
+/**
+ * Fit surrogates, sample, and look at the samples.
+ *
+ * @return  owned (clod_posterior_destroy), or NULL
+ * Errors  CLOD_FAILED: a target that too few runs define; memory.   Threads  safe.
+ * Source  Kennedy and O'Hagan, J. R. Stat. Soc. B 63 (2001) 425, with the discrepancy's variance given;
+ *         Gelman et al., Bayesian Data Analysis (2013), 6.3 (posterior predictive p value).
+ * Test    tests/calibrate/test_posterior.c, test_coverage.c
+ */
+clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_status *status);
+
+void clod_posterior_destroy(clod_posterior **self);
+
+/**
+ * Where further runs tell most: of the samples the one with the largest sum over used targets of the
+ * surrogate's variance over that of the measurement; then, with a run there in thought, the next.
+ *
+ * @param places  [out] [count][dimensions]
+ * Errors  CLOD_FAILED: memory.   Threads  safe.
+ */
+bool clod_posterior_refine(const clod_plan *plan, const clod_posterior *self, size_t count,
+                           double *places, clod_status *status);

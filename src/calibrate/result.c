@@ -1,0 +1,173 @@
+#include "calibrate/result.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "base/plural.h"
+#include "base/text.h"
+
+#define SAMPLES 1000 // of posterior.csv
+#define CONTRADICTION 0.05
+#define EDGE_SHARE 0.3    // of the samples in the last 5 % of a range
+#define LARGEST_RHAT 1.05 // Gelman et al. (2013) ask for 1.1 at most; many now for 1.01 to 1.05
+#define LEAST_EFFECTIVE                                                                        \
+    400 // samples: 100 a chain (Vehtari et al., Bayesian Anal. 16 (2021) 667)
+#define LEAST_Q2 0.5
+#define TIED 0.9
+
+const char *const CLOD_RESULT_TOLD_NAMES[] = {
+    [CLOD_RESULT_TOLD] = "yes", [CLOD_RESULT_WEAKLY] = "weakly", [CLOD_RESULT_UNTOLD] = "no"};
+
+clod_result_told clod_result_told_of(const clod_posterior_parameter *self)
+{
+    return self->width < 0.5   ? CLOD_RESULT_TOLD
+           : self->width < 0.8 ? CLOD_RESULT_WEAKLY
+                               : CLOD_RESULT_UNTOLD;
+}
+
+const char *clod_result_number(const clod_plan_parameter *self, double place, char *buffer,
+                               size_t size)
+{
+    snprintf(buffer, size, "%.4g%s%s", clod_plan_number(self, place),
+             self->unit[0] == '\0' ? "" : " ", self->unit);
+    return buffer;
+}
+
+static void warn(clod_result *self, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static void warn(clod_result *self, const char *format, ...)
+{
+    if (self->warning_count == CLOD_RESULT_WARNINGS) {
+        return;
+    }
+    va_list args;
+    va_start(args, format);
+    vsnprintf(self->warnings[self->warning_count++], CLOD_RESULT_WARNING_TEXT, format, args);
+    va_end(args);
+}
+
+/** Used target that is farthest from what the posterior foretells. */
+static size_t farthest(const clod_result *self)
+{
+    const clod_posterior *from = self->study->posterior;
+    size_t found = 0;
+    double most = -1.0;
+    for (size_t t = 0; t < from->target_count; t++) {
+        if (!self->plan->targets[t].held_back && fabs(from->targets[t].off) > most) {
+            most = fabs(from->targets[t].off);
+            found = t;
+        }
+    }
+    return found;
+}
+
+static void warn_targets(clod_result *self)
+{
+    const clod_posterior *from = self->study->posterior;
+    if (from->p_value < CONTRADICTION) {
+        const size_t t = farthest(self);
+        warn(
+            self,
+            "The targets contradict each other, or the model cannot reach them within these ranges: "
+            "chi-square %.3g of %zu target%s, posterior predictive p = %.2g. Farthest off is %s, "
+            "measured %+.1f deviations from what the model gives. Intervals below are then too narrow: "
+            "look at the measurements, widen ranges, free another parameter, or state a discrepancy.",
+            from->chi_square, from->used, clod_plural((double)from->used), from->p_value,
+            self->plan->targets[t].name, from->targets[t].off);
+    }
+    for (size_t t = 0; t < from->target_count; t++) {
+        const clod_posterior_target *one = &from->targets[t];
+        const size_t all = self->study->points * (size_t)self->plan->seeds;
+        if (one->runs < all) {
+            warn(
+                self,
+                "%s: only %zu of %zu runs have this number; the others failed or do not define it.",
+                self->plan->targets[t].name, one->runs, all);
+        }
+        if (one->checked && one->check.q2 < LEAST_Q2) {
+            warn(
+                self,
+                "%s: its surrogate foretells points that are left out hardly better than their mean "
+                "(Q2 %.2f): the parameters do not move it much, or more points or seeds are needed.",
+                self->plan->targets[t].name, one->check.q2);
+        }
+    }
+}
+
+static void warn_parameters(clod_result *self)
+{
+    const clod_posterior *from = self->study->posterior;
+    for (size_t k = 0; k < from->dimensions; k++) {
+        const clod_posterior_parameter *one = &from->parameters[k];
+        const char *name = self->plan->parameters[k].name;
+        if (one->below > EDGE_SHARE || one->above > EDGE_SHARE) {
+            warn(
+                self,
+                "%s wants to go beyond the %s end of its range (%.0f %% of the samples lie in the "
+                "last 5 %% before it).",
+                name, one->above > one->below ? "upper" : "lower",
+                100.0 * fmax(one->above, one->below));
+        }
+        if (clod_result_told_of(one) == CLOD_RESULT_UNTOLD) {
+            warn(self,
+                 "These targets do not tell %s: its interval is %.0f %% as wide as its range.",
+                 name, 100.0 * one->width);
+        }
+        if (!(one->rhat <= LARGEST_RHAT) || !(one->effective >= LEAST_EFFECTIVE)) {
+            warn(
+                self,
+                "The Markov chains do not agree about %s (R-hat %.3f, %.0f independent samples): "
+                "give more sampling.samples.",
+                name, one->rhat, one->effective);
+        }
+        for (size_t m = 0; m < k; m++) {
+            const double tie = from->correlation[k * from->dimensions + m];
+            if (fabs(tie) > TIED) {
+                warn(
+                    self,
+                    "%s and %s are tied (correlation %+.2f): the targets tell a combination of "
+                    "them, not each.",
+                    self->plan->parameters[m].name, name, tie);
+            }
+        }
+    }
+}
+
+void clod_result_warn(clod_result *self)
+{
+    warn_targets(self);
+    warn_parameters(self);
+    const size_t failed = self->runs == NULL ? 0 : clod_runs_failed(self->runs);
+    if (failed > 0) {
+        warn(self, "%zu run%s failed and %s not used; runs.csv has the reasons.", failed,
+             clod_plural((double)failed), failed == 1 ? "is" : "are");
+    }
+}
+
+char *clod_result_samples(const clod_result *self)
+{
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    if (out == NULL) {
+        return NULL;
+    }
+    const clod_posterior *from = self->study->posterior;
+    const size_t d = from->dimensions;
+    for (size_t k = 0; k < d; k++) {
+        const clod_plan_parameter *one = &self->plan->parameters[k];
+        fprintf(out, "%s%s [%s]", k == 0 ? "" : ",", one->name,
+                one->unit[0] == '\0' ? "1" : one->unit);
+    }
+    fputc('\n', out);
+    for (size_t i = 0; i < SAMPLES; i++) {
+        const double *place = from->samples + i * (from->count / SAMPLES) * d;
+        for (size_t k = 0; k < d; k++) {
+            fprintf(out, "%s%.9g", k == 0 ? "" : ",",
+                    clod_plan_number(&self->plan->parameters[k], place[k]));
+        }
+        fputc('\n', out);
+    }
+    return clod_text_close(&text);
+}

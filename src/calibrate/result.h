@@ -1,0 +1,48 @@
+#pragma once
+/**
+ * @file result.h
+ * A finished calibration, and what is said beside it.
+ */
+
+#include "calibrate/plan.h"
+#include "calibrate/runs.h"
+#include "calibrate/study.h"
+
+#define CLOD_RESULT_WARNINGS 48
+#define CLOD_RESULT_WARNING_TEXT 400
+
+typedef struct clod_result {
+    const clod_plan *plan;
+    const clod_study *study;
+    const clod_runs *runs; ///< for how many failed, and the folder's path
+    size_t warning_count;
+    char warnings[CLOD_RESULT_WARNINGS][CLOD_RESULT_WARNING_TEXT];
+} clod_result;
+
+/** What a posterior width says: 0.5 and 0.8 of the range's interval are the borders. */
+typedef enum clod_result_told {
+    CLOD_RESULT_TOLD,   ///< the targets tell the parameter
+    CLOD_RESULT_WEAKLY, ///< they narrow its range a little
+    CLOD_RESULT_UNTOLD, ///< they hardly do
+} clod_result_told;
+clod_result_told clod_result_told_of(const clod_posterior_parameter *self);
+extern const char *const CLOD_RESULT_TOLD_NAMES[];
+
+/** Look for what is to be said: contradictions, ends of ranges, chains, surrogates, failed runs. */
+void clod_result_warn(clod_result *self);
+
+/** A quantile or mean in [0, 1] as text in the parameter's unit: "3.56e+08 N/m^1.5". */
+const char *clod_result_number(const clod_plan_parameter *self, double place, char *buffer,
+                               size_t size);
+
+/** Tables for people; owned (clod_memory_free), NULL without memory; as the others. */
+char *clod_result_table(const clod_result *self);
+
+/** Everything, units in the names. */
+char *clod_result_json(const clod_result *self);
+
+/** The calibrated keys as a part of a case, with their intervals as comments. */
+char *clod_result_card(const clod_result *self);
+
+/** Samples of the posterior, for propagation: one row each. */
+char *clod_result_samples(const clod_result *self);

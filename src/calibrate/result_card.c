@@ -1,0 +1,130 @@
+/**
+ * @file result_card.c
+ * The material card: calibrated keys as YAML that a case includes.
+ */
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "calibrate/result.h"
+
+/** Length of a key's part up to the dot number `depth` + 1, or of all. */
+static size_t prefix(const char *key, size_t depth)
+{
+    size_t at = 0;
+    for (size_t dots = 0; key[at] != '\0'; at++) {
+        dots += key[at] == '.' ? 1 : 0;
+        if (dots > depth) {
+            break;
+        }
+    }
+    return at;
+}
+
+static size_t depth_of(const char *key)
+{
+    size_t depth = 0;
+    for (const char *at = strchr(key, '.'); at != NULL; at = strchr(at + 1, '.')) {
+        depth++;
+    }
+    return depth;
+}
+
+/** Whether a parameter before this one begins with the first `length` bytes of its key, and a dot. */
+static bool opened(const clod_plan *plan, size_t number, size_t length)
+{
+    const char *key = plan->parameters[number].key;
+    for (size_t m = 0; m < number; m++) {
+        const char *other = plan->parameters[m].key;
+        if (strncmp(key, other, length) == 0 && other[length] == '.') {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void put_value(FILE *out, const clod_result *self, size_t k, size_t depth)
+{
+    const clod_plan_parameter *of = &self->plan->parameters[k];
+    const clod_posterior_parameter *one = &self->study->posterior->parameters[k];
+    char low[64];
+    char high[64];
+    const char *dot = strrchr(of->key, '.');
+    fprintf(out, "%*s%s: %.4g%s%s # %.3g %%: %s to %s", (int)(2 * depth), "",
+            dot == NULL ? of->key : dot + 1, clod_plan_number(of, one->mean),
+            of->unit[0] == '\0' ? "" : " ", of->unit, 100.0 * self->plan->sampling.level,
+            clod_result_number(of, one->low, low, sizeof low),
+            clod_result_number(of, one->high, high, sizeof high));
+    if (clod_result_told_of(one) != CLOD_RESULT_TOLD) {
+        fprintf(out, "; told by the targets: %s",
+                CLOD_RESULT_TOLD_NAMES[clod_result_told_of(one)]);
+    }
+    fputc('\n', out);
+}
+
+/** All parameters below the section that the first `length` bytes of the key of `first` name; "" with 0.
+ */
+static void put_section(FILE *out, const clod_result *self, size_t first, size_t length,
+                        size_t depth)
+{
+    const clod_plan *plan = self->plan;
+    const char *of = plan->parameters[first].key;
+    for (size_t k = first; k < plan->parameter_count; k++) {
+        const char *key = plan->parameters[k].key;
+        if (length > 0 && (strncmp(key, of, length) != 0 || key[length] != '.')) {
+            continue;
+        }
+        if (depth_of(key) == depth) {
+            put_value(out, self, k, depth);
+            continue;
+        }
+        const size_t below = prefix(key, depth);
+        if (!opened(plan, k, below)) {
+            const size_t skip = length == 0 ? 0 : length + 1;
+            fprintf(out, "%*s%.*s:\n", (int)(2 * depth), "", (int)(below - skip), key + skip);
+            put_section(out, self, k, below, depth + 1);
+        }
+    }
+}
+
+static void put_head(FILE *out, const clod_result *self)
+{
+    const clod_posterior *from = self->study->posterior;
+    fprintf(out, "# Material card%s%s, by clod calibrate from %s.\n",
+            self->plan->title == NULL ? "" : ": ",
+            self->plan->title == NULL ? "" : self->plan->title, self->plan->path);
+    fprintf(
+        out,
+        "# Means, with %.3g %% intervals. calibration.json has everything, posterior.csv samples.\n",
+        100.0 * self->plan->sampling.level);
+    fputs(
+        "# Use it: include: card.yaml in a case, which then must not give these keys itself.\n",
+        out);
+    fputs("# All that is not here is as in the cases of the tests:\n", out);
+    for (size_t t = 0; t < self->plan->test_count; t++) {
+        fprintf(out, "#   %s: %s\n", self->plan->tests[t].name, self->plan->tests[t].path);
+    }
+    for (size_t k = 0; k < self->warning_count; k++) {
+        fprintf(out, "# WARNING: %s\n", self->warnings[k]);
+    }
+    for (size_t k = 0; k < from->dimensions; k++) {
+        for (size_t m = 0; m < k; m++) {
+            fprintf(out, "# correlation of %s and %s: %+.2f\n", self->plan->parameters[m].name,
+                    self->plan->parameters[k].name,
+                    from->correlation[k * from->dimensions + m]);
+        }
+    }
+}
+
+char *clod_result_card(const clod_result *self)
+{
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    if (out == NULL) {
+        return NULL;
+    }
+    put_head(out, self);
+    put_section(out, self, 0, 0, 0);
+    return clod_text_close(&text);
+}

@@ -1,0 +1,164 @@
+/**
+ * @file result_table.c
+ * A calibration for people: aligned tables with units, intervals and warnings.
+ */
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "calibrate/result.h"
+
+#define WIDTH 100 ///< of a line of text
+
+/** A text, broken between words, behind a mark. */
+static void put_text(FILE *out, const char *text)
+{
+    fputs("  - ", out);
+    while (strlen(text) > WIDTH - 4) {
+        size_t end = WIDTH - 4;
+        while (end > 0 && text[end] != ' ') {
+            end--;
+        }
+        end = end == 0 ? WIDTH - 4 : end;
+        fprintf(out, "%.*s\n    ", (int)end, text);
+        text += end + (text[end] == ' ' ? 1 : 0);
+    }
+    fprintf(out, "%s\n", text);
+}
+
+static void put_parameters(FILE *out, const clod_result *self)
+{
+    const clod_posterior *from = self->study->posterior;
+    const double tail = 50.0 * (1.0 - self->plan->sampling.level);
+    fprintf(out, "\nParameters\n  %-16s %12s %11.3g %% %10.3g %%  %-10s %6s  %-7s %7s %8s\n",
+            "", "mean", tail, 100.0 - tail, "unit", "width", "told", "R-hat", "samples");
+    for (size_t k = 0; k < from->dimensions; k++) {
+        const clod_posterior_parameter *one = &from->parameters[k];
+        const clod_plan_parameter *of = &self->plan->parameters[k];
+        fprintf(out, "  %-16s %12.4g %13.4g %12.4g  %-10s %6.2f  %-7s %7.3f %8.0f\n", of->name,
+                clod_plan_number(of, one->mean), clod_plan_number(of, one->low),
+                clod_plan_number(of, one->high), of->unit, one->width,
+                CLOD_RESULT_TOLD_NAMES[clod_result_told_of(one)], one->rhat, one->effective);
+    }
+    fputs(
+        "  width: of the interval over that of the range as given; 1: the targets tell nothing.\n"
+        "  Of a range with scale: log the mean is that of the logarithm.\n",
+        out);
+}
+
+static void put_correlations(FILE *out, const clod_result *self)
+{
+    const clod_posterior *from = self->study->posterior;
+    const size_t d = from->dimensions;
+    if (d < 2) {
+        return;
+    }
+    fprintf(out, "\nCorrelations\n  %-16s", "");
+    for (size_t k = 0; k + 1 < d; k++) {
+        fprintf(out, " %9.9s", self->plan->parameters[k].name);
+    }
+    for (size_t k = 1; k < d; k++) {
+        fprintf(out, "\n  %-16s", self->plan->parameters[k].name);
+        for (size_t m = 0; m < k; m++) {
+            fprintf(out, " %+9.2f", from->correlation[k * d + m]);
+        }
+    }
+    fputs("\n", out);
+}
+
+static void put_target(FILE *out, const clod_result *self, size_t t)
+{
+    const clod_plan_target *of = &self->plan->targets[t];
+    const clod_posterior_target *one = &self->study->posterior->targets[t];
+    const double f = of->measure.factor;
+    const int digits = of->measure.digits;
+    const bool inside = of->value >= one->low && of->value <= one->high;
+    fprintf(out, "  %-34s %10.*f %8.*f %8.*f %10.*f %10.*f %10.*f  %-6s %-4s %+5.1f\n",
+            of->name, digits, f * of->value, digits, f * of->error, digits, f * of->discrepancy,
+            digits, f * one->mean, digits, f * one->low, digits, f * one->high,
+            of->measure.unit, inside ? "yes" : "NO", one->off);
+}
+
+static void put_targets(FILE *out, const clod_result *self, bool held_back, const char *title)
+{
+    bool begun = false;
+    for (size_t t = 0; t < self->plan->target_count; t++) {
+        if (self->plan->targets[t].held_back != held_back) {
+            continue;
+        }
+        if (!begun) {
+            const double tail = 50.0 * (1.0 - self->plan->sampling.level);
+            fprintf(out, "\n%s\n  %-34s %10s %8s %8s %10s %8.3g %% %8.3g %%  %-6s %-4s %5s\n",
+                    title, "", "measured", "error", "discr.", "model", tail, 100.0 - tail,
+                    "unit", "in", "off");
+            begun = true;
+        }
+        put_target(out, self, t);
+    }
+}
+
+static void put_surrogates(FILE *out, const clod_result *self)
+{
+    static const char *const KINDS[] = {
+        [CLOD_SURROGATE_LINEAR] = "line",
+        [CLOD_SURROGATE_QUADRATIC] = "quadratic",
+        [CLOD_SURROGATE_GAUSSIAN] = "process",
+    };
+    fprintf(
+        out,
+        "\nSurrogates, each point foretold by the others\n  %-34s %-10s %5s %10s %10s %7s %9s\n",
+        "", "kind", "runs", "packings", "error", "Q2", "in 2 dev.");
+    for (size_t t = 0; t < self->plan->target_count; t++) {
+        const clod_plan_target *of = &self->plan->targets[t];
+        const clod_posterior_target *one = &self->study->posterior->targets[t];
+        const double f = of->measure.factor;
+        fprintf(out, "  %-34s %-10s %5zu %10.*f", of->name,
+                KINDS[clod_surrogate_kind_of(one->surrogate)], one->runs, of->measure.digits,
+                f * clod_surrogate_noise(one->surrogate));
+        if (one->checked) {
+            fprintf(out, " %10.*f %7.2f %7.0f %%\n", of->measure.digits, f * one->check.error,
+                    one->check.q2, 100.0 * one->check.covered);
+        } else {
+            fputs("          -       -         -\n", out);
+        }
+    }
+    fputs(
+        "  packings: standard deviation between packings of one point; error: root of the mean square\n"
+        "  of a left-out point's error; Q2: 1 where it is exact, 0 where the mean would do as well.\n",
+        out);
+}
+
+char *clod_result_table(const clod_result *self)
+{
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    if (out == NULL) {
+        return NULL;
+    }
+    const clod_posterior *from = self->study->posterior;
+    const char *title = self->plan->title;
+    fprintf(
+        out,
+        "Calibration%s%s: %zu points of %lld packing%s, %zu of them added where the posterior is "
+        "least certain\n",
+        title == NULL ? "" : ": ", title == NULL ? "" : title, self->study->points,
+        (long long)self->plan->seeds, self->plan->seeds == 1 ? "" : "s",
+        self->study->points - self->study->designed);
+    fputs(self->warning_count > 0 ? "\nWarnings\n" : "", out);
+    for (size_t k = 0; k < self->warning_count; k++) {
+        put_text(out, self->warnings[k]);
+    }
+    put_parameters(out, self);
+    put_correlations(out, self);
+    put_targets(out, self, false, "Targets that were used");
+    put_targets(out, self, true, "Targets that were held back, foretold");
+    fprintf(
+        out,
+        "  %.3g %% interval of what a laboratory would measure; off: (measured - model) over "
+        "its deviation.\n  chi-square %.3g of %zu, posterior predictive p = %.2g\n",
+        100.0 * self->plan->sampling.level, from->chi_square, from->used, from->p_value);
+    put_surrogates(out, self);
+    return clod_text_close(&text);
+}

@@ -1,0 +1,192 @@
+#include "calibrate/rows.h"
+
+#include <dirent.h>
+#include <jansson.h>
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/input.h"
+#include "base/json.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "output/folder_files.h"
+
+#define MARK "design.txt"
+#define LAST_BYTES 2000 ///< of a log that are looked at
+#define WORDS 400       ///< bytes kept of them
+
+static void path_of(const clod_runs *runs, size_t row, const char *ending, char path[PATH_MAX])
+{
+    char name[128];
+    clod_runs_name(runs->plan, row, name, sizeof name);
+    snprintf(path, PATH_MAX, "%s/%s%s", runs->folder->path, name, ending);
+}
+
+bool clod_rows_read(const clod_runs *runs, size_t row, clod_runs_row *to, clod_status *status)
+{
+    char path[PATH_MAX];
+    path_of(runs, row, ".json", path);
+    if (access(path, F_OK) != 0) {
+        return true;
+    }
+    char *text;
+    size_t length;
+    if (!clod_input_read_regular(path, (size_t)1 << 20, &text, &length, status)) {
+        return false;
+    }
+    json_t *found = json_loadb(text, length, 0, NULL);
+    clod_memory_free(text);
+    const char *state = json_string_value(json_object_get(found, "state"));
+    const json_t *seconds = json_object_get(found, "seconds");
+    const bool good = state != NULL && json_is_number(seconds);
+    if (good) {
+        to->state = strcmp(state, "done") == 0 ? CLOD_RUNS_DONE : CLOD_RUNS_FAILED;
+        to->seconds = json_number_value(seconds);
+        to->why = clod_memory_text(json_string_value(json_object_get(found, "why")));
+    }
+    json_decref(found);
+    return good || clod_status_fail(status, CLOD_USAGE,
+                                    "%s: damaged; remove it, and the run is done again", path);
+}
+
+bool clod_rows_write(const clod_runs *runs, size_t row, clod_status *status)
+{
+    char path[PATH_MAX];
+    const clod_runs_row *from = &runs->rows[row];
+    path_of(runs, row, ".json", path);
+    json_t *made = json_pack("{s:s, s:f, s:s?}", "state",
+                             from->state == CLOD_RUNS_DONE ? "done" : "failed", "seconds",
+                             from->seconds, "why", from->why);
+    char *text = clod_json_text(made, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
+    json_decref(made);
+    if (text == NULL) {
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %s.", path);
+    }
+    const char *name = path + strlen(runs->folder->path) + strlen("/runs/");
+    char parent[PATH_MAX];
+    snprintf(parent, sizeof parent, "%s/runs", runs->folder->path);
+    clod_folder *inside = clod_folder_look(parent, status);
+    const bool good = inside != NULL && clod_folder_write(inside, name, text, status);
+    clod_folder_close(&inside);
+    clod_memory_free(text);
+    return good;
+}
+
+/** Whether a file of a results folder is a checkpoint or a snapshot. */
+static bool spare(const char *name)
+{
+    const char *point = strrchr(name, '.');
+    return strncmp(name, "restart", strlen("restart")) == 0 ||
+           (point != NULL && (strcmp(point, ".hdf") == 0 || strcmp(point, ".series") == 0));
+}
+
+void clod_rows_trim(const clod_runs *runs, size_t row)
+{
+    char path[PATH_MAX];
+    path_of(runs, row, "", path);
+    DIR *folder = opendir(path);
+    if (folder == NULL) {
+        return;
+    }
+    for (struct dirent *item = readdir(folder); item != NULL; item = readdir(folder)) {
+        if (spare(item->d_name)) {
+            (void)unlinkat(dirfd(folder), item->d_name, 0); // what stays only takes room
+        }
+    }
+    closedir(folder);
+}
+
+/** Line ends and runs of blanks become one blank. */
+static void flatten(char *text)
+{
+    size_t to = 0;
+    for (const char *from = text; *from != '\0'; from++) {
+        const bool blank = (unsigned char)*from <= ' ';
+        if (!blank || (to > 0 && text[to - 1] != ' ')) {
+            text[to] = *from;
+            if (blank) {
+                text[to] = ' ';
+            }
+            to++;
+        }
+    }
+    text[to] = '\0';
+}
+
+char *clod_rows_last_words(const clod_runs *runs, size_t row)
+{
+    static const char BEGIN[] = "clod run: ";
+    char path[PATH_MAX];
+    path_of(runs, row, ".log", path);
+    char *text;
+    size_t length;
+    clod_status none = {CLOD_OK, ""};
+    if (!clod_input_read_regular(path, (size_t)1 << 24, &text, &length, &none)) {
+        return clod_memory_text("its log cannot be read");
+    }
+    char *from = length > LAST_BYTES ? text + length - LAST_BYTES : text;
+    for (char *next = strstr(from, BEGIN); next != NULL; next = strstr(from, BEGIN)) {
+        from = next + strlen(BEGIN);
+    }
+    flatten(from);
+    if (strlen(from) > WORDS) {
+        from[WORDS] = '\0';
+    }
+    char *words = clod_memory_text(from[0] == '\0' ? "it said nothing" : from);
+    clod_memory_free(text);
+    return words;
+}
+
+/** All that the runs depend on; owned, NULL without memory. */
+static char *describe(const clod_plan *plan)
+{
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    if (out == NULL) {
+        return NULL;
+    }
+    fprintf(
+        out,
+        "Runs of a calibration: another plan needs another folder.\nseed %lld, seeds %lld\n",
+        (long long)plan->seed, (long long)plan->seeds);
+    for (size_t k = 0; k < plan->parameter_count; k++) {
+        const clod_plan_parameter *one = &plan->parameters[k];
+        fprintf(out, "parameter %s %.17g %.17g %s %s\n", one->key, one->low, one->high,
+                one->unit, one->scale == CLOD_PLAN_LOG ? "log" : "linear");
+    }
+    for (size_t k = 0; k < plan->test_count; k++) {
+        char *echo = clod_case_echo(plan->tests[k].middle);
+        if (echo == NULL) {
+            text.lost = true;
+            break;
+        }
+        fprintf(out, "\ntest %s\n%s", plan->tests[k].name, echo);
+        clod_memory_free(echo);
+    }
+    return clod_text_close(&text);
+}
+
+bool clod_rows_mark(const clod_runs *runs, clod_status *status)
+{
+    char *text = describe(runs->plan);
+    void *before = NULL;
+    size_t size;
+    bool good =
+        text != NULL || clod_status_fail(status, CLOD_FAILED, "No memory for the design.");
+    good = good && clod_folder_read(runs->folder, MARK, &before, &size, status);
+    if (good && before == NULL) {
+        good = clod_folder_write(runs->folder, MARK, text, status);
+    } else if (good && strcmp(before, text) != 0) {
+        good = clod_status_fail(
+            status, CLOD_USAGE,
+            "%s has runs of another plan: parameters, ranges, seeds or cases differ "
+            "from its " MARK ". Give another folder with -o, or remove this one. "
+            "(Targets, budget and points may change.)",
+            runs->folder->path);
+    }
+    clod_memory_free(before);
+    clod_memory_free(text);
+    return good;
+}

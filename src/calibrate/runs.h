@@ -1,0 +1,76 @@
+#pragma once
+/**
+ * @file runs.h
+ * The runs of a calibration: processes side by side, each in a folder of its own, with a row for each
+ * that has ended, so that the same command goes on where it was.
+ */
+
+#include "calibrate/plan.h"
+#include "clod/run.h"
+#include "output/folder.h"
+
+typedef struct clod_runs_options {
+    const char *program;   ///< path of clod
+    int workers;           ///< processes side by side
+    clod_run_signal *stop; ///< not zero: stop all, with checkpoints
+    void (*tell)(void *context, const char *text);
+    void *context;
+} clod_runs_options;
+
+typedef enum clod_runs_state {
+    CLOD_RUNS_NONE,
+    CLOD_RUNS_DONE,
+    CLOD_RUNS_FAILED
+} clod_runs_state;
+
+/** A run: its point, packing and test follow from its place. */
+typedef struct clod_runs_row {
+    clod_runs_state state;
+    double seconds; ///< on the clock
+    char *why;      ///< owned; of a failed one
+} clod_runs_row;
+
+typedef struct clod_runs {
+    const clod_plan *plan;
+    clod_runs_options options;
+    clod_folder *folder; ///< owned
+    clod_runs_row *rows; ///< [points][seeds][tests] owned
+    size_t points;
+} clod_runs;
+
+/**
+ * Open the folder of a calibration, and see that it is of this plan.
+ *
+ * @return  owned (clod_runs_close), or NULL
+ * Errors  CLOD_USAGE: in use, or of another plan; CLOD_FAILED: disk, memory.
+ * Test    tests/calibrate/test_calibrate.py
+ */
+clod_runs *clod_runs_open(const clod_plan *plan, const char *directory,
+                          const clod_runs_options *options, clod_status *status);
+
+void clod_runs_close(clod_runs **self);
+
+/** As clod_study_source has it: run what has no row yet, then read the numbers.
+ *  Errors  CLOD_FAILED: a test that fails with every packing of the first point; disk, memory;
+ *          CLOD_INTERRUPTED. */
+bool clod_runs_compute(void *self, size_t first, size_t count, const double *places,
+                       double *results, clod_status *status);
+
+/** As clod_study_source has it: time of the runs of the first `points` over workers and points. */
+double clod_runs_seconds(void *self, size_t points);
+
+/** Runs that failed. */
+size_t clod_runs_failed(const clod_runs *self);
+
+/** Index of a row. */
+size_t clod_runs_row_of(const clod_plan *plan, size_t point, size_t packing, size_t test);
+
+/** "runs/p003-1-ring": where a row's run is, below the folder. */
+void clod_runs_name(const clod_plan *plan, size_t row, char *text, size_t size);
+
+/** Seed of a row's packing; no two points have one in common. */
+int64_t clod_runs_seed(const clod_plan *plan, size_t row);
+
+/** All rows as CSV, units in the header; owned (clod_memory_free), NULL without memory. */
+char *clod_runs_csv(const clod_runs *self, size_t points, const double *places,
+                    const double *results);

@@ -1,0 +1,103 @@
+#pragma once
+/**
+ * @file surrogate.h
+ * A result of a simulation as a smooth function of its parameters, from runs with the noise of
+ * packings: a Gaussian process about a straight line, or a polynomial where there are few runs.
+ * docs/theory/calibration.md has the equations.
+ */
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "clod/status.h"
+
+#define CLOD_SURROGATE_MOST 16 ///< parameters
+
+typedef enum clod_surrogate_kind {
+    CLOD_SURROGATE_LINEAR,    ///< least squares on 1, u
+    CLOD_SURROGATE_QUADRATIC, ///< least squares on 1, u, products of two
+    CLOD_SURROGATE_GAUSSIAN,  ///< Gaussian process about 1, u
+} clod_surrogate_kind;
+
+/** Runs: rows with the same inputs are packings of one point. */
+typedef struct clod_surrogate_runs {
+    size_t dimensions, count;
+    const double *inputs;  ///< [count][dimensions], in [0, 1]
+    const double *results; ///< [count]
+} clod_surrogate_runs;
+
+/** A fitted surrogate; opaque. */
+typedef struct clod_surrogate clod_surrogate;
+
+typedef struct clod_surrogate_value {
+    double mean; ///< of packings
+    /** Of that mean, from what the runs cannot tell. Noise of packings is not in it, but for a
+     * polynomial: nothing tells its misfit from that noise, so all counts as misfit. */
+    double variance;
+} clod_surrogate_value;
+
+/** Leave one point out: how well the others foretell it. */
+typedef struct clod_surrogate_check {
+    size_t points;
+    double error;   ///< root of the mean square error of a point's mean
+    double q2;      ///< 1 - square errors over squares about the mean; 1: exact
+    double covered; ///< share of the points within two standard deviations of their prediction
+} clod_surrogate_check;
+
+/** The kind for so many different points: a Gaussian process from 5 a parameter and 8 in all on, a
+ *  quadratic from twice its coefficients on. */
+clod_surrogate_kind clod_surrogate_choose(size_t dimensions, size_t points);
+
+/** Coefficients of the polynomial of a kind. */
+size_t clod_surrogate_terms(clod_surrogate_kind kind, size_t dimensions);
+
+/** Different points among runs. */
+size_t clod_surrogate_points(const clod_surrogate_runs *runs);
+
+/**
+ * Fit by greatest restricted likelihood.
+ *
+ * @param runs  copied
+ * @return      owned (clod_surrogate_destroy), or NULL
+ * Errors  CLOD_FAILED: fewer runs than coefficients + 1, or points that do not tell them apart; no
+ *         memory.
+ * Threads safe.
+ * Source  Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), eq. 2.41 to 2.45,
+ *         4.17; Santner, Williams and Notz, The Design and Analysis of Computer Experiments (2003), 3.3.
+ * Test    tests/calibrate/test_surrogate.c
+ */
+clod_surrogate *clod_surrogate_create(const clod_surrogate_runs *runs, clod_surrogate_kind kind,
+                                      clod_status *status);
+
+/** The same with lengths and nugget given, for tests and for points that are added in thought. */
+clod_surrogate *clod_surrogate_create_at(const clod_surrogate_runs *runs,
+                                         clod_surrogate_kind kind, const double *lengths,
+                                         double nugget, clod_status *status);
+
+/** One more run in thought, with the mean as its result: what it would tell, at the hyperparameters and
+ *  the variance as they are. @return owned, or NULL */
+clod_surrogate *clod_surrogate_believe(const clod_surrogate *self, const double *inputs,
+                                       clod_status *status);
+
+/** Free and null; NULL is fine. */
+void clod_surrogate_destroy(clod_surrogate **self);
+
+/** @param room [clod_surrogate_room] numbers of the caller's.  Threads  one per room. */
+clod_surrogate_value clod_surrogate_at(const clod_surrogate *self, const double *inputs,
+                                       double *room);
+size_t clod_surrogate_room(const clod_surrogate *self);
+
+/** Standard deviation between packings of one point. */
+double clod_surrogate_noise(const clod_surrogate *self);
+
+/** Greatest restricted log likelihood, without constants. */
+double clod_surrogate_likelihood(const clod_surrogate *self);
+
+/** Correlation length along an input; INFINITY: a polynomial. */
+double clod_surrogate_length(const clod_surrogate *self, size_t dimension);
+
+clod_surrogate_kind clod_surrogate_kind_of(const clod_surrogate *self);
+
+/** Leave every point out once, hyperparameters as they are. Errors  as clod_surrogate_create. */
+bool clod_surrogate_leave_one_out(const clod_surrogate *self, clod_surrogate_check *check,
+                                  clod_status *status);

@@ -1,0 +1,137 @@
+/**
+ * @file surrogate_out.c
+ * A surrogate with a point more in thought, or one less: what a run would tell, and how well the others
+ * foretell it.
+ */
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "calibrate/surrogate_fit.h"
+
+/** The runs of a surrogate. */
+static clod_surrogate_runs runs_of(const clod_surrogate *self)
+{
+    return (clod_surrogate_runs){self->dimensions, self->count, self->inputs, self->results};
+}
+
+/** A surrogate of other runs with the hyperparameters and the variance of this one. */
+static clod_surrogate *with(const clod_surrogate *self, const clod_surrogate_runs *runs,
+                            clod_status *status)
+{
+    clod_surrogate *other =
+        clod_surrogate_create_at(runs, self->kind, self->lengths, self->nugget, status);
+    if (other != NULL) {
+        other->variance = self->variance;
+    }
+    return other;
+}
+
+clod_surrogate *clod_surrogate_believe(const clod_surrogate *self, const double *inputs,
+                                       clod_status *status)
+{
+    const size_t d = self->dimensions;
+    double *points = clod_memory_alloc((self->count + 1) * (d + 1), sizeof *points);
+    double *room = clod_memory_alloc(clod_surrogate_room(self), sizeof *room);
+    clod_surrogate *more = NULL;
+    if (points == NULL || room == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate.");
+    } else {
+        double *results = points + (self->count + 1) * d;
+        memcpy(points, self->inputs, self->count * d * sizeof *points);
+        memcpy(points + self->count * d, inputs, d * sizeof *points);
+        memcpy(results, self->results, self->count * sizeof *results);
+        results[self->count] = clod_surrogate_at(self, inputs, room).mean;
+        const clod_surrogate_runs runs = {d, self->count + 1, points, results};
+        more = with(self, &runs, status);
+    }
+    clod_memory_free(points);
+    clod_memory_free(room);
+    return more;
+}
+
+/** Sums over the points that are left out. */
+typedef struct sums {
+    double square, about, covered, points;
+} sums;
+
+/** The point of a run: mean of its packings and their number, the others into `points` and `results`. */
+static clod_surrogate_runs without(const clod_surrogate *self, size_t row, double *points,
+                                   double *results, double *mean, double *packings)
+{
+    const size_t d = self->dimensions;
+    const double *out = self->inputs + row * d;
+    size_t kept = 0;
+    *mean = 0.0;
+    *packings = 0.0;
+    for (size_t i = 0; i < self->count; i++) {
+        if (memcmp(self->inputs + i * d, out, d * sizeof *out) == 0) {
+            *mean += self->results[i];
+            *packings += 1.0;
+        } else {
+            memcpy(points + kept * d, self->inputs + i * d, d * sizeof *points);
+            results[kept++] = self->results[i];
+        }
+    }
+    *mean /= *packings;
+    return (clod_surrogate_runs){d, kept, points, results};
+}
+
+/** Leave out the point of a run, unless an earlier run has it. */
+static bool leave(const clod_surrogate *self, size_t row, double centre, double *points,
+                  double *room, sums *to, clod_status *status)
+{
+    const size_t d = self->dimensions;
+    const double *out = self->inputs + row * d;
+    for (size_t i = 0; i < row; i++) {
+        if (memcmp(self->inputs + i * d, out, d * sizeof *out) == 0) {
+            return true;
+        }
+    }
+    double mean, packings;
+    const clod_surrogate_runs others =
+        without(self, row, points, points + self->count * d, &mean, &packings);
+    clod_surrogate *left = with(self, &others, status);
+    if (left == NULL) {
+        return false;
+    }
+    const clod_surrogate_value told = clod_surrogate_at(left, out, room);
+    const double noise =
+        self->kind == CLOD_SURROGATE_GAUSSIAN ? clod_surrogate_noise(self) : 0.0;
+    const double error = mean - told.mean;
+    const double deviation = sqrt(told.variance + noise * noise / packings);
+    to->square += error * error;
+    to->about += (mean - centre) * (mean - centre);
+    to->covered += fabs(error) <= 2.0 * deviation ? 1.0 : 0.0;
+    to->points += 1.0;
+    clod_surrogate_destroy(&left);
+    return true;
+}
+
+bool clod_surrogate_leave_one_out(const clod_surrogate *self, clod_surrogate_check *check,
+                                  clod_status *status)
+{
+    double *points = clod_memory_alloc(self->count * (self->dimensions + 1), sizeof *points);
+    double *room = clod_memory_alloc(clod_surrogate_room(self), sizeof *room);
+    sums all = {0};
+    double centre = 0.0;
+    for (size_t i = 0; i < self->count; i++) {
+        centre += self->results[i] / (double)self->count;
+    }
+    bool good = points != NULL && room != NULL;
+    if (!good) {
+        clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate's check.");
+    }
+    for (size_t i = 0; i < self->count && good; i++) {
+        good = leave(self, i, centre, points, room, &all, status);
+    }
+    const clod_surrogate_runs runs = runs_of(self);
+    *check = (clod_surrogate_check){.points = clod_surrogate_points(&runs),
+                                    .error = sqrt(all.square / all.points),
+                                    .q2 = 1.0 - all.square / all.about,
+                                    .covered = all.covered / all.points};
+    clod_memory_free(points);
+    clod_memory_free(room);
+    return good;
+}

@@ -1,0 +1,291 @@
+"""clod calibrate as a user meets it: runs of a known truth, interruption, failures, refusals.
+
+Grains that meet a floor keep restitution squared of their kinetic energy, so its mean over packings is
+N m v^2/2 e^2 with the mean mass of uniform radii from a to b, (b^4 - a^4)/(4 (b - a)) 4/3 pi rho.
+"""
+
+import csv
+import json
+import math
+import os
+import shutil
+import signal
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+CASE = clod.source("tests/calibrate/bounce.yaml")
+A, B, RHO, GRAINS = 1.8e-3, 2.2e-3, 2500.0, 12
+BEFORE = GRAINS * 0.5 * RHO * 4.0 / 3.0 * math.pi * (B**4 - A**4) / (4.0 * (B - A))
+TRUTH = 0.6
+PLAN = f"""title: bounce
+points: 9
+seeds: 2
+tests:
+  bounce: {{case: bounce.yaml}}
+parameters:
+  e: {{key: contacts.default.restitution, from: 0.2, to: 0.9}}
+targets:
+  - {{test: bounce, number: kinetic_energy_J, value: {BEFORE * TRUTH**2:.6g}, error: 4e-6}}
+sampling: {{samples: 1000}}
+"""
+RESULTS = ("calibration.json", "card.yaml", "posterior.csv", "runs.csv", "report.txt")
+
+
+class Calibrate(clod.Case):
+
+    def setUp(self):
+        super().setUp()
+        shutil.copy(CASE, self.folder)
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def write(self, name, text):
+        with open(self.path(name), "w") as file:
+            file.write(text)
+
+    def calibrate(self, text, *arguments, code=0):
+        self.write("plan.yaml", text)
+        done = clod.run("calibrate", "plan.yaml", *arguments, cwd=self.folder)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def found(self, folder="out"):
+        with open(self.path(folder, "calibration.json")) as file:
+            return json.load(file)
+
+    def rows(self, folder="out"):
+        with open(self.path(folder, "runs.csv")) as file:
+            return list(csv.DictReader(file))
+
+    # ---- what comes out
+
+    def test_truth_is_found_and_its_card_can_be_included(self):
+        told = self.calibrate(PLAN, "-o", "out").stdout
+        found = self.found()
+        e = found["parameters"]["e"]
+        self.assertLess(abs(e["mean"] - TRUTH), 0.03)
+        self.assertLess(e["low"], TRUTH)
+        self.assertGreater(e["high"], TRUTH)
+        self.assertEqual((found["points"], found["designed_points"], found["failed_runs"]), (9, 6, 0))
+        self.assertEqual(e["told"], "yes")
+        self.assertGreater(found["p_value"], 0.05)
+        self.assertIn(f"{e['mean']:.4g}", told)
+        with open(self.path("out/report.txt")) as file:
+            self.assertEqual(file.read(), told)
+        self.check_rows()
+        self.check_card(e["mean"])
+
+    def check_rows(self):
+        """Every run by itself: the energy of its own restitution, but for the scatter of 12 masses."""
+        rows = self.rows()
+        self.assertEqual(len(rows), 18)
+        self.assertEqual([row["seed"] for row in rows], [str(k + 1) for k in range(18)])
+        spread = 3.0 * (B - A) / math.sqrt(12.0) / (0.5 * (A + B)) / math.sqrt(GRAINS)
+        for row in rows:
+            expected = BEFORE * float(row["e [1]"])**2
+            self.assertLess(abs(float(row["bounce: kinetic_energy_J [1]"]) / expected - 1.0),
+                            4.0 * spread)
+        # the points that were added lie where the answer is
+        for row in rows[12:]:
+            self.assertLess(abs(float(row["e [1]"]) - TRUTH), 0.15)
+
+    def check_card(self, mean):
+        with open(CASE) as file:
+            text = file.read()
+        self.write("again.yaml", "include: out/card.yaml\n" + text.replace("restitution: 0.5, ", ""))
+        done = clod.run("run", "again.yaml", "-o", "again", "-t", "1", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("again/case-complete.yaml")) as file:
+            self.assertIn(f"restitution: {mean:.4g}", file.read())
+
+    def test_interrupted_it_goes_on_to_the_same_results(self):
+        self.calibrate(PLAN, "-o", "whole", "-j", "2")
+        self.write("plan.yaml", PLAN)
+        process = clod.start("calibrate", self.path("plan.yaml"), "-o", self.path("part"), "-j", "2")
+        clod.wait_until(lambda: os.path.exists(self.path("part/runs/p003-1-bounce.json")), process)
+        process.send_signal(signal.SIGTERM)
+        told = process.communicate()[1]
+        self.assertEqual(process.returncode, 143, told)
+        self.assertIn("the same command goes on", told)
+        self.assertFalse(os.path.exists(self.path("part/calibration.json")))
+        kept = {name: os.stat(self.path("part/runs", name)).st_mtime_ns
+                for name in os.listdir(self.path("part/runs")) if name.endswith(".json")}
+        self.assertGreater(len(kept), 3)
+        self.calibrate(PLAN, "-o", "part", "-j", "1")
+        for name, time in kept.items():
+            self.assertEqual(os.stat(self.path("part/runs", name)).st_mtime_ns, time, name)
+        for name in RESULTS:
+            self.assertTrue(clod.read(self.path("whole", name)) == clod.read(self.path("part", name)),
+                            name)
+
+    def test_targets_may_change_and_nothing_is_run_again(self):
+        self.calibrate(PLAN, "-o", "out")
+        before = os.stat(self.path("out/runs/p005-2-bounce.json")).st_mtime_ns
+        other = PLAN.replace("points: 9", "points: 6").replace(
+            "error: 4e-6}", "error: 8e-6}\n  - {test: bounce, number: max_overlap, value: 0.0, "
+            "error: 0.1, held_back: true}")
+        told = self.calibrate(other, "-o", "out")
+        self.assertNotIn("done after", told.stderr)
+        self.assertEqual(os.stat(self.path("out/runs/p005-2-bounce.json")).st_mtime_ns, before)
+        held = self.found()["targets"][1]
+        self.assertTrue(held["held_back"])
+        self.assertIn("held back, foretold\n", told.stdout)
+        self.assertIn("bounce: max_overlap", told.stdout)
+
+    def test_runs_that_fail_are_told_and_not_used(self):
+        plan = PLAN.replace("key: contacts.default.restitution, from: 0.2, to: 0.9",
+                            "key: contacts.default.k1, from: 1e0 N/m, to: 1e8 N/m, scale: log")
+        plan = plan.replace("seeds: 2", "seeds: 1").replace("points: 9", "points: 11").replace(
+            "kinetic_energy_J", "time_s").replace("error: 4e-6", "error: 1e-4")
+        told = self.calibrate(plan, "-o", "out")
+        failed = [row for row in self.rows() if row["failed"] != ""]
+        self.assertEqual(len(failed), self.found()["failed_runs"])
+        self.assertGreater(len(failed), 0)
+        for row in failed:
+            self.assertLess(float(row["e [N/m]"]), 1e4)
+            self.assertIn("overlap", row["failed"])
+            self.assertEqual(row["bounce: time_s [1]"], "")
+        self.assertIn(f"{len(failed)} run", told.stdout)
+        self.assertIn("runs.csv has the reasons", told.stdout)
+        self.assertIn(f"only {11 - len(failed)} of 11 runs have this number", " ".join(told.stdout.split()))
+
+    def test_target_out_of_reach_is_told(self):
+        plan = PLAN.replace(f"value: {BEFORE * TRUTH**2:.6g}", f"value: {BEFORE * 1.3:.6g}")
+        told = self.calibrate(plan.replace("points: 9", "points: 6"), "-o", "out").stdout
+        told = " ".join(told.split())
+        self.assertLess(self.found()["p_value"], 0.05)
+        self.assertIn("The targets contradict each other, or the model cannot reach them", told)
+        self.assertIn("e wants to go beyond the upper end of its range", told)
+
+    def test_budget_that_is_too_small_says_how_many_fit_and_can_be_raised(self):
+        small = PLAN.replace("points: 9", "budget: 1 ms")
+        done = self.calibrate(small, "-o", "out", code=2)
+        self.assertIn("the budget of", done.stderr)
+        self.assertIn("is too small: the first point, 2 packings of each test, took", done.stderr)
+        self.assertIn("so 0 points fit, and 1 parameter needs at least 5", done.stderr)
+        before = os.stat(self.path("out/runs/p000-1-bounce.json")).st_mtime_ns
+        with open(self.path("out/runs/p000-1-bounce.json"), "w") as file:
+            json.dump({"state": "done", "seconds": 30.0}, file)
+        with open(self.path("out/runs/p000-2-bounce.json"), "w") as file:
+            json.dump({"state": "done", "seconds": 10.0}, file)
+        # 40 s over two processes: 20 s a point, so 6 fit into 125 s; a third of them are added later
+        done = self.calibrate(PLAN.replace("points: 9", "budget: 125 s"), "-o", "out", "-j", "2")
+        self.assertIn("6 points fit", done.stderr)
+        self.assertEqual(self.found()["points"], 6)
+        self.assertGreater(before, 0)
+
+    # ---- what is refused
+
+    def refuse(self, *changes, words, files=()):
+        text = PLAN
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        for name, content in files:
+            self.write(name, content)
+        done = self.calibrate(text, "--check", code=2)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertFalse(os.path.exists(self.path("run")))
+
+    def test_wrong_plans_are_refused_with_their_places(self):
+        self.assertIn("in order", self.calibrate(PLAN, "--check").stdout)
+        self.refuse(("test: bounce", "test: bonce"),
+                    words=["plan.yaml:9:12: targets.0.test: there is no test bonce; did you mean bounce?",
+                           "            ^~~~~"])
+        self.refuse(("to: 0.9", "to: 1.9"),
+                    words=["plan.yaml:7:57: parameters.e.to: test bounce refuses it",
+                           "restitution=1.9: contacts.default.restitution: 1.9 is out of range"])
+        self.refuse(("contacts.default.restitution", "contacts.default.restitutio"),
+                    words=["did you mean restitution?"])
+        self.refuse(("to: 0.9", "to: 0.1"), words=["0.1 is not above from, 0.2"])
+        self.refuse(("from: 0.2", "from: 20 %"), words=['has the unit "", but from has "%"'])
+        self.refuse(("from: 0.2", "from: 0"), ("to: 0.9", "to: 0.9, scale: log"),
+                    words=["a log scale begins above 0"])
+        self.refuse(("points: 9", "points: 5\nbudget: 2 h"), words=["has a budget beside it"])
+        self.refuse(("points: 9\n", ""), words=["needs the key budget, for instance budget: 2 h"])
+        self.refuse(("error: 4e-6", "error: 0"), words=["0 is not above 0"])
+        self.refuse((", error: 4e-6", ""), words=["needs the key error"])
+        self.refuse(("error: 4e-6", "error: 4e-6, held_back: true"), words=["all held back"])
+        self.refuse(("case: bounce.yaml", "case: none.yaml"), words=["none.yaml: cannot be opened"])
+
+    def test_wrong_targets_of_shear_and_uniaxial_tests(self):
+        ring = ("bounce.yaml", clod.source("cases/calibrate-kadh/ring.yaml"))
+        key = ("contacts.default.restitution", "contacts.default.rolling_friction")
+        target = f"number: kinetic_energy_J, value: {BEFORE * TRUTH**2:.6g}, error: 4e-6"
+
+        def shear(new, *words, files=()):
+            self.refuse(ring, key, (target, new), words=words, files=files)
+
+        shear("number: phie, value: 40 deg, error: 1 deg", "has no number phie; did you mean phi_e?")
+        shear("number: xyzxyz, value: 40 deg, error: 1 deg", "it has phi_lin, phi_e, phi_sf, c, tau_p")
+        shear("number: phi_e, value: 95 deg, error: 1 deg",
+              "95 deg is impossible; allowed is 0.1 to 85 deg")
+        shear("number: phi_e, value: 40 kPa, error: 1 deg", "targets.0.value: 40 kPa")
+        shear("number: rho_b, value: 1.4 kg/m3, error: 0.1 kg/m3", "impossible")
+        shear("number: tau, value: 9 kPa, error: 1 kPa", "tau needs the key normal_stress")
+        shear("number: tau, value: 9 kPa, error: 1 kPa, normal_stress: 60 kPa",
+              "60 kPa is outside the shear_stresses of test bounce")
+        shear("number: phi_e, value: 9 deg, error: 1 deg, normal_stress: 60 kPa", "phi_e has none")
+        shear("number: phi_e, value: 30 deg, error: 1 deg}\n  - {test: bounce, number: phi_lin, value: 40 "
+              "deg, error: 1 deg", "phi_e 30.0 deg is below phi_lin 40.0 deg")
+        shear("number: c, value: 3 kPa, error: 0.1 kPa}\n  - {test: bounce, number: c, value: 4 kPa, "
+              "error: 0.1 kPa", "7.1 standard errors apart: they contradict each other")
+        head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
+        points = "54.8,40,{0},20\n54.8,40,30,30\n54.8,40,40,35\n"
+        shear("locus: lab.csv, error: 1 kPa", "5 kPa is outside the shear_stresses",
+              files=[("lab.csv", head + points.format(5))])
+        shear("locus: lab.csv", "the table has no tau_sh_error at 12 kPa",
+              files=[("lab.csv", head + points.format(12))])
+        shear("locus: lab.csv, error: 1 kPa", "no points with the preshear stress of test bounce, 54.8 kPa",
+              files=[("lab.csv", head + points.format(12).replace("54.8", "60"))])
+        uniaxial = ("bounce.yaml", clod.source("cases/copper-ore-uniaxial/case.yaml"))
+        self.refuse(uniaxial, key, (target, "number: sigma_c, normal_stress: 30 kPa, value: 9 kPa, "
+                                            "error: 1 kPa"),
+                    words=["30 kPa is not among the consolidation_stresses"])
+
+    def test_measured_locus_becomes_targets(self):
+        """Prorated by hand: mean tau_p 40 kPa, so 20 kPa with tau_p 38 is 21.05 kPa."""
+        self.write("lab.csv", "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],tau_sh_error [kPa]\n"
+                              "54.8,38,12,20,0.5\n54.8,42,30,30,0.6\n54.8,40,40,35,0.7\n")
+        ring = clod.source("cases/calibrate-kadh/ring.yaml")
+        text = PLAN.replace("bounce.yaml", ring).replace("default.restitution", "default.rolling_friction")
+        text = text[:text.index("targets:")] + "targets: [{test: bounce, locus: lab.csv}]\n"
+        self.assertIn("in order", self.calibrate(text, "--check").stdout)
+
+    def test_unknown_number_of_a_free_run_is_told_after_the_first_point(self):
+        plan = PLAN.replace("kinetic_energy_J", "kinetic_energy")
+        done = self.calibrate(plan, "-o", "out", code=2)
+        self.assertIn("p000-1-bounce/summary.json has no number kinetic_energy", done.stderr)
+        self.assertIn("did you mean kinetic_energy_J?", done.stderr)
+        self.assertFalse(os.path.exists(self.path("out/runs/p001-1-bounce")))
+
+    def test_folder_of_another_plan_is_refused(self):
+        self.calibrate(PLAN.replace("kinetic_energy_J", "nothing"), "-o", "out", code=2)
+        done = self.calibrate(PLAN.replace("to: 0.9", "to: 0.8"), "-o", "out", code=2)
+        self.assertIn("out has runs of another plan", done.stderr)
+
+    def test_case_that_fails_in_the_middle_ends_it(self):
+        with open(CASE) as file:
+            text = file.read()
+        self.write("bounce.yaml", text.replace("k1: 1e5", "k1: 1e1"))
+        done = self.calibrate(PLAN, "-o", "out", code=1)
+        self.assertIn("Test bounce fails in the middle of all ranges", done.stderr)
+
+    def test_template_is_in_order(self):
+        self.assertEqual(clod.run("new", "calibrate", cwd=self.folder).returncode, 0)
+        done = clod.run("calibrate", "calibrate.yaml", "--check", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        wrong = clod.run("run", "calibrate.yaml", cwd=self.folder)
+        self.assertEqual(wrong.returncode, 2)
+        self.assertIn("clod calibrate reads it", wrong.stderr)
+        wrong = clod.run("calibrate", "bounce.yaml", cwd=self.folder)
+        self.assertEqual(wrong.returncode, 2)
+        self.assertIn("clod run reads it", wrong.stderr)
+
+
+if __name__ == "__main__":
+    clod.unittest.main()

@@ -1,0 +1,153 @@
+/**
+ * Posteriors. Expected: of a linear model without noise the normal distribution that the measured value
+ * and its error give; p values of targets that agree and of such that cannot.
+ */
+
+#include "calibrate/posterior.h"
+#include "plan_made.h"
+#include "support/check.h"
+
+#define POINTS 12
+
+static double places[POINTS], results[POINTS][2][2];
+
+/** Two targets, 10 + 20 u and 5 - 4 u. */
+static clod_posterior *make(plan_made *made)
+{
+    for (int i = 0; i < POINTS; i++) {
+        places[i] = ((double)i + 0.5) / POINTS;
+        for (int s = 0; s < 2; s++) {
+            results[i][s][0] = 10.0 + 20.0 * places[i];
+            results[i][s][1] = 5.0 - 4.0 * places[i];
+        }
+    }
+    const clod_posterior_runs runs = {&made->plan, POINTS, places, &results[0][0][0]};
+    clod_status status = {CLOD_OK, ""};
+    clod_posterior *self = clod_posterior_create(&runs, &status);
+    if (self == NULL) {
+        print_error("%s\n", status.text);
+    }
+    assert_non_null(self);
+    return self;
+}
+
+/** One target of 18 +- 1: u = 0.4 +- 0.05; 90 % within 1.645 deviations. The other one is foretold as
+ *  5 - 4 u = 3.4 +- 0.2, and measured with an error of 0.3: 90 % within 1.645 hypot(0.2, 0.3). */
+static void a_line_gives_a_normal_posterior(void **state)
+{
+    (void)state;
+    plan_made made;
+    plan_make(&made, 1, 2);
+    made.targets[0].value = 18.0;
+    made.targets[0].error = 1.0;
+    made.targets[1].value = 3.0;
+    made.targets[1].error = 0.3;
+    made.targets[1].held_back = true;
+    clod_posterior *self = make(&made);
+    const clod_posterior_parameter *u = &self->parameters[0];
+    assert_true(u->effective > 1000.0);
+    check_at_most(u->rhat, 1.01);
+    check_close(u->mean, 0.4, 0.005);
+    check_relative(u->deviation, 0.05, 0.05);
+    check_close(u->low, 0.4 - 1.645 * 0.05, 0.008);
+    check_close(u->high, 0.4 + 1.645 * 0.05, 0.008);
+    check_relative(u->width, 2.0 * 1.645 * 0.05 / 0.9, 0.06);
+    assert_true(self->used == 1);
+    check_close(self->targets[1].mean, 3.4, 0.02);
+    check_close(self->targets[1].high - self->targets[1].low, 2.0 * 1.645 * hypot(0.2, 0.3),
+                0.08);
+    check_close(self->targets[1].off, -0.4 / hypot(0.2, 0.3), 0.08);
+    assert_true(self->p_value > 0.2);
+    clod_posterior_destroy(&self);
+}
+
+/** A discrepancy is added to the error in squares: hypot(0.6, 0.8) = 1. */
+static void a_discrepancy_widens(void **state)
+{
+    (void)state;
+    plan_made made;
+    plan_make(&made, 1, 2);
+    made.targets[0].value = 18.0;
+    made.targets[0].error = 0.6;
+    made.targets[0].discrepancy = 0.8;
+    made.targets[1].error = 1.0;
+    made.targets[1].held_back = true;
+    clod_posterior *self = make(&made);
+    check_relative(self->parameters[0].deviation, 0.05, 0.05);
+    clod_posterior_destroy(&self);
+}
+
+/** Targets that want u = 0.2 and u = 0.8 within 0.02: nothing between suits both. */
+static void targets_that_contradict_each_other_are_seen(void **state)
+{
+    (void)state;
+    plan_made made;
+    plan_make(&made, 1, 2);
+    made.targets[0].value = 14.0;
+    made.targets[0].error = 0.4;
+    made.targets[1].value = 1.8;
+    made.targets[1].error = 0.08;
+    clod_posterior *self = make(&made);
+    check_at_most(self->p_value, 1e-6);
+    check_close(self->parameters[0].mean, 0.5, 0.01);
+    made.targets[0].value = 26.0; // u = 0.8, as the other
+    clod_posterior_destroy(&self);
+    self = make(&made);
+    assert_true(self->p_value > 0.2);
+    check_close(self->parameters[0].mean, 0.8, 0.005);
+    check_relative(self->parameters[0].deviation, 0.02 / sqrt(2.0), 0.06);
+    clod_posterior_destroy(&self);
+}
+
+/** A target out of reach pushes the parameter to its end. */
+static void an_end_of_the_range_is_seen(void **state)
+{
+    (void)state;
+    plan_made made;
+    plan_make(&made, 1, 2);
+    made.targets[0].value = 34.0;
+    made.targets[0].error = 1.0;
+    made.targets[1].error = 1.0;
+    made.targets[1].held_back = true;
+    clod_posterior *self = make(&made);
+    assert_true(self->parameters[0].above > 0.5 && self->parameters[0].below < 0.01);
+    check_at_most(self->p_value, 0.01); // at least 4 deviations: 30 at most
+    clod_posterior_destroy(&self);
+}
+
+/** Noisy runs, and none between 0.5 and 0.8, where the posterior is: the next two go there. */
+static void further_points_go_where_least_is_known(void **state)
+{
+    (void)state;
+    plan_made made;
+    plan_make(&made, 1, 1);
+    made.plan.seeds = 1;
+    made.targets[0].value = 1.0;
+    made.targets[0].error = 0.3;
+    double u[10], y[10];
+    for (int i = 0; i < 10; i++) {
+        u[i] = i < 6 ? 0.1 * i : 0.8 + 0.06 * (i - 6);
+        y[i] = sin(M_PI * u[i]) + 0.2 * u[i] * u[i];
+    }
+    const clod_posterior_runs runs = {&made.plan, 10, u, y};
+    clod_status status = {CLOD_OK, ""};
+    clod_posterior *self = clod_posterior_create(&runs, &status);
+    assert_non_null(self);
+    double next[2];
+    assert_true(clod_posterior_refine(&made.plan, self, 2, next, &status));
+    assert_true(next[0] > 0.5 && next[0] < 0.8);
+    assert_true(next[1] != next[0]);
+    clod_posterior_destroy(&self);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_line_gives_a_normal_posterior),
+        cmocka_unit_test(a_discrepancy_widens),
+        cmocka_unit_test(targets_that_contradict_each_other_are_seen),
+        cmocka_unit_test(an_end_of_the_range_is_seen),
+        cmocka_unit_test(further_points_go_where_least_is_known),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
