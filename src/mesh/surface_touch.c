@@ -49,8 +49,7 @@ static bool is_same_place(const clod_surface_hit *contact, const clod_surface_hi
 /** Distance between two facets, beside the closest point of the first [m]. */
 static double gap(const clod_surface_hit *from, const clod_surface_hit *to)
 {
-    const clod_vec3 over =
-        clod_surface_facet_closest(to->of, from->at.point).point;
+    const clod_vec3 over = clod_surface_facet_closest(to->of, from->at.point).point;
     return apart(from, over);
 }
 
