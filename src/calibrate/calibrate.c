@@ -37,7 +37,8 @@ static bool put_all(const clod_plan *plan, const clod_runs *runs, const clod_stu
     *result = (clod_result){.plan = plan, .study = study, .runs = runs};
     clod_result_warn(result);
     *report = clod_result_table(result);
-    const bool good = put(runs->folder, "card.yaml", clod_result_card(result), status) &&
+    const bool good = clod_folder_write(runs->folder, "plan.yaml", plan->text, status) &&
+                      put(runs->folder, "card.yaml", clod_result_card(result), status) &&
                       put(runs->folder, "posterior.csv", clod_result_samples(result), status) &&
                       put(runs->folder, "calibration.json", clod_result_json(result), status) &&
                       put(runs->folder, "report.txt", clod_memory_text(*report), status);

@@ -90,7 +90,8 @@ bool clod_plan_load(const char *path, clod_plan *self, clod_status *status)
         return false;
     }
     self->path = clod_memory_text(path);
-    const bool good = (self->path != NULL ||
+    self->text = clod_memory_text(text);
+    const bool good = ((self->path != NULL && self->text != NULL) ||
                        clod_status_fail(status, CLOD_FAILED, "No memory for the plan.")) &&
                       read_text(path, text, length, self, status);
     clod_memory_free(text);
@@ -104,6 +105,7 @@ void clod_plan_fini(clod_plan *self)
     }
     clod_memory_free(self->targets);
     clod_memory_free(self->path);
+    clod_memory_free(self->text);
     clod_load_free(&CLOD_TABLE_PLAN, self);
     *self = (clod_plan){0};
 }

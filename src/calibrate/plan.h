@@ -77,7 +77,7 @@ typedef struct clod_plan {
     clod_plan_sampling sampling;
     clod_plan_target *targets; ///< [target_count] owned
     size_t target_count;
-    char *path; ///< owned
+    char *path, *text; ///< owned: of its file
 } clod_plan;
 
 /**

@@ -8,7 +8,10 @@
 #include <string.h>
 
 #include "base/json.h"
+#include "base/memory.h"
 #include "calibrate/result.h"
+
+#define SECTION 40 ///< steps of a section
 
 static json_t *parameter(const clod_result *self, size_t k)
 {
@@ -30,6 +33,42 @@ static json_t *parameter(const clod_result *self, size_t k)
         clod_json_number(one->width), "told", CLOD_RESULT_TOLD_NAMES[clod_result_told_of(one)],
         "rhat", clod_json_number(one->rhat), "effective_samples",
         clod_json_number(one->effective), "correlations", tied);
+}
+
+/** The surrogate along one parameter, the others at the posterior's means. */
+static json_t *section(const clod_result *self, const clod_posterior_target *one, size_t k,
+                       double factor, double *room)
+{
+    const clod_posterior *from = self->study->posterior;
+    double place[CLOD_PLAN_PARAMETERS];
+    json_t *at = json_array();
+    json_t *mean = json_array();
+    json_t *deviation = json_array();
+    for (size_t m = 0; m < from->dimensions; m++) {
+        place[m] = from->parameters[m].mean;
+    }
+    for (int i = 0; i <= SECTION; i++) {
+        place[k] = (double)i / SECTION;
+        const clod_surrogate_value told = clod_surrogate_at(one->surrogate, place, room);
+        json_array_append_new(
+            at, clod_json_number(clod_plan_number(&self->plan->parameters[k], place[k])));
+        json_array_append_new(mean, clod_json_number(factor * told.mean));
+        json_array_append_new(deviation, clod_json_number(factor * sqrt(told.variance)));
+    }
+    return json_pack("{s:o, s:o, s:o}", "at", at, "mean", mean, "deviation", deviation);
+}
+
+static json_t *sections(const clod_result *self, const clod_posterior_target *one,
+                        double factor)
+{
+    json_t *all = json_object();
+    double *room = clod_memory_alloc(clod_surrogate_room(one->surrogate), sizeof *room);
+    for (size_t k = 0; room != NULL && k < self->plan->parameter_count; k++) {
+        json_object_set_new(all, self->plan->parameters[k].name,
+                            section(self, one, k, factor, room));
+    }
+    clod_memory_free(room);
+    return all;
 }
 
 static json_t *surrogate(const clod_posterior_target *one, const clod_plan *plan, double factor)
@@ -72,6 +111,7 @@ static json_t *target(const clod_result *self, size_t t)
         "model", clod_json_number(f * one->mean), "low", clod_json_number(f * one->low), "high",
         clod_json_number(f * one->high), "off", clod_json_number(one->off), "surrogate",
         surrogate(one, self->plan, f));
+    json_object_set_new(json_object_get(made, "surrogate"), "sections", sections(self, one, f));
     if (of->normal_stress > 0.0) {
         json_object_set_new(made, "normal_stress_Pa", clod_json_number(of->normal_stress));
     }

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "output/folder.h"
+#include "report/calibration_page.h"
 #include "report/cards.h"
 #include "report/grain_view.h"
 #include "report/head.h"
@@ -79,24 +80,55 @@ static char *name_page(const clod_report_options *options)
     return path;
 }
 
-bool clod_report_write(const clod_report_options *options, char **path, clod_status *status)
+/** The page of a calibration, which is no run of a case. */
+static bool write_calibration(const clod_report_options *options, const char *path,
+                              clod_status *status)
+{
+    clod_sheet sheet = {0};
+    char *title = NULL;
+    const bool good =
+        (options->lab == NULL ||
+         clod_status_fail(
+             status, CLOD_USAGE,
+             "%s is a calibration: its plan names what was measured; leave out --lab",
+             options->runs[0])) &&
+        clod_sheet_open(&sheet, status) &&
+        clod_calibration_page_put(&sheet, options->runs[0], &title, status) &&
+        clod_sheet_write(&sheet, title, path, status);
+    clod_sheet_fini(&sheet);
+    clod_memory_free(title);
+    return good;
+}
+
+/** The page of a run. */
+static bool write_run(const clod_report_options *options, const char *path, clod_status *status)
 {
     clod_run_files run;
     clod_sheet sheet = {0};
     json_t *lab = NULL;
-    *path = name_page(options);
-    bool good = *path != NULL || fail_memory(status);
-    good = clod_run_files_open(&run, options->runs[0], status) && good;
+    bool good = clod_run_files_open(&run, options->runs[0], status);
     if (good && options->lab != NULL) {
         lab = run.kind == CLOD_RUN_WALL ? clod_wall_page_lab(options->lab, status)
                                         : clod_shear_lab(options->lab, &run, status);
         good = lab != NULL;
     }
     good = good && clod_sheet_open(&sheet, status) && put_run(&sheet, &run, lab, status) &&
-           clod_sheet_write(&sheet, run.title, *path, status);
+           clod_sheet_write(&sheet, run.title, path, status);
     clod_sheet_fini(&sheet);
     json_decref(lab);
     clod_run_files_fini(&run);
+    return good;
+}
+
+bool clod_report_write(const clod_report_options *options, char **path, clod_status *status)
+{
+    *path = name_page(options);
+    if (*path == NULL) {
+        return fail_memory(status);
+    }
+    const bool good = clod_calibration_page_is(options->runs[0])
+                          ? write_calibration(options, *path, status)
+                          : write_run(options, *path, status);
     if (!good) {
         clod_memory_free(*path);
         *path = NULL;

@@ -23,7 +23,7 @@ typedef struct clod_report_options {
 } clod_report_options;
 
 /**
- * Write the page of one run: warnings, results, curves, tables, a view of its last snapshot, case
+ * Write the page of one run, or of a calibration: warnings, results, curves, tables, a view of its last snapshot, case
  * and provenance; and each figure as SVG beside it. The run may still be going on.
  *
  * @param options  with one run

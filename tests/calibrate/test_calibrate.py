@@ -13,7 +13,9 @@ import signal
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report"))
 import clod
+import pages
 
 CASE = clod.source("tests/calibrate/bounce.yaml")
 A, B, RHO, GRAINS = 1.8e-3, 2.2e-3, 2500.0, 12
@@ -77,6 +79,7 @@ class Calibrate(clod.Case):
             self.assertEqual(file.read(), told)
         self.check_rows()
         self.check_card(e["mean"])
+        self.check_page(e)
 
     def check_rows(self):
         """Every run by itself: the energy of its own restitution, but for the scatter of 12 masses."""
@@ -91,6 +94,20 @@ class Calibrate(clod.Case):
         # the points that were added lie where the answer is
         for row in rows[12:]:
             self.assertLess(abs(float(row["e [1]"]) - TRUTH), 0.15)
+
+    def check_page(self, e):
+        """Numbers of the page are those of the files, and its figure has every run."""
+        self.assertEqual(clod.run("report", "out", cwd=self.folder).returncode, 0)
+        page = pages.load(self.path("out/report.html"))
+        self.assertIn(f"{e['mean']:.4g}", page.row("e"))
+        figure = page.figures["target"]
+        self.assertEqual(figure["title"], "bounce: kinetic_energy_J over e")
+        points = [curve for curve in figure["curves"] if curve["name"] == "runs"][0]
+        rows = self.rows()
+        self.assertEqual([float(x) for x in points["x"]], [float(row["e [1]"]) for row in rows])
+        self.assertEqual([float(y) for y in points["y"]],
+                         [float(row["bounce: kinetic_energy_J [1]"]) for row in rows])
+        self.assertTrue(os.path.exists(self.path("out/report-target.svg")))
 
     def check_card(self, mean):
         with open(CASE) as file:
