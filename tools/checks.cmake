@@ -38,7 +38,7 @@ clod_add_check(lint/cppcheck 1800 cppcheck --enable=warning,performance,portabil
 # UndefinedBehaviorSanitizer, the fuzz targets, and the threaded tests under ThreadSanitizer.
 set(CLOD_CTEST ${CMAKE_CTEST_COMMAND} --output-on-failure --no-tests=error -j2 -LE "^slow$")
 clod_add_check(build/asan 3600 tools/build-tree asan ${CMAKE_BINARY_DIR}/asan)
-clod_add_check(build/tsan 3600 tools/build-tree tsan ${CMAKE_BINARY_DIR}/tsan)
+clod_add_check(build/tsan 3600 tools/build-tree tsan ${CMAKE_BINARY_DIR}/tsan threaded)
 clod_add_check(lint/tidy 1800 tools/check-tidy ${CMAKE_BINARY_DIR}/asan ${CLOD_COMPILED})
 clod_add_check(sanitize/asan 5400 ${CLOD_CTEST} --test-dir ${CMAKE_BINARY_DIR}/asan)
 clod_add_check(sanitize/tsan 3600 ${CLOD_CTEST} --test-dir ${CMAKE_BINARY_DIR}/tsan

@@ -11,8 +11,8 @@
 pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
 
 set(CLOD_TEST_SECONDS 1200) # only ends what hangs, on a busy machine too
-set(CLOD_FUZZ_SECONDS 20)
-set(CLOD_FUZZ_SECONDS_fuzz_mesh 60) # it has a library of others behind it, and three formats
+set(CLOD_FUZZ_SECONDS 10)
+set(CLOD_FUZZ_SECONDS_fuzz_mesh 30) # it has a library of others behind it, and three formats
 set(CLOD_TEST_ENVIRONMENT CLOD_BINARY=${CMAKE_BINARY_DIR}/clod)
 if(MPI_FOUND)
   list(APPEND CLOD_TEST_ENVIRONMENT CLOD_MPI=1)
@@ -40,6 +40,9 @@ function(clod_add_program name source)
   target_compile_definitions(${name} PRIVATE CLOD_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 endfunction()
 
+# All that the tests with the labels parallel and step need.
+add_custom_target(threaded DEPENDS clod)
+
 file(GLOB CLOD_TEST_SOURCES CONFIGURE_DEPENDS tests/*/test_*.c)
 if(NOT TARGET clod_calibrate)
   list(FILTER CLOD_TEST_SOURCES EXCLUDE REGEX "tests/calibrate/")
@@ -57,6 +60,9 @@ foreach(source IN LISTS CLOD_TEST_SOURCES)
   endif()
   clod_add_program(${name} ${source})
   target_link_libraries(${name} PRIVATE PkgConfig::CMOCKA)
+  if(folder MATCHES "^(parallel|step)$")
+    add_dependencies(threaded ${name})
+  endif()
   add_test(NAME ${folder}/${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   set_tests_properties(${folder}/${name} PROPERTIES LABELS "${labels}"
     TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")

@@ -196,6 +196,7 @@ class Clumps(clod.Case):
             self.assertEqual(summary["history_map"]["samples"], looks)
             self.assertEqual(summary["history_map"]["since_s"], clumps["since_s"])
 
+    @clod.quick_only
     def test_rain_wet_and_dry(self):
         """Wet grains that touch are clumps, dry ones are none; what rests is no more than is
         there, and most of what is on the floor at the end."""
@@ -246,6 +247,7 @@ class Clumps(clod.Case):
         self.assertEqual(summaries[0], summaries[1])
         self.assertEqual(summaries[0], summaries[2])
 
+    @clod.quick_only
     def test_measures_change_nothing(self):
         """Grains go the same ways with them and without."""
         self.write_rain(k_adh=2.5e6)

@@ -55,11 +55,13 @@ class Face(clod.Case):
                                    delta=1e-10 * (1.0 + inside))
         self.assertEqual(self.summary("out")["contacts"], 0)
 
+    @clod.quick_only
     def test_a_disc(self):
         area = math.pi * 0.06**2
         # the normal is along the velocity: solid fraction 0.2 at sqrt(5) m/s
         self.stream(DISC, 0.2 * area * math.sqrt(5.0) * 2500.0, area)
 
+    @clod.quick_only
     def test_a_rectangle(self):
         # normal (0.6, 0, -0.8): 2.2 m/s along it through 120 x 100 mm
         self.stream(RECTANGLE, 0.2 * 0.012 * 2.2 * 2500.0, 0.012)

@@ -63,6 +63,7 @@ class Mix(clod.Case):
         for word in words:
             self.assertIn(word, done.stderr)
 
+    @clod.quick_only
     def test_the_mix_while_it_flows(self):
         """5 and 3 kg/s of two materials: each to half a grain and a ms, over a second 0.1 %."""
         self.write(group("ore", "mass_flow: 5 kg/s"),

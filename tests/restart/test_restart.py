@@ -61,10 +61,10 @@ class Restart(clod.Case):
         return lambda: any(fields.items() <= event.items() for event in clod.log(folder))
 
     def test_signals(self):
-        for number, event, what, threads in ((signal.SIGINT, "phase", {"to": "lower"}, "2"),
-                                             (signal.SIGTERM, "phase", {"to": "shear"}, "1"),
-                                             (signal.SIGINT, "finished", {"part": "reverse"},
-                                              "4")):
+        moments = ((signal.SIGINT, "phase", {"to": "shear"}, "2"),
+                   (signal.SIGTERM, "phase", {"to": "lower"}, "1"),
+                   (signal.SIGINT, "finished", {"part": "reverse"}, "4"))
+        for number, event, what, threads in moments[:1] if clod.SANITIZED else moments:
             with self.subTest(number=number, event=event, what=what, threads=threads):
                 folder = self.path("-".join(what.values()))
                 self.interrupt(RING, folder, number, self.has(folder, event=event, **what),
@@ -83,8 +83,8 @@ class Restart(clod.Case):
         self.go_on(RING, folder, "-t", "1")
 
     def test_free_run(self):
-        for number, stage, threads in ((signal.SIGINT, "compress", "1"),
-                                       (signal.SIGTERM, "drag", "2")):
+        moments = ((signal.SIGTERM, "drag", "2"), (signal.SIGINT, "compress", "1"))
+        for number, stage, threads in moments[:1] if clod.SANITIZED else moments:
             with self.subTest(stage=stage):
                 folder = self.path(stage)
                 self.interrupt(BOX, folder, number, self.has(folder, event="phase", to=stage),
@@ -94,7 +94,7 @@ class Restart(clod.Case):
 
     def test_jenike(self):
         folder = self.path("jenike")
-        for phase in ("twist", "preshear", "shear"):
+        for phase in ("shear",) if clod.SANITIZED else ("twist", "preshear", "shear"):
             self.interrupt(JENIKE, folder, signal.SIGTERM,
                            self.has(folder, event="phase", to=phase), "-t", "1")
         self.go_on(JENIKE, folder, "-t", "2")

@@ -7,6 +7,7 @@
 
 #include "output/temp_folder.h"
 #include "support/mesh_file.h"
+#include "support/sanitized.h"
 #include "support/sim_made.h"
 
 #define DRUM 0.03 ///< m, radius
@@ -147,7 +148,7 @@ static void a_drum_of_facets_is_a_cylinder(void **temporary)
         "  ends: {material: end, shapes: [{plane: {point: [0 m, 0 m, 0 m], normal: [0, 0, 1]}}, "
         "{plane: {point: [0 m, 0 m, 20 mm], normal: [0, 0, -1]}}]}\n"};
     clod_sim *sim = make(&drum, true, round_shape(DRUM_SHAPE, DRUM, 0.0));
-    for (int k = 0; k < 5; k++) {
+    for (int k = 0; k < (sanitized() ? 2 : 5); k++) {
         double mesh[4], outer[4], inner[4];
         CHECK(clod_sim_advance(sim, 10000, &status));
         feel(&drum, sim, shapes_of(&file), mesh);
@@ -177,7 +178,7 @@ static void a_hopper_of_facets_is_a_cone(void **temporary)
         "  ends: {material: bead, shapes: [{plane: {point: [0 m, 0 m, 0 m], normal: [0, 0, 1]}}, "
         "{cylinder: {foot: [0 m, 0 m, 34.64 mm], radius: 30 mm, length: 85 mm}}]}\n"};
     clod_sim *sim = make(&hopper, true, round_shape(HOPPER_SHAPE, ORIFICE, WIDE));
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < (sanitized() ? 1 : 3); k++) {
         double mesh[4], outer[4], inner[4];
         CHECK(clod_sim_advance(sim, 10000, &status));
         feel(&hopper, sim, shapes_of(&file), mesh);
