@@ -86,6 +86,13 @@ static void warn_targets(clod_result *self)
                 "%s: only %zu of %zu runs have this number; the others failed or do not define it.",
                 self->plan->targets[t].name, one->runs, all);
         }
+        const clod_plan_target *of = &self->plan->targets[t];
+        if (of->held_back && (of->value < one->low || of->value > one->high)) {
+            warn(self,
+                 "%s was held back and is missed: measured %.4g, foretold %.4g to %.4g %s.",
+                 of->name, of->measure.factor * of->value, of->measure.factor * one->low,
+                 of->measure.factor * one->high, of->measure.unit);
+        }
         if (one->checked && one->check.q2 < LEAST_Q2) {
             warn(
                 self,
