@@ -11,8 +11,8 @@
 pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
 
 set(CLOD_TEST_SECONDS 1200) # only ends what hangs, on a busy machine too
-set(CLOD_FUZZ_SECONDS 10)
-set(CLOD_FUZZ_SECONDS_fuzz_mesh 30) # it has a library of others behind it, and three formats
+set(CLOD_FUZZ_SECONDS 20)
+set(CLOD_FUZZ_SECONDS_fuzz_mesh 60) # it has a library of others behind it, and three formats
 set(CLOD_TEST_ENVIRONMENT CLOD_BINARY=${CMAKE_BINARY_DIR}/clod)
 if(MPI_FOUND)
   list(APPEND CLOD_TEST_ENVIRONMENT CLOD_MPI=1)
