@@ -84,7 +84,7 @@ bool bench_bed_read(const char *csv, const char *box, clod_state *state, clod_st
     FILE *grains = fopen(csv, "r");
     FILE *periods = fopen(box, "r");
     bool ok = false;
-    *state = (clod_state){.gravity = {0.0, 0.0, -9.81}, .build_motion = -1.0};
+    *state = (clod_state){.gravity = {0.0, 0.0, -9.81}, .build_motion = -1.0, .adhesion = 1.0};
     if (grains == NULL || periods == NULL) {
         clod_status_fail(status, CLOD_USAGE, "cannot open %s", grains == NULL ? csv : box);
     } else if (!read_box(periods, state)) {

@@ -7,6 +7,9 @@
  *              [--simd SET] [--ledger] [--stages] [--peak] [--checkpoint FOLDER]
  *   bench_step --version
  *
+ * Under mpirun all ranks step the bed. Then memory is told of each phase: when the bed has been dealt,
+ * in steps, and when rank 0 has gathered it; every other rank tells its own in a line at the end.
+ *
  * The packing and the laws (mepa, hertz, hertz-rolling) are those of bed.h. The clock runs over
  * `steps` after `warm` steps. --stages says what thread 0 spends in each stage, waiting for the
  * others included. --peak makes the near list anew in one more step, and all lists in another,
@@ -20,6 +23,7 @@
 #include <string.h>
 
 #include "bed.h"
+#include "clod/ranks.h"
 #include "clod/version.h"
 #include "output/checkpoint.h"
 #include "stages.h"
@@ -40,8 +44,8 @@ typedef struct measured {
     clod_energies energies;
     double contacts;
     int64_t rebuilds;
-    double writing;                                     ///< s, of the last checkpoint
-    long rss_empty, rss_stepped, rss_peak, rss_written; ///< kB
+    double writing; ///< s, of the last checkpoint
+    long rss_empty, rss_dealt, rss_stepped, rss_peak, rss_written; ///< kB
 } measured;
 
 static const struct option OPTIONS[] = {
@@ -141,6 +145,16 @@ static long rss(void)
     return kilobytes;
 }
 
+/** Let the largest memory be that of now; where the system cannot, it stays that so far. */
+static void forget_rss(void)
+{
+    FILE *file = fopen("/proc/self/clear_refs", "w");
+    if (file != NULL) {
+        fputs("5", file);
+        fclose(file);
+    }
+}
+
 /** One step in which the near list is made anew, as if a wall had gone too far; then one in which
  *  all lists are. */
 static bool remake(clod_step *step, clod_status *status)
@@ -192,9 +206,12 @@ static bool measure(const options *o, clod_step *step, measured *m, clod_status 
     const bool ok = o->stages ? bench_stages_advance(step, o->steps, m->stage, status)
                               : clod_step_advance(step, o->steps, status);
     m->wall = bench_now() - begin;
+    if (step->crew != NULL) { // of now, without that of the deal
+        forget_rss();
+    }
     m->rss_stepped = rss();
     m->rebuilds = step->rebuilds;
-    const bool good = ok && (!o->peak || remake(step, status));
+    const bool good = ok && (!o->peak || remake(step, status)) && clod_step_see(step, status);
     m->rss_peak = rss();
     m->contacts = count_contacts(step);
     if (!good ||
@@ -235,15 +252,37 @@ static void report(const options *o, clod_step *step, const measured *m)
     if (o->folder != NULL) {
         printf("\"checkpoint_s\": %.4g, \"rss_written_kB\": %ld, ", m->writing, m->rss_written);
     }
+    printf("\"ranks\": %d, \"rss_dealt_kB\": %ld, ", clod_ranks_size(o->step.ranks),
+           m->rss_dealt);
     printf("\"rss_empty_kB\": %ld, \"rss_stepped_kB\": %ld, \"rss_peak_kB\": %ld}\n",
            m->rss_empty, m->rss_stepped, m->rss_peak);
 }
 
+/** Another rank than the first: what it takes, and at most. */
+static void serve(clod_ranks *ranks)
+{
+    const long empty = rss();
+    clod_ranks_serve(ranks);
+    const long most = rss();
+    printf("{\"rank\": %d, \"rss_empty_kB\": %ld, \"rss_most_kB\": %ld}\n",
+           clod_ranks_number(ranks), empty, most);
+}
+
 int main(int argc, char **argv)
 {
-    const options o = read_options(argc, argv);
-    measured m = {.rss_empty = rss()};
     clod_status status = {0};
+    clod_ranks *ranks = clod_ranks_open(&status);
+    if (ranks == NULL) {
+        give_up(status.text);
+    }
+    if (clod_ranks_number(ranks) > 0) {
+        serve(ranks);
+        clod_ranks_close(&ranks);
+        return 0;
+    }
+    options o = read_options(argc, argv);
+    o.step.ranks = ranks;
+    measured m = {.rss_empty = rss()};
     clod_state state;
     clod_law law;
     clod_step step;
@@ -253,12 +292,16 @@ int main(int argc, char **argv)
     }
     state.dt = TIME_STEP;
     const clod_laws laws = {.materials = 1, .count = 1, .law = &law};
-    if (!clod_step_init(&step, &state, &laws, &o.step, &status) ||
-        !measure(&o, &step, &m, &status)) {
+    if (!clod_step_init(&step, &state, &laws, &o.step, &status)) {
+        give_up(status.text);
+    }
+    m.rss_dealt = rss();
+    if (!measure(&o, &step, &m, &status)) {
         give_up(status.text);
     }
     report(&o, &step, &m);
     clod_step_fini(&step);
     clod_state_fini(&state);
+    clod_ranks_close(&ranks);
     return 0;
 }

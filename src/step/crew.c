@@ -48,13 +48,13 @@ bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_st
                             .overlap_limit = options->overlap_limit,
                             .balance = options->balance};
     snprintf(what.simd, sizeof what.simd, "%s", options->simd != NULL ? options->simd : "");
+    drop_lists(whole, options);
     give_order(self, what);
     if (!clod_crew_part_begin(self, &what, status)) {
         clod_crew_part_end(self);
         clod_memory_free(self);
         return false;
     }
-    drop_lists(whole, options);
     whole->crew = self;
     return true;
 }
@@ -124,7 +124,10 @@ static void conclude(clod_crew *self, bool good, const clod_status *status)
 {
     clod_step *whole = self->whole;
     clod_crew_state_copy(whole->state, &self->state);
-    self->stale = true;
+    if (!self->stale) {
+        clod_crew_state_forget(whole->state);
+        self->stale = true;
+    }
     whole->rebuilds = self->rebuilds + self->step.rebuilds;
     whole->refreshes = self->refreshes + self->step.refreshes;
     if (!good && (self->step.failed || self->broken)) {

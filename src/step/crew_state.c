@@ -75,6 +75,27 @@ void clod_crew_state_copy(clod_state *to, const clod_state *from)
     }
 }
 
+void clod_crew_state_forget(clod_state *state)
+{
+    clod_grains *grains = &state->grains;
+    const size_t rows = grains->capacity;
+#define FORGET(array, count)                                                                   \
+    clod_memory_give_back(array, (count) * sizeof *(array), (count) * sizeof *(array))
+    FORGET(grains->position, rows);
+    FORGET(grains->velocity, rows);
+    FORGET(grains->angular_velocity, rows);
+    FORGET(grains->load, rows);
+    FORGET(grains->id, rows);
+    FORGET(grains->birth, rows);
+    FORGET(grains->material, rows);
+    if (grains->before != NULL) {
+        FORGET(grains->before, rows);
+    }
+    FORGET(state->build_position, state->build_capacity);
+    FORGET(state->contacts, state->contact_capacity);
+#undef FORGET
+}
+
 void clod_crew_state_tell(clod_ranks *ranks, clod_state *state)
 {
     numbers n;

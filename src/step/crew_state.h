@@ -14,6 +14,10 @@
 /** Copy all of a state but grains, contacts, and what its walls own. */
 void clod_crew_state_copy(clod_state *to, const clod_state *from);
 
+/** Give the memory of grains and contacts back to the system, which are elsewhere from now on: what
+ *  is in their rows is not defined then, room for them stays. */
+void clod_crew_state_forget(clod_state *state);
+
 /** The same from the state of rank 0 to the states of the others. */
 void clod_crew_state_tell(clod_ranks *ranks, clod_state *state);
 

@@ -26,21 +26,34 @@ static bool parcels_init(parcels *self, clod_ranks *ranks, clod_status *status)
     return clod_ranks_agree(ranks, good, status);
 }
 
-static void parcels_fini(parcels *self)
+/** Nothing is to be sent any more: a whole bed may have been in it. */
+static void parcels_empty(parcels *self)
 {
     for (int r = 0; self->out != NULL && r < self->ranks; r++) {
         clod_bytes_fini(&self->out[r]);
     }
-    clod_memory_free(self->out);
-    clod_memory_free(self->begin);
+}
+
+/** What is to be sent, and what came, is gone. */
+static void parcels_clear(parcels *self)
+{
+    parcels_empty(self);
     clod_bytes_fini(&self->in);
 }
 
-static void parcels_clear(parcels *self)
+static void parcels_fini(parcels *self)
 {
-    for (int r = 0; r < self->ranks; r++) {
-        clod_bytes_clear(&self->out[r]);
-    }
+    parcels_clear(self);
+    clod_memory_free(self->out);
+    clod_memory_free(self->begin);
+}
+
+/** All that is to be sent arrives; only what came is kept. False on all alike. */
+static bool swap(clod_spread *self, parcels *way, clod_status *status)
+{
+    const bool good = clod_ranks_swap(self->ranks, way->out, &way->in, way->begin, status);
+    parcels_empty(way);
+    return good;
 }
 
 static bool is_nobodys(const clod_spread *self, size_t row)
@@ -106,7 +119,7 @@ static bool move_grains(clod_spread *self, clod_state *state, double skin, parce
 {
     parcels_clear(way);
     pack_grains(self, state, way->out);
-    if (!clod_ranks_swap(self->ranks, way->out, &way->in, way->begin, status)) {
+    if (!swap(self, way, status)) {
         return false;
     }
     state->grains.count = 0;
@@ -116,7 +129,7 @@ static bool move_grains(clod_spread *self, clod_state *state, double skin, parce
     }
     parcels_clear(way);
     pack_ghosts(self, state, skin, way->out);
-    if (!clod_ranks_swap(self->ranks, way->out, &way->in, way->begin, status)) {
+    if (!swap(self, way, status)) {
         return false;
     }
     good = clod_records_get_grains(&way->in, state, status);
@@ -133,12 +146,11 @@ bool clod_migrate(clod_spread *self, clod_state *state,
     if (good) {
         clod_spread_cut(self, state);
         pack_contacts(self, state, contacts.out); // while the rows are there
-        good =
-            move_grains(self, state, skin(context, &self->bed), &grains, status) &&
-            clod_ranks_swap(self->ranks, contacts.out, &contacts.in, contacts.begin, status) &&
-            clod_ranks_agree(
-                self->ranks,
-                clod_records_get_contacts(&contacts.in, state, &self->torn, status), status);
+        good = move_grains(self, state, skin(context, &self->bed), &grains, status) &&
+               swap(self, &contacts, status) &&
+               clod_ranks_agree(
+                   self->ranks,
+                   clod_records_get_contacts(&contacts.in, state, &self->torn, status), status);
     }
     parcels_fini(&grains);
     parcels_fini(&contacts);
@@ -160,7 +172,7 @@ static bool to_first(clod_spread *self, const clod_state *state, parcels *way, b
             clod_records_put_contact(&way->out[0], &state->grains, &state->contacts[k]);
         }
     }
-    return clod_ranks_swap(self->ranks, way->out, &way->in, way->begin, status);
+    return swap(self, way, status);
 }
 
 /** Grains that left this rank, to rank 0; the list is empty then. */
@@ -172,7 +184,7 @@ static bool gather_gone(clod_spread *self, clod_state *state, clod_state *whole,
     clod_bytes_put(&way->out[0], gone->rows, gone->count * sizeof *gone->rows);
     way->out[0].lacks_memory |= gone->lacks_memory;
     gone->count = 0;
-    if (!clod_ranks_swap(self->ranks, way->out, &way->in, way->begin, status)) {
+    if (!swap(self, way, status)) {
         return false;
     }
     for (size_t at = 0; whole != NULL && at < way->in.count; at += sizeof *gone->rows) {
@@ -198,6 +210,9 @@ bool clod_migrate_gather(clod_spread *self, clod_state *state, clod_state *whole
         good = clod_ranks_agree(self->ranks, mine, status);
     }
     if (good && to_first(self, state, &way, false, status)) {
+        clod_memory_give_back(state->contacts, state->contact_count * sizeof *state->contacts,
+                              state->contact_capacity * sizeof *state->contacts);
+        state->contact_count = state->wall_contact_count = 0;
         clod_torn torn = {0}; // all grains are there
         const bool mine =
             whole == NULL || clod_records_get_contacts(&way.in, whole, &torn, status);
@@ -239,7 +254,7 @@ bool clod_migrate_near(clod_spread *self, const clod_state *state, const clod_do
             clod_records_put_grain(&way.out[0], state, g);
         }
     }
-    good = good && clod_ranks_swap(self->ranks, way.out, &way.in, way.begin, status);
+    good = good && swap(self, &way, status);
     if (good) {
         bool mine = true;
         if (whole != NULL) {
