@@ -12,6 +12,7 @@
 #include "base/memory.h"
 
 #define R2_LEAST 0.95       ///< as of a yield locus
+#define BELOW_SLACK 0.02    ///< of the largest shear stress: less does not matter
 #define ADHESION_ERRORS 2.0 ///< standard errors below 0 that are no chance
 
 typedef clod_wall_locus_point point;
@@ -189,7 +190,11 @@ static void look(clod_wall_locus *self)
                    "a negative angle. Look at the points: their columns, their units, whether "
                    "shear was steady.");
     }
-    if (self->tau_ad.value < 0.0 &&
+    double largest = 0.0;
+    for (size_t i = 0; i < self->point_count; i++) {
+        largest = fmax(largest, self->marks[i].point.tau);
+    }
+    if (self->tau_ad.value < -BELOW_SLACK * largest &&
         !(self->tau_ad.value > -ADHESION_ERRORS * self->tau_ad.error)) {
         warn(self,
              "The line meets the axis below 0, at %.3f kPa: the wall yield locus bends. Use "
