@@ -49,9 +49,11 @@ char *clod_measured_table(const clod_measured *self);
 char *clod_measured_json(const clod_measured *self);
 char *clod_measured_csv(const clod_measured *self);
 
-/** Say every warning of the evaluation. */
-void clod_measured_warnings(const clod_measured *self,
-                            void (*say)(void *context, const char *text), void *context);
+/** Takes a warning; the text is the library's, until the call returns. */
+typedef void (*clod_measured_sink)(void *context, const char *text);
+
+/** Say every warning of the evaluation. @param context  of the sink; may be NULL */
+void clod_measured_warnings(const clod_measured *self, clod_measured_sink sink, void *context);
 
 #ifdef __cplusplus
 }

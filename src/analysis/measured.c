@@ -183,12 +183,12 @@ char *clod_measured_csv(const clod_measured *self)
                                                  : clod_locus_csv(self->study);
 }
 
-void clod_measured_warnings(const clod_measured *self,
-                            void (*say)(void *context, const char *text), void *context)
+void clod_measured_warnings(const clod_measured *self, clod_measured_sink sink, void *context)
 {
     CLOD_NEED(self);
+    CLOD_NEED(sink);
     for (size_t k = 0; k < self->wall.warning_count; k++) {
-        say(context, self->wall.warnings[k]);
+        sink(context, self->wall.warnings[k]);
     }
     for (size_t g = 0; self->study != NULL && g < self->study->count; g++) {
         const clod_locus *locus = &self->study->groups[g].locus;
@@ -196,10 +196,10 @@ void clod_measured_warnings(const clod_measured *self,
             char text[CLOD_LOCUS_WARNING_TEXT + 64];
             snprintf(text, sizeof text, "preshear at %.3f kPa: %s",
                      locus->sigma_p.value / 1000.0, locus->warnings[i]);
-            say(context, text);
+            sink(context, text);
         }
     }
     if (self->study != NULL && self->study->warning[0] != '\0') {
-        say(context, self->study->warning);
+        sink(context, self->study->warning);
     }
 }

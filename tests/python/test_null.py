@@ -41,6 +41,7 @@ MAY_BE_NULL = {
     ("clod_hopper_destroy", "self"), ("clod_hopper_free", "text"),
     ("clod_locus_free", "memory"), ("clod_locus_parse", "defaults"),
     ("clod_locus_read", "defaults"), ("clod_locus_study_destroy", "self"),
+    ("clod_measured_read", "defaults"), ("clod_measured_warnings", "context"),
     ("clod_mesh_destroy", "self"), ("clod_mesh_free", "memory"), ("clod_run_free", "report"),
     ("clod_schema_explain", "key"), ("clod_schema_free", "text"), ("clod_sim_create", "options"),
     ("clod_sim_create_from_file", "options"), ("clod_sim_create_from_text", "options"),
