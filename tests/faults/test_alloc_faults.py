@@ -28,6 +28,10 @@ RUN = ["run", SMALL, "-o", "run", "-t", "1"]
 RING = ["run", clod.source("tests/faults/ring.yaml"), "-o", "run", "-t", "1"]
 UNIAXIAL = ["run", clod.source("tests/faults/uniaxial.yaml"), "-o", "run", "-t", "1"]
 JENIKE = ["run", clod.source("tests/restart/jenike.yaml"), "-o", "run", "-t", "1"]
+WALL = ["run", clod.source("tests/cli/wall_friction.yaml"), "-o", "run", "-t", "1",
+        *(word for change in ("grain_count=60", "outer_radius=14mm", "block_displacement=0.3mm",
+                              "steady_blocks=3", "shear_min=1mm", "shear_max=1.2mm")
+          for word in ("--set", f"wall_friction.{change}"))]
 # What differs between two runs: the rate and, of check, the lines that follow from it.
 CLOCK = re.compile(r"[0-9.e+-]+ grain-steps/s|[0-9]+ s of work|"
                    r"^(rate|wall-clock|WARNING| .*( with one| free)$).*\n|"
@@ -61,9 +65,11 @@ VERBS = {
     "Jenike test": JENIKE,
     "uniaxial test": UNIAXIAL,
     "uniaxial test again": UNIAXIAL,
+    "wall friction test": WALL,
     "contact": ["contact", BENCH],
     "contact into a file": ["contact", BENCH, "-o", "contact.csv"],
     "locus": ["locus", POINTS],
+    "wall yield locus": ["locus", clod.source("cases/hopper-design/wall.csv"), "--json"],
     "locus of standard input": ["locus", "-"],
     "locus as JSON": ["locus", "--json", POINTS, "-o", "locus.json"],
     "locus as CSV": ["locus", "--csv", POINTS, "-o", "locus.csv"],
@@ -75,7 +81,7 @@ VERBS = {
     "wrong case": ["run", SMALL, "--set", "sede=1", "--set", "gravty=2"],
 }
 LONG = ("ring shear test", "ring shear test from another", "Jenike test",
-        "uniaxial test")  # up to a second a run
+        "uniaxial test", "wall friction test")  # up to a second a run
 # The run without faults that goes before, and the folder in which it lies then.
 BEFORE = {
     "run again": (RUN, "run"),
