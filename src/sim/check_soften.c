@@ -149,13 +149,13 @@ void clod_check_soften_put(json_t *to, const clod_check_report *r)
 static void note_scale(const clod_case_contact *pair, const char *a, const char *b,
                        clod_check_report *r)
 {
-    if (pair->law == CLOD_LAW_LUDING) {
+    if (clod_law_kinds_row(pair->law)->keys.plasticity_depth != NULL) {
         clod_check_note(r,
-                        "%s-%s: plasticity_depth is a length, so the force at which luding "
+                        "%s-%s: plasticity_depth is a length, so the force at which %s "
                         "becomes elastic is divided by %.6g too: contacts get there under less "
                         "stress. plasticity_depth times as large keeps it (docs/theory/"
                         "softening.md)",
-                        a, b, r->soften);
+                        a, b, CLOD_LAW_NAMES[pair->law], r->soften);
     }
     if (pair->surface_energy > 0.0) {
         const double more = pow(r->soften, 0.5 / pair->exponent);
