@@ -55,8 +55,9 @@ static void make_bed(clod_state *state, int edge)
         state->domain.max[a] = PITCH * edge;
     }
     for (int k = 0; k < edge * edge * edge; k++) {
-        const double place[4] = {(k % edge + 0.5) * PITCH, (k / edge % edge + 0.5) * PITCH,
-                                 (k / edge / edge + 0.5) * PITCH, RADIUS};
+        const int at[3] = {k % edge, k / edge % edge, k / edge / edge};
+        const double place[4] = {(at[0] + 0.5) * PITCH, (at[1] + 0.5) * PITCH,
+                                 (at[2] + 0.5) * PITCH, RADIUS};
         const double velocity[3] = {dice_real(&roll, -5.0, 5.0), dice_real(&roll, -5.0, 5.0),
                                     dice_real(&roll, -5.0, 5.0)};
         if (!clod_grains_add(&state->grains, place, velocity, none, 2481.3, 0, (uint64_t)k,

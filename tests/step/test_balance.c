@@ -94,7 +94,7 @@ static void a_bed_that_is_cut_anew_at_every_step_has_the_same_bits(void **state)
 
 // ---- a bed that empties on one side
 
-/** 2 x 6 x 6 grains at rest for x < 0, and as many that fly out through the side at x > 0. */
+/** 4 x 6 x 6 grains at rest for x < 0, and as many that fly out through the side at x > 0. */
 static void make_leaving(scene *s)
 {
     const clod_case_contact ore = contact_ore();
@@ -102,8 +102,9 @@ static void make_leaving(scene *s)
     s->state.domain.max[0] = 0.06;
     s->state.domain.removes = true;
     for (int k = 0; k < 8 * 6 * 6; k++) {
-        const double x = -0.04 + 0.01 * (k % 8) + 0.005;
-        const size_t g = scene_grain(s, x, 0.01 * (k / 8 % 6), 0.01 * (k / 48), 2e-3);
+        const int at[3] = {k % 8, k / 8 % 6, k / 48};
+        const double x = -0.04 + 0.01 * at[0] + 0.005;
+        const size_t g = scene_grain(s, x, 0.01 * at[1], 0.01 * at[2], 2e-3);
         if (x > 0.0) {
             scene_move(s, g, 20.0, 0.0, 0.0);
         }
