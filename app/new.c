@@ -138,18 +138,22 @@ static char *path_beside(const char *path, const char *name)
     return beside;
 }
 
-/** Say that a file is there, which new never overwrites; whether it is not. */
+/** Whether no file is there, which new never overwrites; else say why nothing was written. */
 static bool is_free(const char *path)
 {
     struct stat about;
-    if (lstat(path, &about) != 0) {
-        return true;
+    if (lstat(path, &about) == 0) {
+        fprintf(stderr,
+                "clod new: %s: File exists, and nothing was written; rename it, or write into "
+                "another folder: clod new TEMPLATE FOLDER/FILE.yaml\n",
+                path);
+        return false;
     }
-    fprintf(stderr,
-            "clod new: %s: File exists, and nothing was written; rename it, or write into "
-            "another folder: clod new TEMPLATE FOLDER/FILE.yaml\n",
-            path);
-    return false;
+    if (errno != ENOENT) {
+        fprintf(stderr, "clod new: %s: %s, and nothing was written\n", path, strerror(errno));
+        return false;
+    }
+    return true;
 }
 
 /** The case, and the tables it names into its folder: all of them or, if one is there, none. */
