@@ -15,6 +15,7 @@
 #define CLOD_PLAN_UNIT 32
 #define CLOD_PLAN_NAME 112
 #define CLOD_PLAN_PARAMETERS 12 ///< at most
+#define CLOD_PLAN_POINTS 1000   ///< at most, whatever the budget
 
 /** A case that is run for each point; the fields after `path` come from the case. */
 typedef struct clod_plan_test {
@@ -97,6 +98,9 @@ double clod_plan_number(const clod_plan_parameter *self, double place);
 
 /** Different points that this many parameters need at least: two a coefficient of a line, and one. */
 size_t clod_plan_least_points(size_t parameters);
+
+/** Points of the design among so many points: two thirds, and as many as the parameters need at least. */
+size_t clod_plan_design_points(size_t parameters, size_t points);
 
 /** "key=value unit", as --set takes it; owned (clod_memory_free), NULL without memory. */
 char *clod_plan_setting(const clod_plan_parameter *self, double place);

@@ -8,7 +8,6 @@
 #include "base/plural.h"
 #include "calibrate/sobol.h"
 
-#define MOST_POINTS 1000
 #define BATCHES 3
 
 /** Room for as many points. */
@@ -56,7 +55,7 @@ static bool count_points(const clod_plan *plan, const clod_study_source *source,
     }
     const double each = source->seconds(source->context, 1);
     const size_t least = clod_plan_least_points(plan->parameter_count);
-    const double fit = fmin(floor(plan->budget / each), MOST_POINTS);
+    const double fit = fmin(floor(plan->budget / each), CLOD_PLAN_POINTS);
     *points = (size_t)fit;
     char text[240];
     snprintf(text, sizeof text, "the first point took %.3g s: %.0f point%s fit into %.3g min",
@@ -75,14 +74,6 @@ static bool count_points(const clod_plan *plan, const clod_study_source *source,
             plan->parameter_count == 1 ? "s" : "", least, 1.05 * each * (double)least / 60.0);
     }
     return true;
-}
-
-/** The design: two thirds of the points, and as many as the parameters need at least. */
-static size_t size_of_design(const clod_plan *plan, size_t points)
-{
-    const size_t least = clod_plan_least_points(plan->parameter_count);
-    const size_t part = points - points / 3;
-    return part < least ? least : part;
 }
 
 /** Whether another batch fits the budget, by what the points so far have taken. */
@@ -139,7 +130,7 @@ bool clod_study_run(const clod_plan *plan, const clod_study_source *source, clod
     if (!compute(source, study, 1, status) || !count_points(plan, source, &points, status)) {
         return false;
     }
-    study->designed = size_of_design(plan, points);
+    study->designed = clod_plan_design_points(plan->parameter_count, points);
     if (!grow(plan, study, study->designed, status)) {
         return false;
     }
