@@ -22,6 +22,9 @@ bool clod_plan_check_places(clod_loader *loader, const clod_plan *self, clod_pla
 /** Targets from wishes (plan_targets.c). */
 void clod_plan_make_targets(clod_loader *loader, clod_plan *self);
 
+/** Targets that contradict each other (plan_conflicts.c). */
+void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self);
+
 /** Complain about a value: at its place, with its path. */
 void clod_plan_complain(clod_loader *loader, const char *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

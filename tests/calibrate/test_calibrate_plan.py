@@ -3,7 +3,9 @@
 The plan is that of test_calibrate.py: grains that meet a floor, whose case loads in a millisecond.
 """
 
+import csv
 import json
+import math
 import os
 import shutil
 import sys
@@ -79,6 +81,80 @@ class Plan(clod.Case):
         for old, new in self.two("from: 1e5 N/m, to: 2e6 N/m", "from: 2.1e6 N/m, to: 4e6 N/m"):
             plan = plan.replace(old, new)
         self.assertIn("in order", self.calibrate(plan, "--check").stdout)
+
+    # ---- wall friction tests
+
+    WALL = """points: 5
+tests:
+  wall: {case: wall.yaml}
+parameters:
+  mu: {key: contacts.ore-plate.friction, from: 0.05, to: 0.2}
+targets:
+  - {test: wall, number: phi_x, normal_stress: 10 kPa, value: 6.843 deg, error: 0.3 deg}
+  - {test: wall, number: phi_w, value: 6.843 deg, error: 0.3 deg, held_back: true}
+  - {test: wall, number: tau_ad, value: 0 kPa, error: 0.05 kPa, held_back: true}
+  - {test: wall, number: rho_b, normal_stress: 5 kPa, value: 1200 kg/m3, error: 50 kg/m3, held_back: true}
+sampling: {samples: 1000}
+"""
+
+    def write_wall(self):
+        with open(clod.source("tests/cli/wall_friction.yaml")) as file:
+            text = file.read()
+        for old, new in (("outer_radius: 30 mm", "outer_radius: 22 mm"), ("grain_count: 400", "grain_count: 200"),
+                         ("[5 kPa, 20 kPa, 10 kPa]", "[5 kPa, 10 kPa]")):
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        self.write("wall.yaml", text)
+
+    def test_wall_friction_test_tells_the_friction_of_its_plate(self):
+        """Grains that slip on the plate: phi_x is atan(mu), and 6.843 deg that of 0.12."""
+        self.write_wall()
+        self.calibrate(self.WALL, "-o", "out")
+        with open(self.path("out/calibration.json")) as file:
+            mu = json.load(file)["parameters"]["mu"]
+        self.assertLess(abs(mu["mean"] - 0.12), 0.004)
+        # 0.3 deg is 0.3 pi/180 (1 + 0.12^2) = 0.0053 of mu: 90 % within 1.645 of it
+        self.assertLess(abs(mu["high"] - mu["low"] - 2.0 * 1.645 * 0.0053), 0.004)
+        with open(self.path("out/runs.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 5)
+        for k, row in enumerate(rows):
+            angle = math.degrees(math.atan(float(row["mu [1]"])))
+            phi_x = float(row["wall: phi_x at 10 kPa [deg]"])
+            self.assertLessEqual(phi_x, angle + 1e-3)  # Coulomb's bound
+            self.assertGreater(phi_x, 0.98 * angle)  # a few of the 200 grains roll
+            with open(self.path(f"out/runs/p{k:03}-1-wall/wall_friction.csv")) as file:
+                at = {point["wall_stress [Pa]"]: point for point in csv.DictReader(file)}
+            (s1, t1), (s2, t2) = ((float(at[stress]["sigma_w [Pa]"]), float(at[stress]["tau_w [Pa]"]))
+                                  for stress in ("10000", "5000"))
+            self.assertLess(abs(phi_x - math.degrees(math.atan(t1 / s1))), 1e-4)
+            slope = (t1 - t2) / (s1 - s2)  # of the line through both points
+            self.assertLess(abs(float(row["wall: phi_w [deg]"]) - math.degrees(math.atan(slope))), 1e-4)
+            self.assertLess(abs(float(row["wall: tau_ad [kPa]"]) - 1e-3 * (t1 - slope * s1)), 1e-5)
+            self.assertLess(abs(float(row["wall: rho_b at 5 kPa [kg/m3]"]) /
+                                float(at["5000"]["rho_b [kg/m3]"]) - 1.0), 1e-6)
+
+    def test_wrong_targets_of_wall_friction_tests(self):
+        self.write_wall()
+
+        def wall(old, new, word):
+            self.assertIn(old, self.WALL)
+            told = self.calibrate(self.WALL.replace(old, new), "--check", code=2).stderr
+            self.assertIn(word, told)
+
+        wall("number: phi_x", "number: phi_e", "test wall has no number phi_e; did you mean phi_")
+        wall("number: phi_x", "number: rolling", "it has phi_x, phi_w, tau_ad, rho_b")
+        wall(", normal_stress: 10 kPa", "", "phi_x needs the key normal_stress")
+        wall("normal_stress: 10 kPa", "normal_stress: 7 kPa",
+             "7 kPa is not among the wall_stresses of test wall; give it there")
+        wall("phi_w,", "phi_w, normal_stress: 5 kPa,", "phi_w has none")
+        wall("number: phi_x, normal_stress: 10 kPa, value: 6.843 deg", "locus: lab.csv",
+             "of a wall friction test for instance phi_x at each normal_stress")
+        self.assertIn("in order", self.calibrate(self.WALL, "--check").stdout)
+        with open(self.path("wall.yaml"), "a") as file:
+            file.write("  seeds: 2\n")
+        told = self.calibrate(self.WALL, "--check", code=2).stderr
+        self.assertIn("the case has seeds: 2; leave it out there, and give seeds here", told)
 
 
 if __name__ == "__main__":
