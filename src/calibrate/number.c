@@ -46,8 +46,9 @@ static const clod_number NUMBERS[] = {
 };
 #define NUMBER_COUNT (sizeof NUMBERS / sizeof NUMBERS[0])
 
-static const clod_number OF_SUMMARY = {
-    "", "1", {"", 1.0, 4}, -HUGE_VAL, HUGE_VAL, CLOD_NUMBER_OF(CLOD_CASE_FREE), 0};
+static const clod_number OF_SUMMARY = {"",        "1",      {"", 1.0, CLOD_PLAN_FIGURES},
+                                       -HUGE_VAL, HUGE_VAL, CLOD_NUMBER_OF(CLOD_CASE_FREE),
+                                       0};
 
 static bool has(const clod_number *self, clod_case_kind kind)
 {

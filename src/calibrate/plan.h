@@ -13,6 +13,7 @@
 #include "clod/status.h"
 
 #define CLOD_PLAN_UNIT 32
+#define CLOD_PLAN_FIGURES (-1) ///< digits of a number that may be of any size
 #define CLOD_PLAN_NAME 112
 #define CLOD_PLAN_PARAMETERS 12 ///< at most
 #define CLOD_PLAN_POINTS 1000   ///< at most, whatever the budget
@@ -47,7 +48,7 @@ typedef struct clod_plan_wish {
 typedef struct clod_plan_measure {
     const char *unit; ///< for people
     double factor;    ///< SI -> unit
-    int digits;
+    int digits;       ///< behind the point; CLOD_PLAN_FIGURES: four figures in all
 } clod_plan_measure;
 
 /** A target with its number; SI. */

@@ -156,6 +156,58 @@ sampling: {samples: 1000}
         told = self.calibrate(self.WALL, "--check", code=2).stderr
         self.assertIn("the case has seeds: 2; leave it out there, and give seeds here", told)
 
+    # ---- what comes out
+
+    def table(self, told):
+        """Rows of the targets by their names."""
+        part = told[told.index("Targets that were used"):told.index("Surrogates")]
+        return {" ".join(line.split()[:2]): line.split()[2:] for line in part.splitlines()
+                if line.startswith("  bounce: ")}
+
+    def test_small_numbers_keep_four_figures(self):
+        told = self.calibrate(PLAN, "-o", "out").stdout
+        row = self.table(told)["bounce: kinetic_energy_J"]
+        self.assertEqual(row[:2], ["0.0001", "4e-06"])
+        with open(self.path("out/calibration.json")) as file:
+            model = json.load(file)["targets"][0]["model"]
+        self.assertEqual(row[3], f"{model:.4g}")
+
+    def test_held_back_number_that_no_run_has_is_dropped_and_told(self):
+        plan = PLAN.replace("points: 9", "points: 6")
+        self.calibrate(plan, "-o", "out")
+        with open(self.path("out/calibration.json")) as file:
+            before = json.load(file)["parameters"]
+        for k in range(6):
+            path = self.path(f"out/runs/p{k:03}-1-bounce/summary.json")
+            with open(path) as file:
+                summary = json.load(file)
+            summary["coordination"] = None
+            with open(path, "w") as file:
+                json.dump(summary, file)
+        held = "  - {test: bounce, number: coordination, value: 4, error: 1, held_back: true}\n"
+        done = self.calibrate(plan.replace("sampling:", held + "sampling:"), "-o", "out")
+        self.assertIn("bounce: coordination is not defined in the middle of all ranges", done.stderr)
+        self.assertIn("it is not foretold", done.stderr)
+        self.assertIn("bounce: coordination was held back and cannot be foretold: 0 of 6 runs have this number",
+                      " ".join(done.stdout.split()))
+        self.assertEqual(self.table(done.stdout)["bounce: coordination"], ["4", "1", "0", "-", "-", "-", "-", "-"])
+        with open(self.path("out/calibration.json")) as file:
+            found = json.load(file)
+        self.assertEqual(found["parameters"], before)
+        self.assertEqual([found["targets"][1][key] for key in ("model", "low", "surrogate")], [None] * 3)
+        self.assertEqual(clod.run("report", "out", cwd=self.folder).returncode, 0)
+
+    def test_title_of_two_lines_leaves_the_card_whole(self):
+        """Line breaks of the title and of the plan's path stay inside the comment."""
+        self.write("plan\nseed: 5.yaml", "title: |\n  Fines\n  7 percent\n" + PLAN.replace("points: 9", "points: 5"))
+        done = clod.run("calibrate", "plan\nseed: 5.yaml", "-o", "out", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("out/card.yaml")) as file:
+            card = file.read()
+        self.assertIn("# Material card: Fines 7 percent", card.splitlines()[0])
+        keys = [line for line in card.splitlines() if not line.startswith("#")]
+        self.assertEqual([line.split(":")[0].strip() for line in keys], ["contacts", "default", "restitution"])
+
 
 if __name__ == "__main__":
     clod.unittest.main()
