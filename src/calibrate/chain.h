@@ -45,11 +45,12 @@ typedef struct clod_chain_series {
     size_t chains, kept, stride;
 } clod_chain_series;
 
-/** Split R-hat: spread of all half chains over that within them; 1 when they agree.
+/** Split R-hat: spread of all half chains over that within them; 1 when they agree,
+ *  INFINITY when none has moved.
  *  Source  Gelman et al., Bayesian Data Analysis, 3rd edition (2013), 11.4. */
 double clod_chain_rhat(const clod_chain_series *series);
 
 /** Number of independent samples that would tell the mean as well.
  *  Source  the same, 11.5, with Geyer's sequence of falling pairs (Stat. Sci. 7 (1992) 473).
- *  @return  NAN without memory */
+ *  @return  0 when no chain has moved; NAN without memory */
 double clod_chain_effective(const clod_chain_series *series);

@@ -64,7 +64,7 @@ double clod_chain_rhat(const clod_chain_series *series)
         return (double)NAN;
     }
     clod_memory_free(all.mean);
-    return all.within > 0.0 ? sqrt(all.total / all.within) : 1.0;
+    return all.within > 0.0 ? sqrt(all.total / all.within) : (double)INFINITY;
 }
 
 /** Autocorrelation at a lag, over all half chains. */
@@ -100,6 +100,9 @@ double clod_chain_effective(const clod_chain_series *series)
         time += 2.0 * least;
     }
     clod_memory_free(all.mean);
+    if (!(all.within > 0.0)) {
+        return 0.0; // no chain has moved
+    }
     const double count = (double)(all.count * all.length);
     return fmin(count, count / fmax(time, 1.0 / log10(fmax(count, 10.0))));
 }

@@ -18,27 +18,41 @@
 #define SUMMARY_MOST ((size_t)1 << 26)
 #define SAME_STRESS 0.02 // relative: as clod locus tells consolidation stresses apart
 
+#define UNIAXIAL CLOD_NUMBER_OF(CLOD_CASE_UNIAXIAL)
+#define WALL CLOD_NUMBER_OF(CLOD_CASE_WALL_FRICTION)
+#define SHEAR (CLOD_NUMBER_OF(CLOD_CASE_RING_SHEAR) | CLOD_NUMBER_OF(CLOD_CASE_JENIKE))
+
 static const clod_number NUMBERS[] = {
-    {"phi_lin", ANGLE, true, false},
-    {"phi_e", ANGLE, true, false},
-    {"phi_sf", ANGLE, true, false},
-    {"c", STRESS, true, false},
-    {"tau_p", STRESS, true, false},
-    {"tau", STRESS, true, false},
-    {"sigma_1", STRESS, true, false},
-    {"sigma_2", STRESS, true, false},
-    {"sigma_c", STRESS, true, true},
-    {"ffc", "1", {"", 1.0, 2}, 0.0, 1000.0, true, true},
-    {"rho_b", "kg/m3", {"kg/m3", 1.0, 0}, 10.0, 15000.0, true, true},
+    {"phi_lin", ANGLE, SHEAR, 0},
+    {"phi_e", ANGLE, SHEAR, 0},
+    {"phi_sf", ANGLE, SHEAR, 0},
+    {"c", STRESS, SHEAR, 0},
+    {"tau_p", STRESS, SHEAR, 0},
+    {"tau", STRESS, SHEAR, SHEAR},
+    {"sigma_1", STRESS, SHEAR, 0},
+    {"sigma_2", STRESS, SHEAR, 0},
+    {"sigma_c", STRESS, SHEAR | UNIAXIAL, UNIAXIAL},
+    {"ffc", "1", {"", 1.0, 2}, 0.0, 1000.0, SHEAR | UNIAXIAL, UNIAXIAL},
+    {"phi_x", ANGLE, WALL, WALL},
+    {"phi_w", ANGLE, WALL, 0},
+    {"tau_ad", STRESS, WALL, 0},
+    {"rho_b",
+     "kg/m3",
+     {"kg/m3", 1.0, 0},
+     10.0,
+     15000.0,
+     SHEAR | UNIAXIAL | WALL,
+     UNIAXIAL | WALL},
 };
 #define NUMBER_COUNT (sizeof NUMBERS / sizeof NUMBERS[0])
 
-static const clod_number OF_SUMMARY = {"",       "1",   {"", 1.0, 4}, -HUGE_VAL,
-                                       HUGE_VAL, false, false};
+static const clod_number OF_SUMMARY = {"",        "1",      {"", 1.0, CLOD_PLAN_FIGURES},
+                                       -HUGE_VAL, HUGE_VAL, CLOD_NUMBER_OF(CLOD_CASE_FREE),
+                                       0};
 
 static bool has(const clod_number *self, clod_case_kind kind)
 {
-    return kind == CLOD_CASE_UNIAXIAL ? self->uniaxial : self->shear;
+    return (self->kinds & CLOD_NUMBER_OF(kind)) != 0;
 }
 
 const clod_number *clod_number_find(clod_case_kind kind, const char *key)
@@ -124,19 +138,63 @@ static json_t *read_summary(const char *folder, clod_status *status)
     return summary;
 }
 
-/** A row of a uniaxial test's flow function. */
-static void of_row(const json_t *row, const clod_plan_target *target, double *value)
+/** A number of the row with the target's stress, in a list of rows. */
+static double of_rows(const json_t *rows, const char *stress_key, const char *key,
+                      const clod_plan_target *target)
+{
+    size_t index;
+    const json_t *row;
+    json_array_foreach(rows, index, row)
+    {
+        const double stress = json_number_value(json_object_get(row, stress_key));
+        const json_t *found = json_object_get(row, key);
+        if (fabs(stress / target->normal_stress - 1.0) < SAME_STRESS && json_is_number(found)) {
+            return json_number_value(found);
+        }
+    }
+    return (double)NAN;
+}
+
+/** A number of a uniaxial test's flow function. */
+static double of_flow_function(const json_t *summary, const clod_plan_target *target)
 {
     static const char *const KEYS[][2] = {
         {"sigma_c", "sigma_c_Pa"}, {"rho_b", "bulk_density_kg_m3"}, {"ffc", "ffc"}};
-    const double stress = json_number_value(json_object_get(row, "consolidation_stress_Pa"));
+    double value = (double)NAN;
     for (size_t k = 0; k < sizeof KEYS / sizeof KEYS[0]; k++) {
-        const json_t *found = json_object_get(row, KEYS[k][1]);
-        if (fabs(stress / target->normal_stress - 1.0) < SAME_STRESS && json_is_number(found) &&
-            strcmp(KEYS[k][0], target->number) == 0) {
-            *value = json_number_value(found);
+        if (strcmp(KEYS[k][0], target->number) == 0) {
+            value = of_rows(json_object_get(summary, "flow_function"),
+                            "consolidation_stress_Pa", KEYS[k][1], target);
         }
     }
+    return value;
+}
+
+/** A number of a wall friction test: of its line, or at one of its stresses. */
+static double of_wall(const json_t *summary, const clod_plan_target *target)
+{
+    const json_t *locus = json_object_get(summary, "wall_locus");
+    const char *const line = strcmp(target->number, "phi_w") == 0    ? "phi_w_deg"
+                             : strcmp(target->number, "tau_ad") == 0 ? "tau_ad_Pa"
+                                                                     : NULL;
+    if (line != NULL) {
+        const json_t *found = json_object_get(json_object_get(locus, line), "value");
+        const double unit = line[0] == 'p' ? DEGREE : 1.0;
+        return json_is_number(found) ? unit * json_number_value(found) : (double)NAN;
+    }
+    if (strcmp(target->number, "phi_x") == 0) {
+        return DEGREE *
+               of_rows(json_object_get(locus, "points"), "sigma_w_Pa", "phi_x_deg", target);
+    }
+    double density = (double)NAN;
+    size_t index;
+    const json_t *part; // the filling has no stresses
+    json_array_foreach(json_object_get(summary, "parts"), index, part)
+    {
+        density = fmax(density, of_rows(json_object_get(part, "stresses"), "wall_stress_Pa",
+                                        "bulk_density_kg_m3", target));
+    }
+    return density;
 }
 
 /** The item of a list or object by the first `length` bytes of a key. */
@@ -199,7 +257,7 @@ bool clod_number_read(const clod_plan *plan, const clod_plan_target *target, con
 {
     *value = (double)NAN;
     const clod_case_kind kind = clod_case_kind_of(plan->tests[target->test].middle);
-    if (kind != CLOD_CASE_FREE && kind != CLOD_CASE_UNIAXIAL) {
+    if ((SHEAR & CLOD_NUMBER_OF(kind)) != 0) {
         return read_locus(target, folder, value, status);
     }
     json_t *summary = read_summary(folder, status);
@@ -207,15 +265,12 @@ bool clod_number_read(const clod_plan *plan, const clod_plan_target *target, con
         return false;
     }
     bool good = true;
-    if (kind == CLOD_CASE_FREE) {
-        good = of_path(summary, target, folder, value, status);
+    if (kind == CLOD_CASE_UNIAXIAL) {
+        *value = of_flow_function(summary, target);
+    } else if (kind == CLOD_CASE_WALL_FRICTION) {
+        *value = of_wall(summary, target);
     } else {
-        size_t index;
-        json_t *row;
-        json_array_foreach(json_object_get(summary, "flow_function"), index, row)
-        {
-            of_row(row, target, value);
-        }
+        good = of_path(summary, target, folder, value, status);
     }
     json_decref(summary);
     return good;

@@ -6,13 +6,18 @@
 
 #include "calibrate/plan.h"
 
+/** Bit of a clod_case_kind. */
+#define CLOD_NUMBER_OF(kind) (1U << (kind))
+
 /** One kind of number; its measure says its unit for people. */
 typedef struct clod_number {
     const char *key;
     const char *unit; ///< SI
     clod_plan_measure measure;
-    double least, most;   ///< SI: what a measured value may be
-    bool shear, uniaxial; ///< tests that have it
+    double least, most; ///< SI: what a measured value may be
+    unsigned kinds;     ///< of cases that have it: CLOD_NUMBER_OF each
+    unsigned
+        at_stress; ///< of cases where it is that of a normal stress, which the plan must give
 } clod_number;
 
 /** The kind of a number of a test of this kind of case; NULL: there is none. Of a free run every path of

@@ -52,8 +52,8 @@ static const clod_param WISH[] = {
     TEXT_ROW(
         W, "number", number, CLOD_PARAM_OPTIONAL, "phi_e",
         "Which of its results: phi_lin, phi_e, phi_sf, c, tau_p, tau, sigma_1, sigma_2, sigma_c, "
-        "ffc, rho_b of a shear test; sigma_c, ffc, rho_b of a uniaxial test; a path in summary.json "
-        "of a free run."),
+        "ffc, rho_b of a shear test; sigma_c, ffc, rho_b of a uniaxial test; phi_x, phi_w, tau_ad, rho_b "
+        "of a wall friction test; a path in summary.json of a free run."),
     TEXT_ROW(W, "value", value, CLOD_PARAM_OPTIONAL, "47.3 deg", "What was measured."),
     TEXT_ROW(W, "error", error, CLOD_PARAM_OPTIONAL, "2 deg",
              "Its standard error; with locus that of each point, where the table has none."),
@@ -77,7 +77,8 @@ static const clod_param WISH[] = {
      .example = "20 kPa",
      CLOD_AT(W, normal_stress),
      .help =
-         "Of tau: the normal stress at shear; of a uniaxial test: the consolidation stress.",
+         "Of tau: the normal stress at shear; of a uniaxial test: the consolidation stress; of phi_x and "
+         "rho_b of a wall friction test: one of its wall_stresses.",
      .source = HOWTO},
     {.key = "held_back",
      .kind = CLOD_PARAM_BOOL,

@@ -17,6 +17,13 @@ size_t clod_plan_least_points(size_t parameters)
     return 2 * (parameters + 1) + 1;
 }
 
+size_t clod_plan_design_points(size_t parameters, size_t points)
+{
+    const size_t least = clod_plan_least_points(parameters);
+    const size_t part = points - points / 3;
+    return part < least ? least : part;
+}
+
 double clod_plan_number(const clod_plan_parameter *self, double place)
 {
     if (self->scale == CLOD_PLAN_LOG) {

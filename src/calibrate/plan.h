@@ -13,8 +13,10 @@
 #include "clod/status.h"
 
 #define CLOD_PLAN_UNIT 32
+#define CLOD_PLAN_FIGURES (-1) ///< digits of a number that may be of any size
 #define CLOD_PLAN_NAME 112
 #define CLOD_PLAN_PARAMETERS 12 ///< at most
+#define CLOD_PLAN_POINTS 1000   ///< at most, whatever the budget
 
 /** A case that is run for each point; the fields after `path` come from the case. */
 typedef struct clod_plan_test {
@@ -46,7 +48,7 @@ typedef struct clod_plan_wish {
 typedef struct clod_plan_measure {
     const char *unit; ///< for people
     double factor;    ///< SI -> unit
-    int digits;
+    int digits;       ///< behind the point; CLOD_PLAN_FIGURES: four figures in all
 } clod_plan_measure;
 
 /** A target with its number; SI. */
@@ -97,6 +99,9 @@ double clod_plan_number(const clod_plan_parameter *self, double place);
 
 /** Different points that this many parameters need at least: two a coefficient of a line, and one. */
 size_t clod_plan_least_points(size_t parameters);
+
+/** Points of the design among so many points: two thirds, and as many as the parameters need at least. */
+size_t clod_plan_design_points(size_t parameters, size_t points);
 
 /** "key=value unit", as --set takes it; owned (clod_memory_free), NULL without memory. */
 char *clod_plan_setting(const clod_plan_parameter *self, double place);

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "config/unit.h"
 
 #define PATH 200
@@ -60,47 +59,13 @@ static void check_range(clod_loader *loader, clod_plan_parameter *self)
     }
 }
 
-/** The case of a test with all parameters in the middle but one, which is at `place`. */
-static clod_case *load_case(const clod_plan *self, const clod_plan_test *test, size_t moved,
-                            double place, clod_status *status)
+/** Packings that a case asks for by itself. */
+static int64_t seeds_of(const clod_case *self)
 {
-    char *settings[CLOD_PLAN_PARAMETERS] = {NULL};
-    bool good = true;
-    for (size_t k = 0; k < self->parameter_count; k++) {
-        settings[k] = clod_plan_setting(&self->parameters[k], k == moved ? place : 0.5);
-        good = good && settings[k] != NULL;
-    }
-    clod_case *found = NULL;
-    if (good) {
-        found = clod_case_load(test->path, (const char *const *)settings, self->parameter_count,
-                               status);
-    } else {
-        clod_status_fail(status, CLOD_FAILED, "no memory for the case");
-    }
-    for (size_t k = 0; k < self->parameter_count; k++) {
-        clod_memory_free(settings[k]);
-    }
-    return found;
-}
-
-/** The case must load with each parameter at either end. */
-static void check_ends(clod_loader *loader, const clod_plan *self, const clod_plan_test *test)
-{
-    clod_status status = {CLOD_OK, ""};
-    for (size_t k = 0; k < self->parameter_count; k++) {
-        for (int end = 0; end < 2; end++) {
-            clod_case *found = load_case(self, test, k, end, &status);
-            if (found == NULL) {
-                char path[PATH];
-                snprintf(path, sizeof path, "parameters.%.60s.%s", self->parameters[k].name,
-                         end == 0 ? "from" : "to");
-                clod_plan_complain(loader, path, "test %s refuses it: %.800s", test->name,
-                                   status.text);
-                return;
-            }
-            clod_case_destroy(&found);
-        }
-    }
+    const clod_case_programme *shear = clod_case_shear(self);
+    return shear != NULL                 ? shear->seeds
+           : self->wall_friction.present ? self->wall_friction.seeds
+                                         : 1;
 }
 
 static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_test *test)
@@ -121,24 +86,17 @@ static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_tes
         return;
     }
     clod_case_destroy(&plain);
-    check_ends(loader, self, test);
-    if (loader->report->count > 0) {
+    if (!clod_plan_check_places(loader, self, test)) {
         return;
     }
-    test->middle = load_case(self, test, self->parameter_count, 0.5, &status);
-    if (test->middle == NULL) {
-        clod_plan_complain(loader, path, "with all parameters in the middle: %.800s",
-                           status.text);
-        return;
-    }
-    const clod_case_programme *shear = clod_case_shear(test->middle);
+    const int64_t seeds = seeds_of(test->middle);
     if (clod_case_kind_of(test->middle) == CLOD_CASE_CONTACT_BENCH) {
         clod_plan_complain(loader, path,
                            "is a contact bench; only tests and free runs are run");
-    } else if (shear != NULL && shear->seeds > 1) {
+    } else if (seeds > 1) {
         clod_plan_complain(loader, path,
                            "the case has seeds: %lld; leave it out there, and give seeds here",
-                           (long long)shear->seeds);
+                           (long long)seeds);
     }
 }
 
@@ -175,6 +133,7 @@ void clod_plan_check(clod_loader *loader, clod_plan *self)
 {
     check_numbers(loader, self);
     for (size_t k = 0; k < self->parameter_count; k++) {
+        clod_plan_check_key(loader, &self->parameters[k]);
         check_range(loader, &self->parameters[k]);
     }
     for (size_t k = 0; k < self->test_count && loader->report->count == 0; k++) {

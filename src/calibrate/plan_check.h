@@ -7,12 +7,23 @@
 #include "calibrate/plan.h"
 #include "config/load.h"
 
-/** Numbers of ranges, cases of the tests at both ends of all ranges, then the targets; errors in the
+/** Numbers of ranges, cases of the tests over all ranges, then the targets; errors in the
  *  report with their places. */
 void clod_plan_check(clod_loader *loader, clod_plan *self);
 
+/** The key of a parameter must be one that can take every value between two ends (plan_places.c). */
+void clod_plan_check_key(clod_loader *loader, const clod_plan_parameter *self);
+
+/** The case of a test must load with each parameter at either end, at all corners of the ranges and at
+ *  every point of the largest design that the plan can lead to; `middle` of the test is set
+ *  (plan_places.c). False after a complaint, which names the settings. */
+bool clod_plan_check_places(clod_loader *loader, const clod_plan *self, clod_plan_test *test);
+
 /** Targets from wishes (plan_targets.c). */
 void clod_plan_make_targets(clod_loader *loader, clod_plan *self);
+
+/** Targets that contradict each other (plan_conflicts.c). */
+void clod_plan_check_conflicts(clod_loader *loader, const clod_plan *self);
 
 /** Complain about a value: at its place, with its path. */
 void clod_plan_complain(clod_loader *loader, const char *path, const char *format, ...)

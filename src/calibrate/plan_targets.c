@@ -1,6 +1,6 @@
 /**
  * @file plan_targets.c
- * Targets of a plan: units, what a test can tell, measured yield loci, and what cannot be true.
+ * Targets of a plan: units, what a test can tell, measured yield loci.
  */
 
 #include <math.h>
@@ -16,7 +16,6 @@
 
 #define PATH 64
 #define SAME_STRESS 0.02 // relative: as clod locus tells consolidation stresses apart
-#define FIRM 2.0         // standard errors that make a contradiction
 
 /** What is being made. */
 typedef struct maker {
@@ -103,11 +102,11 @@ static bool find_test(maker *self, size_t *test)
     return false;
 }
 
-/** Whether a stress is among those of a uniaxial test. */
-static bool has_stress(const clod_case_uniaxial *from, double stress)
+/** Whether a stress is among those of a test. */
+static bool is_among(double stress, const double *stresses, size_t count)
 {
-    for (size_t k = 0; k < from->consolidation_stress_count; k++) {
-        if (fabs(from->consolidation_stresses[k] / stress - 1.0) < SAME_STRESS) {
+    for (size_t k = 0; k < count; k++) {
+        if (fabs(stresses[k] / stress - 1.0) < SAME_STRESS) {
             return true;
         }
     }
@@ -125,12 +124,30 @@ static bool covers(const clod_case_programme *shear, double stress)
     return stress >= (1.0 - SAME_STRESS) * least && stress <= (1.0 + SAME_STRESS) * most;
 }
 
-/** A normal stress where one is needed, within what the test has. */
-static bool check_stress(maker *self, const clod_case *from, const char *number, double stress)
+/** Whether a test has a normal stress; else what to say of it. */
+static bool has_stress(const clod_case *from, double stress, const char **missing)
 {
-    const clod_case_kind kind = clod_case_kind_of(from);
-    const bool needed = kind == CLOD_CASE_UNIAXIAL || strcmp(number, "tau") == 0;
-    if (kind == CLOD_CASE_FREE || !needed) {
+    const clod_case_programme *shear = clod_case_shear(from);
+    if (shear != NULL) {
+        *missing = "outside the shear_stresses";
+        return covers(shear, stress);
+    }
+    if (clod_case_kind_of(from) == CLOD_CASE_WALL_FRICTION) {
+        *missing = "not among the wall_stresses";
+        return is_among(stress, from->wall_friction.wall_stresses,
+                        from->wall_friction.wall_stress_count);
+    }
+    *missing = "not among the consolidation_stresses";
+    return is_among(stress, from->uniaxial.consolidation_stresses,
+                    from->uniaxial.consolidation_stress_count);
+}
+
+/** A normal stress where one is needed, within what the test has. */
+static bool check_stress(maker *self, const clod_case *from, const clod_number *kind,
+                         const char *number, double stress)
+{
+    const bool needed = (kind->at_stress & CLOD_NUMBER_OF(clod_case_kind_of(from))) != 0;
+    if (!needed) {
         if (stress > 0.0) {
             clod_plan_complain(self->loader, at(self, "normal_stress"), "%s has none", number);
         }
@@ -141,15 +158,12 @@ static bool check_stress(maker *self, const clod_case *from, const char *number,
                            number);
         return false;
     }
-    const clod_case_programme *shear = clod_case_shear(from);
-    const bool there =
-        shear != NULL ? covers(shear, stress) : has_stress(&from->uniaxial, stress);
+    const char *missing;
+    const bool there = has_stress(from, stress, &missing);
     if (!there) {
         clod_plan_complain(self->loader,
                            at(self, self->wish->locus != NULL ? "locus" : "normal_stress"),
-                           "%.6g kPa is %s of test %s; give it there", 1e-3 * stress,
-                           shear != NULL ? "outside the shear_stresses"
-                                         : "not among the consolidation_stresses",
+                           "%.6g kPa is %s of test %s; give it there", 1e-3 * stress, missing,
                            self->wish->test);
     }
     return there;
@@ -189,7 +203,7 @@ static void make_number(maker *self, size_t test)
                              .normal_stress = wish->normal_stress,
                              .held_back = wish->held_back,
                              .measure = kind->measure};
-    if (!check_stress(self, from, wish->number, wish->normal_stress) ||
+    if (!check_stress(self, from, kind, wish->number, wish->normal_stress) ||
         !quantity(self, "value", wish->value, kind, &made.value) ||
         !deviation(self, "error", wish->error, kind, true, &made.error) ||
         !deviation(self, "discrepancy", wish->discrepancy, kind, false, &made.discrepancy)) {
@@ -224,7 +238,8 @@ static void make_mark(maker *self, size_t test, const clod_locus_mark *mark,
                            1e-3 * mark->sigma);
         return;
     }
-    if (!check_stress(self, self->plan->tests[test].middle, "tau", mark->sigma)) {
+    if (!check_stress(self, self->plan->tests[test].middle,
+                      clod_number_find(CLOD_CASE_RING_SHEAR, "tau"), "tau", mark->sigma)) {
         return;
     }
     name_target(&made, self->wish->test, "tau");
@@ -286,8 +301,12 @@ static void make_locus(maker *self, size_t test)
         return;
     }
     if (clod_case_shear(self->plan->tests[test].middle) == NULL) {
-        clod_plan_complain(self->loader, at(self, "locus"), "test %s is no shear test",
-                           wish->test);
+        clod_plan_complain(
+            self->loader, at(self, "locus"),
+            "test %s has no yield locus of "
+            "shear points; give number and value, of a wall friction test for instance "
+            "phi_x at each normal_stress",
+            wish->test);
         return;
     }
     clod_status status = {CLOD_OK, ""};
@@ -305,56 +324,6 @@ static void make_locus(maker *self, size_t test)
     }
     clod_locus_study_destroy(&study);
     clod_locus_free(points);
-}
-
-/** Target of a test with this number, or NULL. */
-static const clod_plan_target *with(const clod_plan *self, size_t test, const char *number)
-{
-    for (size_t k = 0; k < self->target_count; k++) {
-        if (self->targets[k].test == test && strcmp(self->targets[k].number, number) == 0) {
-            return &self->targets[k];
-        }
-    }
-    return NULL;
-}
-
-/** The line through the origin that touches the steady circle is at least as steep as the yield locus,
- *  which touches it too, if the cohesion is not below 0. */
-static void check_angles(clod_loader *loader, const clod_plan *self)
-{
-    for (size_t t = 0; t < self->test_count; t++) {
-        const clod_plan_target *line = with(self, t, "phi_lin");
-        const clod_plan_target *effective = with(self, t, "phi_e");
-        if (line != NULL && effective != NULL &&
-            line->value - effective->value > FIRM * hypot(line->error, effective->error)) {
-            clod_plan_complain(
-                loader, "targets",
-                "test %s: phi_e %.1f deg is below phi_lin %.1f deg, which no yield locus "
-                "with a cohesion of 0 or more can have",
-                self->tests[t].name, effective->measure.factor * effective->value,
-                line->measure.factor * line->value);
-        }
-    }
-}
-
-/** The same number twice: once is enough, or the values are two specimens'. */
-static void check_twice(clod_loader *loader, const clod_plan *self)
-{
-    for (size_t k = 0; k < self->target_count; k++) {
-        for (size_t m = 0; m < k; m++) {
-            const clod_plan_target *a = &self->targets[m];
-            const clod_plan_target *b = &self->targets[k];
-            const double apart = fabs(a->value - b->value) / hypot(a->error, b->error);
-            if (strcmp(a->name, b->name) == 0 && apart > 2.0 * FIRM) {
-                clod_plan_complain(
-                    loader, "targets",
-                    "%s is there as %.6g and as %.6g %s, %.1f standard errors apart: they "
-                    "contradict each other",
-                    a->name, a->measure.factor * a->value, b->measure.factor * b->value,
-                    a->measure.unit, apart);
-            }
-        }
-    }
 }
 
 void clod_plan_make_targets(clod_loader *loader, clod_plan *self)
@@ -378,6 +347,5 @@ void clod_plan_make_targets(clod_loader *loader, clod_plan *self)
     if (loader->report->count == 0 && used == 0) {
         clod_plan_complain(loader, "targets", "are all held back; at least one must be used");
     }
-    check_angles(loader, self);
-    check_twice(loader, self);
+    clod_plan_check_conflicts(loader, self);
 }

@@ -4,6 +4,7 @@
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -77,6 +78,10 @@ static bool fit_target(const clod_posterior_runs *runs, size_t number, double *r
     clod_status why = {CLOD_OK, ""};
     to->runs = count;
     to->surrogate = clod_surrogate_create(&taken, kind, &why);
+    if (to->surrogate == NULL && plan->targets[number].held_back) { // nothing depends on it
+        snprintf(to->why, sizeof to->why, "%s", why.text);
+        return true;
+    }
     if (to->surrogate == NULL) {
         return clod_status_fail(
             status, CLOD_FAILED,
@@ -108,7 +113,8 @@ static double *make_room(const clod_posterior *self)
 {
     size_t most = 1;
     for (size_t t = 0; t < self->target_count; t++) {
-        const size_t room = clod_surrogate_room(self->targets[t].surrogate);
+        const clod_surrogate *one = self->targets[t].surrogate;
+        const size_t room = one != NULL ? clod_surrogate_room(one) : 0;
         most = room > most ? room : most;
     }
     return clod_memory_alloc(most, sizeof(double));
@@ -149,6 +155,11 @@ static void look_at_parameter(const clod_plan *plan, clod_posterior *self, size_
     }
 }
 
+const double *clod_posterior_sample(const clod_posterior *self, size_t i, size_t of)
+{
+    return self->samples + i * self->count / of * self->dimensions;
+}
+
 /** Standard normal number of a sample. */
 static double normal(const clod_plan *plan, size_t target, size_t sample)
 {
@@ -165,9 +176,13 @@ static void foretell(const clod_plan *plan, clod_posterior *self, size_t t, size
 {
     const clod_plan_target *target = &plan->targets[t];
     clod_posterior_target *to = &self->targets[t];
+    if (to->surrogate == NULL) {
+        to->mean = to->off = to->low = to->high = (double)NAN;
+        return;
+    }
     double mean = 0.0, square = 0.0, inner = 0.0;
     for (size_t i = 0; i < looked; i++) {
-        const double *place = self->samples + i * (self->count / looked) * self->dimensions;
+        const double *place = clod_posterior_sample(self, i, looked);
         const clod_surrogate_value told = clod_surrogate_at(to->surrogate, place, room);
         const double variance = measured_variance(target) + told.variance;
         const double off = target->value - told.mean;

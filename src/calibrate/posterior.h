@@ -8,6 +8,8 @@
 #include "calibrate/plan.h"
 #include "calibrate/surrogate.h"
 
+#define CLOD_POSTERIOR_WHY 200 ///< bytes of a reason
+
 /** Runs so far: [points][seeds] of them, in this order. */
 typedef struct clod_posterior_runs {
     const clod_plan *plan;
@@ -17,11 +19,12 @@ typedef struct clod_posterior_runs {
 } clod_posterior_runs;
 
 typedef struct clod_posterior_target {
-    clod_surrogate *surrogate; ///< owned
-    size_t runs;               ///< that have the number
+    clod_surrogate *surrogate;    ///< owned; NULL: held back, and the runs do not give one
+    char why[CLOD_POSTERIOR_WHY]; ///< they do not
+    size_t runs;                  ///< that have the number
     clod_surrogate_check check;
     bool checked;
-    double mean;      ///< of the model, over the posterior
+    double mean; ///< of the model, over the posterior; this and the next: NAN without surrogate
     double low, high; ///< interval of what a laboratory would measure
     double off;       ///< (measured - mean) over its standard deviation
 } clod_posterior_target;
@@ -51,7 +54,7 @@ typedef struct clod_posterior {
  * Fit surrogates, sample, and look at the samples.
  *
  * @return  owned (clod_posterior_destroy), or NULL
- * Errors  CLOD_FAILED: a target that too few runs define; memory.   Threads  safe.
+ * Errors  CLOD_FAILED: a used target that too few runs define; memory.   Threads  safe.
  * Source  Kennedy and O'Hagan, J. R. Stat. Soc. B 63 (2001) 425, with the discrepancy's variance given;
  *         Gelman et al., Bayesian Data Analysis (2013), 6.3 (posterior predictive p value).
  * Test    tests/calibrate/test_posterior.c, test_coverage.c
@@ -59,6 +62,9 @@ typedef struct clod_posterior {
 clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_status *status);
 
 void clod_posterior_destroy(clod_posterior **self);
+
+/** Sample number i of so many that are spread evenly over all samples of all chains: its place. */
+const double *clod_posterior_sample(const clod_posterior *self, size_t i, size_t of);
 
 /**
  * Where further runs tell most: of the samples the one with the largest sum over used targets of the

@@ -42,11 +42,10 @@ static double score(const thought *self, const double *place)
 static const double *choose(const thought *self)
 {
     const clod_posterior *from = self->posterior;
-    const size_t stride = from->count / CANDIDATES;
     const double *best = from->samples;
     double most = -1.0;
     for (size_t i = 0; i < CANDIDATES; i++) {
-        const double *place = from->samples + i * stride * from->dimensions;
+        const double *place = clod_posterior_sample(from, i, CANDIDATES);
         const double found = score(self, place);
         if (found > most) {
             most = found;
@@ -60,6 +59,9 @@ static const double *choose(const thought *self)
 static bool believe(thought *self, const double *place, clod_status *status)
 {
     for (size_t t = 0; t < self->plan->target_count; t++) {
+        if (self->plan->targets[t].held_back) {
+            continue;
+        }
         clod_surrogate *more = clod_surrogate_believe(surrogate_of(self, t), place, status);
         if (more == NULL) {
             return false;
@@ -75,7 +77,8 @@ bool clod_posterior_refine(const clod_plan *plan, const clod_posterior *self, si
 {
     size_t most = 1;
     for (size_t t = 0; t < plan->target_count; t++) {
-        const size_t room = clod_surrogate_room(self->targets[t].surrogate);
+        const clod_surrogate *one = self->targets[t].surrogate;
+        const size_t room = one != NULL ? clod_surrogate_room(one) : 0;
         most = room > most ? room : most;
     }
     thought of = {.plan = plan,

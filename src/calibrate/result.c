@@ -34,6 +34,20 @@ const char *clod_result_number(const clod_plan_parameter *self, double place, ch
     return buffer;
 }
 
+const char *clod_result_measured(const clod_plan_measure *measure, double value, char *buffer,
+                                 size_t size)
+{
+    const double told = measure->factor * value;
+    if (!isfinite(told)) {
+        snprintf(buffer, size, "-");
+    } else if (measure->digits == CLOD_PLAN_FIGURES) {
+        snprintf(buffer, size, "%.4g", told);
+    } else {
+        snprintf(buffer, size, "%.*f", measure->digits, told);
+    }
+    return buffer;
+}
+
 static void warn(clod_result *self, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -80,6 +94,13 @@ static void warn_targets(clod_result *self)
     for (size_t t = 0; t < from->target_count; t++) {
         const clod_posterior_target *one = &from->targets[t];
         const size_t all = self->study->points * (size_t)self->plan->seeds;
+        if (one->surrogate == NULL) {
+            warn(
+                self,
+                "%s was held back and cannot be foretold: %zu of %zu runs have this number. %s",
+                self->plan->targets[t].name, one->runs, all, one->why);
+            continue;
+        }
         if (one->runs < all) {
             warn(
                 self,
@@ -169,7 +190,7 @@ char *clod_result_samples(const clod_result *self)
     }
     fputc('\n', out);
     for (size_t i = 0; i < SAMPLES; i++) {
-        const double *place = from->samples + i * (from->count / SAMPLES) * d;
+        const double *place = clod_posterior_sample(from, i, SAMPLES);
         for (size_t k = 0; k < d; k++) {
             fprintf(out, "%s%.9g", k == 0 ? "" : ",",
                     clod_plan_number(&self->plan->parameters[k], place[k]));

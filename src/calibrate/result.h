@@ -35,6 +35,10 @@ void clod_result_warn(clod_result *self);
 const char *clod_result_number(const clod_plan_parameter *self, double place, char *buffer,
                                size_t size);
 
+/** A number of a target as text in the unit of its measure, without it; "-" for one that is not there. */
+const char *clod_result_measured(const clod_plan_measure *measure, double value, char *buffer,
+                                 size_t size);
+
 /** Tables for people; owned (clod_memory_free), NULL without memory; as the others. */
 char *clod_result_table(const clod_result *self);
 

@@ -3,11 +3,14 @@
  * The material card: calibrated keys as YAML that a case includes.
  */
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "calibrate/result.h"
+
+#define COMMENT 6000 ///< bytes of a line: more than a path
 
 /** Length of a key's part up to the dot number `depth` + 1, or of all. */
 static size_t prefix(const char *key, size_t depth)
@@ -88,31 +91,48 @@ static void put_section(FILE *out, const clod_result *self, size_t first, size_t
     }
 }
 
+/** A line of a comment: whatever a title, name or path holds, nothing of it begins another line. */
+static void put_comment(FILE *out, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static void put_comment(FILE *out, const char *format, ...)
+{
+    char text[COMMENT];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    for (char *at = text; *at != '\0'; at++) {
+        const unsigned char byte = (unsigned char)*at;
+        *at = byte < 0x20 || byte == 0x7F ? ' ' : *at;
+    }
+    fprintf(out, "# %s\n", text);
+}
+
 static void put_head(FILE *out, const clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
-    fprintf(out, "# Material card%s%s, by clod calibrate from %s.\n",
-            self->plan->title == NULL ? "" : ": ",
-            self->plan->title == NULL ? "" : self->plan->title, self->plan->path);
-    fprintf(
+    const clod_plan *plan = self->plan;
+    put_comment(out, "Material card%s%s, by clod calibrate from %s.",
+                plan->title == NULL ? "" : ": ", plan->title == NULL ? "" : plan->title,
+                plan->path);
+    put_comment(
         out,
-        "# Means, with %.3g %% intervals. calibration.json has everything, posterior.csv samples.\n",
-        100.0 * self->plan->sampling.level);
-    fputs(
-        "# Use it: include: card.yaml in a case, which then must not give these keys itself.\n",
-        out);
-    fputs("# All that is not here is as in the cases of the tests:\n", out);
-    for (size_t t = 0; t < self->plan->test_count; t++) {
-        fprintf(out, "#   %s: %s\n", self->plan->tests[t].name, self->plan->tests[t].path);
+        "Means, with %.3g %% intervals. calibration.json has everything, posterior.csv samples.",
+        100.0 * plan->sampling.level);
+    put_comment(out, "Use it: include: card.yaml in a case, which then must not give these "
+                     "keys itself.");
+    put_comment(out, "All that is not here is as in the cases of the tests:");
+    for (size_t t = 0; t < plan->test_count; t++) {
+        put_comment(out, "  %s: %s", plan->tests[t].name, plan->tests[t].path);
     }
     for (size_t k = 0; k < self->warning_count; k++) {
-        fprintf(out, "# WARNING: %s\n", self->warnings[k]);
+        put_comment(out, "WARNING: %s", self->warnings[k]);
     }
     for (size_t k = 0; k < from->dimensions; k++) {
         for (size_t m = 0; m < k; m++) {
-            fprintf(out, "# correlation of %s and %s: %+.2f\n", self->plan->parameters[m].name,
-                    self->plan->parameters[k].name,
-                    from->correlation[k * from->dimensions + m]);
+            put_comment(out, "correlation of %s and %s: %+.2f", plan->parameters[m].name,
+                        plan->parameters[k].name, from->correlation[k * from->dimensions + m]);
         }
     }
 }

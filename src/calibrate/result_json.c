@@ -71,8 +71,10 @@ static json_t *sections(const clod_result *self, const clod_posterior_target *on
     return all;
 }
 
-static json_t *surrogate(const clod_posterior_target *one, const clod_plan *plan, double factor)
+static json_t *surrogate(const clod_result *self, const clod_posterior_target *one,
+                         double factor)
 {
+    const clod_plan *plan = self->plan;
     static const char *const KINDS[] = {
         [CLOD_SURROGATE_LINEAR] = "linear",
         [CLOD_SURROGATE_QUADRATIC] = "quadratic",
@@ -83,19 +85,20 @@ static json_t *surrogate(const clod_posterior_target *one, const clod_plan *plan
         json_object_set_new(lengths, plan->parameters[k].name,
                             clod_json_number(clod_surrogate_length(one->surrogate, k)));
     }
-    json_t *self =
+    json_t *made =
         json_pack("{s:s, s:I, s:o, s:o}", "kind", KINDS[clod_surrogate_kind_of(one->surrogate)],
                   "runs", (json_int_t)one->runs, "packing_deviation",
                   clod_json_number(factor * clod_surrogate_noise(one->surrogate)),
                   "relative_lengths", lengths);
     if (one->checked) {
-        json_object_set_new(self, "left_out_error",
+        json_object_set_new(made, "left_out_error",
                             clod_json_number(factor * one->check.error));
-        json_object_set_new(self, "q2", clod_json_number(one->check.q2));
-        json_object_set_new(self, "within_two_deviations",
+        json_object_set_new(made, "q2", clod_json_number(one->check.q2));
+        json_object_set_new(made, "within_two_deviations",
                             clod_json_number(one->check.covered));
     }
-    return self;
+    json_object_set_new(made, "sections", sections(self, one, factor));
+    return made;
 }
 
 static json_t *target(const clod_result *self, size_t t)
@@ -110,8 +113,7 @@ static json_t *target(const clod_result *self, size_t t)
         clod_json_number(f * of->error), "discrepancy", clod_json_number(f * of->discrepancy),
         "model", clod_json_number(f * one->mean), "low", clod_json_number(f * one->low), "high",
         clod_json_number(f * one->high), "off", clod_json_number(one->off), "surrogate",
-        surrogate(one, self->plan, f));
-    json_object_set_new(json_object_get(made, "surrogate"), "sections", sections(self, one, f));
+        one->surrogate != NULL ? surrogate(self, one, f) : json_null());
     if (of->normal_stress > 0.0) {
         json_object_set_new(made, "normal_stress_Pa", clod_json_number(of->normal_stress));
     }

@@ -11,6 +11,7 @@
 #include "calibrate/result.h"
 
 #define WIDTH 100 ///< of a line of text
+#define CELL 48   ///< bytes of a number
 
 /** A text, broken between words, behind a mark. */
 static void put_text(FILE *out, const char *text)
@@ -72,13 +73,21 @@ static void put_target(FILE *out, const clod_result *self, size_t t)
 {
     const clod_plan_target *of = &self->plan->targets[t];
     const clod_posterior_target *one = &self->study->posterior->targets[t];
-    const double f = of->measure.factor;
-    const int digits = of->measure.digits;
+    const double values[] = {of->value, of->error, of->discrepancy,
+                             one->mean, one->low,  one->high};
+    static const int WIDTHS[] = {10, 8, 8, 10, 10, 10};
+    fprintf(out, "  %-34s", of->name);
+    for (size_t k = 0; k < sizeof values / sizeof values[0]; k++) {
+        char text[CELL];
+        fprintf(out, " %*s", WIDTHS[k],
+                clod_result_measured(&of->measure, values[k], text, sizeof text));
+    }
+    if (one->surrogate == NULL) {
+        fprintf(out, "  %-6s -        -\n", of->measure.unit);
+        return;
+    }
     const bool inside = of->value >= one->low && of->value <= one->high;
-    fprintf(out, "  %-34s %10.*f %8.*f %8.*f %10.*f %10.*f %10.*f  %-6s %-4s %+5.1f\n",
-            of->name, digits, f * of->value, digits, f * of->error, digits, f * of->discrepancy,
-            digits, f * one->mean, digits, f * one->low, digits, f * one->high,
-            of->measure.unit, inside ? "yes" : "NO", one->off);
+    fprintf(out, "  %-6s %-4s %+5.1f\n", of->measure.unit, inside ? "yes" : "NO", one->off);
 }
 
 static void put_targets(FILE *out, const clod_result *self, bool held_back, const char *title)
@@ -113,12 +122,18 @@ static void put_surrogates(FILE *out, const clod_result *self)
     for (size_t t = 0; t < self->plan->target_count; t++) {
         const clod_plan_target *of = &self->plan->targets[t];
         const clod_posterior_target *one = &self->study->posterior->targets[t];
-        const double f = of->measure.factor;
-        fprintf(out, "  %-34s %-10s %5zu %10.*f", of->name,
-                KINDS[clod_surrogate_kind_of(one->surrogate)], one->runs, of->measure.digits,
-                f * clod_surrogate_noise(one->surrogate));
+        char text[CELL];
+        if (one->surrogate == NULL) {
+            fprintf(out, "  %-34s %-10s %5zu\n", of->name, "-", one->runs);
+            continue;
+        }
+        fprintf(out, "  %-34s %-10s %5zu %10s", of->name,
+                KINDS[clod_surrogate_kind_of(one->surrogate)], one->runs,
+                clod_result_measured(&of->measure, clod_surrogate_noise(one->surrogate), text,
+                                     sizeof text));
         if (one->checked) {
-            fprintf(out, " %10.*f %7.2f %7.0f %%\n", of->measure.digits, f * one->check.error,
+            fprintf(out, " %10s %7.2f %7.0f %%\n",
+                    clod_result_measured(&of->measure, one->check.error, text, sizeof text),
                     one->check.q2, 100.0 * one->check.covered);
         } else {
             fputs("          -       -         -\n", out);

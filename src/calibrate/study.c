@@ -8,7 +8,6 @@
 #include "base/plural.h"
 #include "calibrate/sobol.h"
 
-#define MOST_POINTS 1000
 #define BATCHES 3
 
 /** Room for as many points. */
@@ -56,7 +55,7 @@ static bool count_points(const clod_plan *plan, const clod_study_source *source,
     }
     const double each = source->seconds(source->context, 1);
     const size_t least = clod_plan_least_points(plan->parameter_count);
-    const double fit = fmin(floor(plan->budget / each), MOST_POINTS);
+    const double fit = fmin(floor(plan->budget / each), CLOD_PLAN_POINTS);
     *points = (size_t)fit;
     char text[240];
     snprintf(text, sizeof text, "the first point took %.3g s: %.0f point%s fit into %.3g min",
@@ -77,14 +76,6 @@ static bool count_points(const clod_plan *plan, const clod_study_source *source,
     return true;
 }
 
-/** The design: two thirds of the points, and as many as the parameters need at least. */
-static size_t size_of_design(const clod_plan *plan, size_t points)
-{
-    const size_t least = clod_plan_least_points(plan->parameter_count);
-    const size_t part = points - points / 3;
-    return part < least ? least : part;
-}
-
 /** Whether another batch fits the budget, by what the points so far have taken. */
 static bool fits(const clod_plan *plan, const clod_study_source *source, size_t done,
                  size_t more)
@@ -99,6 +90,28 @@ static bool renew_posterior(const clod_plan *plan, clod_study *self, clod_status
     clod_posterior_destroy(&self->posterior);
     self->posterior = clod_posterior_create(&runs, status);
     return self->posterior != NULL;
+}
+
+/** A number that the first point does not have will lack in others too: told before they are run. */
+static void tell_undefined(const clod_plan *plan, const clod_study_source *source,
+                           const double *results)
+{
+    for (size_t t = 0; t < plan->target_count; t++) {
+        size_t defined = 0;
+        for (size_t s = 0; s < (size_t)plan->seeds; s++) {
+            defined += isfinite(results[s * plan->target_count + t]) ? 1 : 0;
+        }
+        if (defined == 0) {
+            char text[CLOD_PLAN_NAME + 160];
+            snprintf(text, sizeof text,
+                     "%s is not defined in the middle of all ranges; if so few points have it "
+                     "that it gets no surrogate, %s",
+                     plan->targets[t].name,
+                     plan->targets[t].held_back ? "it is not foretold"
+                                                : "the calibration comes to no result");
+            tell(source, text);
+        }
+    }
 }
 
 /** Further points where the posterior is least certain. */
@@ -136,10 +149,14 @@ bool clod_study_run(const clod_plan *plan, const clod_study_source *source, clod
     for (size_t k = 0; k < plan->parameter_count; k++) {
         study->places[k] = 0.5; // the first of a Sobol sequence
     }
-    if (!compute(source, study, 1, status) || !count_points(plan, source, &points, status)) {
+    if (!compute(source, study, 1, status)) {
         return false;
     }
-    study->designed = size_of_design(plan, points);
+    tell_undefined(plan, source, study->results);
+    if (!count_points(plan, source, &points, status)) {
+        return false;
+    }
+    study->designed = clod_plan_design_points(plan->parameter_count, points);
     if (!grow(plan, study, study->designed, status)) {
         return false;
     }

@@ -49,7 +49,7 @@ static void merge_item(clod_loader *self, clod_node *to, clod_node *item)
                         to->count);
     } else if (there->kind != CLOD_NODE_SCALAR && item->kind == CLOD_NODE_MAP) {
         merge(self, there, item);
-    } else {
+    } else if (clod_load_place(there).source != CLOD_PLACE_INCLUDED) { // twice there: was told
         clod_report_add(self->report, clod_load_place(there), self->path,
                         "is given in %s too, in line %d; keep one of them",
                         self->report->included_name, item->place.line);

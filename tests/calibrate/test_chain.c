@@ -165,6 +165,20 @@ static void chains_that_disagree_are_seen(void **state)
     check_close(clod_chain_rhat(&series), sqrt(3.0), 1e-14);
 }
 
+/** Chains that stand still where they began, together or apart, tell nothing. */
+static void chains_that_never_moved_do_not_agree(void **state)
+{
+    (void)state;
+    const double together[16] = {0.0};
+    const double apart[16] = {[8] = 1, 1, 1, 1, 1, 1, 1, 1};
+    const double *const all[] = {together, apart};
+    for (int k = 0; k < 2; k++) {
+        const clod_chain_series series = {all[k], 2, 8, 1};
+        assert_true(clod_chain_rhat(&series) > 1e300);
+        check_close(clod_chain_effective(&series), 0.0, 0.0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -173,6 +187,7 @@ int main(void)
         cmocka_unit_test(no_chain_stays_at_a_lesser_summit),
         cmocka_unit_test(effective_number_of_a_known_series),
         cmocka_unit_test(chains_that_disagree_are_seen),
+        cmocka_unit_test(chains_that_never_moved_do_not_agree),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

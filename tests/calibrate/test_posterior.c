@@ -115,6 +115,61 @@ static void an_end_of_the_range_is_seen(void **state)
     clod_posterior_destroy(&self);
 }
 
+/** A target that is held back and in no run takes nothing from the others. */
+static void a_held_back_target_without_runs_is_dropped(void **state)
+{
+    (void)state;
+    plan_made made;
+    plan_make(&made, 1, 2);
+    made.targets[0].value = 18.0;
+    made.targets[0].error = 1.0;
+    made.targets[1].error = 1.0;
+    made.targets[1].held_back = true;
+    double u[POINTS], y[POINTS][2];
+    for (int i = 0; i < POINTS; i++) {
+        u[i] = ((double)i + 0.5) / POINTS;
+        y[i][0] = 10.0 + 20.0 * u[i];
+        y[i][1] = (double)NAN;
+    }
+    made.plan.seeds = 1;
+    const clod_posterior_runs runs = {&made.plan, POINTS, u, &y[0][0]};
+    clod_status status = {CLOD_OK, ""};
+    clod_posterior *self = clod_posterior_create(&runs, &status);
+    assert_non_null(self);
+    check_close(self->parameters[0].mean, 0.4, 0.005);
+    assert_null(self->targets[1].surrogate);
+    assert_true(self->targets[1].runs == 0 && self->targets[1].why[0] != '\0');
+    assert_true(isnan(self->targets[1].mean) && isnan(self->targets[1].low));
+    double next[2];
+    assert_true(clod_posterior_refine(&made.plan, self, 2, next, &status));
+    clod_posterior_destroy(&self);
+    made.targets[1].held_back = false; // used, it is needed
+    assert_null(clod_posterior_create(&runs, &status));
+    assert_non_null(strstr(status.text, "Target t1: 0 of 12 runs have this number."));
+}
+
+/** 1499 samples of 4 chains: 2000 of 5996 looked at must reach into the last chain. */
+static void samples_of_all_chains_are_looked_at(void **state)
+{
+    (void)state;
+    plan_made made;
+    plan_make(&made, 1, 2);
+    made.plan.sampling.samples = 1499;
+    made.targets[0].value = 18.0;
+    made.targets[0].error = made.targets[1].error = 1.0;
+    clod_posterior *self = make(&made);
+    assert_true(self->count == 5996);
+    size_t of_chain[4] = {0};
+    for (size_t i = 0; i < 2000; i++) {
+        const double *place = clod_posterior_sample(self, i, 2000);
+        of_chain[(size_t)(place - self->samples) / 1499]++;
+    }
+    for (int c = 0; c < 4; c++) {
+        check_close((double)of_chain[c], 500.0, 1.0);
+    }
+    clod_posterior_destroy(&self);
+}
+
 /** Noisy runs, and none between 0.5 and 0.8, where the posterior is: the next two go there. */
 static void further_points_go_where_least_is_known(void **state)
 {
@@ -147,6 +202,8 @@ int main(void)
         cmocka_unit_test(a_discrepancy_widens),
         cmocka_unit_test(targets_that_contradict_each_other_are_seen),
         cmocka_unit_test(an_end_of_the_range_is_seen),
+        cmocka_unit_test(a_held_back_target_without_runs_is_dropped),
+        cmocka_unit_test(samples_of_all_chains_are_looked_at),
         cmocka_unit_test(further_points_go_where_least_is_known),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

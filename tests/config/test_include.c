@@ -115,6 +115,23 @@ static void mistakes_in_the_card_are_shown_there(void **state)
            "card.yaml:2:3: grains.1: the list of the case has no such element; it has 1");
 }
 
+/** One mistake, one message. */
+static void a_key_that_is_twice_in_the_card_is_told_once(void **state)
+{
+    (void)state;
+    static const char *const CARDS[] = {
+        "gravity: 0\ngravity: 0\n",
+        "contacts:\n  default: {restitution: 0.4, restitution: 0.5}\n",
+        "output: {interval: 1 ms}\noutput: {interval: 1 ms}\n"};
+    static const char *const KEYS[] = {"gravity", "restitution", "output"};
+    for (int k = 0; k < 3; k++) {
+        char words[64];
+        snprintf(words, sizeof words, "key %s stands here a second time", KEYS[k]);
+        refuse("include: card.yaml\n", CARDS[k], words);
+        assert_null(strstr(status.text, "keep one of them"));
+    }
+}
+
 static void what_cannot_be_included(void **state)
 {
     (void)state;
@@ -147,6 +164,7 @@ int main(void)
         cmocka_unit_test(an_override_comes_after),
         cmocka_unit_test(a_key_in_both_is_refused_with_both_places),
         cmocka_unit_test(mistakes_in_the_card_are_shown_there),
+        cmocka_unit_test(a_key_that_is_twice_in_the_card_is_told_once),
         cmocka_unit_test(what_cannot_be_included),
     };
     return cmocka_run_group_tests(tests, begin, end);

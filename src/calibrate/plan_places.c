@@ -1,0 +1,183 @@
+/**
+ * @file plan_places.c
+ * Whether the cases of a plan load wherever its parameters may lie, before the first run.
+ */
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "calibrate/plan_check.h"
+#include "calibrate/sobol.h"
+#include "config/param.h"
+
+#define PATH 200
+#define SETTINGS 1200 ///< bytes of a text with all settings
+
+/** Row of a key below a table; NULL: there is none, or it is an element of a vector. */
+static const clod_param *find_row(const clod_table *table, const char *key)
+{
+    const clod_param *row = NULL;
+    bool named = false; // the step is an element of a list or a name
+    for (const char *step = key; *step != '\0';) {
+        char word[64];
+        const size_t length = strcspn(step, ".");
+        snprintf(word, sizeof word, "%.*s", (int)length, step);
+        step += length + (step[length] == '.' ? 1 : 0);
+        const clod_param *beside =
+            named && row->beside != NULL ? clod_param_find(row->beside, word) : NULL;
+        if (named && beside == NULL) {
+            named = false;
+            continue;
+        }
+        row = beside != NULL ? beside : table == NULL ? NULL : clod_param_find(table, word);
+        if (row == NULL) {
+            return NULL;
+        }
+        named = row->kind == CLOD_PARAM_LIST || row->kind == CLOD_PARAM_MAP ||
+                row->kind == CLOD_PARAM_PAIRS;
+        table = row->table;
+    }
+    return row;
+}
+
+void clod_plan_check_key(clod_loader *loader, const clod_plan_parameter *self)
+{
+    char path[PATH];
+    snprintf(path, sizeof path, "parameters.%.60s.key", self->name);
+    const clod_param *row = find_row(&CLOD_TABLE_CASE, self->key);
+    if (strcmp(self->key, "seed") == 0) {
+        clod_plan_complain(
+            loader, path,
+            "seed is no parameter: every packing gets a seed of its own; leave it "
+            "out, and give seeds in the plan for more packings of each point");
+    } else if (row != NULL && row->kind == CLOD_PARAM_INTEGER) {
+        clod_plan_complain(loader, path,
+                           "%s takes whole numbers only, and a parameter takes every value "
+                           "between from and to; give it in the case",
+                           self->key);
+    }
+}
+
+/** The case of a test with the parameters at a place of their ranges. */
+static clod_case *load_at(const clod_plan *self, const clod_plan_test *test,
+                          const double *place, clod_status *status)
+{
+    char *settings[CLOD_PLAN_PARAMETERS] = {NULL};
+    bool good = true;
+    for (size_t k = 0; k < self->parameter_count; k++) {
+        settings[k] = clod_plan_setting(&self->parameters[k], place[k]);
+        good = good && settings[k] != NULL;
+    }
+    clod_case *found = NULL;
+    if (good) {
+        found = clod_case_load(test->path, (const char *const *)settings, self->parameter_count,
+                               status);
+    } else {
+        clod_status_fail(status, CLOD_FAILED, "no memory for the case");
+    }
+    for (size_t k = 0; k < self->parameter_count; k++) {
+        clod_memory_free(settings[k]);
+    }
+    return found;
+}
+
+/** All settings of a place in one line. */
+static void write_settings(const clod_plan *self, const double *place, char text[SETTINGS])
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (size_t k = 0; k < self->parameter_count && used < SETTINGS; k++) {
+        const clod_plan_parameter *one = &self->parameters[k];
+        used += (size_t)snprintf(text + used, SETTINGS - used, "%s%s = %.4g%s%s",
+                                 k == 0 ? "" : ", ", one->name, clod_plan_number(one, place[k]),
+                                 one->unit[0] == '\0' ? "" : " ", one->unit);
+    }
+}
+
+/** Load the case at a place; a complaint at `path` if it is refused. */
+static bool accepts(clod_loader *loader, const clod_plan *self, const clod_plan_test *test,
+                    const double *place, const char *path)
+{
+    clod_status status = {CLOD_OK, ""};
+    clod_case *found = load_at(self, test, place, &status);
+    if (found == NULL && path != NULL) {
+        clod_plan_complain(loader, path, "test %s refuses it: %.800s", test->name, status.text);
+    } else if (found == NULL) {
+        char settings[SETTINGS];
+        write_settings(self, place, settings);
+        clod_plan_complain(loader, "parameters",
+                           "test %s refuses %s together, and every combination within the "
+                           "ranges may be run: %.800s",
+                           test->name, settings, status.text);
+    }
+    const bool good = found != NULL;
+    clod_case_destroy(&found);
+    return good;
+}
+
+/** Each parameter at either end, the others in the middle. */
+static bool accepts_ends(clod_loader *loader, const clod_plan *self, const clod_plan_test *test)
+{
+    for (size_t k = 0; k < 2 * self->parameter_count; k++) {
+        double place[CLOD_PLAN_PARAMETERS];
+        char path[PATH];
+        for (size_t m = 0; m < self->parameter_count; m++) {
+            place[m] = m == k / 2 ? (double)(k % 2) : 0.5;
+        }
+        snprintf(path, sizeof path, "parameters.%.60s.%s", self->parameters[k / 2].name,
+                 k % 2 == 0 ? "from" : "to");
+        if (!accepts(loader, self, test, place, path)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** All corners of the ranges. */
+static bool accepts_corners(clod_loader *loader, const clod_plan *self,
+                            const clod_plan_test *test)
+{
+    for (size_t corner = 0; corner < (size_t)1 << self->parameter_count; corner++) {
+        double place[CLOD_PLAN_PARAMETERS];
+        for (size_t k = 0; k < self->parameter_count; k++) {
+            place[k] = (double)(corner >> k & 1);
+        }
+        if (!accepts(loader, self, test, place, NULL)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/** Every point of the largest design: a smaller one has the first of them. */
+static bool accepts_design(clod_loader *loader, const clod_plan *self,
+                           const clod_plan_test *test)
+{
+    const size_t most = self->points > 0 ? (size_t)self->points : CLOD_PLAN_POINTS;
+    const size_t count = clod_plan_design_points(self->parameter_count, most);
+    double *places = clod_memory_alloc(count * self->parameter_count, sizeof *places);
+    bool good = places != NULL && clod_sobol_fill(self->parameter_count, count, places);
+    loader->report->lost = loader->report->lost || !good;
+    for (size_t i = 0; i < count && good; i++) {
+        good = accepts(loader, self, test, places + i * self->parameter_count, NULL);
+    }
+    clod_memory_free(places);
+    return good;
+}
+
+bool clod_plan_check_places(clod_loader *loader, const clod_plan *self, clod_plan_test *test)
+{
+    if (!accepts_ends(loader, self, test) || !accepts_corners(loader, self, test) ||
+        !accepts_design(loader, self, test)) {
+        return false;
+    }
+    double middle[CLOD_PLAN_PARAMETERS];
+    for (size_t k = 0; k < self->parameter_count; k++) {
+        middle[k] = 0.5;
+    }
+    clod_status status = {CLOD_OK, ""};
+    test->middle = load_at(self, test, middle, &status);
+    loader->report->lost = loader->report->lost || test->middle == NULL; // it did load
+    return test->middle != NULL;
+}

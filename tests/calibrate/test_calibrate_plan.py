@@ -1,0 +1,213 @@
+"""Plans that clod calibrate refuses before the first run, and what its results say.
+
+The plan is that of test_calibrate.py: grains that meet a floor, whose case loads in a millisecond.
+"""
+
+import csv
+import json
+import math
+import os
+import shutil
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+BOUNCE = clod.source("tests/calibrate/bounce.yaml")
+PLAN = """points: 9
+tests:
+  bounce: {case: bounce.yaml}
+parameters:
+  e: {key: contacts.default.restitution, from: 0.2, to: 0.9}
+targets:
+  - {test: bounce, number: kinetic_energy_J, value: 1e-4, error: 4e-6}
+sampling: {samples: 1000}
+"""
+
+
+class Plan(clod.Case):
+
+    def setUp(self):
+        super().setUp()
+        shutil.copy(BOUNCE, self.folder)
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def write(self, name, text):
+        with open(self.path(name), "w") as file:
+            file.write(text)
+
+    def calibrate(self, text, *arguments, code=0):
+        self.write("plan.yaml", text)
+        done = clod.run("calibrate", "plan.yaml", *arguments, cwd=self.folder)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def refuse(self, *changes, words):
+        text = PLAN
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        told = self.calibrate(text, "--check", code=2).stderr
+        for word in words:
+            self.assertIn(word, told)
+        return told
+
+    # ---- parameters
+
+    def test_keys_that_are_no_parameters(self):
+        ends = "key: contacts.default.restitution, from: 0.2, to: 0.9"
+        self.refuse((ends, "key: grains.0.count, from: 8, to: 16"),
+                    words=["plan.yaml:5:12: parameters.e.key: grains.0.count takes whole numbers only"])
+        self.refuse((ends, "key: seed, from: 1, to: 9"),
+                    words=["parameters.e.key: seed is no parameter: every packing gets a seed of its own"])
+
+    def two(self, k1, k2, points="9"):
+        return (("points: 9", f"points: {points}"), ("  e: {key: contacts.default.restitution, from: 0.2, to: 0.9}",
+                f"  k1: {{key: contacts.default.k1, {k1}}}\n  k2: {{key: contacts.default.k2, {k2}}}"))
+
+    def test_combination_that_the_case_refuses_is_named(self):
+        """k2 must not be below k1: each end goes with the middle of the other, but not all corners."""
+        law = ("law: hooke, k1: 1e5 N/m", "law: luding, k1: 1e5 N/m, k2: 4e6 N/m, plasticity_depth: 0.05")
+        with open(BOUNCE) as file:
+            text = file.read()
+        self.assertIn(law[0], text)
+        self.write("bounce.yaml", text.replace(*law))
+        told = self.refuse(*self.two("from: 1e5 N/m, to: 2e6 N/m", "from: 1.2e6 N/m, to: 4e6 N/m"),
+                           words=["test bounce refuses k1 = 2e+06 N/m, k2 = 1.2e+06 N/m together"])
+        self.assertEqual(told.count("refuses"), 1)
+        plan = PLAN
+        for old, new in self.two("from: 1e5 N/m, to: 2e6 N/m", "from: 2.1e6 N/m, to: 4e6 N/m"):
+            plan = plan.replace(old, new)
+        self.assertIn("in order", self.calibrate(plan, "--check").stdout)
+
+    # ---- wall friction tests
+
+    WALL = """points: 5
+tests:
+  wall: {case: wall.yaml}
+parameters:
+  mu: {key: contacts.ore-plate.friction, from: 0.05, to: 0.2}
+targets:
+  - {test: wall, number: phi_x, normal_stress: 10 kPa, value: 6.843 deg, error: 0.3 deg}
+  - {test: wall, number: phi_w, value: 6.843 deg, error: 0.3 deg, held_back: true}
+  - {test: wall, number: tau_ad, value: 0 kPa, error: 0.05 kPa, held_back: true}
+  - {test: wall, number: rho_b, normal_stress: 5 kPa, value: 1200 kg/m3, error: 50 kg/m3, held_back: true}
+sampling: {samples: 1000}
+"""
+
+    def write_wall(self):
+        with open(clod.source("tests/cli/wall_friction.yaml")) as file:
+            text = file.read()
+        for old, new in (("outer_radius: 30 mm", "outer_radius: 22 mm"), ("grain_count: 400", "grain_count: 200"),
+                         ("[5 kPa, 20 kPa, 10 kPa]", "[5 kPa, 10 kPa]")):
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        self.write("wall.yaml", text)
+
+    def test_wall_friction_test_tells_the_friction_of_its_plate(self):
+        """Grains that slip on the plate: phi_x is atan(mu), and 6.843 deg that of 0.12."""
+        self.write_wall()
+        self.calibrate(self.WALL, "-o", "out")
+        with open(self.path("out/calibration.json")) as file:
+            mu = json.load(file)["parameters"]["mu"]
+        self.assertLess(abs(mu["mean"] - 0.12), 0.004)
+        # 0.3 deg is 0.3 pi/180 (1 + 0.12^2) = 0.0053 of mu: 90 % within 1.645 of it
+        self.assertLess(abs(mu["high"] - mu["low"] - 2.0 * 1.645 * 0.0053), 0.004)
+        with open(self.path("out/runs.csv")) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 5)
+        for k, row in enumerate(rows):
+            angle = math.degrees(math.atan(float(row["mu [1]"])))
+            phi_x = float(row["wall: phi_x at 10 kPa [deg]"])
+            self.assertLessEqual(phi_x, angle + 1e-3)  # Coulomb's bound
+            self.assertGreater(phi_x, 0.98 * angle)  # a few of the 200 grains roll
+            with open(self.path(f"out/runs/p{k:03}-1-wall/wall_friction.csv")) as file:
+                at = {point["wall_stress [Pa]"]: point for point in csv.DictReader(file)}
+            (s1, t1), (s2, t2) = ((float(at[stress]["sigma_w [Pa]"]), float(at[stress]["tau_w [Pa]"]))
+                                  for stress in ("10000", "5000"))
+            self.assertLess(abs(phi_x - math.degrees(math.atan(t1 / s1))), 1e-4)
+            slope = (t1 - t2) / (s1 - s2)  # of the line through both points
+            self.assertLess(abs(float(row["wall: phi_w [deg]"]) - math.degrees(math.atan(slope))), 1e-4)
+            self.assertLess(abs(float(row["wall: tau_ad [kPa]"]) - 1e-3 * (t1 - slope * s1)), 1e-5)
+            self.assertLess(abs(float(row["wall: rho_b at 5 kPa [kg/m3]"]) /
+                                float(at["5000"]["rho_b [kg/m3]"]) - 1.0), 1e-6)
+
+    def test_wrong_targets_of_wall_friction_tests(self):
+        self.write_wall()
+
+        def wall(old, new, word):
+            self.assertIn(old, self.WALL)
+            told = self.calibrate(self.WALL.replace(old, new), "--check", code=2).stderr
+            self.assertIn(word, told)
+
+        wall("number: phi_x", "number: phi_e", "test wall has no number phi_e; did you mean phi_")
+        wall("number: phi_x", "number: rolling", "it has phi_x, phi_w, tau_ad, rho_b")
+        wall(", normal_stress: 10 kPa", "", "phi_x needs the key normal_stress")
+        wall("normal_stress: 10 kPa", "normal_stress: 7 kPa",
+             "7 kPa is not among the wall_stresses of test wall; give it there")
+        wall("phi_w,", "phi_w, normal_stress: 5 kPa,", "phi_w has none")
+        wall("number: phi_x, normal_stress: 10 kPa, value: 6.843 deg", "locus: lab.csv",
+             "of a wall friction test for instance phi_x at each normal_stress")
+        self.assertIn("in order", self.calibrate(self.WALL, "--check").stdout)
+        with open(self.path("wall.yaml"), "a") as file:
+            file.write("  seeds: 2\n")
+        told = self.calibrate(self.WALL, "--check", code=2).stderr
+        self.assertIn("the case has seeds: 2; leave it out there, and give seeds here", told)
+
+    # ---- what comes out
+
+    def table(self, told):
+        """Rows of the targets by their names."""
+        part = told[told.index("Targets that were used"):told.index("Surrogates")]
+        return {" ".join(line.split()[:2]): line.split()[2:] for line in part.splitlines()
+                if line.startswith("  bounce: ")}
+
+    def test_small_numbers_keep_four_figures(self):
+        told = self.calibrate(PLAN, "-o", "out").stdout
+        row = self.table(told)["bounce: kinetic_energy_J"]
+        self.assertEqual(row[:2], ["0.0001", "4e-06"])
+        with open(self.path("out/calibration.json")) as file:
+            model = json.load(file)["targets"][0]["model"]
+        self.assertEqual(row[3], f"{model:.4g}")
+
+    def test_held_back_number_that_no_run_has_is_dropped_and_told(self):
+        plan = PLAN.replace("points: 9", "points: 6")
+        self.calibrate(plan, "-o", "out")
+        with open(self.path("out/calibration.json")) as file:
+            before = json.load(file)["parameters"]
+        for k in range(6):
+            path = self.path(f"out/runs/p{k:03}-1-bounce/summary.json")
+            with open(path) as file:
+                summary = json.load(file)
+            summary["coordination"] = None
+            with open(path, "w") as file:
+                json.dump(summary, file)
+        held = "  - {test: bounce, number: coordination, value: 4, error: 1, held_back: true}\n"
+        done = self.calibrate(plan.replace("sampling:", held + "sampling:"), "-o", "out")
+        self.assertIn("bounce: coordination is not defined in the middle of all ranges", done.stderr)
+        self.assertIn("it is not foretold", done.stderr)
+        self.assertIn("bounce: coordination was held back and cannot be foretold: 0 of 6 runs have this number",
+                      " ".join(done.stdout.split()))
+        self.assertEqual(self.table(done.stdout)["bounce: coordination"], ["4", "1", "0", "-", "-", "-", "-", "-"])
+        with open(self.path("out/calibration.json")) as file:
+            found = json.load(file)
+        self.assertEqual(found["parameters"], before)
+        self.assertEqual([found["targets"][1][key] for key in ("model", "low", "surrogate")], [None] * 3)
+        self.assertEqual(clod.run("report", "out", cwd=self.folder).returncode, 0)
+
+    def test_title_of_two_lines_leaves_the_card_whole(self):
+        """Line breaks of the title and of the plan's path stay inside the comment."""
+        self.write("plan\nseed: 5.yaml", "title: |\n  Fines\n  7 percent\n" + PLAN.replace("points: 9", "points: 5"))
+        done = clod.run("calibrate", "plan\nseed: 5.yaml", "-o", "out", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("out/card.yaml")) as file:
+            card = file.read()
+        self.assertIn("# Material card: Fines 7 percent", card.splitlines()[0])
+        keys = [line for line in card.splitlines() if not line.startswith("#")]
+        self.assertEqual([line.split(":")[0].strip() for line in keys], ["contacts", "default", "restitution"])
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
