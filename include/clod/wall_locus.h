@@ -20,6 +20,8 @@ typedef struct clod_wall_locus_point {
     double tau;         ///< steady wall shear stress tau_w
     double sigma_error; ///< standard error of sigma
     double tau_error;   ///< standard error of tau
+    double wall_stress; ///< the wall normal stress that was asked for; 0: not stated
+    bool unsteady;      ///< the shear stress still changed where tau was taken
 } clod_wall_locus_point;
 
 /** A point with what follows from it. */
@@ -67,7 +69,8 @@ bool clod_wall_locus_one_specimen(const clod_wall_locus *self);
  * Read a wall yield locus from a CSV file with units in its header.
  *
  * @param path    the file, "-" for standard input: columns sigma_w, tau_w and, optional, seed,
- *                sigma_w_error, tau_w_error, in any order; what clod writes beside is skipped
+ *                sigma_w_error, tau_w_error, wall_stress, steady (1 or 0), in any order; what
+ *                clod writes beside is skipped
  * @param points  [out] owned (clod_locus_free)
  * @param count   [out]
  * Errors  CLOD_USAGE with file:line, column, value and what to do.   Threads  safe.

@@ -103,7 +103,7 @@ static const char *cut_unit(char *cell)
 static bool check_unit(const clod_csv *self, const clod_csv_column *column, const char *unit)
 {
     if (column->unit[0] == '\0') {
-        return unit[0] == '\0' ||
+        return unit[0] == '\0' || strcmp(unit, "1") == 0 ||
                clod_status_fail(self->status, CLOD_USAGE,
                                 "%s:%zu: column %s is a number without unit, not in \"%.64s\".",
                                 self->path, self->line, column->names[0], unit);

@@ -11,9 +11,11 @@
 #include "base/given.h"
 #include "base/memory.h"
 
-#define R2_LEAST 0.95       ///< as of a yield locus
-#define BELOW_SLACK 0.02    ///< of the largest shear stress: less does not matter
-#define ADHESION_ERRORS 2.0 ///< standard errors below 0 that are no chance
+#define R2_LEAST 0.95               ///< as of a yield locus
+#define BELOW_SLACK 0.02            ///< of the largest shear stress: less does not matter
+#define STEEP (50.0 * M_PI / 180.0) ///< of the line: solids hardly have more, walls not at all
+#define FLAT (2.0 * M_PI / 180.0)   ///< ice on a wall has more
+#define ADHESION_ERRORS 2.0         ///< standard errors below 0 that are no chance
 
 typedef clod_wall_locus_point point;
 
@@ -182,18 +184,54 @@ static void end_seeds(clod_locus_value *all, size_t seeds)
     }
 }
 
-static void look(clod_wall_locus *self)
+/** An angle that no wall has comes from the table. `end` is the point at the largest stress. */
+static void look_at_angle(clod_wall_locus *self, const point *end)
 {
     const double angle = self->phi_w.value;
     if (angle < 0.0) {
         warn(self, "The shear stress falls while the normal stress rises: no wall friction has "
                    "a negative angle. Look at the points: their columns, their units, whether "
                    "shear was steady.");
+    } else if (angle > STEEP && end->tau > end->sigma) {
+        warn(self,
+             "phi_w = %.1f deg, and the shear stress is above the normal stress even at the "
+             "largest: no wall is as rough. Have the columns sigma_w and tau_w been exchanged, "
+             "or has one another unit?",
+             angle / M_PI * 180.0);
+    } else if (angle < FLAT && end->tau < tan(FLAT) * end->sigma) {
+        warn(self,
+             "phi_w = %.2g deg: no wall is as smooth. Has the column sigma_w or tau_w another "
+             "unit, or does a single layer of grains roll on the plate?",
+             angle / M_PI * 180.0);
     }
-    double largest = 0.0;
+}
+
+/** Points that are no steady shear, in a line that takes them as such. */
+static void look_at_steadiness(clod_wall_locus *self)
+{
+    size_t count = 0;
     for (size_t i = 0; i < self->point_count; i++) {
-        largest = fmax(largest, self->marks[i].point.tau);
+        count += self->marks[i].point.unsteady ? 1 : 0;
     }
+    if (count > 0) {
+        warn(self,
+             "%zu of %zu points %s not steady: the shear stress still changed, and phi_x there "
+             "is none of steady shear. Shear on, or leave %s out.",
+             count, self->point_count, count == 1 ? "was" : "were", count == 1 ? "it" : "them");
+    }
+}
+
+static void look(clod_wall_locus *self)
+{
+    double largest = 0.0;
+    const point *end = &self->marks[0].point;
+    for (size_t i = 0; i < self->point_count; i++) {
+        const point *p = &self->marks[i].point;
+        largest = fmax(largest, p->tau);
+        end = p->sigma > end->sigma ? p : end;
+    }
+    look_at_angle(self, end);
+    look_at_steadiness(self);
     if (self->tau_ad.value < -BELOW_SLACK * largest &&
         !(self->tau_ad.value > -ADHESION_ERRORS * self->tau_ad.error)) {
         warn(self,

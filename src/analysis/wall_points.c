@@ -16,9 +16,17 @@
 #define ANGLE_MOST 80.0 ///< deg, of phi_x: beyond it columns or units are wrong
 #define DEGREES (180.0 / M_PI)
 
-enum { SIGMA = 1, TAU, COLUMN_COUNT = 5 };
+/** A row: a table says what is steady, a point what is not. */
+typedef struct row {
+    clod_wall_locus_point point;
+    int64_t steady;
+} row;
 
-#define POINT(field) .offset = offsetof(clod_wall_locus_point, field)
+static const row FIRST = {.steady = 1};
+
+enum { SIGMA = 1, TAU, COLUMN_COUNT = 7 };
+
+#define POINT(field) .offset = offsetof(row, point.field)
 
 static const clod_csv_column COLUMNS[COLUMN_COUNT] = {
     {.names = {"seed"}, .unit = "", POINT(seed)},
@@ -27,15 +35,25 @@ static const clod_csv_column COLUMNS[COLUMN_COUNT] = {
     [TAU] = {.names = {"tau_w"}, .unit = "Pa", .required = true, POINT(tau)},
     {.names = {"sigma_w_error"}, .unit = "Pa", POINT(sigma_error)},
     {.names = {"tau_w_error"}, .unit = "Pa", POINT(tau_error)},
+    {.names = {"wall_stress"}, .unit = "Pa", POINT(wall_stress)},
+    {.names = {"steady"}, .unit = "", .offset = offsetof(row, steady)},
 };
 
 /** Columns that a wall friction test and clod locus --csv write and nobody reads here. */
-static const char *const SKIPPED[] = {"wall_stress", "phi_x",        "phi_x_error", "line",
-                                      "rho_b",       "displacement", "steady",      NULL};
+static const char *const SKIPPED[] = {"phi_x", "phi_x_error",  "line",
+                                      "rho_b", "displacement", NULL};
 
-static bool check_row(const clod_csv *self, const void *row)
+static bool check_row(const clod_csv *self, const void *of)
 {
-    const clod_wall_locus_point *p = row;
+    const row *at = of;
+    const clod_wall_locus_point *p = &at->point;
+    if (at->steady != 0 && at->steady != 1) {
+        return clod_status_fail(
+            self->status, CLOD_USAGE,
+            "%s:%zu: column steady: %lld must be 1, shear was steady, or 0, "
+            "it was not.",
+            self->path, self->line, (long long)at->steady);
+    }
     const double angle = DEGREES * atan2(p->tau, p->sigma);
     return angle <= ANGLE_MOST ||
            clod_status_fail(self->status, CLOD_USAGE,
@@ -48,13 +66,24 @@ static bool check_row(const clod_csv *self, const void *row)
 static const clod_csv_kind POINTS = {
     .columns = COLUMNS,
     .count = COLUMN_COUNT,
-    .row = sizeof(clod_wall_locus_point),
-    .known = "sigma_w, tau_w, seed, sigma_w_error, tau_w_error",
+    .row = sizeof(row),
+    .known = "sigma_w, tau_w, seed, sigma_w_error, tau_w_error, wall_stress, steady",
     .example = "sigma_w [kPa],tau_w [kPa]",
     .item = "wall yield locus point",
     .skipped = SKIPPED,
     .check_row = check_row,
 };
+
+/** Points of rows; owned, NULL without memory. */
+static clod_wall_locus_point *points_of(const row *rows, size_t count)
+{
+    clod_wall_locus_point *points = clod_memory_alloc(count, sizeof *points);
+    for (size_t i = 0; points != NULL && i < count; i++) {
+        points[i] = rows[i].point;
+        points[i].unsteady = rows[i].steady == 0;
+    }
+    return points;
+}
 
 bool clod_wall_locus_parse(const char *path, const char *text, size_t length,
                            clod_wall_locus_point **points, size_t *count, clod_status *status)
@@ -63,11 +92,17 @@ bool clod_wall_locus_parse(const char *path, const char *text, size_t length,
         !CLOD_GIVEN(count, status)) {
         return false;
     }
-    clod_csv self = {.kind = &POINTS, .path = path, .status = status};
-    const bool good = clod_csv_parse(&self, text, length);
-    *points = good ? self.rows : NULL;
-    *count = good ? self.count : 0;
-    return good;
+    *points = NULL;
+    *count = 0;
+    clod_csv self = {.kind = &POINTS, .path = path, .status = status, .first = &FIRST};
+    if (!clod_csv_parse(&self, text, length)) {
+        return false;
+    }
+    *points = points_of(self.rows, self.count);
+    *count = *points != NULL ? self.count : 0;
+    clod_memory_free(self.rows);
+    return *points != NULL ||
+           clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", self.count);
 }
 
 bool clod_wall_locus_read(const char *path, clod_wall_locus_point **points, size_t *count,

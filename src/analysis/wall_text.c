@@ -64,7 +64,7 @@ static void put_mark(FILE *out, const mark *m, bool seeds)
                       m->point.tau_error > 0.0 ? 1e-3 * m->point.tau_error : (double)NAN);
     fprintf(out, "%10.2f ± ", DEGREES * m->phi_x.value);
     clod_prose_number(out, 5, 2, DEGREES * m->phi_x.error);
-    fprintf(out, "%10.3f\n", 1e-3 * m->line);
+    fprintf(out, "%10.3f%s\n", 1e-3 * m->line, m->point.unsteady ? "  not steady" : "");
 }
 
 char *clod_wall_locus_table(const clod_wall_locus *self)
@@ -109,12 +109,12 @@ static json_t *value_of(clod_locus_value value, double scale)
 
 static json_t *mark_of(const mark *m)
 {
-    return json_pack("{s:I, s:f, s:f, s:f, s:f, s:f, s:o, s:f}", "seed",
-                     (json_int_t)m->point.seed, "sigma_w_Pa", m->point.sigma,
-                     "sigma_w_error_Pa", m->point.sigma_error, "tau_w_Pa", m->point.tau,
-                     "tau_w_error_Pa", m->point.tau_error, "phi_x_deg",
-                     DEGREES * m->phi_x.value, "phi_x_error_deg",
-                     clod_json_number(DEGREES * m->phi_x.error), "line_Pa", m->line);
+    return json_pack(
+        "{s:I, s:f, s:f, s:f, s:f, s:f, s:o, s:f, s:b}", "seed", (json_int_t)m->point.seed,
+        "sigma_w_Pa", m->point.sigma, "sigma_w_error_Pa", m->point.sigma_error, "tau_w_Pa",
+        m->point.tau, "tau_w_error_Pa", m->point.tau_error, "phi_x_deg",
+        DEGREES * m->phi_x.value, "phi_x_error_deg", clod_json_number(DEGREES * m->phi_x.error),
+        "line_Pa", m->line, "steady", !m->point.unsteady);
 }
 
 char *clod_wall_locus_json(const clod_wall_locus *self)
@@ -149,7 +149,7 @@ char *clod_wall_locus_csv(const clod_wall_locus *self)
         return NULL;
     }
     fputs("seed,sigma_w [Pa],sigma_w_error [Pa],tau_w [Pa],tau_w_error [Pa],phi_x [deg],"
-          "phi_x_error [deg],line [Pa]\n",
+          "phi_x_error [deg],line [Pa],wall_stress [Pa],steady [1]\n",
           out);
     for (size_t i = 0; i < self->point_count; i++) {
         const mark *m = &self->marks[i];
@@ -159,7 +159,7 @@ char *clod_wall_locus_csv(const clod_wall_locus *self)
         if (isfinite(m->phi_x.error)) {
             fprintf(out, "%.10g", DEGREES * m->phi_x.error);
         }
-        fprintf(out, ",%.10g\n", m->line);
+        fprintf(out, ",%.10g,%.10g,%d\n", m->line, m->point.wall_stress, !m->point.unsteady);
     }
     return clod_text_close(&text);
 }

@@ -120,11 +120,12 @@ static void put_cell(FILE *out, double value, double error, int digits)
 
 static void put_points(FILE *out, const clod_wall_page_locus *loci, size_t count)
 {
-    fputs("<div class=\"scroll\"><table id=\"points-table\"><thead><tr><th>points</th>"
-          "<th>seed</th><th>&sigma;<sub>w</sub> [kPa]</th><th>&tau;<sub>w</sub> [kPa]</th>"
-          "<th>&phi;<sub>x</sub> [deg]</th><th>&tau; of the line [kPa]</th></tr></thead>\n"
-          "<tbody>",
-          out);
+    fputs(
+        "<div class=\"scroll\"><table id=\"points-table\"><thead><tr><th>points</th>"
+        "<th>seed</th><th>&sigma;<sub>w</sub> [kPa]</th><th>&tau;<sub>w</sub> [kPa]</th>"
+        "<th>&phi;<sub>x</sub> [deg]</th><th>&tau; of the line [kPa]</th><th></th></tr></thead>\n"
+        "<tbody>",
+        out);
     for (size_t s = 0; s < count; s++) {
         size_t k;
         const json_t *p;
@@ -140,6 +141,10 @@ static void put_points(FILE *out, const clod_wall_page_locus *loci, size_t count
             put_cell(out, clod_shear_number(p, "phi_x_deg"),
                      clod_shear_number(p, "phi_x_error_deg"), 2);
             put_cell(out, 1e-3 * clod_shear_number(p, "line_Pa"), (double)NAN, 3);
+            // pages of older runs have no such mark
+            fputs(json_is_false(json_object_get(p, "steady")) ? "<td>not steady</td>"
+                                                              : "<td></td>",
+                  out);
             fputs("</tr>\n", out);
         }
     }

@@ -26,8 +26,13 @@ static clod_wall_locus_point *points_of(const clod_part *part, int parts, size_t
         const clod_wall_shear *test = part[p].test;
         for (int64_t k = 0; part[p].point >= 0 && k < test->at; k++) {
             const point *from = &test->point[k];
-            all[(*count)++] = (clod_wall_locus_point){part[p].seed, from->normal, from->shear,
-                                                      from->normal_error, from->shear_error};
+            all[(*count)++] = (clod_wall_locus_point){.seed = part[p].seed,
+                                                      .sigma = from->normal,
+                                                      .tau = from->shear,
+                                                      .sigma_error = from->normal_error,
+                                                      .tau_error = from->shear_error,
+                                                      .wall_stress = test->stresses[k],
+                                                      .unsteady = from->steady == 0};
         }
     }
     return all;

@@ -32,10 +32,11 @@ static void add_steadiness(json_t *list, const clod_case *from, const clod_part 
         clod_warning_box_add(
             list,
             "%s: at %.4g kPa the wall shear stress was not steady after %.3g mm "
-            "(wall_friction.shear_max): %.4g kPa, changing by %.2g ± %.2g kPa per mm. Raise it, "
-            "or block_displacement if the solid slips and sticks",
-            part->name, 1e-3 * t->stresses[k], 1e3 * from->wall_friction.shear_max,
-            1e-3 * p->shear, 1e-6 * p->rate, 1e-6 * p->rate_error);
+            "(at most wall_friction.shear_max = %.3g mm): %.4g kPa, changing by %.2g ± %.2g kPa "
+            "per mm. Raise it, or block_displacement if the solid slips and sticks",
+            part->name, 1e-3 * t->stresses[k], 1e3 * p->displacement,
+            1e3 * from->wall_friction.shear_max, 1e-3 * p->shear, 1e-6 * p->rate,
+            1e-6 * p->rate_error);
     }
 }
 

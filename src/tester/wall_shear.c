@@ -301,12 +301,11 @@ static void after_shear(clod_wall_shear *self, clod_state *state, const double *
     const bool level =
         clod_steady_add(&self->steady, row[CLOD_WALL_SHEAR_SHEAR_STRESS],
                         row[CLOD_WALL_SHEAR_HEIGHT], row[CLOD_WALL_SHEAR_NORMAL_STRESS]);
-    // to the nearest block: its way is a whole number of steps
-    const bool steady =
-        level && self->in_phase + 0.5 * self->block_displacement >= self->shear_min;
+    // both to the nearest block: its way is a whole number of steps
+    const double way = self->in_phase + 0.5 * self->block_displacement;
+    const bool steady = level && way >= self->shear_min;
     // never without the blocks that a mean with an error needs, however short the limit
-    const bool late = self->in_phase + self->block_displacement > self->shear_max &&
-                      self->steady.block_count >= CLOD_STEADY_MIN;
+    const bool late = way > self->shear_max && self->steady.block_count >= CLOD_STEADY_MIN;
     if (self->steady.samples > 0 || (!steady && !late)) {
         return; // at the end of a block only
     }

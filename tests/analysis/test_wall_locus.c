@@ -144,6 +144,66 @@ static void a_locus_that_is_odd_says_so(void **state)
     clod_wall_locus_fini(&locus);
 }
 
+static void expect_only(const clod_wall_locus_point *points, size_t count, const char *text)
+{
+    clod_wall_locus locus = evaluate(points, count);
+    assert_int_equal(locus.warning_count, text != NULL ? 1 : 0);
+    if (text != NULL && strstr(locus.warnings[0], text) == NULL) {
+        fail_msg("\"%s\" is not in \"%s\"", text, locus.warnings[0]);
+    }
+    clod_wall_locus_fini(&locus);
+}
+
+/** The how-to's table of steel, 14 deg, as it is; exchanged: atan(15/3.75) = 76 deg; with sigma_w
+ *  1000 times as large: 0.014 deg. A sticky solid is steep at low stress only. */
+static void an_angle_that_no_wall_has_is_told(void **state)
+{
+    (void)state;
+    clod_wall_locus_point steel[] = {{.sigma = 5e3, .tau = 1.31e3},
+                                     {.sigma = 10e3, .tau = 2.58e3},
+                                     {.sigma = 20e3, .tau = 5.06e3}};
+    expect_only(steel, 3, NULL);
+    for (int k = 0; k < 3; k++) {
+        const double sigma = steel[k].sigma;
+        steel[k].sigma = steel[k].tau;
+        steel[k].tau = sigma;
+    }
+    expect_only(steel, 3, "phi_w = 76.0 deg, and the shear stress is above the normal stress");
+    for (int k = 0; k < 3; k++) {
+        const double sigma = steel[k].tau;
+        steel[k].tau = steel[k].sigma;
+        steel[k].sigma = 1e3 * sigma;
+    }
+    expect_only(steel, 3, "phi_w = 0.014 deg: no wall is as smooth");
+    const clod_wall_locus_point sticky[] = {{.sigma = 500.0, .tau = 1.2e3},
+                                            {.sigma = 5e3, .tau = 3e3},
+                                            {.sigma = 10e3, .tau = 5e3}};
+    expect_only(sticky, 3, NULL);
+}
+
+/** In the text, the JSON and the CSV too. */
+static void what_was_not_steady_is_marked(void **state)
+{
+    (void)state;
+    const clod_wall_locus_point points[] = {{.sigma = 1e3, .tau = 300.0, .unsteady = true},
+                                            {.sigma = 2e3, .tau = 590.0, .wall_stress = 2e3},
+                                            {.sigma = 3e3, .tau = 900.0}};
+    expect_only(points, 3, "1 of 3 points was not steady");
+    clod_wall_locus locus = evaluate(points, 3);
+    char *table = clod_wall_locus_table(&locus);
+    char *csv = clod_wall_locus_csv(&locus);
+    char *json = clod_wall_locus_json(&locus);
+    assert_non_null(strstr(table, "0.297  not steady\n"));
+    assert_non_null(strstr(csv, ",wall_stress [Pa],steady [1]\n"));
+    assert_non_null(strstr(csv, ",2000,1\n"));
+    assert_non_null(strstr(csv, ",0,0\n"));
+    assert_non_null(strstr(json, "\"steady\": false"));
+    clod_locus_free(table);
+    clod_locus_free(csv);
+    clod_locus_free(json);
+    clod_wall_locus_fini(&locus);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -152,6 +212,8 @@ int main(void)
         cmocka_unit_test(seeds_give_their_mean_and_scatter),
         cmocka_unit_test(what_is_no_locus_is_refused),
         cmocka_unit_test(a_locus_that_is_odd_says_so),
+        cmocka_unit_test(an_angle_that_no_wall_has_is_told),
+        cmocka_unit_test(what_was_not_steady_is_marked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,6 +37,29 @@ static void units_and_order_are_those_of_the_header(void **state)
     clod_locus_free(points);
 }
 
+/** As wall_friction.csv of a run has them; without the columns all is steady. */
+static void rows_say_whether_shear_was_steady(void **state)
+{
+    static const char TEXT[] =
+        "sigma_w [Pa],tau_w [Pa],wall_stress [Pa],displacement [m],steady [1]\n"
+        "9000,2500,10000,0.02,1\n4500,1200,5000,0.02,0\n";
+    clod_wall_locus_point *points;
+    size_t count;
+    clod_status status = {0};
+    (void)state;
+    assert_true(
+        clod_wall_locus_parse("wall.csv", TEXT, strlen(TEXT), &points, &count, &status));
+    assert_int_equal(count, 2);
+    assert_true(!points[0].unsteady && points[1].unsteady);
+    assert_true(points[0].wall_stress == 10e3 && points[1].wall_stress == 5e3);
+    clod_locus_free(points);
+    static const char PLAIN[] = "sigma_w [Pa],tau_w [Pa]\n9000,2500\n";
+    assert_true(
+        clod_wall_locus_parse("wall.csv", PLAIN, strlen(PLAIN), &points, &count, &status));
+    assert_true(!points[0].unsteady && points[0].wall_stress == 0.0);
+    clod_locus_free(points);
+}
+
 static void what_is_wrong_is_said_with_its_place(void **state)
 {
     (void)state;
@@ -44,6 +67,8 @@ static void what_is_wrong_is_said_with_its_place(void **state)
     expect_error("sigma_w [kPa],tau_w [kPa],force [N]\n10,3,1\n", "force");
     expect_error("sigma_w [mm],tau_w [kPa]\n10,3\n", "mm");
     expect_error("sigma_w [kPa],tau_w [kPa]\n10,3\n0,2\n", "wall.csv:3: column sigma_w: \"0\"");
+    expect_error("sigma_w [kPa],tau_w [kPa],steady\n10,3,2\n",
+                 "wall.csv:2: column steady: 2 must be 1, shear was steady, or 0");
     expect_error("sigma_w [kPa],tau_w [kPa]\n10,-3\n", "wall.csv:2: column tau_w: \"-3\"");
     expect_error("sigma_w [kPa],tau_w [Pa]\n10,x\n", "is not a number");
     expect_error("sigma_w [kPa],tau_w [kPa]\n", "there is no wall yield locus point in it");
@@ -86,6 +111,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(units_and_order_are_those_of_the_header),
+        cmocka_unit_test(rows_say_whether_shear_was_steady),
         cmocka_unit_test(what_is_wrong_is_said_with_its_place),
         cmocka_unit_test(an_impossible_angle_is_an_error),
         cmocka_unit_test(a_table_is_what_its_header_says),

@@ -206,6 +206,25 @@ static void what_is_not_steady_is_told(void **context)
     check_relative(p->rate, 10.0 * 20e3, 1e-6);
 }
 
+/** A block of 25 samples is 25 x 189 steps x 0.212 um = 1.0023 mm at 10 kPa: five of them fit into
+ *  a limit of 5 mm, which is meant to be five blocks. */
+static void steps_that_round_up_cost_no_block(void **context)
+{
+    (void)context;
+    now.from.wall_friction.steady_blocks = 5;
+    now.from.wall_friction.shear_min = 5e-3;
+    now.from.wall_friction.shear_max = 5e-3;
+    clod_wall_shear_begin(&now.test, &now.from, &now.state);
+    go_to_run_in();
+    for (int k = 0; k < 3; k++) {
+        look_while(CLOD_WALL_SHEAR_RUN_IN);
+        look_while(CLOD_WALL_SHEAR_SHEAR);
+        assert_int_equal(now.test.point[k].steady, 1);
+        check_close(now.test.point[k].displacement, 5e-3, 0.1e-3);
+    }
+    assert_true(now.test.flags == 0);
+}
+
 /** By hand: r_m = 2/3 (0.05^3 - 0.03^3)/(0.05^2 - 0.03^2) = 0.0408333 m. */
 static void a_ring_turns_its_plate(void **context)
 {
@@ -256,6 +275,7 @@ int main(void)
         cmocka_unit_test_setup(the_plate_shears_on_from_stress_to_stress, make_cell),
         cmocka_unit_test_setup(the_series_has_both_sides_of_the_balance, make_cell),
         cmocka_unit_test_setup(what_is_not_steady_is_told, make_cell),
+        cmocka_unit_test_setup(steps_that_round_up_cost_no_block, make_cell),
         cmocka_unit_test_setup(a_ring_turns_its_plate, make_cell),
         cmocka_unit_test_setup(a_lid_on_the_plate_ends_the_test, make_cell),
         cmocka_unit_test_setup(another_programme_can_follow_a_filling, make_cell),
