@@ -149,7 +149,7 @@ void clod_check_soften_put(json_t *to, const clod_check_report *r)
 static void note_scale(const clod_case_contact *pair, const char *a, const char *b,
                        clod_check_report *r)
 {
-    if (clod_law_kinds_row(pair->law)->keys.plasticity_depth != NULL) {
+    if (clod_law_kinds_row((clod_law_kind)pair->law)->keys.plasticity_depth != NULL) {
         clod_check_note(r,
                         "%s-%s: plasticity_depth is a length, so the force at which %s "
                         "becomes elastic is divided by %.6g too: contacts get there under less "
