@@ -104,7 +104,9 @@ static void put_comment(FILE *out, const char *format, ...)
     va_end(args);
     for (char *at = text; *at != '\0'; at++) {
         const unsigned char byte = (unsigned char)*at;
-        *at = byte < 0x20 || byte == 0x7F ? ' ' : *at;
+        if (byte < 0x20 || byte == 0x7F) {
+            *at = ' ';
+        }
     }
     fprintf(out, "# %s\n", text);
 }

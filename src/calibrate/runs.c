@@ -333,10 +333,10 @@ static bool check_first(const clod_runs *self, clod_status *status)
             const clod_runs_row *row = &self->rows[clod_runs_row_of(self->plan, 0, 0, t)];
             return clod_status_fail(
                 status, CLOD_FAILED,
-                "Test %s fails in the middle of all ranges: %s. Mend the case or the ranges, and "
-                "remove %s.",
-                self->plan->tests[t].name, row->why != NULL ? row->why : "",
-                self->folder->path);
+                "Test %s fails in the middle of all ranges. Mend the case or the ranges, and remove "
+                "%s. It said: %s",
+                self->plan->tests[t].name, self->folder->path,
+                row->why != NULL ? row->why : "nothing");
         }
     }
     return true;

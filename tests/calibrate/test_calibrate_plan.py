@@ -156,6 +156,15 @@ sampling: {samples: 1000}
         told = self.calibrate(self.WALL, "--check", code=2).stderr
         self.assertIn("the case has seeds: 2; leave it out there, and give seeds here", told)
 
+    def test_words_of_a_test_that_fails_end_with_one_stop(self):
+        with open(BOUNCE) as file:
+            text = file.read()
+        self.write("bounce.yaml", text.replace("k1: 1e5", "k1: 1e1"))
+        told = self.calibrate(PLAN, "-o", "out", code=1).stderr
+        self.assertIn("in the middle of all ranges. Mend the case or the ranges, and remove out. It said: ", told)
+        self.assertNotIn(". .", told)
+        self.assertNotIn("..", told)
+
     # ---- what comes out
 
     def table(self, told):
