@@ -30,7 +30,13 @@ void clod_wall_locus_fini(clod_wall_locus *self)
 bool clod_wall_locus_one_specimen(const clod_wall_locus *self)
 {
     CLOD_NEED(self);
-    return self->errors == CLOD_LOCUS_ERRORS_FIT && self->seed_count == 1;
+    bool repeats = false; // at one stress: of several specimens, or of one, nobody knows
+    for (size_t i = 1; i < self->point_count; i++) {
+        const double before = self->marks[i - 1].point.sigma;
+        repeats = repeats ||
+                  before - self->marks[i].point.sigma <= CLOD_WARNINGS_SAME_STRESS * before;
+    }
+    return self->errors == CLOD_LOCUS_ERRORS_FIT && self->seed_count == 1 && !repeats;
 }
 
 static void __attribute__((format(printf, 2, 3)))

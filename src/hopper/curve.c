@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/memory.h"
+
 #define PARALLEL 1e-9 // of slopes: closer ones do not meet
 
 /** y = a + b x from x = `from` on. */
@@ -24,44 +26,11 @@ void clod_curve_sort(clod_curve *self)
     }
 }
 
-/** Mean of points, with its errors. */
-static clod_curve_point mean_of(const clod_curve_point *points, size_t count)
+void clod_curve_fini(clod_curve *self)
 {
-    const double n = (double)count;
-    clod_curve_point mean = {0};
-    double x_stated = 0.0, y_stated = 0.0, x_scatter = 0.0, y_scatter = 0.0;
-    for (size_t i = 0; i < count; i++) {
-        mean.x += points[i].x / n;
-        mean.y += points[i].y / n;
-        x_stated += points[i].x_error * points[i].x_error / n / n;
-        y_stated += points[i].y_error * points[i].y_error / n / n;
-    }
-    for (size_t i = 0; i < count; i++) {
-        const double x = points[i].x - mean.x;
-        const double y = points[i].y - mean.y;
-        x_scatter += x * x / (n - 1.0) / n;
-        y_scatter += y * y / (n - 1.0) / n;
-    }
-    mean.x_error = sqrt(fmax(x_stated, x_scatter));
-    mean.y_error = sqrt(fmax(y_stated, y_scatter));
-    return mean;
-}
-
-void clod_curve_merge(clod_curve *self, double apart)
-{
-    size_t kept = 0;
-    clod_curve_sort(self);
-    for (size_t first = 0, next; first < self->count; first = next) {
-        next = first + 1;
-        while (next < self->count &&
-               self->points[next].x <= (1.0 + apart) * self->points[first].x) {
-            next++;
-        }
-        const clod_curve_point one = self->points[first];
-        self->points[kept++] =
-            next - first > 1 ? mean_of(&self->points[first], next - first) : one;
-    }
-    self->count = kept;
+    clod_memory_free(self->points);
+    clod_memory_free(self->spread);
+    *self = (clod_curve){0};
 }
 
 static piece through(const clod_curve_point *p, const clod_curve_point *q, double from)

@@ -10,7 +10,10 @@
 /** A measured point; standard errors, 0: not stated. */
 typedef struct clod_curve_point {
     double x, y;
-    double x_error, y_error;
+    double x_error, y_error; ///< y_error: all of it, what specimens share too
+    const double
+        *spread; ///< [specimens] move of y per standard normal number of each specimen,
+                 ///< the same number at all points; NULL: errors are independent
 } clod_curve_point;
 
 /** How the curve goes. */
@@ -24,19 +27,15 @@ typedef struct clod_curve {
     clod_curve_way way;
     clod_curve_point *points; ///< [count] in ascending order of x; owned by whoever made them
     size_t count;             ///< 0: the property is not known
+    size_t specimens;         ///< whose scatter the points share; 0: none
+    double *spread;           ///< [count][specimens] that of the points; owned likewise
 } clod_curve;
 
 /** Sort the points. */
 void clod_curve_sort(clod_curve *self);
 
-/**
- * Sort the points and replace those at one stress by their mean; its error is that of their
- * scatter, or of what they state when that is more.
- *
- * @param apart  relative distance from the first of them below which two stresses are one
- * Errors  none.   Threads  pure.   Test  tests/hopper/test_curve.c
- */
-void clod_curve_merge(clod_curve *self, double apart);
+/** Free points and spread; a curve of zeros is fine. */
+void clod_curve_fini(clod_curve *self);
 
 /**
  * The property at x; not below 0.

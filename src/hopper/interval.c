@@ -69,18 +69,40 @@ static double normal(const task *self, size_t item, uint64_t *draw)
     return sqrt(-2.0 * log(u)) * cos(2.0 * M_PI * v);
 }
 
+/** Draw the points of a curve: each for itself, and all of them with every specimen. */
+static void draw_curve(const task *self, size_t item, const clod_curve *measured,
+                       clod_curve *curve, uint64_t *draw)
+{
+    for (size_t i = 0; i < measured->count; i++) {
+        const clod_curve_point *from = &measured->points[i];
+        clod_curve_point *to = &curve->points[i];
+        double shared = 0.0;
+        for (size_t s = 0; from->spread != NULL && s < measured->specimens; s++) {
+            shared += from->spread[s] * from->spread[s];
+        }
+        const double alone = sqrt(fmax(from->y_error * from->y_error - shared, 0.0));
+        to->x = fmax(0.01 * from->x, from->x + from->x_error * normal(self, item, draw));
+        to->y = from->y + alone * normal(self, item, draw);
+    }
+    for (size_t s = 0; s < measured->specimens; s++) {
+        const double specimen = normal(self, item, draw);
+        for (size_t i = 0; i < measured->count; i++) {
+            const double *spread = measured->points[i].spread;
+            curve->points[i].y += spread != NULL ? spread[s] * specimen : 0.0;
+        }
+    }
+    for (size_t i = 0; i < measured->count; i++) {
+        curve->points[i].y = fmax(0.0, curve->points[i].y);
+    }
+}
+
 /** Draw every point of every curve; stresses stay positive, angles below a right one. */
 static void draw_solid(const task *self, size_t item, clod_solid *solid)
 {
     const clod_solid *measured = &self->hopper->solid;
     uint64_t draw = 0;
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
-        for (size_t i = 0; i < measured->curves[k].count; i++) {
-            const clod_curve_point *from = &measured->curves[k].points[i];
-            clod_curve_point *to = &solid->curves[k].points[i];
-            to->x = fmax(0.01 * from->x, from->x + from->x_error * normal(self, item, &draw));
-            to->y = fmax(0.0, from->y + from->y_error * normal(self, item, &draw));
-        }
+        draw_curve(self, item, &measured->curves[k], &solid->curves[k], &draw);
     }
     for (size_t i = 0; i < solid->phi_e.count; i++) {
         clod_curve_point *point = &solid->phi_e.points[i];

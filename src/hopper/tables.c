@@ -12,7 +12,7 @@
 #include "base/memory.h"
 #include "clod/bulk_density.h"
 #include "clod/locus.h"
-#include "clod/wall_locus.h"
+#include "hopper/wall.h"
 
 /** A row of the flow function; 0: not there. */
 typedef struct row {
@@ -79,9 +79,6 @@ static const clod_csv_kind FLOW_KIND = {
     .skipped = SKIPPED,
     .check_row = check_flow,
 };
-
-/** Wall normal stresses no further apart, relative, are one: tests of the same programme. */
-#define SAME_STRESS 0.02
 
 #define POINT(field) .offset = offsetof(clod_curve_point, field)
 #define SIGMA(name)                                                                            \
@@ -323,30 +320,12 @@ static bool read_rho(const char *path, clod_curve *curve, clod_status *status)
     clod_memory_free(text);
     good = good && make_points(curve, count, status);
     for (size_t i = 0; good && i < count; i++) {
-        curve->points[i] = (clod_curve_point){points[i].sigma_1, points[i].rho_b,
-                                              points[i].sigma_1_error, points[i].rho_b_error};
+        curve->points[i] = (clod_curve_point){.x = points[i].sigma_1,
+                                              .y = points[i].rho_b,
+                                              .x_error = points[i].sigma_1_error,
+                                              .y_error = points[i].rho_b_error};
     }
     clod_locus_free(points);
-    return good;
-}
-
-/** A wall yield locus: of the file, or of wall_friction.csv in a results folder. */
-static bool read_wall(const char *path, clod_curve *curve, clod_status *status)
-{
-    char inside[PATH_MAX];
-    size_t count;
-    clod_wall_locus_point *points;
-    bool good = clod_wall_locus_read(find_table(path, "wall_friction.csv", inside), &points,
-                                     &count, status);
-    good = good && make_points(curve, count, status);
-    for (size_t i = 0; good && i < count; i++) {
-        curve->points[i] = (clod_curve_point){points[i].sigma, points[i].tau,
-                                              points[i].sigma_error, points[i].tau_error};
-    }
-    clod_locus_free(points);
-    if (good) { // of several seeds, or measured twice
-        clod_curve_merge(curve, SAME_STRESS);
-    }
     return good;
 }
 
@@ -357,26 +336,36 @@ static bool read_property(const clod_hopper_property *from, property_reader *rea
     if (!from->present) {
         return true;
     }
-    clod_memory_free(curve->points);
-    *curve = (clod_curve){0};
+    clod_curve_fini(curve);
     if (from->file != NULL) {
         return read(from->file, curve, status);
     }
     if (!make_points(curve, 1, status)) {
         return false;
     }
-    curve->points[0] = (clod_curve_point){1.0, from->value, 0.0, from->error};
+    curve->points[0] = (clod_curve_point){.x = 1.0, .y = from->value, .y_error = from->error};
     return true;
 }
 
-/** A wall friction angle as a point of the wall yield locus, which then is a line from 0. */
-static void wall_of_angle(const clod_hopper_property *from, clod_curve *wall)
+/** A wall yield locus, of a file or of a results folder; or an angle, as a line from 0. */
+static bool read_wall(const clod_hopper_property *from, clod_curve *wall,
+                      clod_tables_notes *notes, clod_status *status)
 {
-    if (from->file == NULL && wall->count == 1) {
-        const double tangent = tan(from->value);
-        wall->points[0].y = tangent;
-        wall->points[0].y_error = (1.0 + tangent * tangent) * from->error;
+    if (from->file != NULL) {
+        char inside[PATH_MAX];
+        return clod_wall_read(find_table(from->file, "wall_friction.csv", inside), wall,
+                              notes->warnings, status);
     }
+    if (!from->present) {
+        return true;
+    }
+    if (!make_points(wall, 1, status)) {
+        return false;
+    }
+    const double tangent = tan(from->value);
+    wall->points[0] = (clod_curve_point){
+        .x = 1.0, .y = tangent, .y_error = (1.0 + tangent * tangent) * from->error};
+    return true;
 }
 
 bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tables_notes *notes,
@@ -387,10 +376,9 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
         !read_property(&from->phi_e, read_phi_e, &solid->phi_e, status) ||
         !read_property(&from->phi_t, read_phi_t, &solid->phi_t, status) ||
         !read_property(&from->rho, read_rho, &solid->rho, status) ||
-        !read_property(&from->wall, read_wall, &solid->wall, status)) {
+        !read_wall(&from->wall, &solid->wall, notes, status)) {
         return false;
     }
-    wall_of_angle(&from->wall, &solid->wall);
     solid->strength.way = from->strength.curve == 0 ? CLOD_CURVE_LINE : CLOD_CURVE_EXTENDED;
     solid->wall.way = CLOD_CURVE_EXTENDED;
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
@@ -402,7 +390,6 @@ bool clod_tables_read(const clod_hopper_case *from, clod_solid *solid, clod_tabl
 void clod_tables_fini(clod_solid *solid)
 {
     for (size_t k = 0; k < CLOD_SOLID_CURVES; k++) {
-        clod_memory_free(solid->curves[k].points);
+        clod_curve_fini(&solid->curves[k]);
     }
-    *solid = (clod_solid){0};
 }

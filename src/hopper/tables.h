@@ -11,7 +11,7 @@
 /** What is to be said beside what was read. */
 typedef struct clod_tables_notes {
     bool one_specimen;              ///< whether a strength comes from a single specimen
-    clod_hopper_warnings *warnings; ///< those of yield loci are added to it
+    clod_hopper_warnings *warnings; ///< those of yield loci and of wall yield loci
 } clod_tables_notes;
 
 /**

@@ -49,6 +49,10 @@ static void a_line_through_one_test_has_the_errors_of_its_scatter(void **state)
     assert_true(isnan(locus.phi_w.scatter));
     assert_int_equal(locus.errors, CLOD_LOCUS_ERRORS_FIT);
     assert_true(clod_wall_locus_one_specimen(&locus));
+    const double sigma = locus.marks[1].point.sigma;
+    locus.marks[1].point.sigma = locus.marks[0].point.sigma; // measured twice
+    assert_false(clod_wall_locus_one_specimen(&locus));
+    locus.marks[1].point.sigma = sigma;
     // in descending order; tan phi_x = 3/4 at the largest; no error is stated
     assert_int_equal(locus.point_count, 4);
     assert_true(locus.marks[0].point.sigma == 4e3 && locus.marks[3].point.sigma == 1e3);

@@ -14,10 +14,10 @@ typedef struct made {
 
 static inline void make_solid(made *self, double phi_e, double phi_w, double rho)
 {
-    self->phi_e = (clod_curve_point){1.0, phi_e * DEGREE, 0, 0};
-    self->phi_t = (clod_curve_point){1.0, 40.0 * DEGREE, 0, 0};
-    self->rho = (clod_curve_point){1.0, rho, 0, 0};
-    self->wall = (clod_curve_point){1.0, tan(phi_w * DEGREE), 0, 0};
+    self->phi_e = (clod_curve_point){1.0, phi_e * DEGREE, 0, 0, NULL};
+    self->phi_t = (clod_curve_point){1.0, 40.0 * DEGREE, 0, 0, NULL};
+    self->rho = (clod_curve_point){1.0, rho, 0, 0, NULL};
+    self->wall = (clod_curve_point){1.0, tan(phi_w * DEGREE), 0, 0, NULL};
     self->solid = (clod_solid){.strength = {CLOD_CURVE_EXTENDED, self->strength, 0},
                                .phi_e = {CLOD_CURVE_HELD, &self->phi_e, 1},
                                .phi_t = {CLOD_CURVE_HELD, &self->phi_t, 1},
@@ -29,7 +29,7 @@ static inline void make_solid(made *self, double phi_e, double phi_w, double rho
 static inline void add_strength(made *self, double sigma_1, double strength)
 {
     self->strength[self->solid.strength.count++] =
-        (clod_curve_point){1e3 * sigma_1, 1e3 * strength, 0, 0};
+        (clod_curve_point){1e3 * sigma_1, 1e3 * strength, 0, 0, NULL};
 }
 
 static inline clod_hopper_wish wish_of(clod_radial_shape shape, double half_angle,

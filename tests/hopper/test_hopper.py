@@ -220,6 +220,37 @@ class Hopper(clod.Case):
         for text in said:
             self.assertIn("Yield locus at a preshear stress of 4.000 kPa: " + text, found)
 
+    def test_a_wall_of_several_specimens(self):
+        """Three specimens of one friction angle, whose side walls carried more or less: the angle
+        has no interval. Those of other friction have that of their mean: tan 0.20, 0.22, 0.24."""
+        rows = [(seed, stress, stress * part, stress * part * 0.2) for seed, part in
+                ((1, 0.96), (2, 0.91), (3, 0.87)) for stress in (20, 10, 5)]
+        head = "seed,wall_stress [kPa],sigma_w [kPa],tau_w [kPa],steady [1]\n"
+        wall = head + "".join(f"{a},{b},{c},{d},1\n" for a, b, c, d in rows)
+        self.start(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: wall.csv}"))
+        self.write("wall.csv", wall)
+        cone = self.found("--set", "interval.samples=1000")["cone"]["phi_w_deg"]
+        for end in ("value", "low", "high"):
+            self.assertAlmostEqual(cone[end], math.degrees(math.atan(0.2)), places=4)
+        self.write("wall.csv", head + "".join(
+            f"{a},{b},{c},{d * (0.9 + 0.1 * a)},1\n" for a, b, c, d in rows))
+        cone = self.found("--set", "interval.samples=1000")["cone"]["phi_w_deg"]
+        tangents = [math.tan(math.radians(cone[end])) for end in ("low", "value", "high")]
+        error = 0.02 / math.sqrt(3)
+        for got, sign in zip(tangents, (-1, 0, 1)):
+            self.assertAlmostEqual(got, 0.22 + sign * 1.645 * error, delta=0.3 * error)
+
+    def test_warnings_of_a_wall_yield_locus_are_handed_on(self):
+        """clod locus and the hopper say the same of a bent one that was not steady."""
+        self.start(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: wall.csv}"))
+        self.write("wall.csv", "sigma_w [kPa],tau_w [kPa],steady [1]\n"
+                   "1,0.7,0\n2,0.6,0\n4,2.4,0\n8,2.6,1\n")
+        said = json.loads(clod.run("locus", "wall.csv", "--json", cwd=self.folder).stdout)
+        self.assertEqual(len(said["warnings"]), 2, said["warnings"])
+        found = self.found()["warnings"]
+        for text in [*said["warnings"], f"errors of {said['errors_note']}."]:
+            self.assertIn("Wall yield locus: " + text, found)
+
     def test_a_title_with_control_characters_makes_a_good_picture(self):
         self.start('title: "Ore\\x01 \\e[1m<A> & B"\n' + CASE)
         self.hopper("case.yaml", "-o", "design")

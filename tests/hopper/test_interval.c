@@ -79,6 +79,37 @@ static void errors_of_the_flow_function(void **state)
                 QUANTILE_ERROR * error);
 }
 
+/** Three specimens off by -4, 0 and 4 % along the whole wall yield locus: tan(phi_w) = 0.3 has the
+ *  standard error 4 %/sqrt(3) at any stress, also below the points, where errors drawn for each of
+ *  them would be larger. */
+static void specimens_of_a_wall_move_all_its_points(void **state)
+{
+    (void)state;
+    static made of;
+    static clod_hopper hopper;
+    const double error = 0.04 / sqrt(3.0);
+    double spread[2][3];
+    clod_curve_point wall[2];
+    for (int i = 0; i < 2; i++) {
+        wall[i] = (clod_curve_point){.x = 10e3 * (i + 1), .y = 3e3 * (i + 1)};
+        wall[i].y_error = error * wall[i].y;
+        wall[i].spread = spread[i];
+        for (int s = 0; s < 3; s++) {
+            spread[i][s] = (s - 1) * 0.04 * wall[i].y / sqrt(6.0);
+        }
+    }
+    make_solid(&of, 45.0, 20.0, 1500.0);
+    add_strength(&of, 2.0, 1.4);
+    add_strength(&of, 10.0, 3.0);
+    of.solid.wall =
+        (clod_curve){.way = CLOD_CURVE_EXTENDED, .points = wall, .count = 2, .specimens = 3};
+    begin(&hopper, &of.solid);
+    fill(&hopper);
+    const clod_hopper_value *angle = &hopper.shape[CLOD_RADIAL_CONE].number[CLOD_HOPPER_PHI_W];
+    check_close(tan(angle->high), 0.3 * (1.0 + 1.645 * error), QUANTILE_ERROR * 0.3 * error);
+    check_close(tan(angle->low), 0.3 * (1.0 - 1.645 * error), QUANTILE_ERROR * 0.3 * error);
+}
+
 /** Without errors every sample is the design itself. */
 static void no_errors_no_width(void **state)
 {
@@ -134,6 +165,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_error_of_the_density_alone),
         cmocka_unit_test(errors_of_the_flow_function),
+        cmocka_unit_test(specimens_of_a_wall_move_all_its_points),
         cmocka_unit_test(no_errors_no_width),
         cmocka_unit_test(funnel_flow_counts),
     };
