@@ -53,6 +53,22 @@ static void check_cell(clod_loader *loader, const clod_case_wall_friction *test)
     }
 }
 
+/** Weight of the solid on the plate [Pa]; of a number of grains a little less than it is, for the
+ *  mean grain has less than the mean volume. */
+static double weight_of(const clod_case *self)
+{
+    const clod_case_wall_friction *test = &self->wall_friction;
+    if (test->grain_count == 0) {
+        return clod_check_tester_weight(self, test->grain_material, test->fill_fraction,
+                                        test->depth);
+    }
+    const double r = test->radius_mean;
+    const double inner = test->cell == 0 ? test->inner_radius : 0.0;
+    const double area = M_PI * (test->outer_radius * test->outer_radius - inner * inner);
+    const double volume = (double)test->grain_count * 4.0 / 3.0 * M_PI * r * r * r;
+    return clod_check_tester_weight(self, test->grain_material, 1.0, volume / area);
+}
+
 /** Two stresses make a line; none is below the weight of the solid on the plate. */
 static void check_stresses(clod_loader *loader, const clod_case *self)
 {
@@ -69,8 +85,7 @@ static void check_stresses(clod_loader *loader, const clod_case *self)
         return;
     }
     double most = 0.0;
-    const double weight =
-        clod_check_tester_weight(self, test->grain_material, test->fill_fraction, test->depth);
+    const double weight = weight_of(self);
     for (size_t k = 0; k < test->wall_stress_count; k++) {
         most = fmax(most, test->wall_stresses[k]);
         if (test->wall_stresses[k] <= weight) {

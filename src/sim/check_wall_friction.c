@@ -2,6 +2,7 @@
 
 #include "setup/wall_friction_cell.h"
 #include "sim/check_testers.h"
+#include "sim/wall_shear_warnings.h"
 #include "tester/limits.h"
 
 #define BAR_LIMIT 0.98 ///< grain diameters, as good as one
@@ -128,6 +129,10 @@ void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *
             "%.0f): grains roll there and the plate feels too little. Raise "
             "wall_friction.depth, or lower bar_height",
             gap, CLOD_LIMITS_BARS_GRAINS);
+    }
+    char lever[512];
+    if (clod_wall_shear_lever(subject->from, lever, sizeof lever)) {
+        clod_check_warning(r, "%s", lever);
     }
     if (test->wall_stress_count < 3) {
         clod_check_warning(r, "2 stresses: a line needs three or more to show its error; add "

@@ -9,6 +9,13 @@
 #include "sim/parts.h"
 
 /**
+ * Whether tau_w has an error of the lever that no error bar shows: a ring, a plate smoother than
+ * the grains, one specimen. Then `text` says so and what to do.
+ * Source  docs/theory/wall-friction.md.
+ */
+bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size);
+
+/**
  * Warnings of finished parts.
  *
  * @param part  [parts] finished

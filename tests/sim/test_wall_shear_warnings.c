@@ -10,7 +10,8 @@
 
 typedef struct box {
     clod_case from;
-    clod_case_material ore;
+    clod_case_material ore[2];
+    clod_case_contact pairs[4];
     clod_part part[2];
     clod_wall_shear test[2];
 } box;
@@ -22,10 +23,16 @@ static int make_box(void **state)
 {
     (void)state;
     memset(&now, 0, sizeof now);
-    now.ore = (clod_case_material){.name = "ore", .density = 2500.0};
-    now.from.materials = &now.ore;
-    now.from.material_count = 1;
+    now.ore[0] = (clod_case_material){.name = "ore", .density = 2500.0};
+    now.ore[1] = (clod_case_material){.name = "plate"};
+    now.from.materials = now.ore;
+    now.from.material_count = 2;
+    now.from.pairs = now.pairs;
+    now.pairs[0].friction = 0.5;
+    now.pairs[1].friction = now.pairs[2].friction = 0.6;
     now.from.wall_friction = (clod_case_wall_friction){.grain_material = "ore",
+                                                       .plate_material = "plate",
+                                                       .seeds = 1,
                                                        .radius_mean = 1e-3,
                                                        .speed = 1e-3,
                                                        .shear_max = 0.02,
@@ -96,6 +103,26 @@ static void sides_that_carry_are_told(void **state)
     EXPECT("wall: of 20 kPa, 18.8 kPa came to the plate", "side material");
     now.test[1].point[0].normal = 19.2e3; // 4 %
     EXPECT(NULL);
+    now.test[1].point[1].normal = 10.6e3; // more than asked: no side carries it
+    EXPECT("wall: 10 kPa were asked for, and the plate has 10.6 kPa", "weight",
+           "wall_friction.grain_count");
+}
+
+/** A ring, one specimen, a plate smoother than the grains: in any other test the error bars have it
+ *  or it is not there. */
+static void a_lever_that_no_error_shows_is_told(void **state)
+{
+    (void)state;
+    now.pairs[1].friction = now.pairs[2].friction = 0.25;
+    EXPECT("the plate (friction 0.25) is smoother than the grains (0.5)", "cell: straight");
+    now.from.wall_friction.seeds = 2;
+    EXPECT(NULL);
+    now.from.wall_friction.seeds = 1;
+    now.from.wall_friction.cell = 1;
+    EXPECT(NULL);
+    now.from.wall_friction.cell = 0;
+    now.test[1].at = 0; // nothing was sheared
+    EXPECT(NULL);
 }
 
 /** I = 0.01/0.02 1/s 2 mm sqrt(2500/20e3) = 3.5e-4 at 10 mm/s, and 3.5e-3 at 100 mm/s. */
@@ -132,6 +159,7 @@ int main(void)
         cmocka_unit_test_setup(a_limit_of_time_is_named, make_box),
         cmocka_unit_test_setup(a_stress_that_was_not_steady_has_its_rate, make_box),
         cmocka_unit_test_setup(sides_that_carry_are_told, make_box),
+        cmocka_unit_test_setup(a_lever_that_no_error_shows_is_told, make_box),
         cmocka_unit_test_setup(what_is_too_fast_is_told, make_box),
         cmocka_unit_test_setup(bars_near_the_plate_are_told, make_box),
         cmocka_unit_test_setup(soft_grains_are_told, make_box),
