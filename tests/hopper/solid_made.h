@@ -18,11 +18,12 @@ static inline void make_solid(made *self, double phi_e, double phi_w, double rho
     self->phi_t = (clod_curve_point){1.0, 40.0 * DEGREE, 0, 0, NULL};
     self->rho = (clod_curve_point){1.0, rho, 0, 0, NULL};
     self->wall = (clod_curve_point){1.0, tan(phi_w * DEGREE), 0, 0, NULL};
-    self->solid = (clod_solid){.strength = {CLOD_CURVE_EXTENDED, self->strength, 0},
-                               .phi_e = {CLOD_CURVE_HELD, &self->phi_e, 1},
-                               .phi_t = {CLOD_CURVE_HELD, &self->phi_t, 1},
-                               .rho = {CLOD_CURVE_HELD, &self->rho, 1},
-                               .wall = {CLOD_CURVE_EXTENDED, &self->wall, 1}};
+    self->solid = (clod_solid){
+        .strength = {.way = CLOD_CURVE_EXTENDED, .points = self->strength, .count = 0},
+        .phi_e = {.way = CLOD_CURVE_HELD, .points = &self->phi_e, .count = 1},
+        .phi_t = {.way = CLOD_CURVE_HELD, .points = &self->phi_t, .count = 1},
+        .rho = {.way = CLOD_CURVE_HELD, .points = &self->rho, .count = 1},
+        .wall = {.way = CLOD_CURVE_EXTENDED, .points = &self->wall, .count = 1}};
 }
 
 /** Add a point of the flow function, kPa. */
