@@ -4,13 +4,10 @@
  */
 
 #include <argp.h>
-#include <errno.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 #include "app.h"
 #include "arguments.h"
@@ -96,14 +93,7 @@ static void handle(int number)
 
 static int run(request *self)
 {
-    char program[4096];
-    const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
-    if (length <= 0) {
-        fprintf(stderr, "clod calibrate: /proc/self/exe: %s\n", strerror(errno));
-        return CLOD_FAILED;
-    }
-    program[length] = '\0';
-    self->options.program = program;
+    self->options.program = "/proc/self/exe"; // of the child, too: the same clod, even rebuilt
     self->options.stop = &stop_signal;
     self->options.tell = tell;
     char *report;
@@ -148,6 +138,7 @@ int clod_app_calibrate(int argc, char **argv)
     handle(SIGINT);
     handle(SIGTERM);
     handle(SIGHUP);
+    signal(SIGCHLD, SIG_DFL); // who ignores it gets no end of a process told
     return run(&self);
 }
 

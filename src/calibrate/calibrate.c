@@ -19,12 +19,22 @@ static bool put(const clod_folder *folder, const char *name, char *text, clod_st
     return good;
 }
 
-/** The runs as a table: also of a calibration that came to no end. */
+/** The runs as a table. */
 static bool put_runs(const clod_runs *runs, const clod_study *study, clod_status *status)
 {
     const size_t points = runs->points < study->points ? runs->points : study->points;
     return put(runs->folder, "runs.csv",
                clod_runs_csv(runs, points, study->places, study->results), status);
+}
+
+/** The runs of a calibration that came to no end; results of an earlier end stay together as they are. */
+static void put_unfinished(const clod_runs *runs, const clod_study *study)
+{
+    clod_status second; // the first failure is told
+    bool finished;
+    if (clod_folder_has(runs->folder, "calibration.json", &finished, &second) && !finished) {
+        (void)put_runs(runs, study, &second);
+    }
 }
 
 static bool put_all(const clod_plan *plan, const clod_runs *runs, const clod_study *study,
@@ -60,7 +70,8 @@ static bool work(const clod_plan *plan, const char *directory,
                  const clod_calibrate_options *options, char **report, clod_status *status)
 {
     const clod_runs_options how = {.program = options->program,
-                                   .workers = clod_threads_take(options->workers),
+                                   .workers = options->workers > 0 ? options->workers
+                                                                   : clod_threads_available(),
                                    .stop = options->stop,
                                    .tell = options->tell,
                                    .context = options->context};
@@ -77,8 +88,7 @@ static bool work(const clod_plan *plan, const char *directory,
     if (good) {
         good = put_runs(runs, &study, status) && put_all(plan, runs, &study, report, status);
     } else {
-        clod_status second; // the first failure is told
-        (void)put_runs(runs, &study, &second);
+        put_unfinished(runs, &study);
     }
     clod_study_fini(&study);
     clod_runs_close(&runs);

@@ -10,13 +10,37 @@
 
 #include "base/clock.h"
 
-/** In the child, where only calls that are safe after fork may be made. */
+/** In the child, where only calls that are safe after fork may be made. Returns when it fails. */
 static void become(char *const *arguments, int log)
 {
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (dup2(log, STDOUT_FILENO) >= 0 && dup2(log, STDERR_FILENO) >= 0) {
         execv(arguments[0], arguments);
     }
+}
+
+/** Fork; the error of a child that could not become the program, 0 when it has. */
+static int spawn(clod_child *self, char *const *arguments, int log)
+{
+    int ends[2]; // the writing one closes when the child becomes the program
+    if (pipe2(ends, O_CLOEXEC) != 0) {
+        return errno;
+    }
+    self->began = clod_clock_now();
+    self->process = fork();
+    int error = self->process < 0 ? errno : 0;
+    if (self->process == 0) {
+        become(arguments, log);
+        error = errno;
+        (void)!write(ends[1], &error, sizeof error);
+        kill(getpid(), SIGKILL); // no handler of the parent's may run here
+    }
+    close(ends[1]);
+    if (self->process > 0 && read(ends[0], &error, sizeof error) == (ssize_t)sizeof error) {
+        (void)waitpid(self->process, NULL, 0);
+    }
+    close(ends[0]);
+    return error;
 }
 
 bool clod_child_start(clod_child *self, char *const *arguments, const char *log,
@@ -27,17 +51,12 @@ bool clod_child_start(clod_child *self, char *const *arguments, const char *log,
         return clod_status_fail(status, CLOD_FAILED, "%s: cannot be written: %s", log,
                                 strerror(errno));
     }
-    self->began = clod_clock_now();
-    self->process = fork();
-    if (self->process == 0) {
-        become(arguments, file);
-        kill(getpid(), SIGKILL); // no handler of the parent's may run here
-    }
+    const int error = spawn(self, arguments, file);
     close(file);
-    if (self->process < 0) {
+    if (error != 0) {
         self->process = 0;
-        return clod_status_fail(status, CLOD_FAILED, "No process for %s: %s", log,
-                                strerror(errno));
+        return clod_status_fail(status, CLOD_FAILED, "%s: no process of %s: %s", log,
+                                arguments[0], strerror(error));
     }
     return true;
 }
@@ -48,11 +67,14 @@ bool clod_child_ended(clod_child *self, int *result)
     do {
         found = waitpid(self->process, result, WNOHANG);
     } while (found < 0 && errno == EINTR);
-    if (found == self->process) {
-        self->process = 0;
-        return true;
+    if (found == 0) {
+        return false;
     }
-    return false;
+    if (found < 0) { // someone else has waited for it, or SIGCHLD is ignored
+        *result = CLOD_CHILD_LOST;
+    }
+    self->process = 0;
+    return true;
 }
 
 void clod_child_stop(const clod_child *self)

@@ -9,6 +9,8 @@
 
 #include "clod/status.h"
 
+#define CLOD_CHILD_LOST (-1) ///< result of a process whose end the system does not tell
+
 typedef struct clod_child {
     pid_t process; ///< 0: none
     double began;  ///< s on clod_clock_now
@@ -19,12 +21,12 @@ typedef struct clod_child {
  *
  * @param arguments  ended by NULL, the program's path first
  * @param log        path of the file for standard output and error
- * Errors  CLOD_FAILED: no process.   Threads  any.
+ * Errors  CLOD_FAILED: no process, no such program.   Threads  any.   Test  tests/calibrate/test_child.c
  */
 bool clod_child_start(clod_child *self, char *const *arguments, const char *log,
                       clod_status *status);
 
-/** Whether it has ended; then `result` is as waitpid gives it. */
+/** Whether it has ended; then `result` is as waitpid gives it, or CLOD_CHILD_LOST. */
 bool clod_child_ended(clod_child *self, int *result);
 
 /** Ask it to stop with a checkpoint. */

@@ -1,17 +1,24 @@
 #include "calibrate/rows.h"
 
 #include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
 #include <jansson.h>
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "base/input.h"
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "clod/version.h"
 #include "output/folder_files.h"
+#include "output/folder_names.h"
 
 #define MARK "design.txt"
 #define LAST_BYTES 2000 ///< of a log that are looked at
@@ -22,6 +29,49 @@ static void path_of(const clod_runs *runs, size_t row, const char *ending, char 
     char name[128];
     clod_runs_name(runs->plan, row, name, sizeof name);
     snprintf(path, PATH_MAX, "%s/%s%s", runs->folder->path, name, ending);
+}
+
+static const char *const STATES[] = {NULL, "begun", "done", "failed"}; // of clod_runs_state
+
+char *clod_rows_settings(const clod_plan *plan, size_t row, const double *places)
+{
+    const size_t point = row / plan->test_count / (size_t)plan->seeds;
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    if (out == NULL) {
+        return NULL;
+    }
+    fprintf(out, "seed=%lld", (long long)clod_runs_seed(plan, row));
+    for (size_t k = 0; k < plan->parameter_count; k++) {
+        char *one =
+            clod_plan_setting(&plan->parameters[k], places[point * plan->parameter_count + k]);
+        text.lost = text.lost || one == NULL;
+        fprintf(out, "; %s", one != NULL ? one : "");
+        clod_memory_free(one);
+    }
+    return clod_text_close(&text);
+}
+
+/** A row as the file has it into `to`, when it has the same settings; whether it is in order. */
+static bool take(const json_t *found, clod_runs_row *to)
+{
+    const char *state = json_string_value(json_object_get(found, "state"));
+    const char *settings = json_string_value(json_object_get(found, "settings"));
+    const json_t *seconds = json_object_get(found, "seconds");
+    if (state == NULL || settings == NULL || !json_is_number(seconds)) {
+        return false;
+    }
+    for (int k = CLOD_RUNS_BEGUN; k <= CLOD_RUNS_FAILED; k++) {
+        if (strcmp(state, STATES[k]) == 0) {
+            if (strcmp(settings, to->settings) == 0) {
+                to->state = (clod_runs_state)k;
+                to->seconds = json_number_value(seconds);
+                to->why = clod_memory_text(json_string_value(json_object_get(found, "why")));
+            }
+            return true;
+        }
+    }
+    return false;
 }
 
 bool clod_rows_read(const clod_runs *runs, size_t row, clod_runs_row *to, clod_status *status)
@@ -38,14 +88,7 @@ bool clod_rows_read(const clod_runs *runs, size_t row, clod_runs_row *to, clod_s
     }
     json_t *found = json_loadb(text, length, 0, NULL);
     clod_memory_free(text);
-    const char *state = json_string_value(json_object_get(found, "state"));
-    const json_t *seconds = json_object_get(found, "seconds");
-    const bool good = state != NULL && json_is_number(seconds);
-    if (good) {
-        to->state = strcmp(state, "done") == 0 ? CLOD_RUNS_DONE : CLOD_RUNS_FAILED;
-        to->seconds = json_number_value(seconds);
-        to->why = clod_memory_text(json_string_value(json_object_get(found, "why")));
-    }
+    const bool good = take(found, to);
     json_decref(found);
     return good || clod_status_fail(status, CLOD_USAGE,
                                     "%s: damaged; remove it, and the run is done again", path);
@@ -56,9 +99,8 @@ bool clod_rows_write(const clod_runs *runs, size_t row, clod_status *status)
     char path[PATH_MAX];
     const clod_runs_row *from = &runs->rows[row];
     path_of(runs, row, ".json", path);
-    json_t *made = json_pack("{s:s, s:f, s:s?}", "state",
-                             from->state == CLOD_RUNS_DONE ? "done" : "failed", "seconds",
-                             from->seconds, "why", from->why);
+    json_t *made = json_pack("{s:s, s:s, s:f, s:s*}", "settings", from->settings, "state",
+                             STATES[from->state], "seconds", from->seconds, "why", from->why);
     char *text = clod_json_text(made, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(made);
     if (text == NULL) {
@@ -71,6 +113,62 @@ bool clod_rows_write(const clod_runs *runs, size_t row, clod_status *status)
     const bool good = inside != NULL && clod_folder_write(inside, name, text, status);
     clod_folder_close(&inside);
     clod_memory_free(text);
+    return good;
+}
+
+void clod_rows_forget(const clod_runs *runs, size_t row)
+{
+    char path[PATH_MAX];
+    path_of(runs, row, ".json", path);
+    (void)unlink(path); // what stays is told by clod run: the case has changed
+}
+
+bool clod_rows_in_use(const char *folder)
+{
+    char path[PATH_MAX];
+    snprintf(path, sizeof path, "%s/" CLOD_FOLDER_LOCK, folder);
+    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+    if (file < 0) {
+        return false;
+    }
+    const bool held = flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    close(file);
+    return held;
+}
+
+/** Seconds from one file's last change to another's; 0 without them. */
+static double between(const char *from, const char *to)
+{
+    struct stat first;
+    struct stat last;
+    if (stat(from, &first) != 0 || stat(to, &last) != 0) {
+        return 0.0;
+    }
+    const double seconds = difftime(last.st_mtim.tv_sec, first.st_mtim.tv_sec) +
+                           1e-9 * (double)(last.st_mtim.tv_nsec - first.st_mtim.tv_nsec);
+    return seconds > 0.0 ? seconds : 0.0;
+}
+
+bool clod_rows_begin(const clod_runs *runs, size_t row, clod_status *status)
+{
+    clod_runs_row *of = &runs->rows[row];
+    char path[PATH_MAX];
+    char json[PATH_MAX];
+    char log[PATH_MAX];
+    path_of(runs, row, "", path);
+    path_of(runs, row, ".json", json);
+    path_of(runs, row, ".log", log);
+    clod_folder *folder = clod_folder_open(path, status);
+    bool good = folder != NULL;
+    if (good && of->state == CLOD_RUNS_BEGUN) {
+        of->seconds += between(json, log); // its log was written when the last piece ended
+    } else if (good) {
+        clod_rows_forget(runs, row);
+        good = clod_folder_clear(folder, status);
+        of->state = CLOD_RUNS_BEGUN;
+    }
+    good = good && clod_rows_write(runs, row, status);
+    clod_folder_close(&folder);
     return good;
 }
 
@@ -140,37 +238,32 @@ char *clod_rows_last_words(const clod_runs *runs, size_t row)
 }
 
 /** All that the runs depend on; owned, NULL without memory. */
-static char *describe(const clod_plan *plan)
+static char *describe(const clod_runs *runs)
 {
+    const clod_plan *plan = runs->plan;
     clod_text text;
     FILE *out = clod_text_open(&text);
     if (out == NULL) {
         return NULL;
     }
-    fprintf(
-        out,
-        "Runs of a calibration: another plan needs another folder.\nseed %lld, seeds %lld\n",
-        (long long)plan->seed, (long long)plan->seeds);
+    fprintf(out,
+            "Runs of a calibration: another plan needs another folder.\nclod %s\nseed %lld, "
+            "seeds %lld\n",
+            clod_version_text(), (long long)plan->seed, (long long)plan->seeds);
     for (size_t k = 0; k < plan->parameter_count; k++) {
         const clod_plan_parameter *one = &plan->parameters[k];
         fprintf(out, "parameter %s %.17g %.17g %s %s\n", one->key, one->low, one->high,
                 one->unit, one->scale == CLOD_PLAN_LOG ? "log" : "linear");
     }
     for (size_t k = 0; k < plan->test_count; k++) {
-        char *echo = clod_case_echo(plan->tests[k].middle);
-        if (echo == NULL) {
-            text.lost = true;
-            break;
-        }
-        fprintf(out, "\ntest %s\n%s", plan->tests[k].name, echo);
-        clod_memory_free(echo);
+        fputs(runs->cases[k], out);
     }
     return clod_text_close(&text);
 }
 
 bool clod_rows_mark(const clod_runs *runs, clod_status *status)
 {
-    char *text = describe(runs->plan);
+    char *text = describe(runs);
     void *before = NULL;
     size_t size;
     bool good =
@@ -181,8 +274,9 @@ bool clod_rows_mark(const clod_runs *runs, clod_status *status)
     } else if (good && strcmp(before, text) != 0) {
         good = clod_status_fail(
             status, CLOD_USAGE,
-            "%s has runs of another plan: parameters, ranges, seeds or cases differ "
-            "from its " MARK ". Give another folder with -o, or remove this one. "
+            "%s has runs of another plan: parameters, ranges, seeds, cases, files they name "
+            "or the version of clod differ from its " MARK
+            ". Give another folder with -o, or remove this one. "
             "(Targets, budget and points may change.)",
             runs->folder->path);
     }

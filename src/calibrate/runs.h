@@ -19,6 +19,7 @@ typedef struct clod_runs_options {
 
 typedef enum clod_runs_state {
     CLOD_RUNS_NONE,
+    CLOD_RUNS_BEGUN, ///< half done: its folder has a checkpoint, or nothing yet
     CLOD_RUNS_DONE,
     CLOD_RUNS_FAILED
 } clod_runs_state;
@@ -26,8 +27,9 @@ typedef enum clod_runs_state {
 /** A run: its point, packing and test follow from its place. */
 typedef struct clod_runs_row {
     clod_runs_state state;
-    double seconds; ///< on the clock
+    double seconds; ///< on the clock, of all pieces so far
     char *why;      ///< owned; of a failed one
+    char *settings; ///< owned; seed and parameters that it is made with
 } clod_runs_row;
 
 typedef struct clod_runs {
@@ -36,13 +38,15 @@ typedef struct clod_runs {
     clod_folder *folder; ///< owned
     clod_runs_row *rows; ///< [points][seeds][tests] owned
     size_t points;
+    char **cases;        ///< [tests] owned; clod_cases_describe when the calibration began
+    int counted_workers; ///< that a budget is counted with
 } clod_runs;
 
 /**
  * Open the folder of a calibration, and see that it is of this plan.
  *
  * @return  owned (clod_runs_close), or NULL
- * Errors  CLOD_USAGE: in use, or of another plan; CLOD_FAILED: disk, memory.
+ * Errors  CLOD_USAGE: in use, or of another plan, a damaged course.json; CLOD_FAILED: disk, memory.
  * Test    tests/calibrate/test_calibrate.py
  */
 clod_runs *clod_runs_open(const clod_plan *plan, const char *directory,
@@ -51,8 +55,8 @@ clod_runs *clod_runs_open(const clod_plan *plan, const char *directory,
 void clod_runs_close(clod_runs **self);
 
 /** As clod_study_source has it: run what has no row yet, then read the numbers.
- *  Errors  CLOD_FAILED: a test that fails with every packing of the first point; disk, memory;
- *          CLOD_INTERRUPTED. */
+ *  Errors  CLOD_USAGE: clod run refuses a run, a case has changed, a damaged file; CLOD_FAILED: a test that
+ *          fails with every packing of the first point; disk, memory; CLOD_INTERRUPTED. */
 bool clod_runs_compute(void *self, size_t first, size_t count, const double *places,
                        double *results, clod_status *status);
 

@@ -21,6 +21,9 @@ static bool grow(const clod_plan *plan, clod_study *self, size_t points, clod_st
     }
     double *results =
         clod_memory_grow(self->results, self->points * each, points * each, sizeof *results);
+    for (size_t k = self->points * each; results != NULL && k < points * each; k++) {
+        results[k] = (double)NAN; // a run that is never done has no result
+    }
     if (results != NULL) {
         self->results = results;
     }

@@ -1,66 +1,20 @@
-"""clod calibrate as a user meets it: runs of a known truth, interruption, failures, refusals.
+"""clod calibrate as a user meets it: runs of a known truth, interruption, failures, refusals."""
 
-Grains that meet a floor keep restitution squared of their kinetic energy, so its mean over packings is
-N m v^2/2 e^2 with the mean mass of uniform radii from a to b, (b^4 - a^4)/(4 (b - a)) 4/3 pi rho.
-"""
-
-import csv
 import json
 import math
 import os
-import shutil
 import signal
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "report"))
+import bounce
 import clod
 import pages
-
-CASE = clod.source("tests/calibrate/bounce.yaml")
-A, B, RHO, GRAINS = 1.8e-3, 2.2e-3, 2500.0, 12
-BEFORE = GRAINS * 0.5 * RHO * 4.0 / 3.0 * math.pi * (B**4 - A**4) / (4.0 * (B - A))
-TRUTH = 0.6
-PLAN = f"""title: bounce
-points: 9
-seeds: 2
-tests:
-  bounce: {{case: bounce.yaml}}
-parameters:
-  e: {{key: contacts.default.restitution, from: 0.2, to: 0.9}}
-targets:
-  - {{test: bounce, number: kinetic_energy_J, value: {BEFORE * TRUTH**2:.6g}, error: 4e-6}}
-sampling: {{samples: 1000}}
-"""
-RESULTS = ("calibration.json", "card.yaml", "posterior.csv", "runs.csv", "report.txt")
+from bounce import A, B, BEFORE, CASE, GRAINS, PLAN, RESULTS, TRUTH
 
 
-class Calibrate(clod.Case):
-
-    def setUp(self):
-        super().setUp()
-        shutil.copy(CASE, self.folder)
-
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
-    def write(self, name, text):
-        with open(self.path(name), "w") as file:
-            file.write(text)
-
-    def calibrate(self, text, *arguments, code=0):
-        self.write("plan.yaml", text)
-        done = clod.run("calibrate", "plan.yaml", *arguments, cwd=self.folder)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
-
-    def found(self, folder="out"):
-        with open(self.path(folder, "calibration.json")) as file:
-            return json.load(file)
-
-    def rows(self, folder="out"):
-        with open(self.path(folder, "runs.csv")) as file:
-            return list(csv.DictReader(file))
+class Calibrate(bounce.Bounce):
 
     # ---- what comes out
 
@@ -127,7 +81,7 @@ class Calibrate(clod.Case):
     def interrupt(self, folder, number, code):
         """Stop it after some runs; the same command does only what is missing, to the same bytes."""
         process = clod.start("calibrate", self.path("plan.yaml"), "-o", self.path(folder), "-j", "2")
-        clod.wait_until(lambda: os.path.exists(self.path(folder, "runs/p003-1-bounce.json")), process)
+        clod.wait_until(lambda: self.ended("p003-1", folder), process)
         process.send_signal(number)
         told = process.communicate()[1]
         self.assertEqual(process.returncode, code, told)
@@ -135,7 +89,8 @@ class Calibrate(clod.Case):
             self.assertIn("the same command goes on", told)
         self.assertFalse(os.path.exists(self.path(folder, "calibration.json")))
         kept = {name: os.stat(self.path(folder, "runs", name)).st_mtime_ns
-                for name in os.listdir(self.path(folder, "runs")) if name.endswith(".json")}
+                for name in os.listdir(self.path(folder, "runs"))
+                if name.endswith("-bounce.json") and self.ended(name[:6], folder)}
         self.assertGreater(len(kept), 3)
         self.calibrate(PLAN, "-o", folder, "-j", "1")
         for name, time in kept.items():
@@ -144,15 +99,14 @@ class Calibrate(clod.Case):
             self.assertTrue(clod.read(self.path("whole", name)) == clod.read(self.path(folder, name)),
                             name)
 
-    def test_targets_may_change_and_nothing_is_run_again(self):
+    def test_target_held_back_is_added_and_nothing_is_run_again(self):
         self.calibrate(PLAN, "-o", "out")
-        before = os.stat(self.path("out/runs/p005-2-bounce.json")).st_mtime_ns
-        other = PLAN.replace("points: 9", "points: 6").replace(
-            "error: 4e-6}", "error: 8e-6}\n  - {test: bounce, number: grains, value: 13, "
-            "error: 0.1, held_back: true}")
+        before = os.stat(self.path("out/runs/p008-2-bounce.json")).st_mtime_ns
+        other = PLAN.replace("error: 4e-6}", "error: 4e-6}\n  - {test: bounce, number: grains, value: 13, "
+                             "error: 0.1, held_back: true}")
         told = self.calibrate(other, "-o", "out")
         self.assertNotIn("done after", told.stderr)
-        self.assertEqual(os.stat(self.path("out/runs/p005-2-bounce.json")).st_mtime_ns, before)
+        self.assertEqual(os.stat(self.path("out/runs/p008-2-bounce.json")).st_mtime_ns, before)
         held = self.found()["targets"][1]
         self.assertTrue(held["held_back"])
         self.assertIn("held back, foretold\n", told.stdout)
@@ -190,16 +144,13 @@ class Calibrate(clod.Case):
         self.assertIn("the budget of", done.stderr)
         self.assertIn("is too small: the first point, 2 packings of each test, took", done.stderr)
         self.assertIn("so 0 points fit, and 1 parameter needs at least 5", done.stderr)
-        before = os.stat(self.path("out/runs/p000-1-bounce.json")).st_mtime_ns
-        with open(self.path("out/runs/p000-1-bounce.json"), "w") as file:
-            json.dump({"state": "done", "seconds": 30.0}, file)
-        with open(self.path("out/runs/p000-2-bounce.json"), "w") as file:
-            json.dump({"state": "done", "seconds": 10.0}, file)
         # 40 s over two processes: 20 s a point, so 6 fit into 125 s; a third of them are added later
+        self.change_row("p000-1", seconds=30.0)
+        self.change_row("p000-2", seconds=10.0)
         done = self.calibrate(PLAN.replace("points: 9", "budget: 125 s"), "-o", "out", "-j", "2")
         self.assertIn("6 points fit", done.stderr)
         self.assertEqual(self.found()["points"], 6)
-        self.assertGreater(before, 0)
+        self.assertEqual(self.row("p000-1")["seconds"], 30.0)
 
     # ---- what is refused
 
