@@ -26,11 +26,12 @@ typedef struct clod_bulk_density {
     double r_squared;                 ///< of the line through the logarithms
     size_t point_count;
     clod_bulk_density_point *points; ///< [point_count] owned, in ascending order of sigma_1
+    char warning[CLOD_LOCUS_WARNING_TEXT]; ///< what is not right; "": nothing
 } clod_bulk_density;
 
 /**
- * Fit the power law: a line through the logarithms by least squares; errors from the scatter
- * about it, NAN with two points.
+ * Fit the power law: a line through the logarithms by least squares; errors from those
+ * of the points and what they scatter about it beyond, NAN with two points that state none.
  *
  * @param points  [count] two at least, with different sigma_1, all above 0
  * @param self    [out] owned content (clod_bulk_density_fini)

@@ -17,6 +17,7 @@
 #define RHO_LEAST 10.0   // kg/m3: foam beads, the lightest solid, pour with more
 #define RHO_MOST 15000.0 // kg/m3: powders of tungsten and platinum are lighter
 #define KILO 1000.0
+#define FALL_ERRORS 2.0 ///< standard errors below 0 that are no chance
 
 typedef clod_bulk_density_point point;
 
@@ -84,6 +85,54 @@ static int ascending(const void *first, const void *second)
     return (a > b) - (a < b);
 }
 
+/** What is stated for a point, as the line through the logarithms sees it. */
+static double stated(const point *p, double slope)
+{
+    return hypot(p->rho_b_error / p->rho_b, slope * p->sigma_1_error / p->sigma_1);
+}
+
+/**
+ * Errors by propagation, as those of a wall yield locus: of each point what is stated for it, and
+ * what the points scatter about the law beyond that.
+ */
+static void find_errors(clod_bulk_density *self, const clod_fit *line, const double *x)
+{
+    const double n = (double)self->point_count;
+    double mean = 0.0;
+    bool all = true;
+    for (size_t i = 0; i < self->point_count; i++) {
+        const double one = stated(&self->points[i], line->slope);
+        mean += one * one / n;
+        all = all && one > 0.0;
+    }
+    const double scatter = self->point_count > 2 ? line->residual / (n - 2.0) : 0.0;
+    const double beyond = fmax(scatter - mean, 0.0);
+    double of_slope = 0.0;
+    double of_foot = 0.0;
+    for (size_t i = 0; i < self->point_count; i++) {
+        const double one = stated(&self->points[i], line->slope);
+        const double lever = (x[i] - line->mean_x) / line->sxx;
+        const double foot = 1.0 / n - line->mean_x * lever;
+        of_slope += lever * lever * (one * one + beyond);
+        of_foot += foot * foot * (one * one + beyond);
+    }
+    const bool known = all || self->point_count > 2;
+    self->compressibility.error = known ? sqrt(of_slope) : (double)NAN;
+    self->rho_1.error = known ? self->rho_1.value * sqrt(of_foot) : (double)NAN;
+}
+
+/** A law that no solid follows, or only just. */
+static void look(clod_bulk_density *self)
+{
+    if (self->compressibility.value < 0.0 &&
+        !(self->compressibility.value > -FALL_ERRORS * self->compressibility.error)) {
+        snprintf(self->warning, sizeof self->warning,
+                 "The bulk density falls while the stress rises (beta = %.4f): no solid is "
+                 "compressed to less. Look at the columns and at the order of the rows.",
+                 self->compressibility.value);
+    }
+}
+
 static void fit(clod_bulk_density *self, double *work)
 {
     const size_t count = self->point_count;
@@ -92,13 +141,11 @@ static void fit(clod_bulk_density *self, double *work)
         work[count + i] = log(self->points[i].rho_b);
     }
     const clod_fit line = clod_fit_line(work, work + count, count);
-    const double n = (double)count;
-    const double slope = count > 2 ? clod_fit_slope_error(&line, count) : (double)NAN;
-    const double foot = slope * sqrt(line.sxx / n + line.mean_x * line.mean_x);
-    const double rho = exp(line.intercept);
-    self->rho_1 = (clod_locus_value){rho, rho * foot, (double)NAN};
-    self->compressibility = (clod_locus_value){line.slope, slope, (double)NAN};
+    self->rho_1 = (clod_locus_value){exp(line.intercept), (double)NAN, (double)NAN};
+    self->compressibility = (clod_locus_value){line.slope, (double)NAN, (double)NAN};
     self->r_squared = line.r_squared;
+    find_errors(self, &line, work);
+    look(self);
 }
 
 bool clod_bulk_density_evaluate(const clod_bulk_density_point *points, size_t count,
@@ -167,13 +214,20 @@ char *clod_bulk_density_table(const clod_bulk_density *self)
             self->compressibility.value);
     clod_prose_number(out, 8, 4, self->compressibility.error);
     fprintf(out, "\n  %-32s %-8s%10.4f\n\n", "fit of the law", "r2", self->r_squared);
-    fputs("  ± one standard error, from scatter about the law.\n", out);
+    fputs(isfinite(self->compressibility.error)
+              ? "  ± one standard error, from scatter about the law and errors of the points.\n"
+              : "  No error bars: they need three points, or the errors of the points.\n",
+          out);
     fprintf(out, "\n  %10s%10s%10s\n  %10s%10s%10s\n", "sigma_1", "rho_b", "law", "[kPa]",
             "[kg/m3]", "[kg/m3]");
     for (size_t i = 0; i < self->point_count; i++) {
         const point *p = &self->points[i];
         fprintf(out, "  %10.3f%10.1f%10.1f\n", p->sigma_1 / KILO, p->rho_b,
                 law(self, p->sigma_1));
+    }
+    if (self->warning[0] != '\0') {
+        fputs("\n  Warnings\n", out);
+        clod_prose_warning(out, self->warning);
     }
     return clod_text_close(&text);
 }
@@ -190,11 +244,16 @@ char *clod_bulk_density_json(const clod_bulk_density *self)
                                         p->rho_b, "rho_b_error_kg_m3", p->rho_b_error,
                                         "law_kg_m3", law(self, p->sigma_1)));
     }
-    json_t *all = json_pack("{s:{s:f, s:o}, s:{s:f, s:o}, s:f, s:o}", "rho_1_kg_m3", "value",
-                            self->rho_1.value, "error", clod_json_number(self->rho_1.error),
-                            "compressibility", "value", self->compressibility.value, "error",
-                            clod_json_number(self->compressibility.error), "r_squared",
-                            self->r_squared, "points", points);
+    json_t *warnings = json_array();
+    if (self->warning[0] != '\0') {
+        json_array_append_new(warnings, json_string(self->warning));
+    }
+    json_t *all =
+        json_pack("{s:{s:f, s:o}, s:{s:f, s:o}, s:f, s:o, s:o}", "rho_1_kg_m3", "value",
+                  self->rho_1.value, "error", clod_json_number(self->rho_1.error),
+                  "compressibility", "value", self->compressibility.value, "error",
+                  clod_json_number(self->compressibility.error), "r_squared", self->r_squared,
+                  "points", points, "warnings", warnings);
     char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
     return text;

@@ -190,6 +190,9 @@ void clod_measured_warnings(const clod_measured *self, clod_measured_sink sink, 
     for (size_t k = 0; k < self->wall.warning_count; k++) {
         sink(context, self->wall.warnings[k]);
     }
+    if (self->density.warning[0] != '\0') {
+        sink(context, self->density.warning);
+    }
     for (size_t g = 0; self->study != NULL && g < self->study->count; g++) {
         const clod_locus *locus = &self->study->groups[g].locus;
         for (size_t i = 0; i < locus->warning_count; i++) {

@@ -48,6 +48,57 @@ static void the_error_is_that_of_the_scatter(void **state)
     clod_bulk_density_fini(&self);
 }
 
+/** Two points a factor of 10 apart, of 1 % each: of beta sqrt(2) 1 %/ln 10, of rho_1 1 %, for the
+ *  first point is at 1 kPa. Errors of 1 % of the stress are beta times as large. */
+static void stated_errors_carry_over(void **state)
+{
+    clod_bulk_density_point points[] = {{.sigma_1 = 1e3, .rho_b = 1000.0, .rho_b_error = 10.0},
+                                        {.sigma_1 = 1e4, .rho_b = 1100.0, .rho_b_error = 11.0}};
+    clod_bulk_density self;
+    clod_status status = {0};
+    (void)state;
+    assert_true(clod_bulk_density_evaluate(points, 2, &self, &status));
+    check_relative(self.compressibility.error, sqrt(2.0) * 0.01 / log(10.0), 1e-12);
+    check_relative(self.rho_1.error, 10.0, 1e-12);
+    clod_bulk_density_fini(&self);
+    points[0] = (clod_bulk_density_point){1e3, 1000.0, 10.0, 0.0};
+    points[1] = (clod_bulk_density_point){1e4, 1100.0, 100.0, 0.0};
+    assert_true(clod_bulk_density_evaluate(points, 2, &self, &status));
+    check_relative(self.rho_1.error, 10.0 * log10(1.1), 1e-9);
+    clod_bulk_density_fini(&self);
+    points[1].sigma_1_error = 0.0; // not all state one
+    assert_true(clod_bulk_density_evaluate(points, 2, &self, &status));
+    char *table = clod_bulk_density_table(&self);
+    assert_true(isnan(self.rho_1.error));
+    assert_non_null(strstr(table, "No error bars: they need three points"));
+    assert_null(strstr(table, "one standard error"));
+    clod_locus_free(table);
+    clod_bulk_density_fini(&self);
+}
+
+/** 1000 to 900 kg/m3; within two errors of 100 kg/m3 it may be chance. */
+static void a_density_that_falls_is_told(void **state)
+{
+    clod_bulk_density_point points[] = {{.sigma_1 = 1e3, .rho_b = 1000.0},
+                                        {.sigma_1 = 1e4, .rho_b = 900.0}};
+    clod_bulk_density self;
+    clod_status status = {0};
+    (void)state;
+    assert_true(clod_bulk_density_evaluate(points, 2, &self, &status));
+    assert_non_null(strstr(self.warning, "falls while the stress rises (beta = -0.0458)"));
+    char *table = clod_bulk_density_table(&self);
+    char *json = clod_bulk_density_json(&self);
+    assert_non_null(strstr(table, "Warnings\n  - The bulk density falls"));
+    assert_non_null(strstr(json, "The bulk density falls"));
+    clod_locus_free(table);
+    clod_locus_free(json);
+    clod_bulk_density_fini(&self);
+    points[0].rho_b_error = points[1].rho_b_error = 100.0;
+    assert_true(clod_bulk_density_evaluate(points, 2, &self, &status));
+    assert_true(self.warning[0] == '\0');
+    clod_bulk_density_fini(&self);
+}
+
 static void expect_error(const char *text, const char *wanted)
 {
     clod_bulk_density_point *points;
@@ -79,6 +130,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_of_a_power_law_give_it_back),
         cmocka_unit_test(the_error_is_that_of_the_scatter),
+        cmocka_unit_test(stated_errors_carry_over),
+        cmocka_unit_test(a_density_that_falls_is_told),
         cmocka_unit_test(what_is_no_density_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
