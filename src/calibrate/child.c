@@ -23,9 +23,11 @@ static void become(char *const *arguments, int log)
 static int spawn(clod_child *self, char *const *arguments, int log)
 {
     int ends[2]; // the writing one closes when the child becomes the program
-    if (pipe2(ends, O_CLOEXEC) != 0) {
+    if (pipe(ends) != 0) {
         return errno;
     }
+    (void)fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    (void)fcntl(ends[1], F_SETFD, FD_CLOEXEC);
     self->began = clod_clock_now();
     self->process = fork();
     int error = self->process < 0 ? errno : 0;
