@@ -209,10 +209,10 @@ char *clod_bulk_density_table(const clod_bulk_density *self)
     fprintf(out, "Bulk density: %zu points, rho_b = rho_1 (sigma_1/1 kPa)^beta\n\n",
             self->point_count);
     fprintf(out, "  %-32s %-8s%10.1f ± ", "bulk density at 1 kPa", "rho_1", self->rho_1.value);
-    clod_prose_number(out, 8, 1, self->rho_1.error);
+    clod_prose_error(out, 8, 1, self->rho_1.error);
     fprintf(out, "  kg/m3\n  %-32s %-8s%10.4f ± ", "compressibility", "beta",
             self->compressibility.value);
-    clod_prose_number(out, 8, 4, self->compressibility.error);
+    clod_prose_error(out, 8, 4, self->compressibility.error);
     fprintf(out, "\n  %-32s %-8s%10.4f\n\n", "fit of the law", "r2", self->r_squared);
     fputs(isfinite(self->compressibility.error)
               ? "  ± one standard error, from scatter about the law and errors of the points.\n"

@@ -1,5 +1,6 @@
 #include "clod/measured.h"
 
+#include <ctype.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,7 +11,8 @@
 
 #define HEADER 1024 ///< bytes of a header that are looked at
 
-/** The first line that is neither empty nor a comment, cut to its names. */
+/** The first line that is neither empty nor a comment, cut to its names, in small letters: the
+ *  reader of its kind tells of capital ones. */
 static void find_header(const char *text, size_t length, char header[HEADER])
 {
     size_t at = 0;
@@ -21,6 +23,9 @@ static void find_header(const char *text, size_t length, char header[HEADER])
         const size_t taken = line < HEADER - 1 ? line : HEADER - 1;
         memcpy(header, text + at, taken);
         header[taken] = '\0';
+        for (size_t k = 0; k < taken; k++) {
+            header[k] = (char)tolower((unsigned char)header[k]);
+        }
         const size_t blank = strspn(header, " \t\r");
         if (header[blank] == '\0' || header[blank] == '#') {
             header[0] = '\0';
@@ -44,19 +49,63 @@ static bool has(const char *header, const char *name)
     return false;
 }
 
+static void header_of(const char *text, size_t length, char header[HEADER])
+{
+    const size_t mark = length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    find_header(text + mark, length - mark, header);
+}
+
+static bool is_wall(const char *header)
+{
+    return has(header, "sigma_w") || has(header, "tau_w");
+}
+
+static bool has_strength(const char *header)
+{
+    return has(header, "f_c") || has(header, "sigma_c") || has(header, "fc");
+}
+
 clod_measured_kind clod_measured_kind_of(const char *text, size_t length)
 {
     char header[HEADER];
     CLOD_NEED(text);
-    const size_t mark = length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
-    find_header(text + mark, length - mark, header);
-    if (has(header, "sigma_w") || has(header, "tau_w")) {
+    header_of(text, length, header);
+    if (is_wall(header)) {
         return CLOD_MEASURED_WALL;
     }
     const bool density = has(header, "rho_b") || has(header, "rho");
-    const bool strength = has(header, "f_c") || has(header, "sigma_c") || has(header, "fc");
+    const bool strength = has_strength(header);
     return has(header, "sigma_1") && density && !strength ? CLOD_MEASURED_DENSITY
                                                           : CLOD_MEASURED_SHEAR;
+}
+
+/** A table that is none of the kinds, but known. */
+static bool check_header(const char *path, const char *text, size_t length, clod_status *status)
+{
+    char header[HEADER];
+    header_of(text, length, header);
+    if (is_wall(header) && (has(header, "sigma_1") || has(header, "sigma_sh"))) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "%s: two tables are mixed: sigma_w and tau_w are of a wall yield locus, %s of %s. "
+            "Put each into a file of its own.",
+            path, has(header, "sigma_1") ? "sigma_1" : "sigma_sh",
+            has(header, "sigma_1") ? "bulk densities or a flow function" : "a yield locus");
+    }
+    if (has(header, "sigma_1") && has_strength(header) && !has(header, "sigma_sh")) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "%s: is a flow function, which is evaluated already; clod hopper reads it, as "
+            "flow_function: {file: %s}.",
+            path, path);
+    }
+    return true;
+}
+
+/** What an evaluation says of a table, with its name. */
+static bool fail_evaluation(const char *path, const clod_status *why, clod_status *status)
+{
+    return clod_status_fail(status, why->code, "%s: %s", path, why->text);
 }
 
 // ---- each kind
@@ -83,9 +132,10 @@ static bool read_wall(const char *path, const char *text, size_t length, clod_me
     if (!clod_wall_locus_parse(path, text, length, &points, &count, status)) {
         return false;
     }
-    const bool good = clod_wall_locus_evaluate(points, count, &self->wall, status);
+    clod_status why = {0};
+    const bool good = clod_wall_locus_evaluate(points, count, &self->wall, &why);
     clod_locus_free(points);
-    return good;
+    return good || fail_evaluation(path, &why, status);
 }
 
 static bool read_density(const char *path, const char *text, size_t length, clod_measured *self,
@@ -96,9 +146,10 @@ static bool read_density(const char *path, const char *text, size_t length, clod
     if (!clod_bulk_density_parse(path, text, length, &points, &count, status)) {
         return false;
     }
-    const bool good = clod_bulk_density_evaluate(points, count, &self->density, status);
+    clod_status why = {0};
+    const bool good = clod_bulk_density_evaluate(points, count, &self->density, &why);
     clod_locus_free(points);
-    return good;
+    return good || fail_evaluation(path, &why, status);
 }
 
 /** A preshear that was given for a table without one is a mistake. */
@@ -119,7 +170,8 @@ static bool parse(const char *path, const char *text, size_t length,
                   const clod_locus_defaults *defaults, clod_measured *self, clod_status *status)
 {
     self->kind = clod_measured_kind_of(text, length);
-    if (!check_defaults(path, defaults, self, status)) {
+    if (!check_header(path, text, length, status) ||
+        !check_defaults(path, defaults, self, status)) {
         return false;
     }
     switch (self->kind) {

@@ -12,6 +12,18 @@ void clod_prose_number(FILE *out, int width, int digits, double value)
     }
 }
 
+void clod_prose_error(FILE *out, int width, int digits, double value)
+{
+    const double least = pow(10.0, -digits);
+    if (value > 0.0 && value < 0.5 * least) {
+        char text[32];
+        snprintf(text, sizeof text, "<%.*f", digits, least);
+        fprintf(out, "%*s", width, text);
+    } else {
+        clod_prose_number(out, width, digits, value);
+    }
+}
+
 void clod_prose_warning(FILE *out, const char *text)
 {
     const size_t width = 88;

@@ -74,21 +74,24 @@ static int in_order(const void *first, const void *second)
 }
 
 /** Sorted points of one seed make a line. */
-static bool check_seed(const point *points, size_t count, clod_status *status)
+static bool check_seed(const point *points, size_t count, bool seeds, clod_status *status)
 {
-    const long long seed = (long long)points[0].seed;
+    char of[48] = "";
+    if (seeds) {
+        snprintf(of, sizeof of, " of seed %lld", (long long)points[0].seed);
+    }
     if (count < 2) {
         return clod_status_fail(status, CLOD_USAGE,
                                 "A wall yield locus needs at least two points, better five; "
-                                "seed %lld has %zu.",
-                                seed, count);
+                                "there is %zu%s.",
+                                count, of);
     }
     const double most = points[0].sigma;
     return most - points[count - 1].sigma > CLOD_WARNINGS_SAME_STRESS * most ||
            clod_status_fail(status, CLOD_USAGE,
-                            "All %zu points of seed %lld have the same wall normal stress, "
+                            "All %zu points%s have the same wall normal stress, "
                             "%.3f kPa to within 1 %%: a line needs points at different ones.",
-                            count, seed, 1e-3 * most);
+                            count, of, 1e-3 * most);
 }
 
 // ---- one seed
@@ -255,13 +258,14 @@ static bool evaluate(const point *points, size_t count, double *work, clod_wall_
                      clod_status *status)
 {
     bool known = true;
+    const bool seeds = points[0].seed != points[count - 1].seed; // sorted by them
     self->r_squared = 1.0;
     for (size_t first = 0, next; first < count; first = next) {
         next = first + 1;
         while (next < count && points[next].seed == points[first].seed) {
             next++;
         }
-        if (!check_seed(points + first, next - first, status)) {
+        if (!check_seed(points + first, next - first, seeds, status)) {
             return false;
         }
         const line one = line_of(points + first, next - first, work);

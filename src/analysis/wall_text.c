@@ -25,7 +25,7 @@ static void put_value(FILE *out, const locus *self, const char *name, const char
                       clod_locus_value value, double scale, int digits, const char *unit)
 {
     fprintf(out, "  %-32s %-8s%10.*f ± ", name, key, digits, scale * value.value);
-    clod_prose_number(out, 8, digits, scale * value.error);
+    clod_prose_error(out, 8, digits, scale * value.error);
     if (self->seed_count > 1) {
         clod_prose_number(out, 10, digits, scale * value.scatter);
     }
@@ -60,10 +60,10 @@ static void put_mark(FILE *out, const mark *m, bool seeds)
         fprintf(out, "%8lld", (long long)m->point.seed);
     }
     fprintf(out, "%10.3f%10.3f ± ", 1e-3 * m->point.sigma, 1e-3 * m->point.tau);
-    clod_prose_number(out, 6, 3,
-                      m->point.tau_error > 0.0 ? 1e-3 * m->point.tau_error : (double)NAN);
+    clod_prose_error(out, 6, 3,
+                     m->point.tau_error > 0.0 ? 1e-3 * m->point.tau_error : (double)NAN);
     fprintf(out, "%10.2f ± ", DEGREES * m->phi_x.value);
-    clod_prose_number(out, 5, 2, DEGREES * m->phi_x.error);
+    clod_prose_error(out, 5, 2, DEGREES * m->phi_x.error);
     fprintf(out, "%10.3f%s\n", 1e-3 * m->line, m->point.unsteady ? "  not steady" : "");
 }
 

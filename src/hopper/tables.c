@@ -214,13 +214,19 @@ static bool take_study(const clod_locus_study *study, clod_solid *solid,
     return good;
 }
 
-/** The file itself, or the table of this name in a results folder. */
-static const char *find_table(const char *path, const char *table, char inside[PATH_MAX])
+/** The file itself, or the table of this name in a results folder, which must have it. */
+static bool find_table(const char *path, const char *table, char inside[PATH_MAX],
+                       clod_status *status)
 {
     struct stat kind;
     const bool folder = stat(path, &kind) == 0 && S_ISDIR(kind.st_mode);
     snprintf(inside, PATH_MAX, "%s%s%s", path, folder ? "/" : "", folder ? table : "");
-    return inside;
+    return !folder || stat(inside, &kind) == 0 ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "%s: the folder has no %s: its run is not finished, or is no test "
+               "that writes one. clod run goes on with a run that is not finished.",
+               path, table);
 }
 
 /** Append the points of a test: of the file, or of points.csv in a results folder. */
@@ -230,8 +236,8 @@ static bool add_points(const char *path, clod_locus_point **all, size_t *count,
     char inside[PATH_MAX];
     clod_locus_point *points;
     size_t more;
-    if (!clod_locus_read(find_table(path, "points.csv", inside), NULL, &points, &more,
-                         status)) {
+    if (!find_table(path, "points.csv", inside, status) ||
+        !clod_locus_read(inside, NULL, &points, &more, status)) {
         return false;
     }
     clod_locus_point *grown = clod_memory_grow(*all, *count, *count + more, sizeof **all);
@@ -353,8 +359,8 @@ static bool read_wall(const clod_hopper_property *from, clod_curve *wall,
 {
     if (from->file != NULL) {
         char inside[PATH_MAX];
-        return clod_wall_read(find_table(from->file, "wall_friction.csv", inside), wall,
-                              notes->warnings, status);
+        return find_table(from->file, "wall_friction.csv", inside, status) &&
+               clod_wall_read(inside, wall, notes->warnings, status);
     }
     if (!from->present) {
         return true;

@@ -133,7 +133,12 @@ static void put_points(FILE *out, const clod_wall_page_locus *loci, size_t count
         {
             fputs("<tr>", out);
             clod_html_cell(out, "th", loci[s].of);
-            fprintf(out, "<td>%.0f</td>", clod_shear_number(p, "seed"));
+            const double seed = clod_shear_number(p, "seed");
+            if (loci[s].lab && seed == 0.0) { // a laboratory has none
+                fputs("<td></td>", out);
+            } else {
+                fprintf(out, "<td>%.0f</td>", seed);
+            }
             put_cell(out, 1e-3 * clod_shear_number(p, "sigma_w_Pa"),
                      1e-3 * clod_shear_number(p, "sigma_w_error_Pa"), 3);
             put_cell(out, 1e-3 * clod_shear_number(p, "tau_w_Pa"),

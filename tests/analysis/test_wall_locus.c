@@ -115,8 +115,11 @@ static void what_is_no_locus_is_refused(void **state)
     clod_wall_locus_point points[] = {{.sigma = 1e3, .tau = 500.0},
                                       {.sigma = 1.005e3, .tau = 500.0}};
     expect_failure(points, 0, "no points");
-    expect_failure(points, 1, "seed 0 has 1");
+    expect_failure(points, 1, "better five; there is 1.");
     expect_failure(points, 2, "same wall normal stress, 1.005 kPa");
+    points[1].seed = 4;
+    expect_failure(points, 2, "there is 1 of seed 0");
+    points[1].seed = 0;
     points[1].sigma = 0.0;
     expect_failure(points, 2, "Point 2: a wall normal stress of 0 Pa");
     points[1] = (clod_wall_locus_point){.sigma = 2e3, .tau = 900.0, .tau_error = -1.0};
@@ -208,6 +211,21 @@ static void what_was_not_steady_is_marked(void **state)
     clod_wall_locus_fini(&locus);
 }
 
+/** An error below the digits of the table is not 0: 0.2 Pa; at 4 kPa 0.003 deg. */
+static void a_small_error_is_no_zero(void **state)
+{
+    (void)state;
+    const clod_wall_locus_point points[] = {{.sigma = 1e3, .tau = 300.0, .tau_error = 0.2},
+                                            {.sigma = 4e3, .tau = 1200.0, .tau_error = 0.2}};
+    clod_wall_locus locus = evaluate(points, 2);
+    char *table = clod_wall_locus_table(&locus);
+    assert_non_null(strstr(table, "4.000     1.200 ± <0.001     16.70 ± <0.01"));
+    assert_null(strstr(table, "± 0.00"));
+    assert_null(strstr(table, "±  0.00"));
+    clod_locus_free(table);
+    clod_wall_locus_fini(&locus);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -217,6 +235,7 @@ int main(void)
         cmocka_unit_test(what_is_no_locus_is_refused),
         cmocka_unit_test(a_locus_that_is_odd_says_so),
         cmocka_unit_test(an_angle_that_no_wall_has_is_told),
+        cmocka_unit_test(a_small_error_is_no_zero),
         cmocka_unit_test(what_was_not_steady_is_marked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

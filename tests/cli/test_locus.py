@@ -120,6 +120,13 @@ class Locus(clod.Case):
         wall = "sigma_w [kPa],tau_w [kPa]\n1,1\n2,2\n"
         self.assertIn("standard input: a wall yield locus has no preshear; leave out --sigma-pre",
                       self.locus("-", "--sigma-pre", "1 kPa", input=wall, code=2).stderr)
+        for text, said in (("sigma_w [kPa],tau_w [kPa]\n1,1\n", "standard input: A wall yield locus needs"),
+                           ("sigma_1 [kPa],rho_b [kg/m3]\n1,1000\n", "standard input: Bulk density over stress"),
+                           ("sigma_w [kPa],tau_w [kPa],sigma_1 [kPa],rho_b [kg/m3]\n1,1,1,1000\n",
+                            "standard input: two tables are mixed"),
+                           ("sigma_1 [kPa],f_c [kPa],rho_b [kg/m3]\n1,1,1000\n", "clod hopper reads it"),
+                           ("Sigma_w [kPa],Tau_w [kPa]\n1,1\n", "did you mean sigma_w?")):
+            self.assertIn(said, self.locus("-", input=text, code=2).stderr)
         falling = "sigma_w [kPa],tau_w [kPa]\n1,1\n2,0.5\n"
         self.assertIn("clod locus: The shear stress falls",
                       self.locus("-", "--csv", input=falling).stderr)

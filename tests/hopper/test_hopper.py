@@ -240,6 +240,14 @@ class Hopper(clod.Case):
         for got, sign in zip(tangents, (-1, 0, 1)):
             self.assertAlmostEqual(got, 0.22 + sign * 1.645 * error, delta=0.3 * error)
 
+    def test_a_run_that_is_not_finished(self):
+        """Its folder has no table yet."""
+        os.mkdir(self.path("run"))
+        self.refuse(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: run}"),
+                    ["run: the folder has no wall_friction.csv: its run is not finished"])
+        self.refuse("flow_function: {shear_tests: [{points: run}]}\nwall_friction: {angle: 20 deg}\n",
+                    ["run: the folder has no points.csv: its run is not finished"])
+
     def test_warnings_of_a_wall_yield_locus_are_handed_on(self):
         """clod locus and the hopper say the same of a bent one that was not steady."""
         self.start(CASE.replace("{angle: 20 deg, error: 1 deg}", "{file: wall.csv}"))

@@ -159,10 +159,11 @@ class Report(clod.Case):
         """Laboratory points, here on tau = 0.25 sigma + 0.5 kPa, stand beside those of the run."""
         pages.wall(self.path("run"))
         with open(self.path("lab.csv"), "w") as file:
-            file.write("sigma_w [kPa],tau_w [kPa],tau_w_error [kPa]\n8,2.5,0.1\n4,1.5,0.1\n")
+            file.write("sigma_w [kPa],tau_w [kPa],tau_w_error [kPa],steady\n8,2.5,0.1,1\n4,1.5,0.1,0\n")
         self.made("report", "run", "--lab", "lab.csv")
         page = self.page("run/report.html")
-        self.assertEqual(page.items, ["wall: inertial number 0.0031"])
+        self.assertEqual(page.items[0], "wall: inertial number 0.0031")
+        self.assertEqual([item[:31] for item in page.items[1:]], ["1 of 2 points was not steady: t"])
         line = page.figures["wall-yield-locus"]
         self.assertTrue(line["equal"])
         points, fit, lab, lab_fit = line["curves"]
@@ -179,7 +180,7 @@ class Report(clod.Case):
         self.assertEqual(page.row("kinematic angle of wall friction")[1:],
                          ["φw", "18.25 ± 0.13", "14.04 ± 1.91", "deg"])
         self.assertEqual(page.row("wall adhesion")[1:], ["τad", "0.062 ± 0.031", "0.500 ± 0.224", "kPa"])
-        for text in ("10.002", "3.361", "18.58"):
+        for text in ("10.002", "3.361", "18.58", "not steady"):
             self.assertTrue(any(text in cell for table in page.tables for row in table for cell in row), text)
 
     def test_wall_friction_tests_side_by_side(self):
