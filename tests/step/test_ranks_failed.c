@@ -10,7 +10,7 @@
 
 // steps of time: contacts are lost within ranks; between them too
 #define NEAR 4e-4 ///< s
-#define FAR 2e-3  ///< s
+#define FAR 1e-2  ///< s
 
 /** A bed that one too long step tears apart, in a rebuild that puts its rows into a new order. */
 static void tear(scene *s, double dt, clod_step_options options)
