@@ -5,13 +5,11 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
-#include "base/memory.h"
 #include "report/flow_figure.h"
+#include "report/part_curves.h"
 #include "report/shear.h"
 #include "report/shear_rows.h"
-#include "report/table.h"
 
 #define MOST_POINTS 512
 
@@ -124,68 +122,22 @@ void clod_shear_figures(clod_sheet *sheet, const clod_shear_loci *sets, size_t c
     put_flow_function(sheet, sets, count);
 }
 
-/** What is drawn over displacement. */
-static const struct {
-    const char *column, *text, *unit;
-    double factor;
-} CURVES[] = {
-    {"shear_stress", "shear stress", "kPa", 1e-3},
-    {"height", "height of the specimen", "mm", 1e3},
-    {"bulk_density", "bulk density", "kg/m3", 1.0},
-};
-#define CURVE_COUNT (sizeof CURVES / sizeof CURVES[0])
-
-/** Whether a part is a preshear, of any seed; otherwise whether it is a shear point. */
-static bool is_part(const char *name, bool preshear)
-{
-    return strstr(name, preshear ? "preshear" : "point-") != NULL;
-}
-
-/** Read the tables of the parts that are asked for; false: one is damaged. */
+/** Curves of the parts that are asked for; false: a table is damaged. */
 static bool put_parts(clod_sheet *sheet, const clod_run_files *run, bool preshear,
                       clod_status *status)
 {
-    clod_figure figures[CURVE_COUNT];
-    for (size_t q = 0; q < CURVE_COUNT; q++) {
-        char title[128];
-        snprintf(title, sizeof title, "%c%s, %s", CURVES[q].text[0] - 'a' + 'A',
-                 CURVES[q].text + 1, preshear ? "preshear" : "shear to failure");
-        clod_figure_init(&figures[q], title, title);
-        clod_figure_axis_set(&figures[q].x, "displacement", "mm", 1e3);
-        clod_figure_axis_set(&figures[q].y, CURVES[q].text, CURVES[q].unit, CURVES[q].factor);
-    }
-    bool good = true;
-    int colour = 0;
-    const char *part;
-    for (size_t p = 0; good && (part = clod_run_files_part(run, p)) != NULL; p++) {
-        clod_table table;
-        char name[256];
-        if (!is_part(part, preshear)) {
-            continue;
-        }
-        snprintf(name, sizeof name, "%s.csv", part);
-        good = clod_table_read(&table, run->folder, name, status);
-        const int at = clod_table_find(&table, "displacement");
-        double *x = good && at >= 0 ? clod_table_numbers(&table, at) : NULL;
-        const size_t first = x != NULL ? clod_figure_begin(x, table.rows) : 0;
-        for (size_t q = 0; x != NULL && q < CURVE_COUNT; q++) {
-            const int column = clod_table_find(&table, CURVES[q].column);
-            double *y = column >= 0 ? clod_table_numbers(&table, column) : NULL;
-            if (y != NULL) {
-                clod_figure_add(&figures[q], part, CLOD_FIGURE_LINE,
-                                colour % CLOD_FIGURE_COLOURS, table.rows - first, x + first,
-                                y + first, NULL);
-            }
-            clod_memory_free(y);
-        }
-        clod_memory_free(x);
-        clod_table_fini(&table);
-        colour++;
-    }
-    for (size_t q = 0; q < CURVE_COUNT; q++) {
-        clod_sheet_figure(sheet, &figures[q]);
-    }
-    return good;
+    static const clod_part_column COLUMNS[] = {
+        {"shear_stress", "shear stress", "kPa", 1e-3},
+        {"height", "height of the specimen", "mm", 1e3},
+        {"bulk_density", "bulk density", "kg/m3", 1.0},
+    };
+    const clod_part_curves curves = {.part = preshear ? "preshear" : "point-",
+                                     .over = {"displacement", "displacement", "mm", 1e3},
+                                     .behind = preshear ? ", preshear" : ", shear to failure",
+                                     .named_by_title = true,
+                                     .columns = COLUMNS,
+                                     .count = sizeof COLUMNS / sizeof COLUMNS[0]};
+    return clod_part_curves_put(sheet, run, &curves, status);
 }
 
 bool clod_shear_curves(clod_sheet *sheet, const clod_run_files *run, clod_status *status)

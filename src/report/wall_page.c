@@ -7,8 +7,8 @@
 #include "base/memory.h"
 #include "clod/wall_locus.h"
 #include "report/html.h"
+#include "report/part_curves.h"
 #include "report/shear_rows.h"
-#include "report/table.h"
 
 #define MOST_POINTS 512
 
@@ -222,64 +222,21 @@ void clod_wall_page_figures(clod_sheet *sheet, const clod_wall_page_locus *loci,
     clod_sheet_columns(sheet, false);
 }
 
-/** What is drawn over displacement. */
-static const struct {
-    const char *column, *text, *unit;
-    double factor;
-} CURVES[] = {
-    {"shear_stress", "wall shear stress", "kPa", 1e-3},
-    {"normal_stress", "wall normal stress", "kPa", 1e-3},
-    {"height", "height of the specimen", "mm", 1e3},
-    {"bulk_density", "bulk density", "kg/m3", 1.0},
-};
-#define CURVE_COUNT (sizeof CURVES / sizeof CURVES[0])
-
-/** Add a part's curves to the figures; false: its table is damaged. */
-static bool add_part(clod_figure *figures, const clod_run_files *run, const char *part,
-                     int number, clod_status *status)
-{
-    clod_table table;
-    char name[256];
-    snprintf(name, sizeof name, "%s.csv", part);
-    const bool good = clod_table_read(&table, run->folder, name, status);
-    const int at = good ? clod_table_find(&table, "displacement") : -1;
-    double *x = at >= 0 ? clod_table_numbers(&table, at) : NULL;
-    const size_t first = x != NULL ? clod_figure_begin(x, table.rows) : 0;
-    for (size_t q = 0; x != NULL && q < CURVE_COUNT; q++) {
-        const int column = clod_table_find(&table, CURVES[q].column);
-        double *y = column >= 0 ? clod_table_numbers(&table, column) : NULL;
-        if (y != NULL) {
-            clod_figure_add(&figures[q], part, CLOD_FIGURE_LINE, number % CLOD_FIGURE_COLOURS,
-                            table.rows - first, x + first, y + first, NULL);
-        }
-        clod_memory_free(y);
-    }
-    clod_memory_free(x);
-    clod_table_fini(&table);
-    return good;
-}
-
 static bool put_curves(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
 {
-    clod_figure figures[CURVE_COUNT];
-    for (size_t q = 0; q < CURVE_COUNT; q++) {
-        char title[128];
-        snprintf(title, sizeof title, "%c%s", CURVES[q].text[0] - 'a' + 'A',
-                 CURVES[q].text + 1);
-        clod_figure_init(&figures[q], CURVES[q].column, title);
-        clod_figure_axis_set(&figures[q].x, "displacement of the plate", "mm", 1e3);
-        clod_figure_axis_set(&figures[q].y, CURVES[q].text, CURVES[q].unit, CURVES[q].factor);
-    }
-    bool good = true;
-    int number = 0;
-    const char *part;
-    for (size_t p = 0; good && (part = clod_run_files_part(run, p)) != NULL; p++) {
-        good = strstr(part, "wall") == NULL || add_part(figures, run, part, number++, status);
-    }
-    for (size_t q = 0; q < CURVE_COUNT; q++) {
-        clod_sheet_figure(sheet, &figures[q]);
-    }
-    return good;
+    static const clod_part_column COLUMNS[] = {
+        {"shear_stress", "wall shear stress", "kPa", 1e-3},
+        {"normal_stress", "wall normal stress", "kPa", 1e-3},
+        {"height", "height of the specimen", "mm", 1e3},
+        {"bulk_density", "bulk density", "kg/m3", 1.0},
+    };
+    const clod_part_curves curves = {
+        .part = "wall",
+        .over = {"displacement", "displacement of the plate", "mm", 1e3},
+        .behind = "",
+        .columns = COLUMNS,
+        .count = sizeof COLUMNS / sizeof COLUMNS[0]};
+    return clod_part_curves_put(sheet, run, &curves, status);
 }
 
 bool clod_wall_page_put(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
