@@ -1,19 +1,19 @@
 """Plans that clod calibrate refuses before the first run, and what its results say.
 
-The plan is that of test_calibrate.py: grains that meet a floor, whose case loads in a millisecond.
+The case is that of bounce.py: grains that meet a floor, whose case loads in a millisecond.
 """
 
 import csv
 import json
 import math
 import os
-import shutil
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import bounce
 import clod
+from bounce import CASE
 
-BOUNCE = clod.source("tests/calibrate/bounce.yaml")
 PLAN = """points: 9
 tests:
   bounce: {case: bounce.yaml}
@@ -25,24 +25,7 @@ sampling: {samples: 1000}
 """
 
 
-class Plan(clod.Case):
-
-    def setUp(self):
-        super().setUp()
-        shutil.copy(BOUNCE, self.folder)
-
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
-    def write(self, name, text):
-        with open(self.path(name), "w") as file:
-            file.write(text)
-
-    def calibrate(self, text, *arguments, code=0):
-        self.write("plan.yaml", text)
-        done = clod.run("calibrate", "plan.yaml", *arguments, cwd=self.folder)
-        self.assertEqual(done.returncode, code, done.stderr)
-        return done
+class Plan(bounce.Bounce):
 
     def refuse(self, *changes, words):
         text = PLAN
@@ -70,7 +53,7 @@ class Plan(clod.Case):
     def test_combination_that_the_case_refuses_is_named(self):
         """k2 must not be below k1: each end goes with the middle of the other, but not all corners."""
         law = ("law: hooke, k1: 1e5 N/m", "law: luding, k1: 1e5 N/m, k2: 4e6 N/m, plasticity_depth: 0.05")
-        with open(BOUNCE) as file:
+        with open(CASE) as file:
             text = file.read()
         self.assertIn(law[0], text)
         self.write("bounce.yaml", text.replace(*law))
@@ -157,7 +140,7 @@ sampling: {samples: 1000}
         self.assertIn("the case has seeds: 2; leave it out there, and give seeds here", told)
 
     def test_words_of_a_test_that_fails_end_with_one_stop(self):
-        with open(BOUNCE) as file:
+        with open(CASE) as file:
             text = file.read()
         self.write("bounce.yaml", text.replace("k1: 1e5", "k1: 1e1"))
         told = self.calibrate(PLAN, "-o", "out", code=1).stderr

@@ -9,7 +9,6 @@ import json
 import math
 import os
 import shutil
-import signal
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -151,18 +150,7 @@ class Uniaxial(clod.TesterCase):
     @clod.quick_only
     def test_an_interrupted_test_ends_the_same(self):
         """Stopped while the mould goes, and again while the specimen is crushed."""
-        out = self.path("cut")
-        for phase in ("consolidate", "free", "crush"):
-            ready = lambda: any({"event": "phase", "to": phase}.items() <= event.items()
-                                for event in clod.log(out))
-            process = clod.start("run", CASE, "-o", out, "-t", "1")
-            self.assertTrue(clod.wait_until(ready, process), "ended before it was interrupted")
-            process.send_signal(signal.SIGINT)
-            _, err = process.communicate(timeout=1000)
-            self.assertEqual(process.returncode, 128 + signal.SIGINT, err)
-        done = clod.run("run", CASE, "-o", out, "-t", "1")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assert_same_end(self.out, out, ["fill", *PARTS])
+        self.assert_same_end_after_interruptions(("consolidate", "free", "crush"), ["fill", *PARTS])
 
     def test_whatever_a_test_writes_protects_a_folder_of_the_user(self):
         for name in os.listdir(self.out):

@@ -9,7 +9,6 @@ import json
 import math
 import os
 import shutil
-import signal
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -125,18 +124,7 @@ class Straight(clod.TesterCase):
     @clod.quick_only
     def test_an_interrupted_test_ends_the_same(self):
         """Stopped in the run-in, while it is sheared, and at other stresses."""
-        out = self.path("cut")
-        for phase in ("consolidate", "run-in", "shear"):
-            ready = lambda: any({"event": "phase", "to": phase}.items() <= event.items()
-                                for event in clod.log(out))
-            process = clod.start("run", CASE, "-o", out, "-t", "1")
-            self.assertTrue(clod.wait_until(ready, process), "ended before it was interrupted")
-            process.send_signal(signal.SIGINT)
-            _, err = process.communicate(timeout=1000)
-            self.assertEqual(process.returncode, 128 + signal.SIGINT, err)
-        done = clod.run("run", CASE, "-o", out, "-t", "1")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assert_same_end(self.out, out, ["fill", "wall"])
+        self.assert_same_end_after_interruptions(("consolidate", "run-in", "shear"), ["fill", "wall"])
 
     def test_another_programme_begins_from_the_same_filling(self):
         out = self.path("from")

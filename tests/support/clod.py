@@ -197,6 +197,21 @@ class TesterCase(Case):
         cls.series = {name: table(os.path.join(cls.out, f"{name}.csv")) for name in cls.part}
         cls.points = table(os.path.join(cls.out, cls.POINTS))
 
+    def assert_same_end_after_interruptions(self, phases, parts):
+        """Interrupted when each of these phases has begun, the run goes on to the end of `out`."""
+        folder = self.path("cut")
+        for phase in phases:
+            ready = lambda: any({"event": "phase", "to": phase}.items() <= event.items()
+                                for event in log(folder))
+            process = start("run", self.CASE, "-o", folder, "-t", "1")
+            self.assertTrue(wait_until(ready, process), "ended before it was interrupted")
+            process.send_signal(signal.SIGINT)
+            _, err = process.communicate(timeout=1000)
+            self.assertEqual(process.returncode, 128 + signal.SIGINT, err)
+        done = run("run", self.CASE, "-o", folder, "-t", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_same_end(self.out, folder, parts)
+
 
 def main():
     unittest.main(argv=[sys.argv[0], "-v", *sys.argv[1:]])

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "support/cell_state.h"
 #include "support/check.h"
 #include "tester/ring_shear.h"
 
@@ -27,7 +28,7 @@ typedef struct cell {
     clod_state state;
     clod_wall wall[3];
     clod_shape shape[3];
-    double place[4][4], motion[4][4];
+    cell_grains grains;
     clod_ring_shear test;
     double row[CLOD_RING_SHEAR_COLUMNS];
 } cell;
@@ -65,19 +66,8 @@ static inline int make_cell(void **context)
     now.shape[1].kind = CLOD_SHAPE_CYLINDER;
     now.shape[2] = (clod_shape){.kind = CLOD_SHAPE_ANNULUS, .center = {0.0, 0.0, LID_START}};
     now.wall[2].load = CLOD_LOAD_STRESS;
-    now.state.walls.wall = now.wall;
-    now.state.walls.count = 3;
-    now.state.grains.position = now.place;
-    now.state.grains.velocity = now.motion;
-    now.state.grains.count = 4;
-    for (int g = 0; g < 4; g++) {
-        now.place[g][2] = g < 3 ? 0.01 : 0.036; // the lid comes to 0.045 with tips at 0.039
-        now.place[g][3] = 0.003;
-        now.motion[g][3] = GRAIN_MASS / 4;
-    }
-    now.state.gravity[2] = -9.81;
-    now.state.dt = DT;
-    now.state.adhesion = 0.1;
+    // the lid comes to 0.045 with tips at 0.039
+    cell_state_make(&now.state, &now.grains, 0.036, GRAIN_MASS, now.wall, 3, DT);
     clod_ring_shear_begin(&now.test, &now.from, &now.state);
     return 0;
 }

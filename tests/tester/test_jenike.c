@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "support/cell_state.h"
 #include "support/check.h"
 #include "tester/ring_shear.h"
 
@@ -25,7 +26,7 @@ typedef struct cell {
     clod_state state;
     clod_wall wall[WALLS];
     clod_shape shape[WALLS][2];
-    double place[4][4], motion[4][4];
+    cell_grains grains;
     clod_ring_shear test;
     double row[CLOD_RING_SHEAR_COLUMNS];
 } cell;
@@ -69,19 +70,7 @@ static void make(int64_t twists)
     now.shape[LID][0] = (clod_shape){
         .kind = CLOD_SHAPE_ANNULUS, .center = {-3e-3, 0.0, LID_START}, .outer = RADIUS};
     now.wall[LID].load = CLOD_LOAD_STRESS;
-    now.state.walls.wall = now.wall;
-    now.state.walls.count = WALLS;
-    now.state.grains.position = now.place;
-    now.state.grains.velocity = now.motion;
-    now.state.grains.count = 4;
-    for (int g = 0; g < 4; g++) {
-        now.place[g][2] = g < 3 ? 0.01 : 0.027;
-        now.place[g][3] = 0.003;
-        now.motion[g][3] = GRAIN_MASS / 4;
-    }
-    now.state.gravity[2] = -9.81;
-    now.state.dt = DT;
-    now.state.adhesion = 0.1;
+    cell_state_make(&now.state, &now.grains, 0.027, GRAIN_MASS, now.wall, WALLS, DT);
     clod_ring_shear_begin(&now.test, &now.from, &now.state);
 }
 

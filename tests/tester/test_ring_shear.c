@@ -14,12 +14,12 @@ static void geometry_is_that_of_the_cell(void **context)
 static void filling_waits_for_rest(void **context)
 {
     (void)context;
-    now.motion[2][0] = 1.0; // rms of four: 0.5 m/s
+    now.grains.motion[2][0] = 1.0; // rms of four: 0.5 m/s
     for (int k = 0; k < 100; k++) {
         look(0.0, 0.0);
     }
     assert_int_equal(now.test.phase, CLOD_RING_SHEAR_FILL);
-    now.motion[2][0] = 0.0;
+    now.grains.motion[2][0] = 0.0;
     look(0.0, 0.0);
     assert_int_equal(now.test.phase, CLOD_RING_SHEAR_LOWER);
     assert_int_equal(now.test.flags, 0);
@@ -32,7 +32,7 @@ static void filling_waits_for_rest(void **context)
 static void filling_that_never_rests_is_told(void **context)
 {
     (void)context;
-    now.motion[2][0] = 1.0;
+    now.grains.motion[2][0] = 1.0;
     now.from.ring_shear.fill_max = 0.9; // the case says how long
     clod_ring_shear_begin(&now.test, &now.from, &now.state);
     look_while(CLOD_RING_SHEAR_FILL, 0.0, 0.0, 100000);
@@ -64,7 +64,7 @@ static void lid_carries_then_the_load_is_raised(void **context)
     // at the shear plane: less what the solid above it weighs, and the lid's tips are at
     // 0.036 m or less by now, so that is one grain at 0.036 m or none
     const double solid =
-        now.place[3][2] > LID_START + now.wall[2].shift.z - BAR_HEIGHT ? 0.5 : 0.0;
+        now.grains.place[3][2] > LID_START + now.wall[2].shift.z - BAR_HEIGHT ? 0.5 : 0.0;
     assert_true(fabs(before - (PRESHEAR * AREA - solid * 9.81)) < 1e-9 * PRESHEAR);
     assert_int_equal(now.test.phase, CLOD_RING_SHEAR_CONSOLIDATE); // not at its stress yet
 }
@@ -73,7 +73,7 @@ static void stresses_are_forces_and_torques_over_the_area(void **context)
 {
     (void)context;
     go_to_preshear();
-    now.place[3][2] = 0.2; // 0.5 kg above the plane
+    now.grains.place[3][2] = 0.2; // 0.5 kg above the plane
     look(9e3, 6e3);
     const double *row = now.row;
     assert_true(fabs(row[CLOD_RING_SHEAR_NORMAL_STRESS] / (9e3 + 0.5 * 9.81 / AREA) - 1) <
@@ -173,7 +173,7 @@ static void the_normal_stress_of_the_point_is_that_at_the_peak(void **context)
 {
     (void)context;
     go_to_the_end_of_reversal();
-    now.place[3][2] = 0.01; // nothing above the plane
+    now.grains.place[3][2] = 0.01; // nothing above the plane
     clod_ring_shear_branch(&now.test, 4e3, &now.state);
     look_while(CLOD_RING_SHEAR_REDUCE, 4e3, 0.0, 1000);
     // 4.4 kPa before the peak at 1 mm, 4 kPa in its window, 3.6 kPa after

@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "support/cell_state.h"
 #include "tester/uniaxial.h"
 
 // A mould of 80 mm: A = pi 0.08^2/4 = 5.026548e-3 m2.
@@ -28,7 +29,7 @@ typedef struct cell {
     clod_state state;
     clod_wall wall[3];
     clod_shape shape[3];
-    double place[4][4], motion[4][4];
+    cell_grains grains;
     clod_uniaxial test;
     double row[CLOD_UNIAXIAL_COLUMNS];
 } cell;
@@ -56,19 +57,7 @@ static int make_cell(void **context)
     }
     now.shape[LID] = (clod_shape){.kind = CLOD_SHAPE_ANNULUS, .center = {0.0, 0.0, LID_START}};
     now.wall[LID].load = CLOD_LOAD_STRESS;
-    now.state.walls.wall = now.wall;
-    now.state.walls.count = 3;
-    now.state.grains.position = now.place;
-    now.state.grains.velocity = now.motion;
-    now.state.grains.count = 4;
-    for (int g = 0; g < 4; g++) {
-        now.place[g][2] = g < 3 ? 0.01 : TOP - 0.003;
-        now.place[g][3] = 0.003;
-        now.motion[g][3] = GRAIN_MASS / 4;
-    }
-    now.state.gravity[2] = -9.81;
-    now.state.dt = DT;
-    now.state.adhesion = 0.1;
+    cell_state_make(&now.state, &now.grains, TOP - 0.003, GRAIN_MASS, now.wall, 3, DT);
     clod_uniaxial_begin(&now.test, &now.from, &now.state);
     return 0;
 }
@@ -134,11 +123,11 @@ static double peak_of(double stress)
 static void filling_waits_for_rest_and_ends(void **context)
 {
     (void)context;
-    now.motion[2][0] = 1.0; // rms of four: 0.5 m/s
+    now.grains.motion[2][0] = 1.0; // rms of four: 0.5 m/s
     for (int k = 0; k < 100; k++) {
         assert_false(look(0.0));
     }
-    now.motion[2][0] = 0.0;
+    now.grains.motion[2][0] = 0.0;
     assert_true(look(0.0));
     assert_int_equal(now.test.phase, CLOD_UNIAXIAL_DONE);
     assert_int_equal(now.test.flags, 0);
@@ -168,7 +157,7 @@ static void where_gravity_is_weak_rest_takes_longer(void **context)
 static void filling_that_never_rests_is_told(void **context)
 {
     (void)context;
-    now.motion[2][0] = 1.0;
+    now.grains.motion[2][0] = 1.0;
     now.from.uniaxial.fill_max = 0.9; // the case says how long
     clod_uniaxial_begin(&now.test, &now.from, &now.state);
     look_while(CLOD_UNIAXIAL_FILL, 0.0, 100000);
@@ -274,7 +263,7 @@ static void grains_that_go_on_falling_are_told(void **context)
     go_to_consolidation();
     look_while(CLOD_UNIAXIAL_CONSOLIDATE, STRESS, 1000);
     look_while(CLOD_UNIAXIAL_UNLOAD, 0.0, 10);
-    now.motion[1][2] = -0.1;
+    now.grains.motion[1][2] = -0.1;
     look_while(CLOD_UNIAXIAL_FREE, 0.0, 100000);
     assert_int_equal(now.test.flags, CLOD_UNIAXIAL_NOT_FREE);
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "support/cell_state.h"
 #include "support/check.h"
 
 // A straight cell of 100 mm: A = pi 0.05^2 = 7.853982e-3 m2.
@@ -23,7 +24,7 @@ typedef struct cell {
     clod_state state;
     clod_wall wall[3];
     clod_shape shape[3];
-    double place[4][4], motion[4][4];
+    cell_grains grains;
     double stresses[3];
     clod_wall_shear test;
     double row[CLOD_WALL_SHEAR_COLUMNS];
@@ -62,19 +63,7 @@ static int make_cell(void **context)
     now.shape[LID] = (clod_shape){.kind = CLOD_SHAPE_ANNULUS, .center = {0.0, 0.0, LID_START}};
     now.wall[LID].load = CLOD_LOAD_STRESS;
     now.wall[LID].area = AREA;
-    now.state.walls.wall = now.wall;
-    now.state.walls.count = 3;
-    now.state.grains.position = now.place;
-    now.state.grains.velocity = now.motion;
-    now.state.grains.count = 4;
-    for (int g = 0; g < 4; g++) {
-        now.place[g][2] = g < 3 ? 0.01 : 0.047;
-        now.place[g][3] = 0.003;
-        now.motion[g][3] = GRAIN_MASS / 4;
-    }
-    now.state.gravity[2] = -9.81;
-    now.state.dt = DT;
-    now.state.adhesion = 0.1;
+    cell_state_make(&now.state, &now.grains, 0.047, GRAIN_MASS, now.wall, 3, DT);
     clod_wall_shear_begin(&now.test, &now.from, &now.state);
     return 0;
 }
