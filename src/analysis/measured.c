@@ -1,7 +1,6 @@
 #include "clod/measured.h"
 
 #include <ctype.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -193,12 +192,10 @@ bool clod_measured_read(const char *path, const clod_locus_defaults *defaults,
     memset(self, 0, sizeof *self);
     char *text;
     size_t size;
-    const bool standard = strcmp(path, "-") == 0;
-    if (!clod_input_read(standard ? NULL : path, SIZE_MAX, &text, &size, status)) {
+    if (!clod_input_read_named(&path, &text, &size, status)) {
         return false;
     }
-    const bool good =
-        parse(standard ? CLOD_INPUT_STANDARD : path, text, size, defaults, self, status);
+    const bool good = parse(path, text, size, defaults, self, status);
     clod_memory_free(text);
     return good;
 }

@@ -3,7 +3,6 @@
  * Shear points from a CSV file, simulated or measured, with units in its header.
  */
 
-#include <stdint.h>
 #include <string.h>
 
 #include "analysis/csv.h"
@@ -166,12 +165,10 @@ bool clod_locus_read(const char *path, const clod_locus_defaults *defaults,
     *count = 0;
     char *text;
     size_t size;
-    const bool standard = strcmp(path, "-") == 0;
-    if (!clod_input_read(standard ? NULL : path, SIZE_MAX, &text, &size, status)) {
+    if (!clod_input_read_named(&path, &text, &size, status)) {
         return false;
     }
-    const bool done = clod_locus_parse(standard ? CLOD_INPUT_STANDARD : path, text, size,
-                                       defaults, points, count, status);
+    const bool done = clod_locus_parse(path, text, size, defaults, points, count, status);
     clod_memory_free(text);
     return done;
 }

@@ -116,12 +116,10 @@ bool clod_wall_locus_read(const char *path, clod_wall_locus_point **points, size
     *count = 0;
     char *text;
     size_t size;
-    const bool standard = strcmp(path, "-") == 0;
-    if (!clod_input_read(standard ? NULL : path, SIZE_MAX, &text, &size, status)) {
+    if (!clod_input_read_named(&path, &text, &size, status)) {
         return false;
     }
-    const bool done = clod_wall_locus_parse(standard ? CLOD_INPUT_STANDARD : path, text, size,
-                                            points, count, status);
+    const bool done = clod_wall_locus_parse(path, text, size, points, count, status);
     clod_memory_free(text);
     return done;
 }

@@ -109,6 +109,14 @@ static bool is_readable(const char *path, const struct stat *about, size_t most,
     return true;
 }
 
+bool clod_input_read_named(const char **path, char **text, size_t *length, clod_status *status)
+{
+    const bool standard = strcmp(*path, "-") == 0;
+    const bool good = clod_input_read(standard ? NULL : *path, SIZE_MAX, text, length, status);
+    *path = standard ? CLOD_INPUT_STANDARD : *path;
+    return good;
+}
+
 bool clod_input_read_regular(const char *path, size_t most, char **text, size_t *length,
                              clod_status *status)
 {

@@ -29,6 +29,13 @@ bool clod_input_read(const char *path, size_t most, char **text, size_t *length,
                      clod_status *status);
 
 /**
+ * Read what a user names: a file, or "-" for standard input.
+ *
+ * @param path  "-", or a path; [out] what messages call it
+ */
+bool clod_input_read_named(const char **path, char **text, size_t *length, clod_status *status);
+
+/**
  * Read a regular file. Anything else that can be opened (a pipe, a device) may never end and is
  * refused, as is a file that is too large; both before memory is taken.
  *

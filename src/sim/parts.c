@@ -8,6 +8,7 @@
 
 #include "base/clock.h"
 #include "base/plural.h"
+#include "clod/locus.h"
 #include "clod/ranks.h"
 #include "clod/version.h"
 #include "measure/contacts.h"
@@ -186,6 +187,35 @@ bool clod_parts_write_summary(const clod_job_shared *sim, json_t *parts, const c
                                            sim->directory);
     json_decref(root);
     return ok;
+}
+
+bool clod_parts_write_locus(const clod_job_shared *sim, const clod_parts_locus *how,
+                            const clod_part *part, int parts, char *text, json_t *warnings,
+                            const char *incomplete, clod_status *status)
+{
+    json_t *results = text != NULL ? json_loads(text, 0, NULL) : NULL;
+    clod_locus_free(text);
+    if (results == NULL && incomplete == NULL) { // it would look like no result
+        return clod_status_fail(status, CLOD_FAILED, "%s/summary.json: no memory for the locus",
+                                sim->directory);
+    }
+    json_t *list = json_array();
+    for (int p = 0; p < parts; p++) {
+        json_array_append_new(list, how->part(&part[p]));
+    }
+    return clod_parts_write_summary(sim, list, how->name, results, warnings, incomplete,
+                                    status);
+}
+
+json_t *clod_parts_flags(int64_t flags, const clod_parts_flag *words, size_t count)
+{
+    json_t *list = json_array();
+    for (size_t k = 0; k < count; k++) {
+        if ((flags & words[k].flag) != 0) {
+            json_array_append_new(list, json_string(words[k].word));
+        }
+    }
+    return list;
 }
 
 int clod_parts_finished(const clod_part *part, int count, clod_part *finished)

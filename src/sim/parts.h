@@ -67,6 +67,31 @@ bool clod_parts_write_summary(const clod_job_shared *sim, json_t *parts, const c
                               json_t *results, json_t *warnings, const char *incomplete,
                               clod_status *status);
 
+/** What a summary says of a part, and the key of the locus of all. */
+typedef struct clod_parts_locus {
+    const char *name;
+    json_t *(*part)(const clod_part *part);
+} clod_parts_locus;
+
+/**
+ * The same for a tester whose result is a locus.
+ *
+ * @param text  the locus as JSON, taken and freed by clod_locus_free; NULL: none is known where
+ *              `incomplete` says why, else there was no memory for it
+ */
+bool clod_parts_write_locus(const clod_job_shared *sim, const clod_parts_locus *how,
+                            const clod_part *part, int parts, char *text, json_t *warnings,
+                            const char *incomplete, clod_status *status);
+
+/** A flag and what it says. */
+typedef struct clod_parts_flag {
+    int64_t flag;
+    const char *word;
+} clod_parts_flag;
+
+/** The words of the flags that are set; a new list. @param words  [count] */
+json_t *clod_parts_flags(int64_t flags, const clod_parts_flag *words, size_t count);
+
 /**
  * Copy the parts that are finished, in their order.
  *

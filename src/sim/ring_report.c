@@ -65,20 +65,11 @@ static bool write_points(const clod_folder *folder, const clod_locus_point *poin
 /** What went not as it should, in words. */
 static json_t *flag_words(int64_t flags)
 {
-    static const struct {
-        clod_ring_shear_flag flag;
-        const char *word;
-    } WORDS[] = {{CLOD_RING_SHEAR_NOT_SETTLED, "not settled"},
-                 {CLOD_RING_SHEAR_NOT_STEADY, "not steady"},
-                 {CLOD_RING_SHEAR_NO_REVERSAL, "no reversal"},
-                 {CLOD_RING_SHEAR_NO_PEAK, "no peak"}};
-    json_t *words = json_array();
-    for (size_t k = 0; k < sizeof WORDS / sizeof *WORDS; k++) {
-        if ((flags & WORDS[k].flag) != 0) {
-            json_array_append_new(words, json_string(WORDS[k].word));
-        }
-    }
-    return words;
+    static const clod_parts_flag WORDS[] = {{CLOD_RING_SHEAR_NOT_SETTLED, "not settled"},
+                                            {CLOD_RING_SHEAR_NOT_STEADY, "not steady"},
+                                            {CLOD_RING_SHEAR_NO_REVERSAL, "no reversal"},
+                                            {CLOD_RING_SHEAR_NO_PEAK, "no peak"}};
+    return clod_parts_flags(flags, WORDS, sizeof WORDS / sizeof *WORDS);
 }
 
 /** Whether preshear was steady, and how fast its shear stress changed where it ended. */
@@ -115,24 +106,7 @@ static json_t *part_json(const clod_part *part)
     return j;
 }
 
-/** Summary; without a study, and with what is missing, when `why` is not NULL. */
-static bool write_summary(const clod_job_shared *sim, const clod_part *part, int parts,
-                          const clod_locus_study *study, json_t *warnings, const char *why,
-                          clod_status *status)
-{
-    char *locus = study != NULL ? clod_locus_json(study) : NULL;
-    json_t *results = locus != NULL ? json_loads(locus, 0, NULL) : NULL;
-    clod_locus_free(locus);
-    if (study != NULL && results == NULL) { // a summary without it would look like no result
-        return clod_status_fail(status, CLOD_FAILED, "%s/summary.json: no memory for the locus",
-                                sim->directory);
-    }
-    json_t *list = json_array();
-    for (int p = 0; p < parts; p++) {
-        json_array_append_new(list, part_json(&part[p]));
-    }
-    return clod_parts_write_summary(sim, list, "locus", results, warnings, why, status);
-}
+static const clod_parts_locus SUMMARY = {"locus", part_json};
 
 /** A line for every preshear; the length of the text. */
 static int append_preshears(const clod_part *part, int parts, char *text, size_t size)
@@ -207,8 +181,9 @@ bool clod_ring_report(const clod_job_shared *sim, const clod_part *part, int pre
     }
     bool ok = write_points(sim->folder, point, points, status);
     clod_locus_study *study = ok ? evaluate(point, points, status) : NULL;
-    ok = study != NULL &&
-         write_summary(sim, part, preparations + points, study, warnings, NULL, status);
+    ok =
+        study != NULL && clod_parts_write_locus(sim, &SUMMARY, part, preparations + points,
+                                                clod_locus_json(study), warnings, NULL, status);
     if (ok) {
         *report = make_text(sim, part, preparations + points, study, warnings);
     }
@@ -229,7 +204,8 @@ void clod_ring_report_finished(const clod_job_shared *sim, const clod_part *part
         json_t *warnings = clod_ring_warnings(sim->from, done, before + found);
         clod_status second; // of a test that failed already: the first failure is told
         if (point != NULL && write_points(sim->folder, point, found, &second) &&
-            write_summary(sim, done, before + found, NULL, warnings, why, &second)) {
+            clod_parts_write_locus(sim, &SUMMARY, done, before + found, NULL, warnings, why,
+                                   &second)) {
             clod_parts_tell_finished(sim, before + found, "points.csv");
         }
         json_decref(warnings);

@@ -53,20 +53,12 @@ static bool write_table(const clod_folder *folder, const clod_part *part, int po
 /** What went not as it should, in words. */
 static json_t *flag_words(int64_t flags)
 {
-    static const struct {
-        clod_uniaxial_flag flag;
-        const char *word;
-    } WORDS[] = {{CLOD_UNIAXIAL_NOT_SETTLED, "not settled"},
-                 {CLOD_UNIAXIAL_NOT_FREE, "not at rest without the mould"},
-                 {CLOD_UNIAXIAL_NO_PEAK, "no peak"},
-                 {CLOD_UNIAXIAL_COLLAPSED, "collapsed"}};
-    json_t *words = json_array();
-    for (size_t k = 0; k < sizeof WORDS / sizeof *WORDS; k++) {
-        if ((flags & WORDS[k].flag) != 0) {
-            json_array_append_new(words, json_string(WORDS[k].word));
-        }
-    }
-    return words;
+    static const clod_parts_flag WORDS[] = {
+        {CLOD_UNIAXIAL_NOT_SETTLED, "not settled"},
+        {CLOD_UNIAXIAL_NOT_FREE, "not at rest without the mould"},
+        {CLOD_UNIAXIAL_NO_PEAK, "no peak"},
+        {CLOD_UNIAXIAL_COLLAPSED, "collapsed"}};
+    return clod_parts_flags(flags, WORDS, sizeof WORDS / sizeof *WORDS);
 }
 
 static json_t *point_json(const clod_part *part)

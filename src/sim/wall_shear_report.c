@@ -79,14 +79,9 @@ static bool write_table(const clod_folder *folder, const clod_part *part, int pa
 /** What went not as it should, in words. */
 static json_t *flag_words(int64_t flags)
 {
-    json_t *words = json_array();
-    if ((flags & CLOD_WALL_SHEAR_NOT_SETTLED) != 0) {
-        json_array_append_new(words, json_string("not settled"));
-    }
-    if ((flags & CLOD_WALL_SHEAR_NOT_STEADY) != 0) {
-        json_array_append_new(words, json_string("not steady"));
-    }
-    return words;
+    static const clod_parts_flag WORDS[] = {{CLOD_WALL_SHEAR_NOT_SETTLED, "not settled"},
+                                            {CLOD_WALL_SHEAR_NOT_STEADY, "not steady"}};
+    return clod_parts_flags(flags, WORDS, sizeof WORDS / sizeof *WORDS);
 }
 
 static json_t *point_json(const clod_wall_shear *test, int64_t k)
@@ -128,24 +123,7 @@ static json_t *part_json(const clod_part *part)
     return j;
 }
 
-/** Summary; without a locus, and with what is missing, when `why` is not NULL. */
-static bool write_summary(const clod_job_shared *sim, const clod_part *part, int parts,
-                          const clod_wall_locus *locus, json_t *warnings, const char *why,
-                          clod_status *status)
-{
-    char *text = locus != NULL ? clod_wall_locus_json(locus) : NULL;
-    json_t *results = text != NULL ? json_loads(text, 0, NULL) : NULL;
-    clod_locus_free(text);
-    if (locus != NULL && results == NULL) { // a summary without it would look like no result
-        return clod_status_fail(status, CLOD_FAILED, "%s/summary.json: no memory for the locus",
-                                sim->directory);
-    }
-    json_t *list = json_array();
-    for (int p = 0; p < parts; p++) {
-        json_array_append_new(list, part_json(&part[p]));
-    }
-    return clod_parts_write_summary(sim, list, "wall_locus", results, warnings, why, status);
-}
+static const clod_parts_locus SUMMARY = {"wall_locus", part_json};
 
 // ---- text
 
@@ -192,9 +170,11 @@ bool clod_wall_shear_report(const clod_job_shared *sim, const clod_part *part, i
     if (warnings == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the report");
     }
-    const bool ok = write_table(sim->folder, part, parts, status) &&
-                    evaluate(part, parts, &locus, status) &&
-                    write_summary(sim, part, parts, &locus, warnings, NULL, status);
+    const bool ok =
+        write_table(sim->folder, part, parts, status) &&
+        evaluate(part, parts, &locus, status) &&
+        clod_parts_write_locus(sim, &SUMMARY, part, parts, clod_wall_locus_json(&locus),
+                               warnings, NULL, status);
     if (ok) {
         *report = make_text(sim, part, parts, &locus, warnings);
     }
@@ -212,7 +192,7 @@ void clod_wall_shear_report_finished(const clod_job_shared *sim, const clod_part
         json_t *warnings = clod_wall_shear_warnings(sim->from, done, found);
         clod_status second; // of a test that failed already: the first failure is told
         if (warnings != NULL && write_table(sim->folder, done, found, &second) &&
-            write_summary(sim, done, found, NULL, warnings, why, &second)) {
+            clod_parts_write_locus(sim, &SUMMARY, done, found, NULL, warnings, why, &second)) {
             clod_parts_tell_finished(sim, found, "wall_friction.csv");
         }
         json_decref(warnings);
