@@ -27,7 +27,7 @@ static const verb VERBS[] = {
     {"run", clod_app_run, "run a case, or continue an interrupted run"},
     {"check", clod_app_check, "check a case and estimate its run time, memory and disk space"},
     {"contact", clod_app_contact, "drive one contact along a path and print force and history"},
-    {"locus", clod_app_locus, "evaluate shear points, simulated or measured, as a yield locus"},
+    {"locus", clod_app_locus, "evaluate tables of shear points, wall friction or bulk densities"},
     {"hopper", clod_app_hopper, "design a hopper: half angle, critical outlet, rathole"},
     {"calibrate", clod_app_calibrate, "calibrate a material against laboratory measurements"},
     {"mesh", clod_app_mesh, "check a triangle mesh: STL, OBJ or PLY"},

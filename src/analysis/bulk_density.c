@@ -85,40 +85,12 @@ static int ascending(const void *first, const void *second)
     return (a > b) - (a < b);
 }
 
-/** What is stated for a point, as the line through the logarithms sees it. */
+/** Square of what is stated for a point, as the line through the logarithms sees it. */
 static double stated(const point *p, double slope)
 {
-    return hypot(p->rho_b_error / p->rho_b, slope * p->sigma_1_error / p->sigma_1);
-}
-
-/**
- * Errors by propagation, as those of a wall yield locus: of each point what is stated for it, and
- * what the points scatter about the law beyond that.
- */
-static void find_errors(clod_bulk_density *self, const clod_fit *line, const double *x)
-{
-    const double n = (double)self->point_count;
-    double mean = 0.0;
-    bool all = true;
-    for (size_t i = 0; i < self->point_count; i++) {
-        const double one = stated(&self->points[i], line->slope);
-        mean += one * one / n;
-        all = all && one > 0.0;
-    }
-    const double scatter = self->point_count > 2 ? line->residual / (n - 2.0) : 0.0;
-    const double beyond = fmax(scatter - mean, 0.0);
-    double of_slope = 0.0;
-    double of_foot = 0.0;
-    for (size_t i = 0; i < self->point_count; i++) {
-        const double one = stated(&self->points[i], line->slope);
-        const double lever = (x[i] - line->mean_x) / line->sxx;
-        const double foot = 1.0 / n - line->mean_x * lever;
-        of_slope += lever * lever * (one * one + beyond);
-        of_foot += foot * foot * (one * one + beyond);
-    }
-    const bool known = all || self->point_count > 2;
-    self->compressibility.error = known ? sqrt(of_slope) : (double)NAN;
-    self->rho_1.error = known ? self->rho_1.value * sqrt(of_foot) : (double)NAN;
+    const double of_density = p->rho_b_error / p->rho_b;
+    const double of_stress = slope * p->sigma_1_error / p->sigma_1;
+    return of_density * of_density + of_stress * of_stress;
 }
 
 /** A law that no solid follows, or only just. */
@@ -133,18 +105,25 @@ static void look(clod_bulk_density *self)
     }
 }
 
+/** @param work  [2 point_count] */
 static void fit(clod_bulk_density *self, double *work)
 {
     const size_t count = self->point_count;
+    double *x = work, *y = work + count;
     for (size_t i = 0; i < count; i++) {
-        work[i] = log(self->points[i].sigma_1 / KILO);
-        work[count + i] = log(self->points[i].rho_b);
+        x[i] = log(self->points[i].sigma_1 / KILO);
+        y[i] = log(self->points[i].rho_b);
     }
-    const clod_fit line = clod_fit_line(work, work + count, count);
-    self->rho_1 = (clod_locus_value){exp(line.intercept), (double)NAN, (double)NAN};
-    self->compressibility = (clod_locus_value){line.slope, (double)NAN, (double)NAN};
+    const clod_fit line = clod_fit_line(x, y, count);
+    double *variance = y; // the line has taken y
+    for (size_t i = 0; i < count; i++) {
+        variance[i] = stated(&self->points[i], line.slope);
+    }
+    const clod_fit_error error = clod_fit_errors(&line, x, variance, count);
+    const double rho_1 = exp(line.intercept);
+    self->rho_1 = (clod_locus_value){rho_1, rho_1 * error.intercept, (double)NAN};
+    self->compressibility = (clod_locus_value){line.slope, error.slope, (double)NAN};
     self->r_squared = line.r_squared;
-    find_errors(self, &line, work);
     look(self);
 }
 

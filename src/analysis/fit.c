@@ -35,6 +35,32 @@ double clod_fit_slope_error(const clod_fit *line, size_t count)
     return sqrt(line->residual / (((double)count - 2.0) * line->sxx));
 }
 
+clod_fit_error clod_fit_errors(const clod_fit *line, const double *x, const double *variance,
+                               size_t count)
+{
+    const double n = (double)count;
+    double mean = 0.0;
+    bool all = true;
+    for (size_t i = 0; i < count; i++) {
+        mean += variance[i] / n;
+        all = all && variance[i] > 0.0;
+    }
+    if (!all && count <= 2) {
+        return (clod_fit_error){(double)NAN, (double)NAN, false};
+    }
+    const double scatter = count > 2 ? line->residual / (n - 2.0) : 0.0;
+    const double beyond = fmax(scatter - mean, 0.0);
+    double of_slope = 0.0;
+    double of_intercept = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        const double lever = (x[i] - line->mean_x) / line->sxx;
+        const double foot = 1.0 / n - line->mean_x * lever;
+        of_slope += lever * lever * (variance[i] + beyond);
+        of_intercept += foot * foot * (variance[i] + beyond);
+    }
+    return (clod_fit_error){sqrt(of_slope), sqrt(of_intercept), true};
+}
+
 /** Two-sided 95 % point of Student's t. */
 static double student(size_t freedom)
 {

@@ -110,47 +110,24 @@ static double stated(const point *p, double slope)
     return p->tau_error * p->tau_error + across * across;
 }
 
-/**
- * Errors by propagation: of each point what is stated for it, and what the points scatter about
- * the line beyond that.
- */
-static void find_errors(line *self, const point *points, size_t count)
-{
-    const double n = (double)count;
-    double mean = 0.0;
-    bool all = true;
-    for (size_t i = 0; i < count; i++) {
-        const double one = stated(&points[i], self->fit.slope);
-        mean += one / n;
-        all = all && one > 0.0;
-    }
-    const double scatter = count > 2 ? self->fit.residual / (n - 2.0) : 0.0;
-    const double beyond = fmax(scatter - mean, 0.0);
-    double of_slope = 0.0;
-    double of_intercept = 0.0;
-    for (size_t i = 0; i < count; i++) {
-        const double variance = stated(&points[i], self->fit.slope) + beyond;
-        const double lever = (points[i].sigma - self->fit.mean_x) / self->fit.sxx;
-        const double foot = 1.0 / n - self->fit.mean_x * lever;
-        of_slope += lever * lever * variance;
-        of_intercept += foot * foot * variance;
-    }
-    self->known = all || count > 2;
-    const double slope = self->fit.slope;
-    self->phi_w.error = self->known ? sqrt(of_slope) / (1.0 + slope * slope) : (double)NAN;
-    self->tau_ad.error = self->known ? sqrt(of_intercept) : (double)NAN;
-}
-
 static line line_of(const point *points, size_t count, double *work)
 {
+    double *x = work, *y = work + count;
     for (size_t i = 0; i < count; i++) {
-        work[i] = points[i].sigma;
-        work[count + i] = points[i].tau;
+        x[i] = points[i].sigma;
+        y[i] = points[i].tau;
     }
-    line self = {.fit = clod_fit_line(work, work + count, count)};
-    self.phi_w = (clod_locus_value){atan(self.fit.slope), (double)NAN, (double)NAN};
-    self.tau_ad = (clod_locus_value){self.fit.intercept, (double)NAN, (double)NAN};
-    find_errors(&self, points, count);
+    line self = {.fit = clod_fit_line(x, y, count)};
+    const double slope = self.fit.slope;
+    double *variance = y; // the line has taken y
+    for (size_t i = 0; i < count; i++) {
+        variance[i] = stated(&points[i], slope);
+    }
+    const clod_fit_error error = clod_fit_errors(&self.fit, x, variance, count);
+    self.known = error.known;
+    self.phi_w =
+        (clod_locus_value){atan(slope), error.slope / (1.0 + slope * slope), (double)NAN};
+    self.tau_ad = (clod_locus_value){self.fit.intercept, error.intercept, (double)NAN};
     return self;
 }
 

@@ -83,6 +83,12 @@ void clod_wall_page_table(FILE *out, const clod_wall_page_locus *loci, size_t co
 }
 
 /** What the errors are. */
+static bool has_errors(const json_t *of)
+{
+    const char *from = json_string_value(json_object_get(of, "errors_from"));
+    return from == NULL || strcmp(from, "none") != 0;
+}
+
 static void put_notes(FILE *out, const clod_wall_page_locus *loci, size_t count)
 {
     for (size_t s = 0; s < count; s++) {
@@ -95,7 +101,7 @@ static void put_notes(FILE *out, const clod_wall_page_locus *loci, size_t count)
                     ": mean &plusmn; standard error of the mean, and scatter s (standard "
                     "deviation) of %.0f specimens.",
                     seeds);
-        } else {
+        } else if (has_errors(loci[s].locus)) {
             fputs(
                 ": &plusmn; one standard error, from scatter about the line and errors of the "
                 "points",
@@ -103,6 +109,9 @@ static void put_notes(FILE *out, const clod_wall_page_locus *loci, size_t count)
             fputs(note != NULL ? "; <strong>" : ".", out);
             clod_html_text(out, note != NULL ? note : "");
             fputs(note != NULL ? "</strong>." : "", out);
+        } else {
+            fputs(": no error bars, which need three points, or the errors of the points.",
+                  out);
         }
         fputs("</p>\n", out);
     }
