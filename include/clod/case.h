@@ -258,11 +258,14 @@ typedef struct clod_case_uniaxial {
 
 #define CLOD_CASE_WALL_STRESSES 16 ///< of a wall friction test, at most
 
+/** Cells of a wall friction test, in the order of the case's words. */
+enum { CLOD_CASE_CELL_RING, CLOD_CASE_CELL_STRAIGHT };
+
 /** Wall friction test: a specimen on a plate of the wall's material (docs/theory/wall-friction.md). */
 typedef struct clod_case_wall_friction {
     bool present;
     char *grain_material, *side_material, *plate_material, *lid_material;
-    int cell;                                 ///< 0: ring, 1: straight
+    int cell;                                 ///< CLOD_CASE_CELL_RING ...
     double inner_radius, outer_radius, depth; ///< m; straight: inner_radius has no meaning
     int64_t bar_count;                        ///< ring: on the lid
     double bar_height, bar_width;             ///< m

@@ -34,7 +34,7 @@ static void check_cell(clod_loader *loader, const clod_case_wall_friction *test)
     if (!clean(loader, SECTION)) {
         return;
     }
-    const bool ring = test->cell == 0;
+    const bool ring = test->cell == CLOD_CASE_CELL_RING;
     const double width =
         ring ? test->outer_radius - test->inner_radius : 2.0 * test->outer_radius;
     if (width <= 0.0) {
@@ -63,7 +63,7 @@ static double weight_of(const clod_case *self)
                                         test->depth);
     }
     const double r = test->radius_mean;
-    const double inner = test->cell == 0 ? test->inner_radius : 0.0;
+    const double inner = test->cell == CLOD_CASE_CELL_RING ? test->inner_radius : 0.0;
     const double area = M_PI * (test->outer_radius * test->outer_radius - inner * inner);
     const double volume = (double)test->grain_count * 4.0 / 3.0 * M_PI * r * r * r;
     return clod_check_tester_weight(self, test->grain_material, 1.0, volume / area);

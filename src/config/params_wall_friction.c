@@ -29,7 +29,7 @@ static const char *const CELLS[] = {"ring", "straight", NULL};
 static bool is_ring(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return ((const W *)self)->cell == 0;
+    return ((const W *)self)->cell == CLOD_CASE_CELL_RING;
 }
 
 static bool has_bars(const clod_case *whole, const void *self)

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "output/file.h"
 #include "output/folder_files.h"
 
@@ -319,21 +320,20 @@ bool clod_paraview_write(const clod_paraview *self, const clod_folder *folder, c
     if ((size_t)snprintf(name, sizeof name, "%s.pvsm", stem) >= sizeof name) {
         return clod_file_fail(status, "name a state file", stem, ENAMETOOLONG);
     }
-    char *path = realpath(folder->path, NULL), *text = NULL;
+    char *path = realpath(folder->path, NULL);
     if (path == NULL) {
         return clod_file_fail(status, "find the folder", folder->path, errno);
     }
-    size_t size = 0;
-    FILE *to = open_memstream(&text, &size);
-    bool good = to != NULL;
-    if (good) {
+    clod_text whole;
+    FILE *to = clod_text_open(&whole);
+    if (to != NULL) {
         put_all(to, self, path, stem);
-        good = ferror(to) == 0;
-        good = fclose(to) == 0 && good;
     }
-    good = good ? clod_folder_write(folder, name, text, status)
-                : clod_status_fail(status, CLOD_FAILED, "No memory for %s.", name);
-    free(text);
+    char *text = to != NULL ? clod_text_close(&whole) : NULL;
+    const bool good = text != NULL
+                          ? clod_folder_write(folder, name, text, status)
+                          : clod_status_fail(status, CLOD_FAILED, "No memory for %s.", name);
+    clod_memory_free(text);
     free(path);
     return good;
 }

@@ -9,7 +9,7 @@
 
 static bool is_ring(const clod_case_wall_friction *cell)
 {
-    return cell->cell == 0;
+    return cell->cell == CLOD_CASE_CELL_RING;
 }
 
 /** Inner radius of the specimen [m]. */

@@ -9,7 +9,8 @@
 
 static double width_of(const clod_case_wall_friction *test)
 {
-    return test->cell == 0 ? test->outer_radius - test->inner_radius : 2.0 * test->outer_radius;
+    return test->cell == CLOD_CASE_CELL_RING ? test->outer_radius - test->inner_radius
+                                             : 2.0 * test->outer_radius;
 }
 
 bool clod_check_wall_look(const clod_check_subject *subject, clod_check_report *report,
@@ -21,7 +22,7 @@ bool clod_check_wall_look(const clod_check_subject *subject, clod_check_report *
         return false;
     }
     const double diameter = 2.0 * report->radius_mean;
-    const bool bars = test->cell == 0 && test->bar_count > 0;
+    const bool bars = test->cell == CLOD_CASE_CELL_RING && test->bar_count > 0;
     double lowest = report->stress;
     for (size_t s = 0; s < test->wall_stress_count; s++) {
         lowest = fmin(lowest, test->wall_stresses[s]);
@@ -113,7 +114,7 @@ void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *
             across, r->across_width < r->across_depth ? "width" : "depth",
             CLOD_LIMITS_WALL_GRAINS);
     }
-    if (test->cell == 0 && r->bar_diameters < BAR_LIMIT) {
+    if (test->cell == CLOD_CASE_CELL_RING && r->bar_diameters < BAR_LIMIT) {
         clod_check_warning(
             r,
             "the bars of the lid are %.2f grain diameters high: the solid may slip along the "

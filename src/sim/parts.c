@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "base/memory.h"
 #include "base/plural.h"
 #include "clod/locus.h"
 #include "clod/ranks.h"
@@ -16,6 +17,8 @@
 #include "parallel/threads.h"
 #include "setup/begin.h"
 #include "sim/job_store.h"
+#include "sim/warning_box.h"
+#include "tester/limits.h"
 
 /** Parts that may run side by side. */
 typedef struct part_batch {
@@ -129,6 +132,42 @@ bool clod_parts_run(const clod_parts_tester *tester, const clod_job_shared *sim,
         }
     }
     return ok;
+}
+
+clod_part *clod_parts_create(const clod_parts_tester *tester, int count, clod_status *status)
+{
+    const size_t size = tester->procedure.size;
+    clod_part *self = clod_memory_alloc((size_t)count, sizeof *self);
+    char *tests = clod_memory_alloc((size_t)count, size);
+    if (self == NULL || tests == NULL) {
+        clod_memory_free(self);
+        clod_memory_free(tests);
+        clod_status_fail(status, CLOD_FAILED, "no memory for the parts of the test");
+        return NULL;
+    }
+    for (int p = 0; p < count; p++) {
+        self[p].test = tests + (size_t)p * size;
+    }
+    return self;
+}
+
+void clod_parts_destroy(clod_part *self)
+{
+    if (self != NULL) {
+        clod_memory_free(self[0].test); // that of all
+        clod_memory_free(self);
+    }
+}
+
+void clod_parts_warn_overlap(json_t *list, const clod_part *part)
+{
+    if (part->max_overlap > CLOD_LIMITS_OVERLAP_MOST) {
+        clod_warning_box_add(
+            list,
+            "%s: overlap up to %.1f %% of a radius at its end; the laws assume "
+            "small ones: raise the stiffness",
+            part->name, 100.0 * part->max_overlap);
+    }
 }
 
 bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_job_shared *sim,

@@ -38,6 +38,16 @@ typedef struct clod_parts_tester {
     void (*adopt)(const clod_case *from, const clod_part *part);
 } clod_parts_tester;
 
+/** Parts, each with room for the data of its test; owned (clod_parts_destroy).
+ *  Errors  CLOD_FAILED: no memory, then NULL. */
+clod_part *clod_parts_create(const clod_parts_tester *tester, int count, clod_status *status);
+
+/** Free; NULL is fine. */
+void clod_parts_destroy(clod_part *self);
+
+/** An overlap beyond what the laws are made for, in words. */
+void clod_parts_warn_overlap(json_t *list, const clod_part *part);
+
 /**
  * Run a batch of parts side by side.
  *

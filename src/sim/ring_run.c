@@ -2,7 +2,6 @@
 
 #include <stdio.h>
 
-#include "base/memory.h"
 #include "sim/ring_report.h"
 
 static int64_t ring_plan(const void *data, const void *context, const clod_state *state)
@@ -83,14 +82,13 @@ const clod_parts_tester CLOD_RING_TESTER = {
     .adopt = ring_adopt};
 
 /** Preshears first, then their reversals, then the points of each seed. */
-static void name_parts(const clod_case *from, clod_part *part, clod_ring_shear *test)
+static void name_parts(const clod_case *from, clod_part *part)
 {
     const int seeds = (int)clod_case_shear(from)->seeds;
     const int per_seed = (int)clod_case_shear(from)->shear_stress_count;
     for (int k = 0; k < seeds * (2 + per_seed); k++) {
         const int point = k - 2 * seeds;
         const int preparation = k < seeds ? CLOD_RING_PRESHEAR : CLOD_RING_REVERSE;
-        part[k].test = &test[k];
         part[k].seed = from->seed + (point < 0 ? k % seeds : point / per_seed);
         part[k].point = point < 0 ? preparation : point % per_seed;
         name_part(from, part[k].seed, part[k].point, part[k].name);
@@ -101,65 +99,52 @@ static void name_parts(const clod_case *from, clod_part *part, clod_ring_shear *
     }
 }
 
-/** The parts of a test. */
-typedef struct ring_parts {
-    int preparations, points; ///< number of parts
-    clod_part *part;          ///< owned
-    clod_ring_shear *test;    ///< owned
-} ring_parts;
-
-static bool make_parts(ring_parts *self, const clod_case *from, clod_status *status)
+/** Preshears and reversals of all seeds. */
+static int count_preparations(const clod_case *from)
 {
-    const clod_case_programme *programme = clod_case_shear(from);
-    self->preparations = 2 * (int)programme->seeds;
-    self->points = (int)programme->seeds * (int)programme->shear_stress_count;
-    const size_t parts = (size_t)self->preparations + (size_t)self->points;
-    self->part = clod_memory_alloc(parts, sizeof *self->part);
-    self->test = clod_memory_alloc(parts, sizeof *self->test);
-    if (self->part == NULL || self->test == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for the parts of the test");
-    }
-    name_parts(from, self->part, self->test);
-    return true;
+    return 2 * (int)clod_case_shear(from)->seeds;
 }
 
-static void free_parts(ring_parts *self)
+static int count_points(const clod_case *from)
 {
-    clod_memory_free(self->part);
-    clod_memory_free(self->test);
+    const clod_case_programme *programme = clod_case_shear(from);
+    return (int)programme->seeds * (int)programme->shear_stress_count;
+}
+
+/** All parts of a test; owned (clod_parts_destroy), or NULL. */
+static clod_part *make_parts(const clod_case *from, clod_status *status)
+{
+    clod_part *part = clod_parts_create(&CLOD_RING_TESTER,
+                                        count_preparations(from) + count_points(from), status);
+    if (part != NULL) {
+        name_parts(from, part);
+    }
+    return part;
 }
 
 bool clod_ring_try_origin(const clod_job_shared *sim, clod_status *status)
 {
-    ring_parts parts;
+    clod_part *part = make_parts(sim->from, status);
     const bool ok =
-        make_parts(&parts, sim->from, status) &&
-        clod_parts_try_origin(&CLOD_RING_TESTER, sim, parts.part, parts.preparations, status);
-    free_parts(&parts);
-    return ok;
-}
-
-static bool run_parts(const clod_job_shared *sim, const ring_parts *parts, char **report,
-                      clod_status *status)
-{
-    clod_part *part = parts->part;
-    const int before = parts->preparations;
-    const bool ok =
-        clod_parts_run(&CLOD_RING_TESTER, sim, part, before / 2, status) &&
-        clod_parts_run(&CLOD_RING_TESTER, sim, part + before / 2, before / 2, status) &&
-        clod_parts_run(&CLOD_RING_TESTER, sim, part + before, parts->points, status) &&
-        clod_ring_report(sim, part, before, parts->points, report, status);
-    if (!ok && status->code != CLOD_INTERRUPTED) { // that one goes on
-        clod_ring_report_finished(sim, part, before, parts->points, status->text);
-    }
+        part != NULL && clod_parts_try_origin(&CLOD_RING_TESTER, sim, part,
+                                              count_preparations(sim->from), status);
+    clod_parts_destroy(part);
     return ok;
 }
 
 bool clod_ring_run(const clod_job_shared *sim, char **report, clod_status *status)
 {
-    ring_parts parts;
-    const bool ok =
-        make_parts(&parts, sim->from, status) && run_parts(sim, &parts, report, status);
-    free_parts(&parts);
+    const clod_parts_tester *tester = &CLOD_RING_TESTER;
+    const int before = count_preparations(sim->from);
+    const int points = count_points(sim->from);
+    clod_part *part = make_parts(sim->from, status);
+    const bool ok = part != NULL && clod_parts_run(tester, sim, part, before / 2, status) &&
+                    clod_parts_run(tester, sim, part + before / 2, before / 2, status) &&
+                    clod_parts_run(tester, sim, part + before, points, status) &&
+                    clod_ring_report(sim, part, before, points, report, status);
+    if (part != NULL && !ok && status->code != CLOD_INTERRUPTED) { // that one goes on
+        clod_ring_report_finished(sim, part, before, points, status->text);
+    }
+    clod_parts_destroy(part);
     return ok;
 }

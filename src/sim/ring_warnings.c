@@ -127,13 +127,7 @@ static void add_part(json_t *list, const clod_case *from, const clod_shear_cell 
         add_servo(list, cell, part);
         add_dilation(list, cell, part);
     }
-    if (part->max_overlap > CLOD_LIMITS_OVERLAP_MOST) {
-        clod_warning_box_add(
-            list,
-            "%s: overlap up to %.1f %% of a radius at its end; the laws assume small ones: "
-            "raise the stiffness",
-            part->name, 100.0 * part->max_overlap);
-    }
+    clod_parts_warn_overlap(list, part);
     if (inertia > CLOD_LIMITS_INERTIA) {
         clod_warning_box_add(
             list, "%s: inertial number %.2g: not quasi-static (%.0e); lower %s.speed",

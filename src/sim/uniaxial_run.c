@@ -2,7 +2,6 @@
 
 #include <stdio.h>
 
-#include "base/memory.h"
 #include "sim/uniaxial_report.h"
 
 static int64_t uniaxial_plan(const void *data, const void *context, const clod_state *state)
@@ -65,44 +64,39 @@ const clod_parts_tester CLOD_UNIAXIAL_TESTER = {
     .begin = uniaxial_begin,
     .adopt = uniaxial_adopt};
 
-/** Names: `fill`, then `stress-1` and so on in the order of the case. */
-static void name_parts(const clod_case *from, int parts, clod_part *part, clod_uniaxial *test)
+/** Parts, owned (clod_parts_destroy), or NULL: `fill`, then `stress-1` and so on as in the case. */
+static clod_part *make_parts(const clod_case *from, int parts, clod_status *status)
 {
-    for (int k = 0; k < parts; k++) {
-        part[k].test = &test[k];
+    clod_part *part = clod_parts_create(&CLOD_UNIAXIAL_TESTER, parts, status);
+    for (int k = 0; part != NULL && k < parts; k++) {
         part[k].seed = from->seed;
         part[k].point = k - 1;
         snprintf(part[k].name, sizeof part[k].name, k > 0 ? "stress-%d" : "fill", k);
         snprintf(part[k].from, sizeof part[k].from, "%s", k > 0 ? "fill" : "");
     }
+    return part;
 }
 
 bool clod_uniaxial_try_origin(const clod_job_shared *sim, clod_status *status)
 {
-    clod_part part = {0};
-    clod_uniaxial test = {0};
-    name_parts(sim->from, 1, &part, &test);
-    return clod_parts_try_origin(&CLOD_UNIAXIAL_TESTER, sim, &part, 1, status);
+    clod_part *part = make_parts(sim->from, 1, status);
+    const bool ok =
+        part != NULL && clod_parts_try_origin(&CLOD_UNIAXIAL_TESTER, sim, part, 1, status);
+    clod_parts_destroy(part);
+    return ok;
 }
 
 bool clod_uniaxial_run(const clod_job_shared *sim, char **report, clod_status *status)
 {
+    const clod_parts_tester *tester = &CLOD_UNIAXIAL_TESTER;
     const int points = (int)sim->from->uniaxial.consolidation_stress_count;
-    clod_part *part = clod_memory_alloc((size_t)points + 1, sizeof *part);
-    clod_uniaxial *test = clod_memory_alloc((size_t)points + 1, sizeof *test);
-    bool ok = false;
-    if (part == NULL || test == NULL) {
-        clod_status_fail(status, CLOD_FAILED, "no memory for the parts of the test");
-    } else {
-        name_parts(sim->from, points + 1, part, test);
-        ok = clod_parts_run(&CLOD_UNIAXIAL_TESTER, sim, part, 1, status) &&
-             clod_parts_run(&CLOD_UNIAXIAL_TESTER, sim, part + 1, points, status) &&
-             clod_uniaxial_report(sim, part, points, report, status);
-        if (!ok && status->code != CLOD_INTERRUPTED) { // that one goes on
-            clod_uniaxial_report_finished(sim, part, points, status->text);
-        }
+    clod_part *part = make_parts(sim->from, points + 1, status);
+    const bool ok = part != NULL && clod_parts_run(tester, sim, part, 1, status) &&
+                    clod_parts_run(tester, sim, part + 1, points, status) &&
+                    clod_uniaxial_report(sim, part, points, report, status);
+    if (part != NULL && !ok && status->code != CLOD_INTERRUPTED) { // that one goes on
+        clod_uniaxial_report_finished(sim, part, points, status->text);
     }
-    clod_memory_free(part);
-    clod_memory_free(test);
+    clod_parts_destroy(part);
     return ok;
 }

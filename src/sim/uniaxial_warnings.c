@@ -139,12 +139,7 @@ json_t *clod_uniaxial_warnings(const clod_case *from, const clod_part *part, int
             add_stresses(list, from, &part[p]);
             add_inertia(list, from, &part[p]);
         }
-        if (part[p].max_overlap > CLOD_LIMITS_OVERLAP_MOST) {
-            clod_warning_box_add(list,
-                                 "%s: overlap up to %.1f %% of a radius at its end; the laws "
-                                 "assume small ones: raise the stiffness",
-                                 part[p].name, 100.0 * part[p].max_overlap);
-        }
+        clod_parts_warn_overlap(list, &part[p]);
     }
     if (!add_fall(list, part, parts)) {
         json_decref(list);

@@ -2,7 +2,6 @@
 
 #include <stdio.h>
 
-#include "base/memory.h"
 #include "sim/wall_shear_report.h"
 
 static int64_t wall_plan(const void *data, const void *context, const clod_state *state)
@@ -62,80 +61,51 @@ const clod_parts_tester CLOD_WALL_SHEAR_TESTER = {
     .begin = wall_begin,
     .adopt = wall_adopt};
 
-/** The parts of a test: the fillings of all seeds, then the shear of each. */
-typedef struct wall_parts {
-    int seeds;
-    clod_part *part;       ///< [2 * seeds] owned
-    clod_wall_shear *test; ///< [2 * seeds] owned
-} wall_parts;
-
-/** Names: `fill`, then `wall`; with several seeds `seed-3-fill`. */
-static void name_parts(const clod_case *from, const wall_parts *self)
+/**
+ * The fillings of all seeds, then the shear of each: [2 seeds], owned (clod_parts_destroy), or NULL.
+ * Names: `fill`, then `wall`; with several seeds `seed-3-fill`.
+ */
+static clod_part *make_parts(const clod_case *from, clod_status *status)
 {
-    for (int k = 0; k < 2 * self->seeds; k++) {
-        clod_part *part = &self->part[k];
-        const bool shear = k >= self->seeds;
+    const int seeds = (int)from->wall_friction.seeds;
+    clod_part *parts = clod_parts_create(&CLOD_WALL_SHEAR_TESTER, 2 * seeds, status);
+    for (int k = 0; parts != NULL && k < 2 * seeds; k++) {
+        clod_part *part = &parts[k];
+        const bool shear = k >= seeds;
         char prefix[24] = "";
-        part->test = &self->test[k];
-        part->seed = from->seed + k % self->seeds;
+        part->seed = from->seed + k % seeds;
         part->point = shear ? 0 : -1;
-        if (self->seeds > 1) {
+        if (seeds > 1) {
             snprintf(prefix, sizeof prefix, "seed-%lld-", (long long)part->seed);
         }
         snprintf(part->name, sizeof part->name, "%s%s", prefix, shear ? "wall" : "fill");
         snprintf(part->from, sizeof part->from, "%s%s", shear ? prefix : "",
                  shear ? "fill" : "");
     }
-}
-
-static bool make_parts(wall_parts *self, const clod_case *from, clod_status *status)
-{
-    self->seeds = (int)from->wall_friction.seeds;
-    self->part = clod_memory_alloc(2 * (size_t)self->seeds, sizeof *self->part);
-    self->test = clod_memory_alloc(2 * (size_t)self->seeds, sizeof *self->test);
-    if (self->part == NULL || self->test == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for the parts of the test");
-    }
-    name_parts(from, self);
-    return true;
-}
-
-static void free_parts(wall_parts *self)
-{
-    clod_memory_free(self->part);
-    clod_memory_free(self->test);
+    return parts;
 }
 
 bool clod_wall_shear_try_origin(const clod_job_shared *sim, clod_status *status)
 {
-    wall_parts parts;
+    clod_part *parts = make_parts(sim->from, status);
     const bool ok =
-        make_parts(&parts, sim->from, status) &&
-        clod_parts_try_origin(&CLOD_WALL_SHEAR_TESTER, sim, parts.part, parts.seeds, status);
-    free_parts(&parts);
-    return ok;
-}
-
-static bool run_parts(const clod_job_shared *sim, const wall_parts *parts, char **report,
-                      clod_status *status)
-{
-    const clod_parts_tester *tester = &CLOD_WALL_SHEAR_TESTER;
-    clod_part *part = parts->part;
-    const int seeds = parts->seeds;
-    const bool ok = clod_parts_run(tester, sim, part, seeds, status) &&
-                    clod_parts_run(tester, sim, part + seeds, seeds, status) &&
-                    clod_wall_shear_report(sim, part, seeds, report, status);
-    if (!ok && status->code != CLOD_INTERRUPTED) { // that one goes on
-        clod_wall_shear_report_finished(sim, part, seeds, status->text);
-    }
+        parts != NULL && clod_parts_try_origin(&CLOD_WALL_SHEAR_TESTER, sim, parts,
+                                               (int)sim->from->wall_friction.seeds, status);
+    clod_parts_destroy(parts);
     return ok;
 }
 
 bool clod_wall_shear_run(const clod_job_shared *sim, char **report, clod_status *status)
 {
-    wall_parts parts;
-    const bool ok =
-        make_parts(&parts, sim->from, status) && run_parts(sim, &parts, report, status);
-    free_parts(&parts);
+    const clod_parts_tester *tester = &CLOD_WALL_SHEAR_TESTER;
+    const int seeds = (int)sim->from->wall_friction.seeds;
+    clod_part *part = make_parts(sim->from, status);
+    const bool ok = part != NULL && clod_parts_run(tester, sim, part, seeds, status) &&
+                    clod_parts_run(tester, sim, part + seeds, seeds, status) &&
+                    clod_wall_shear_report(sim, part, seeds, report, status);
+    if (part != NULL && !ok && status->code != CLOD_INTERRUPTED) { // that one goes on
+        clod_wall_shear_report_finished(sim, part, seeds, status->text);
+    }
+    clod_parts_destroy(part);
     return ok;
 }

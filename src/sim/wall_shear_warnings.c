@@ -62,7 +62,7 @@ bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size)
         "four grains wide, which no error bar of one specimen shows and which can look like "
         "adhesion. Raise wall_friction.seeds, or use cell: straight",
         plate, grains);
-    return test->cell == 0 && test->seeds == 1 && plate < grains;
+    return test->cell == CLOD_CASE_CELL_RING && test->seeds == 1 && plate < grains;
 }
 
 /** What one specimen in a ring cannot know, once it was sheared. */
@@ -154,12 +154,7 @@ json_t *clod_wall_shear_warnings(const clod_case *from, const clod_part *part, i
             add_inertia(list, from, &part[p]);
             add_gap(list, from, &part[p]);
         }
-        if (part[p].max_overlap > CLOD_LIMITS_OVERLAP_MOST) {
-            clod_warning_box_add(list,
-                                 "%s: overlap up to %.1f %% of a radius at its end; the laws "
-                                 "assume small ones: raise the stiffness",
-                                 part[p].name, 100.0 * part[p].max_overlap);
-        }
+        clod_parts_warn_overlap(list, &part[p]);
     }
     return list;
 }

@@ -161,8 +161,9 @@ static double mean_radius(const clod_case_wall_friction *cell)
 {
     const double ri = cell->inner_radius;
     const double ro = cell->outer_radius;
-    return cell->cell == 0 ? 2.0 / 3.0 * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri)
-                           : 0.0;
+    return cell->cell == CLOD_CASE_CELL_RING
+               ? 2.0 / 3.0 * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri)
+               : 0.0;
 }
 
 void clod_wall_shear_begin(clod_wall_shear *self, const clod_case *from, clod_state *state)

@@ -118,9 +118,9 @@ static void a_lever_that_no_error_shows_is_told(void **state)
     now.from.wall_friction.seeds = 2;
     EXPECT(NULL);
     now.from.wall_friction.seeds = 1;
-    now.from.wall_friction.cell = 1;
+    now.from.wall_friction.cell = CLOD_CASE_CELL_STRAIGHT;
     EXPECT(NULL);
-    now.from.wall_friction.cell = 0;
+    now.from.wall_friction.cell = CLOD_CASE_CELL_RING;
     now.test[1].at = 0; // nothing was sheared
     EXPECT(NULL);
 }

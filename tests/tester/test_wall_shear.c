@@ -42,7 +42,7 @@ static int make_cell(void **context)
     now.friction = FRICTION;
     memcpy(now.stresses, (double[]){5e3, 20e3, 10e3}, sizeof now.stresses);
     now.from.wall_friction = (clod_case_wall_friction){.present = true,
-                                                       .cell = 1,
+                                                       .cell = CLOD_CASE_CELL_STRAIGHT,
                                                        .outer_radius = 0.05,
                                                        .speed = SPEED,
                                                        .block_displacement = 1e-3,
@@ -218,7 +218,7 @@ static void steps_that_round_up_cost_no_block(void **context)
 static void a_ring_turns_its_plate(void **context)
 {
     (void)context;
-    now.from.wall_friction.cell = 0;
+    now.from.wall_friction.cell = CLOD_CASE_CELL_RING;
     now.from.wall_friction.inner_radius = 0.03;
     clod_wall_shear_begin(&now.test, &now.from, &now.state);
     check_relative(now.test.mean_radius, 2.0 / 3.0 * 9.8e-5 / 1.6e-3, 1e-12);
