@@ -14,10 +14,12 @@ static void put_tables(FILE *out, const json_t *summary)
 {
     json_t *balance = json_object_get(summary, "balance");
     json_t *clumps = json_object_get(summary, "clumps");
+    json_t *left = json_pack("{s:O}", "what left", json_object_get(summary, "residence"));
     clod_html_section(out, "tables", "Tables");
     clod_summary_tables_put(out, "Gauges", json_object_get(summary, "gauges"));
     clod_summary_tables_put(out, "Balance", balance);
     clod_summary_tables_put(out, "Out, of the balance", json_object_get(balance, "out"));
+    clod_summary_tables_put(out, "Residence time", left);
     clod_summary_tables_put(out, "Inlets", json_object_get(summary, "inlets"));
     clod_summary_tables_put(out, "Outlets", json_object_get(summary, "outlets"));
     clod_summary_tables_put(out, "Left at the sides of the domain",
@@ -28,6 +30,7 @@ static void put_tables(FILE *out, const json_t *summary)
     clod_summary_tables_put(out, "Clumps", clumps);
     clod_summary_tables_put(out, "Resting material", json_object_get(summary, "build_up"));
     clod_summary_tables_put(out, "Stages", json_object_get(summary, "stages"));
+    json_decref(left);
 }
 
 /** Lower, mean and upper border of a stream over the first column. */
@@ -104,22 +107,50 @@ static void put_clumps(clod_sheet *sheet, const clod_table *table)
     clod_sheet_figure(sheet, &figure);
 }
 
+/** Which share of the grains that left was in for how long at most. */
+static void put_residence(clod_sheet *sheet, const clod_table *table)
+{
+    const int to = clod_table_find(table, "to");
+    const int share = clod_table_find(table, "share_up_to");
+    double *x = to >= 0 ? clod_table_numbers(table, to) : NULL;
+    double *y = share >= 0 ? clod_table_numbers(table, share) : NULL;
+    clod_figure figure;
+    clod_figure_init(&figure, "residence", "Residence time of what left");
+    clod_figure_axis_set(&figure.x, "time inside, up to", "s", 1.0);
+    clod_figure_axis_set(&figure.y, "share of the grains", "%", 100.0);
+    if (x != NULL && y != NULL) {
+        clod_figure_add(&figure, "share", CLOD_FIGURE_LINE, 0, table->rows, x, y, NULL);
+    }
+    clod_memory_free(x);
+    clod_memory_free(y);
+    clod_sheet_figure(sheet, &figure);
+}
+
+/** The figure of a table of its own, when the run has it. */
+static bool put_one(clod_sheet *sheet, const clod_run_files *run, const char *name,
+                    void (*put)(clod_sheet *, const clod_table *), clod_status *status)
+{
+    clod_table table;
+    const bool good = clod_table_read(&table, run->folder, name, status);
+    if (good && table.rows > 0) {
+        put(sheet, &table);
+    }
+    clod_table_fini(&table);
+    return good;
+}
+
+static void put_ledger(clod_sheet *sheet, const clod_table *table)
+{
+    clod_series_figures_all(sheet, table, "energy-ledger", "Energy ledger", "J");
+}
+
 /** The figures that need tables of their own. */
 static bool put_others(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
 {
-    clod_table table;
-    bool good = put_streams(sheet, run, status);
-    good = good && clod_table_read(&table, run->folder, "clumps.csv", status);
-    if (good && table.rows > 0) {
-        put_clumps(sheet, &table);
-    }
-    if (good) {
-        clod_table_fini(&table);
-        good = clod_table_read(&table, run->folder, "energy.csv", status);
-        clod_series_figures_all(sheet, &table, "energy-ledger", "Energy ledger", "J");
-        clod_table_fini(&table);
-    }
-    return good;
+    return put_streams(sheet, run, status) &&
+           put_one(sheet, run, "residence.csv", put_residence, status) &&
+           put_one(sheet, run, "clumps.csv", put_clumps, status) &&
+           put_one(sheet, run, "energy.csv", put_ledger, status);
 }
 
 bool clod_run_pages_free(clod_sheet *sheet, const clod_run_files *run, clod_status *status)

@@ -61,6 +61,7 @@ static void balance_begin(void *memory, const clod_case *from, const clod_state 
     clod_balance *self = memory;
     if (is_open(from)) {
         self->start = clod_balance_of(state);
+        self->row = self->start;
     }
 }
 
@@ -124,9 +125,8 @@ static bool is_spillage(const clod_case *from, int way)
 }
 
 /** What has come and gone since the beginning. */
-static clod_balance_count since_start(const clod_balance_count *start, const clod_state *state)
+static clod_balance_count since(const clod_balance_count *start, clod_balance_count self)
 {
-    clod_balance_count self = clod_balance_of(state);
     self.in -= start->in;
     self.mass_in -= start->mass_in;
     for (int e = 0; e < WAYS; e++) {
@@ -152,15 +152,25 @@ static double sum_out(const clod_case *from, const clod_balance_count *now, bool
 }
 
 /** Which flow. */
-enum { FLOW_IN = WAYS, FLOW_SPILLED, FLOW_STORED };
+enum { FLOW_IN = WAYS, FLOW_OUT, FLOW_SPILLED, FLOW_STORED };
 
 static double amount(const clod_case *from, const clod_balance_count *count, int flow)
 {
     int64_t unused;
     return flow == FLOW_IN        ? count->mass_in
+           : flow == FLOW_OUT     ? sum_out(from, count, false, &unused)
            : flow == FLOW_SPILLED ? sum_out(from, count, true, &unused)
            : flow == FLOW_STORED  ? count->mass_inside
                                   : count->mass_out[flow];
+}
+
+/** Between two moments [kg/s]; NAN when they are one. */
+static double mean_flow(const clod_case *from, const clod_balance_count *first,
+                        const clod_balance_count *last, int flow)
+{
+    return last->time > first->time ? (amount(from, last, flow) - amount(from, first, flow)) /
+                                          (last->time - first->time)
+                                    : (double)NAN;
 }
 
 /** Mean over the blocks, and their standard deviation [kg/s]; NAN without a whole block. */
@@ -169,15 +179,11 @@ static void flow_of(const clod_balance *self, const clod_case *from, int flow, d
     double each[CLOD_STEADY_BLOCKS];
     const int blocks = (int)self->edges - 1;
     for (int b = 0; b < blocks; b++) {
-        const double gain =
-            amount(from, &self->edge[b + 1], flow) - amount(from, &self->edge[b], flow);
-        each[b] = gain / (self->edge[b + 1].time - self->edge[b].time);
+        each[b] = mean_flow(from, &self->edge[b], &self->edge[b + 1], flow);
     }
     told[0] = told[1] = (double)NAN;
     if (blocks > 0) {
-        const clod_balance_count *first = &self->edge[0], *last = &self->edge[blocks];
-        told[0] =
-            (amount(from, last, flow) - amount(from, first, flow)) / (last->time - first->time);
+        told[0] = mean_flow(from, &self->edge[0], &self->edge[blocks], flow);
         told[1] = clod_steady_time_deviation(each, blocks);
     }
 }
@@ -204,8 +210,20 @@ static double lost(const clod_case *from, const clod_balance *self,
     return self->start.mass_inside + now->mass_in - mass_out - now->mass_inside;
 }
 
-/** Columns of the series: grains, and the mass that is missing. */
-#define COLUMNS 5
+/** Columns of the series: grains, the mass that is missing, flows since the last row. */
+static const struct {
+    const char *name;
+    int flow; ///< or -1
+} COLUMN[] = {{"balance.in [1]", -1},
+              {"balance.out [1]", -1},
+              {"balance.inside [1]", -1},
+              {"balance.lost [1]", -1},
+              {"balance.lost_mass [kg]", -1},
+              {"balance_in.mass_flow [kg s-1]", FLOW_IN},
+              {"balance_out.mass_flow [kg s-1]", FLOW_OUT},
+              {"balance_spilled.mass_flow [kg s-1]", FLOW_SPILLED}};
+
+#define COLUMNS (sizeof COLUMN / sizeof *COLUMN)
 
 static size_t balance_columns(const clod_case *from, const clod_state *state)
 {
@@ -216,21 +234,26 @@ static size_t balance_columns(const clod_case *from, const clod_state *state)
 static void balance_column(const clod_case *from, const clod_state *state, size_t k, char *text,
                            size_t size)
 {
-    static const char *const NAME[COLUMNS] = {"in [1]", "out [1]", "inside [1]", "lost [1]",
-                                              "lost_mass [kg]"};
     (void)from;
     (void)state;
-    snprintf(text, size, "balance.%s", NAME[k]);
+    snprintf(text, size, "%s", COLUMN[k].name);
 }
 
 /** What was there at the start has come in too. */
 static void balance_row(void *memory, const clod_free_moment *now, double *row)
 {
-    const clod_balance *self = memory;
+    clod_balance *self = memory;
     if (!is_open(now->from)) {
         return;
     }
-    const clod_balance_count count = since_start(&self->start, now->state);
+    const clod_balance_count all = clod_balance_of(now->state);
+    for (size_t k = 0; k < COLUMNS; k++) {
+        if (COLUMN[k].flow >= 0) {
+            row[k] = mean_flow(now->from, &self->row, &all, COLUMN[k].flow);
+        }
+    }
+    self->row = all;
+    const clod_balance_count count = since(&self->start, all);
     int64_t out, grains;
     sum_out(now->from, &count, false, &out);
     row[4] = lost(now->from, self, &count, &grains);
@@ -247,7 +270,7 @@ static void balance_report(FILE *out, const void *memory, const clod_free_moment
     if (!is_open(from)) {
         return;
     }
-    const clod_balance_count count = since_start(&self->start, now->state);
+    const clod_balance_count count = since(&self->start, clod_balance_of(now->state));
     double flow[2];
     int64_t grains;
     fprintf(out, "  balance                     grains             kg");
@@ -289,7 +312,7 @@ static json_t *balance_json(const void *memory, const clod_free_moment *now)
     if (!is_open(from)) {
         return NULL;
     }
-    const clod_balance_count count = since_start(&self->start, now->state);
+    const clod_balance_count count = since(&self->start, clod_balance_of(now->state));
     json_t *exits = json_object();
     char key[64];
     for (int e = 0; e < WAYS; e++) {

@@ -20,6 +20,7 @@ typedef struct clod_balance_count {
 typedef struct clod_balance {
     int64_t edges; ///< edges of the steady time's blocks that have been noted
     clod_balance_count start;
+    clod_balance_count row; ///< of the last row of the series, or of the start
     clod_balance_count edge[CLOD_STEADY_BLOCKS + 1];
 } clod_balance;
 

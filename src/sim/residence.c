@@ -3,7 +3,10 @@
 #include <inttypes.h>
 #include <math.h>
 
+#include "base/memory.h"
 #include "base/plural.h"
+#include "base/text.h"
+#include "output/folder_files.h"
 
 static double quantile(const clod_exchange *exchange, int64_t grains, double fraction)
 {
@@ -69,5 +72,46 @@ static json_t *residence_json(const void *memory, const clod_free_moment *now)
                      exchange->residence_most, "classes", classes);
 }
 
-const clod_free_measure CLOD_MEASURE_RESIDENCE = {
-    .key = "residence", .report = residence_report, .json = residence_json};
+/** The distribution: of each class that has grains their number, and the share of all that was
+ *  in for no longer than its upper end. */
+static void put_classes(FILE *out, const clod_exchange *exchange, int64_t grains)
+{
+    int64_t sum = 0;
+    fputs("from [s],to [s],grains [1],share_up_to [1]\n", out);
+    for (int b = 0; b < CLOD_TIME_CLASSES; b++) {
+        const int64_t count = exchange->residence_count[b];
+        sum += count;
+        if (count > 0) {
+            fprintf(out, "%.17g,%.17g,%" PRId64 ",%.17g\n", clod_time_class_from(b),
+                    clod_time_class_from(b + 1), count, (double)sum / (double)grains);
+        }
+    }
+}
+
+static bool residence_write(const clod_folder *folder, const void *memory,
+                            const clod_free_moment *now, clod_status *status)
+{
+    (void)memory;
+    const clod_exchange *exchange = &now->state->exchange;
+    const clod_residence r = clod_residence_of(exchange);
+    if (r.grains == 0) {
+        return true;
+    }
+    clod_text text;
+    FILE *out = clod_text_open(&text);
+    char *made = NULL;
+    if (out != NULL) {
+        put_classes(out, exchange, r.grains);
+        made = clod_text_close(&text);
+    }
+    const bool good =
+        made != NULL ? clod_folder_write(folder, "residence.csv", made, status)
+                     : clod_status_fail(status, CLOD_FAILED, "no memory for residence.csv");
+    clod_memory_free(made);
+    return good;
+}
+
+const clod_free_measure CLOD_MEASURE_RESIDENCE = {.key = "residence",
+                                                  .report = residence_report,
+                                                  .json = residence_json,
+                                                  .write = residence_write};

@@ -17,5 +17,6 @@ typedef struct clod_residence {
 /** Threads  pure.   Test  tests/cli/test_inlets.py */
 clod_residence clod_residence_of(const clod_exchange *exchange);
 
-/** A line of the report, and classes of times in the summary; nothing when nothing left. */
+/** A line of the report, classes of times in the summary and in residence.csv; nothing when
+ *  nothing left. */
 extern const clod_free_measure CLOD_MEASURE_RESIDENCE;

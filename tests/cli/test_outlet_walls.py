@@ -66,6 +66,7 @@ class OutletWalls(clod.Case):
     def balanced(self, folder, outlets):
         """Every grain is in the books at every row; returns the last row."""
         rows = self.rows(folder)
+        before = {"time": 0}
         for row in rows:
             out = sum(row[f"outlet_{name}.grains"] for name in outlets)
             out += sum(row[f"left_{side}.grains"] for side in SIDES)
@@ -75,7 +76,18 @@ class OutletWalls(clod.Case):
             self.assertEqual(row["balance.in"], row["balance.out"] + row["balance.inside"])
             self.assertEqual(row["balance.lost"], 0)
             self.assertLess(abs(row["balance.lost_mass"]), 1e-12)
+            self.check_flows(before, row, outlets)
+            before = row
         return rows[-1]
+
+    def check_flows(self, before, row, outlets):
+        """Flows are what came and left since the row before, by the counters of inlet and outlets."""
+        ways = [f"outlet_{name}" for name in outlets], [f"left_{side}" for side in SIDES]
+        columns = {"in": ["inlet_1"], "out": ways[0] + ways[1], "spilled": ways[1]}
+        for name, parts in columns.items():
+            flow = row[f"balance_{name}.mass_flow"]
+            gain = sum(row[part + ".mass"] - before.get(part + ".mass", 0) for part in parts)
+            self.assertAlmostEqual(flow, gain / (row["time"] - before["time"]), delta=1e-10)
 
     def test_a_plate_takes_what_touches_it(self):
         """All that come; their energy is that of the fall until they touch, and a lag of less than

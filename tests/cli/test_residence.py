@@ -96,6 +96,14 @@ class Residence(clod.Case):
         self.assertEqual(sum(c["grains"] for c in r["classes"]), r["grains"])
         for c in r["classes"]:
             self.assertLess(c["to_s"] / c["from_s"], 1.01)
+        # residence.csv: the share up to a time, counted from the table
+        with open(self.path("out/residence.csv"), newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(sum(int(row["grains [1]"]) for row in rows), len(times))
+        for row in rows:
+            inside = sum(time < float(row["to [s]"]) for time in times)
+            self.assertAlmostEqual(float(row["share_up_to [1]"]), inside / len(times), delta=1e-12)
+        self.assertEqual(float(rows[-1]["share_up_to [1]"]), 1.0)
 
     def test_which_grains_count(self):
         """Not those that were there at the start, nor those that left before the steady time."""
@@ -111,6 +119,7 @@ class Residence(clod.Case):
         self.write(THERE)
         self.go("none")
         self.assertNotIn("residence", self.summary("none"))
+        self.assertFalse(os.path.exists(self.path("none/residence.csv")))
 
     def test_the_table_has_all_that_left(self):
         self.write(THERE, inlet("number_flow: 400 1/s"),

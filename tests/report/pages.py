@@ -25,6 +25,7 @@ FREE = {
     "left": {"x_min": {"grains": 0, "mass_kg": 0.0}, "x_max": {"grains": 0, "mass_kg": 0.0}},
     "gauges": {"head": {"mass_flow_kg_per_s": {"mean": 0.8343702206, "deviation": 0.0204139}, "alarms": 2,
                         "blocked_at_end": True}},
+    "residence": {"mean_s": 1.6437, "classes": []},
 }
 def text(number):
     """A number as clod prints it: with as few digits as read back exactly."""

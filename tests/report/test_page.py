@@ -111,6 +111,7 @@ class Report(clod.Case):
         self.assertNotIn("angle", page.figures)  # it never changes
         self.assertEqual(page.row("mass flow")[1:], ["0.83437 ± 0.02", "kg/s"])
         self.assertEqual(page.row("grains")[1], "166083")
+        self.assertEqual(page.row("mean")[1:], ["1.6437", "s"])
         self.assertNotIn("x min", [row[1] for table in page.tables for row in table if len(row) > 1])
         self.assertEqual(page.items, ["Gauge head gave alarm of blocking 2 times, and is blocked at the end."])
         # names from the case are text, never markup
@@ -124,12 +125,14 @@ class Report(clod.Case):
         pages.free_run(self.path("run"), gauges=gauges)
         pages.write(self.path("run"), series__csv="time [s],belt.energy [J],clumps [1]\n0,1,4\n1,2,5\n2,4,9\n",
                     energy__csv="time [s],kinetic [J],heat [J]\n0,7,8\n1,6,9\n",
+                    residence__csv="from [s],to [s],grains [1],share_up_to [1]\n1,1.5,1,0.25\n1.5,2,3,1\n",
                     clumps__csv="time [s],count,from,to,share [1]\n0,0,1,2,0.25\n0,0,3,4,0.75\n",
                     gauge_a_b_HYPHEN_profile__csv="x [m],lower [m],mean [m],upper [m]\n0,1,2,3\n1,2,3,4\n",
                     **{"gauge_a_HYPHEN_b_HYPHEN_profile__csv": "x [m],lower [m],mean [m],upper [m]\n0,5,6,7\n1,6,7,8\n"})
         self.made("report", "run")
         page = self.page("run/report.html")
-        names = ["clumps", "clumps-2", "energy", "energy-ledger", "gauge-a-b-profile", "gauge-a-b-profile-2"]
+        names = ["clumps", "clumps-2", "energy", "energy-ledger", "gauge-a-b-profile", "gauge-a-b-profile-2",
+                 "residence"]
         ids = re.findall(r'<figure [^>]*id="figure-([^"]*)"', page.text)
         self.assertEqual(sorted(ids), names)
         self.assertEqual(sorted(re.findall(r'<clipPath id="clip-([^"]*)"', page.text)), names)
@@ -138,7 +141,7 @@ class Report(clod.Case):
         self.assertEqual(files, sorted(f"report-{name}.svg" for name in names))
         for name, first in (("energy", ["1", "2", "4"]), ("energy-ledger", ["7", "6"]),
                             ("gauge-a-b-profile", ["1", "2"]), ("gauge-a-b-profile-2", ["5", "6"]),
-                            ("clumps", ["0.25", "0.75"]), ("clumps-2", ["4", "5", "9"])):
+                            ("residence", ["0.25", "1"]), ("clumps", ["0.25", "0.75"]), ("clumps-2", ["4", "5", "9"])):
             self.assertEqual(page.figures[name]["curves"][0]["y"], first, name)
             svg = xml.etree.ElementTree.parse(self.path(f"run/report-{name}.svg")).getroot()
             title = svg.find("{http://www.w3.org/2000/svg}title").text
