@@ -138,7 +138,8 @@ static json_t *read_summary(const char *folder, clod_status *status)
     return summary;
 }
 
-/** A number of the row with the target's stress, in a list of rows. */
+/** A number of the row with the target's stress, in a list of rows. The stress is the one that was asked
+ *  for, as in the plan: what reaches the grains depends on the packing. */
 static double of_rows(const json_t *rows, const char *stress_key, const char *key,
                       const clod_plan_target *target)
 {
@@ -184,7 +185,7 @@ static double of_wall(const json_t *summary, const clod_plan_target *target)
     }
     if (strcmp(target->number, "phi_x") == 0) {
         return DEGREE *
-               of_rows(json_object_get(locus, "points"), "sigma_w_Pa", "phi_x_deg", target);
+               of_rows(json_object_get(locus, "points"), "wall_stress_Pa", "phi_x_deg", target);
     }
     double density = (double)NAN;
     size_t index;
