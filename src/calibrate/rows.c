@@ -1,6 +1,5 @@
 #include "calibrate/rows.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <jansson.h>
@@ -172,28 +171,26 @@ bool clod_rows_begin(const clod_runs *runs, size_t row, clod_status *status)
     return good;
 }
 
-/** Whether a file of a results folder is a checkpoint or a snapshot. */
-static bool spare(const char *name)
+/** What stays only takes room. */
+static bool remove_spare(void *context, const char *name, clod_status *status)
 {
-    const char *point = strrchr(name, '.');
-    return strncmp(name, "restart", strlen("restart")) == 0 ||
-           (point != NULL && (strcmp(point, ".hdf") == 0 || strcmp(point, ".series") == 0));
+    (void)status;
+    clod_status none = {CLOD_OK, ""};
+    (void)clod_folder_remove(context, name, &none);
+    return true;
 }
 
 void clod_rows_trim(const clod_runs *runs, size_t row)
 {
     char path[PATH_MAX];
     path_of(runs, row, "", path);
-    DIR *folder = opendir(path);
-    if (folder == NULL) {
-        return;
+    clod_status none = {CLOD_OK, ""};
+    clod_folder *folder = clod_folder_look(path, &none);
+    if (folder != NULL) {
+        (void)clod_folder_names_each(folder, "^(" CLOD_FOLDER_SPARE ")$", remove_spare, folder,
+                                     &none);
     }
-    for (struct dirent *item = readdir(folder); item != NULL; item = readdir(folder)) {
-        if (spare(item->d_name)) {
-            (void)unlinkat(dirfd(folder), item->d_name, 0); // what stays only takes room
-        }
-    }
-    closedir(folder);
+    clod_folder_close(&folder);
 }
 
 /** Line ends and runs of blanks become one blank. */
