@@ -161,9 +161,9 @@ char *clod_result_table(const clod_result *self)
         title == NULL ? "" : ": ", title == NULL ? "" : title, self->study->points,
         (long long)self->plan->seeds, self->plan->seeds == 1 ? "" : "s",
         self->study->points - self->study->designed);
-    fputs(self->warning_count > 0 ? "\nWarnings\n" : "", out);
-    for (size_t k = 0; k < self->warning_count; k++) {
-        put_text(out, self->warnings[k]);
+    fputs(self->warnings.count > 0 ? "\nWarnings\n" : "", out);
+    for (size_t k = 0; k < self->warnings.count; k++) {
+        put_text(out, self->warnings.text[k]);
     }
     put_parameters(out, self);
     put_correlations(out, self);

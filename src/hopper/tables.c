@@ -175,8 +175,9 @@ static void take_notes(const clod_locus *locus, clod_tables_notes *notes)
 {
     notes->one_specimen = notes->one_specimen || clod_locus_one_specimen(locus);
     for (size_t k = 0; k < locus->warning_count; k++) {
-        clod_hopper_warn(notes->warnings, "Yield locus at a preshear stress of %.3f kPa: %s",
-                         1e-3 * locus->sigma_p.value, locus->warnings[k]);
+        clod_warning_list_add(notes->warnings,
+                              "Yield locus at a preshear stress of %.3f kPa: %s",
+                              1e-3 * locus->sigma_p.value, locus->warnings[k]);
     }
 }
 
@@ -207,7 +208,7 @@ static bool take_study(const clod_locus_study *study, clod_solid *solid,
         take_notes(locus, notes);
     }
     if (study->warning[0] != '\0') {
-        clod_hopper_warn(notes->warnings, "Flow function: %s", study->warning);
+        clod_warning_list_add(notes->warnings, "Flow function: %s", study->warning);
     }
     good = good && take_rows(rows, study->count, solid, status);
     clod_memory_free(rows);
