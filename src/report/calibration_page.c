@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/input.h"
+#include "base/json.h"
 #include "base/memory.h"
 #include "report/html.h"
 #include "report/shear_rows.h"
@@ -52,25 +53,6 @@ bool clod_calibration_page_is(const char *folder)
     char path[PATH_MAX];
     snprintf(path, sizeof path, "%s/calibration.json", folder);
     return access(path, F_OK) == 0;
-}
-
-static json_t *read_result(const char *folder, clod_status *status)
-{
-    char path[PATH_MAX];
-    snprintf(path, sizeof path, "%s/calibration.json", folder);
-    char *text;
-    size_t length;
-    if (!clod_input_read_regular(path, MOST_BYTES, &text, &length, status)) {
-        return NULL;
-    }
-    json_error_t error;
-    json_t *found = json_loadb(text, length, 0, &error);
-    clod_memory_free(text);
-    if (found == NULL) {
-        clod_status_fail(status, CLOD_USAGE, "%s:%d: damaged: %s", path, error.line,
-                         error.text);
-    }
-    return found;
 }
 
 static void put_heads(FILE *out, const char *first, const column *columns, size_t count)
@@ -217,7 +199,7 @@ static void add_section(clod_figure *figure, const json_t *section)
     clod_figure_add(figure, "", CLOD_FIGURE_DOTTED, 0, count, x, high, NULL);
 }
 
-/** Points of the runs; x and y are the columns with these beginnings of their names. */
+/** Points of the runs; x and y are the columns with these names, which stand without their units. */
 static void add_runs(clod_figure *figure, const clod_table *runs, const char *parameter,
                      const char *target)
 {
@@ -314,7 +296,7 @@ bool clod_calibration_page_put(clod_sheet *sheet, const char *folder, char **tit
                                clod_status *status)
 {
     *title = NULL;
-    json_t *result = read_result(folder, status);
+    json_t *result = clod_json_read(folder, "calibration.json", status);
     if (result == NULL) {
         return false;
     }
