@@ -160,6 +160,7 @@ void clod_result_warn(clod_result *self)
                               "%zu run%s failed and %s not used; runs.csv has the reasons.",
                               failed, clod_plural((double)failed), failed == 1 ? "is" : "are");
     }
+    clod_runs_warn(self->runs, &self->warnings);
 }
 
 char *clod_result_samples(const clod_result *self)

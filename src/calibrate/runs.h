@@ -7,6 +7,7 @@
 
 #include <limits.h>
 
+#include "base/warning_list.h"
 #include "calibrate/plan.h"
 #include "clod/run.h"
 #include "output/folder.h"
@@ -85,6 +86,15 @@ void clod_runs_path(const clod_runs *self, size_t row, const char *ending, char 
 
 /** Seed of a row's packing; no two points have one in common. */
 int64_t clod_runs_seed(const clod_plan *plan, size_t row);
+
+/**
+ * What finished runs warn of in their summaries: one warning for each text of a test, with the number of
+ * runs that have it. Texts that differ in numbers alone count as one.
+ *
+ * @param to  [in, out] they are added to it
+ * Errors  none.   Threads  safe.   Test  tests/calibrate/test_runs_warnings.c
+ */
+void clod_runs_warn(const clod_runs *self, clod_warning_list *to);
 
 /** All rows as CSV, units in the header; owned (clod_memory_free), NULL without memory. */
 char *clod_runs_csv(const clod_runs *self, size_t points, const double *places,
