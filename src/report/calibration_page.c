@@ -81,19 +81,11 @@ static void put_row(FILE *out, const char *name, const json_t *from, const colum
     fputs("</tr>\n", out);
 }
 
-/** "ring: phi_e", as the columns of runs.csv have it, without the unit. */
-static void name_target(const json_t *target, char name[160])
+/** "ring: phi_e", as the columns of runs.csv have it, without the unit; "" where it is missing. */
+static const char *name_of(const json_t *target)
 {
-    const double stress = clod_shear_number(target, "normal_stress_Pa");
-    const char *test = json_string_value(json_object_get(target, "test"));
-    const char *number = json_string_value(json_object_get(target, "number"));
-    if (isfinite(stress)) {
-        snprintf(name, 160, "%.40s: %.40s at %.4g kPa", test != NULL ? test : "",
-                 number != NULL ? number : "", 1e-3 * stress);
-    } else {
-        snprintf(name, 160, "%.40s: %.60s", test != NULL ? test : "",
-                 number != NULL ? number : "");
-    }
+    const char *name = json_string_value(json_object_get(target, "name"));
+    return name != NULL ? name : "";
 }
 
 static void put_targets(FILE *out, const json_t *result, bool held_back, const char *title)
@@ -103,7 +95,6 @@ static void put_targets(FILE *out, const json_t *result, bool held_back, const c
     bool begun = false;
     json_array_foreach(json_object_get(result, "targets"), k, target)
     {
-        char name[160];
         if (json_is_true(json_object_get(target, "held_back")) != held_back) {
             continue;
         }
@@ -112,8 +103,7 @@ static void put_targets(FILE *out, const json_t *result, bool held_back, const c
             put_heads(out, "target", TARGETS, COUNT(TARGETS));
         }
         begun = true;
-        name_target(target, name);
-        put_row(out, name, target, TARGETS, COUNT(TARGETS));
+        put_row(out, name_of(target), target, TARGETS, COUNT(TARGETS));
     }
     fputs(begun ? "</tbody></table></div>\n" : "", out);
 }
@@ -142,9 +132,8 @@ static void put_tables(FILE *out, const json_t *result)
     put_heads(out, "target", SURROGATES, COUNT(SURROGATES));
     json_array_foreach(json_object_get(result, "targets"), k, one)
     {
-        char text[160];
-        name_target(one, text);
-        put_row(out, text, json_object_get(one, "surrogate"), SURROGATES, COUNT(SURROGATES));
+        put_row(out, name_of(one), json_object_get(one, "surrogate"), SURROGATES,
+                COUNT(SURROGATES));
     }
     fputs("</tbody></table></div>\n", out);
 }
@@ -218,10 +207,9 @@ static void add_runs(clod_figure *figure, const clod_table *runs, const char *pa
 static void put_figure(clod_sheet *sheet, const clod_table *runs, const json_t *target,
                        const char *parameter, const json_t *about)
 {
-    char name[160];
     char title[160];
     clod_figure figure;
-    name_target(target, name);
+    const char *name = name_of(target);
     snprintf(title, sizeof title, "%.90s over %.50s", name, parameter);
     clod_figure_init(&figure, "target", title);
     const char *unit = json_string_value(json_object_get(about, "unit"));
