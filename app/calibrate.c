@@ -35,7 +35,9 @@ static const struct argp_option OPTIONS[] = {
      "folder of runs and results (run/NAME for NAME.yaml and for NAME/case.yaml)", 0},
     {"jobs", 'j', "N", 0, "runs side by side (default: one for each processor)", 0},
     {"check", KEY_CHECK, NULL, 0,
-     "only check the plan, the cases at the ends of all ranges, and the tables", 0},
+     "only check the plan, the tables, and the cases at all corners of the ranges and at every "
+     "point of the largest design",
+     0},
     {0},
 };
 

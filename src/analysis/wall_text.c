@@ -109,12 +109,14 @@ static json_t *value_of(clod_locus_value value, double scale)
 
 static json_t *mark_of(const mark *m)
 {
-    return json_pack(
-        "{s:I, s:f, s:f, s:f, s:f, s:f, s:o, s:f, s:b}", "seed", (json_int_t)m->point.seed,
-        "sigma_w_Pa", m->point.sigma, "sigma_w_error_Pa", m->point.sigma_error, "tau_w_Pa",
-        m->point.tau, "tau_w_error_Pa", m->point.tau_error, "phi_x_deg",
-        DEGREES * m->phi_x.value, "phi_x_error_deg", clod_json_number(DEGREES * m->phi_x.error),
-        "line_Pa", m->line, "steady", !m->point.unsteady);
+    const double asked = m->point.wall_stress > 0.0 ? m->point.wall_stress : (double)NAN;
+    return json_pack("{s:I, s:o, s:f, s:f, s:f, s:f, s:f, s:o, s:f, s:b}", "seed",
+                     (json_int_t)m->point.seed, "wall_stress_Pa", clod_json_number(asked),
+                     "sigma_w_Pa", m->point.sigma, "sigma_w_error_Pa", m->point.sigma_error,
+                     "tau_w_Pa", m->point.tau, "tau_w_error_Pa", m->point.tau_error,
+                     "phi_x_deg", DEGREES * m->phi_x.value, "phi_x_error_deg",
+                     clod_json_number(DEGREES * m->phi_x.error), "line_Pa", m->line, "steady",
+                     !m->point.unsteady);
 }
 
 char *clod_wall_locus_json(const clod_wall_locus *self)

@@ -1,7 +1,14 @@
 #include "base/json.h"
 
+#include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+
+#include "base/input.h"
+#include "base/memory.h"
+
+#define MOST_BYTES ((size_t)1 << 26) ///< of a file
 
 static _Thread_local bool lost; ///< jansson was left without memory since the last text
 
@@ -37,4 +44,29 @@ bool clod_json_lacks_memory(void)
 json_t *clod_json_number(double value)
 {
     return isfinite(value) ? json_real(value) : json_null();
+}
+
+json_t *clod_json_read(const char *folder, const char *name, clod_status *status)
+{
+    char path[PATH_MAX];
+    char *text;
+    size_t length;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    if (!clod_input_read_regular(path, MOST_BYTES, &text, &length, status)) {
+        return NULL;
+    }
+    json_error_t error;
+    lost = false;
+    json_t *found = json_loadb(text, length, 0, &error);
+    clod_memory_free(text);
+    if (lost) {
+        json_decref(found);
+        clod_status_fail(status, CLOD_FAILED, "No memory for %s.", path);
+        return NULL;
+    }
+    if (found == NULL) {
+        clod_status_fail(status, CLOD_USAGE, "%s:%d: damaged: %s", path, error.line,
+                         error.text);
+    }
+    return found;
 }

@@ -9,6 +9,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "clod/status.h"
+
 /**
  * The text of a value.
  *
@@ -24,3 +26,12 @@ json_t *clod_json_number(double value);
 
 /** Whether jansson found no memory for something in this thread since the last text. */
 bool clod_json_lacks_memory(void);
+
+/**
+ * Read a file of a folder that clod wrote.
+ *
+ * @return  owned (json_decref), NULL with status
+ * Errors  CLOD_USAGE with file and line: damaged, or as clod_input_read_regular; CLOD_FAILED: disk, memory.
+ * Threads  safe.   Test  tests/base/test_json.c
+ */
+json_t *clod_json_read(const char *folder, const char *name, clod_status *status);

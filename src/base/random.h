@@ -30,3 +30,13 @@ typedef enum clod_random_purpose {
  */
 double clod_random_uniform(uint64_t seed, clod_random_purpose purpose, uint64_t item,
                            uint64_t draw);
+
+/**
+ * Random number of the standard normal distribution.
+ *
+ * @param draw  first of the two draws that it takes
+ * Errors  none.   Threads  pure.   Others as clod_random_uniform.
+ * Source  Box and Muller, Ann. Math. Stat. 29 (1958) 610.   Test  tests/base/test_random.c
+ */
+double clod_random_normal(uint64_t seed, clod_random_purpose purpose, uint64_t item,
+                          uint64_t draw);

@@ -11,28 +11,6 @@
 
 #define MOST_BYTES ((size_t)1 << 32) ///< of a file that a case names
 
-/** The case of a test with all parameters in the middle; owned, or NULL with status. */
-static clod_case *load_middle(const clod_plan *plan, size_t test, clod_status *status)
-{
-    char *settings[CLOD_PLAN_PARAMETERS] = {NULL};
-    bool good = true;
-    for (size_t k = 0; k < plan->parameter_count; k++) {
-        settings[k] = clod_plan_setting(&plan->parameters[k], 0.5);
-        good = good && settings[k] != NULL;
-    }
-    clod_case *found = NULL;
-    if (good) {
-        found = clod_case_load(plan->tests[test].path, (const char *const *)settings,
-                               plan->parameter_count, status);
-    } else {
-        clod_status_fail(status, CLOD_FAILED, "No memory for the case.");
-    }
-    for (size_t k = 0; k < plan->parameter_count; k++) {
-        clod_memory_free(settings[k]);
-    }
-    return found;
-}
-
 /** A file that the case names, by its hash; none is fine. */
 static bool put_file(FILE *out, const char *path, clod_status *status)
 {
@@ -66,7 +44,7 @@ static bool put_files(FILE *out, const clod_case *from, clod_status *status)
 
 char *clod_cases_describe(const clod_plan *plan, size_t test, clod_status *status)
 {
-    clod_case *middle = load_middle(plan, test, status);
+    clod_case *middle = clod_plan_case(plan, &plan->tests[test], NULL, status);
     if (middle == NULL) {
         return NULL;
     }

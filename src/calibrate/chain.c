@@ -30,12 +30,11 @@ static double uniform(chain *self)
                                self->draw++);
 }
 
-/** Standard normal number: Box and Muller. */
 static double normal(chain *self)
 {
-    const double u = uniform(self);
-    const double v = uniform(self);
-    return sqrt(-2.0 * log(u)) * cos(2.0 * M_PI * v);
+    const uint64_t draw = self->draw;
+    self->draw += 2;
+    return clod_random_normal(self->setup->seed, CLOD_RANDOM_CALIBRATE, self->number, draw);
 }
 
 /** Lower Cholesky factor of the covariance. */

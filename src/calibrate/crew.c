@@ -70,7 +70,7 @@ static char **make_arguments(const crew *self, size_t row, const char *folder, s
 {
     const clod_plan *plan = self->runs->plan;
     const size_t d = plan->parameter_count;
-    const size_t point = row / plan->test_count / (size_t)plan->seeds;
+    const size_t point = clod_runs_point_of(plan, row);
     char **to = clod_memory_alloc(FIXED + 2 * d + 1, sizeof *to);
     *count = FIXED + 2 * d;
     if (to == NULL) {
@@ -80,7 +80,7 @@ static char **make_arguments(const crew *self, size_t row, const char *folder, s
     snprintf(seed, sizeof seed, "seed=%lld", (long long)clod_runs_seed(plan, row));
     const char *const fixed[FIXED] = {self->runs->options.program,
                                       "run",
-                                      plan->tests[row % plan->test_count].path,
+                                      plan->tests[clod_runs_test_of(plan, row)].path,
                                       "-o",
                                       folder,
                                       "-t",
@@ -119,21 +119,19 @@ static bool wait_until_free(const crew *self, const char *folder, clod_status *s
 static bool start(crew *self, size_t worker, size_t row, clod_status *status)
 {
     const clod_runs *runs = self->runs;
-    char name[128];
     char folder[PATH_MAX];
     char log[PATH_MAX];
-    clod_runs_name(runs->plan, row, name, sizeof name);
-    snprintf(folder, sizeof folder, "%s/%s", runs->folder->path, name);
-    snprintf(log, sizeof log, "%s/%s.log", runs->folder->path, name);
+    clod_runs_path(runs, row, "", folder);
+    clod_runs_path(runs, row, ".log", log);
     if (!wait_until_free(self, folder, status) ||
-        !clod_cases_same(runs, row % runs->plan->test_count, status) ||
+        !clod_cases_same(runs, clod_runs_test_of(runs->plan, row), status) ||
         !clod_rows_begin(runs, row, status)) {
         return false;
     }
     size_t count;
     char **arguments = make_arguments(self, row, folder, &count);
     if (arguments == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "No memory for %s.", name);
+        return clod_status_fail(status, CLOD_FAILED, "No memory for %s.", folder);
     }
     self->row_of[worker] = row;
     const bool good = clod_child_start(&self->children[worker], arguments, log, status);
@@ -145,10 +143,10 @@ static void tell_row(const crew *self, size_t row)
 {
     const clod_runs *runs = self->runs;
     const clod_runs_row *of = &runs->rows[row];
-    char name[128];
+    char name[CLOD_RUNS_NAME];
     char text[700];
-    clod_runs_name(runs->plan, row, name, sizeof name);
-    snprintf(text, sizeof text, "%s %s after %.0f s (%zu of %zu)%s%s", name,
+    clod_runs_name(runs->plan, row, "", name);
+    snprintf(text, sizeof text, CLOD_RUNS_FOLDER "/%s %s after %.0f s (%zu of %zu)%s%s", name,
              of->state == CLOD_RUNS_DONE ? "done" : "failed", of->seconds, self->done,
              self->all, of->why != NULL ? ": " : "", of->why != NULL ? of->why : "");
     if (runs->options.tell != NULL) {
@@ -167,30 +165,29 @@ static bool crashed(int result)
 /** Ends that are none of the run itself: they end the calibration. */
 static bool check_end(const clod_runs *runs, size_t row, int result, clod_status *status)
 {
-    const char *path = runs->folder->path;
-    char name[128];
-    clod_runs_name(runs->plan, row, name, sizeof name);
+    char path[PATH_MAX];
+    clod_runs_path(runs, row, "", path);
     const int code = result != CLOD_CHILD_LOST && WIFEXITED(result) ? WEXITSTATUS(result) : 0;
     if (stopped(runs) || code > 128) {
         return fail_stopped(status);
     }
     if (result == CLOD_CHILD_LOST) {
         return clod_status_fail(status, CLOD_FAILED,
-                                "%s/%s: it cannot be told how its process ended. The same "
+                                "%s: it cannot be told how its process ended. The same "
                                 "command goes on.",
-                                path, name);
+                                path);
     }
     if (WIFSIGNALED(result) && !crashed(result)) {
         return clod_status_fail(
             status, CLOD_FAILED,
-            "%s/%s was ended by signal %d, by someone or for want of memory. The same "
+            "%s was ended by signal %d, by someone or for want of memory. The same "
             "command goes on.",
-            path, name, WTERMSIG(result));
+            path, WTERMSIG(result));
     }
     if (code == CLOD_USAGE) {
         char *words = clod_rows_last_words(runs, row);
         clod_status_fail(status, CLOD_USAGE,
-                         "clod run refuses %s/%s, and the calibration ends: %s", path, name,
+                         "clod run refuses %s, and the calibration ends: %s", path,
                          words != NULL ? words : "");
         clod_memory_free(words);
         return false;
@@ -218,7 +215,7 @@ static bool settle(crew *self, size_t row, int result, double seconds, clod_stat
     if (!check_end(runs, row, result, status)) {
         return false;
     }
-    if (!clod_cases_same(runs, row % runs->plan->test_count, status)) {
+    if (!clod_cases_same(runs, clod_runs_test_of(runs->plan, row), status)) {
         clod_rows_forget(runs, row); // nobody knows which case it has read
         return false;
     }

@@ -7,15 +7,13 @@
 #include <string.h>
 
 #include "analysis/fields.h"
-#include "base/input.h"
-#include "base/memory.h"
+#include "base/json.h"
 #include "clod/locus.h"
 #include "config/suggest.h"
 
 #define DEGREE 0.017453292519943295
 #define ANGLE "rad", {"deg", 1.0 / DEGREE, 1}, 0.1 * DEGREE, 85.0 * DEGREE
 #define STRESS "Pa", {"kPa", 1e-3, 2}, 0.0, 1e8
-#define SUMMARY_MOST ((size_t)1 << 26)
 #define SAME_STRESS 0.02 // relative: as clod locus tells consolidation stresses apart
 
 #define UNIAXIAL CLOD_NUMBER_OF(CLOD_CASE_UNIAXIAL)
@@ -90,55 +88,38 @@ const char *clod_number_hint(clod_case_kind kind, const char *key, char *buffer,
     return buffer;
 }
 
+/** A number of a yield locus. */
+static double of_locus(const clod_locus *locus, const clod_plan_target *target)
+{
+    if (strcmp(target->number, "tau") == 0) {
+        return locus->c.value + target->normal_stress * tan(locus->phi_lin.value);
+    }
+    double value = (double)NAN;
+    for (clod_field_index k = 0; k < CLOD_FIELD_COUNT; k++) {
+        if (strcmp(CLOD_FIELDS[k].key, target->number) == 0) {
+            value = clod_field_get(locus, k).value;
+        }
+    }
+    return value;
+}
+
 /** The yield locus of a run: of its points. */
-static bool read_locus(const clod_plan_target *target, const char *folder, double *value,
-                       clod_status *status)
+static clod_locus_study *read_locus(const char *folder, clod_status *status)
 {
     char path[PATH_MAX];
     snprintf(path, sizeof path, "%s/points.csv", folder);
     clod_locus_point *points;
     size_t count;
     if (!clod_locus_read(path, NULL, &points, &count, status)) {
-        return false;
+        return NULL;
     }
     clod_locus_study *study = clod_locus_study_create(points, count, status);
     clod_locus_free(points);
-    if (study == NULL) {
-        return false;
-    }
-    const clod_locus *locus = &study->groups[0].locus;
-    if (strcmp(target->number, "tau") == 0) {
-        *value = locus->c.value + target->normal_stress * tan(locus->phi_lin.value);
-    }
-    for (clod_field_index k = 0; k < CLOD_FIELD_COUNT; k++) {
-        if (strcmp(CLOD_FIELDS[k].key, target->number) == 0) {
-            *value = clod_field_get(locus, k).value;
-        }
-    }
-    clod_locus_study_destroy(&study);
-    return true;
+    return study;
 }
 
-static json_t *read_summary(const char *folder, clod_status *status)
-{
-    char path[PATH_MAX];
-    snprintf(path, sizeof path, "%s/summary.json", folder);
-    char *text;
-    size_t length;
-    if (!clod_input_read_regular(path, SUMMARY_MOST, &text, &length, status)) {
-        return NULL;
-    }
-    json_error_t error;
-    json_t *summary = json_loadb(text, length, 0, &error);
-    clod_memory_free(text);
-    if (summary == NULL) {
-        clod_status_fail(status, CLOD_USAGE, "%s:%d: damaged: %s", path, error.line,
-                         error.text);
-    }
-    return summary;
-}
-
-/** A number of the row with the target's stress, in a list of rows. */
+/** A number of the row with the target's stress, in a list of rows. The stress is the one that was asked
+ *  for, as in the plan: what reaches the grains depends on the packing. */
 static double of_rows(const json_t *rows, const char *stress_key, const char *key,
                       const clod_plan_target *target)
 {
@@ -184,7 +165,7 @@ static double of_wall(const json_t *summary, const clod_plan_target *target)
     }
     if (strcmp(target->number, "phi_x") == 0) {
         return DEGREE *
-               of_rows(json_object_get(locus, "points"), "sigma_w_Pa", "phi_x_deg", target);
+               of_rows(json_object_get(locus, "points"), "wall_stress_Pa", "phi_x_deg", target);
     }
     double density = (double)NAN;
     size_t index;
@@ -252,25 +233,53 @@ static bool of_path(const json_t *summary, const clod_plan_target *target, const
     return true;
 }
 
-bool clod_number_read(const clod_plan *plan, const clod_plan_target *target, const char *folder,
-                      double *value, clod_status *status)
+/** Numbers of a shear test. */
+static bool read_shear(const clod_plan *plan, size_t test, const char *folder, double *values,
+                       clod_status *status)
 {
-    *value = (double)NAN;
-    const clod_case_kind kind = clod_case_kind_of(plan->tests[target->test].middle);
-    if ((SHEAR & CLOD_NUMBER_OF(kind)) != 0) {
-        return read_locus(target, folder, value, status);
-    }
-    json_t *summary = read_summary(folder, status);
-    if (summary == NULL) {
+    clod_locus_study *study = read_locus(folder, status);
+    if (study == NULL) {
         return false;
     }
-    bool good = true;
-    if (kind == CLOD_CASE_UNIAXIAL) {
+    for (size_t t = 0; t < plan->target_count; t++) {
+        if (plan->targets[t].test == test) {
+            values[t] = of_locus(&study->groups[0].locus, &plan->targets[t]);
+        }
+    }
+    clod_locus_study_destroy(&study);
+    return true;
+}
+
+/** A number of a test that is no shear test. */
+static bool of_summary(clod_case_kind kind, const json_t *summary,
+                       const clod_plan_target *target, const char *folder, double *value,
+                       clod_status *status)
+{
+    switch (kind) {
+    case CLOD_CASE_UNIAXIAL:
         *value = of_flow_function(summary, target);
-    } else if (kind == CLOD_CASE_WALL_FRICTION) {
+        return true;
+    case CLOD_CASE_WALL_FRICTION:
         *value = of_wall(summary, target);
-    } else {
-        good = of_path(summary, target, folder, value, status);
+        return true;
+    default:
+        return of_path(summary, target, folder, value, status);
+    }
+}
+
+bool clod_number_read(const clod_plan *plan, size_t test, const char *folder, double *values,
+                      clod_status *status)
+{
+    const clod_case_kind kind = clod_case_kind_of(plan->tests[test].middle);
+    if ((SHEAR & CLOD_NUMBER_OF(kind)) != 0) {
+        return read_shear(plan, test, folder, values, status);
+    }
+    json_t *summary = clod_json_read(folder, "summary.json", status);
+    bool good = summary != NULL;
+    for (size_t t = 0; t < plan->target_count && good; t++) {
+        const clod_plan_target *target = &plan->targets[t];
+        good = target->test != test ||
+               of_summary(kind, summary, target, folder, &values[t], status);
     }
     json_decref(summary);
     return good;

@@ -28,11 +28,11 @@ const clod_number *clod_number_find(clod_case_kind kind, const char *key);
 const char *clod_number_hint(clod_case_kind kind, const char *key, char *buffer, size_t size);
 
 /**
- * The number of a target in the results folder of a finished run.
+ * The numbers of all targets of a test in the results folder of a finished run.
  *
- * @param value  [out] SI; NAN where the test does not define it
+ * @param values  [out] [targets] SI; NAN where the test does not define one; those of other tests stay
  * Errors  CLOD_USAGE: a free run's summary has no such number, with the nearest; a file that is damaged;
  *         CLOD_FAILED: disk, memory.   Threads  safe.   Test  tests/calibrate/test_calibrate.py
  */
-bool clod_number_read(const clod_plan *plan, const clod_plan_target *target, const char *folder,
-                      double *value, clod_status *status);
+bool clod_number_read(const clod_plan *plan, size_t test, const char *folder, double *values,
+                      clod_status *status);

@@ -59,21 +59,13 @@ static void build(clod_loader *loader, clod_plan *self)
     }
 }
 
-/** Folder of the plan, against which its files are found. */
-static void folder_of(const char *path, char folder[PATH_MAX])
-{
-    const char *slash = strrchr(path, '/');
-    const int length = slash == NULL ? 1 : slash == path ? 1 : (int)(slash - path);
-    snprintf(folder, PATH_MAX, "%.*s", length, slash == NULL ? "." : path);
-}
-
 static bool read_text(const char *path, const char *text, size_t length, clod_plan *self,
                       clod_status *status)
 {
     clod_report report = {.name = path, .text = text, .length = length};
     clod_arena arena = {0};
     char folder[PATH_MAX];
-    folder_of(path, folder);
+    clod_load_folder(path, folder);
     clod_loader loader = {.report = &report, .arena = &arena, .folder = folder};
     loader.root = clod_yaml_read(&arena, text, length, 0, &report);
     if (loader.root != NULL) {

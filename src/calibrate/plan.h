@@ -105,3 +105,13 @@ size_t clod_plan_design_points(size_t parameters, size_t points);
 
 /** "key=value unit", as --set takes it; owned (clod_memory_free), NULL without memory. */
 char *clod_plan_setting(const clod_plan_parameter *self, double place);
+
+/**
+ * The case of a test with all parameters at a place of their ranges.
+ *
+ * @param place  [parameters], in [0, 1]; NULL: the middle
+ * @return       owned (clod_case_destroy), or NULL
+ * Errors  as clod_case_load.   Threads  safe.
+ */
+clod_case *clod_plan_case(const clod_plan *self, const clod_plan_test *test,
+                          const double *place, clod_status *status);

@@ -14,6 +14,9 @@
 #define PATH 200
 #define SETTINGS 1200 ///< bytes of a text with all settings
 
+_Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_SOBOL_MOST,
+               "a design takes all parameters of a plan");
+
 /** Row of a key below a table; NULL: there is none, or it is an element of a vector. */
 static const clod_param *find_row(const clod_table *table, const char *key)
 {
@@ -59,14 +62,13 @@ void clod_plan_check_key(clod_loader *loader, const clod_plan_parameter *self)
     }
 }
 
-/** The case of a test with the parameters at a place of their ranges. */
-static clod_case *load_at(const clod_plan *self, const clod_plan_test *test,
+clod_case *clod_plan_case(const clod_plan *self, const clod_plan_test *test,
                           const double *place, clod_status *status)
 {
     char *settings[CLOD_PLAN_PARAMETERS] = {NULL};
     bool good = true;
     for (size_t k = 0; k < self->parameter_count; k++) {
-        settings[k] = clod_plan_setting(&self->parameters[k], place[k]);
+        settings[k] = clod_plan_setting(&self->parameters[k], place != NULL ? place[k] : 0.5);
         good = good && settings[k] != NULL;
     }
     clod_case *found = NULL;
@@ -74,7 +76,7 @@ static clod_case *load_at(const clod_plan *self, const clod_plan_test *test,
         found = clod_case_load(test->path, (const char *const *)settings, self->parameter_count,
                                status);
     } else {
-        clod_status_fail(status, CLOD_FAILED, "no memory for the case");
+        clod_status_fail(status, CLOD_FAILED, "No memory for the case.");
     }
     for (size_t k = 0; k < self->parameter_count; k++) {
         clod_memory_free(settings[k]);
@@ -100,7 +102,7 @@ static bool accepts(clod_loader *loader, const clod_plan *self, const clod_plan_
                     const double *place, const char *path)
 {
     clod_status status = {CLOD_OK, ""};
-    clod_case *found = load_at(self, test, place, &status);
+    clod_case *found = clod_plan_case(self, test, place, &status);
     if (found == NULL && path != NULL) {
         clod_plan_complain(loader, path, "test %s refuses it: %.800s", test->name, status.text);
     } else if (found == NULL) {
@@ -172,12 +174,8 @@ bool clod_plan_check_places(clod_loader *loader, const clod_plan *self, clod_pla
         !accepts_design(loader, self, test)) {
         return false;
     }
-    double middle[CLOD_PLAN_PARAMETERS];
-    for (size_t k = 0; k < self->parameter_count; k++) {
-        middle[k] = 0.5;
-    }
     clod_status status = {CLOD_OK, ""};
-    test->middle = load_at(self, test, middle, &status);
+    test->middle = clod_plan_case(self, test, NULL, &status);
     loader->report->lost = loader->report->lost || test->middle == NULL; // it did load
     return test->middle != NULL;
 }

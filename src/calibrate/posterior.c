@@ -17,6 +17,10 @@
 #define EDGE 0.05
 #define DICE 1000 ///< stream of random numbers beside those of the chains
 
+_Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_CHAIN_MOST &&
+                   CLOD_PLAN_PARAMETERS <= CLOD_SURROGATE_MOST,
+               "chains and surrogates take all parameters of a plan");
+
 /** What the density needs. */
 typedef struct density {
     const clod_plan *plan;
@@ -24,8 +28,7 @@ typedef struct density {
     double *room; ///< of the surrogates
 } density;
 
-/** Variance of a measured value about the mean of packings, without the surrogate's. */
-static double measured_variance(const clod_plan_target *target)
+double clod_posterior_variance(const clod_plan_target *target)
 {
     return target->error * target->error + target->discrepancy * target->discrepancy;
 }
@@ -41,7 +44,7 @@ static double log_density(void *context, const double *place)
         }
         const clod_surrogate_value told =
             clod_surrogate_at(self->targets[t].surrogate, place, self->room);
-        const double variance = measured_variance(target) + told.variance;
+        const double variance = clod_posterior_variance(target) + told.variance;
         const double off = target->value - told.mean;
         sum -= 0.5 * (off * off / variance + log(variance));
     }
@@ -108,8 +111,7 @@ static bool fit(const clod_posterior_runs *runs, clod_posterior *self, clod_stat
     return good;
 }
 
-/** Room for a prediction of any surrogate; NULL without memory. */
-static double *make_room(const clod_posterior *self)
+double *clod_posterior_room(const clod_posterior *self, size_t more)
 {
     size_t most = 1;
     for (size_t t = 0; t < self->target_count; t++) {
@@ -117,7 +119,7 @@ static double *make_room(const clod_posterior *self)
         const size_t room = one != NULL ? clod_surrogate_room(one) : 0;
         most = room > most ? room : most;
     }
-    return clod_memory_alloc(most, sizeof(double));
+    return clod_memory_alloc(most + more, sizeof(double));
 }
 
 static void interval(double *values, size_t stride, size_t count, double level, double *low,
@@ -160,16 +162,6 @@ const double *clod_posterior_sample(const clod_posterior *self, size_t i, size_t
     return self->samples + i * self->count / of * self->dimensions;
 }
 
-/** Standard normal number of a sample. */
-static double normal(const clod_plan *plan, size_t target, size_t sample)
-{
-    const uint64_t seed = (uint64_t)plan->seed;
-    const uint64_t item = DICE + target;
-    const double u = clod_random_uniform(seed, CLOD_RANDOM_CALIBRATE, item, 2 * sample);
-    const double v = clod_random_uniform(seed, CLOD_RANDOM_CALIBRATE, item, 2 * sample + 1);
-    return sqrt(-2.0 * log(u)) * cos(2.0 * M_PI * v);
-}
-
 /** What is foretold of one target at some samples: adds to the chi-square of each. `room` [2 looked] */
 static void foretell(const clod_plan *plan, clod_posterior *self, size_t t, size_t looked,
                      double *chi, double *values, double *room)
@@ -184,10 +176,12 @@ static void foretell(const clod_plan *plan, clod_posterior *self, size_t t, size
     for (size_t i = 0; i < looked; i++) {
         const double *place = clod_posterior_sample(self, i, looked);
         const clod_surrogate_value told = clod_surrogate_at(to->surrogate, place, room);
-        const double variance = measured_variance(target) + told.variance;
+        const double variance = clod_posterior_variance(target) + told.variance;
         const double off = target->value - told.mean;
         chi[i] += target->held_back ? 0.0 : off * off / variance;
-        values[i] = told.mean + sqrt(variance) * normal(plan, t, i);
+        values[i] = told.mean + sqrt(variance) * clod_random_normal((uint64_t)plan->seed,
+                                                                    CLOD_RANDOM_CALIBRATE,
+                                                                    DICE + t, 2 * i);
         mean += told.mean / (double)looked;
         square += told.mean * told.mean / (double)looked;
         inner += variance / (double)looked;
@@ -202,7 +196,7 @@ static bool look(const clod_plan *plan, clod_posterior *self, clod_status *statu
     const size_t looked = self->count < LOOKED ? self->count : LOOKED;
     double *values = clod_memory_alloc(self->count, sizeof *values);
     double *chi = clod_memory_alloc(looked, sizeof *chi);
-    double *room = make_room(self);
+    double *room = clod_posterior_room(self, 0);
     const bool good = values != NULL && chi != NULL && room != NULL;
     if (good) {
         for (size_t k = 0; k < self->dimensions; k++) {
@@ -225,7 +219,7 @@ static bool look(const clod_plan *plan, clod_posterior *self, clod_status *statu
 
 static bool sample(const clod_plan *plan, clod_posterior *self, clod_status *status)
 {
-    density of = {plan, self->targets, make_room(self)};
+    density of = {plan, self->targets, clod_posterior_room(self, 0)};
     if (of.room == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "No memory for the Markov chains.");
     }

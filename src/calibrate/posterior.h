@@ -75,3 +75,10 @@ const double *clod_posterior_sample(const clod_posterior *self, size_t i, size_t
  */
 bool clod_posterior_refine(const clod_plan *plan, const clod_posterior *self, size_t count,
                            double *places, clod_status *status);
+
+/** Variance of a measured value about the mean of packings, without the surrogate's. */
+double clod_posterior_variance(const clod_plan_target *target);
+
+/** Room for a prediction of any surrogate, with so many more runs in thought; owned (clod_memory_free), NULL
+ *  without memory. */
+double *clod_posterior_room(const clod_posterior *self, size_t more);

@@ -33,7 +33,7 @@ static double score(const thought *self, const double *place)
         const clod_plan_target *target = &self->plan->targets[t];
         if (!target->held_back) {
             sum += clod_surrogate_at(surrogate_of(self, t), place, self->room).variance /
-                   (target->error * target->error + target->discrepancy * target->discrepancy);
+                   clod_posterior_variance(target);
         }
     }
     return sum;
@@ -75,16 +75,10 @@ static bool believe(thought *self, const double *place, clod_status *status)
 bool clod_posterior_refine(const clod_plan *plan, const clod_posterior *self, size_t count,
                            double *places, clod_status *status)
 {
-    size_t most = 1;
-    for (size_t t = 0; t < plan->target_count; t++) {
-        const clod_surrogate *one = self->targets[t].surrogate;
-        const size_t room = one != NULL ? clod_surrogate_room(one) : 0;
-        most = room > most ? room : most;
-    }
     thought of = {.plan = plan,
                   .posterior = self,
                   .surrogates = clod_memory_alloc(plan->target_count, sizeof *of.surrogates),
-                  .room = clod_memory_alloc(most + count, sizeof *of.room)};
+                  .room = clod_posterior_room(self, count)};
     bool good = of.surrogates != NULL && of.room != NULL;
     if (!good) {
         clod_status_fail(status, CLOD_FAILED, "No memory for further points.");

@@ -1,7 +1,6 @@
 #include "calibrate/result.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 
 #include "base/plural.h"
@@ -48,20 +47,6 @@ const char *clod_result_measured(const clod_plan_measure *measure, double value,
     return buffer;
 }
 
-static void warn(clod_result *self, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-static void warn(clod_result *self, const char *format, ...)
-{
-    if (self->warning_count == CLOD_RESULT_WARNINGS) {
-        return;
-    }
-    va_list args;
-    va_start(args, format);
-    vsnprintf(self->warnings[self->warning_count++], CLOD_RESULT_WARNING_TEXT, format, args);
-    va_end(args);
-}
-
 /** Used target that is farthest from what the posterior foretells. */
 static size_t farthest(const clod_result *self)
 {
@@ -82,8 +67,8 @@ static void warn_targets(clod_result *self)
     const clod_posterior *from = self->study->posterior;
     if (from->p_value < CONTRADICTION) {
         const size_t t = farthest(self);
-        warn(
-            self,
+        clod_warning_list_add(
+            &self->warnings,
             "The targets contradict each other, or the model cannot reach them within these ranges: "
             "chi-square %.3g of %zu target%s, posterior predictive p = %.2g. Farthest off is %s, "
             "measured %+.1f deviations from what the model gives. Intervals below are then too narrow: "
@@ -95,28 +80,29 @@ static void warn_targets(clod_result *self)
         const clod_posterior_target *one = &from->targets[t];
         const size_t all = self->study->points * (size_t)self->plan->seeds;
         if (one->surrogate == NULL) {
-            warn(
-                self,
+            clod_warning_list_add(
+                &self->warnings,
                 "%s was held back and cannot be foretold: %zu of %zu runs have this number. %s",
                 self->plan->targets[t].name, one->runs, all, one->why);
             continue;
         }
         if (one->runs < all) {
-            warn(
-                self,
+            clod_warning_list_add(
+                &self->warnings,
                 "%s: only %zu of %zu runs have this number; the others failed or do not define it.",
                 self->plan->targets[t].name, one->runs, all);
         }
         const clod_plan_target *of = &self->plan->targets[t];
         if (of->held_back && (of->value < one->low || of->value > one->high)) {
-            warn(self,
-                 "%s was held back and is missed: measured %.4g, foretold %.4g to %.4g %s.",
-                 of->name, of->measure.factor * of->value, of->measure.factor * one->low,
-                 of->measure.factor * one->high, of->measure.unit);
+            clod_warning_list_add(
+                &self->warnings,
+                "%s was held back and is missed: measured %.4g, foretold %.4g to %.4g %s.",
+                of->name, of->measure.factor * of->value, of->measure.factor * one->low,
+                of->measure.factor * one->high, of->measure.unit);
         }
         if (one->checked && one->check.q2 < LEAST_Q2) {
-            warn(
-                self,
+            clod_warning_list_add(
+                &self->warnings,
                 "%s: its surrogate foretells points that are left out hardly better than their mean "
                 "(Q2 %.2f): the parameters do not move it much, or more points or seeds are needed.",
                 self->plan->targets[t].name, one->check.q2);
@@ -131,21 +117,22 @@ static void warn_parameters(clod_result *self)
         const clod_posterior_parameter *one = &from->parameters[k];
         const char *name = self->plan->parameters[k].name;
         if (one->below > EDGE_SHARE || one->above > EDGE_SHARE) {
-            warn(
-                self,
+            clod_warning_list_add(
+                &self->warnings,
                 "%s wants to go beyond the %s end of its range (%.0f %% of the samples lie in the "
                 "last 5 %% before it).",
                 name, one->above > one->below ? "upper" : "lower",
                 100.0 * fmax(one->above, one->below));
         }
         if (clod_result_told_of(one) == CLOD_RESULT_UNTOLD) {
-            warn(self,
-                 "These targets do not tell %s: its interval is %.0f %% as wide as its range.",
-                 name, 100.0 * one->width);
+            clod_warning_list_add(
+                &self->warnings,
+                "These targets do not tell %s: its interval is %.0f %% as wide as its range.",
+                name, 100.0 * one->width);
         }
         if (!(one->rhat <= LARGEST_RHAT) || !(one->effective >= LEAST_EFFECTIVE)) {
-            warn(
-                self,
+            clod_warning_list_add(
+                &self->warnings,
                 "The Markov chains do not agree about %s (R-hat %.3f, %.0f independent samples): "
                 "give more sampling.samples.",
                 name, one->rhat, one->effective);
@@ -153,8 +140,8 @@ static void warn_parameters(clod_result *self)
         for (size_t m = 0; m < k; m++) {
             const double tie = from->correlation[k * from->dimensions + m];
             if (fabs(tie) > TIED) {
-                warn(
-                    self,
+                clod_warning_list_add(
+                    &self->warnings,
                     "%s and %s are tied (correlation %+.2f): the targets tell a combination of "
                     "them, not each.",
                     self->plan->parameters[m].name, name, tie);
@@ -167,11 +154,13 @@ void clod_result_warn(clod_result *self)
 {
     warn_targets(self);
     warn_parameters(self);
-    const size_t failed = self->runs == NULL ? 0 : clod_runs_failed(self->runs);
+    const size_t failed = clod_runs_failed(self->runs);
     if (failed > 0) {
-        warn(self, "%zu run%s failed and %s not used; runs.csv has the reasons.", failed,
-             clod_plural((double)failed), failed == 1 ? "is" : "are");
+        clod_warning_list_add(&self->warnings,
+                              "%zu run%s failed and %s not used; runs.csv has the reasons.",
+                              failed, clod_plural((double)failed), failed == 1 ? "is" : "are");
     }
+    clod_runs_warn(self->runs, &self->warnings);
 }
 
 char *clod_result_samples(const clod_result *self)

@@ -4,19 +4,16 @@
  * A finished calibration, and what is said beside it.
  */
 
+#include "base/warning_list.h"
 #include "calibrate/plan.h"
 #include "calibrate/runs.h"
 #include "calibrate/study.h"
-
-#define CLOD_RESULT_WARNINGS 48
-#define CLOD_RESULT_WARNING_TEXT 400
 
 typedef struct clod_result {
     const clod_plan *plan;
     const clod_study *study;
     const clod_runs *runs; ///< for how many failed, and the folder's path
-    size_t warning_count;
-    char warnings[CLOD_RESULT_WARNINGS][CLOD_RESULT_WARNING_TEXT];
+    clod_warning_list warnings;
 } clod_result;
 
 /** What a posterior width says: 0.5 and 0.8 of the range's interval are the borders. */

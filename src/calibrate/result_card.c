@@ -128,8 +128,8 @@ static void put_head(FILE *out, const clod_result *self)
     for (size_t t = 0; t < plan->test_count; t++) {
         put_comment(out, "  %s: %s", plan->tests[t].name, plan->tests[t].path);
     }
-    for (size_t k = 0; k < self->warning_count; k++) {
-        put_comment(out, "WARNING: %s", self->warnings[k]);
+    for (size_t k = 0; k < self->warnings.count; k++) {
+        put_comment(out, "WARNING: %s", self->warnings.text[k]);
     }
     for (size_t k = 0; k < from->dimensions; k++) {
         for (size_t m = 0; m < k; m++) {

@@ -75,21 +75,16 @@ static json_t *surrogate(const clod_result *self, const clod_posterior_target *o
                          double factor)
 {
     const clod_plan *plan = self->plan;
-    static const char *const KINDS[] = {
-        [CLOD_SURROGATE_LINEAR] = "linear",
-        [CLOD_SURROGATE_QUADRATIC] = "quadratic",
-        [CLOD_SURROGATE_GAUSSIAN] = "gaussian process",
-    };
     json_t *lengths = json_object();
     for (size_t k = 0; k < plan->parameter_count; k++) {
         json_object_set_new(lengths, plan->parameters[k].name,
                             clod_json_number(clod_surrogate_length(one->surrogate, k)));
     }
-    json_t *made =
-        json_pack("{s:s, s:I, s:o, s:o}", "kind", KINDS[clod_surrogate_kind_of(one->surrogate)],
-                  "runs", (json_int_t)one->runs, "packing_deviation",
-                  clod_json_number(factor * clod_surrogate_noise(one->surrogate)),
-                  "relative_lengths", lengths);
+    json_t *made = json_pack("{s:s, s:I, s:o, s:o}", "kind",
+                             CLOD_SURROGATE_NAMES[clod_surrogate_kind_of(one->surrogate)],
+                             "runs", (json_int_t)one->runs, "packing_deviation",
+                             clod_json_number(factor * clod_surrogate_noise(one->surrogate)),
+                             "relative_lengths", lengths);
     if (one->checked) {
         json_object_set_new(made, "left_out_error",
                             clod_json_number(factor * one->check.error));
@@ -106,14 +101,15 @@ static json_t *target(const clod_result *self, size_t t)
     const clod_plan_target *of = &self->plan->targets[t];
     const clod_posterior_target *one = &self->study->posterior->targets[t];
     const double f = of->measure.factor;
-    json_t *made = json_pack(
-        "{s:s, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "test",
-        self->plan->tests[of->test].name, "number", of->number, "unit", of->measure.unit,
-        "held_back", of->held_back, "measured", clod_json_number(f * of->value), "error",
-        clod_json_number(f * of->error), "discrepancy", clod_json_number(f * of->discrepancy),
-        "model", clod_json_number(f * one->mean), "low", clod_json_number(f * one->low), "high",
-        clod_json_number(f * one->high), "off", clod_json_number(one->off), "surrogate",
-        one->surrogate != NULL ? surrogate(self, one, f) : json_null());
+    json_t *made =
+        json_pack("{s:s, s:s, s:s, s:s, s:b, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "name",
+                  of->name, "test", self->plan->tests[of->test].name, "number", of->number,
+                  "unit", of->measure.unit, "held_back", of->held_back, "measured",
+                  clod_json_number(f * of->value), "error", clod_json_number(f * of->error),
+                  "discrepancy", clod_json_number(f * of->discrepancy), "model",
+                  clod_json_number(f * one->mean), "low", clod_json_number(f * one->low),
+                  "high", clod_json_number(f * one->high), "off", clod_json_number(one->off),
+                  "surrogate", one->surrogate != NULL ? surrogate(self, one, f) : json_null());
     if (of->normal_stress > 0.0) {
         json_object_set_new(made, "normal_stress_Pa", clod_json_number(of->normal_stress));
     }
@@ -132,18 +128,18 @@ char *clod_result_json(const clod_result *self)
         json_array_append_new(targets, target(self, t));
     }
     json_t *warnings = json_array();
-    for (size_t k = 0; k < self->warning_count; k++) {
-        json_array_append_new(warnings, json_string(self->warnings[k]));
+    for (size_t k = 0; k < self->warnings.count; k++) {
+        json_array_append_new(warnings, json_string(self->warnings.text[k]));
     }
     json_t *all = json_pack(
         "{s:s?, s:s, s:I, s:I, s:I, s:I, s:f, s:o, s:o, s:o, s:o, s:o, s:o}", "title",
         self->plan->title, "plan", self->plan->path, "points", (json_int_t)self->study->points,
         "designed_points", (json_int_t)self->study->designed, "packings",
-        (json_int_t)self->plan->seeds, "failed_runs",
-        (json_int_t)(self->runs == NULL ? 0 : clod_runs_failed(self->runs)), "level",
-        self->plan->sampling.level, "chi_square", clod_json_number(from->chi_square), "p_value",
-        clod_json_number(from->p_value), "accepted", clod_json_number(from->accepted),
-        "parameters", parameters, "targets", targets, "warnings", warnings);
+        (json_int_t)self->plan->seeds, "failed_runs", (json_int_t)clod_runs_failed(self->runs),
+        "level", self->plan->sampling.level, "chi_square", clod_json_number(from->chi_square),
+        "p_value", clod_json_number(from->p_value), "accepted",
+        clod_json_number(from->accepted), "parameters", parameters, "targets", targets,
+        "warnings", warnings);
     char *text = clod_json_text(all, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     json_decref(all);
     return text;

@@ -110,25 +110,20 @@ static void put_targets(FILE *out, const clod_result *self, bool held_back, cons
 
 static void put_surrogates(FILE *out, const clod_result *self)
 {
-    static const char *const KINDS[] = {
-        [CLOD_SURROGATE_LINEAR] = "line",
-        [CLOD_SURROGATE_QUADRATIC] = "quadratic",
-        [CLOD_SURROGATE_GAUSSIAN] = "process",
-    };
     fprintf(
         out,
-        "\nSurrogates, each point foretold by the others\n  %-34s %-10s %5s %10s %10s %7s %9s\n",
+        "\nSurrogates, each point foretold by the others\n  %-34s %-16s %5s %10s %10s %7s %9s\n",
         "", "kind", "runs", "packings", "error", "Q2", "in 2 dev.");
     for (size_t t = 0; t < self->plan->target_count; t++) {
         const clod_plan_target *of = &self->plan->targets[t];
         const clod_posterior_target *one = &self->study->posterior->targets[t];
         char text[CELL];
         if (one->surrogate == NULL) {
-            fprintf(out, "  %-34s %-10s %5zu\n", of->name, "-", one->runs);
+            fprintf(out, "  %-34s %-16s %5zu\n", of->name, "-", one->runs);
             continue;
         }
-        fprintf(out, "  %-34s %-10s %5zu %10s", of->name,
-                KINDS[clod_surrogate_kind_of(one->surrogate)], one->runs,
+        fprintf(out, "  %-34s %-16s %5zu %10s", of->name,
+                CLOD_SURROGATE_NAMES[clod_surrogate_kind_of(one->surrogate)], one->runs,
                 clod_result_measured(&of->measure, clod_surrogate_noise(one->surrogate), text,
                                      sizeof text));
         if (one->checked) {
@@ -161,9 +156,9 @@ char *clod_result_table(const clod_result *self)
         title == NULL ? "" : ": ", title == NULL ? "" : title, self->study->points,
         (long long)self->plan->seeds, self->plan->seeds == 1 ? "" : "s",
         self->study->points - self->study->designed);
-    fputs(self->warning_count > 0 ? "\nWarnings\n" : "", out);
-    for (size_t k = 0; k < self->warning_count; k++) {
-        put_text(out, self->warnings[k]);
+    fputs(self->warnings.count > 0 ? "\nWarnings\n" : "", out);
+    for (size_t k = 0; k < self->warnings.count; k++) {
+        put_text(out, self->warnings.text[k]);
     }
     put_parameters(out, self);
     put_correlations(out, self);

@@ -1,6 +1,5 @@
 #include "calibrate/rows.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <jansson.h>
@@ -24,18 +23,11 @@
 #define LAST_BYTES 2000 ///< of a log that are looked at
 #define WORDS 400       ///< bytes kept of them
 
-static void path_of(const clod_runs *runs, size_t row, const char *ending, char path[PATH_MAX])
-{
-    char name[128];
-    clod_runs_name(runs->plan, row, name, sizeof name);
-    snprintf(path, PATH_MAX, "%s/%s%s", runs->folder->path, name, ending);
-}
-
 static const char *const STATES[] = {NULL, "begun", "done", "failed"}; // of clod_runs_state
 
 char *clod_rows_settings(const clod_plan *plan, size_t row, const double *places)
 {
-    const size_t point = row / plan->test_count / (size_t)plan->seeds;
+    const size_t point = clod_runs_point_of(plan, row);
     clod_text text;
     FILE *out = clod_text_open(&text);
     if (out == NULL) {
@@ -77,7 +69,7 @@ static bool take(const json_t *found, clod_runs_row *to)
 bool clod_rows_read(const clod_runs *runs, size_t row, clod_runs_row *to, clod_status *status)
 {
     char path[PATH_MAX];
-    path_of(runs, row, ".json", path);
+    clod_runs_path(runs, row, ".json", path);
     if (access(path, F_OK) != 0) {
         return true;
     }
@@ -98,7 +90,7 @@ bool clod_rows_write(const clod_runs *runs, size_t row, clod_status *status)
 {
     char path[PATH_MAX];
     const clod_runs_row *from = &runs->rows[row];
-    path_of(runs, row, ".json", path);
+    clod_runs_path(runs, row, ".json", path);
     json_t *made = json_pack("{s:s, s:s, s:f, s:s*}", "settings", from->settings, "state",
                              STATES[from->state], "seconds", from->seconds, "why", from->why);
     char *text = clod_json_text(made, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
@@ -106,9 +98,10 @@ bool clod_rows_write(const clod_runs *runs, size_t row, clod_status *status)
     if (text == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "No memory for %s.", path);
     }
-    const char *name = path + strlen(runs->folder->path) + strlen("/runs/");
+    char name[CLOD_RUNS_NAME];
     char parent[PATH_MAX];
-    snprintf(parent, sizeof parent, "%s/runs", runs->folder->path);
+    clod_runs_name(runs->plan, row, ".json", name);
+    snprintf(parent, sizeof parent, "%s/" CLOD_RUNS_FOLDER, runs->folder->path);
     clod_folder *inside = clod_folder_look(parent, status);
     const bool good = inside != NULL && clod_folder_write(inside, name, text, status);
     clod_folder_close(&inside);
@@ -119,7 +112,7 @@ bool clod_rows_write(const clod_runs *runs, size_t row, clod_status *status)
 void clod_rows_forget(const clod_runs *runs, size_t row)
 {
     char path[PATH_MAX];
-    path_of(runs, row, ".json", path);
+    clod_runs_path(runs, row, ".json", path);
     (void)unlink(path); // what stays is told by clod run: the case has changed
 }
 
@@ -155,9 +148,9 @@ bool clod_rows_begin(const clod_runs *runs, size_t row, clod_status *status)
     char path[PATH_MAX];
     char json[PATH_MAX];
     char log[PATH_MAX];
-    path_of(runs, row, "", path);
-    path_of(runs, row, ".json", json);
-    path_of(runs, row, ".log", log);
+    clod_runs_path(runs, row, "", path);
+    clod_runs_path(runs, row, ".json", json);
+    clod_runs_path(runs, row, ".log", log);
     clod_folder *folder = clod_folder_open(path, status);
     bool good = folder != NULL;
     if (good && of->state == CLOD_RUNS_BEGUN) {
@@ -172,28 +165,26 @@ bool clod_rows_begin(const clod_runs *runs, size_t row, clod_status *status)
     return good;
 }
 
-/** Whether a file of a results folder is a checkpoint or a snapshot. */
-static bool spare(const char *name)
+/** What stays only takes room. */
+static bool remove_spare(void *context, const char *name, clod_status *status)
 {
-    const char *point = strrchr(name, '.');
-    return strncmp(name, "restart", strlen("restart")) == 0 ||
-           (point != NULL && (strcmp(point, ".hdf") == 0 || strcmp(point, ".series") == 0));
+    (void)status;
+    clod_status none = {CLOD_OK, ""};
+    (void)clod_folder_remove(context, name, &none);
+    return true;
 }
 
 void clod_rows_trim(const clod_runs *runs, size_t row)
 {
     char path[PATH_MAX];
-    path_of(runs, row, "", path);
-    DIR *folder = opendir(path);
-    if (folder == NULL) {
-        return;
+    clod_runs_path(runs, row, "", path);
+    clod_status none = {CLOD_OK, ""};
+    clod_folder *folder = clod_folder_look(path, &none);
+    if (folder != NULL) {
+        (void)clod_folder_names_each(folder, "^(" CLOD_FOLDER_SPARE ")$", remove_spare, folder,
+                                     &none);
     }
-    for (struct dirent *item = readdir(folder); item != NULL; item = readdir(folder)) {
-        if (spare(item->d_name)) {
-            (void)unlinkat(dirfd(folder), item->d_name, 0); // what stays only takes room
-        }
-    }
-    closedir(folder);
+    clod_folder_close(&folder);
 }
 
 /** Line ends and runs of blanks become one blank. */
@@ -217,7 +208,7 @@ char *clod_rows_last_words(const clod_runs *runs, size_t row)
 {
     static const char BEGIN[] = "clod run: ";
     char path[PATH_MAX];
-    path_of(runs, row, ".log", path);
+    clod_runs_path(runs, row, ".log", path);
     char *text;
     size_t length;
     clod_status none = {CLOD_OK, ""};

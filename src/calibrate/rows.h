@@ -30,7 +30,7 @@ bool clod_rows_in_use(const char *folder);
  */
 bool clod_rows_begin(const clod_runs *runs, size_t row, clod_status *status);
 
-/** Remove what a finished run does not need any more: checkpoints and snapshots. */
+/** Remove what a finished run does not need any more: CLOD_FOLDER_SPARE. */
 void clod_rows_trim(const clod_runs *runs, size_t row);
 
 /** What a failed run said last: the rest of its log from its last "clod run:" on, in one line; owned, NULL

@@ -1,7 +1,6 @@
 #include "calibrate/runs.h"
 
 #include <jansson.h>
-#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,18 +17,35 @@ size_t clod_runs_row_of(const clod_plan *plan, size_t point, size_t packing, siz
     return (point * (size_t)plan->seeds + packing) * plan->test_count + test;
 }
 
+size_t clod_runs_test_of(const clod_plan *plan, size_t row)
+{
+    return row % plan->test_count;
+}
+
 /** Point and packing of a row, counted through. */
 static size_t packing_of(const clod_plan *plan, size_t row)
 {
     return row / plan->test_count;
 }
 
-void clod_runs_name(const clod_plan *plan, size_t row, char *text, size_t size)
+size_t clod_runs_point_of(const clod_plan *plan, size_t row)
 {
-    const size_t seeds = (size_t)plan->seeds;
-    const size_t packing = packing_of(plan, row);
-    snprintf(text, size, "runs/p%03zu-%zu-%.60s", packing / seeds, packing % seeds + 1,
-             plan->tests[row % plan->test_count].name);
+    return packing_of(plan, row) / (size_t)plan->seeds;
+}
+
+void clod_runs_name(const clod_plan *plan, size_t row, const char *ending,
+                    char name[CLOD_RUNS_NAME])
+{
+    snprintf(name, CLOD_RUNS_NAME, "p%03zu-%zu-%.60s%s", clod_runs_point_of(plan, row),
+             packing_of(plan, row) % (size_t)plan->seeds + 1,
+             plan->tests[clod_runs_test_of(plan, row)].name, ending);
+}
+
+void clod_runs_path(const clod_runs *self, size_t row, const char *ending, char path[PATH_MAX])
+{
+    char name[CLOD_RUNS_NAME];
+    clod_runs_name(self->plan, row, ending, name);
+    snprintf(path, PATH_MAX, "%s/" CLOD_RUNS_FOLDER "/%s", self->folder->path, name);
 }
 
 int64_t clod_runs_seed(const clod_plan *plan, size_t row)
@@ -103,17 +119,15 @@ static bool read_numbers(const clod_runs *self, size_t packing, double *results,
 {
     const clod_plan *plan = self->plan;
     for (size_t t = 0; t < plan->target_count; t++) {
-        const size_t row = packing * plan->test_count + plan->targets[t].test;
         results[t] = (double)NAN;
-        if (self->rows[row].state == CLOD_RUNS_DONE) {
-            char name[128];
-            char folder[PATH_MAX];
-            clod_runs_name(plan, row, name, sizeof name);
-            snprintf(folder, sizeof folder, "%s/%s", self->folder->path, name);
-            if (!clod_number_read(plan, &plan->targets[t], folder, &results[t], status)) {
-                results[t] = (double)NAN;
-                return fail_damaged(folder, status);
-            }
+    }
+    for (size_t test = 0; test < plan->test_count; test++) {
+        const size_t row = packing * plan->test_count + test;
+        char folder[PATH_MAX];
+        clod_runs_path(self, row, "", folder);
+        if (self->rows[row].state == CLOD_RUNS_DONE &&
+            !clod_number_read(plan, test, folder, results, status)) {
+            return fail_damaged(folder, status);
         }
     }
     return true;
@@ -197,7 +211,7 @@ clod_runs *clod_runs_open(const clod_plan *plan, const char *directory,
     }
     *self = (clod_runs){.plan = plan, .options = *options};
     char inside[PATH_MAX];
-    snprintf(inside, sizeof inside, "%s/runs", directory);
+    snprintf(inside, sizeof inside, "%s/" CLOD_RUNS_FOLDER, directory);
     self->folder = clod_folder_open(directory, status);
     if (self->folder == NULL || !clod_folder_make(inside, status) ||
         !keep_cases(self, status) || !clod_rows_mark(self, status) ||

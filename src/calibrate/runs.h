@@ -5,9 +5,15 @@
  * that has ended, so that the same command goes on where it was.
  */
 
+#include <limits.h>
+
+#include "base/warning_list.h"
 #include "calibrate/plan.h"
 #include "clod/run.h"
 #include "output/folder.h"
+
+#define CLOD_RUNS_FOLDER "runs" ///< below that of the calibration
+#define CLOD_RUNS_NAME 128      ///< bytes of a run's name
 
 typedef struct clod_runs_options {
     const char *program;   ///< path of clod
@@ -66,14 +72,29 @@ double clod_runs_seconds(void *self, size_t points);
 /** Runs that failed. */
 size_t clod_runs_failed(const clod_runs *self);
 
-/** Index of a row. */
+/** Index of a row, and the point and the test of one. */
 size_t clod_runs_row_of(const clod_plan *plan, size_t point, size_t packing, size_t test);
+size_t clod_runs_point_of(const clod_plan *plan, size_t row);
+size_t clod_runs_test_of(const clod_plan *plan, size_t row);
 
-/** "runs/p003-1-ring": where a row's run is, below the folder. */
-void clod_runs_name(const clod_plan *plan, size_t row, char *text, size_t size);
+/** "p003-1-ring": a run's folder with the ending "", a file beside it with its own. */
+void clod_runs_name(const clod_plan *plan, size_t row, const char *ending,
+                    char name[CLOD_RUNS_NAME]);
+
+/** The same as a path. */
+void clod_runs_path(const clod_runs *self, size_t row, const char *ending, char path[PATH_MAX]);
 
 /** Seed of a row's packing; no two points have one in common. */
 int64_t clod_runs_seed(const clod_plan *plan, size_t row);
+
+/**
+ * What finished runs warn of in their summaries: one warning for each text of a test, with the number of
+ * runs that have it. Texts that differ in numbers alone count as one.
+ *
+ * @param to  [in, out] they are added to it
+ * Errors  none.   Threads  safe.   Test  tests/calibrate/test_runs_warnings.c
+ */
+void clod_runs_warn(const clod_runs *self, clod_warning_list *to);
 
 /** All rows as CSV, units in the header; owned (clod_memory_free), NULL without memory. */
 char *clod_runs_csv(const clod_runs *self, size_t points, const double *places,

@@ -9,14 +9,12 @@
 #include "base/text.h"
 #include "calibrate/runs.h"
 
-/** A text as a cell: quoted, quotes doubled. */
+/** A text inside a quoted cell: quotes doubled. */
 static void put_quoted(FILE *out, const char *text)
 {
-    fputc('"', out);
     for (; *text != '\0'; text++) {
         fputs(*text == '"' ? "\"\"" : (char[]){*text, '\0'}, out);
     }
-    fputc('"', out);
 }
 
 static void put_head(FILE *out, const clod_plan *plan)
@@ -35,17 +33,21 @@ static void put_head(FILE *out, const clod_plan *plan)
     fputs(",failed\n", out);
 }
 
-/** Why tests of a packing failed. */
+/** Why tests of a packing failed, all in one cell. */
 static void put_failed(FILE *out, const clod_runs *self, size_t point, size_t packing)
 {
+    size_t failed = 0;
     fputc(',', out);
     for (size_t t = 0; t < self->plan->test_count; t++) {
         const clod_runs_row *row = &self->rows[clod_runs_row_of(self->plan, point, packing, t)];
         if (row->state == CLOD_RUNS_FAILED) {
-            put_quoted(out, row->why != NULL ? row->why : "failed");
-            return;
+            fputs(failed++ == 0 ? "\"" : "; ", out);
+            put_quoted(out, self->plan->tests[t].name);
+            fputs(": ", out);
+            put_quoted(out, row->why != NULL ? row->why : "it said nothing");
         }
     }
+    fputs(failed > 0 ? "\"" : "", out);
 }
 
 static void put_row(FILE *out, const clod_runs *self, size_t point, size_t packing,

@@ -10,6 +10,10 @@
 #include "base/memory.h"
 #include "calibrate/surrogate_fit.h"
 
+const char *const CLOD_SURROGATE_NAMES[] = {[CLOD_SURROGATE_LINEAR] = "linear",
+                                            [CLOD_SURROGATE_QUADRATIC] = "quadratic",
+                                            [CLOD_SURROGATE_GAUSSIAN] = "gaussian process"};
+
 // A result that is the same in all runs still has a variance above 0, far below any digit told.
 #define LEAST_RELATIVE 1e-12
 

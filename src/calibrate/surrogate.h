@@ -19,6 +19,9 @@ typedef enum clod_surrogate_kind {
     CLOD_SURROGATE_GAUSSIAN,  ///< Gaussian process about 1, u
 } clod_surrogate_kind;
 
+/** What a kind is called: "linear", "quadratic", "gaussian process". */
+extern const char *const CLOD_SURROGATE_NAMES[];
+
 /** Runs: rows with the same inputs are packings of one point. */
 typedef struct clod_surrogate_runs {
     size_t dimensions, count;

@@ -27,6 +27,13 @@ void clod_load_leave(clod_loader *self, size_t length)
     self->path[length] = '\0';
 }
 
+void clod_load_folder(const char *path, char folder[PATH_MAX])
+{
+    const char *slash = strrchr(path, '/');
+    const int length = slash == NULL ? 1 : slash == path ? 1 : (int)(slash - path);
+    snprintf(folder, PATH_MAX, "%.*s", length, slash == NULL ? "." : path);
+}
+
 clod_place clod_load_place(const clod_node *node)
 {
     return node->key != NULL ? node->key_place : node->place;

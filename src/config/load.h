@@ -4,6 +4,7 @@
  * Tree -> structs, driven by the parameter tables.
  */
 
+#include <limits.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -17,7 +18,7 @@ typedef struct clod_loader {
     clod_report *report;
     clod_arena *arena;         ///< for defaults that become nodes
     clod_node *root;           ///< of the tree
-    const char *folder;        ///< absolute; against which files are resolved
+    const char *folder;        ///< against which files are resolved
     char path[CLOD_LOAD_PATH]; ///< of what is being read, for messages
 } clod_loader;
 
@@ -45,3 +46,6 @@ void clod_load_leave(clod_loader *self, size_t length);
 
 /** Where a missing key is complained about: the section's own key, or the section. */
 clod_place clod_load_place(const clod_node *node);
+
+/** Folder of a file as its path names it, "." for one without; against which other files are found. */
+void clod_load_folder(const char *path, char folder[PATH_MAX]);

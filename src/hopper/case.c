@@ -95,14 +95,6 @@ static void build(clod_loader *loader, clod_hopper_case *self)
     }
 }
 
-/** Folder of the case, against which its files are found. */
-static void folder_of(const char *path, char folder[PATH_MAX])
-{
-    const char *slash = strrchr(path, '/');
-    const int length = slash == NULL ? 1 : slash == path ? 1 : (int)(slash - path);
-    snprintf(folder, PATH_MAX, "%.*s", length, slash == NULL ? "." : path);
-}
-
 bool clod_hopper_case_load(const char *path, const char *const *overrides,
                            size_t override_count, clod_hopper_case *self, clod_status *status)
 {
@@ -115,7 +107,7 @@ bool clod_hopper_case_load(const char *path, const char *const *overrides,
     clod_report report = {.name = path, .text = text, .length = length, .overrides = overrides};
     clod_arena arena = {0};
     char folder[PATH_MAX];
-    folder_of(path, folder);
+    clod_load_folder(path, folder);
     clod_loader loader = {.report = &report, .arena = &arena, .folder = folder};
     if (read_tree(&loader, text, length, override_count)) {
         build(&loader, self);

@@ -94,7 +94,7 @@ static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *c
     const double low = curve->points[0].x;
     const double high = curve->points[curve->count - 1].x;
     if (stress < low * (1.0 - APART) || stress > high * (1.0 + APART)) {
-        clod_hopper_warn(
+        clod_warning_list_add(
             &self->warnings,
             "%s: at the critical outlet %s is %.3f kPa, outside what was measured, %.3f to %.3f "
             "kPa: an extrapolation.",
@@ -106,7 +106,7 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
 {
     const clod_hopper_design *at = &found->design;
     if (at->outcome == CLOD_HOPPER_UNSETTLED) {
-        clod_hopper_warn(
+        clod_warning_list_add(
             &self->warnings,
             "%s: no critical state was found: the measured properties change too much with "
             "stress.",
@@ -119,7 +119,7 @@ static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_fo
     }
     if (found->wish.half_angle > 0.0 && at->outcome != CLOD_HOPPER_FUNNEL &&
         at->half_angle > at->limit - found->wish.margin) {
-        clod_hopper_warn(
+        clod_warning_list_add(
             &self->warnings,
             found->wish.shape == CLOD_RADIAL_CONE
                 ? "%s: the half angle of %.1f deg is less than the margin of %.1f deg below "
@@ -153,8 +153,8 @@ static void warn_errors(clod_hopper *self)
         }
     }
     if (list[0] != '\0') {
-        clod_hopper_warn(&self->warnings,
-                         "Without errors, and so not part of the intervals: %s.", list);
+        clod_warning_list_add(&self->warnings,
+                              "Without errors, and so not part of the intervals: %s.", list);
     }
 }
 
@@ -162,20 +162,20 @@ static void warn_rathole(clod_hopper *self)
 {
     const double phi_t = self->hole.state.phi_t;
     if (self->solid.phi_t.count == 0) {
-        clod_hopper_warn(
+        clod_warning_list_add(
             &self->warnings,
             "No rathole diameter: the key static_friction, or a column phi_t of the flow "
             "function, is missing.");
     } else if (isnan(self->hole.emptying) &&
                !(phi_t >= CLOD_RATHOLE_LEAST && phi_t <= CLOD_RATHOLE_MOST)) {
-        clod_hopper_warn(
+        clod_warning_list_add(
             &self->warnings,
             "No rathole diameter: Jenike's function G is known from 30 to 70 deg, and the "
             "static angle of internal friction is %.1f deg.",
             phi_t / DEGREE);
     }
     if (self->hole.filling > self->silo.diameter && self->silo.diameter > 0.0) {
-        clod_hopper_warn(
+        clod_warning_list_add(
             &self->warnings,
             "The rathole after filling is wider than the silo: a solid that does not slide "
             "along the wall may stay at all of it.");
@@ -189,6 +189,6 @@ void clod_doubts_warn(clod_hopper *self, bool one_specimen)
     warn_rathole(self);
     warn_errors(self);
     if (one_specimen) {
-        clod_hopper_warn(&self->warnings, "Errors of " CLOD_LOCUS_ONE_SPECIMEN ".");
+        clod_warning_list_add(&self->warnings, "Errors of " CLOD_LOCUS_ONE_SPECIMEN ".");
     }
 }

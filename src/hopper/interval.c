@@ -60,13 +60,11 @@ void clod_interval_numbers(const clod_solid *solid, const clod_hopper_found *fou
     }
 }
 
-/** Standard normal number: Box and Muller. */
 static double normal(const task *self, size_t item, uint64_t *draw)
 {
     const uint64_t seed = (uint64_t)self->hopper->from.interval.seed;
-    const double u = clod_random_uniform(seed, CLOD_RANDOM_MEASURED, item, (*draw)++);
-    const double v = clod_random_uniform(seed, CLOD_RANDOM_MEASURED, item, (*draw)++);
-    return sqrt(-2.0 * log(u)) * cos(2.0 * M_PI * v);
+    *draw += 2;
+    return clod_random_normal(seed, CLOD_RANDOM_MEASURED, item, *draw - 2);
 }
 
 /** Draw the points of a curve: each for itself, and all of them with every specimen. */

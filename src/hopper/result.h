@@ -4,11 +4,11 @@
  * What a design found, for the writers of tables, JSON and the chart.
  */
 
+#include "base/warning_list.h"
 #include "clod/hopper.h"
 #include "hopper/case.h"
 #include "hopper/design.h"
 #include "hopper/rathole.h"
-#include "hopper/warnings.h"
 
 #define CLOD_HOPPER_SHAPES 2
 #define CLOD_HOPPER_OUTCOMES 5
@@ -55,5 +55,5 @@ struct clod_hopper {
     clod_rathole_silo silo;
     clod_hopper_value rathole[CLOD_HOPPER_HOLES];
     clod_rathole hole;
-    clod_hopper_warnings warnings;
+    clod_warning_list warnings;
 };

@@ -98,11 +98,10 @@ static const clod_csv_kind FLOW_KIND = {
     {                                                                                          \
         .names = {__VA_ARGS__}, .unit = si, POINT(y_error)                                     \
     }
-#define KIND(table, names, line, what, ...)                                                    \
+#define KIND(table, names, line, what)                                                         \
     {                                                                                          \
         .columns = table, .count = sizeof(table) / sizeof((table)[0]),                         \
-        .row = sizeof(clod_curve_point), .known = names, .example = line, .item = what,        \
-        __VA_ARGS__                                                                            \
+        .row = sizeof(clod_curve_point), .known = names, .example = line, .item = what         \
     }
 
 static const clod_csv_column PHI_E[] = {SIGMA("sigma_1"), SIGMA_ERROR("sigma_1_error"),
@@ -112,10 +111,11 @@ static const clod_csv_column PHI_T[] = {SIGMA("sigma_1"), SIGMA_ERROR("sigma_1_e
                                         ERROR("rad", "phi_t_error", "phi_lin_error")};
 static const clod_csv_kind PHI_E_KIND =
     KIND(PHI_E, "sigma_1, phi_e, sigma_1_error, phi_e_error", "sigma_1 [kPa],phi_e [deg]",
-         "phi_e point", .check_row = NULL);
+         "phi_e point");
 static const clod_csv_kind PHI_T_KIND =
     KIND(PHI_T, "sigma_1, phi_t, sigma_1_error, phi_t_error", "sigma_1 [kPa],phi_t [deg]",
-         "phi_t point", .check_row = NULL);
+         "phi_t point");
+
 /** Read a file of a kind; its rows are owned by the caller. */
 static bool read_file(const char *path, const clod_csv_kind *kind, void **rows, size_t *count,
                       clod_status *status)
@@ -175,8 +175,9 @@ static void take_notes(const clod_locus *locus, clod_tables_notes *notes)
 {
     notes->one_specimen = notes->one_specimen || clod_locus_one_specimen(locus);
     for (size_t k = 0; k < locus->warning_count; k++) {
-        clod_hopper_warn(notes->warnings, "Yield locus at a preshear stress of %.3f kPa: %s",
-                         1e-3 * locus->sigma_p.value, locus->warnings[k]);
+        clod_warning_list_add(notes->warnings,
+                              "Yield locus at a preshear stress of %.3f kPa: %s",
+                              1e-3 * locus->sigma_p.value, locus->warnings[k]);
     }
 }
 
@@ -207,7 +208,7 @@ static bool take_study(const clod_locus_study *study, clod_solid *solid,
         take_notes(locus, notes);
     }
     if (study->warning[0] != '\0') {
-        clod_hopper_warn(notes->warnings, "Flow function: %s", study->warning);
+        clod_warning_list_add(notes->warnings, "Flow function: %s", study->warning);
     }
     good = good && take_rows(rows, study->count, solid, status);
     clod_memory_free(rows);

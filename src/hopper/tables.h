@@ -4,14 +4,14 @@
  * The tables that a hopper's case names, as curves of the solid.
  */
 
+#include "base/warning_list.h"
 #include "hopper/case.h"
 #include "hopper/solid.h"
-#include "hopper/warnings.h"
 
 /** What is to be said beside what was read. */
 typedef struct clod_tables_notes {
-    bool one_specimen;              ///< whether a strength comes from a single specimen
-    clod_hopper_warnings *warnings; ///< those of yield loci and of wall yield loci
+    bool one_specimen;           ///< whether a strength comes from a single specimen
+    clod_warning_list *warnings; ///< those of yield loci and of wall yield loci
 } clod_tables_notes;
 
 /**

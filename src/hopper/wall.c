@@ -131,7 +131,7 @@ static void make_curve(const set *self, clod_curve *curve)
 }
 
 /** Evaluate the locus for what it says, and its slope; too few points for a line are a remark. */
-static bool look(set *self, const clod_wall_locus_point *points, clod_hopper_warnings *warnings,
+static bool look(set *self, const clod_wall_locus_point *points, clod_warning_list *warnings,
                  clod_status *status)
 {
     static const char OF[] = "Wall yield locus: ";
@@ -139,22 +139,22 @@ static bool look(set *self, const clod_wall_locus_point *points, clod_hopper_war
     clod_status why = {0};
     self->slope = (double)NAN;
     if (!clod_wall_locus_evaluate(points, self->count, &locus, &why)) {
-        clod_hopper_warn(warnings, "%s%s", OF, why.text);
+        clod_warning_list_add(warnings, "%s%s", OF, why.text);
         return why.code != CLOD_FAILED || clod_status_fail(status, CLOD_FAILED, "%s", why.text);
     }
     self->slope = tan(locus.phi_w.value);
     for (size_t k = 0; k < locus.warning_count; k++) {
-        clod_hopper_warn(warnings, "%s%s", OF, locus.warnings[k]);
+        clod_warning_list_add(warnings, "%s%s", OF, locus.warnings[k]);
     }
     if (clod_wall_locus_one_specimen(&locus)) {
-        clod_hopper_warn(warnings, "%serrors of " CLOD_LOCUS_ONE_SPECIMEN ".", OF);
+        clod_warning_list_add(warnings, "%serrors of " CLOD_LOCUS_ONE_SPECIMEN ".", OF);
     }
     clod_wall_locus_fini(&locus);
     return true;
 }
 
 bool clod_wall_curve(const clod_wall_locus_point *points, size_t count, clod_curve *curve,
-                     clod_hopper_warnings *warnings, clod_status *status)
+                     clod_warning_list *warnings, clod_status *status)
 {
     set self = {.count = count};
     *curve = (clod_curve){.way = CLOD_CURVE_EXTENDED};
@@ -181,7 +181,7 @@ bool clod_wall_curve(const clod_wall_locus_point *points, size_t count, clod_cur
     return good || clod_status_fail(status, CLOD_FAILED, "No memory for %zu points.", count);
 }
 
-bool clod_wall_read(const char *path, clod_curve *curve, clod_hopper_warnings *warnings,
+bool clod_wall_read(const char *path, clod_curve *curve, clod_warning_list *warnings,
                     clod_status *status)
 {
     clod_wall_locus_point *points;

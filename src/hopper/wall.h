@@ -4,9 +4,9 @@
  * From a wall yield locus of one or more specimens to the curve that a hopper is designed with.
  */
 
+#include "base/warning_list.h"
 #include "clod/wall_locus.h"
 #include "hopper/curve.h"
-#include "hopper/warnings.h"
 
 /**
  * The mean of the points at each stress. Points belong together that were asked for at the same
@@ -21,8 +21,8 @@
  * Test    tests/hopper/test_wall.c
  */
 bool clod_wall_curve(const clod_wall_locus_point *points, size_t count, clod_curve *curve,
-                     clod_hopper_warnings *warnings, clod_status *status);
+                     clod_warning_list *warnings, clod_status *status);
 
 /** Read a table and make its curve. Errors  as clod_wall_locus_read, and clod_wall_curve. */
-bool clod_wall_read(const char *path, clod_curve *curve, clod_hopper_warnings *warnings,
+bool clod_wall_read(const char *path, clod_curve *curve, clod_warning_list *warnings,
                     clod_status *status);

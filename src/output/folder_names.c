@@ -20,10 +20,7 @@
     "(-energy)?)[.]csv|case(-complete)?[.]yaml[.]part|"                                        \
     "(summary[.]json|report[.]txt|points[.]csv|flow_function[.]csv|wall_friction[.]csv|"       \
     "gauge_[A-Za-z0-9_]+-(profile|trajectory)[.]csv|"                                          \
-    "(clumps|impacts|residence)[.]csv|history_map[.]hdf|report[.]html|report-[A-Za-z0-9-]+[.]svg|"       \
-    "restart(-" PART ")?(-failed|-at-[0-9]+)?_[ab][.]h5|"                                      \
-    "(" PART "_)?(snap|walls|contacts)_[0-9]{6,}[.]hdf|"                                       \
-    "(run|" PART ")((_walls|_contacts)?[.]hdf[.]series|[.]pvsm))([.]part)?"
+    "(clumps|impacts|residence)[.]csv|report[.]html|report-[A-Za-z0-9-]+[.]svg)([.]part)?|" CLOD_FOLDER_SPARE
 
 #define COPY_OF_CASE "case(-complete)?[.]yaml"
 

@@ -19,6 +19,15 @@
     "((seed-[0-9]+-)?(preshear|reverse|point-[0-9]+|fill|wall)|stress-[0-9]+)"
 
 /**
+ * Names of what only continues or shows a run, as a regular expression: checkpoints, snapshots, their
+ * series and states of ParaView, and the map of what contacts remember.
+ */
+#define CLOD_FOLDER_SPARE                                                                      \
+    "(restart(-" CLOD_FOLDER_PART ")?(-failed|-at-[0-9]+)?_[ab][.]h5|"                         \
+    "(" CLOD_FOLDER_PART "_)?(snap|walls|contacts)_[0-9]{6,}[.]hdf|history_map[.]hdf|"         \
+    "(run|" CLOD_FOLDER_PART ")((_walls|_contacts)?[.]hdf[.]series|[.]pvsm))([.]part)?"
+
+/**
  * The first name in the folder, in the order of the alphabet, that a run would write to.
  * @param name  [out] empty when there is none
  */

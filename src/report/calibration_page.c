@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/input.h"
+#include "base/json.h"
 #include "base/memory.h"
 #include "report/html.h"
 #include "report/shear_rows.h"
@@ -54,25 +55,6 @@ bool clod_calibration_page_is(const char *folder)
     return access(path, F_OK) == 0;
 }
 
-static json_t *read_result(const char *folder, clod_status *status)
-{
-    char path[PATH_MAX];
-    snprintf(path, sizeof path, "%s/calibration.json", folder);
-    char *text;
-    size_t length;
-    if (!clod_input_read_regular(path, MOST_BYTES, &text, &length, status)) {
-        return NULL;
-    }
-    json_error_t error;
-    json_t *found = json_loadb(text, length, 0, &error);
-    clod_memory_free(text);
-    if (found == NULL) {
-        clod_status_fail(status, CLOD_USAGE, "%s:%d: damaged: %s", path, error.line,
-                         error.text);
-    }
-    return found;
-}
-
 static void put_heads(FILE *out, const char *first, const column *columns, size_t count)
 {
     fputs("<div class=\"scroll\"><table><thead><tr>", out);
@@ -99,19 +81,11 @@ static void put_row(FILE *out, const char *name, const json_t *from, const colum
     fputs("</tr>\n", out);
 }
 
-/** "ring: phi_e", as the columns of runs.csv have it, without the unit. */
-static void name_target(const json_t *target, char name[160])
+/** "ring: phi_e", as the columns of runs.csv have it, without the unit; "" where it is missing. */
+static const char *name_of(const json_t *target)
 {
-    const double stress = clod_shear_number(target, "normal_stress_Pa");
-    const char *test = json_string_value(json_object_get(target, "test"));
-    const char *number = json_string_value(json_object_get(target, "number"));
-    if (isfinite(stress)) {
-        snprintf(name, 160, "%.40s: %.40s at %.4g kPa", test != NULL ? test : "",
-                 number != NULL ? number : "", 1e-3 * stress);
-    } else {
-        snprintf(name, 160, "%.40s: %.60s", test != NULL ? test : "",
-                 number != NULL ? number : "");
-    }
+    const char *name = json_string_value(json_object_get(target, "name"));
+    return name != NULL ? name : "";
 }
 
 static void put_targets(FILE *out, const json_t *result, bool held_back, const char *title)
@@ -121,7 +95,6 @@ static void put_targets(FILE *out, const json_t *result, bool held_back, const c
     bool begun = false;
     json_array_foreach(json_object_get(result, "targets"), k, target)
     {
-        char name[160];
         if (json_is_true(json_object_get(target, "held_back")) != held_back) {
             continue;
         }
@@ -130,8 +103,7 @@ static void put_targets(FILE *out, const json_t *result, bool held_back, const c
             put_heads(out, "target", TARGETS, COUNT(TARGETS));
         }
         begun = true;
-        name_target(target, name);
-        put_row(out, name, target, TARGETS, COUNT(TARGETS));
+        put_row(out, name_of(target), target, TARGETS, COUNT(TARGETS));
     }
     fputs(begun ? "</tbody></table></div>\n" : "", out);
 }
@@ -160,9 +132,8 @@ static void put_tables(FILE *out, const json_t *result)
     put_heads(out, "target", SURROGATES, COUNT(SURROGATES));
     json_array_foreach(json_object_get(result, "targets"), k, one)
     {
-        char text[160];
-        name_target(one, text);
-        put_row(out, text, json_object_get(one, "surrogate"), SURROGATES, COUNT(SURROGATES));
+        put_row(out, name_of(one), json_object_get(one, "surrogate"), SURROGATES,
+                COUNT(SURROGATES));
     }
     fputs("</tbody></table></div>\n", out);
 }
@@ -217,7 +188,7 @@ static void add_section(clod_figure *figure, const json_t *section)
     clod_figure_add(figure, "", CLOD_FIGURE_DOTTED, 0, count, x, high, NULL);
 }
 
-/** Points of the runs; x and y are the columns with these beginnings of their names. */
+/** Points of the runs; x and y are the columns with these names, which stand without their units. */
 static void add_runs(clod_figure *figure, const clod_table *runs, const char *parameter,
                      const char *target)
 {
@@ -236,10 +207,9 @@ static void add_runs(clod_figure *figure, const clod_table *runs, const char *pa
 static void put_figure(clod_sheet *sheet, const clod_table *runs, const json_t *target,
                        const char *parameter, const json_t *about)
 {
-    char name[160];
     char title[160];
     clod_figure figure;
-    name_target(target, name);
+    const char *name = name_of(target);
     snprintf(title, sizeof title, "%.90s over %.50s", name, parameter);
     clod_figure_init(&figure, "target", title);
     const char *unit = json_string_value(json_object_get(about, "unit"));
@@ -314,7 +284,7 @@ bool clod_calibration_page_put(clod_sheet *sheet, const char *folder, char **tit
                                clod_status *status)
 {
     *title = NULL;
-    json_t *result = read_result(folder, status);
+    json_t *result = clod_json_read(folder, "calibration.json", status);
     if (result == NULL) {
         return false;
     }

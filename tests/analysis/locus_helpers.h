@@ -29,12 +29,9 @@ static inline void points_on_line(double c, double phi, double sigma_p, double t
     }
 }
 
-/** Standard normal random number by Box and Muller. */
 static inline double normal(uint64_t seed, uint64_t item, uint64_t draw)
 {
-    const double u = clod_random_uniform(seed, CLOD_RANDOM_TEST, item, 2 * draw);
-    const double v = clod_random_uniform(seed, CLOD_RANDOM_TEST, item, 2 * draw + 1);
-    return sqrt(-2.0 * log(u)) * cos(2.0 * PI * v);
+    return clod_random_normal(seed, CLOD_RANDOM_TEST, item, 2 * draw);
 }
 
 /** |a - b| <= relative * |b| */

@@ -188,7 +188,7 @@ static void an_angle_that_no_wall_has_is_told(void **state)
     expect_only(sticky, 3, NULL);
 }
 
-/** In the text, the JSON and the CSV too. */
+/** In the text, the JSON and the CSV too, where the stress that was asked for is, if it is stated. */
 static void what_was_not_steady_is_marked(void **state)
 {
     (void)state;
@@ -205,6 +205,8 @@ static void what_was_not_steady_is_marked(void **state)
     assert_non_null(strstr(csv, ",2000,1\n"));
     assert_non_null(strstr(csv, ",0,0\n"));
     assert_non_null(strstr(json, "\"steady\": false"));
+    assert_non_null(strstr(json, "\"wall_stress_Pa\": 2000.0"));
+    assert_non_null(strstr(json, "\"wall_stress_Pa\": null"));
     clod_locus_free(table);
     clod_locus_free(csv);
     clod_locus_free(json);

@@ -91,6 +91,26 @@ static void numbers_are_uniform(void **state)
     }
 }
 
+/** Chi squared over 100 bins of equal probability, which the error function tells: bounds as above. */
+static void normal_numbers_are_normal(void **state)
+{
+    (void)state;
+    double count[100] = {0.0}, chi2 = 0.0, tie = 0.0;
+    double before = 0.0;
+    for (uint64_t k = 0; k < 200000; k++) {
+        const double x = clod_random_normal(7, CLOD_RANDOM_TEST, 5, 2 * k);
+        count[(int)(100.0 * 0.5 * erfc(-x / sqrt(2.0)))] += 1.0;
+        tie += before * x / 2e5;
+        before = x;
+    }
+    for (int b = 0; b < 100; b++) {
+        chi2 += (count[b] - 2e3) * (count[b] - 2e3) / 2e3;
+    }
+    check_at_least(chi2, 53.0);
+    check_at_most(chi2, 159.0);
+    check_close(tie, 0.0, 5.0 / sqrt(2e5)); // five standard errors of a correlation
+}
+
 /** Correlation of neighbouring seeds, purposes, items and draws: five standard errors. */
 static void streams_are_independent(void **state)
 {
@@ -116,6 +136,7 @@ int main(void)
         cmocka_unit_test(every_argument_counts),
         cmocka_unit_test(never_0_and_never_1),
         cmocka_unit_test(numbers_are_uniform),
+        cmocka_unit_test(normal_numbers_are_normal),
         cmocka_unit_test(streams_are_independent),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -7,6 +7,7 @@ import csv
 import json
 import math
 import os
+import re
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
@@ -116,6 +117,45 @@ sampling: {samples: 1000}
             self.assertLess(abs(float(row["wall: tau_ad [kPa]"]) - 1e-3 * (t1 - slope * s1)), 1e-5)
             self.assertLess(abs(float(row["wall: rho_b at 5 kPa [kg/m3]"]) /
                                 float(at["5000"]["rho_b [kg/m3]"]) - 1.0), 1e-6)
+        self.check_warnings()
+
+    def check_warnings(self):
+        """What the runs warn of, by text without its numbers, and how many of them do."""
+        first, runs = {}, {}
+        for k in range(5):
+            with open(self.path(f"out/runs/p{k:03}-1-wall/summary.json")) as file:
+                summary = json.load(file)
+            for text in summary["warnings"] + summary["wall_locus"]["warnings"]:
+                kind = re.sub(r"\d+(\.\d+)?(e[-+]\d+)?", "#", text)
+                first.setdefault(kind, (k, text))
+                runs.setdefault(kind, set()).add(k)
+        self.assertGreater(len(first), 0)  # or the case says nothing about them
+        said = self.found()["warnings"]
+        for kind, (k, text) in first.items():
+            count = len(runs[kind])
+            words = "1 run of test wall warns" if count == 1 else f"{count} runs of test wall warn"
+            self.assertIn(f"{words}, the first of them p{k:03}-1-wall: {text}"[:300],
+                          [one[:300] for one in said])
+
+    def test_walls_that_carry_a_part_of_the_load_take_no_number_away(self):
+        """Friction of the side takes some of the stress that was asked for: phi_x is still told at that one."""
+        self.write_wall()
+        with open(self.path("wall.yaml")) as file:
+            text = file.read()
+        self.assertIn("ore-side: {friction: 0,", text)
+        self.write("wall.yaml", text.replace("ore-side: {friction: 0,", "ore-side: {friction: 0.1,"))
+        self.calibrate(self.WALL, "-o", "out")
+        with open(self.path("out/runs.csv")) as file:
+            rows = list(csv.DictReader(file))
+        far = 0
+        for k, row in enumerate(rows):
+            with open(self.path(f"out/runs/p{k:03}-1-wall/wall_friction.csv")) as file:
+                point = [one for one in csv.DictReader(file) if one["wall_stress [Pa]"] == "10000"][0]
+            sigma, tau = float(point["sigma_w [Pa]"]), float(point["tau_w [Pa]"])
+            far += abs(sigma / 10e3 - 1.0) > 0.02
+            self.assertLess(abs(float(row["wall: phi_x at 10 kPa [deg]"]) - math.degrees(math.atan(tau / sigma))),
+                            1e-4)
+        self.assertGreater(far, 0)  # or the case says nothing about it
 
     def test_wrong_targets_of_wall_friction_tests(self):
         self.write_wall()

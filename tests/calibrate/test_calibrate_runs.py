@@ -54,6 +54,12 @@ class Runs(bounce.Bounce):
                     moved.add(row["e [1]"])
         self.assertGreater(len(moved), 1)
 
+    def test_finished_run_keeps_its_results_and_nothing_that_shows_or_continues_it(self):
+        self.calibrate(SHORT, "-o", "out")
+        self.assertEqual(sorted(os.listdir(self.path("out/runs/p000-1-bounce"))),
+                         [".clod-lock", "case-complete.yaml", "case.yaml", "log.jsonl", "report.txt", "series.csv",
+                          "summary.json"])
+
     def test_half_done_folder_of_another_place_begins_anew(self):
         self.calibrate(SHORT, "-o", "whole")
         other = ("run", "bounce.yaml", "-t", "1", "--set", "contacts.default.restitution=0.3", "-o")

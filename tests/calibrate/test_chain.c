@@ -141,10 +141,8 @@ static void effective_number_of_a_known_series(void **state)
         for (uint64_t c = 0; c < CHAINS; c++) {
             double now = 0.0;
             for (uint64_t k = 0; k < KEPT; k++) {
-                const double u = clod_random_uniform(m, CLOD_RANDOM_TEST, c, 2 * k);
-                const double v = clod_random_uniform(m, CLOD_RANDOM_TEST, c, 2 * k + 1);
-                now = memory[m] * now + sqrt(1.0 - memory[m] * memory[m]) *
-                                            sqrt(-2.0 * log(u)) * cos(2.0 * M_PI * v);
+                const double dice = clod_random_normal(m, CLOD_RANDOM_TEST, c, 2 * k);
+                now = memory[m] * now + sqrt(1.0 - memory[m] * memory[m]) * dice;
                 x[c * KEPT + k] = now;
             }
         }

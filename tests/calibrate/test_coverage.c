@@ -20,9 +20,7 @@ static const double ERROR[TARGETS] = {1.0, 0.5, 8.0};  ///< of the laboratory
 
 static double normal(uint64_t repeat, uint64_t item)
 {
-    const double u = clod_random_uniform(repeat, CLOD_RANDOM_TEST, item, 0);
-    const double v = clod_random_uniform(repeat, CLOD_RANDOM_TEST, item, 1);
-    return sqrt(-2.0 * log(u)) * cos(2.0 * M_PI * v);
+    return clod_random_normal(repeat, CLOD_RANDOM_TEST, item, 0);
 }
 
 /** An angle, a cohesion, a density: curved in both parameters. */

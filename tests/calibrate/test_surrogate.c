@@ -16,7 +16,7 @@ static double uniform(uint64_t item, uint64_t draw)
 
 static double normal(uint64_t item)
 {
-    return sqrt(-2.0 * log(uniform(item, 0))) * cos(2.0 * M_PI * uniform(item, 1));
+    return clod_random_normal(7, CLOD_RANDOM_TEST, item, 0);
 }
 
 static clod_surrogate *create(const clod_surrogate_runs *runs, clod_surrogate_kind kind)

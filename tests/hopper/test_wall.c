@@ -6,7 +6,7 @@
 
 #include "support/check.h"
 
-static clod_hopper_warnings warnings;
+static clod_warning_list warnings;
 
 static clod_curve curve_of(const clod_wall_locus_point *points, size_t count)
 {
