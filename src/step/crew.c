@@ -124,13 +124,13 @@ static void conclude(clod_crew *self, bool good, const clod_status *status)
 {
     clod_step *whole = self->whole;
     clod_crew_state_copy(whole->state, &self->state);
-    if (!self->stale) {
+    if (!self->stale && !self->broken) { // a broken one steps no more
         clod_crew_state_forget(whole->state);
         self->stale = true;
     }
     whole->rebuilds = self->rebuilds + self->step.rebuilds;
     whole->refreshes = self->refreshes + self->step.refreshes;
-    if (!good && (self->step.failed || self->broken)) {
+    if (!good && (self->step.failed || self->broken || self->spread.wear_lost)) {
         whole->failed = true;
         whole->status = *status;
     }
