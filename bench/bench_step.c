@@ -7,25 +7,26 @@
  *              [--simd SET] [--ledger] [--stages] [--peak] [--checkpoint FOLDER]
  *   bench_step --version
  *
- * Under mpirun all ranks step the bed. Then memory is told of each phase: when the bed has been dealt,
- * in steps, and when rank 0 has gathered it; every other rank tells its own in a line at the end.
+ * Under mpirun all ranks step the bed. Then the most memory of each phase is told: dealing the bed,
+ * steps, and gathering it on rank 0; every other rank tells its own in a line at the end.
  *
  * The packing and the laws (mepa, hertz, hertz-rolling) are those of bed.h. The clock runs over
  * `steps` after `warm` steps. --stages says what thread 0 spends in each stage, waiting for the
- * others included. --peak makes the near list anew in one more step, and all lists in another,
- * behind the clock: the most memory that a run takes while it steps. --checkpoint writes CHECKPOINTS of them into the folder
- * after that, as a run does, and tells the memory and the time of the last.
+ * others included; not under mpirun. --peak makes all lists anew in one more step, and before that, in
+ * one process, the near list in another, behind the clock: the most memory that a run takes while it
+ * steps. --checkpoint writes CHECKPOINTS of them into the folder after that, as a run does, and tells
+ * the memory and the time of the last.
  */
 #include <getopt.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "bed.h"
 #include "clod/ranks.h"
 #include "clod/version.h"
 #include "output/checkpoint.h"
+#include "resident.h"
 #include "stages.h"
 
 #define TIME_STEP 1e-7 // s, for all programs: bench/peers
@@ -45,7 +46,7 @@ typedef struct measured {
     double contacts;
     int64_t rebuilds;
     double writing; ///< s, of the last checkpoint
-    long rss_empty, rss_dealt, rss_stepped, rss_peak, rss_written; ///< kB
+    long rss_empty, rss_dealt, rss_stepped, rss_peak, rss_gathered, rss_written; ///< kB
 } measured;
 
 static const struct option OPTIONS[] = {
@@ -127,46 +128,25 @@ static options read_options(int argc, char **argv)
     return o;
 }
 
-/** Largest memory of the process so far [kB]; getrusage would count the caller's before exec.
- */
-static long rss(void)
+/** One step in which the near list is made anew, as if a wall had gone too far. */
+static bool remake_near(clod_step *step, clod_status *status)
 {
-    char line[256];
-    long kilobytes = -1;
-    FILE *file = fopen("/proc/self/status", "r");
-    while (file != NULL && fgets(line, sizeof line, file) != NULL) {
-        if (strncmp(line, "VmHWM:", 6) == 0) {
-            kilobytes = strtol(line + 6, NULL, 10);
-        }
-    }
-    if (file != NULL) {
-        fclose(file);
-    }
-    return kilobytes;
-}
-
-/** Let the largest memory be that of now; where the system cannot, it stays that so far. */
-static void forget_rss(void)
-{
-    FILE *file = fopen("/proc/self/clear_refs", "w");
-    if (file != NULL) {
-        fputs("5", file);
-        fclose(file);
-    }
-}
-
-/** One step in which the near list is made anew, as if a wall had gone too far; then one in which
- *  all lists are. */
-static bool remake(clod_step *step, clod_status *status)
-{
-    const int64_t refreshes = step->refreshes, rebuilds = step->rebuilds;
+    const int64_t refreshes = step->refreshes;
     step->near.wall_skin = -1.0;
     step->thread[0].near_slack = -1.0;
-    if (!clod_step_advance(step, 1, status) || step->refreshes == refreshes) {
-        return false;
-    }
+    return clod_step_advance(step, 1, status) &&
+           (step->refreshes > refreshes ||
+            clod_status_fail(status, CLOD_FAILED, "the near list was not made anew"));
+}
+
+/** One step in which all lists are made anew, on all ranks. */
+static bool remake(clod_step *step, clod_status *status)
+{
+    const int64_t rebuilds = step->rebuilds;
     step->state->build_motion = INFINITY;
-    return clod_step_advance(step, 1, status) && step->rebuilds > rebuilds;
+    return clod_step_advance(step, 1, status) &&
+           (step->rebuilds > rebuilds ||
+            clod_status_fail(status, CLOD_FAILED, "the lists were not made anew"));
 }
 
 /** Checkpoints as a job writes them. */
@@ -202,23 +182,26 @@ static bool measure(const options *o, clod_step *step, measured *m, clod_status 
         !clod_step_advance(step, o->warm, status)) {
         return false;
     }
-    const double begin = bench_now();
-    const bool ok = o->stages ? bench_stages_advance(step, o->steps, m->stage, status)
-                              : clod_step_advance(step, o->steps, status);
-    m->wall = bench_now() - begin;
-    if (step->crew != NULL) { // of now, without that of the deal
-        forget_rss();
+    if (step->crew != NULL) { // without that of the deal
+        bench_resident_forget();
     }
-    m->rss_stepped = rss();
+    const double begin = bench_now();
+    bool good = o->stages ? bench_stages_advance(step, o->steps, m->stage, status)
+                          : clod_step_advance(step, o->steps, status);
+    m->wall = bench_now() - begin;
+    m->rss_stepped = bench_resident_most();
     m->rebuilds = step->rebuilds;
-    const bool good = ok && (!o->peak || remake(step, status)) && clod_step_see(step, status);
-    m->rss_peak = rss();
+    good = good && (!o->peak || ((step->crew != NULL || remake_near(step, status)) &&
+                                 remake(step, status)));
+    m->rss_peak = bench_resident_most();
+    good = good && clod_step_see(step, status);
+    m->rss_gathered = bench_resident_most();
     m->contacts = count_contacts(step);
     if (!good ||
         (o->folder != NULL && !write_checkpoints(o->folder, step, &m->writing, status))) {
         return false;
     }
-    m->rss_written = rss();
+    m->rss_written = bench_resident_most();
     m->energies = clod_step_energies(step); // with scratch of its own
     return true;
 }
@@ -230,9 +213,12 @@ static void report(const options *o, clod_step *step, const measured *m)
     const double contacts = m->contacts;
     printf("{\"version\": \"%s\", \"law\": \"%s\", \"simd\": \"%s\", \"threads\": %d, ",
            clod_version_text(), o->law, step->kernel->name, step->threads);
-    printf("\"grains\": %zu, \"contacts_per_grain\": %.4f, \"near_per_contact\": %.4f, ",
-           state->grains.count, contacts / grains,
-           (double)step->near.pairs.count * CLOD_LANES / contacts);
+    printf("\"grains\": %zu, \"contacts_per_grain\": %.4f, ", state->grains.count,
+           contacts / grains);
+    if (step->crew == NULL) { // else each rank has a list
+        printf("\"near_per_contact\": %.4f, ",
+               (double)step->near.pairs.count * CLOD_LANES / contacts);
+    }
     printf("\"warm\": %lld, \"steps\": %lld, \"rebuilds\": %lld, \"refreshes\": %lld, ",
            (long long)o->warm, (long long)o->steps, (long long)m->rebuilds,
            (long long)step->refreshes);
@@ -252,8 +238,8 @@ static void report(const options *o, clod_step *step, const measured *m)
     if (o->folder != NULL) {
         printf("\"checkpoint_s\": %.4g, \"rss_written_kB\": %ld, ", m->writing, m->rss_written);
     }
-    printf("\"ranks\": %d, \"rss_dealt_kB\": %ld, ", clod_ranks_size(o->step.ranks),
-           m->rss_dealt);
+    printf("\"ranks\": %d, \"rss_dealt_kB\": %ld, \"rss_gathered_kB\": %ld, ",
+           clod_ranks_size(o->step.ranks), m->rss_dealt, m->rss_gathered);
     printf("\"rss_empty_kB\": %ld, \"rss_stepped_kB\": %ld, \"rss_peak_kB\": %ld}\n",
            m->rss_empty, m->rss_stepped, m->rss_peak);
 }
@@ -261,9 +247,9 @@ static void report(const options *o, clod_step *step, const measured *m)
 /** Another rank than the first: what it takes, and at most. */
 static void serve(clod_ranks *ranks)
 {
-    const long empty = rss();
+    const long empty = bench_resident_most();
     clod_ranks_serve(ranks);
-    const long most = rss();
+    const long most = bench_resident_most();
     printf("{\"rank\": %d, \"rss_empty_kB\": %ld, \"rss_most_kB\": %ld}\n",
            clod_ranks_number(ranks), empty, most);
 }
@@ -282,7 +268,10 @@ int main(int argc, char **argv)
     }
     options o = read_options(argc, argv);
     o.step.ranks = ranks;
-    measured m = {.rss_empty = rss()};
+    if (o.stages && clod_ranks_size(ranks) > 1) {
+        give_up("--stages tells those of one process; leave it out under mpirun");
+    }
+    measured m = {.rss_empty = bench_resident_most()};
     clod_state state;
     clod_law law;
     clod_step step;
@@ -295,7 +284,7 @@ int main(int argc, char **argv)
     if (!clod_step_init(&step, &state, &laws, &o.step, &status)) {
         give_up(status.text);
     }
-    m.rss_dealt = rss();
+    m.rss_dealt = bench_resident_most();
     if (!measure(&o, &step, &m, &status)) {
         give_up(status.text);
     }

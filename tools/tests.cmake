@@ -72,8 +72,10 @@ endforeach()
 target_sources(test_duration PRIVATE app/duration.c)
 target_include_directories(test_duration PRIVATE app)
 
-# It lets calls for memory fail.
-target_link_options(test_sim_memory PRIVATE -Wl,--wrap=aligned_alloc)
+# They let calls for memory fail.
+foreach(name test_sim_memory test_ranks_memory)
+  target_link_options(${name} PRIVATE -Wl,--wrap=aligned_alloc)
+endforeach()
 
 # examples/NAME.c: each says on its last line what it found beside what should be, and fails when
 # they differ. tools/check-library builds them as users do.

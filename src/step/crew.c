@@ -17,6 +17,14 @@ static void give_order(const clod_crew *self, clod_crew_order what)
     clod_ranks_tell(self->ranks, &what, sizeof what);
 }
 
+/** It steps no more; false. */
+static bool fail(clod_step *whole, const clod_status *status)
+{
+    whole->failed = true;
+    whole->status = *status;
+    return false;
+}
+
 /** The lists of the whole bed are on the ranks from now on. */
 static void drop_lists(clod_step *whole, const clod_step_options *options)
 {
@@ -124,15 +132,14 @@ static void conclude(clod_crew *self, bool good, const clod_status *status)
 {
     clod_step *whole = self->whole;
     clod_crew_state_copy(whole->state, &self->state);
-    if (!self->stale) {
+    if (!self->stale && !self->broken) { // a broken one steps no more
         clod_crew_state_forget(whole->state);
         self->stale = true;
     }
     whole->rebuilds = self->rebuilds + self->step.rebuilds;
     whole->refreshes = self->refreshes + self->step.refreshes;
-    if (!good && (self->step.failed || self->broken)) {
-        whole->failed = true;
-        whole->status = *status;
+    if (!good && (self->step.failed || self->broken || self->spread.wear_lost)) {
+        fail(whole, status);
     }
 }
 
@@ -179,8 +186,11 @@ bool clod_crew_change(clod_step *whole, clod_status *status)
     whole->near.parts = whole->threads;
     whole->near.ledger = whole->state->ledger.open != 0;
     clod_wall_rows_update(&whole->walls, &whole->state->walls);
-    return clod_step_build_lists(whole, false, status) && clod_step_change(whole, status) &&
-           clod_crew_begin(whole, &options, status);
+    if (!clod_step_build_lists(whole, false, status)) {
+        return fail(whole, status);
+    }
+    return clod_step_change(whole, status) &&
+           (clod_crew_begin(whole, &options, status) || fail(whole, status));
 }
 
 void clod_crew_store(clod_crew *self, clod_step_stored *sums)

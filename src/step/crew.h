@@ -40,7 +40,8 @@ size_t clod_crew_grains(const clod_crew *self);
  * bed is gathered, changed by rank 0, and dealt anew.
  *
  * @param whole  a step with a crew
- * @return       as clod_step_change; then the crew may be gone. Threads: rank 0.
+ * @return       as clod_step_change; then the crew may be gone, and if the bed could not be dealt
+ *               anew the step has failed for good. Threads: rank 0.
  */
 bool clod_crew_change(clod_step *whole, clod_status *status);
 

@@ -47,39 +47,59 @@ bool clod_crew_part_begin(clod_crew *self, const clod_crew_order *what, clod_sta
                                        .brute_force = what->brute_force,
                                        .overlap_limit = what->overlap_limit,
                                        .spread = &self->spread};
+    self->ledger = self->state.ledger.open != 0;
     return clod_step_init(&self->step, &self->state, &self->laws, &options, status);
 }
 
-/** Walls and numbers of rank 0, and what follows from them. */
+/** For good; on all ranks alike. */
+static bool fail(clod_crew *self, const clod_status *status)
+{
+    self->broken = true;
+    self->status = *status;
+    return false;
+}
+
+/** Whether nothing before steps has failed yet; else what it was. */
+static bool is_whole(const clod_crew *self, clod_status *status)
+{
+    if (self->broken) {
+        *status = self->status;
+    }
+    return !self->broken;
+}
+
+/** Walls and numbers of rank 0, and what follows from them; on all ranks alike. */
 static bool update(clod_crew *self, clod_status *status)
 {
     clod_crew_state_tell(self->ranks, &self->state);
     if (self->whole == NULL) {
         clod_laws_set_adhesion(&self->laws, self->state.adhesion);
     }
-    if (self->state.ledger.open == 0 || self->step.near.ledger) {
-        return true;
+    if (!is_whole(self, status)) {
+        return false;
     }
-    const bool kept = clod_step_keep_ledger(&self->step, status);
-    return clod_ranks_agree(self->ranks, kept, status) &&
-           clod_spread_list(&self->spread, &self->state, self->step.neighbour.skin, status);
+    if (self->state.ledger.open != 0 && !self->ledger) {
+        const bool kept = clod_step_keep_ledger(&self->step, status);
+        self->ledger =
+            clod_ranks_agree(self->ranks, kept, status) &&
+            clod_spread_list(&self->spread, &self->state, self->step.neighbour.skin, status);
+        return self->ledger || fail(self, status);
+    }
+    return true;
 }
 
 /** What comes before steps and changes; on all ranks alike. */
 static bool prepare(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
     const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
-    const bool good =
-        update(self, status) &&
-        (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status));
-    self->broken = self->broken || !good;
-    return good;
+    return update(self, status) &&
+           (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status) ||
+            fail(self, status));
 }
 
 /** Whether all sums of surfaces have been added up. */
-static bool has_all_wear(clod_crew *self, clod_status *status)
+static bool has_all_wear(const clod_crew *self, clod_status *status)
 {
-    self->broken = self->broken || self->spread.wear_lost;
     return !self->spread.wear_lost ||
            clod_status_fail(status, CLOD_FAILED, "no memory for the sums of surfaces");
 }
@@ -96,6 +116,9 @@ bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_s
 
 bool clod_crew_part_see(clod_crew *self, clod_status *status)
 {
+    if (!is_whole(self, status)) {
+        return false;
+    }
     const bool listed = clod_step_export(&self->step, status);
     return clod_ranks_agree(self->ranks, listed, status) &&
            clod_migrate_gather(&self->spread, &self->state,
@@ -106,7 +129,8 @@ bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_
                              clod_status *status)
 {
     clod_ranks_tell(self->ranks, box, (size_t)what->boxes * sizeof *box);
-    return clod_migrate_near(&self->spread, &self->state, box, what->boxes,
+    return is_whole(self, status) &&
+           clod_migrate_near(&self->spread, &self->state, box, what->boxes,
                              self->whole != NULL ? self->whole->state : NULL, status);
 }
 
@@ -120,7 +144,7 @@ bool clod_crew_part_take(clod_crew *self, const clod_crew_order *what, clod_stat
 void clod_crew_part_store(clod_crew *self, clod_step_stored *sums)
 {
     clod_status status = {0};
-    update(self, &status); // what it cannot keep now the next advance tells
+    update(self, &status); // a failure stays: the next advance tells it
     clod_step_store(&self->step, sums);
     clod_spread_merge_stored(&self->spread, sums);
 }

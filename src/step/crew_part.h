@@ -19,7 +19,10 @@ struct clod_crew {
     clod_laws laws;
     clod_spread spread;
     clod_step step;
-    bool broken; ///< on all ranks: something beside the step has failed, for good
+    bool ledger; ///< on all ranks: steps keep it, and messages have what it needs
+    // on all ranks: what comes before steps has failed, for good; columns of grains may differ
+    bool broken;
+    clod_status status; ///< then
 };
 
 /** What rank 0 can order. */

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/room.h"
 #include "mesh/surface_bytes.h"
+#include "step/neighbour.h"
 
 /** The numbers of a state. */
 typedef struct numbers {
@@ -75,25 +76,26 @@ void clod_crew_state_copy(clod_state *to, const clod_state *from)
     }
 }
 
+/** All pages of an array that exists. */
+static void forget(void *array, size_t bytes)
+{
+    if (array != NULL) {
+        clod_memory_give_back(array, bytes, bytes);
+    }
+}
+
 void clod_crew_state_forget(clod_state *state)
 {
-    clod_grains *grains = &state->grains;
-    const size_t rows = grains->capacity;
-#define FORGET(array, count)                                                                   \
-    clod_memory_give_back(array, (count) * sizeof *(array), (count) * sizeof *(array))
-    FORGET(grains->position, rows);
-    FORGET(grains->velocity, rows);
-    FORGET(grains->angular_velocity, rows);
-    FORGET(grains->load, rows);
-    FORGET(grains->id, rows);
-    FORGET(grains->birth, rows);
-    FORGET(grains->material, rows);
-    if (grains->before != NULL) {
-        FORGET(grains->before, rows);
+    clod_row_column columns[CLOD_ROW_COLUMNS];
+    const int count = clod_neighbour_columns(&state->grains, columns);
+    for (int k = 0; k < count; k++) {
+        const clod_row_column *before = k > 0 ? &columns[k - 1] : NULL;
+        if (before == NULL || columns[k].array != before->array + before->size) {
+            forget(columns[k].array, state->grains.capacity * columns[k].stride);
+        } // else it is of the same array
     }
-    FORGET(state->build_position, state->build_capacity);
-    FORGET(state->contacts, state->contact_capacity);
-#undef FORGET
+    forget(state->build_position, state->build_capacity * sizeof *state->build_position);
+    forget(state->contacts, state->contact_capacity * sizeof *state->contacts);
 }
 
 void clod_crew_state_tell(clod_ranks *ranks, clod_state *state)

@@ -4,7 +4,8 @@
  * What every rank of a crew knows of the bed beside its grains: walls, laws, numbers. Rank 0 tells
  * it to the others.
  *
- * Threads  thread 0 of each rank, all ranks at the same time.   Test  tests/step/test_ranks.c
+ * Threads  thread 0 of each rank, all ranks at the same time.
+ * Test     tests/step/test_ranks.c, test_ranks_pages.c
  */
 
 #include "law/law.h"

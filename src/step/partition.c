@@ -176,6 +176,7 @@ void clod_partition_cut(clod_partition *self)
 {
     piece stack[64]; // halves of ranks: as deep as the bits of an int
     int depth = 0;
+    bool some = false;
     stack[depth++] = (piece){.high = {self->n[0], self->n[1], self->n[2]}, .last = self->ranks};
     while (depth > 0) {
         const piece at = stack[--depth];
@@ -188,7 +189,7 @@ void clod_partition_cut(clod_partition *self)
         clod_partition_plane *plane = &self->plane[middle];
         const int axis = plane->axis = choose_axis(self, &at, plane->axis);
         const double all = weigh(self, &at, axis, slice);
-        self->exists = self->exists || all > 0.0;
+        some = some || all > 0.0;
         const double cut = cut_at(&at, axis, slice, all * (double)lower / (double)ranks);
         plane->at = self->min[axis] + self->width[axis] * cut;
         piece left = at, right = at;
@@ -197,6 +198,7 @@ void clod_partition_cut(clod_partition *self)
         stack[depth++] = right;
         stack[depth++] = left;
     }
+    self->exists = self->exists || some; // all pieces of a first cut have no axis to keep
 }
 
 // ---- boxes

@@ -26,41 +26,57 @@ static clod_layers_extent extent_of(const clod_spread *self, const clod_state *s
     return all;
 }
 
-/** Put units of work into the block of a row, if it is own; how many. */
-static double weigh_row(clod_spread *self, const clod_state *state, int32_t row, double units)
+/** Units of work that a contact is for each of its grains: one in all, with a wall too. */
+static double units_of(const clod_contact *contact)
 {
-    if (!clod_spread_has(self, (size_t)row)) {
-        return 0.0;
-    }
-    clod_partition_add(&self->partition, state->build_position[row], units);
-    return units;
+    return contact->shape < 0 ? 0.5 : 1.0;
 }
 
-/** Put the units of work of own grains into the blocks: each is one, a half of a contact with
- *  another is a half, a contact with a wall is one. How many they are. */
-static double weigh(clod_spread *self, const clod_state *state)
+/** Units of work of own grains: each is one, and its contacts have theirs. */
+static double count_units(const clod_spread *self, const clod_state *state)
 {
     double units = 0.0;
-    clod_partition_begin(&self->partition, self->bed.min, self->bed.max);
     for (size_t g = 0; g < state->grains.count; g++) {
-        units += weigh_row(self, state, (int32_t)g, 1.0);
+        units += clod_spread_has(self, g) ? 1.0 : 0.0;
     }
     for (size_t k = 0; k < state->contact_count; k++) {
         const clod_contact *contact = &state->contacts[k];
-        if (contact->shape < 0) {
-            units += weigh_row(self, state, contact->i, 0.5);
-            units += weigh_row(self, state, contact->j, 0.5);
-        } else {
-            units += weigh_row(self, state, contact->i, 1.0);
-        }
+        const bool first = clod_spread_has(self, (size_t)contact->i);
+        const bool second = contact->shape < 0 && clod_spread_has(self, (size_t)contact->j);
+        units += (first ? units_of(contact) : 0.0) + (second ? units_of(contact) : 0.0);
     }
     return units;
 }
 
+/** Put units of work into the block of a row, if it is own. */
+static void weigh_row(clod_spread *self, const clod_state *state, int32_t row, double units)
+{
+    if (clod_spread_has(self, (size_t)row)) {
+        clod_partition_add(&self->partition, state->build_position[row], units);
+    }
+}
+
+/** Put the units of work of own grains into the blocks. */
+static void weigh(clod_spread *self, const clod_state *state)
+{
+    clod_partition_begin(&self->partition, self->bed.min, self->bed.max);
+    for (size_t g = 0; g < state->grains.count; g++) {
+        weigh_row(self, state, (int32_t)g, 1.0);
+    }
+    for (size_t k = 0; k < state->contact_count; k++) {
+        const clod_contact *contact = &state->contacts[k];
+        weigh_row(self, state, contact->i, units_of(contact));
+        if (contact->shape < 0) {
+            weigh_row(self, state, contact->j, units_of(contact));
+        }
+    }
+}
+
 /** Cut by the weights of all ranks. */
-static void cut_anew(clod_spread *self)
+static void cut_anew(clod_spread *self, const clod_state *state)
 {
     clod_partition *partition = &self->partition;
+    weigh(self, state);
     const size_t blocks = clod_partition_blocks(partition);
     clod_partition_scale(partition, self->balance.each);
     clod_ranks_merge(self->ranks, partition->weight, blocks * sizeof *partition->weight,
@@ -74,9 +90,9 @@ void clod_spread_cut(clod_spread *self, const clod_state *state)
     clod_ranks_merge(self->ranks, &self->bed, sizeof self->bed, merge_bed, NULL);
     self->layers = clod_layers_from(&self->bed);
     self->balance.each = 1.0;
-    const double units = weigh(self, state);
-    if (!self->partition.exists || clod_balance_asks(&self->balance, self->ranks, units)) {
-        cut_anew(self);
+    if (!self->partition.exists ||
+        clod_balance_asks(&self->balance, self->ranks, count_units(self, state))) {
+        cut_anew(self, state);
     }
     clod_partition_bound(&self->partition, self->bed.min, self->bed.max);
 }

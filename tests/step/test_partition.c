@@ -101,6 +101,27 @@ static void few_grains_move_when_a_bed_is_cut_anew(void **state)
     assert_true(moved_grains(true) > GRAINS / 4); // along other axes
 }
 
+/** Bed of even weight, of 1 x 1.4 x 1.9 m, never cut before. By hand: across z, 1.9 m, then each half,
+ *  1 x 1.4 x 0.95 m, across y. Along x a rank would have 5.0 m2 of surface, not 4.63. */
+static void each_piece_of_a_first_cut_is_cut_across_its_longest_side(void **state)
+{
+    (void)state;
+    static const double END[3] = {1.0, 1.4, 1.9};
+    clod_partition self = partition_of(4, 0);
+    clod_partition_begin(&self, MIN, END);
+    const size_t blocks = clod_partition_blocks(&self);
+    for (size_t b = 0; b < blocks; b++) {
+        self.weight[b] = 1.0F;
+    }
+    clod_partition_cut(&self);
+    static const clod_partition_plane EXPECTED[4] = {{0}, {1, 0.7}, {2, 0.95}, {1, 0.7}};
+    for (int r = 1; r < 4; r++) {
+        assert_int_equal(self.plane[r].axis, EXPECTED[r].axis);
+        check_relative(self.plane[r].at, EXPECTED[r].at, 1e-12);
+    }
+    clod_partition_fini(&self);
+}
+
 /** Grains of the lower half along y weigh three times as much: it needs three ranks of four. */
 static void weights_are_shared_not_grains(void **state)
 {
@@ -206,6 +227,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_rank_has_its_share),
         cmocka_unit_test(few_grains_move_when_a_bed_is_cut_anew),
+        cmocka_unit_test(each_piece_of_a_first_cut_is_cut_across_its_longest_side),
         cmocka_unit_test(weights_are_shared_not_grains),
         cmocka_unit_test(what_is_near_a_box_reaches_it),
         cmocka_unit_test(grains_that_lie_apart_have_two_ranks),
