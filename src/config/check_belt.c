@@ -5,6 +5,8 @@
 
 #include "config/check.h"
 
+#define MOST_FACETS 1e6
+
 static void fail(clod_loader *loader, const char *path, const char *key, const char *text)
 {
     char whole[CLOD_LOAD_PATH + 64];
@@ -59,6 +61,26 @@ static void check_skirts(clod_loader *loader, const char *path, const clod_case_
     }
 }
 
+/** Refuse facets so fine that nobody can have meant them. */
+static void check_facets(clod_loader *loader, const char *path, const clod_case_belt *belt)
+{
+    double length = belt->pulley.radius * belt->pulley.wrap + belt->pulley.return_length;
+    for (size_t r = 0; r < belt->run_count; r++) {
+        length += belt->runs[r].length;
+    }
+    const clod_case_belt_skirts *skirts = &belt->skirts;
+    const double area =
+        length * belt->width + 2.0 * fmax(0.0, skirts->to - skirts->from) * skirts->height;
+    const double least = sqrt(2.0 * area / MOST_FACETS);
+    if (belt->facet < least) {
+        char text[128];
+        snprintf(text, sizeof text,
+                 "%.4g mm cuts the belt into more than %.0e facets; at least %.4g mm",
+                 1e3 * belt->facet, MOST_FACETS, 1e3 * least);
+        fail(loader, path, "facet", text);
+    }
+}
+
 void clod_check_belt(clod_loader *loader, const char *path, const clod_case_shape *shape)
 {
     const clod_case_belt *belt = &shape->belt;
@@ -86,5 +108,8 @@ void clod_check_belt(clod_loader *loader, const char *path, const clod_case_shap
     }
     if (belt->skirts.height > 0.0) {
         check_skirts(loader, path, belt);
+    }
+    if (belt->facet > 0.0) {
+        check_facets(loader, path, belt);
     }
 }

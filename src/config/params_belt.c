@@ -153,6 +153,17 @@ static const clod_param BELT[] = {
      .unused = "a flat belt has no trough that flattens; remove this key, or give idler_angle",
      .help = "Length at the end of the last run over which the trough flattens.",
      .source = "docs/belts.md"},
+    {.key = "facet",
+     .kind = CLOD_PARAM_REAL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .unit = "m",
+     CLOD_FROM(0, 1e4),
+     .fallback = "0 m",
+     CLOD_AT(B, facet),
+     .help =
+         "Cuts belt and skirts into facets no longer and no wider than this, so that maps of "
+         "pressure and wear are as fine; 0: as large as they can be. Changes no force.",
+     .source = "docs/belts.md"},
     {.key = "speed",
      .kind = CLOD_PARAM_REAL,
      .need = CLOD_PARAM_REQUIRED,

@@ -54,10 +54,16 @@ static clod_vec3 place(const station *at, double y, double height)
     return (clod_vec3){at->x + height * at->up[0], y, at->z + height * at->up[1]};
 }
 
-/** Two facets whose normal looks from where a, b, c, d are met counterclockwise. */
-static void write_quad(writer *self, clod_vec3 a, clod_vec3 b, clod_vec3 c, clod_vec3 d)
+/** Pieces of a length that are no longer than a facet may be; 1 without such a limit. */
+static int pieces(const writer *self, double length)
 {
-    const clod_vec3 corner[] = {a, b, c, d};
+    const double most = self->belt->facet;
+    return most > 0.0 ? (int)fmax(1.0, ceil(length / most - 1e-9)) : 1;
+}
+
+/** Two facets whose normal looks from where the corners are met counterclockwise. */
+static void write_piece(writer *self, const clod_vec3 corner[4])
+{
     for (int k = 0; k < 4; k++) {
         fprintf(self->out, "v %.9g %.9g %.9g\n", corner[k].x - self->origin[0], corner[k].y,
                 corner[k].z - self->origin[1]);
@@ -68,16 +74,46 @@ static void write_quad(writer *self, clod_vec3 a, clod_vec3 b, clod_vec3 c, clod
     self->vertices += 4;
 }
 
+static clod_vec3 mix(clod_vec3 a, clod_vec3 b, double share)
+{
+    return clod_vec3_axpy(clod_vec3_scale(a, 1.0 - share), share, b);
+}
+
+/** Corners a, b, c, d of a plate: the place between them, 0 to 1 from a to b, and from a to d. */
+static clod_vec3 between(const clod_vec3 corner[4], double along_b, double along_d)
+{
+    const clod_vec3 low = mix(corner[0], corner[1], along_b);
+    const clod_vec3 high = mix(corner[3], corner[2], along_b);
+    return mix(low, high, along_d);
+}
+
+/** A plate in pieces: `to_b` from its first corner to the second, `to_d` from there to the last. */
+static void write_quad(writer *self, const clod_vec3 corner[4], int to_b, int to_d)
+{
+    for (int d = 0; d < to_d; d++) {
+        for (int b = 0; b < to_b; b++) {
+            const double left = (double)b / to_b, right = (double)(b + 1) / to_b;
+            const double low = (double)d / to_d, high = (double)(d + 1) / to_d;
+            write_piece(self, (clod_vec3[4]){
+                                  between(corner, left, low), between(corner, right, low),
+                                  between(corner, right, high), between(corner, left, high)});
+        }
+    }
+}
+
 /** The belt between two stations. */
 static void write_strip(writer *self, const station *a, const station *b)
 {
     const section first = section_at(self->belt, a->flatten);
     const section second = section_at(self->belt, b->flatten);
+    const int along = pieces(self, hypot(b->x - a->x, b->z - a->z));
     for (int k = 0; k + 1 < first.count; k++) {
         const double *p = first.point[k], *q = first.point[k + 1];
         const double *r = second.point[k + 1], *s = second.point[k];
-        write_quad(self, place(a, p[0], p[1]), place(a, q[0], q[1]), place(b, r[0], r[1]),
-                   place(b, s[0], s[1]));
+        write_quad(self,
+                   (clod_vec3[4]){place(a, p[0], p[1]), place(a, q[0], q[1]),
+                                  place(b, r[0], r[1]), place(b, s[0], s[1])},
+                   pieces(self, hypot(q[0] - p[0], q[1] - p[1])), along);
     }
 }
 
@@ -177,9 +213,16 @@ static void write_plates(writer *self, const station *a, const station *b)
     const double y = 0.5 * skirts->distance;
     const double low = trough_height(self->belt, y) + skirts->gap;
     const double high = low + skirts->height;
-    write_quad(self, place(a, y, low), place(b, y, low), place(b, y, high), place(a, y, high));
-    write_quad(self, place(a, -y, low), place(a, -y, high), place(b, -y, high),
-               place(b, -y, low));
+    const int along = pieces(self, hypot(b->x - a->x, b->z - a->z));
+    const int upright = pieces(self, skirts->height);
+    write_quad(self,
+               (clod_vec3[4]){place(a, y, low), place(b, y, low), place(b, y, high),
+                              place(a, y, high)},
+               along, upright);
+    write_quad(self,
+               (clod_vec3[4]){place(a, -y, low), place(a, -y, high), place(b, -y, high),
+                              place(b, -y, low)},
+               upright, along);
 }
 
 static void write_skirts(writer *self)

@@ -112,6 +112,48 @@ static void a_trough_keeps_the_width(void **state)
     clod_setup_belt_fini(&self);
 }
 
+/** Facets of 0.15 m at most: the same shape without T-junctions, though nothing divides evenly. */
+static void facets_are_as_small_as_asked(void **state)
+{
+    (void)state;
+    clod_case_belt belt = {.heading = {1.0, 0.0, 0.0},
+                           .runs = BENT,
+                           .run_count = 2,
+                           .width = 1.2,
+                           .idler_angle = 0.5,
+                           .middle_roll = 0.5,
+                           .transition = 0.7,
+                           .speed = 2.0,
+                           .pulley = {0.3, 2.0, 0.7},
+                           .skirts = {.from = 0.5, .to = 2.5, .distance = 0.6, .height = 0.4}};
+    static const char *const PARTS[] = {"run 1", "run 2", "pulley", "return", "skirts"};
+    clod_setup_belt coarse = made(&belt);
+    belt.facet = 0.15;
+    clod_setup_belt fine = made(&belt);
+    check_sound(&fine);
+    const clod_mesh_view *view = clod_mesh_look(fine.mesh);
+    for (size_t k = 0; k < sizeof PARTS / sizeof *PARTS; k++) {
+        const double twisted = strcmp(PARTS[k], "run 2") == 0 ? 5e-3 : 1e-6; // the transition
+        check_close(part_area(&fine, PARTS[k]), part_area(&coarse, PARTS[k]), twisted);
+    }
+    for (size_t f = 0; f < view->facet_count; f++) {
+        for (int c = 0; c < 3;
+             c++) { // two sides, and the diagonal; a mitre stretches by 1/cos(0.1)
+            const clod_vec3 side =
+                clod_vec3_sub(corner(view, f, (c + 1) % 3), corner(view, f, c));
+            assert_true(clod_vec3_length(side) < 0.15 * sqrt(2.0) * 1.02);
+        }
+    }
+    // run 1: 14 along, 3 and 4 and 3 across, two facets each
+    size_t facets = 0;
+    for (size_t f = 0; f < view->facet_count; f++) {
+        facets += strcmp(view->parts[view->part[f]].name, "run 1") == 0;
+    }
+    assert_int_equal(facets, 14 * 10 * 2);
+    clod_setup_belt_fini(&fine);
+    clod_setup_belt_fini(&coarse);
+}
+
 /** Points of the pulley lie on its circle, and its material moves there with the belt's speed. */
 static void a_pulley_turns_with_the_belt(void **state)
 {
@@ -189,6 +231,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_flat_belt_has_the_area_of_its_width),
         cmocka_unit_test(a_trough_keeps_the_width),
+        cmocka_unit_test(facets_are_as_small_as_asked),
         cmocka_unit_test(a_pulley_turns_with_the_belt),
         cmocka_unit_test(skirts_stand_along_both_sides),
     };
