@@ -17,9 +17,9 @@
 #define EDGE 0.05
 #define DICE 1000 ///< stream of random numbers beside those of the chains
 
-_Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_CHAIN_MOST &&
-                   CLOD_PLAN_PARAMETERS <= CLOD_SURROGATE_MOST,
-               "chains and surrogates take all parameters of a plan");
+_Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_CHAIN_MOST, "chains take all parameters of a plan");
+_Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_SURROGATE_MOST,
+               "surrogates take all parameters of a plan");
 
 /** What the density needs. */
 typedef struct density {
