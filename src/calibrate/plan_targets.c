@@ -3,12 +3,13 @@
  * Targets of a plan: units, what a test can tell.
  */
 
+#include "calibrate/plan_targets.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
-#include "calibrate/plan_targets.h"
 #include "config/suggest.h"
 #include "config/unit.h"
 
