@@ -65,14 +65,20 @@ static void tell(void *context, const char *text)
     }
 }
 
+static bool stopped(void *context)
+{
+    return atomic_load((clod_run_signal *)context) != 0;
+}
+
 /** Design, runs, posterior, files. */
 static bool work(const clod_plan *plan, const char *directory,
                  const clod_calibrate_options *options, char **report, clod_status *status)
 {
+    const clod_stop stop = {.asked = stopped, .context = options->stop};
     const clod_runs_options how = {.program = options->program,
                                    .workers = options->workers > 0 ? options->workers
                                                                    : clod_threads_available(),
-                                   .stop = options->stop,
+                                   .stop = options->stop != NULL ? &stop : NULL,
                                    .tell = options->tell,
                                    .context = options->context};
     clod_runs *runs = clod_runs_open(plan, directory, &how, status);
@@ -82,7 +88,8 @@ static bool work(const clod_plan *plan, const char *directory,
     const clod_study_source source = {.compute = clod_runs_compute,
                                       .seconds = clod_runs_seconds,
                                       .tell = tell,
-                                      .context = runs};
+                                      .context = runs,
+                                      .stop = how.stop};
     clod_study study;
     bool good = clod_study_run(plan, &source, &study, status);
     if (good) {

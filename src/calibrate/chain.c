@@ -22,12 +22,21 @@ typedef struct chain {
     double factor[CLOD_CHAIN_MOST]
                  [CLOD_CHAIN_MOST]; ///< lower Cholesky factor of the covariance
     double log_scale;
+    bool stopped; ///< no density is asked for any more
 } chain;
 
 static double uniform(chain *self)
 {
     return clod_random_uniform(self->setup->seed, CLOD_RANDOM_CALIBRATE, self->number,
                                self->draw++);
+}
+
+/** The density at a place; none after a stop. */
+static double density_at(chain *self, const double *place)
+{
+    const clod_chain_setup *setup = self->setup;
+    self->stopped = self->stopped || clod_stop_asked(setup->stop);
+    return self->stopped ? -HUGE_VAL : setup->density(setup->context, place);
 }
 
 static double normal(chain *self)
@@ -60,12 +69,12 @@ static void draw_start(chain *self)
     double top = -HUGE_VAL; // the largest density so far
     double sum = 0.0;       // of all densities over the largest
     self->density = -HUGE_VAL;
-    for (int tried = 0; tried < STARTS; tried++) {
+    for (int tried = 0; tried < STARTS && !self->stopped; tried++) {
         double place[CLOD_CHAIN_MOST];
         for (size_t k = 0; k < d; k++) {
             place[k] = uniform(self);
         }
-        const double density = self->setup->density(self->setup->context, place);
+        const double density = density_at(self, place);
         if (density > top) {
             sum = top > -HUGE_VAL ? sum * exp(top - density) : 0.0;
             top = density;
@@ -108,8 +117,7 @@ static bool advance(chain *self, double *chance)
         next[i] = self->point[i] + scale * move;
         inside = inside && next[i] > 0.0 && next[i] < 1.0;
     }
-    const double density =
-        inside ? self->setup->density(self->setup->context, next) : -HUGE_VAL;
+    const double density = inside ? density_at(self, next) : -HUGE_VAL;
     *chance = density > -HUGE_VAL ? fmin(1.0, exp(density - self->density)) : 0.0;
     if (uniform(self) >= *chance) {
         return false;
@@ -138,7 +146,7 @@ static void adapt(chain *self, size_t step, double chance)
     factor(self);
 }
 
-void clod_chain_run(const clod_chain_setup *setup, double *samples, double *accepted)
+bool clod_chain_run(const clod_chain_setup *setup, double *samples, double *accepted)
 {
     const size_t d = setup->dimensions;
     CLOD_ASSERT(d >= 1 && d <= CLOD_CHAIN_MOST);
@@ -147,14 +155,18 @@ void clod_chain_run(const clod_chain_setup *setup, double *samples, double *acce
         chain self = {.setup = setup, .number = c};
         start(&self);
         double chance;
-        for (size_t k = 0; k < setup->warm_up; k++) {
+        for (size_t k = 0; k < setup->warm_up && !self.stopped; k++) {
             advance(&self, &chance);
             adapt(&self, k, chance);
         }
-        for (size_t k = 0; k < setup->kept; k++) {
+        for (size_t k = 0; k < setup->kept && !self.stopped; k++) {
             moved += advance(&self, &chance) ? 1 : 0;
             memcpy(samples + (c * setup->kept + k) * d, self.point, d * sizeof(double));
         }
+        if (self.stopped) {
+            return false;
+        }
     }
     *accepted = (double)moved / (double)(setup->chains * setup->kept);
+    return true;
 }

@@ -9,6 +9,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "calibrate/stop.h"
+
 #define CLOD_CHAIN_MOST 16 ///< dimensions
 
 /** Logarithm of the density at a point inside the cube, up to a constant; -INFINITY: none. */
@@ -22,6 +24,7 @@ typedef struct clod_chain_setup {
     uint64_t seed;
     clod_chain_density density;
     void *context;
+    const clod_stop *stop; ///< asked before every density; NULL: never
 } clod_chain_setup;
 
 /**
@@ -31,12 +34,13 @@ typedef struct clod_chain_setup {
  *
  * @param samples   [out] [chains][kept][dimensions]
  * @param accepted  [out] share of accepted steps after the warm-up, of all chains
+ * @return  false when `stop` was asked for; the samples are then of no use
  * Errors  none.   Threads  safe.
  * Source  Haario, Saksman and Tamminen, Bernoulli 7 (2001) 223; Andrieu and Thoms, Stat. Comput. 18 (2008)
  *         343, algorithm 4.
  * Test    tests/calibrate/test_chain.c
  */
-void clod_chain_run(const clod_chain_setup *setup, double *samples, double *accepted);
+bool clod_chain_run(const clod_chain_setup *setup, double *samples, double *accepted);
 
 /** Samples of one coordinate: chain k has [kept] of them at `values + k * kept * stride`, `stride` apart.
  */

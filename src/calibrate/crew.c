@@ -39,16 +39,6 @@ static bool has_ended(const clod_runs_row *row)
     return row->state == CLOD_RUNS_DONE || row->state == CLOD_RUNS_FAILED;
 }
 
-static bool stopped(const clod_runs *self)
-{
-    return self->options.stop != NULL && atomic_load(self->options.stop) != 0;
-}
-
-static bool fail_stopped(clod_status *status)
-{
-    return clod_status_fail(status, CLOD_INTERRUPTED, "Interrupted; the same command goes on.");
-}
-
 /** Text of a setting, owned; `lost` when there is no memory. */
 static char *own(const char *text, bool *lost)
 {
@@ -108,8 +98,8 @@ static char **make_arguments(const crew *self, size_t row, const char *folder, s
 static bool wait_until_free(const crew *self, const char *folder, clod_status *status)
 {
     for (int naps = 0; naps < PATIENCE && clod_rows_in_use(folder); naps++) {
-        if (stopped(self->runs)) {
-            return fail_stopped(status);
+        if (clod_stop_asked(self->runs->options.stop)) {
+            return clod_stop_fail(status);
         }
         nap();
     }
@@ -168,8 +158,8 @@ static bool check_end(const clod_runs *runs, size_t row, int result, clod_status
     char path[PATH_MAX];
     clod_runs_path(runs, row, "", path);
     const int code = result != CLOD_CHILD_LOST && WIFEXITED(result) ? WEXITSTATUS(result) : 0;
-    if (stopped(runs) || code > 128) {
-        return fail_stopped(status);
+    if (clod_stop_asked(runs->options.stop) || code > 128) {
+        return clod_stop_fail(status);
     }
     if (result == CLOD_CHILD_LOST) {
         return clod_status_fail(status, CLOD_FAILED,
@@ -289,7 +279,7 @@ static bool work(crew *self, clod_status *status)
 {
     size_t left = 1;
     while (left > 0 || self->next < self->end) {
-        const bool good = !stopped(self->runs) || fail_stopped(status);
+        const bool good = !clod_stop_asked(self->runs->options.stop) || clod_stop_fail(status);
         if (!good || !feed(self, status) || !collect(self, &left, status)) {
             dismiss(self);
             return false;

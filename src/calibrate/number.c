@@ -14,7 +14,6 @@
 #define DEGREE 0.017453292519943295
 #define ANGLE "rad", {"deg", 1.0 / DEGREE, 1}, 0.1 * DEGREE, 85.0 * DEGREE
 #define STRESS "Pa", {"kPa", 1e-3, 2}, 0.0, 1e8
-#define SAME_STRESS 0.02 // relative: as clod locus tells consolidation stresses apart
 
 #define UNIAXIAL CLOD_NUMBER_OF(CLOD_CASE_UNIAXIAL)
 #define WALL CLOD_NUMBER_OF(CLOD_CASE_WALL_FRICTION)
@@ -129,7 +128,8 @@ static double of_rows(const json_t *rows, const char *stress_key, const char *ke
     {
         const double stress = json_number_value(json_object_get(row, stress_key));
         const json_t *found = json_object_get(row, key);
-        if (fabs(stress / target->normal_stress - 1.0) < SAME_STRESS && json_is_number(found)) {
+        if (fabs(stress / target->normal_stress - 1.0) < CLOD_NUMBER_SAME_STRESS &&
+            json_is_number(found)) {
             return json_number_value(found);
         }
     }

@@ -9,6 +9,9 @@
 /** Bit of a clod_case_kind. */
 #define CLOD_NUMBER_OF(kind) (1U << (kind))
 
+/** Relative: as clod locus tells consolidation stresses apart. */
+#define CLOD_NUMBER_SAME_STRESS 0.02
+
 /** One kind of number; its measure says its unit for people. */
 typedef struct clod_number {
     const char *key;

@@ -66,8 +66,9 @@ static const clod_param WISH[] = {
      .example = "lab.csv",
      CLOD_AT(W, locus),
      .help =
-         "Table of measured shear points, as clod locus reads it, in place of number and value: each "
-         "prorated point with the case's preshear stress is a target tau.",
+         "Table of measured points, as clod locus reads it, in place of number and value. Shear points: each "
+         "prorated one with the case's preshear stress is a target tau. A wall yield locus: each point is a "
+         "target phi_x, or, with normal_stress, those there.",
      .source = HOWTO},
     {.key = "normal_stress",
      .kind = CLOD_PARAM_REAL,

@@ -88,7 +88,7 @@ typedef struct clod_plan {
  * @param self  [out] owned content (clod_plan_fini), also after an error
  * Errors  CLOD_USAGE with file, line, caret, value, allowed range and what to do: plan, cases with the
  *         ends of the ranges, tables; CLOD_FAILED: memory.
- * Threads safe.   Test  tests/calibrate/test_calibrate.py
+ * Threads safe.   Test  tests/calibrate/test_plan.c, test_calibrate_plan.py
  */
 bool clod_plan_load(const char *path, clod_plan *self, clod_status *status);
 

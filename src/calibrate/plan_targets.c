@@ -1,50 +1,25 @@
 /**
  * @file plan_targets.c
- * Targets of a plan: units, what a test can tell, measured yield loci.
+ * Targets of a plan: units, what a test can tell.
  */
+
+#include "calibrate/plan_targets.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
-#include "calibrate/number.h"
-#include "calibrate/plan_check.h"
-#include "clod/locus.h"
 #include "config/suggest.h"
 #include "config/unit.h"
 
-#define PATH 64
-#define SAME_STRESS 0.02 // relative: as clod locus tells consolidation stresses apart
+typedef clod_plan_maker maker;
 
-/** What is being made. */
-typedef struct maker {
-    clod_loader *loader;
-    clod_plan *plan;
-    const clod_plan_wish *wish;
-    size_t number; ///< of the wish
-    char path[PATH];
-} maker;
-
-/** Path of a key of the wish. */
-static const char *at(maker *self, const char *key)
+const char *clod_plan_targets_at(clod_plan_maker *self, const char *key)
 {
     snprintf(self->path, sizeof self->path, "targets.%zu%s%s", self->number,
              key[0] == '\0' ? "" : ".", key);
     return self->path;
-}
-
-static clod_plan_target *add(maker *self)
-{
-    clod_plan *plan = self->plan;
-    clod_plan_target *grown = clod_memory_grow(plan->targets, plan->target_count,
-                                               plan->target_count + 1, sizeof *grown);
-    if (grown == NULL) {
-        self->loader->report->lost = true;
-        return NULL;
-    }
-    plan->targets = grown;
-    return &grown[plan->target_count++];
 }
 
 /** A quantity in the unit of the number; false after a complaint. */
@@ -54,24 +29,25 @@ static bool quantity(maker *self, const char *key, const char *text, const clod_
     char message[CLOD_UNIT_MESSAGE];
     const char *unit = clod_unit_number(text, value);
     if (unit == NULL) {
-        clod_plan_complain(self->loader, at(self, key), "%s is no number", text);
+        clod_plan_complain(self->loader, clod_plan_targets_at(self, key), "%s is no number",
+                           text);
         return false;
     }
     if (!clod_unit_convert(unit, kind->unit, value, message)) {
-        clod_plan_complain(self->loader, at(self, key), "%s: %s", text, message);
+        clod_plan_complain(self->loader, clod_plan_targets_at(self, key), "%s: %s", text,
+                           message);
         return false;
     }
     return true;
 }
 
-/** A standard error or deviation: above 0, or 0 where it may be left out. */
-static bool deviation(maker *self, const char *key, const char *text, const clod_number *kind,
-                      bool needed, double *value)
+bool clod_plan_targets_deviation(clod_plan_maker *self, const char *key, const char *text,
+                                 const clod_number *kind, bool needed, double *value)
 {
     *value = 0.0;
     if (text == NULL) {
         if (needed) {
-            clod_plan_complain(self->loader, at(self, ""),
+            clod_plan_complain(self->loader, clod_plan_targets_at(self, ""),
                                "needs the key error, the standard error of what was measured");
         }
         return !needed;
@@ -80,7 +56,8 @@ static bool deviation(maker *self, const char *key, const char *text, const clod
         return false;
     }
     if (*value < 0.0 || (needed && *value == 0.0)) {
-        clod_plan_complain(self->loader, at(self, key), "%s is not above 0", text);
+        clod_plan_complain(self->loader, clod_plan_targets_at(self, key), "%s is not above 0",
+                           text);
         return false;
     }
     return true;
@@ -97,8 +74,9 @@ static bool find_test(maker *self, size_t *test)
         clod_suggest_offer(&near, self->plan->tests[k].name);
     }
     char hint[128];
-    clod_plan_complain(self->loader, at(self, "test"), "there is no test %s%s",
-                       self->wish->test, clod_suggest_text(&near, hint, sizeof hint));
+    clod_plan_complain(self->loader, clod_plan_targets_at(self, "test"),
+                       "there is no test %s%s", self->wish->test,
+                       clod_suggest_text(&near, hint, sizeof hint));
     return false;
 }
 
@@ -106,7 +84,7 @@ static bool find_test(maker *self, size_t *test)
 static bool is_among(double stress, const double *stresses, size_t count)
 {
     for (size_t k = 0; k < count; k++) {
-        if (fabs(stresses[k] / stress - 1.0) < SAME_STRESS) {
+        if (fabs(stresses[k] / stress - 1.0) < CLOD_NUMBER_SAME_STRESS) {
             return true;
         }
     }
@@ -121,7 +99,8 @@ static bool covers(const clod_case_programme *shear, double stress)
         least = fmin(least, shear->shear_stresses[k]);
         most = fmax(most, shear->shear_stresses[k]);
     }
-    return stress >= (1.0 - SAME_STRESS) * least && stress <= (1.0 + SAME_STRESS) * most;
+    return stress >= (1.0 - CLOD_NUMBER_SAME_STRESS) * least &&
+           stress <= (1.0 + CLOD_NUMBER_SAME_STRESS) * most;
 }
 
 /** Whether a test has a normal stress; else what to say of it. */
@@ -142,29 +121,31 @@ static bool has_stress(const clod_case *from, double stress, const char **missin
                     from->uniaxial.consolidation_stress_count);
 }
 
-/** A normal stress where one is needed, within what the test has. */
-static bool check_stress(maker *self, const clod_case *from, const clod_number *kind,
-                         const char *number, double stress)
+bool clod_plan_targets_check_stress(clod_plan_maker *self, size_t test, const clod_number *kind,
+                                    const char *number, double stress)
 {
+    const clod_case *from = self->plan->tests[test].middle;
     const bool needed = (kind->at_stress & CLOD_NUMBER_OF(clod_case_kind_of(from))) != 0;
     if (!needed) {
         if (stress > 0.0) {
-            clod_plan_complain(self->loader, at(self, "normal_stress"), "%s has none", number);
+            clod_plan_complain(self->loader, clod_plan_targets_at(self, "normal_stress"),
+                               "%s has none", number);
         }
         return stress <= 0.0;
     }
     if (stress <= 0.0) {
-        clod_plan_complain(self->loader, at(self, ""), "%s needs the key normal_stress",
-                           number);
+        clod_plan_complain(self->loader, clod_plan_targets_at(self, ""),
+                           "%s needs the key normal_stress", number);
         return false;
     }
     const char *missing;
     const bool there = has_stress(from, stress, &missing);
     if (!there) {
-        clod_plan_complain(self->loader,
-                           at(self, self->wish->locus != NULL ? "locus" : "normal_stress"),
-                           "%.6g kPa is %s of test %s; give it there", 1e-3 * stress, missing,
-                           self->wish->test);
+        clod_plan_complain(
+            self->loader,
+            clod_plan_targets_at(self, self->wish->locus != NULL ? "locus" : "normal_stress"),
+            "%.6g kPa is %s of test %s; give it there", 1e-3 * stress, missing,
+            self->wish->test);
     }
     return there;
 }
@@ -180,13 +161,28 @@ static void name_target(clod_plan_target *to, const char *test, const char *numb
     }
 }
 
+void clod_plan_targets_add(clod_plan_maker *self, const clod_plan_target *made,
+                           const char *number)
+{
+    clod_plan *plan = self->plan;
+    clod_plan_target *grown = clod_memory_grow(plan->targets, plan->target_count,
+                                               plan->target_count + 1, sizeof *grown);
+    if (grown == NULL) {
+        self->loader->report->lost = true;
+        return;
+    }
+    plan->targets = grown;
+    grown[plan->target_count] = *made;
+    name_target(&grown[plan->target_count++], self->wish->test, number);
+}
+
 /** A target of a number and a value. */
 static void make_number(maker *self, size_t test)
 {
     const clod_plan_wish *wish = self->wish;
     const clod_case *from = self->plan->tests[test].middle;
     if (wish->number == NULL || wish->value == NULL) {
-        clod_plan_complain(self->loader, at(self, ""), "needs %s, or locus",
+        clod_plan_complain(self->loader, clod_plan_targets_at(self, ""), "needs %s, or locus",
                            wish->number == NULL ? "number and value" : "value");
         return;
     }
@@ -194,8 +190,8 @@ static void make_number(maker *self, size_t test)
     if (kind == NULL) {
         char hint[160];
         clod_plan_complain(
-            self->loader, at(self, "number"), "test %s has no number %s%s", wish->test,
-            wish->number,
+            self->loader, clod_plan_targets_at(self, "number"), "test %s has no number %s%s",
+            wish->test, wish->number,
             clod_number_hint(clod_case_kind_of(from), wish->number, hint, sizeof hint));
         return;
     }
@@ -203,127 +199,21 @@ static void make_number(maker *self, size_t test)
                              .normal_stress = wish->normal_stress,
                              .held_back = wish->held_back,
                              .measure = kind->measure};
-    if (!check_stress(self, from, kind, wish->number, wish->normal_stress) ||
+    if (!clod_plan_targets_check_stress(self, test, kind, wish->number, wish->normal_stress) ||
         !quantity(self, "value", wish->value, kind, &made.value) ||
-        !deviation(self, "error", wish->error, kind, true, &made.error) ||
-        !deviation(self, "discrepancy", wish->discrepancy, kind, false, &made.discrepancy)) {
+        !clod_plan_targets_deviation(self, "error", wish->error, kind, true, &made.error) ||
+        !clod_plan_targets_deviation(self, "discrepancy", wish->discrepancy, kind, false,
+                                     &made.discrepancy)) {
         return;
     }
     if (made.value < kind->least || made.value > kind->most) {
-        clod_plan_complain(self->loader, at(self, "value"),
+        clod_plan_complain(self->loader, clod_plan_targets_at(self, "value"),
                            "%s is impossible; allowed is %.6g to %.6g %s", wish->value,
                            kind->measure.factor * kind->least,
                            kind->measure.factor * kind->most, kind->measure.unit);
         return;
     }
-    name_target(&made, wish->test, wish->number);
-    clod_plan_target *to = add(self);
-    if (to != NULL) {
-        *to = made;
-    }
-}
-
-/** One measured shear point as a target. */
-static void make_mark(maker *self, size_t test, const clod_locus_mark *mark,
-                      const clod_plan_target *common, double error)
-{
-    clod_plan_target made = *common;
-    made.test = test;
-    made.normal_stress = mark->sigma;
-    made.value = mark->prorated;
-    made.error = error > 0.0 ? error : common->error;
-    if (made.error <= 0.0) {
-        clod_plan_complain(self->loader, at(self, ""),
-                           "needs the key error: the table has no tau_sh_error at %.6g kPa",
-                           1e-3 * mark->sigma);
-        return;
-    }
-    if (!check_stress(self, self->plan->tests[test].middle,
-                      clod_number_find(CLOD_CASE_RING_SHEAR, "tau"), "tau", mark->sigma)) {
-        return;
-    }
-    name_target(&made, self->wish->test, "tau");
-    clod_plan_target *to = add(self);
-    if (to != NULL) {
-        *to = made;
-    }
-}
-
-/** Stated error of a mark's point. */
-static double error_of(const clod_locus_mark *mark, const clod_locus_point *points,
-                       size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (points[i].seed == mark->seed && points[i].sigma_s == mark->sigma &&
-            points[i].tau_s == mark->measured) {
-            return points[i].tau_s_error;
-        }
-    }
-    return 0.0;
-}
-
-/** Points of the locus with the preshear stress of the test. */
-static void make_marks(maker *self, size_t test, const clod_locus_study *study,
-                       const clod_locus_point *points, size_t count)
-{
-    const clod_number *kind = clod_number_find(CLOD_CASE_RING_SHEAR, "tau");
-    const double preshear = clod_case_shear(self->plan->tests[test].middle)->preshear_stress;
-    clod_plan_target common = {.held_back = self->wish->held_back, .measure = kind->measure};
-    if (!deviation(self, "error", self->wish->error, kind, false, &common.error) ||
-        !deviation(self, "discrepancy", self->wish->discrepancy, kind, false,
-                   &common.discrepancy)) {
-        return;
-    }
-    for (size_t g = 0; g < study->count; g++) {
-        const clod_locus *locus = &study->groups[g].locus;
-        if (fabs(locus->sigma_p.value / preshear - 1.0) >= SAME_STRESS) {
-            continue;
-        }
-        for (size_t k = 0; k < locus->point_count; k++) {
-            make_mark(self, test, &locus->marks[k], &common,
-                      error_of(&locus->marks[k], points, count));
-        }
-        return;
-    }
-    clod_plan_complain(self->loader, at(self, "locus"),
-                       "has no points with the preshear stress of test %s, %.6g kPa",
-                       self->wish->test, 1e-3 * preshear);
-}
-
-/** The points of a measured yield locus. */
-static void make_locus(maker *self, size_t test)
-{
-    const clod_plan_wish *wish = self->wish;
-    if (wish->number != NULL || wish->value != NULL || wish->normal_stress > 0.0) {
-        clod_plan_complain(
-            self->loader, at(self, "locus"),
-            "has number, value or normal_stress beside it; the table has them all");
-        return;
-    }
-    if (clod_case_shear(self->plan->tests[test].middle) == NULL) {
-        clod_plan_complain(
-            self->loader, at(self, "locus"),
-            "test %s has no yield locus of "
-            "shear points; give number and value, of a wall friction test for instance "
-            "phi_x at each normal_stress",
-            wish->test);
-        return;
-    }
-    clod_status status = {CLOD_OK, ""};
-    clod_locus_point *points;
-    size_t count;
-    if (!clod_locus_read(wish->locus, NULL, &points, &count, &status)) {
-        clod_plan_complain(self->loader, at(self, "locus"), "%.800s", status.text);
-        return;
-    }
-    clod_locus_study *study = clod_locus_study_create(points, count, &status);
-    if (study == NULL) {
-        clod_plan_complain(self->loader, at(self, "locus"), "%.800s", status.text);
-    } else {
-        make_marks(self, test, study, points, count);
-    }
-    clod_locus_study_destroy(&study);
-    clod_locus_free(points);
+    clod_plan_targets_add(self, &made, wish->number);
 }
 
 void clod_plan_make_targets(clod_loader *loader, clod_plan *self)
@@ -336,7 +226,7 @@ void clod_plan_make_targets(clod_loader *loader, clod_plan *self)
             continue;
         }
         if (make.wish->locus != NULL) {
-            make_locus(&make, test);
+            clod_plan_tables_make(&make, test);
         } else {
             make_number(&make, test);
         }

@@ -17,9 +17,9 @@
 #define EDGE 0.05
 #define DICE 1000 ///< stream of random numbers beside those of the chains
 
-_Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_CHAIN_MOST &&
-                   CLOD_PLAN_PARAMETERS <= CLOD_SURROGATE_MOST,
-               "chains and surrogates take all parameters of a plan");
+_Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_CHAIN_MOST, "chains take all parameters of a plan");
+_Static_assert(CLOD_PLAN_PARAMETERS <= CLOD_SURROGATE_MOST,
+               "surrogates take all parameters of a plan");
 
 /** What the density needs. */
 typedef struct density {
@@ -76,11 +76,14 @@ static bool fit_target(const clod_posterior_runs *runs, size_t number, double *r
     const size_t d = plan->parameter_count;
     const size_t all = runs->points * (size_t)plan->seeds;
     const size_t count = take(runs, number, room, room + all * d);
-    const clod_surrogate_runs taken = {d, count, room, room + all * d};
+    const clod_surrogate_runs taken = {d, count, room, room + all * d, runs->stop};
     const clod_surrogate_kind kind = clod_surrogate_choose(d, clod_surrogate_points(&taken));
     clod_status why = {CLOD_OK, ""};
     to->runs = count;
     to->surrogate = clod_surrogate_create(&taken, kind, &why);
+    if (why.code == CLOD_INTERRUPTED) {
+        return clod_stop_fail(status);
+    }
     if (to->surrogate == NULL && plan->targets[number].held_back) { // nothing depends on it
         snprintf(to->why, sizeof to->why, "%s", why.text);
         return true;
@@ -92,8 +95,8 @@ static bool fit_target(const clod_posterior_runs *runs, size_t number, double *r
             "another target, may help; runs.csv has all results.",
             plan->targets[number].name, count, all, why.text);
     }
-    to->checked = clod_surrogate_leave_one_out(to->surrogate, &to->check, &why);
-    return true;
+    to->checked = clod_surrogate_leave_one_out(to->surrogate, runs->stop, &to->check, &why);
+    return why.code != CLOD_INTERRUPTED || clod_stop_fail(status);
 }
 
 static bool fit(const clod_posterior_runs *runs, clod_posterior *self, clod_status *status)
@@ -162,63 +165,88 @@ const double *clod_posterior_sample(const clod_posterior *self, size_t i, size_t
     return self->samples + i * self->count / of * self->dimensions;
 }
 
-/** What is foretold of one target at some samples: adds to the chi-square of each. `room` [2 looked] */
-static void foretell(const clod_plan *plan, clod_posterior *self, size_t t, size_t looked,
-                     double *chi, double *values, double *room)
+/** Room of `look`. */
+typedef struct sight {
+    const clod_stop *stop;
+    size_t looked;      ///< samples
+    double *values;     ///< [samples of all chains]
+    double *chi, *room; ///< [looked], of the surrogates
+} sight;
+
+/** What is foretold of one target at some samples: adds to the chi-square of each. False after a stop. */
+static bool foretell(const clod_plan *plan, clod_posterior *self, size_t t, const sight *at)
 {
+    const size_t looked = at->looked;
     const clod_plan_target *target = &plan->targets[t];
     clod_posterior_target *to = &self->targets[t];
     if (to->surrogate == NULL) {
         to->mean = to->off = to->low = to->high = (double)NAN;
-        return;
+        return true;
     }
     double mean = 0.0, square = 0.0, inner = 0.0;
     for (size_t i = 0; i < looked; i++) {
+        if (clod_stop_asked(at->stop)) {
+            return false;
+        }
         const double *place = clod_posterior_sample(self, i, looked);
-        const clod_surrogate_value told = clod_surrogate_at(to->surrogate, place, room);
+        const clod_surrogate_value told = clod_surrogate_at(to->surrogate, place, at->room);
         const double variance = clod_posterior_variance(target) + told.variance;
         const double off = target->value - told.mean;
-        chi[i] += target->held_back ? 0.0 : off * off / variance;
-        values[i] = told.mean + sqrt(variance) * clod_random_normal((uint64_t)plan->seed,
-                                                                    CLOD_RANDOM_CALIBRATE,
-                                                                    DICE + t, 2 * i);
+        at->chi[i] += target->held_back ? 0.0 : off * off / variance;
+        at->values[i] = told.mean + sqrt(variance) * clod_random_normal((uint64_t)plan->seed,
+                                                                        CLOD_RANDOM_CALIBRATE,
+                                                                        DICE + t, 2 * i);
         mean += told.mean / (double)looked;
         square += told.mean * told.mean / (double)looked;
         inner += variance / (double)looked;
     }
     to->mean = mean;
     to->off = (target->value - mean) / sqrt(inner + fmax(0.0, square - mean * mean));
-    interval(values, 1, looked, plan->sampling.level, &to->low, &to->high);
+    interval(at->values, 1, looked, plan->sampling.level, &to->low, &to->high);
+    return true;
 }
 
-static bool look(const clod_plan *plan, clod_posterior *self, clod_status *status)
+/** Parameters, targets, and how well the targets go together. */
+static bool look_at_all(const clod_plan *plan, clod_posterior *self, const sight *at,
+                        clod_status *status)
+{
+    for (size_t k = 0; k < self->dimensions; k++) {
+        look_at_parameter(plan, self, k, at->values);
+    }
+    for (size_t t = 0; t < self->target_count; t++) {
+        if (!foretell(plan, self, t, at)) {
+            return clod_stop_fail(status);
+        }
+        self->used += plan->targets[t].held_back ? 0 : 1;
+    }
+    for (size_t i = 0; i < at->looked; i++) {
+        self->chi_square += at->chi[i] / (double)at->looked;
+        self->p_value += gsl_cdf_chisq_Q(at->chi[i], (double)self->used) / (double)at->looked;
+    }
+    return true;
+}
+
+static bool look(const clod_posterior_runs *runs, clod_posterior *self, clod_status *status)
 {
     const size_t looked = self->count < LOOKED ? self->count : LOOKED;
-    double *values = clod_memory_alloc(self->count, sizeof *values);
-    double *chi = clod_memory_alloc(looked, sizeof *chi);
-    double *room = clod_posterior_room(self, 0);
-    const bool good = values != NULL && chi != NULL && room != NULL;
-    if (good) {
-        for (size_t k = 0; k < self->dimensions; k++) {
-            look_at_parameter(plan, self, k, values);
-        }
-        for (size_t t = 0; t < self->target_count; t++) {
-            foretell(plan, self, t, looked, chi, values, room);
-            self->used += plan->targets[t].held_back ? 0 : 1;
-        }
-        for (size_t i = 0; i < looked; i++) {
-            self->chi_square += chi[i] / (double)looked;
-            self->p_value += gsl_cdf_chisq_Q(chi[i], (double)self->used) / (double)looked;
-        }
-    }
-    clod_memory_free(values);
-    clod_memory_free(chi);
-    clod_memory_free(room);
-    return good || clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
+    const sight at = {.stop = runs->stop,
+                      .looked = looked,
+                      .values = clod_memory_alloc(self->count, sizeof(double)),
+                      .chi = clod_memory_alloc(looked, sizeof(double)),
+                      .room = clod_posterior_room(self, 0)};
+    const bool good =
+        at.values != NULL && at.chi != NULL && at.room != NULL
+            ? look_at_all(runs->plan, self, &at, status)
+            : clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
+    clod_memory_free(at.values);
+    clod_memory_free(at.chi);
+    clod_memory_free(at.room);
+    return good;
 }
 
-static bool sample(const clod_plan *plan, clod_posterior *self, clod_status *status)
+static bool sample(const clod_posterior_runs *runs, clod_posterior *self, clod_status *status)
 {
+    const clod_plan *plan = runs->plan;
     density of = {plan, self->targets, clod_posterior_room(self, 0)};
     if (of.room == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "No memory for the Markov chains.");
@@ -229,10 +257,11 @@ static bool sample(const clod_plan *plan, clod_posterior *self, clod_status *sta
                                     .kept = self->count / CHAINS,
                                     .seed = (uint64_t)plan->seed,
                                     .density = log_density,
-                                    .context = &of};
-    clod_chain_run(&setup, self->samples, &self->accepted);
+                                    .context = &of,
+                                    .stop = runs->stop};
+    const bool done = clod_chain_run(&setup, self->samples, &self->accepted);
     clod_memory_free(of.room);
-    return true;
+    return done || clod_stop_fail(status);
 }
 
 clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_status *status)
@@ -257,8 +286,8 @@ clod_posterior *clod_posterior_create(const clod_posterior_runs *runs, clod_stat
         self->target_count = self->targets == NULL ? 0 : self->target_count;
         clod_status_fail(status, CLOD_FAILED, "No memory for the posterior.");
     }
-    good = good && fit(runs, self, status) && sample(plan, self, status) &&
-           look(plan, self, status);
+    good = good && fit(runs, self, status) && sample(runs, self, status) &&
+           look(runs, self, status);
     if (!good) {
         clod_posterior_destroy(&self);
     }

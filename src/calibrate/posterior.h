@@ -6,6 +6,7 @@
  */
 
 #include "calibrate/plan.h"
+#include "calibrate/stop.h"
 #include "calibrate/surrogate.h"
 
 #define CLOD_POSTERIOR_WHY 200 ///< bytes of a reason
@@ -16,6 +17,7 @@ typedef struct clod_posterior_runs {
     size_t points;
     const double *places;  ///< [points][parameters], in [0, 1]
     const double *results; ///< [points][seeds][targets], SI; NAN: failed, or not defined
+    const clod_stop *stop; ///< asked while a posterior is made of them; NULL: never
 } clod_posterior_runs;
 
 typedef struct clod_posterior_target {
@@ -54,7 +56,7 @@ typedef struct clod_posterior {
  * Fit surrogates, sample, and look at the samples.
  *
  * @return  owned (clod_posterior_destroy), or NULL
- * Errors  CLOD_FAILED: a used target that too few runs define; memory.   Threads  safe.
+ * Errors  CLOD_FAILED: a used target that too few runs define; memory; CLOD_INTERRUPTED.   Threads  safe.
  * Source  Kennedy and O'Hagan, J. R. Stat. Soc. B 63 (2001) 425, with the discrepancy's variance given;
  *         Gelman et al., Bayesian Data Analysis (2013), 6.3 (posterior predictive p value).
  * Test    tests/calibrate/test_posterior.c, test_coverage.c
@@ -70,11 +72,12 @@ const double *clod_posterior_sample(const clod_posterior *self, size_t i, size_t
  * Where further runs tell most: of the samples the one with the largest sum over used targets of the
  * surrogate's variance over that of the measurement; then, with a run there in thought, the next.
  *
+ * @param stop    asked on the way; NULL: never
  * @param places  [out] [count][dimensions]
- * Errors  CLOD_FAILED: memory.   Threads  safe.
+ * Errors  CLOD_FAILED: memory; CLOD_INTERRUPTED.   Threads  safe.
  */
 bool clod_posterior_refine(const clod_plan *plan, const clod_posterior *self, size_t count,
-                           double *places, clod_status *status);
+                           const clod_stop *stop, double *places, clod_status *status);
 
 /** Variance of a measured value about the mean of packings, without the surrogate's. */
 double clod_posterior_variance(const clod_plan_target *target);

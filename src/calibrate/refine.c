@@ -15,6 +15,7 @@
 typedef struct thought {
     const clod_plan *plan;
     const clod_posterior *posterior;
+    const clod_stop *stop;
     clod_surrogate **surrogates; ///< [targets] owned; NULL: that of the posterior
     double *room;
 } thought;
@@ -39,6 +40,7 @@ static double score(const thought *self, const double *place)
     return sum;
 }
 
+/** The candidate with the most left to tell; NULL after a stop. */
 static const double *choose(const thought *self)
 {
     const clod_posterior *from = self->posterior;
@@ -46,6 +48,9 @@ static const double *choose(const thought *self)
     double most = -1.0;
     for (size_t i = 0; i < CANDIDATES; i++) {
         const double *place = clod_posterior_sample(from, i, CANDIDATES);
+        if (clod_stop_asked(self->stop)) {
+            return NULL;
+        }
         const double found = score(self, place);
         if (found > most) {
             most = found;
@@ -73,10 +78,11 @@ static bool believe(thought *self, const double *place, clod_status *status)
 }
 
 bool clod_posterior_refine(const clod_plan *plan, const clod_posterior *self, size_t count,
-                           double *places, clod_status *status)
+                           const clod_stop *stop, double *places, clod_status *status)
 {
     thought of = {.plan = plan,
                   .posterior = self,
+                  .stop = stop,
                   .surrogates = clod_memory_alloc(plan->target_count, sizeof *of.surrogates),
                   .room = clod_posterior_room(self, count)};
     bool good = of.surrogates != NULL && of.room != NULL;
@@ -85,8 +91,12 @@ bool clod_posterior_refine(const clod_plan *plan, const clod_posterior *self, si
     }
     for (size_t k = 0; k < count && good; k++) {
         const double *place = choose(&of);
-        memcpy(places + k * self->dimensions, place, self->dimensions * sizeof *places);
-        good = k + 1 == count || believe(&of, place, status);
+        if (place == NULL) {
+            good = clod_stop_fail(status);
+        } else {
+            memcpy(places + k * self->dimensions, place, self->dimensions * sizeof *places);
+            good = k + 1 == count || believe(&of, place, status);
+        }
     }
     for (size_t t = 0; t < plan->target_count && of.surrogates != NULL; t++) {
         clod_surrogate_destroy(&of.surrogates[t]);

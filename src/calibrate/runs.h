@@ -9,7 +9,7 @@
 
 #include "base/warning_list.h"
 #include "calibrate/plan.h"
-#include "clod/run.h"
+#include "calibrate/stop.h"
 #include "output/folder.h"
 
 #define CLOD_RUNS_FOLDER "runs" ///< below that of the calibration
@@ -18,7 +18,7 @@
 typedef struct clod_runs_options {
     const char *program;   ///< path of clod
     int workers;           ///< processes side by side
-    clod_run_signal *stop; ///< not zero: stop all, with checkpoints
+    const clod_stop *stop; ///< whether to stop all, with checkpoints; or NULL
     void (*tell)(void *context, const char *text);
     void *context;
 } clod_runs_options;

@@ -87,9 +87,11 @@ static bool fits(const clod_plan *plan, const clod_study_source *source, size_t 
            source->seconds(source->context, done) * (double)(done + more) <= plan->budget;
 }
 
-static bool renew_posterior(const clod_plan *plan, clod_study *self, clod_status *status)
+static bool renew_posterior(const clod_plan *plan, const clod_study_source *source,
+                            clod_study *self, clod_status *status)
 {
-    const clod_posterior_runs runs = {plan, self->points, self->places, self->results};
+    const clod_posterior_runs runs = {plan, self->points, self->places, self->results,
+                                      source->stop};
     clod_posterior_destroy(&self->posterior);
     self->posterior = clod_posterior_create(&runs, status);
     return self->posterior != NULL;
@@ -130,11 +132,11 @@ static bool refine(const clod_plan *plan, const clod_study_source *source, size_
             return true;
         }
         if (!grow(plan, self, self->points + more, status) ||
-            !clod_posterior_refine(plan, self->posterior, more,
+            !clod_posterior_refine(plan, self->posterior, more, source->stop,
                                    self->places + self->points * plan->parameter_count,
                                    status) ||
             !compute(source, self, self->points + more, status) ||
-            !renew_posterior(plan, self, status)) {
+            !renew_posterior(plan, source, self, status)) {
             return false;
         }
     }
@@ -167,7 +169,8 @@ bool clod_study_run(const clod_plan *plan, const clod_study_source *source, clod
         return clod_status_fail(status, CLOD_FAILED, "No memory for the design.");
     }
     return compute(source, study, study->designed, status) &&
-           renew_posterior(plan, study, status) && refine(plan, source, points, study, status);
+           renew_posterior(plan, source, study, status) &&
+           refine(plan, source, points, study, status);
 }
 
 void clod_study_fini(clod_study *self)

@@ -5,6 +5,7 @@
  */
 
 #include "calibrate/posterior.h"
+#include "calibrate/stop.h"
 
 /** Where results come from: simulations, or a formula in a test. */
 typedef struct clod_study_source {
@@ -21,6 +22,7 @@ typedef struct clod_study_source {
     /** Tell people how far it is; NULL: nobody is told. */
     void (*tell)(void *context, const char *text);
     void *context;
+    const clod_stop *stop; ///< asked while posteriors are made; NULL: never
 } clod_study_source;
 
 typedef struct clod_study {

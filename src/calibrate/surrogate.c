@@ -218,8 +218,13 @@ clod_surrogate *clod_surrogate_create(const clod_surrogate_runs *runs, clod_surr
         clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate.");
         return NULL;
     }
-    const bool good = kind == CLOD_SURROGATE_GAUSSIAN ? clod_surrogate_fit(self)
+    const bool good = kind == CLOD_SURROGATE_GAUSSIAN ? clod_surrogate_fit(self, runs->stop)
                                                       : clod_surrogate_factor(self);
+    if (clod_stop_asked(runs->stop)) {
+        clod_surrogate_destroy(&self);
+        clod_stop_fail(status);
+        return NULL;
+    }
     return finish(self, good, status);
 }
 

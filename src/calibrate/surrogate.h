@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "calibrate/stop.h"
 #include "clod/status.h"
 
 #define CLOD_SURROGATE_MOST 16 ///< parameters
@@ -27,6 +28,7 @@ typedef struct clod_surrogate_runs {
     size_t dimensions, count;
     const double *inputs;  ///< [count][dimensions], in [0, 1]
     const double *results; ///< [count]
+    const clod_stop *stop; ///< asked while a surrogate is fitted to them; NULL: never
 } clod_surrogate_runs;
 
 /** A fitted surrogate; opaque. */
@@ -63,7 +65,7 @@ size_t clod_surrogate_points(const clod_surrogate_runs *runs);
  * @param runs  copied
  * @return      owned (clod_surrogate_destroy), or NULL
  * Errors  CLOD_FAILED: fewer runs than coefficients + 1, or points that do not tell them apart; no
- *         memory.
+ *         memory; CLOD_INTERRUPTED.
  * Threads safe.
  * Source  Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), eq. 2.41 to 2.45,
  *         4.17; Santner, Williams and Notz, The Design and Analysis of Computer Experiments (2003), 3.3.
@@ -101,6 +103,7 @@ double clod_surrogate_length(const clod_surrogate *self, size_t dimension);
 
 clod_surrogate_kind clod_surrogate_kind_of(const clod_surrogate *self);
 
-/** Leave every point out once, hyperparameters as they are. Errors  as clod_surrogate_create. */
-bool clod_surrogate_leave_one_out(const clod_surrogate *self, clod_surrogate_check *check,
-                                  clod_status *status);
+/** Leave every point out once, hyperparameters as they are. `stop` is asked at each; NULL: never.
+ *  Errors  as clod_surrogate_create. */
+bool clod_surrogate_leave_one_out(const clod_surrogate *self, const clod_stop *stop,
+                                  clod_surrogate_check *check, clod_status *status);

@@ -19,6 +19,13 @@
 #define EVALUATIONS 150 ///< for each hyperparameter and start
 #define TOLERANCE 1e-4  ///< of the log likelihood
 
+/** What is searched, and who may stop it. */
+typedef struct search {
+    clod_surrogate *surrogate;
+    const clod_stop *stop;
+    nlopt_opt by;
+} search;
+
 /** Logs of lengths and nugget into the surrogate. */
 static void put(clod_surrogate *self, const double *logs)
 {
@@ -32,15 +39,20 @@ static double objective(unsigned count, const double *logs, double *gradient, vo
 {
     (void)count;
     (void)gradient;
-    clod_surrogate *self = context;
-    put(self, logs);
-    return clod_surrogate_factor(self) ? -self->likelihood : 1e300;
+    const search *self = context;
+    clod_surrogate *at = self->surrogate;
+    if (clod_stop_asked(self->stop)) {
+        nlopt_force_stop(self->by);
+        return 1e300;
+    }
+    put(at, logs);
+    return clod_surrogate_factor(at) ? -at->likelihood : 1e300;
 }
 
-static nlopt_opt make_search(clod_surrogate *self)
+static bool make_search(search *self)
 {
-    const unsigned count = (unsigned)self->dimensions + 1;
-    nlopt_opt search = nlopt_create(NLOPT_LN_SBPLX, count);
+    const unsigned count = (unsigned)self->surrogate->dimensions + 1;
+    self->by = nlopt_create(NLOPT_LN_SBPLX, count);
     double low[CLOD_SURROGATE_MOST + 1];
     double high[CLOD_SURROGATE_MOST + 1];
     for (unsigned k = 0; k < count; k++) {
@@ -48,22 +60,22 @@ static nlopt_opt make_search(clod_surrogate *self)
         low[k] = log(length ? LEAST_LENGTH : LEAST_NUGGET);
         high[k] = log(length ? MOST_LENGTH : MOST_NUGGET);
     }
-    if (search != NULL) {
-        nlopt_set_min_objective(search, objective, self);
-        nlopt_set_lower_bounds(search, low);
-        nlopt_set_upper_bounds(search, high);
-        nlopt_set_ftol_abs(search, TOLERANCE);
-        nlopt_set_maxeval(search, (int)count * EVALUATIONS);
-        nlopt_set_initial_step1(search, 0.5);
+    if (self->by != NULL) {
+        nlopt_set_min_objective(self->by, objective, self);
+        nlopt_set_lower_bounds(self->by, low);
+        nlopt_set_upper_bounds(self->by, high);
+        nlopt_set_ftol_abs(self->by, TOLERANCE);
+        nlopt_set_maxeval(self->by, (int)count * EVALUATIONS);
+        nlopt_set_initial_step1(self->by, 0.5);
     }
-    return search;
+    return self->by != NULL;
 }
 
-bool clod_surrogate_fit(clod_surrogate *self)
+bool clod_surrogate_fit(clod_surrogate *self, const clod_stop *stop)
 {
     static const double START[STARTS][2] = {{0.5, 0.1}, {2.0, 1.0}, {0.25, 0.01}};
-    nlopt_opt search = make_search(self);
-    if (search == NULL) {
+    search of = {.surrogate = self, .stop = stop};
+    if (!make_search(&of)) {
         return false;
     }
     double best[CLOD_SURROGATE_MOST + 1];
@@ -75,13 +87,13 @@ bool clod_surrogate_fit(clod_surrogate *self)
             logs[k] = log(START[s][0]);
         }
         logs[self->dimensions] = log(START[s][1]);
-        const nlopt_result ended = nlopt_optimize(search, logs, &found);
+        const nlopt_result ended = nlopt_optimize(of.by, logs, &found);
         if ((ended > 0 || ended == NLOPT_ROUNDOFF_LIMITED) && found < least) {
             least = found;
             memcpy(best, logs, sizeof best);
         }
     }
-    nlopt_destroy(search);
+    nlopt_destroy(of.by);
     if (least >= 1e300) {
         return false;
     }

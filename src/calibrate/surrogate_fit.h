@@ -32,5 +32,6 @@ bool clod_surrogate_factor(clod_surrogate *self);
 /** Matern 5/2 correlation of two points; 0 for a polynomial. */
 double clod_surrogate_correlation(const clod_surrogate *self, const double *a, const double *b);
 
-/** Find lengths and nugget of greatest restricted likelihood, and factor there. */
-bool clod_surrogate_fit(clod_surrogate *self);
+/** Find lengths and nugget of greatest restricted likelihood, and factor there; false also when `stop` was
+ *  asked for, by then or before every likelihood. */
+bool clod_surrogate_fit(clod_surrogate *self, const clod_stop *stop);

@@ -13,7 +13,8 @@
 /** The runs of a surrogate. */
 static clod_surrogate_runs runs_of(const clod_surrogate *self)
 {
-    return (clod_surrogate_runs){self->dimensions, self->count, self->inputs, self->results};
+    return (clod_surrogate_runs){self->dimensions, self->count, self->inputs, self->results,
+                                 NULL};
 }
 
 /** A surrogate of other runs with the hyperparameters and the variance of this one. */
@@ -43,7 +44,7 @@ clod_surrogate *clod_surrogate_believe(const clod_surrogate *self, const double 
         memcpy(points + self->count * d, inputs, d * sizeof *points);
         memcpy(results, self->results, self->count * sizeof *results);
         results[self->count] = clod_surrogate_at(self, inputs, room).mean;
-        const clod_surrogate_runs runs = {d, self->count + 1, points, results};
+        const clod_surrogate_runs runs = {d, self->count + 1, points, results, NULL};
         more = with(self, &runs, status);
     }
     clod_memory_free(points);
@@ -75,7 +76,7 @@ static clod_surrogate_runs without(const clod_surrogate *self, size_t row, doubl
         }
     }
     *mean /= *packings;
-    return (clod_surrogate_runs){d, kept, points, results};
+    return (clod_surrogate_runs){d, kept, points, results, NULL};
 }
 
 /** Leave out the point of a run, unless an earlier run has it. */
@@ -109,8 +110,8 @@ static bool leave(const clod_surrogate *self, size_t row, double centre, double 
     return true;
 }
 
-bool clod_surrogate_leave_one_out(const clod_surrogate *self, clod_surrogate_check *check,
-                                  clod_status *status)
+bool clod_surrogate_leave_one_out(const clod_surrogate *self, const clod_stop *stop,
+                                  clod_surrogate_check *check, clod_status *status)
 {
     double *points = clod_memory_alloc(self->count * (self->dimensions + 1), sizeof *points);
     double *room = clod_memory_alloc(clod_surrogate_room(self), sizeof *room);
@@ -124,7 +125,8 @@ bool clod_surrogate_leave_one_out(const clod_surrogate *self, clod_surrogate_che
         clod_status_fail(status, CLOD_FAILED, "No memory for a surrogate's check.");
     }
     for (size_t i = 0; i < self->count && good; i++) {
-        good = leave(self, i, centre, points, room, &all, status);
+        good = clod_stop_asked(stop) ? clod_stop_fail(status)
+                                     : leave(self, i, centre, points, room, &all, status);
     }
     const clod_surrogate_runs runs = runs_of(self);
     *check = (clod_surrogate_check){.points = clod_surrogate_points(&runs),

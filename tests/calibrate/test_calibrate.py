@@ -222,15 +222,6 @@ class Calibrate(bounce.Bounce):
                                             "error: 1 kPa"),
                     words=["30 kPa is not among the consolidation_stresses"])
 
-    def test_measured_locus_becomes_targets(self):
-        """Prorated by hand: mean tau_p 40 kPa, so 20 kPa with tau_p 38 is 21.05 kPa."""
-        self.write("lab.csv", "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],tau_sh_error [kPa]\n"
-                              "54.8,38,12,20,0.5\n54.8,42,30,30,0.6\n54.8,40,40,35,0.7\n")
-        ring = clod.source("cases/calibrate-kadh/ring.yaml")
-        text = PLAN.replace("bounce.yaml", ring).replace("default.restitution", "default.rolling_friction")
-        text = text[:text.index("targets:")] + "targets: [{test: bounce, locus: lab.csv}]\n"
-        self.assertIn("in order", self.calibrate(text, "--check").stdout)
-
     def test_unknown_number_of_a_free_run_is_told_after_the_first_point(self):
         plan = PLAN.replace("kinetic_energy_J", "kinetic_energy")
         done = self.calibrate(plan, "-o", "out", code=2)

@@ -171,8 +171,6 @@ sampling: {samples: 1000}
         wall("normal_stress: 10 kPa", "normal_stress: 7 kPa",
              "7 kPa is not among the wall_stresses of test wall; give it there")
         wall("phi_w,", "phi_w, normal_stress: 5 kPa,", "phi_w has none")
-        wall("number: phi_x, normal_stress: 10 kPa, value: 6.843 deg", "locus: lab.csv",
-             "of a wall friction test for instance phi_x at each normal_stress")
         self.assertIn("in order", self.calibrate(self.WALL, "--check").stdout)
         with open(self.path("wall.yaml"), "a") as file:
             file.write("  seeds: 2\n")

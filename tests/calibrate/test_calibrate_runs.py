@@ -216,6 +216,19 @@ class Runs(bounce.Bounce):
             self.end(process, INTERRUPTED)
             self.assertLess(time.monotonic() - began, 10.0)
 
+    def test_stop_is_heard_while_posteriors_are_made(self):
+        """All runs are there: behind the lock there is nothing but the fit, here with many samples."""
+        self.calibrate(PLAN, "-o", "out")
+        before = {name: clod.read(self.path("out", name)) for name in RESULTS}
+        process = self.begin(PLAN.replace("samples: 1000", "samples: 100000"), "-j", "1")
+        lock = self.path("out/.clod-lock")  # has the number of the process that holds it
+        self.assertTrue(clod.wait_until(lambda: clod.read(lock).strip() == str(process.pid).encode(), process,
+                                        100), "it ended before")
+        process.send_signal(signal.SIGTERM)
+        self.assertIn("the same command goes on", self.end(process, INTERRUPTED))
+        for name, text in before.items():
+            self.assertEqual(clod.read(self.path("out", name)), text, name)
+
     def test_damaged_rows_and_results_say_what_to_remove(self):
         self.calibrate(SHORT, "-o", "out")
         self.change_row("p001-1", state="dnoe")

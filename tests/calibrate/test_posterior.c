@@ -21,7 +21,7 @@ static clod_posterior *make(plan_made *made)
             results[i][s][1] = 5.0 - 4.0 * places[i];
         }
     }
-    const clod_posterior_runs runs = {&made->plan, POINTS, places, &results[0][0][0]};
+    const clod_posterior_runs runs = {&made->plan, POINTS, places, &results[0][0][0], NULL};
     clod_status status = {CLOD_OK, ""};
     clod_posterior *self = clod_posterior_create(&runs, &status);
     if (self == NULL) {
@@ -132,7 +132,7 @@ static void a_held_back_target_without_runs_is_dropped(void **state)
         y[i][1] = (double)NAN;
     }
     made.plan.seeds = 1;
-    const clod_posterior_runs runs = {&made.plan, POINTS, u, &y[0][0]};
+    const clod_posterior_runs runs = {&made.plan, POINTS, u, &y[0][0], NULL};
     clod_status status = {CLOD_OK, ""};
     clod_posterior *self = clod_posterior_create(&runs, &status);
     assert_non_null(self);
@@ -141,7 +141,7 @@ static void a_held_back_target_without_runs_is_dropped(void **state)
     assert_true(self->targets[1].runs == 0 && self->targets[1].why[0] != '\0');
     assert_true(isnan(self->targets[1].mean) && isnan(self->targets[1].low));
     double next[2];
-    assert_true(clod_posterior_refine(&made.plan, self, 2, next, &status));
+    assert_true(clod_posterior_refine(&made.plan, self, 2, NULL, next, &status));
     clod_posterior_destroy(&self);
     made.targets[1].held_back = false; // used, it is needed
     assert_null(clod_posterior_create(&runs, &status));
@@ -184,12 +184,12 @@ static void further_points_go_where_least_is_known(void **state)
         u[i] = i < 6 ? 0.1 * i : 0.8 + 0.06 * (i - 6);
         y[i] = sin(M_PI * u[i]) + 0.2 * u[i] * u[i];
     }
-    const clod_posterior_runs runs = {&made.plan, 10, u, y};
+    const clod_posterior_runs runs = {&made.plan, 10, u, y, NULL};
     clod_status status = {CLOD_OK, ""};
     clod_posterior *self = clod_posterior_create(&runs, &status);
     assert_non_null(self);
     double next[2];
-    assert_true(clod_posterior_refine(&made.plan, self, 2, next, &status));
+    assert_true(clod_posterior_refine(&made.plan, self, 2, NULL, next, &status));
     assert_true(next[0] > 0.5 && next[0] < 0.8);
     assert_true(next[1] != next[0]);
     clod_posterior_destroy(&self);

@@ -1,0 +1,37 @@
+#pragma once
+/**
+ * @file plan_targets.h
+ * Targets in the making; for plan_targets.c and plan_tables.c alone.
+ */
+
+#include "calibrate/number.h"
+#include "calibrate/plan_check.h"
+
+#define CLOD_PLAN_TARGETS_PATH 64
+
+/** What is being made. */
+typedef struct clod_plan_maker {
+    clod_loader *loader;
+    clod_plan *plan;
+    const clod_plan_wish *wish;
+    size_t number; ///< of the wish
+    char path[CLOD_PLAN_TARGETS_PATH];
+} clod_plan_maker;
+
+/** Path of a key of the wish, for a complaint; "": of the wish. */
+const char *clod_plan_targets_at(clod_plan_maker *self, const char *key);
+
+/** A standard error or deviation: above 0, or 0 where it may be left out; false after a complaint. */
+bool clod_plan_targets_deviation(clod_plan_maker *self, const char *key, const char *text,
+                                 const clod_number *kind, bool needed, double *value);
+
+/** A normal stress where one is needed, within what the test has; false after a complaint. */
+bool clod_plan_targets_check_stress(clod_plan_maker *self, size_t test, const clod_number *kind,
+                                    const char *number, double stress);
+
+/** Append a target, under the name that its test and number give it. */
+void clod_plan_targets_add(clod_plan_maker *self, const clod_plan_target *made,
+                           const char *number);
+
+/** Targets of the points of a measured table (plan_tables.c). */
+void clod_plan_tables_make(clod_plan_maker *self, size_t test);

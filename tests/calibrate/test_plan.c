@@ -1,0 +1,166 @@
+/**
+ * @file test_plan.c
+ * Measured tables of a plan become targets: values, errors and normal stresses by hand.
+ */
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "calibrate/plan.h"
+#include "output/temp_folder.h"
+
+#define DEGREE 0.017453292519943295
+#define RING "cases/calibrate-kadh/ring.yaml"
+#define WALL "tests/cli/wall_friction.yaml"
+#define SHEAR_HEAD                                                                             \
+    "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],tau_sh_error [kPa]\n"
+#define WALL_HEAD "sigma_w [kPa],tau_w [kPa],tau_w_error [kPa],steady\n"
+
+static void write_file(void **state, const char *name, const char *text)
+{
+    char path[PATH_MAX];
+    FILE *out = fopen(temp_path(path, state, name), "w");
+    assert_non_null(out);
+    fputs(text, out);
+    assert_int_equal(fclose(out), 0);
+}
+
+/** Load a plan with one test and one target; the table is lab.csv. */
+static bool load(void **state, const char *from, const char *key, const char *target,
+                 clod_plan *plan, clod_status *status)
+{
+    char text[2048];
+    char path[PATH_MAX];
+    snprintf(text, sizeof text,
+             "points: 5\ntests: {lab: {case: %s/%s}}\n"
+             "parameters: {p: {key: %s, from: 0.1, to: 0.2}}\ntargets: [{test: lab, %s}]\n",
+             CLOD_SOURCE_DIR, from, key, target);
+    write_file(state, "plan.yaml", text);
+    return clod_plan_load(temp_path(path, state, "plan.yaml"), plan, status);
+}
+
+static void check_target(const clod_plan_target *target, const char *name, double stress,
+                         double value, double error)
+{
+    assert_string_equal(target->name, name);
+    assert_true(fabs(target->normal_stress / stress - 1.0) < 1e-12);
+    assert_true(fabs(target->value / value - 1.0) < 1e-9);
+    assert_true(fabs(target->error / error - 1.0) < 1e-9);
+}
+
+// Mean tau_p of the three specimens: 40 kPa. Prorated: tau_sh 40 kPa/tau_p.
+static void measured_yield_locus_becomes_targets(void **state)
+{
+    clod_plan plan;
+    clod_status status = {CLOD_OK, ""};
+    write_file(state, "lab.csv",
+               SHEAR_HEAD "54.8,38,12,20,0.5\n54.8,42,30,30,0.6\n54.8,40,40,35,0\n");
+    assert_true(load(state, RING, "contacts.default.rolling_friction",
+                     "locus: lab.csv, error: 0.7 kPa, discrepancy: 0.2 kPa, held_back: false",
+                     &plan, &status));
+    assert_int_equal(plan.target_count, 3);
+    check_target(&plan.targets[0], "lab: tau at 12 kPa", 12e3, 20e3 * 40.0 / 38.0, 0.5e3);
+    check_target(&plan.targets[1], "lab: tau at 30 kPa", 30e3, 30e3 * 40.0 / 42.0, 0.6e3);
+    check_target(&plan.targets[2], "lab: tau at 40 kPa", 40e3, 35e3, 0.7e3); // of the plan
+    for (size_t t = 0; t < 3; t++) {
+        assert_true(fabs(plan.targets[t].discrepancy - 0.2e3) < 1e-9);
+    }
+    clod_plan_fini(&plan);
+}
+
+// phi_x = atan(tau_w/sigma_w); its error is that of tau_w over sigma_w (1 + (tau_w/sigma_w)^2).
+static void measured_wall_yield_locus_becomes_angles(void **state)
+{
+    clod_plan plan;
+    clod_status status = {CLOD_OK, ""};
+    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,1\n");
+    assert_true(load(state, WALL, "contacts.ore-plate.friction",
+                     "locus: lab.csv, error: 0.5 deg", &plan, &status));
+    assert_int_equal(plan.target_count, 2);
+    check_target(&plan.targets[0], "lab: phi_x at 20 kPa", 20e3, atan(0.2),
+                 0.1 / 20.0 / (1.0 + 0.2 * 0.2));
+    check_target(&plan.targets[1], "lab: phi_x at 10 kPa", 10e3, atan(0.25), 0.5 * DEGREE);
+    clod_plan_fini(&plan);
+}
+
+// A table of clod has the stress that was asked for beside the one that was reached.
+static void point_stands_at_the_stress_that_was_asked_for(void **state)
+{
+    clod_plan plan;
+    clod_status status = {CLOD_OK, ""};
+    write_file(state, "lab.csv",
+               "wall_stress [kPa],sigma_w [kPa],tau_w [kPa]\n20,19,4\n10,9,2.5\n5,4.5,1\n");
+    assert_true(load(state, WALL, "contacts.ore-plate.friction",
+                     "locus: lab.csv, error: 0.5 deg, normal_stress: 10 kPa", &plan, &status));
+    assert_int_equal(plan.target_count, 1);
+    check_target(&plan.targets[0], "lab: phi_x at 10 kPa", 10e3, atan(2.5 / 9.0), 0.5 * DEGREE);
+    clod_plan_fini(&plan);
+}
+
+static void refuse_of(void **state, const char *from, const char *key, const char *target,
+                      const char *words)
+{
+    clod_plan plan;
+    clod_status status = {CLOD_OK, ""};
+    assert_false(load(state, from, key, target, &plan, &status));
+    assert_int_equal(status.code, CLOD_USAGE);
+    if (strstr(status.text, words) == NULL) {
+        fail_msg("%s: not in: %s", words, status.text);
+    }
+    clod_plan_fini(&plan);
+}
+
+static void refuse(void **state, const char *target, const char *words)
+{
+    refuse_of(state, WALL, "contacts.ore-plate.friction", target, words);
+}
+
+static void table_of_a_test_without_a_locus_is_refused(void **state)
+{
+    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0.1,1\n");
+    refuse_of(state, "cases/copper-ore-uniaxial/case.yaml", "contacts.default.rolling_friction",
+              "locus: lab.csv",
+              "targets.0.locus: test lab is neither a shear test nor a wall friction test");
+}
+
+static void wall_table_that_is_no_target_is_refused(void **state)
+{
+    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,0\n");
+    refuse(state, "locus: lab.csv, error: 0.5 deg",
+           "targets.0.locus: was not steady at 10 kPa");
+    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,1\n7,1,0,1\n");
+    refuse(state, "locus: lab.csv",
+           "needs the key error: the table has no tau_w_error at 10 kPa");
+    refuse(state, "locus: lab.csv, error: 0.5 deg",
+           "targets.0.locus: 7 kPa is not among the wall_stresses of test lab");
+    refuse(state, "locus: lab.csv, error: 0.5 deg, normal_stress: 5 kPa",
+           "targets.0.normal_stress: 5 kPa: the table has no point there");
+    refuse(state, "locus: lab.csv, number: phi_x, error: 0.5 deg",
+           "targets.0.locus: has number or value beside it");
+    write_file(state, "lab.csv", WALL_HEAD "20,0,0.1,1\n10,2.5,0.1,1\n");
+    refuse(state, "locus: lab.csv", "has a phi_x of 0 deg at 20 kPa; allowed is 0.1 to 85 deg");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(measured_yield_locus_becomes_targets, temp_folder_make,
+                                        temp_folder_remove),
+        cmocka_unit_test_setup_teardown(measured_wall_yield_locus_becomes_angles,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(point_stands_at_the_stress_that_was_asked_for,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(wall_table_that_is_no_target_is_refused,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(table_of_a_test_without_a_locus_is_refused,
+                                        temp_folder_make, temp_folder_remove),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
