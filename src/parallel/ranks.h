@@ -2,8 +2,8 @@
 /**
  * @file ranks.h
  * Ranks that compute one bed together: what they say to each other. Two calls do everything, and
- * two more do again and again what is the same each time; they are MPI's (ranks_mpi.c) or those of threads in one process
- * (tests/support/ranks_threads.h).
+ * two more do again and again what is the same each time; they are MPI's (ranks_mpi.c) or those of
+ * threads in one process (tests/support/ranks_threads.h).
  *
  * All ranks make the same calls in the same order. What a rank gets does not depend on who comes
  * first, so neither does any result.

@@ -4,13 +4,24 @@
 #include "step/crew_state.h"
 #include "step/migrate.h"
 
-/** All that is this rank's; rank 0 begins with a copy of everything. */
+/** A copy of a state but for its grains and contacts. */
+static bool copy_without_rows(clod_state *to, const clod_state *from, clod_status *status)
+{
+    clod_state rest = *from; // borrowed
+    rest.grains = (clod_grains){0};
+    rest.build_position = NULL;
+    rest.contacts = NULL;
+    rest.contact_count = rest.wall_contact_count = 0;
+    return clod_state_copy(to, &rest, status);
+}
+
+/** All that is this rank's but grains and contacts. */
 static bool make_part(clod_crew *self, bool clumps, clod_status *status)
 {
     bool good = clod_grains_reserve(&self->state.grains, 0, status);
     if (self->whole != NULL) {
         clod_state_fini(&self->state);
-        good = clod_state_copy(&self->state, self->whole->state, status);
+        good = copy_without_rows(&self->state, self->whole->state, status);
         self->laws = *self->whole->laws; // borrowed
     }
     if (!clod_ranks_agree(self->ranks, good, status) ||
@@ -38,7 +49,8 @@ bool clod_crew_part_begin(clod_crew *self, const clod_crew_order *what, clod_sta
         return false;
     }
     self->spread.balance.options = what->balance;
-    if (!clod_migrate(&self->spread, &self->state, same_skin, &self->state, status)) {
+    const clod_state *from = self->whole != NULL ? self->whole->state : &self->state;
+    if (!clod_migrate(&self->spread, from, &self->state, same_skin, &self->state, status)) {
         return false;
     }
     self->spread.balance.moved = 0; // nobody had them

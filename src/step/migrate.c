@@ -114,29 +114,29 @@ static void pack_ghosts(const clod_spread *self, const clod_state *state, double
 }
 
 /** Grains to their owners, and then ghosts behind them. */
-static bool move_grains(clod_spread *self, clod_state *state, double skin, parcels *way,
-                        clod_status *status)
+static bool move_grains(clod_spread *self, const clod_state *from, clod_state *to, double skin,
+                        parcels *way, clod_status *status)
 {
     parcels_clear(way);
-    pack_grains(self, state, way->out);
+    pack_grains(self, from, way->out);
     if (!swap(self, way, status)) {
         return false;
     }
-    state->grains.count = 0;
-    bool good = clod_records_get_grains(&way->in, state, status);
+    to->grains.count = 0;
+    bool good = clod_records_get_grains(&way->in, to, status);
     if (!clod_ranks_agree(self->ranks, good, status)) {
         return false;
     }
     parcels_clear(way);
-    pack_ghosts(self, state, skin, way->out);
+    pack_ghosts(self, to, skin, way->out);
     if (!swap(self, way, status)) {
         return false;
     }
-    good = clod_records_get_grains(&way->in, state, status);
+    good = clod_records_get_grains(&way->in, to, status);
     return clod_ranks_agree(self->ranks, good, status);
 }
 
-bool clod_migrate(clod_spread *self, clod_state *state,
+bool clod_migrate(clod_spread *self, const clod_state *from, clod_state *to,
                   double (*skin)(const void *context, const clod_layers_extent *bed),
                   const void *context, clod_status *status)
 {
@@ -144,13 +144,13 @@ bool clod_migrate(clod_spread *self, clod_state *state,
     bool good = parcels_init(&grains, self->ranks, status);
     good = parcels_init(&contacts, self->ranks, status) && good;
     if (good) {
-        clod_spread_cut(self, state);
-        pack_contacts(self, state, contacts.out); // while the rows are there
-        good = move_grains(self, state, skin(context, &self->bed), &grains, status) &&
+        clod_spread_cut(self, from);
+        pack_contacts(self, from, contacts.out); // while the rows are there
+        good = move_grains(self, from, to, skin(context, &self->bed), &grains, status) &&
                swap(self, &contacts, status) &&
                clod_ranks_agree(
                    self->ranks,
-                   clod_records_get_contacts(&contacts.in, state, &self->torn, status), status);
+                   clod_records_get_contacts(&contacts.in, to, &self->torn, status), status);
     }
     parcels_fini(&grains);
     parcels_fini(&contacts);

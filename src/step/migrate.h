@@ -11,16 +11,18 @@
 #include "step/spread.h"
 
 /**
- * Cut the bed anew by state->build_position and move every grain to its owner, with its contacts;
+ * Cut the bed anew by from->build_position and move every grain to its owner, with its contacts;
  * then ghosts go to whom they matter. Rows and contacts are in any order then: the next is
  * clod_neighbour_sort_as_built, with self->layers, and clod_spread_list.
  *
- * @param state  own rows by self->owner (NULL: all), ghosts, and contacts; those of a ghost with
- *               an own grain too, which come from the other's owner
- * @param skin   wide skin of the rebuild, a function of radius and speed [m]
- * @return       false without memory, on all ranks alike
+ * @param from  own rows by self->owner (NULL: all), ghosts, and contacts; those of a ghost with
+ *              an own grain too, which come from the other's owner
+ * @param to    [out] rows and contacts of this rank, in place of those it has; may be `from`, and has
+ *              the same columns
+ * @param skin  wide skin of the rebuild, a function of radius and speed [m]
+ * @return      false without memory, on all ranks alike
  */
-bool clod_migrate(clod_spread *self, clod_state *state,
+bool clod_migrate(clod_spread *self, const clod_state *from, clod_state *to,
                   double (*skin)(const void *context, const clod_layers_extent *bed),
                   const void *context, clod_status *status);
 

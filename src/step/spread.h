@@ -43,7 +43,7 @@ typedef struct clod_spread {
     clod_ranks *ranks;        ///< borrowed
     clod_layers_extent bed;   ///< of all grains, at the last rebuild
     clod_layers layers;       ///< of it
-    clod_partition partition; ///< of the last rebuild
+    clod_partition partition; ///< of the last cut
     clod_balance balance;
     int32_t *owner;  ///< [rows] rank of each grain; NULL: all are this rank's
     clod_chunk *run; ///< [runs] rows that are this rank's

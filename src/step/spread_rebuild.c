@@ -74,7 +74,7 @@ bool clod_spread_rebuild(clod_step *step, double speed, clod_status *status)
     memcpy(state->build_position, state->grains.position,
            state->grains.count * sizeof *state->build_position);
     const skin_choice choice = {&step->neighbour, state, speed};
-    if (!clod_migrate(spread, state, choose_skin, &choice, status)) {
+    if (!clod_migrate(spread, state, state, choose_skin, &choice, status)) {
         return false;
     }
     clod_grains_pad(&state->grains);
