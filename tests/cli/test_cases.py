@@ -1,5 +1,6 @@
 """cases/: every case is accepted, scripts write the meshes that are there, tables measure rightly."""
 
+import argparse
 import glob
 import importlib.machinery
 import importlib.util
@@ -18,6 +19,7 @@ CASES = clod.source("cases")
 DRUM_GRAINS = ("id,material,radius [m],x [m],y [m],z [m]\n"
                "0,M1,0.001,0,0,-0.05\n1,M2,0.002,0.01,0,-0.05\n")
 BENCH = "contact-bench"  # drives one contact: nothing to run
+INCLUDED = "chute.yaml"  # keys of other cases, no case
 
 
 def script(path):
@@ -31,7 +33,8 @@ def script(path):
 class Cases(clod.Case):
     @clod.quick_only
     def test_check_accepts_every_case(self):
-        found = sorted(glob.glob(os.path.join(CASES, "*", "*.yaml")))
+        found = sorted(path for path in glob.glob(os.path.join(CASES, "*", "*.yaml"))
+                       if os.path.basename(path) != INCLUDED)
         self.assertGreater(len(found), 15)
         for path in found:
             folder, name = os.path.split(os.path.relpath(path, CASES))
@@ -55,11 +58,63 @@ class Cases(clod.Case):
                 made = self.path(os.path.basename(folder))
                 os.mkdir(made)
                 subprocess.run([sys.executable, path], cwd=made, check=True)
-                kept = sorted(name for name in os.listdir(folder) if name.endswith(".obj"))
+                kept = sorted(name for name in os.listdir(folder)
+                              if name.endswith(".obj") or name == INCLUDED)
                 self.assertEqual(sorted(os.listdir(made)), kept)
                 for name in kept:
                     self.assertTrue(clod.read(os.path.join(made, name))
                                     == clod.read(os.path.join(folder, name)), name)
+
+    def test_the_chute_is_laid_out_by_closed_forms(self):
+        """Speeds along the stream by docs/theory/belts-and-chutes.md; the stream meets each plate."""
+        geometry = script("transfer-chute/geometry")
+        parser = argparse.ArgumentParser()
+        geometry.add_arguments(parser)
+        given = parser.parse_args(["--stream", "25", "--hood-to", "70"])
+        chute = geometry.Chute(given)
+        at = dict(chute.stations)
+        mu, g = 0.4, 9.81
+        # free flight, and a hit
+        self.assertAlmostEqual(at["meets the hood"].speed, 1.8 * math.sqrt(2.0), places=9)
+        self.assertAlmostEqual(at["on the hood"].speed, at["meets the hood"].speed
+                               * (math.cos(math.radians(10)) - mu * math.sin(math.radians(10))), places=9)
+        fall = at["leaves the hood"].z - at["meets the spoon"].z
+        self.assertAlmostEqual(at["meets the spoon"].speed**2,
+                               at["leaves the hood"].speed**2 + 2.0 * g * fall, places=9)
+
+        def hood(radius, p):
+            return 2.0 * g * radius / (1 + 4 * mu**2) * (3 * mu * math.sin(p) + (2 * mu**2 - 1) * math.cos(p))
+
+        radius = 0.4 - at["on the hood"].thickness / 2
+        start, end = math.radians(55), math.radians(70)
+        k = (at["on the hood"].speed**2 - hood(radius, start)) * math.exp(2 * mu * start)
+        self.assertAlmostEqual(at["leaves the hood"].speed,
+                               math.sqrt(hood(radius, end) + k * math.exp(-2 * mu * end)), places=4)
+
+        def spoon(radius, t):
+            return 2.0 * g * radius / (1 + 4 * mu**2) * ((1 - 2 * mu**2) * math.sin(t) + 3 * mu * math.cos(t))
+
+        radius = 0.4 - at["on the spoon"].thickness / 2
+        start, end = math.pi / 2 - at["on the spoon"].angle, math.radians(60)
+        k = (at["on the spoon"].speed**2 - spoon(radius, start)) * math.exp(2 * mu * start)
+        self.assertAlmostEqual(at["leaves the spoon"].speed,
+                               math.sqrt(spoon(radius, end) + k * math.exp(-2 * mu * end)), places=4)
+        # the middle of the stream meets the arc of the spoon where that has turned by the angle of the hit
+        points = chute.plate
+        nearest = min(math.dist(point, (at["meets the spoon"].x, at["meets the spoon"].z))
+                      for point in points)
+        self.assertLess(nearest, 0.5 * 0.4 * math.radians(3.0) + 1e-6)
+        self.assertAlmostEqual(points[-1][1], 0.25, places=6)
+
+    def test_a_chute_that_cannot_be_is_refused(self):
+        for words, text in ((["--hood-to", "50"], "--hood-to: 50 degrees"),
+                            (["--lip", "700"], "no room below the hood"),
+                            (["--width", "0"], "--width: 0 must be more than 0")):
+            done = subprocess.run([sys.executable, os.path.join(CASES, "transfer-chute/geometry"), *words],
+                                  cwd=self.folder, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(text, done.stderr)
+            self.assertEqual(os.listdir(self.folder), [])
 
     def test_screw_feeder_begins(self):
         """50 ms: mass by the inlet's flow to half a grain, angle by the speed of the screw."""
