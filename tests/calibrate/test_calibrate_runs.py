@@ -216,11 +216,13 @@ class Runs(bounce.Bounce):
             self.end(process, INTERRUPTED)
             self.assertLess(time.monotonic() - began, 10.0)
 
-    def test_stop_is_heard_while_posteriors_are_made(self):
-        """All runs are there: behind the lock there is nothing but the fit, here with many samples."""
-        self.calibrate(PLAN, "-o", "out")
+    def test_stop_is_heard_while_the_posterior_is_made(self):
+        """All runs are there, and no point is added to five: behind the lock there is nothing but the fit, here
+        with many samples of many targets."""
+        target = SHORT[SHORT.index("  - {test"):SHORT.index("sampling")]
+        self.calibrate(SHORT, "-o", "out")
         before = {name: clod.read(self.path("out", name)) for name in RESULTS}
-        process = self.begin(PLAN.replace("samples: 1000", "samples: 100000"), "-j", "1")
+        process = self.begin(SHORT.replace(target, 200 * target).replace("samples: 1000", "samples: 100000"))
         lock = self.path("out/.clod-lock")  # has the number of the process that holds it
         self.assertTrue(clod.wait_until(lambda: clod.read(lock).strip() == str(process.pid).encode(), process,
                                         100), "it ended before")
