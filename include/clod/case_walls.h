@@ -76,7 +76,7 @@ typedef struct clod_case_belt {
     double idler_angle; ///< rad, of the wing rolls; 0 = a flat belt
     double middle_roll; ///< m, length of the middle roll; 0 = two rolls, a V
     double transition;  ///< m before the end over which the trough flattens
-    double facet;       ///< m, longest edge of a facet; 0: no limit
+    double facet;       ///< m, longest side of a piece, of two facets each; 0: no limit
     double speed;       ///< m/s
     clod_case_belt_pulley pulley;
     clod_case_belt_skirts skirts;

@@ -87,6 +87,12 @@ static clod_vec3 between(const clod_vec3 corner[4], double along_b, double along
     return mix(low, high, along_d);
 }
 
+/** Pieces between two stations of a straight part. */
+static int pieces_along(const writer *self, const station *a, const station *b)
+{
+    return pieces(self, hypot(b->x - a->x, b->z - a->z));
+}
+
 /** A plate in pieces: `to_b` from its first corner to the second, `to_d` from there to the last. */
 static void write_quad(writer *self, const clod_vec3 corner[4], int to_b, int to_d)
 {
@@ -101,12 +107,11 @@ static void write_quad(writer *self, const clod_vec3 corner[4], int to_b, int to
     }
 }
 
-/** The belt between two stations. */
-static void write_strip(writer *self, const station *a, const station *b)
+/** The belt between two stations, in so many pieces along it. */
+static void write_strip(writer *self, const station *a, const station *b, int along)
 {
     const section first = section_at(self->belt, a->flatten);
     const section second = section_at(self->belt, b->flatten);
-    const int along = pieces(self, hypot(b->x - a->x, b->z - a->z));
     for (int k = 0; k + 1 < first.count; k++) {
         const double *p = first.point[k], *q = first.point[k + 1];
         const double *r = second.point[k + 1], *s = second.point[k];
@@ -149,14 +154,14 @@ static void write_run(writer *self, size_t run)
     if (flattens < length) {
         const double along = flattens > 0.0 ? length - flattens : length;
         const station to = station_on(belt, run, along, 0.0);
-        write_strip(self, &from, &to);
+        write_strip(self, &from, &to, pieces_along(self, &from, &to));
         from = to;
     }
     for (int k = 1; flattens > 0.0 && k <= TRANSITION_PIECES; k++) {
         const double share = (double)k / TRANSITION_PIECES;
         const double along = k < TRANSITION_PIECES ? length - (1.0 - share) * flattens : length;
         const station to = station_on(belt, run, along, share);
-        write_strip(self, &from, &to);
+        write_strip(self, &from, &to, pieces_along(self, &from, &to));
         from = to;
     }
 }
@@ -184,7 +189,7 @@ static void write_pulley(writer *self)
     station from = station_on_pulley(self->belt, 0.0);
     for (int k = 1; k <= facets; k++) {
         const station to = station_on_pulley(self->belt, wrap * k / facets);
-        write_strip(self, &from, &to);
+        write_strip(self, &from, &to, 1); // corners of facets lie on the cylinder
         from = to;
     }
 }
@@ -197,7 +202,7 @@ static void write_return(writer *self)
     station to = from;
     to.x += belt->pulley.return_length * cos(rise);
     to.z += belt->pulley.return_length * sin(rise);
-    write_strip(self, &from, &to);
+    write_strip(self, &from, &to, pieces_along(self, &from, &to));
 }
 
 /** Height of the trough above its middle at a distance y from there. */
@@ -213,7 +218,7 @@ static void write_plates(writer *self, const station *a, const station *b)
     const double y = 0.5 * skirts->distance;
     const double low = trough_height(self->belt, y) + skirts->gap;
     const double high = low + skirts->height;
-    const int along = pieces(self, hypot(b->x - a->x, b->z - a->z));
+    const int along = pieces_along(self, a, b);
     const int upright = pieces(self, skirts->height);
     write_quad(self,
                (clod_vec3[4]){place(a, y, low), place(b, y, low), place(b, y, high),

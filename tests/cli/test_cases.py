@@ -109,6 +109,11 @@ class Cases(clod.Case):
     def test_a_chute_that_cannot_be_is_refused(self):
         for words, text in ((["--hood-to", "50"], "--hood-to: 50 degrees"),
                             (["--lip", "700"], "no room below the hood"),
+                            (["--friction", "3"], "too slow to follow the hood"),
+                            (["--spoon-behind", "300"], "the stream has 14.5 where it meets the spoon"),
+                            (["--spoon-to", "80"], "--spoon-to: 80 degrees; the stream has 69.6"),
+                            (["--lip", "90"], "--receiving: 100 mm must be below"),
+                            (["--output", "nowhere"], "there is no folder nowhere"),
                             (["--width", "0"], "--width: 0 must be more than 0")):
             done = subprocess.run([sys.executable, os.path.join(CASES, "transfer-chute/geometry"), *words],
                                   cwd=self.folder, capture_output=True, text=True)

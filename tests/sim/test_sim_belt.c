@@ -156,6 +156,29 @@ static void a_slow_belt_takes_grains_round(void **state)
     }
 }
 
+/** Where a grain is that has gone along the belt and some way round the pulley. */
+static void place_on_pulley(const char *speed, double position[3])
+{
+    clod_sim *sim = belt_case(speed, "", "0.6", "0.9", 1);
+    add_resting(sim, 1, 0.9, 0.03, 1.1);
+    advance(sim, 0.16);
+    memcpy(position, row(sim, "position", 1), 3 * sizeof(double));
+    clod_sim_destroy(&sim);
+}
+
+/** Facets of 3 mm, shorter than those of the pulley: the grain takes the same way. */
+static void fine_facets_are_not_felt(void **state)
+{
+    (void)state;
+    double coarse[3], fine[3];
+    place_on_pulley("1.1 m/s", coarse);
+    place_on_pulley("1.1 m/s, facet: 3 mm", fine);
+    assert_true(coarse[0] > 1.05 && hypot(coarse[0] - 1.0, coarse[2] + 0.2) < 0.2 + RADIUS);
+    for (int axis = 0; axis < 3; axis++) {
+        check_close(fine[axis], coarse[axis], 1e-9);
+    }
+}
+
 /** A grain that slides and does not roll is carried off with the heat of half the belt's work. */
 static void half_of_the_work_of_a_belt_is_heat(void **state)
 {
@@ -229,6 +252,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_fast_belt_throws_grains_off),
         cmocka_unit_test(a_slow_belt_takes_grains_round),
+        cmocka_unit_test(fine_facets_are_not_felt),
         cmocka_unit_test(half_of_the_work_of_a_belt_is_heat),
         cmocka_unit_test(a_belt_starts_up_linearly),
         cmocka_unit_test_setup_teardown(a_start_up_goes_on_from_a_checkpoint, temp_folder_make,
