@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "analysis/mean.h"
 #include "analysis/preshear.h"
 #include "analysis/spread.h"
 #include "analysis/warnings.h"
@@ -104,27 +105,6 @@ static bool check_points(const clod_locus_point *points, size_t count, clod_stat
                count, points[0].sigma_s / 1000.0);
 }
 
-/** Mean and standard error of values; `stated` is the sum of their squared stated errors. */
-static clod_locus_value mean_of(const double *value, size_t count, double stated)
-{
-    if (count == 0) {
-        return (clod_locus_value){NAN, NAN, NAN};
-    }
-    const double n = (double)count;
-    double mean = 0.0;
-    for (size_t i = 0; i < count; i++) {
-        mean += value[i] / n;
-    }
-    double squares = 0.0;
-    for (size_t i = 0; i < count; i++) {
-        squares += (value[i] - mean) * (value[i] - mean);
-    }
-    const double between = count > 1 ? squares / (n - 1.0) / n : 0.0;
-    const double variance = fmax(between, stated / n / n);
-    return (clod_locus_value){mean, count > 1 || stated > 0.0 ? sqrt(variance) : (double)NAN,
-                              NAN};
-}
-
 /** Normal stress of preshear over the points; bulk density over the preshears that tell it. */
 static void fill_means(clod_locus *self, const clod_locus_point *points, const size_t *first,
                        size_t count, double *scratch)
@@ -132,7 +112,7 @@ static void fill_means(clod_locus *self, const clod_locus_point *points, const s
     for (size_t i = 0; i < count; i++) {
         scratch[i] = points[i].sigma_p;
     }
-    self->sigma_p = mean_of(scratch, count, 0.0);
+    self->sigma_p = clod_mean_of(scratch, count, 0.0);
     size_t known = 0;
     double stated = 0.0;
     for (size_t i = 0; i < count; i++) {
@@ -141,7 +121,7 @@ static void fill_means(clod_locus *self, const clod_locus_point *points, const s
             stated += points[i].rho_b_error * points[i].rho_b_error;
         }
     }
-    self->rho_b = mean_of(scratch, known, stated);
+    self->rho_b = clod_mean_of(scratch, known, stated);
     self->preshear_count = 0;
     for (size_t i = 0; i < count; i++) {
         self->preshear_count += first[i] == i ? 1 : 0;

@@ -68,7 +68,7 @@ static const clod_param WISH[] = {
      .help =
          "Table of measured points, as clod locus reads it, in place of number and value. Shear points: each "
          "prorated one with the case's preshear stress is a target tau. A wall yield locus: each point is a "
-         "target phi_x, or, with normal_stress, those there.",
+         "target phi_x, or, with normal_stress, those there. Repeats at one stress are one target, their mean.",
      .source = HOWTO},
     {.key = "normal_stress",
      .kind = CLOD_PARAM_REAL,

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "analysis/mean.h"
+#include "base/memory.h"
 #include "calibrate/plan_targets.h"
 #include "clod/locus.h"
 #include "clod/wall_locus.h"
@@ -16,6 +18,30 @@ typedef clod_plan_maker maker;
 typedef struct sample {
     double stress, value, error; ///< SI; error 0: the table has none
 } sample;
+
+/** Those of a table. */
+typedef struct sample_list {
+    sample *items; ///< [count] owned
+    size_t count;
+    double slope;    ///< of value over stress, 0: an angle has hardly any
+    double *scratch; ///< [count] owned
+} sample_list;
+
+/** Room for so many; false when there is none, which the report notes. */
+static bool list_init(sample_list *self, maker *make, size_t room)
+{
+    *self = (sample_list){.items = clod_memory_alloc(room, sizeof *self->items),
+                          .scratch = clod_memory_alloc(room, sizeof *self->scratch)};
+    const bool good = self->items != NULL && self->scratch != NULL;
+    make->loader->report->lost = make->loader->report->lost || !good;
+    return good;
+}
+
+static void list_fini(sample_list *self)
+{
+    clod_memory_free(self->items);
+    clod_memory_free(self->scratch);
+}
 
 /** What all points of a table have in common; false after a complaint. */
 static bool common_of(maker *self, size_t test, const clod_number *kind, clod_plan_target *to)
@@ -28,14 +54,14 @@ static bool common_of(maker *self, size_t test, const clod_number *kind, clod_pl
                                        false, &to->discrepancy);
 }
 
-/** A measured point as a target. */
+/** A measured point, or the mean of those at one stress, as a target. */
 static void make_point(maker *self, const clod_number *kind, const clod_plan_target *common,
                        sample point)
 {
     clod_plan_target made = *common;
     made.normal_stress = point.stress;
     made.value = point.value;
-    made.error = point.error > 0.0 ? point.error : common->error;
+    made.error = point.error;
     if (made.error <= 0.0) {
         clod_plan_complain(self->loader, clod_plan_targets_at(self, ""),
                            "needs the key error: the table has no %s at %.6g kPa",
@@ -49,6 +75,62 @@ static void make_point(maker *self, const clod_number *kind, const clod_plan_tar
                            kind->measure.factor * kind->most, kind->measure.unit);
     } else if (clod_plan_targets_check_stress(self, made.test, kind, kind->key, point.stress)) {
         clod_plan_targets_add(self, &made, kind->key);
+    }
+}
+
+// ---- repeats
+
+/** Move the points at the stress of the first to its side, all in their order; how many there are. */
+static size_t gather(sample *points, size_t count)
+{
+    size_t same = 1;
+    for (size_t k = 1; k < count; k++) {
+        const sample one = points[k];
+        if (fabs(one.stress / points[0].stress - 1.0) < CLOD_NUMBER_SAME_STRESS) {
+            memmove(&points[same + 1], &points[same], (k - same) * sizeof *points);
+            points[same++] = one;
+        }
+    }
+    return same;
+}
+
+/**
+ * Repeats at one stress are one measurement of the material: the mean of the values, moved along the
+ * slope to the mean of the stresses, with the larger of the stated error of that mean,
+ * sqrt(sum e_i^2)/n, and the standard error from their scatter, s/sqrt(n) (clod_mean_of has the
+ * source). Error 0: a point has none.
+ */
+static sample mean_of(const sample *points, size_t count, double slope, double *values)
+{
+    sample mean = {0};
+    double stated = 0.0;
+    bool known = true;
+    for (size_t k = 0; k < count; k++) {
+        mean.stress += points[k].stress / (double)count;
+        stated += points[k].error * points[k].error;
+        known = known && points[k].error > 0.0;
+    }
+    for (size_t k = 0; k < count; k++) {
+        values[k] = points[k].value + slope * (mean.stress - points[k].stress);
+    }
+    const clod_locus_value of = clod_mean_of(values, count, stated);
+    mean.value = of.value;
+    mean.error = known ? of.error : 0.0;
+    return mean;
+}
+
+/** A target of each stress of a table. */
+static void make_points(maker *self, const clod_number *kind, const clod_plan_target *common,
+                        const sample_list *from)
+{
+    for (size_t k = 0; k < from->count; k++) {
+        sample *one = &from->items[k];
+        one->error = one->error > 0.0 ? one->error : common->error;
+    }
+    for (size_t first = 0, same; first < from->count; first += same) {
+        sample *points = &from->items[first];
+        same = gather(points, from->count - first);
+        make_point(self, kind, common, mean_of(points, same, from->slope, from->scratch));
     }
 }
 
@@ -67,6 +149,24 @@ static double error_of(const clod_locus_mark *mark, const clod_locus_point *poin
     return 0.0;
 }
 
+/** The prorated points of a yield locus. */
+static void make_locus_points(maker *self, const clod_number *kind,
+                              const clod_plan_target *common, const clod_locus *locus,
+                              const clod_locus_point *points, size_t count)
+{
+    sample_list list;
+    if (list_init(&list, self, locus->point_count)) {
+        list.slope = tan(locus->phi_lin.value);
+        for (size_t k = 0; k < locus->point_count; k++) {
+            const clod_locus_mark *mark = &locus->marks[k];
+            list.items[list.count++] =
+                (sample){mark->sigma, mark->prorated, error_of(mark, points, count)};
+        }
+        make_points(self, kind, common, &list);
+    }
+    list_fini(&list);
+}
+
 /** Points of the locus with the preshear stress of the test. */
 static void make_marks(maker *self, size_t test, const clod_locus_study *study,
                        const clod_locus_point *points, size_t count)
@@ -82,11 +182,7 @@ static void make_marks(maker *self, size_t test, const clod_locus_study *study,
         if (fabs(locus->sigma_p.value / preshear - 1.0) >= CLOD_NUMBER_SAME_STRESS) {
             continue;
         }
-        for (size_t k = 0; k < locus->point_count; k++) {
-            const clod_locus_mark *mark = &locus->marks[k];
-            make_point(self, kind, &common,
-                       (sample){mark->sigma, mark->prorated, error_of(mark, points, count)});
-        }
+        make_locus_points(self, kind, &common, locus, points, count);
         return;
     }
     clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"),
@@ -114,19 +210,20 @@ static bool make_locus(maker *self, size_t test, clod_status *status)
 
 // ---- wall friction tests
 
-/** phi_x of each point of a wall yield locus, or of those at the wish's normal stress. */
-static void make_angles(maker *self, size_t test, const clod_wall_locus *locus)
+/** phi_x of a point at a normal stress. */
+static sample angle_of(const clod_wall_locus_mark *mark, double stress)
 {
-    const clod_number *kind = clod_number_find(CLOD_CASE_WALL_FRICTION, "phi_x");
+    const clod_locus_value *phi_x = &mark->phi_x;
+    return (sample){stress, phi_x->value, isfinite(phi_x->error) ? phi_x->error : 0.0};
+}
+
+/** phi_x of the points of a wall yield locus, or of those at the wish's normal stress. */
+static void take_angles(maker *self, const clod_wall_locus *locus, sample_list *to)
+{
     const double wanted = self->wish->normal_stress;
     size_t found = 0;
-    clod_plan_target common;
-    if (!common_of(self, test, kind, &common)) {
-        return;
-    }
     for (size_t k = 0; k < locus->point_count; k++) {
-        const clod_wall_locus_mark *mark = &locus->marks[k];
-        const clod_wall_locus_point *of = &mark->point;
+        const clod_wall_locus_point *of = &locus->marks[k].point;
         const double stress = of->wall_stress > 0.0 ? of->wall_stress : of->sigma;
         if (wanted > 0.0 && fabs(stress / wanted - 1.0) >= CLOD_NUMBER_SAME_STRESS) {
             continue;
@@ -139,14 +236,27 @@ static void make_angles(maker *self, size_t test, const clod_wall_locus *locus)
                                1e-3 * stress);
             continue;
         }
-        make_point(self, kind, &common,
-                   (sample){stress, mark->phi_x.value,
-                            isfinite(mark->phi_x.error) ? mark->phi_x.error : 0.0});
+        to->items[to->count++] = angle_of(&locus->marks[k], stress);
     }
     if (found == 0) {
         clod_plan_complain(self->loader, clod_plan_targets_at(self, "normal_stress"),
                            "%.6g kPa: the table has no point there", 1e-3 * wanted);
     }
+}
+
+static void make_angles(maker *self, size_t test, const clod_wall_locus *locus)
+{
+    const clod_number *kind = clod_number_find(CLOD_CASE_WALL_FRICTION, "phi_x");
+    sample_list list;
+    clod_plan_target common;
+    if (!common_of(self, test, kind, &common)) {
+        return;
+    }
+    if (list_init(&list, self, locus->point_count)) {
+        take_angles(self, locus, &list);
+        make_points(self, kind, &common, &list);
+    }
+    list_fini(&list);
 }
 
 /** The points of a measured wall yield locus; false with status. */

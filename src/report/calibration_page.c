@@ -81,11 +81,28 @@ static void put_row(FILE *out, const char *name, const json_t *from, const colum
     fputs("</tr>\n", out);
 }
 
-/** "ring: phi_e", as the columns of runs.csv have it, without the unit; "" where it is missing. */
+/** "ring: phi_e", as the columns of runs.csv have it, without the unit. */
 static const char *name_of(const json_t *target)
 {
-    const char *name = json_string_value(json_object_get(target, "name"));
-    return name != NULL ? name : "";
+    return json_string_value(json_object_get(target, "name"));
+}
+
+/** Whether targets have their names; clod wrote none before. */
+static bool check_names(const json_t *result, const char *folder, clod_status *status)
+{
+    size_t k;
+    const json_t *target;
+    json_array_foreach(json_object_get(result, "targets"), k, target)
+    {
+        if (name_of(target) == NULL) {
+            return clod_status_fail(status, CLOD_USAGE,
+                                    "%s/calibration.json: target %zu has no name, so another "
+                                    "version of clod wrote it. Calibrate anew, in another "
+                                    "folder.",
+                                    folder, k + 1);
+        }
+    }
+    return true;
 }
 
 static void put_targets(FILE *out, const json_t *result, bool held_back, const char *title)
@@ -285,7 +302,8 @@ bool clod_calibration_page_put(clod_sheet *sheet, const char *folder, char **tit
 {
     *title = NULL;
     json_t *result = clod_json_read(folder, "calibration.json", status);
-    if (result == NULL) {
+    if (result == NULL || !check_names(result, folder, status)) {
+        json_decref(result);
         return false;
     }
     const char *named = json_string_value(json_object_get(result, "title"));

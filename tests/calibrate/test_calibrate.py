@@ -62,6 +62,18 @@ class Calibrate(bounce.Bounce):
         self.assertEqual([float(y) for y in points["y"]],
                          [float(row["bounce: kinetic_energy_J [1]"]) for row in rows])
         self.assertTrue(os.path.exists(self.path("out/report-target.svg")))
+        self.check_page_of_another_version()
+
+    def check_page_of_another_version(self):
+        """Without names of targets it is refused, not drawn without them."""
+        other = self.found()
+        del other["targets"][0]["name"]
+        os.mkdir(self.path("other"))
+        self.write("other/calibration.json", json.dumps(other))
+        done = clod.run("report", "other", cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("other/calibration.json: target 1 has no name, so another version of clod wrote it",
+                      done.stderr)
 
     def check_card(self, mean):
         with open(CASE) as file:

@@ -21,6 +21,7 @@
 #define WALL "tests/cli/wall_friction.yaml"
 #define SHEAR_HEAD                                                                             \
     "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa],tau_sh_error [kPa]\n"
+#define SEEDS_HEAD "seed," SHEAR_HEAD
 #define WALL_HEAD "sigma_w [kPa],tau_w [kPa],tau_w_error [kPa],steady\n"
 
 static void write_file(void **state, const char *name, const char *text)
@@ -104,6 +105,56 @@ static void point_stands_at_the_stress_that_was_asked_for(void **state)
     clod_plan_fini(&plan);
 }
 
+// tau_p is 40 kPa in all, so tau_sh is prorated already. 30 kPa: 30, 30.3, 30.6, stated 0.6, 0.6 and the
+// plan's 0.7: sqrt(1.21)/3, more than the scatter's 0.3/sqrt(3). 12 kPa: 19, 20, 24, squares 4 + 1 + 9,
+// so sqrt(14/2/3), more than the stated 0.7/sqrt(3).
+static void specimens_at_one_stress_are_one_target(void **state)
+{
+    clod_plan plan;
+    clod_status status = {CLOD_OK, ""};
+    write_file(state, "lab.csv",
+               SEEDS_HEAD "1,54.8,40,30,30,0.6\n1,54.8,40,12,19,0\n"
+                          "2,54.8,40,30,30.3,0.6\n2,54.8,40,12,20,0\n"
+                          "3,54.8,40,30,30.6,0\n3,54.8,40,12,24,0\n");
+    assert_true(load(state, RING, "contacts.default.rolling_friction",
+                     "locus: lab.csv, error: 0.7 kPa", &plan, &status));
+    assert_int_equal(plan.target_count, 2);
+    check_target(&plan.targets[0], "lab: tau at 30 kPa", 30e3, 30.3e3, 1.1e3 / 3.0);
+    check_target(&plan.targets[1], "lab: tau at 12 kPa", 12e3, 21e3, 1e3 * sqrt(7.0 / 3.0));
+    clod_plan_fini(&plan);
+}
+
+// Both specimens have tau = 10 kPa + sigma/2, and their stresses are not quite the same: no scatter.
+static void specimens_at_almost_one_stress_scatter_about_the_locus(void **state)
+{
+    clod_plan plan;
+    clod_status status = {CLOD_OK, ""};
+    write_file(state, "lab.csv",
+               SEEDS_HEAD "1,54.8,40,12,16,0.02\n1,54.8,40,29.8,24.9,0.02\n"
+                          "2,54.8,40,12,16,0.02\n2,54.8,40,30.2,25.1,0.02\n");
+    assert_true(load(state, RING, "contacts.default.rolling_friction", "locus: lab.csv", &plan,
+                     &status));
+    assert_int_equal(plan.target_count, 2);
+    check_target(&plan.targets[0], "lab: tau at 12 kPa", 12e3, 16e3, 20.0 / sqrt(2.0));
+    check_target(&plan.targets[1], "lab: tau at 30 kPa", 30e3, 25e3, 20.0 / sqrt(2.0));
+    clod_plan_fini(&plan);
+}
+
+// Rows of one stress without seeds. Two angles a and b scatter by |a - b|/2, more than 0.5 deg/sqrt(2).
+static void repeats_at_one_wall_stress_are_one_target(void **state)
+{
+    clod_plan plan;
+    clod_status status = {CLOD_OK, ""};
+    write_file(state, "lab.csv", WALL_HEAD "20,4,0,1\n10,2.5,0,1\n20,4.4,0,1\n");
+    assert_true(load(state, WALL, "contacts.ore-plate.friction",
+                     "locus: lab.csv, error: 0.5 deg", &plan, &status));
+    assert_int_equal(plan.target_count, 2);
+    check_target(&plan.targets[0], "lab: phi_x at 20 kPa", 20e3, 0.5 * (atan(0.2) + atan(0.22)),
+                 0.5 * (atan(0.22) - atan(0.2)));
+    check_target(&plan.targets[1], "lab: phi_x at 10 kPa", 10e3, atan(0.25), 0.5 * DEGREE);
+    clod_plan_fini(&plan);
+}
+
 static void refuse_of(void **state, const char *from, const char *key, const char *target,
                       const char *words)
 {
@@ -138,6 +189,10 @@ static void wall_table_that_is_no_target_is_refused(void **state)
     write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,1\n7,1,0,1\n");
     refuse(state, "locus: lab.csv",
            "needs the key error: the table has no tau_w_error at 10 kPa");
+    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n20,4.4,0,1\n10,2.5,0.1,1\n");
+    refuse(state, "locus: lab.csv",
+           "needs the key error: the table has no tau_w_error at 20 kPa");
+    write_file(state, "lab.csv", WALL_HEAD "20,4,0.1,1\n10,2.5,0,1\n7,1,0,1\n");
     refuse(state, "locus: lab.csv, error: 0.5 deg",
            "targets.0.locus: 7 kPa is not among the wall_stresses of test lab");
     refuse(state, "locus: lab.csv, error: 0.5 deg, normal_stress: 5 kPa",
@@ -156,6 +211,12 @@ int main(void)
         cmocka_unit_test_setup_teardown(measured_wall_yield_locus_becomes_angles,
                                         temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(point_stands_at_the_stress_that_was_asked_for,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(specimens_at_one_stress_are_one_target,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(specimens_at_almost_one_stress_scatter_about_the_locus,
+                                        temp_folder_make, temp_folder_remove),
+        cmocka_unit_test_setup_teardown(repeats_at_one_wall_stress_are_one_target,
                                         temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(wall_table_that_is_no_target_is_refused,
                                         temp_folder_make, temp_folder_remove),

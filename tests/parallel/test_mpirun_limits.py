@@ -100,6 +100,7 @@ class Ranks(clod.Case):
         end = [event for event in log if event["event"] == "finished"][-1]
         self.assertGreater(end["rebuilds"], 0)
         self.assertEqual(even["rebuilds"], end["rebuilds"])
+        self.assertTrue(1 <= even["most_over_mean"] <= even["most_over_mean_at_most"], even)
 
     def test_places_are_logged_and_shared_processors_told(self):
         processors = len(os.sched_getaffinity(0))
