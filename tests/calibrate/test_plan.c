@@ -125,18 +125,21 @@ static void specimens_at_one_stress_are_one_target(void **state)
 }
 
 // Both specimens have tau = 10 kPa + sigma/2, and their stresses are not quite the same: no scatter.
+// Targets are in the order of the table.
 static void specimens_at_almost_one_stress_scatter_about_the_locus(void **state)
 {
     clod_plan plan;
     clod_status status = {CLOD_OK, ""};
     write_file(state, "lab.csv",
-               SEEDS_HEAD "1,54.8,40,12,16,0.02\n1,54.8,40,29.8,24.9,0.02\n"
-                          "2,54.8,40,12,16,0.02\n2,54.8,40,30.2,25.1,0.02\n");
+               SEEDS_HEAD
+               "1,54.8,40,12,16,0.02\n1,54.8,40,29.8,24.9,0.02\n1,54.8,40,20,20,0.02\n"
+               "2,54.8,40,12,16,0.02\n2,54.8,40,30.2,25.1,0.02\n2,54.8,40,20,20,0.02\n");
     assert_true(load(state, RING, "contacts.default.rolling_friction", "locus: lab.csv", &plan,
                      &status));
-    assert_int_equal(plan.target_count, 2);
+    assert_int_equal(plan.target_count, 3);
     check_target(&plan.targets[0], "lab: tau at 12 kPa", 12e3, 16e3, 20.0 / sqrt(2.0));
     check_target(&plan.targets[1], "lab: tau at 30 kPa", 30e3, 25e3, 20.0 / sqrt(2.0));
+    check_target(&plan.targets[2], "lab: tau at 20 kPa", 20e3, 20e3, 20.0 / sqrt(2.0));
     clod_plan_fini(&plan);
 }
 
