@@ -33,6 +33,13 @@ static void put_tables(FILE *out, const json_t *summary)
     json_decref(left);
 }
 
+/** The numbers of a column by its name, owned; NULL when there is none, or no memory. */
+static double *numbers_of(const clod_table *table, const char *name)
+{
+    const int at = clod_table_find(table, name);
+    return at >= 0 ? clod_table_numbers(table, at) : NULL;
+}
+
 /** Lower, mean and upper border of a stream over the first column. */
 static void put_stream(clod_sheet *sheet, const clod_table *table, const char *gauge,
                        const char *what)
@@ -47,8 +54,7 @@ static void put_stream(clod_sheet *sheet, const clod_table *table, const char *g
     clod_figure_axis_set(&figure.y, "place of the borders", "m", 1.0);
     double *x = clod_table_numbers(table, 0);
     for (int k = 0; x != NULL && k < 3; k++) {
-        const int at = clod_table_find(table, BORDERS[k]);
-        double *y = at >= 0 ? clod_table_numbers(table, at) : NULL;
+        double *y = numbers_of(table, BORDERS[k]);
         if (y != NULL) {
             clod_figure_add(&figure, BORDERS[k], k == 1 ? CLOD_FIGURE_LINE : CLOD_FIGURE_DASHED,
                             k, table->rows, x, y, NULL);
@@ -84,10 +90,7 @@ static bool put_streams(clod_sheet *sheet, const clod_run_files *run, clod_statu
 /** How the mass is spread over the sizes of clumps, for each count. */
 static void put_clumps(clod_sheet *sheet, const clod_table *table)
 {
-    const int to = clod_table_find(table, "to");
-    const int share = clod_table_find(table, "share");
-    double *x = to >= 0 ? clod_table_numbers(table, to) : NULL;
-    double *y = share >= 0 ? clod_table_numbers(table, share) : NULL;
+    double *x = numbers_of(table, "to"), *y = numbers_of(table, "share");
     clod_figure figure;
     clod_figure_init(&figure, "clumps", "Sizes of clumps, by mass");
     clod_figure_axis_set(&figure.x, "grains of a clump, up to", "", 1.0);
@@ -110,10 +113,7 @@ static void put_clumps(clod_sheet *sheet, const clod_table *table)
 /** Which share of the grains that left was in for how long at most. */
 static void put_residence(clod_sheet *sheet, const clod_table *table)
 {
-    const int to = clod_table_find(table, "to");
-    const int share = clod_table_find(table, "share_up_to");
-    double *x = to >= 0 ? clod_table_numbers(table, to) : NULL;
-    double *y = share >= 0 ? clod_table_numbers(table, share) : NULL;
+    double *x = numbers_of(table, "to"), *y = numbers_of(table, "share_up_to");
     clod_figure figure;
     clod_figure_init(&figure, "residence", "Residence time of what left");
     clod_figure_axis_set(&figure.x, "time inside, up to", "s", 1.0);
