@@ -79,7 +79,6 @@ static bool run_part(clod_step *self, int part)
         excess |= run_within(self, part, l);
         take_from_later(self, part, l);
     }
-    clod_near_between_bring_back(&self->near, part, &self->state->grains);
     return excess;
 }
 

@@ -5,8 +5,6 @@
 #include "base/room.h"
 #include "step/near_parts.h"
 
-#define ROWS_IN_A_LINE 2 ///< of four doubles, in the caches
-
 /** The first block between parts; those of all parts and laws follow each other. */
 static size_t first_block(const clod_near *self)
 {
@@ -111,35 +109,6 @@ void clod_near_between_take(const clod_near *self, const clod_near_run *run, int
         double *to = load[blocks[k / CLOD_LANES].i[k % CLOD_LANES]];
         for (int c = 0; c < 8; c++) {
             to[c] += share[k][c];
-        }
-    }
-}
-
-/** Store in every line of rows of a run what is there. */
-static void store_same(double (*rows)[4], const clod_contact_block *blocks,
-                       const clod_near_run *run)
-{
-    int32_t line = -1;
-    for (size_t k = run->begin; k < run->end; k++) {
-        const int32_t i = blocks[k / CLOD_LANES].i[k % CLOD_LANES];
-        if (i / ROWS_IN_A_LINE != line) {
-            line = i / ROWS_IN_A_LINE;
-            volatile double *at = &rows[i][3];
-            const double same = *at;
-            *at = same;
-        }
-    }
-}
-
-void clod_near_between_bring_back(const clod_near *self, int part, const clod_grains *grains)
-{
-    for (int32_t law = 0; law < self->laws; law++) {
-        const size_t k = (size_t)law * (size_t)self->parts + (size_t)part;
-        for (size_t r = self->between.run_start[k]; r < self->between.run_start[k + 1]; r++) {
-            const clod_near_run *run = &self->between.run[r];
-            store_same(grains->position, blocks_of(self, run, law), run);
-            store_same(grains->velocity, blocks_of(self, run, law), run);
-            store_same(grains->angular_velocity, blocks_of(self, run, law), run);
         }
     }
 }

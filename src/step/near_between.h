@@ -18,10 +18,3 @@ double (*clod_near_between_shares(const clod_near *self, int later, int32_t law)
 /** Add to the loads what the grains of an earlier part get from one run. */
 void clod_near_between_take(const clod_near *self, const clod_near_run *run, int32_t law,
                             double (*load)[8]);
-
-/**
- * Bring the rows of a part back that later parts' processors have read, once nobody reads them
- * any more: a store to what two caches share waits for the other one. Drift would wait for each
- * line between its other stores; here, bunched, they overlap (docs/adr/0022).
- */
-void clod_near_between_bring_back(const clod_near *self, int part, const clod_grains *grains);
