@@ -151,7 +151,8 @@ static void run_rank(clod_ranks *ranks, void *context)
 
 /** What was said between two moments: of all ranks, and the most of one. */
 typedef struct said {
-    double messages, bytes, most_bytes, collectives, collective_bytes;
+    double messages, bytes, most_bytes;
+    double merges, merge_messages, merge_bytes; // of a rank
 } said;
 
 static said said_between(const bench *self, const counted *from, const counted *to)
@@ -163,8 +164,9 @@ static said said_between(const bench *self, const counted *from, const counted *
         all.messages += (double)(b->messages - a->messages);
         all.bytes += bytes;
         all.most_bytes = bytes > all.most_bytes ? bytes : all.most_bytes;
-        all.collectives += (double)(b->shares - a->shares) / self->ranks;
-        all.collective_bytes += (double)(b->share_bytes - a->share_bytes) / self->ranks;
+        all.merges += (double)(b->merges - a->merges) / self->ranks;
+        all.merge_messages += (double)(b->merge_messages - a->merge_messages) / self->ranks;
+        all.merge_bytes += (double)(b->merge_bytes - a->merge_bytes) / self->ranks;
     }
     return all;
 }
@@ -184,13 +186,14 @@ static void write(const bench *self)
         " \"step\": {\"messages_a_rank\": %.1f, \"bytes_a_rank\": %.0f, \"most_bytes\": %.0f},\n"
         " \"rebuild\": {\"messages_a_rank\": %.0f, \"bytes_a_rank\": %.0f},\n"
         " \"steps_to_rebuild\": %lld, \"collectives_a_step\": %.2f, "
-        "\"collective_bytes_a_step\": %.0f, \"processor_s_a_step\": %.4g}\n",
+        "\"messages_of_collectives_a_step\": %.2f, \"bytes_of_collectives_a_step\": %.0f, "
+        "\"processor_s_a_step\": %.4g}\n",
         self->ranks, grains, most * ranks / grains, step.bytes / WINDOW / GHOST_BYTES / grains,
         step.messages / ranks / WINDOW, step.bytes / ranks / WINDOW, step.most_bytes / WINDOW,
         (rebuild.messages - windows * step.messages) / ranks,
         (rebuild.bytes - windows * step.bytes) / ranks, (long long)self->steps,
-        rebuild.collectives / (double)self->steps,
-        rebuild.collective_bytes / (double)self->steps, self->processor / (double)self->steps);
+        rebuild.merges / (double)self->steps, rebuild.merge_messages / (double)self->steps,
+        rebuild.merge_bytes / (double)self->steps, self->processor / (double)self->steps);
 }
 
 int main(int argc, char **argv)

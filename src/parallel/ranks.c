@@ -7,13 +7,13 @@
 #include "base/memory.h"
 #include "base/room.h"
 
-#define LEAST_ROOM 64 ///< bytes of each rank, for the functions of this file
+#define LEAST_ROOM 64 ///< bytes, for the functions of this file
 
 bool clod_ranks_init(clod_ranks *self, clod_status *status)
 {
     self->message = clod_memory_alloc(2 * (size_t)self->size, sizeof *self->message);
-    return (self->message != NULL && clod_room_for(&self->room, &self->room_bytes,
-                                                   (size_t)self->size * LEAST_ROOM, 1)) ||
+    return (self->message != NULL &&
+            clod_room_for(&self->room, &self->room_bytes, LEAST_ROOM, 1)) ||
            clod_status_fail(status, CLOD_FAILED, "no memory for messages of %d ranks",
                             self->size);
 }
@@ -23,15 +23,6 @@ static void count_time(clod_ranks_count *count, double began, double worked)
 {
     count->waited += clod_clock_now() - began;
     count->spun += clod_clock_worked() - worked;
-}
-
-void clod_ranks_share(clod_ranks *self, const void *mine, size_t bytes, void *all)
-{
-    const double began = clod_clock_now(), worked = clod_clock_worked();
-    self->share(self, mine, bytes, all);
-    count_time(&self->count, began, worked);
-    self->count.shares++;
-    self->count.share_bytes += (int64_t)bytes;
 }
 
 /** Messages that are not empty, and their bytes. */
@@ -86,7 +77,7 @@ void clod_ranks_fini(clod_ranks *self)
 
 bool clod_ranks_reserve(clod_ranks *self, size_t bytes, clod_status *status)
 {
-    const size_t wanted = (size_t)self->size * (bytes > LEAST_ROOM ? bytes : LEAST_ROOM);
+    const size_t wanted = bytes > LEAST_ROOM ? bytes : LEAST_ROOM;
     char *grown = self->room;
     if (wanted > self->room_bytes) { // the old room is needed to agree
         grown = clod_memory_alloc(wanted, 1);
@@ -106,30 +97,93 @@ bool clod_ranks_reserve(clod_ranks *self, size_t bytes, clod_status *status)
     return good;
 }
 
+/** A merge on its way through the ranks. */
+typedef struct merging {
+    void *data;
+    size_t bytes;
+    void (*merge)(const void *context, void *into, const void *from);
+    const void *context;
+} merging;
+
+/** A round of messages, which every rank takes part in; a peer of -1 is none. */
+static void send_round(clod_ranks *self, int to, int from, void *out, void *in, size_t bytes)
+{
+    const clod_message sent = {to, out, bytes}, got = {from, in, bytes};
+    self->exchange(self, &sent, to >= 0, &got, from >= 0);
+    self->count.merge_messages += to >= 0;
+    self->count.merge_bytes += to >= 0 ? (int64_t)bytes : 0;
+}
+
+/** Merge with what lies in the room, of lower ranks or of higher ones. */
+static void merge_room(clod_ranks *self, const merging *m, bool lower)
+{
+    if (lower) {
+        m->merge(m->context, self->room, m->data);
+        memcpy(m->data, self->room, m->bytes);
+    } else {
+        m->merge(m->context, m->data, self->room);
+    }
+}
+
+/** All ranks, a power of two of them and `spare` more: of the first spare pairs one sits out. */
+static void merge_all(clod_ranks *self, const merging *m, int power, int spare)
+{
+    const bool paired = self->rank < 2 * spare, sits = paired && self->rank % 2 == 1;
+    if (spare > 0) {
+        const int to = sits ? self->rank - 1 : -1, from = paired && !sits ? self->rank + 1 : -1;
+        send_round(self, to, from, m->data, self->room, m->bytes);
+        if (from >= 0) {
+            merge_room(self, m, false);
+        }
+    }
+    const int place = paired ? self->rank / 2 : self->rank - spare;
+    for (int bit = 1; bit < power; bit *= 2) {
+        const int other = place ^ bit;
+        const int peer = sits ? -1 : other < spare ? 2 * other : other + spare;
+        send_round(self, peer, peer, m->data, self->room, m->bytes);
+        if (!sits) {
+            merge_room(self, m, other < place);
+        }
+    }
+    if (spare > 0) {
+        const int to = paired && !sits ? self->rank + 1 : -1, from = sits ? self->rank - 1 : -1;
+        send_round(self, to, from, m->data, m->data, m->bytes);
+    }
+}
+
 void clod_ranks_merge(clod_ranks *self, void *data, size_t bytes,
                       void (*merge)(const void *context, void *into, const void *from),
                       const void *context)
 {
-    CLOD_ASSERT((size_t)self->size * bytes <= self->room_bytes);
-    clod_ranks_share(self, data, bytes, self->room);
-    memcpy(data, self->room, bytes);
-    for (int r = 1; r < self->size; r++) {
-        merge(context, data, self->room + (size_t)r * bytes);
+    CLOD_ASSERT(bytes <= self->room_bytes);
+    const double began = clod_clock_now(), worked = clod_clock_worked();
+    int power = 1;
+    while (power <= self->size / 2) {
+        power *= 2;
     }
+    const merging m = {data, bytes, merge, context};
+    merge_all(self, &m, power, self->size - power);
+    count_time(&self->count, began, worked);
+    self->count.merges++;
 }
 
-/** Bytes of one rank to all others. */
+/**
+ * Bytes of one rank to all others: from it to the one halfway around, from both to those halfway on,
+ * and so on (a binomial tree).
+ */
 static void tell_from(clod_ranks *self, int from, void *data, size_t bytes)
 {
-    const clod_message in = {from, data, bytes};
-    int outs = 0;
-    for (int r = 0; r < self->size; r++) {
-        if (r != from) {
-            self->message[outs++] = (clod_message){r, data, bytes};
-        }
+    const int place = (self->rank - from + self->size) % self->size;
+    int half = 1;
+    while (half < self->size) {
+        half *= 2;
     }
-    const bool mine = self->rank == from;
-    clod_ranks_exchange(self, self->message, mine ? outs : 0, &in, mine ? 0 : 1);
+    for (half /= 2; half > 0; half /= 2) {
+        const bool has = place % (2 * half) == 0, gets = place % (2 * half) == half;
+        const clod_message out = {(self->rank + half) % self->size, data, bytes};
+        const clod_message in = {(self->rank - half + self->size) % self->size, data, bytes};
+        clod_ranks_exchange(self, &out, has && place + half < self->size, &in, gets);
+    }
 }
 
 void clod_ranks_tell(clod_ranks *self, void *data, size_t bytes)
@@ -137,17 +191,36 @@ void clod_ranks_tell(clod_ranks *self, void *data, size_t bytes)
     tell_from(self, 0, data, bytes);
 }
 
+void clod_ranks_gather(clod_ranks *self, const void *mine, size_t bytes, void *all)
+{
+    const clod_message out = {0, (void *)mine, bytes};
+    for (int r = 1; r < self->size; r++) {
+        self->message[r - 1] = (clod_message){r, (char *)all + (size_t)r * bytes, bytes};
+    }
+    const bool first = self->rank == 0;
+    clod_ranks_exchange(self, &out, first ? 0 : 1, self->message, first ? self->size - 1 : 0);
+    if (first) {
+        memcpy(all, mine, bytes);
+    }
+    clod_ranks_tell(self, all, (size_t)self->size * bytes);
+}
+
+static void merge_least(const void *context, void *into, const void *from)
+{
+    (void)context;
+    int *mine = into;
+    const int other = *(const int *)from;
+    *mine = other < *mine ? other : *mine;
+}
+
 bool clod_ranks_agree(clod_ranks *self, bool good, clod_status *status)
 {
-    const char mine = good ? 1 : 0;
-    clod_ranks_share(self, &mine, 1, self->room);
-    for (int r = 0; r < self->size; r++) {
-        if (self->room[r] == 0) {
-            tell_from(self, r, status, sizeof *status);
-            return false;
-        }
+    int first = good ? self->size : self->rank; // on which it did not go well
+    clod_ranks_merge(self, &first, sizeof first, merge_least, NULL);
+    if (first < self->size) {
+        tell_from(self, first, status, sizeof *status);
     }
-    return true;
+    return first == self->size;
 }
 
 /** How many bytes come from each rank: `begin` of it up to that of the next one. */

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file ranks.h
- * Ranks that compute one bed together: what they say to each other. Two calls do everything, and
+ * Ranks that compute one bed together: what they say to each other. One call does everything, and
  * two more do again and again what is the same each time; they are MPI's (ranks_mpi.c) or those of
  * threads in one process (tests/support/ranks_threads.h).
  *
@@ -27,12 +27,11 @@ typedef struct clod_message {
 
 /** What a rank has said and how long it waited for others, since it began. */
 typedef struct clod_ranks_count {
-    int64_t shares, exchanges; ///< calls
-    int64_t messages;          ///< to other ranks, in exchanges
-    int64_t share_bytes;       ///< that it had for each other rank
-    int64_t bytes;             ///< of its messages
-    double waited;             ///< s in both calls
-    double spun;               ///< s, of processor time in both
+    int64_t merges, exchanges;           ///< calls
+    int64_t messages, bytes;             ///< to other ranks, in exchanges
+    int64_t merge_messages, merge_bytes; ///< the same in merges
+    double waited;                       ///< s in both
+    double spun;                         ///< s, of processor time in both
 } clod_ranks_count;
 
 /** How even the work of all ranks was, as seen at rebuilds; the same on all. */
@@ -45,8 +44,6 @@ typedef struct clod_ranks_evenness {
 typedef struct clod_ranks clod_ranks;
 struct clod_ranks {
     int rank, size;
-    /** The bytes of every rank, the same number of each, to all: [size][bytes]. */
-    void (*share)(clod_ranks *self, const void *mine, size_t bytes, void *all);
     /** Messages between pairs of ranks: at most one from each to each, which both name with the
      *  same number of bytes; empty ones may be named by one of them alone. */
     void (*exchange)(clod_ranks *self, const clod_message *out, int outs,
@@ -67,7 +64,6 @@ struct clod_ranks {
 };
 
 /** As the call of the same name, and counted. */
-void clod_ranks_share(clod_ranks *self, const void *mine, size_t bytes, void *all);
 void clod_ranks_exchange(clod_ranks *self, const clod_message *out, int outs,
                          const clod_message *in, int ins);
 
@@ -88,18 +84,24 @@ void clod_ranks_fini(clod_ranks *self);
 bool clod_ranks_reserve(clod_ranks *self, size_t bytes, clod_status *status);
 
 /**
- * Merge what every rank has, in the order of ranks: all get the same. Allocates nothing.
+ * Merge what every rank has: all get the same. Pairs of ranks merge, then pairs of pairs (recursive
+ * doubling; Thakur, Rabenseifner, Gropp 2005), so a rank sends log2(size) messages, and two more where
+ * size is no power of two. What comes from lower ranks is always `into`: with a merge that is associative the
+ * result is that in the order of ranks. Allocates nothing.
  *
  * @param data   [in,out] of this rank, then of all; all bytes count, so none may be undefined
- * @param bytes  a multiple of 64 if data needs such an alignment
+ * @param bytes  at most those reserved
  * @param merge  adds `from` to `into`
  */
 void clod_ranks_merge(clod_ranks *self, void *data, size_t bytes,
                       void (*merge)(const void *context, void *into, const void *from),
                       const void *context);
 
-/** Bytes of rank 0 to all. */
+/** Bytes of rank 0 to all, handed on by those that have them. */
 void clod_ranks_tell(clod_ranks *self, void *data, size_t bytes);
+
+/** The bytes of every rank, the same number of each, to all, by way of rank 0: [size][bytes]. */
+void clod_ranks_gather(clod_ranks *self, const void *mine, size_t bytes, void *all);
 
 /**
  * Whether it went well on all ranks; else the status of the first on which it did not, on all.

@@ -67,13 +67,6 @@ typedef struct mpi_group {
     size_t kept_count, kept_room;
 } mpi_group;
 
-static void share(clod_ranks *self, const void *mine, size_t bytes, void *all)
-{
-    (void)self;
-    CLOD_ASSERT(bytes <= INT_MAX);
-    MPI_Allgather(mine, (int)bytes, MPI_BYTE, all, (int)bytes, MPI_BYTE, MPI_COMM_WORLD);
-}
-
 static size_t pieces_of(const clod_message *message, int count)
 {
     size_t pieces = 0;
@@ -177,8 +170,7 @@ bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
         return clod_status_fail(status, CLOD_FAILED, "no memory for MPI");
     }
     MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &thread_level);
-    *self = (clod_ranks){
-        .share = share, .exchange = exchange, .keep = keep, .repeat = repeat, .group = group};
+    *self = (clod_ranks){.exchange = exchange, .keep = keep, .repeat = repeat, .group = group};
     MPI_Comm_rank(MPI_COMM_WORLD, &self->rank);
     MPI_Comm_size(MPI_COMM_WORLD, &self->size);
     const bool good = (thread_level >= MPI_THREAD_FUNNELED ||

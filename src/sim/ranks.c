@@ -17,7 +17,7 @@ static bool find_places(clod_ranks *self, clod_status *status)
     if (!clod_ranks_agree(self, good, status)) {
         return false;
     }
-    clod_ranks_share(self, &here, sizeof here, self->place);
+    clod_ranks_gather(self, &here, sizeof here, self->place);
     return true;
 }
 

@@ -53,9 +53,10 @@ void clod_ranks_log_work(const clod_job_shared *sim)
                             even->sum / (double)even->looks, "most_over_mean_at_most",
                             even->most);
     }
-    clod_eventlog_write(sim->log, "messages of rank 0", "{s:I, s:I, s:I, s:I, s:I, s:f}",
+    clod_eventlog_write(sim->log, "messages of rank 0", "{s:I, s:I, s:I, s:I, s:I, s:I, s:f}",
                         "messages", (json_int_t)count->messages, "bytes",
                         (json_int_t)count->bytes, "exchanges", (json_int_t)count->exchanges,
-                        "collectives", (json_int_t)count->shares, "bytes_to_each",
-                        (json_int_t)count->share_bytes, "waited_s", count->waited);
+                        "collectives", (json_int_t)count->merges, "messages_in_collectives",
+                        (json_int_t)count->merge_messages, "bytes_in_collectives",
+                        (json_int_t)count->merge_bytes, "waited_s", count->waited);
 }

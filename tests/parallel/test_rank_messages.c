@@ -1,31 +1,111 @@
 // What ranks say to each other arrives, whole and in the order of ranks.
+#include <math.h>
+#include <string.h>
+
 #include "support/check.h"
 #include "support/ranks_threads.h"
 
 #define SIZE 5
 
+#define MOST 19 ///< ranks of the tests of every number of them
+
+/** Letters of some ranks, in order. */
+typedef struct word {
+    int64_t length;
+    char letter[MOST];
+} word;
+
 static void append(const void *context, void *into, const void *from)
 {
     (void)context;
-    int64_t *mine = into;
-    *mine = 10 * *mine + *(const int64_t *)from;
+    word *mine = into;
+    const word *other = from;
+    memcpy(mine->letter + mine->length, other->letter, (size_t)other->length);
+    mine->length += other->length;
 }
 
-/** Digits 0 1 2 3 4 of the ranks, in this order on all of them. */
-static void merge_in_order(clod_ranks *ranks, void *context)
+typedef struct spelled {
+    word word[MOST];
+    clod_ranks_count count[MOST];
+} spelled;
+
+static void spell(clod_ranks *ranks, void *context)
 {
-    int64_t *found = context;
-    found[ranks->rank] = ranks->rank;
-    clod_ranks_merge(ranks, &found[ranks->rank], sizeof *found, append, NULL);
+    spelled *found = context;
+    word *mine = &found->word[ranks->rank];
+    CLOD_ASSERT(clod_ranks_reserve(ranks, sizeof *mine, &(clod_status){0}));
+    *mine = (word){1, {(char)('a' + ranks->rank)}};
+    const clod_ranks_count before = ranks->count;
+    clod_ranks_merge(ranks, mine, sizeof *mine, append, NULL);
+    found->count[ranks->rank] = ranks->count;
+    found->count[ranks->rank].merge_messages -= before.merge_messages;
+    found->count[ranks->rank].merge_bytes -= before.merge_bytes;
+    found->count[ranks->rank].merges -= before.merges;
 }
 
-static void sums_are_merged_in_the_order_of_ranks(void **state)
+static void merges_are_in_the_order_of_ranks(void **state)
 {
     (void)state;
-    int64_t found[SIZE] = {0};
-    ranks_run(SIZE, merge_in_order, found);
-    for (int r = 0; r < SIZE; r++) {
-        assert_int_equal(found[r], 1234);
+    for (int size = 1; size <= MOST; size++) {
+        spelled found;
+        ranks_run(size, spell, &found);
+        for (int r = 0; r < size; r++) {
+            assert_int_equal(found.word[r].length, size);
+            for (int k = 0; k < size; k++) {
+                assert_int_equal(found.word[r].letter[k], 'a' + k);
+            }
+        }
+    }
+}
+
+/** log2 of the ranks, and one before or behind it, or both, where that is no whole number. */
+static void messages_of_a_merge_grow_with_the_logarithm(void **state)
+{
+    (void)state;
+    for (int size = 1; size <= MOST; size++) {
+        spelled found;
+        ranks_run(size, spell, &found);
+        for (int r = 0; r < size; r++) {
+            const clod_ranks_count *count = &found.count[r];
+            const int64_t rounds = (int64_t)floor(log2(size));
+            assert_int_equal(count->merges, 1);
+            assert_true(count->merge_messages <= rounds + (1 << rounds < size ? 1 : 0));
+            assert_int_equal(count->merge_bytes, count->merge_messages * (int64_t)sizeof(word));
+        }
+    }
+}
+
+typedef struct told {
+    char text[MOST][8], all[MOST][MOST];
+    int64_t messages[MOST];
+} told;
+
+static void tell(clod_ranks *ranks, void *context)
+{
+    told *found = context;
+    const char mine = (char)('a' + ranks->rank);
+    strcpy(found->text[ranks->rank], ranks->rank == 0 ? "hear me" : "nothing");
+    clod_ranks_tell(ranks, found->text[ranks->rank], sizeof *found->text);
+    found->messages[ranks->rank] = ranks->count.messages;
+    clod_ranks_gather(ranks, &mine, 1, found->all[ranks->rank]);
+}
+
+static void what_rank_0_tells_all_hear(void **state)
+{
+    (void)state;
+    for (int size = 1; size <= MOST; size++) {
+        told found;
+        int64_t messages = 0;
+        ranks_run(size, tell, &found);
+        for (int r = 0; r < size; r++) {
+            assert_string_equal(found.text[r], "hear me");
+            assert_true(found.messages[r] <= (int64_t)ceil(log2(size)));
+            messages += found.messages[r];
+            for (int k = 0; k < size; k++) {
+                assert_int_equal(found.all[r][k], 'a' + k);
+            }
+        }
+        assert_int_equal(messages, size - 1);
     }
 }
 
@@ -86,8 +166,7 @@ static void what_is_said_is_counted(void **state)
         assert_int_equal(count[r].messages, messages);
         assert_int_equal(count[r].bytes, bytes);
         assert_int_equal(count[r].exchanges, 2);
-        assert_int_equal(count[r].shares, 1); // whether all have memory
-        assert_int_equal(count[r].share_bytes, 1);
+        assert_int_equal(count[r].merges, 1); // whether all have memory
         assert_true(count[r].waited > 0.0 && count[r].waited < 100.0);
     }
 }
@@ -144,17 +223,13 @@ static void announce_much(clod_ranks *self, const clod_message *out, int outs,
     (void)out;
     (void)outs;
     const size_t bytes = ENORMOUS;
+    const int good = SIZE; // the first rank on which something fails is none
     for (int k = 0; k < ins; k++) {
         if (in[k].bytes == sizeof bytes) { // not the text of the failure
             memcpy(in[k].data, &bytes, sizeof bytes);
+        } else if (in[k].bytes == sizeof good) {
+            memcpy(in[k].data, &good, sizeof good);
         }
-    }
-}
-
-static void share_alone(clod_ranks *self, const void *mine, size_t bytes, void *all)
-{
-    for (int r = 0; r < self->size; r++) {
-        memcpy((char *)all + (size_t)r * bytes, mine, bytes);
     }
 }
 
@@ -162,7 +237,7 @@ static void share_alone(clod_ranks *self, const void *mine, size_t bytes, void *
 static void more_bytes_than_an_int_counts(void **state)
 {
     (void)state;
-    clod_ranks ranks = {.size = SIZE, .share = share_alone, .exchange = announce_much};
+    clod_ranks ranks = {.size = SIZE, .exchange = announce_much};
     clod_status status = {0};
     clod_bytes out[SIZE] = {0}, in = {0};
     size_t begin[SIZE + 1];
@@ -204,7 +279,9 @@ static void all_learn_of_the_first_failure(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sums_are_merged_in_the_order_of_ranks),
+        cmocka_unit_test(merges_are_in_the_order_of_ranks),
+        cmocka_unit_test(messages_of_a_merge_grow_with_the_logarithm),
+        cmocka_unit_test(what_rank_0_tells_all_hear),
         cmocka_unit_test(messages_that_are_kept_are_repeated),
         cmocka_unit_test(bytes_arrive_at_whom_they_are_for),
         cmocka_unit_test(what_is_said_is_counted),

@@ -44,10 +44,11 @@ static void run_fast(scene *s, clod_step_options options)
 }
 
 /** Now and then a rank seems to have worked for much longer. */
-static void share_and_work(clod_ranks *ranks, const void *mine, size_t bytes, void *all)
+static void exchange_and_work(clod_ranks *ranks, const clod_message *out, int outs,
+                              const clod_message *in, int ins)
 {
     static dice roll[RANKS_MOST];
-    ranks_share(ranks, mine, bytes, all);
+    ranks_exchange(ranks, out, outs, in, ins);
     roll[ranks->rank].state += (uint64_t)ranks->rank;
     ranks->count.spun -= dice_pick(&roll[ranks->rank], 20) == 0 ? 1e-2 : 0.0;
 }
@@ -55,7 +56,7 @@ static void share_and_work(clod_ranks *ranks, const void *mine, size_t bytes, vo
 static void run_fast_rank(clod_ranks *ranks, void *context)
 {
     balanced_bed *how = context;
-    ranks->share = share_and_work;
+    ranks->exchange = exchange_and_work;
     if (ranks->rank > 0) {
         clod_crew_serve(ranks);
         return;

@@ -17,7 +17,6 @@
 
 /** What a rank shows the others until the next barrier. */
 typedef struct ranks_post {
-    const void *mine;
     const clod_message *out;
     int outs;
 } ranks_post;
@@ -36,17 +35,6 @@ typedef struct ranks_team {
     void (*run)(clod_ranks *ranks, void *context);
     void *context;
 } ranks_team;
-
-static inline void ranks_share(clod_ranks *self, const void *mine, size_t bytes, void *all)
-{
-    ranks_team *team = self->group;
-    team->post[self->rank].mine = mine;
-    clod_barrier_wait(&team->barrier);
-    for (int r = 0; r < self->size; r++) {
-        memcpy((char *)all + (size_t)r * bytes, team->post[r].mine, bytes);
-    }
-    clod_barrier_wait(&team->barrier);
-}
 
 /** What rank `from` has for this one; both must have said how much. */
 static inline const clod_message *ranks_find(const clod_ranks *self, int from)
@@ -115,7 +103,6 @@ static inline void ranks_run(int size, void (*run)(clod_ranks *ranks, void *cont
     for (int r = 0; r < size; r++) {
         team.rank[r] = (clod_ranks){.rank = r,
                                     .size = size,
-                                    .share = ranks_share,
                                     .exchange = ranks_exchange,
                                     .keep = ranks_keep,
                                     .repeat = ranks_repeat,
