@@ -38,9 +38,7 @@ bool clod_course_write(const clod_runs *runs, clod_status *status)
 {
     json_t *made = json_pack("{s:f, s:i}", "budget_s", runs->plan->budget, "workers",
                              runs->counted_workers);
-    const bool good = made != NULL
-                          ? clod_folder_write_json(runs->folder, NAME, made, status)
-                          : clod_status_fail(status, CLOD_FAILED, "No memory for " NAME);
+    const bool good = clod_folder_write_json(runs->folder, NAME, made, status);
     json_decref(made);
     return good;
 }

@@ -125,13 +125,15 @@ bool clod_folder_remove(const clod_folder *self, const char *name, clod_status *
 bool clod_folder_write(const clod_folder *self, const char *name, const char *text,
                        clod_status *status)
 {
-    return clod_folder_replace(self, name, text, strlen(text), NULL, 0, status);
+    return text != NULL ? clod_folder_replace(self, name, text, strlen(text), NULL, 0, status)
+                        : clod_folder_fail(self, "write", name, ENOMEM, status);
 }
 
 bool clod_folder_write_json(const clod_folder *self, const char *name, const json_t *json,
                             clod_status *status)
 {
-    char *text = clod_json_text(json, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
+    char *text =
+        json == NULL ? NULL : clod_json_text(json, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     if (text == NULL) {
         return clod_folder_fail(self, "write", name, ENOMEM, status);
     }

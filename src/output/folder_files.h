@@ -81,11 +81,11 @@ bool clod_folder_replace(const clod_folder *self, const char *name, const void *
 /** Remove a file; none of this name is fine. */
 bool clod_folder_remove(const clod_folder *self, const char *name, clod_status *status);
 
-/** Replace a file by a text. */
+/** Replace a file by a text; NULL: there was no memory for it, which is a failure. */
 bool clod_folder_write(const clod_folder *self, const char *name, const char *text,
                        clod_status *status);
 
-/** Replace a file by indented JSON; `json` is borrowed. */
+/** Replace a file by indented JSON; `json` is borrowed, NULL as above. */
 bool clod_folder_write_json(const clod_folder *self, const char *name, const json_t *json,
                             clod_status *status);
 

@@ -330,9 +330,7 @@ bool clod_paraview_write(const clod_paraview *self, const clod_folder *folder, c
         put_all(to, self, path, stem);
     }
     char *text = to != NULL ? clod_text_close(&whole) : NULL;
-    const bool good = text != NULL
-                          ? clod_folder_write(folder, name, text, status)
-                          : clod_status_fail(status, CLOD_FAILED, "No memory for %s.", name);
+    const bool good = clod_folder_write(folder, name, text, status);
     clod_memory_free(text);
     free(path);
     return good;

@@ -262,9 +262,7 @@ bool clod_clumps_report_files(const clod_folder *folder, const void *memory,
         }
         made = clod_text_close(&text);
     }
-    const bool good = made != NULL
-                          ? clod_folder_write(folder, "clumps.csv", made, status)
-                          : clod_status_fail(status, CLOD_FAILED, "no memory for clumps.csv");
+    const bool good = clod_folder_write(folder, "clumps.csv", made, status);
     clod_memory_free(made);
     return good;
 }

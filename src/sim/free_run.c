@@ -253,11 +253,8 @@ static bool write_summary(clod_job *job, clod_status *status)
     const clod_free_moment now = moment_of(job->procedure.data, sim->from, state, NULL);
     const void *measures = measures_of(job->procedure.data, sim->from);
     clod_free_measures_json(root, measures, &now);
-    const bool ok = !clod_free_measures_write(sim->folder, measures, &now, status) ? false
-                    : root != NULL
-                        ? clod_folder_write_json(sim->folder, "summary.json", root, status)
-                        : clod_status_fail(status, CLOD_FAILED, "no memory for %s/summary.json",
-                                           sim->directory);
+    const bool ok = clod_free_measures_write(sim->folder, measures, &now, status) &&
+                    clod_folder_write_json(sim->folder, "summary.json", root, status);
     json_decref(root);
     return ok;
 }

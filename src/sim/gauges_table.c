@@ -43,9 +43,7 @@ static bool write_table(const clod_folder *folder, const char *gauge, const char
     char name[80];
     snprintf(name, sizeof name, "gauge_%s-%s.csv", gauge, kind);
     char *text = make_table(at, bins, axis);
-    const bool good = text != NULL
-                          ? clod_folder_write(folder, name, text, status)
-                          : clod_status_fail(status, CLOD_FAILED, "no memory for %s", name);
+    const bool good = clod_folder_write(folder, name, text, status);
     clod_memory_free(text);
     return good;
 }

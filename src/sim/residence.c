@@ -104,9 +104,7 @@ static bool residence_write(const clod_folder *folder, const void *memory,
         put_classes(out, exchange, r.grains);
         made = clod_text_close(&text);
     }
-    const bool good =
-        made != NULL ? clod_folder_write(folder, "residence.csv", made, status)
-                     : clod_status_fail(status, CLOD_FAILED, "no memory for residence.csv");
+    const bool good = clod_folder_write(folder, "residence.csv", made, status);
     clod_memory_free(made);
     return good;
 }

@@ -67,13 +67,6 @@ static bool check_request(const clod_case *from, const clod_run_options *options
                             options->simd);
 }
 
-/** Keep the text of the report, which a run whose checkpoints are lost can only read. */
-static bool write_report(const clod_job_shared *sim, const char *report, clod_status *status)
-{
-    return report != NULL ? clod_folder_write(sim->folder, "report.txt", report, status)
-                          : clod_status_fail(status, CLOD_FAILED, "no memory for the report");
-}
-
 static bool close_log(clod_job_shared *sim, bool ok, clod_status *status)
 {
     clod_status log_status;
@@ -100,8 +93,9 @@ static bool run_in_folder(clod_job_shared *sim, const char *complete, char **rep
                              "table (--fresh runs it again)");
     }
     if (earlier == CLOD_EARLIER_GO_ON) {
+        // a run whose checkpoints are lost can only read its report
         ok = fill_folder(sim, complete, status) && run_case(sim, report, status) &&
-             write_report(sim, *report, status);
+             clod_folder_write(sim->folder, "report.txt", *report, status);
         clod_ranks_log_work(sim);
         ok = close_log(sim, ok, status);
     }

@@ -189,9 +189,7 @@ bool clod_surface_impacts_write(const clod_folder *folder, const void *memory,
         return true;
     }
     char *text = make_table(&now->state->walls);
-    const bool good = text != NULL
-                          ? clod_folder_write(folder, "impacts.csv", text, status)
-                          : clod_status_fail(status, CLOD_FAILED, "no memory for impacts.csv");
+    const bool good = clod_folder_write(folder, "impacts.csv", text, status);
     clod_memory_free(text);
     return good;
 }

@@ -67,9 +67,7 @@ static bool write_table(const clod_folder *folder, const clod_part *part, int pa
         }
     }
     char *text = clod_text_close(&table);
-    const bool ok =
-        text != NULL ? clod_folder_write(folder, "wall_friction.csv", text, status)
-                     : clod_status_fail(status, CLOD_FAILED, "no memory for wall_friction.csv");
+    const bool ok = clod_folder_write(folder, "wall_friction.csv", text, status);
     clod_memory_free(text);
     return ok;
 }
