@@ -183,7 +183,8 @@ static void a_cubic_lattice_has_its_closed_form(void **state)
         scene s;
         scene_init(&s, 1e-9, &contact);
         for (int g = 0; g < 64; g++) {
-            scene_grain(&s, GAP * (g % 4), GAP * (g / 4 % 4), GAP * (g / 16), R);
+            const int layer = g / 16, line = g / 4 % 4;
+            scene_grain(&s, GAP * (g % 4), GAP * line, GAP * layer, R);
         }
         for (int a = 0; a < 3; a++) {
             s.state.domain.min[a] = -ARM;
@@ -292,9 +293,10 @@ static void threads_change_no_bit(void **state)
         scene_init(&s, 5e-7, &contact);
         for (int g = 0; g < 120; g++) {
             const double wide = 1.5e-3;
-            scene_grain(&s, 8.2e-3 * (g % 4) + dice_real(&d, 0.0, wide),
-                        8.2e-3 * (g / 4 % 4) + dice_real(&d, 0.0, wide), 8.2e-3 * (g / 16),
-                        3e-3 + dice_real(&d, 0.0, 3e-4));
+            const int layer = g / 16, line = g / 4 % 4;
+            const double x = 8.2e-3 * (g % 4) + dice_real(&d, 0.0, wide);
+            const double y = 8.2e-3 * line + dice_real(&d, 0.0, wide);
+            scene_grain(&s, x, y, 8.2e-3 * layer, 3e-3 + dice_real(&d, 0.0, 3e-4));
         }
         scene_wall(&s, "floor", shape_floor(-4e-3));
         s.state.gravity[2] = -100.0;
