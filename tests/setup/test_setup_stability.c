@@ -46,13 +46,11 @@ static clod_stability measure(scene *s)
     return found;
 }
 
-static scene make_pair(const clod_case_contact *contact, double radius)
+static void make_pair(scene *s, const clod_case_contact *contact, double radius)
 {
-    scene s;
-    scene_init(&s, 1e-9, contact);
-    scene_grain(&s, 0.0, 0.0, 0.0, R);
-    scene_grain(&s, 0.0, 0.0, R + radius - 2.0 * R * 1e-3, radius);
-    return s;
+    scene_init(s, 1e-9, contact);
+    scene_grain(s, 0.0, 0.0, 0.0, R);
+    scene_grain(s, 0.0, 0.0, R + radius - 2.0 * R * 1e-3, radius);
 }
 
 /** omega^2 = k/m*: of two unequal grains, whatever they do across. */
@@ -62,7 +60,8 @@ static void two_grains_swing_along_the_normal(void **state)
     const clod_case_contact contact = contact_hooke(1.0, 0.0);
     const double masses[] = {MASS, 8.0 * MASS};
     for (int k = 0; k < 2; k++) {
-        scene s = make_pair(&contact, k == 0 ? R : 2.0 * R);
+        scene s;
+        make_pair(&s, &contact, k == 0 ? R : 2.0 * R);
         scene_start(&s);
         const clod_stability found = measure(&s);
         const double omega = sqrt(K * (1.0 / MASS + 1.0 / masses[k]));
@@ -79,7 +78,8 @@ static void two_grains_swing_across(void **state)
     (void)state;
     const double e = 0.3;
     const clod_case_contact contact = contact_hooke(e, 0.5);
-    scene s = make_pair(&contact, R);
+    scene s;
+    make_pair(&s, &contact, R);
     scene_start(&s);
     const clod_stability found = measure(&s);
     const double per_mass = 2.0 / MASS + 2.0 * ARM * ARM / (0.4 * MASS * R * R);
@@ -99,7 +99,8 @@ static void two_grains_swing_by_rolling(void **state)
     contact.rolling = CLOD_ROLLING_EPSD;
     contact.rolling_friction = 2.0;
     contact.rolling_damping = 0.2;
-    scene s = make_pair(&contact, R);
+    scene s;
+    make_pair(&s, &contact, R);
     scene_start(&s);
     const clod_stability found = measure(&s);
     const double k_r = 2.25 * 4.0 * K * 0.25 * R * R;
@@ -209,7 +210,8 @@ static void plastic_contacts_swing_on_their_unloading_branch(void **state)
     clod_case_contact contact = contact_ore();
     contact.friction = 0.0;
     contact.rolling = CLOD_ROLLING_NONE;
-    scene s = make_pair(&contact, R);
+    scene s;
+    make_pair(&s, &contact, R);
     scene_start(&s);
     check_relative(measure(&s).frequency, sqrt(1.5 * 2.37e9 * sqrt(d) * 2.0 / MASS), 1e-6);
     scene_end(&s);
@@ -220,7 +222,7 @@ static void plastic_contacts_swing_on_their_unloading_branch(void **state)
     contact.k2 = 5.0 * K;
     contact.k_adh = 0.0;
     contact.plasticity_depth = 0.05;
-    s = make_pair(&contact, R);
+    make_pair(&s, &contact, R);
     scene_start(&s);
     // k2 rises linearly from k1 at 0 to 5 k1 at d* = 2 phi R*/(1 - k1/k2), here 0.1875 mm
     const double k2 = K + 4.0 * K * d / (2.0 * 0.05 * 0.5 * R / 0.8);
