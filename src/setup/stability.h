@@ -30,7 +30,7 @@ typedef struct clod_stability {
  * @param contacts  all closed contacts of it, in their one order
  * @param laws      with today's adhesion
  * @return          step: to 1e-5, from above
- * Errors  CLOD_FAILED without memory, or when numbers are not finite; step is 0 then.
+ * Errors  CLOD_FAILED without memory; step is 0 when numbers of the bed are not finite.
  * Threads  one; the same bits on any number of threads of the step.
  * Source  docs/theory/stability.md.   Test  tests/setup/test_setup_stability.c
  */

@@ -212,11 +212,10 @@ static bool look(job_loop *loop, clod_status *status)
     }
     const char *after = p->phase(p->data, p->context);
     job->memory.finished = finished;
-    if (before != after || (finished && p->reason != NULL)) {
-        if (!clod_step_see(&loop->step, status)) {
-            return false;
-        }
-        clod_job_log_phase(job, &loop->step, before, before != after ? after : "end");
+    if ((before != after || (finished && p->reason != NULL)) &&
+        !clod_job_log_phase(job, &loop->step, before, before != after ? after : "end",
+                            status)) {
+        return false;
     }
     tell_progress(loop, finished);
     return snapshot_if_due(loop, finished || before != after, status);
@@ -380,7 +379,7 @@ bool clod_job_run(clod_job *job, clod_status *status)
 {
     char text[256];
     if (job->memory.finished != 0) {
-        return true;
+        return clod_job_measure_finished(job, status);
     }
     if (!job->resumed) {
         if (job->state.step == 0 &&
@@ -397,7 +396,7 @@ bool clod_job_run(clod_job *job, clod_status *status)
     bool ok = open_loop(&loop, status) && (job->resumed || write_checkpoint(&loop, "", status));
     if (ok) {
         ok = loop_to_end(&loop, status);
-        clod_job_measure_bed(job, &loop.step);
+        ok = clod_job_measure_bed(job, &loop.step, status) && ok;
         clod_job_log_end(job, &loop.step, ok, status);
     }
     ok = clod_job_tables_close(&loop.tables, ok, status);
