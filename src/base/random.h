@@ -15,6 +15,7 @@ typedef enum clod_random_purpose {
     CLOD_RANDOM_TEST = 4,
     CLOD_RANDOM_MEASURED = 5,  ///< errors of measured values
     CLOD_RANDOM_CALIBRATE = 6, ///< samples of calibrated parameters
+    CLOD_RANDOM_STABILITY = 7, ///< start of the search for the fastest oscillation
 } clod_random_purpose;
 
 /**

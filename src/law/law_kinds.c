@@ -70,6 +70,20 @@ static double stiffest_k2(const clod_law *self, double overlap, double r_star)
     return clod_law_tangent(self, overlap, r_star) * self->k2 / self->k1;
 }
 
+static double unloading_k2(const clod_law *self, double overlap, double r_star, double memory)
+{
+    (void)memory;
+    return stiffest_k2(self, overlap, r_star);
+}
+
+/** k2 has risen with the largest overlap, which is what the contact remembers. */
+static double unloading_luding(const clod_law *self, double overlap, double r_star,
+                               double memory)
+{
+    (void)overlap;
+    return self->k1 + self->hardening * memory / r_star;
+}
+
 static double flow_luding(const clod_law *self, double r_star)
 {
     return self->flow * r_star;
@@ -131,6 +145,7 @@ static const clod_law_kind_row LAWS[CLOD_LAW_KINDS] = {
                        .make = make_mepa,
                        .speed_free = true,
                        .stiffest = stiffest_k2,
+                       .unloading = unloading_k2,
                        .pull = pull_clamp,
                        .plastic = plastic_power,
                        .pressed = pressed_power,
@@ -142,6 +157,7 @@ static const clod_law_kind_row LAWS[CLOD_LAW_KINDS] = {
                         .rayleigh = true,
                         .speed_free = true,
                         .stiffest = stiffest_k2,
+                        .unloading = unloading_k2,
                         .pull = pull_clamp,
                         .plastic = plastic_power,
                         .pressed = pressed_power,
@@ -152,6 +168,7 @@ static const clod_law_kind_row LAWS[CLOD_LAW_KINDS] = {
                         .elastic = true,
                         .speed_free = true,
                         .stiffest = stiffest_k2,
+                        .unloading = unloading_k2,
                         .pull = pull_clamp,
                         .plastic = plastic_power,
                         .pressed = pressed_power,
@@ -165,6 +182,7 @@ static const clod_law_kind_row LAWS[CLOD_LAW_KINDS] = {
                          .about = "linear, k2 rises with the largest overlap",
                          .make = make_luding,
                          .stiffest = stiffest_k2,
+                         .unloading = unloading_luding,
                          .flow = flow_luding,
                          .pull = pull_luding,
                          .plastic = plastic_luding,
@@ -178,6 +196,7 @@ static const clod_law_kind_row LAWS[CLOD_LAW_KINDS] = {
                        .about = "mepa with a constant pull or a pull from surface energy",
                        .make = make_eepa,
                        .stiffest = stiffest_k2,
+                       .unloading = unloading_k2,
                        .pull = pull_clamp,
                        .plastic = plastic_power,
                        .pressed = pressed_power,

@@ -34,6 +34,9 @@ typedef struct clod_law_kind_row {
     bool speed_free; ///< restitution without dash-pot is the same at any speed
     /** Steepest rise df/dd [N/m] of a contact that was never pressed beyond this overlap [m]. */
     double (*stiffest)(const clod_law *self, double overlap, double r_star);
+    /** Slope df/dd [N/m] with which a contact is unloaded at an overlap [m], from what it
+     *  remembers. */
+    double (*unloading)(const clod_law *self, double overlap, double r_star, double memory);
     /** Overlap [m] from which on virgin loading follows k2; NULL: none. */
     double (*flow)(const clod_law *self, double r_star);
     /** Largest pull after this overlap [m]. */

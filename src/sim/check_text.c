@@ -20,10 +20,10 @@ void clod_check_line(clod_check_page *to, const char *name, const char *format, 
 
 #define YEAR 31557600.0 ///< s
 
-/** A time on the clock in words, such as "2 h 05 min". */
+/** A time on the clock in words, such as "152 s" or "2 h 05 min". */
 static const char *clock_words(double seconds, char words[32])
 {
-    if (seconds < 90.0) {
+    if (seconds < 600.0) {
         snprintf(words, 32, "%.0f s", seconds);
     } else if (seconds < 5400.0) {
         snprintf(words, 32, "%.0f min", seconds / 60.0);

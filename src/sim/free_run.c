@@ -238,14 +238,14 @@ static bool write_summary(clod_job *job, clod_status *status)
     clod_state *state = &job->state;
     const clod_measure_contacts bed = clod_job_bed(job);
     const char *title = job->sim->from->title;
-    json_t *root =
-        json_pack("{s:s, s:s, s:f, s:f, s:I, s:I, s:I, s:f, s:f, s:f, s:f, s:o}", "title",
-                  title != NULL ? title : "", "version", job->memory.version, "time_s",
-                  state->time, "dt_s", state->dt, "steps", (json_int_t)state->step, "grains",
-                  (json_int_t)state->grains.count, "contacts", (json_int_t)bed.pairs,
-                  "coordination", bed.coordination, "max_overlap", bed.max_overlap,
-                  "kinetic_energy_J", clod_measure_kinetic_energy(state), "wall_clock_s",
-                  job->memory.wall_clock, "stages", stages_json(job));
+    json_t *root = json_pack(
+        "{s:s, s:s, s:f, s:f, s:I, s:I, s:I, s:f, s:f, s:f, s:f, s:f, s:o}", "title",
+        title != NULL ? title : "", "version", job->memory.version, "time_s", state->time,
+        "dt_s", state->dt, "steps", (json_int_t)state->step, "grains",
+        (json_int_t)state->grains.count, "contacts", (json_int_t)bed.pairs, "coordination",
+        bed.coordination, "max_overlap", bed.max_overlap, "stable_step_s",
+        clod_job_stable_step(job), "kinetic_energy_J", clod_measure_kinetic_energy(state),
+        "wall_clock_s", job->memory.wall_clock, "stages", stages_json(job));
     const clod_job_shared *sim = job->sim;
     if (job->memory.origin[0] != '\0') {
         json_object_set_new(root, "from", json_string(job->memory.origin));

@@ -9,12 +9,12 @@
 #include "base/memory.h"
 #include "clod/ranks.h"
 #include "clod/version.h"
-#include "measure/contacts.h"
 #include "output/series.h"
 #include "parallel/threads.h"
 #include "setup/bound.h"
 #include "setup/grains.h"
 #include "sim/energy_series.h"
+#include "sim/job_bed.h"
 #include "sim/job_steps.h"
 #include "sim/job_store.h"
 #include "sim/job_tables.h"
@@ -200,16 +200,6 @@ static bool sample(job_loop *loop, bool *finished, clod_status *status)
            clod_job_tables_leavers(&loop->tables, loop->job, status) && can_go_on(loop, status);
 }
 
-/** Into the log: a phase is over, and why. */
-static void log_phase(const clod_job *job, const char *before, const char *after)
-{
-    const clod_procedure *p = &job->procedure;
-    const char *reason = p->reason != NULL ? p->reason(p->data) : NULL;
-    clod_eventlog_write(job->sim->log, "phase", "{s:s, s:s, s:s, s:s*, s:I, s:f}", "part",
-                        job->name, "from", before, "to", after, "reason", reason, "step",
-                        (json_int_t)job->state.step, "time_s", job->state.time);
-}
-
 /** The procedure's look: a sample, and perhaps another phase. */
 static bool look(job_loop *loop, clod_status *status)
 {
@@ -222,8 +212,10 @@ static bool look(job_loop *loop, clod_status *status)
     }
     const char *after = p->phase(p->data, p->context);
     job->memory.finished = finished;
-    if (before != after || (finished && p->reason != NULL)) {
-        log_phase(job, before, before != after ? after : "end");
+    if ((before != after || (finished && p->reason != NULL)) &&
+        !clod_job_log_phase(job, &loop->step, before, before != after ? after : "end",
+                            status)) {
+        return false;
     }
     tell_progress(loop, finished);
     return snapshot_if_due(loop, finished || before != after, status);
@@ -383,40 +375,11 @@ static bool open_loop(job_loop *loop, clod_status *status)
            clod_step_open_ledger(&loop->step, status);
 }
 
-/** What the contacts say at the end, before the step that has them is gone. */
-static void measure_bed(job_loop *loop)
-{
-    clod_job *job = loop->job;
-    clod_step_reader reader;
-    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
-    job->bed = clod_measure_contacts_from(&job->state, &contacts);
-    job->stepped = true;
-}
-
-clod_measure_contacts clod_job_bed(const clod_job *job)
-{
-    return job->stepped ? job->bed : clod_measure_contacts_of(&job->state);
-}
-
-static void log_end(const job_loop *loop, const clod_job *job, bool ok,
-                    const clod_status *status)
-{
-    const clod_measure_contacts bed = clod_job_bed(job);
-    clod_eventlog_write(job->sim->log, ok ? "finished" : "stopped",
-                        "{s:s, s:I, s:f, s:f, s:i, s:I, s:I, s:I, s:f, s:f, s:s}", "part",
-                        job->name, "step", (json_int_t)job->state.step, "time_s",
-                        job->state.time, "wall_clock_s", job->memory.wall_clock, "threads",
-                        loop->step.threads, "rebuilds", (json_int_t)loop->step.rebuilds,
-                        "refreshes", (json_int_t)loop->step.refreshes, "contacts",
-                        (json_int_t)bed.pairs, "coordination", bed.coordination, "max_overlap",
-                        bed.max_overlap, "message", ok ? "" : status->text);
-}
-
 bool clod_job_run(clod_job *job, clod_status *status)
 {
     char text[256];
     if (job->memory.finished != 0) {
-        return true;
+        return clod_job_measure_finished(job, status);
     }
     if (!job->resumed) {
         if (job->state.step == 0 &&
@@ -433,8 +396,8 @@ bool clod_job_run(clod_job *job, clod_status *status)
     bool ok = open_loop(&loop, status) && (job->resumed || write_checkpoint(&loop, "", status));
     if (ok) {
         ok = loop_to_end(&loop, status);
-        measure_bed(&loop);
-        log_end(&loop, job, ok, status);
+        ok = clod_job_measure_bed(job, &loop.step, status) && ok;
+        clod_job_log_end(job, &loop.step, ok, status);
     }
     ok = clod_job_tables_close(&loop.tables, ok, status);
     clod_step_fini(&loop.step);

@@ -92,6 +92,9 @@ typedef struct clod_job {
     clod_job_memory memory;
     bool resumed;              ///< state and procedure come from a checkpoint
     clod_measure_contacts bed; ///< at the end of the steps
+    double stable_step;        ///< s, measured last (clod_job_stable_step) ...
+    int64_t stable_at;         ///< ... at this step
+    bool stable_known;         ///< ... if it was
     bool stepped;              ///< there were steps; else state.contacts are those of the end
 } clod_job;
 
@@ -140,5 +143,9 @@ bool clod_job_run(clod_job *job, clod_status *status);
 
 /** What the contacts say at the end of a job that has run. */
 clod_measure_contacts clod_job_bed(const clod_job *job);
+
+/** The largest stable time step of its bed then [s] (setup/stability.h); 0: not known, or
+ *  nothing that could swing. */
+double clod_job_stable_step(const clod_job *job);
 
 void clod_job_fini(clod_job *job);

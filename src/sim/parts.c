@@ -72,6 +72,7 @@ static void note_result(const clod_job *job, clod_part *part)
     part->coordination = bed.coordination;
     part->max_overlap = bed.max_overlap;
     part->mean_overlap = bed.mean_overlap;
+    part->stable_step = clod_job_stable_step(job);
 }
 
 /** Whether a part may begin: not after a signal, nor at the end of its time, nor when another part has failed. */
@@ -159,7 +160,7 @@ void clod_parts_destroy(clod_part *self)
     }
 }
 
-void clod_parts_warn_overlap(json_t *list, const clod_part *part)
+void clod_parts_warn_end(json_t *list, const clod_part *part)
 {
     if (part->max_overlap > CLOD_LIMITS_OVERLAP_MOST) {
         clod_warning_box_add(
@@ -167,6 +168,13 @@ void clod_parts_warn_overlap(json_t *list, const clod_part *part)
             "%s: overlap up to %.1f %% of a radius at its end; the laws assume "
             "small ones: raise the stiffness",
             part->name, 100.0 * part->max_overlap);
+    }
+    if (part->stable_step > 0.0 && part->dt > CLOD_LIMITS_STABLE * part->stable_step) {
+        clod_warning_box_add(list,
+                             "%s: the time step, %.3g s, is %.2g of the largest stable one of "
+                             "the bed at its end, %.3g s: lower time.safety or time.step",
+                             part->name, part->dt, part->dt / part->stable_step,
+                             part->stable_step);
     }
 }
 
@@ -194,7 +202,8 @@ json_t *clod_parts_json(const clod_part *part)
                    {"wall_clock_s", part->wall_clock},
                    {"coordination", part->coordination},
                    {"max_overlap", part->max_overlap},
-                   {"mean_overlap", part->mean_overlap}};
+                   {"mean_overlap", part->mean_overlap},
+                   {"stable_step_s", part->stable_step}};
     json_t *from = part->origin[0] != '\0' ? json_string(part->origin) : NULL;
     json_t *j = json_pack("{s:s, s:s, s:o*, s:I, s:I, s:I}", "part", part->name, "version",
                           part->version, "from", from, "seed", (json_int_t)part->seed, "steps",

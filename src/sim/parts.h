@@ -24,6 +24,7 @@ typedef struct clod_part {
     size_t grains;
     double coordination;              ///< grain-grain contacts of a grain at the end
     double max_overlap, mean_overlap; ///< fraction of a radius, at the end
+    double stable_step;               ///< s, largest stable time step at the end; 0: not known
     bool ok;
     clod_status status;
 } clod_part;
@@ -45,8 +46,9 @@ clod_part *clod_parts_create(const clod_parts_tester *tester, int count, clod_st
 /** Free; NULL is fine. */
 void clod_parts_destroy(clod_part *self);
 
-/** An overlap beyond what the laws are made for, in words. */
-void clod_parts_warn_overlap(json_t *list, const clod_part *part);
+/** What the contacts at its end say against a part, in words: an overlap beyond what the laws are
+ *  made for, a time step too near the largest stable one. */
+void clod_parts_warn_end(json_t *list, const clod_part *part);
 
 /**
  * Run a batch of parts side by side.

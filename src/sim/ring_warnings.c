@@ -127,7 +127,7 @@ static void add_part(json_t *list, const clod_case *from, const clod_shear_cell 
         add_servo(list, cell, part);
         add_dilation(list, cell, part);
     }
-    clod_parts_warn_overlap(list, part);
+    clod_parts_warn_end(list, part);
     if (inertia > CLOD_LIMITS_INERTIA) {
         clod_warning_box_add(
             list, "%s: inertial number %.2g: not quasi-static (%.0e); lower %s.speed",

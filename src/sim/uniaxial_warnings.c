@@ -139,7 +139,7 @@ json_t *clod_uniaxial_warnings(const clod_case *from, const clod_part *part, int
             add_stresses(list, from, &part[p]);
             add_inertia(list, from, &part[p]);
         }
-        clod_parts_warn_overlap(list, &part[p]);
+        clod_parts_warn_end(list, &part[p]);
     }
     if (!add_fall(list, part, parts)) {
         json_decref(list);

@@ -154,7 +154,7 @@ json_t *clod_wall_shear_warnings(const clod_case *from, const clod_part *part, i
             add_inertia(list, from, &part[p]);
             add_gap(list, from, &part[p]);
         }
-        clod_parts_warn_overlap(list, &part[p]);
+        clod_parts_warn_end(list, &part[p]);
     }
     return list;
 }

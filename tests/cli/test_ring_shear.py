@@ -64,6 +64,19 @@ class RingShear(clod.TesterCase):
             self.assertLess(first["time"] - last["time"], 2e-4)  # 50 steps of 2.5 us
             self.assertAlmostEqual(first["height"], last["height"], delta=2e-5)
 
+    def test_the_step_is_below_the_largest_stable_one(self):
+        """The step is a tenth of that of one contact; a bed of many takes at least that much of its
+        own, and less than all of it. The log has it at the end of each phase, and of the last one
+        what the summary has."""
+        for part in self.summary["parts"]:
+            self.assertLess(0.1 * part["stable_step_s"], part["dt_s"])
+            self.assertLess(part["dt_s"], part["stable_step_s"])
+            phases = [event for event in clod.log(self.out)
+                      if event["event"] == "phase" and event["part"] == part["part"]]
+            self.assertEqual(phases[-1]["stable_step_s"], part["stable_step_s"])
+            for event in phases:
+                self.assertLess(part["dt_s"], event["stable_step_s"])
+
     def test_speeds(self):
         self.assertEqual({row["speed"] for row in self.steady()}, {SPEED})
         for name, stress in zip(("point-1", "point-2", "point-3"), STRESSES):

@@ -125,6 +125,35 @@ static void a_cell_that_is_too_small_has_a_remedy(void **state)
     json_decref(list);
 }
 
+/** Nine tenths of the largest stable step are taken without a word, and a step that is not known
+ *  to be too large. */
+static void a_step_near_the_largest_stable_one_has_a_remedy(void **state)
+{
+    (void)state;
+    static const struct {
+        double dt, stable;
+        const char *text;
+    } STEPS[] = {
+        {0.89e-6, 1e-6, NULL},
+        {1e-6, 0.0, NULL},
+        {1.5e-6, 1.2e-6,
+         "reverse: the time step, 1.5e-06 s, is 1.2 of the largest stable one of the bed at its "
+         "end, 1.2e-06 s: lower time.safety or time.step"},
+    };
+    for (size_t k = 0; k < sizeof STEPS / sizeof *STEPS; k++) {
+        json_t *list;
+        now.part[1].dt = STEPS[k].dt;
+        now.part[1].stable_step = STEPS[k].stable;
+        const char *found = only_warning(&list);
+        if (STEPS[k].text == NULL) {
+            assert_null(found);
+        } else {
+            assert_string_equal(found, STEPS[k].text);
+        }
+        json_decref(list);
+    }
+}
+
 int main(void)
 {
 #define T(name) cmocka_unit_test_setup(name, make_box)
@@ -133,6 +162,7 @@ int main(void)
         T(a_shear_stress_that_stays_has_a_remedy),
         T(a_longer_way_has_a_remedy),
         T(a_cell_that_is_too_small_has_a_remedy),
+        T(a_step_near_the_largest_stable_one_has_a_remedy),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
