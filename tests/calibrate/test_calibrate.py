@@ -220,7 +220,7 @@ class Calibrate(bounce.Bounce):
         shear("number: phi_e, value: 30 deg, error: 1 deg}\n  - {test: bounce, number: phi_lin, value: 40 "
               "deg, error: 1 deg", "phi_e 30.0 deg is below phi_lin 40.0 deg")
         shear("number: c, value: 3 kPa, error: 0.1 kPa}\n  - {test: bounce, number: c, value: 4 kPa, "
-              "error: 0.1 kPa", "7.1 standard errors apart: they contradict each other")
+              "error: 0.1 kPa", "bounce: c is there as 3 kPa in targets.0 and as 4 kPa in targets.1, 7.1 standard errors apart")
         head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
         points = "54.8,40,{0},20\n54.8,40,30,30\n54.8,40,40,35\n"
         shear("locus: lab.csv, error: 1 kPa", "5 kPa is outside the shear_stresses",
