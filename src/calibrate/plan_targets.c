@@ -61,6 +61,15 @@ bool clod_plan_targets_deviation(clod_plan_maker *self, const char *key, const c
                            text);
         return false;
     }
+    if (*value > kind->most - kind->least) {
+        clod_plan_complain(
+            self->loader, clod_plan_targets_at(self, key),
+            "%s is more than all that is possible, %.6g to %.6g %s: such a target "
+            "tells nothing. Give at most a few times the scatter between specimens",
+            text, kind->measure.factor * kind->least, kind->measure.factor * kind->most,
+            kind->measure.unit);
+        return false;
+    }
     return true;
 }
 

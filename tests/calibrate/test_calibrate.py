@@ -213,6 +213,8 @@ class Calibrate(bounce.Bounce):
               "95 deg is impossible; allowed is 0.1 to 85 deg")
         shear("number: phi_e, value: 40 kPa, error: 1 deg", "targets.0.value: 40 kPa")
         shear("number: rho_b, value: 1.4 kg/m3, error: 0.1 kg/m3", "impossible")
+        shear("number: phi_e, value: 40 deg, error: 2 rad",
+              "targets.0.error: 2 rad is more than all that is possible, 0.1 to 85 deg")
         shear("number: tau, value: 9 kPa, error: 1 kPa", "tau needs the key normal_stress")
         shear("number: tau, value: 9 kPa, error: 1 kPa, normal_stress: 60 kPa",
               "60 kPa is outside the shear_stresses of test bounce")

@@ -47,6 +47,12 @@ class Plan(bounce.Bounce):
         self.refuse((ends, "key: seed, from: 1, to: 9"),
                     words=["parameters.e.key: seed is no parameter: every packing gets a seed of its own"])
 
+        # at the key, not at a range that is as good as any
+        self.refuse((ends, "key: contacts.default.restitutoin, from: 0.2, to: 0.9"),
+                    words=["plan.yaml:5:12: parameters.e.key: test bounce refuses it", "did you mean restitution?"])
+        self.refuse((ends, "key: contacts.default.restitution, from: -0.2, to: 0.9"),
+                    words=["parameters.e.from: test bounce refuses it", "is out of range"])
+
     def two(self, k1, k2, points="9"):
         return (("points: 9", f"points: {points}"), ("  e: {key: contacts.default.restitution, from: 0.2, to: 0.9}",
                 f"  k1: {{key: contacts.default.k1, {k1}}}\n  k2: {{key: contacts.default.k2, {k2}}}"))
