@@ -53,7 +53,7 @@ typedef struct clod_plan_measure {
 
 /** A target with its number; SI. */
 typedef struct clod_plan_target {
-    char name[CLOD_PLAN_NAME];   ///< for people, each its own: "ring: phi_e", or "ring: phi_e (targets.1)"
+    char name[CLOD_PLAN_NAME];   ///< for people, each its own: "ring: phi_e"
     char number[CLOD_PLAN_NAME]; ///< of the test
     size_t test;                 ///< index
     size_t entry;                ///< of the plan's `targets`, that it comes from

@@ -1,5 +1,5 @@
 /**
- * Explanations and JSON Schema: complete and valid. The manual: tests/cli/test_explain.py.
+ * Explanations and JSON Schema: complete and valid. The manual: tests/calibrate/test_explain.py.
  */
 
 #include <setjmp.h>
