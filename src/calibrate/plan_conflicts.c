@@ -32,10 +32,10 @@ static void check_angles(clod_loader *loader, const clod_plan *self)
             line->value - effective->value > FIRM * hypot(line->error, effective->error)) {
             clod_plan_complain(
                 loader, "targets",
-                "test %s: phi_e %.1f deg is below phi_lin %.1f deg, which no yield locus "
-                "with a cohesion of 0 or more can have",
+                "test %s: phi_e %.1f deg in targets.%zu is below phi_lin %.1f deg in targets.%zu, which no "
+                "yield locus with a cohesion of 0 or more can have; are they interchanged?",
                 self->tests[t].name, effective->measure.factor * effective->value,
-                line->measure.factor * line->value);
+                effective->entry, line->measure.factor * line->value, line->entry);
         }
     }
 }

@@ -4,6 +4,7 @@
  */
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "analysis/mean.h"
@@ -172,6 +173,18 @@ static void make_locus_points(maker *self, const clod_number *kind,
     list_fini(&list);
 }
 
+/** "0.6, 1.2": preshear stresses of a table. */
+static const char *list_preshears(const clod_locus_study *study, char *buffer, size_t size)
+{
+    size_t used = 0;
+    buffer[0] = '\0';
+    for (size_t g = 0; g < study->count && used < size; g++) {
+        used += (size_t)snprintf(buffer + used, size - used, "%s%.6g", g == 0 ? "" : ", ",
+                                 1e-3 * study->groups[g].locus.sigma_p.value);
+    }
+    return buffer;
+}
+
 /** Points of the locus with the preshear stress of the test. */
 static void make_marks(maker *self, size_t test, const clod_number *kind,
                        const clod_locus_study *study, const clod_locus_point *points,
@@ -190,9 +203,12 @@ static void make_marks(maker *self, size_t test, const clod_number *kind,
         make_locus_points(self, kind, &common, locus, points, count);
         return;
     }
+    char list[160];
     clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"),
-                       "has no points with the preshear stress of test %s, %.6g kPa",
-                       self->wish->test, 1e-3 * preshear);
+                       "has no points with the preshear stress of test %s, %.6g kPa; it has %s "
+                       "kPa: give the case one of these",
+                       self->wish->test, 1e-3 * preshear,
+                       list_preshears(study, list, sizeof list));
 }
 
 /** The points of a measured yield locus; false with status. */
