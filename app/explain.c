@@ -1,6 +1,6 @@
 /**
  * @file explain.c
- * clod explain [KEY...]: what the keys of a case file mean.
+ * clod explain [KEY...]: what the keys of case files, hoppers and plans mean.
  */
 
 #include <argp.h>
@@ -10,6 +10,8 @@
 
 #include "app.h"
 #include "arguments.h"
+#include "calibrate/calibrate.h"
+#include "clod/hopper.h"
 #include "clod/schema.h"
 #include "output.h"
 
@@ -40,6 +42,19 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     }
 }
 
+/** All kinds of file that this clod reads. */
+static const clod_schema *const *schemas(void)
+{
+    static const clod_schema *all[4]; // the last is NULL
+    size_t count = 0;
+    all[count++] = clod_schema_case();
+    all[count++] = clod_hopper_schema();
+#if CLOD_GSL
+    all[count] = clod_calibrate_schema();
+#endif
+    return all;
+}
+
 /** Print an owned text and free it; false when there is none. */
 static bool print(char *text)
 {
@@ -62,9 +77,10 @@ int clod_app_explain(int argc, char **argv)
         .options = OPTIONS,
         .parser = parse,
         .args_doc = "[KEY...]",
-        .doc = "Explain keys of a case file: kind, unit, range, default, source. KEY is a path "
-               "such as ring_shear.depth, or the last part of one, such as k_adh. Without KEY, "
-               "list all keys.",
+        .doc =
+            "Explain keys of a case file, of the case of a hopper and of the plan of a calibration: kind, unit, range, default, source. KEY is a path "
+            "such as ring_shear.depth, or the last part of one, such as k_adh. Without KEY, "
+            "list all keys.",
     };
     request self = {.first = argc};
     if (!clod_arguments_parse(&argp, argc, argv, ARGP_IN_ORDER, &self)) {
@@ -72,13 +88,14 @@ int clod_app_explain(int argc, char **argv)
     }
     clod_status status = {CLOD_OK, ""};
     if (self.manual) {
-        return print(clod_schema_manual()) ? EXIT_SUCCESS : without_memory();
+        return print(clod_schema_manual(schemas())) ? EXIT_SUCCESS : without_memory();
     }
     if (self.first == argc) {
-        return print(clod_schema_explain(NULL, &status)) ? EXIT_SUCCESS : without_memory();
+        return print(clod_schema_explain(schemas(), NULL, &status)) ? EXIT_SUCCESS
+                                                                    : without_memory();
     }
     for (int i = self.first; i < argc; i++) {
-        if (!print(clod_schema_explain(argv[i], &status))) {
+        if (!print(clod_schema_explain(schemas(), argv[i], &status))) {
             fprintf(stderr, "clod explain: %s\n", status.text);
             return (int)status.code;
         }

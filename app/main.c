@@ -35,7 +35,7 @@ static const verb VERBS[] = {
     {"picture", clod_app_picture, "draw snapshots of a run as PNG, or as a movie"},
     {"report", clod_app_report, "write a page for the browser about a run"},
     {"compare", clod_app_compare, "write one page about several runs"},
-    {"explain", clod_app_explain, "explain a key of a case file"},
+    {"explain", clod_app_explain, "explain a key of a case, a hopper or a plan"},
     {"schema", clod_app_schema, "print the JSON Schema of case files, for editors"},
     {"verify", clod_app_verify, "run the verification suite: computed against known results"},
 };

@@ -16,9 +16,9 @@
 #include "clod/status.h"
 #include "clod_templates.h" // written by the build: tools/templates.cmake
 
-#define TABLES 2
+#define TABLES 8 ///< at most
 
-/** A file that a case names; it is written beside the case. */
+/** A further file of a template, which is written beside its case. */
 typedef struct table {
     const char *name;
     const char *text;
@@ -64,6 +64,17 @@ static const template TEMPLATES[] = {
      "calibration of an ore's adhesion against a measured angle, for clod calibrate",
      CLOD_TEMPLATE_CALIBRATE,
      {{"ring.yaml", CLOD_TEMPLATE_CALIBRATE_RING}}},
+    {"lab-to-outlet",
+     "from a laboratory's tables to an outlet: design, calibration, outlet, chute",
+     CLOD_TEMPLATE_LAB_TO_OUTLET,
+     {{"shear.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_SHEAR},
+      {"wall.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_WALL},
+      {"plan.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_PLAN},
+      {"ring.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_RING},
+      {"outlet.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_OUTLET},
+      {"side.obj", CLOD_TEMPLATE_LAB_TO_OUTLET_SIDE},
+      {"chute.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_CHUTE},
+      {"chute.obj", CLOD_TEMPLATE_LAB_TO_OUTLET_CHUTE_MESH}}},
 };
 
 #define TEMPLATE_COUNT (sizeof TEMPLATES / sizeof TEMPLATES[0])
@@ -123,7 +134,7 @@ static int write_text(const char *text, const char *path)
     return EXIT_SUCCESS;
 }
 
-/** Path of a table beside the case: owned, or NULL. */
+/** Path of a file beside the case: owned, or NULL. */
 static char *path_beside(const char *path, const char *name)
 {
     const char *slash = strrchr(path, '/');
@@ -156,7 +167,7 @@ static bool is_free(const char *path)
     return true;
 }
 
-/** The case, and the tables it names into its folder: all of them or, if one is there, none. */
+/** The case, and its further files into its folder: all of them or, if one is there, none. */
 static int write_case(const template *chosen, const char *path)
 {
     char *beside[TABLES] = {NULL};
@@ -183,7 +194,7 @@ int clod_app_new(int argc, char **argv)
         .parser = parse,
         .args_doc = "[TEMPLATE [FILE]]",
         .doc = "Write an example case to start from; FILE is TEMPLATE.yaml unless given, - is "
-               "standard output. Tables that a template names are written beside it. Without "
+               "standard output. Further files of a template are written beside it. Without "
                "arguments the templates are listed. A file that exists is never overwritten.",
     };
     request self = {NULL, NULL};

@@ -6,7 +6,12 @@ foreach(entry IN ITEMS "RING_SHEAR=copper-ore-5/case.yaml" "JENIKE=copper-ore-je
     "FREE_RUN=free-run/case.yaml"
     "CONTACT_BENCH=contact-bench/case.yaml" "HOPPER=hopper-design/hopper.yaml"
     "HOPPER_FLOW_FUNCTION=hopper-design/flow-function.csv" "HOPPER_WALL=hopper-design/wall.csv"
-    "CALIBRATE=calibrate-kadh/plan.yaml" "CALIBRATE_RING=calibrate-kadh/ring.yaml")
+    "CALIBRATE=calibrate-kadh/plan.yaml" "CALIBRATE_RING=calibrate-kadh/ring.yaml"
+    "LAB_TO_OUTLET=lab-to-outlet/hopper.yaml" "LAB_TO_OUTLET_SHEAR=lab-to-outlet/shear.csv"
+    "LAB_TO_OUTLET_WALL=lab-to-outlet/wall.csv" "LAB_TO_OUTLET_PLAN=lab-to-outlet/plan.yaml"
+    "LAB_TO_OUTLET_RING=lab-to-outlet/ring.yaml" "LAB_TO_OUTLET_OUTLET=lab-to-outlet/outlet.yaml"
+    "LAB_TO_OUTLET_SIDE=lab-to-outlet/side.obj" "LAB_TO_OUTLET_CHUTE=lab-to-outlet/chute.yaml"
+    "LAB_TO_OUTLET_CHUTE_MESH=lab-to-outlet/chute.obj")
   string(REPLACE "=" ";" entry ${entry})
   list(GET entry 0 name)
   list(GET entry 1 file)

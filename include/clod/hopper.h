@@ -9,6 +9,7 @@
 
 #include <stddef.h>
 
+#include "clod/schema.h"
 #include "clod/status.h"
 
 #ifdef __cplusplus
@@ -31,6 +32,9 @@ typedef struct clod_hopper clod_hopper;
  */
 clod_hopper *clod_hopper_create(const char *path, const char *const *overrides,
                                 size_t override_count, clod_status *status);
+
+/** Keys of the case file, for clod_schema_explain. Threads  pure. */
+const clod_schema *clod_hopper_schema(void);
 
 /** Free and null; NULL is fine. */
 void clod_hopper_destroy(clod_hopper **self);

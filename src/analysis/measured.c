@@ -118,9 +118,10 @@ static bool read_shear(const char *path, const char *text, size_t length,
     if (!clod_locus_parse(path, text, length, defaults, &points, &count, status)) {
         return false;
     }
-    self->study = clod_locus_study_create(points, count, status);
+    clod_status why = {0};
+    self->study = clod_locus_study_create(points, count, &why);
     clod_locus_free(points);
-    return self->study != NULL;
+    return self->study != NULL || fail_evaluation(path, &why, status);
 }
 
 static bool read_wall(const char *path, const char *text, size_t length, clod_measured *self,

@@ -6,6 +6,7 @@
  */
 
 #include "clod/run.h"
+#include "clod/schema.h"
 #include "clod/status.h"
 
 #ifdef __cplusplus
@@ -32,6 +33,9 @@ typedef struct clod_calibrate_options {
  */
 bool clod_calibrate_run(const char *path, const clod_calibrate_options *options, char **report,
                         clod_status *status);
+
+/** Keys of a plan, for clod_schema_explain. Threads  pure. */
+const clod_schema *clod_calibrate_schema(void);
 
 /** Free a text; NULL is fine. */
 void clod_calibrate_free(char *text);

@@ -4,10 +4,9 @@
  * Which results of a test can be targets, and how they are read from the folder of its run.
  */
 
-#include "calibrate/plan.h"
+#include <jansson.h>
 
-/** Bit of a clod_case_kind. */
-#define CLOD_NUMBER_OF(kind) (1U << (kind))
+#include "calibrate/plan.h"
 
 /** Relative: as clod locus tells consolidation stresses apart. */
 #define CLOD_NUMBER_SAME_STRESS 0.02
@@ -18,17 +17,37 @@ typedef struct clod_number {
     const char *unit; ///< SI
     clod_plan_measure measure;
     double least, most; ///< SI: what a measured value may be
-    unsigned kinds;     ///< of cases that have it: CLOD_NUMBER_OF each
-    unsigned
-        at_stress; ///< of cases where it is that of a normal stress, which the plan must give
+    bool at_stress;     ///< it is that of a normal stress, which the plan must give
+    const char *field;  ///< its name in the summary; NULL where it is not read there
+    /** Its value in a summary, SI, NAN where the test defines none; NULL where it is not read there or is a
+     *  path. */
+    double (*of)(const json_t *summary, const struct clod_number *self,
+                 const clod_plan_target *target);
 } clod_number;
 
-/** The kind of a number of a test of this kind of case; NULL: there is none. Of a free run every path of
- *  its summary is one. */
-const clod_number *clod_number_find(clod_case_kind kind, const char *key);
+#define CLOD_NUMBER_DEGREE 0.017453292519943295
+#define CLOD_NUMBER_ANGLE                                                                      \
+    "rad", {"deg", 1.0 / CLOD_NUMBER_DEGREE, 1}, 0.1 * CLOD_NUMBER_DEGREE,                     \
+        85.0 * CLOD_NUMBER_DEGREE
+#define CLOD_NUMBER_STRESS "Pa", {"kPa", 1e-3, 2}, 0.0, 1e8
+#define CLOD_NUMBER_DENSITY "kg/m3", {"kg/m3", 1.0, 0}, 10.0, 15000.0
+#define CLOD_NUMBER_RATIO "1", {"", 1.0, 2}, 0.0, 1000.0
+
+// Numbers of each kind of test: number_shear.c, number_summary.c.
+#define CLOD_NUMBERS_SHEAR_COUNT 11
+#define CLOD_NUMBERS_UNIAXIAL_COUNT 3
+#define CLOD_NUMBERS_WALL_COUNT 4
+extern const clod_number CLOD_NUMBERS_SHEAR[CLOD_NUMBERS_SHEAR_COUNT];
+extern const clod_number CLOD_NUMBERS_UNIAXIAL[CLOD_NUMBERS_UNIAXIAL_COUNT];
+extern const clod_number CLOD_NUMBERS_WALL[CLOD_NUMBERS_WALL_COUNT];
+extern const clod_number CLOD_NUMBER_PATH; ///< of any path in the summary of a free run
+
+/** The kind of a number of such a test; NULL: there is none. Of a free run every path of its summary is
+ *  one. */
+const clod_number *clod_number_find(const clod_case *from, const char *key);
 
 /** "; did you mean phi_e?" or "; it has phi_lin, ...": after an unknown number. */
-const char *clod_number_hint(clod_case_kind kind, const char *key, char *buffer, size_t size);
+const char *clod_number_hint(const clod_case *from, const char *key, char *buffer, size_t size);
 
 /**
  * The numbers of all targets of a test in the results folder of a finished run.
@@ -39,3 +58,11 @@ const char *clod_number_hint(clod_case_kind kind, const char *key, char *buffer,
  */
 bool clod_number_read(const clod_plan *plan, size_t test, const char *folder, double *values,
                       clod_status *status);
+
+/** The same of a shear test, from its points (number_shear.c). */
+bool clod_number_read_shear(const clod_plan *plan, size_t test, const char *folder,
+                            double *values, clod_status *status);
+
+/** The same of a test whose numbers are in its summary (number_summary.c). */
+bool clod_number_read_summary(const clod_plan *plan, size_t test, const char *folder,
+                              double *values, clod_status *status);

@@ -1,5 +1,6 @@
 #include "calibrate/params.h"
 
+#include "calibrate/calibrate.h"
 #include "calibrate/plan.h"
 
 #define HOWTO "docs/howto/calibrate.md"
@@ -174,6 +175,24 @@ static const clod_param ROWS[] = {
      .help = "Markov chains and intervals.",
      .source = THEORY},
 };
+
+static void put_head(FILE *out)
+{
+    fputs(
+        "The plan that `clod calibrate` reads ([howto/calibrate.md](howto/calibrate.md)); units and names as in a "
+        "case file.\n",
+        out);
+}
+
+const clod_schema *clod_calibrate_schema(void)
+{
+    static const clod_schema OF_PLAN = {.keys = "Keys of the plan of a calibration",
+                                        .name = "in the plan of a calibration (clod calibrate)",
+                                        .top = "The plan",
+                                        .table = &CLOD_TABLE_PLAN,
+                                        .head = put_head};
+    return &OF_PLAN;
+}
 
 const clod_table CLOD_TABLE_PLAN = {
     .title = "The plan of a calibration.", CLOD_ROWS(ROWS), .size = sizeof(clod_plan)};

@@ -14,7 +14,7 @@
 
 #define CLOD_PLAN_UNIT 32
 #define CLOD_PLAN_FIGURES (-1) ///< digits of a number that may be of any size
-#define CLOD_PLAN_NAME 112
+#define CLOD_PLAN_NAME 144
 #define CLOD_PLAN_PARAMETERS 12 ///< at most
 #define CLOD_PLAN_POINTS 1000   ///< at most, whatever the budget
 
@@ -53,9 +53,10 @@ typedef struct clod_plan_measure {
 
 /** A target with its number; SI. */
 typedef struct clod_plan_target {
-    char name[CLOD_PLAN_NAME];   ///< for people: "ring: phi_e"
+    char name[CLOD_PLAN_NAME];   ///< for people, each its own: "ring: phi_e"
     char number[CLOD_PLAN_NAME]; ///< of the test
     size_t test;                 ///< index
+    size_t entry;                ///< of the plan's `targets`, that it comes from
     double normal_stress;
     double value, error, discrepancy; ///< standard deviations
     bool held_back;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "calibrate/test_kinds.h"
 #include "config/unit.h"
 
 #define PATH 200
@@ -59,15 +60,6 @@ static void check_range(clod_loader *loader, clod_plan_parameter *self)
     }
 }
 
-/** Packings that a case asks for by itself. */
-static int64_t seeds_of(const clod_case *self)
-{
-    const clod_case_programme *shear = clod_case_shear(self);
-    return shear != NULL                 ? shear->seeds
-           : self->wall_friction.present ? self->wall_friction.seeds
-                                         : 1;
-}
-
 static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_test *test)
 {
     char path[PATH];
@@ -89,8 +81,9 @@ static void check_test(clod_loader *loader, const clod_plan *self, clod_plan_tes
     if (!clod_plan_check_places(loader, self, test)) {
         return;
     }
-    const int64_t seeds = seeds_of(test->middle);
-    if (clod_case_kind_of(test->middle) == CLOD_CASE_CONTACT_BENCH) {
+    const clod_test_kind *kind = clod_test_kinds_of(test->middle);
+    const int64_t seeds = kind->seeds(test->middle);
+    if (kind->numbers == NULL) {
         clod_plan_complain(loader, path,
                            "is a contact bench; only tests and free runs are run");
     } else if (seeds > 1) {

@@ -32,10 +32,10 @@ static void check_angles(clod_loader *loader, const clod_plan *self)
             line->value - effective->value > FIRM * hypot(line->error, effective->error)) {
             clod_plan_complain(
                 loader, "targets",
-                "test %s: phi_e %.1f deg is below phi_lin %.1f deg, which no yield locus "
-                "with a cohesion of 0 or more can have",
+                "test %s: phi_e %.1f deg in targets.%zu is below phi_lin %.1f deg in targets.%zu, which no "
+                "yield locus with a cohesion of 0 or more can have; are they interchanged?",
                 self->tests[t].name, effective->measure.factor * effective->value,
-                line->measure.factor * line->value);
+                effective->entry, line->measure.factor * line->value, line->entry);
         }
     }
 }
@@ -51,10 +51,11 @@ static void check_twice(clod_loader *loader, const clod_plan *self)
             if (strcmp(a->name, b->name) == 0 && apart > 2.0 * FIRM) {
                 clod_plan_complain(
                     loader, "targets",
-                    "%s is there as %.6g and as %.6g %s, %.1f standard errors apart: they "
-                    "contradict each other",
-                    a->name, a->measure.factor * a->value, b->measure.factor * b->value,
-                    a->measure.unit, apart);
+                    "%s is there as %.6g %s in targets.%zu and as %.6g %s in targets.%zu, %.1f standard errors "
+                    "apart: they contradict each other; leave one of them out, or give the errors that "
+                    "specimens differ by",
+                    a->name, a->measure.factor * a->value, a->measure.unit, a->entry,
+                    b->measure.factor * b->value, b->measure.unit, b->entry, apart);
             }
         }
     }

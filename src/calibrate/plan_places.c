@@ -84,6 +84,15 @@ clod_case *clod_plan_case(const clod_plan *self, const clod_plan_test *test,
     return found;
 }
 
+/** Whether the cases have a key by this name: elements of vectors, which have no row, count. */
+static bool is_key(const char *key)
+{
+    const char *dot = strrchr(key, '.');
+    const char *last = dot != NULL ? dot + 1 : key;
+    return find_row(&CLOD_TABLE_CASE, key) != NULL ||
+           strspn(last, "0123456789") == strlen(last);
+}
+
 /** All settings of a place in one line. */
 static void write_settings(const clod_plan *self, const double *place, char text[SETTINGS])
 {
@@ -128,7 +137,9 @@ static bool accepts_ends(clod_loader *loader, const clod_plan *self, const clod_
             place[m] = m == k / 2 ? (double)(k % 2) : 0.5;
         }
         snprintf(path, sizeof path, "parameters.%.60s.%s", self->parameters[k / 2].name,
-                 k % 2 == 0 ? "from" : "to");
+                 !is_key(self->parameters[k / 2].key) ? "key"
+                 : k % 2 == 0                         ? "from"
+                                                      : "to");
         if (!accepts(loader, self, test, place, path)) {
             return false;
         }

@@ -4,11 +4,13 @@
  */
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "analysis/mean.h"
 #include "base/memory.h"
 #include "calibrate/plan_targets.h"
+#include "calibrate/test_kinds.h"
 #include "clod/locus.h"
 #include "clod/wall_locus.h"
 
@@ -54,6 +56,11 @@ static bool common_of(maker *self, size_t test, const clod_number *kind, clod_pl
                                        false, &to->discrepancy);
 }
 
+static const clod_plan_table *table_of(const maker *self, size_t test)
+{
+    return clod_test_kinds_of(self->plan->tests[test].middle)->table;
+}
+
 /** A measured point, or the mean of those at one stress, as a target. */
 static void make_point(maker *self, const clod_number *kind, const clod_plan_target *common,
                        sample point)
@@ -65,8 +72,7 @@ static void make_point(maker *self, const clod_number *kind, const clod_plan_tar
     if (made.error <= 0.0) {
         clod_plan_complain(self->loader, clod_plan_targets_at(self, ""),
                            "needs the key error: the table has no %s at %.6g kPa",
-                           strcmp(kind->key, "tau") == 0 ? "tau_sh_error" : "tau_w_error",
-                           1e-3 * point.stress);
+                           table_of(self, made.test)->error_column, 1e-3 * point.stress);
     } else if (made.value < kind->least || made.value > kind->most) {
         clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"),
                            "has a %s of %.6g %s at %.6g kPa; allowed is %.6g to %.6g %s",
@@ -167,11 +173,23 @@ static void make_locus_points(maker *self, const clod_number *kind,
     list_fini(&list);
 }
 
-/** Points of the locus with the preshear stress of the test. */
-static void make_marks(maker *self, size_t test, const clod_locus_study *study,
-                       const clod_locus_point *points, size_t count)
+/** "0.6, 1.2": preshear stresses of a table. */
+static const char *list_preshears(const clod_locus_study *study, char *buffer, size_t size)
 {
-    const clod_number *kind = clod_number_find(CLOD_CASE_RING_SHEAR, "tau");
+    size_t used = 0;
+    buffer[0] = '\0';
+    for (size_t g = 0; g < study->count && used < size; g++) {
+        used += (size_t)snprintf(buffer + used, size - used, "%s%.6g", g == 0 ? "" : ", ",
+                                 1e-3 * study->groups[g].locus.sigma_p.value);
+    }
+    return buffer;
+}
+
+/** Points of the locus with the preshear stress of the test. */
+static void make_marks(maker *self, size_t test, const clod_number *kind,
+                       const clod_locus_study *study, const clod_locus_point *points,
+                       size_t count)
+{
     const double preshear = clod_case_shear(self->plan->tests[test].middle)->preshear_stress;
     clod_plan_target common;
     if (!common_of(self, test, kind, &common)) {
@@ -185,13 +203,16 @@ static void make_marks(maker *self, size_t test, const clod_locus_study *study,
         make_locus_points(self, kind, &common, locus, points, count);
         return;
     }
+    char list[160];
     clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"),
-                       "has no points with the preshear stress of test %s, %.6g kPa",
-                       self->wish->test, 1e-3 * preshear);
+                       "has no points with the preshear stress of test %s, %.6g kPa; it has %s "
+                       "kPa: give the case one of these",
+                       self->wish->test, 1e-3 * preshear,
+                       list_preshears(study, list, sizeof list));
 }
 
 /** The points of a measured yield locus; false with status. */
-static bool make_locus(maker *self, size_t test, clod_status *status)
+static bool make_locus(maker *self, size_t test, const clod_number *kind, clod_status *status)
 {
     clod_locus_point *points;
     size_t count;
@@ -201,12 +222,15 @@ static bool make_locus(maker *self, size_t test, clod_status *status)
     clod_locus_study *study = clod_locus_study_create(points, count, status);
     const bool good = study != NULL;
     if (good) {
-        make_marks(self, test, study, points, count);
+        make_marks(self, test, kind, study, points, count);
     }
     clod_locus_study_destroy(&study);
     clod_locus_free(points);
     return good;
 }
+
+const clod_plan_table CLOD_PLAN_TABLE_SHEAR = {
+    .number = "tau", .error_column = "tau_sh_error", .make = make_locus};
 
 // ---- wall friction tests
 
@@ -244,9 +268,9 @@ static void take_angles(maker *self, const clod_wall_locus *locus, sample_list *
     }
 }
 
-static void make_angles(maker *self, size_t test, const clod_wall_locus *locus)
+static void make_angles(maker *self, size_t test, const clod_number *kind,
+                        const clod_wall_locus *locus)
 {
-    const clod_number *kind = clod_number_find(CLOD_CASE_WALL_FRICTION, "phi_x");
     sample_list list;
     clod_plan_target common;
     if (!common_of(self, test, kind, &common)) {
@@ -260,7 +284,7 @@ static void make_angles(maker *self, size_t test, const clod_wall_locus *locus)
 }
 
 /** The points of a measured wall yield locus; false with status. */
-static bool make_wall(maker *self, size_t test, clod_status *status)
+static bool make_wall(maker *self, size_t test, const clod_number *kind, clod_status *status)
 {
     clod_wall_locus_point *points;
     size_t count;
@@ -271,33 +295,36 @@ static bool make_wall(maker *self, size_t test, clod_status *status)
     const bool good = clod_wall_locus_evaluate(points, count, &locus, status);
     clod_locus_free(points);
     if (good) {
-        make_angles(self, test, &locus);
+        make_angles(self, test, kind, &locus);
         clod_wall_locus_fini(&locus);
     }
     return good;
 }
 
+const clod_plan_table CLOD_PLAN_TABLE_WALL = {
+    .number = "phi_x", .error_column = "tau_w_error", .one_stress = true, .make = make_wall};
+
 void clod_plan_tables_make(clod_plan_maker *self, size_t test)
 {
     const clod_plan_wish *wish = self->wish;
     const clod_case *from = self->plan->tests[test].middle;
-    const bool wall = clod_case_kind_of(from) == CLOD_CASE_WALL_FRICTION;
-    if (!wall && clod_case_shear(from) == NULL) {
+    const clod_plan_table *table = table_of(self, test);
+    if (table == NULL) {
         clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"),
                            "test %s is neither a shear test nor a wall friction test; give "
                            "number and value",
                            wish->test);
         return;
     }
-    if (wish->number != NULL || wish->value != NULL || (!wall && wish->normal_stress > 0.0)) {
+    if (wish->number != NULL || wish->value != NULL ||
+        (!table->one_stress && wish->normal_stress > 0.0)) {
         clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"),
                            "has number%s beside it; the table has them all",
-                           wall ? " or value" : ", value or normal_stress");
+                           table->one_stress ? " or value" : ", value or normal_stress");
         return;
     }
     clod_status status = {CLOD_OK, ""};
-    const bool good = wall ? make_wall(self, test, &status) : make_locus(self, test, &status);
-    if (!good) {
+    if (!table->make(self, test, clod_number_find(from, table->number), &status)) {
         clod_plan_complain(self->loader, clod_plan_targets_at(self, "locus"), "%.800s",
                            status.text);
     }

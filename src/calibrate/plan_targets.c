@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "calibrate/test_kinds.h"
 #include "config/suggest.h"
 #include "config/unit.h"
 
@@ -60,6 +61,15 @@ bool clod_plan_targets_deviation(clod_plan_maker *self, const char *key, const c
                            text);
         return false;
     }
+    if (*value > kind->most - kind->least) {
+        clod_plan_complain(
+            self->loader, clod_plan_targets_at(self, key),
+            "%s is more than all that is possible, %.6g to %.6g %s: such a target "
+            "tells nothing. Give at most a few times the scatter between specimens",
+            text, kind->measure.factor * kind->least, kind->measure.factor * kind->most,
+            kind->measure.unit);
+        return false;
+    }
     return true;
 }
 
@@ -80,53 +90,12 @@ static bool find_test(maker *self, size_t *test)
     return false;
 }
 
-/** Whether a stress is among those of a test. */
-static bool is_among(double stress, const double *stresses, size_t count)
-{
-    for (size_t k = 0; k < count; k++) {
-        if (fabs(stresses[k] / stress - 1.0) < CLOD_NUMBER_SAME_STRESS) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/** Whether the simulated points reach to both sides of a normal stress. */
-static bool covers(const clod_case_programme *shear, double stress)
-{
-    double least = HUGE_VAL, most = 0.0;
-    for (size_t k = 0; k < shear->shear_stress_count; k++) {
-        least = fmin(least, shear->shear_stresses[k]);
-        most = fmax(most, shear->shear_stresses[k]);
-    }
-    return stress >= (1.0 - CLOD_NUMBER_SAME_STRESS) * least &&
-           stress <= (1.0 + CLOD_NUMBER_SAME_STRESS) * most;
-}
-
-/** Whether a test has a normal stress; else what to say of it. */
-static bool has_stress(const clod_case *from, double stress, const char **missing)
-{
-    const clod_case_programme *shear = clod_case_shear(from);
-    if (shear != NULL) {
-        *missing = "outside the shear_stresses";
-        return covers(shear, stress);
-    }
-    if (clod_case_kind_of(from) == CLOD_CASE_WALL_FRICTION) {
-        *missing = "not among the wall_stresses";
-        return is_among(stress, from->wall_friction.wall_stresses,
-                        from->wall_friction.wall_stress_count);
-    }
-    *missing = "not among the consolidation_stresses";
-    return is_among(stress, from->uniaxial.consolidation_stresses,
-                    from->uniaxial.consolidation_stress_count);
-}
-
 bool clod_plan_targets_check_stress(clod_plan_maker *self, size_t test, const clod_number *kind,
                                     const char *number, double stress)
 {
     const clod_case *from = self->plan->tests[test].middle;
-    const bool needed = (kind->at_stress & CLOD_NUMBER_OF(clod_case_kind_of(from))) != 0;
-    if (!needed) {
+    const clod_test_kind *of = clod_test_kinds_of(from);
+    if (!kind->at_stress) {
         if (stress > 0.0) {
             clod_plan_complain(self->loader, clod_plan_targets_at(self, "normal_stress"),
                                "%s has none", number);
@@ -138,13 +107,12 @@ bool clod_plan_targets_check_stress(clod_plan_maker *self, size_t test, const cl
                            "%s needs the key normal_stress", number);
         return false;
     }
-    const char *missing;
-    const bool there = has_stress(from, stress, &missing);
+    const bool there = of->has_stress(from, stress);
     if (!there) {
         clod_plan_complain(
             self->loader,
             clod_plan_targets_at(self, self->wish->locus != NULL ? "locus" : "normal_stress"),
-            "%.6g kPa is %s of test %s; give it there", 1e-3 * stress, missing,
+            "%.6g kPa is %s of test %s; give it there", 1e-3 * stress, of->without_stress,
             self->wish->test);
     }
     return there;
@@ -161,6 +129,12 @@ static void name_target(clod_plan_target *to, const char *test, const char *numb
     }
 }
 
+static void write_place(clod_plan_target *to)
+{
+    const size_t length = strlen(to->name);
+    snprintf(to->name + length, sizeof to->name - length, " (targets.%zu)", to->entry);
+}
+
 void clod_plan_targets_add(clod_plan_maker *self, const clod_plan_target *made,
                            const char *number)
 {
@@ -173,7 +147,27 @@ void clod_plan_targets_add(clod_plan_maker *self, const clod_plan_target *made,
     }
     plan->targets = grown;
     grown[plan->target_count] = *made;
+    grown[plan->target_count].entry = self->number;
     name_target(&grown[plan->target_count++], self->wish->test, number);
+}
+
+/** Targets of the same number at the same stress, of two specimens or from two tables, get their places
+ *  in the plan behind their names: columns of runs.csv and figures are found by name. */
+static void name_apart(clod_plan *self)
+{
+    for (size_t k = 0; k < self->target_count; k++) {
+        const char *name = self->targets[k].name;
+        bool shared = false;
+        for (size_t m = k + 1; m < self->target_count; m++) {
+            if (strcmp(self->targets[m].name, name) == 0) {
+                write_place(&self->targets[m]);
+                shared = true;
+            }
+        }
+        if (shared) {
+            write_place(&self->targets[k]);
+        }
+    }
 }
 
 /** A target of a number and a value. */
@@ -186,13 +180,12 @@ static void make_number(maker *self, size_t test)
                            wish->number == NULL ? "number and value" : "value");
         return;
     }
-    const clod_number *kind = clod_number_find(clod_case_kind_of(from), wish->number);
+    const clod_number *kind = clod_number_find(from, wish->number);
     if (kind == NULL) {
         char hint[160];
-        clod_plan_complain(
-            self->loader, clod_plan_targets_at(self, "number"), "test %s has no number %s%s",
-            wish->test, wish->number,
-            clod_number_hint(clod_case_kind_of(from), wish->number, hint, sizeof hint));
+        clod_plan_complain(self->loader, clod_plan_targets_at(self, "number"),
+                           "test %s has no number %s%s", wish->test, wish->number,
+                           clod_number_hint(from, wish->number, hint, sizeof hint));
         return;
     }
     clod_plan_target made = {.test = test,
@@ -238,4 +231,5 @@ void clod_plan_make_targets(clod_loader *loader, clod_plan *self)
         clod_plan_complain(loader, "targets", "are all held back; at least one must be used");
     }
     clod_plan_check_conflicts(loader, self);
+    name_apart(self);
 }

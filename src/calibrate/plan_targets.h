@@ -33,5 +33,17 @@ bool clod_plan_targets_check_stress(clod_plan_maker *self, size_t test, const cl
 void clod_plan_targets_add(clod_plan_maker *self, const clod_plan_target *made,
                            const char *number);
 
+/** A kind of measured table (plan_tables.c). */
+typedef struct clod_plan_table {
+    const char *number;       ///< what each of its points is a target of
+    const char *error_column; ///< where it may tell the error of a point
+    bool one_stress;          ///< normal_stress beside it takes the points there
+    /** Targets of a file's points; false with status. */
+    bool (*make)(clod_plan_maker *self, size_t test, const clod_number *kind,
+                 clod_status *status);
+} clod_plan_table;
+
+extern const clod_plan_table CLOD_PLAN_TABLE_SHEAR, CLOD_PLAN_TABLE_WALL;
+
 /** Targets of the points of a measured table (plan_tables.c). */
 void clod_plan_tables_make(clod_plan_maker *self, size_t test);

@@ -59,6 +59,17 @@ static void build(clod_loader *loader, clod_case *self)
     }
 }
 
+/** Apply those that name a file to include, or the others. */
+static void apply_overrides(clod_loader *loader, size_t overrides, bool include)
+{
+    static const char KEY[] = "include=";
+    for (size_t i = 0; i < overrides && loader->root != NULL && !loader->report->lost; i++) {
+        if ((strncmp(loader->report->overrides[i], KEY, strlen(KEY)) == 0) == include) {
+            clod_override_apply(loader, i);
+        }
+    }
+}
+
 static void read_tree(clod_loader *loader, const char *text, size_t length, size_t overrides)
 {
     clod_report *report = loader->report;
@@ -67,10 +78,9 @@ static void read_tree(clod_loader *loader, const char *text, size_t length, size
         const clod_place start = {.line = 1, .column = 1, .width = 1};
         clod_report_add(report, start, "", "is empty; clod new writes an example");
     }
+    apply_overrides(loader, overrides, true);
     clod_include_merge(loader);
-    for (size_t i = 0; i < overrides && loader->root != NULL && !report->lost; i++) {
-        clod_override_apply(loader, i);
-    }
+    apply_overrides(loader, overrides, false);
 }
 
 static clod_case *make_case(const char *path, const char *text, size_t length)

@@ -1,6 +1,6 @@
 /**
  * @file explain.c
- * `clod explain` and the manual, from the parameter tables.
+ * `clod explain`, from the parameter tables.
  */
 
 #include <stdio.h>
@@ -9,14 +9,13 @@
 #include "base/given.h"
 #include "base/memory.h"
 #include "base/text.h"
-#include "clod/schema.h"
 #include "config/suggest.h"
-#include "config/testers.h"
 #include "config/walk.h"
 
 /** What is looked for, and where the answer goes. */
 typedef struct search {
     FILE *out;
+    const clod_schema *schema;
     const char *key;
     size_t found;
     bool whole_paths; ///< compare whole paths; else only the last step
@@ -46,24 +45,21 @@ static bool matches(const char *path, const char *key)
     return own == theirs && strncmp(path, key, own) == 0 && matches(path_rest, key_rest);
 }
 
-static const char *default_of(const clod_param *param)
-{
-    if (param->fallback != NULL) {
-        return param->fallback;
-    }
-    return param->need == CLOD_PARAM_REQUIRED ? "none: must be given" : "none: may be left out";
-}
-
-static void print_row(FILE *out, const char *path, const clod_param *param)
+static void print_row(FILE *out, const clod_schema *schema, const char *path,
+                      const clod_param *param)
 {
     char text[512];
-    fprintf(out, "%s\n  %s\n", path, clod_param_help(param, text, sizeof text));
+    fputs(path, out);
+    if (schema->name != NULL) {
+        fprintf(out, ", %s", schema->name);
+    }
+    fprintf(out, "\n  %s\n", clod_param_help(param, text, sizeof text));
     fprintf(out, "  kind     %s\n", clod_param_kind_text(param, text, sizeof text));
     if (clod_param_range_text(param, text, sizeof text)[0] != '\0') {
         fprintf(out, "  allowed  %s\n", text);
     }
     if (!clod_param_is_group(param)) {
-        fprintf(out, "  default  %s\n", default_of(param));
+        fprintf(out, "  default  %s\n", clod_param_default_text(param));
     }
     if (param->example != NULL) {
         fprintf(out, "  example  %s: %s\n", param->key, param->example);
@@ -88,7 +84,7 @@ static void look(void *context, const char *path, const clod_param *param)
         self->whole_paths ? matches(path, self->key) : strcmp(param->key, self->key) == 0;
     if (hit) {
         fputs(self->found == 0 ? "" : "\n", self->out);
-        print_row(self->out, path, param);
+        print_row(self->out, self->schema, path, param);
         self->found++;
     }
     const char *before = self->near.best;
@@ -113,30 +109,43 @@ static void list_row(void *context, const char *path, const clod_param *param)
     }
 }
 
-static char *explain_all(void)
+static char *explain_all(const clod_schema *const *schemas, clod_status *status)
 {
     clod_text text;
     FILE *out = clod_text_open(&text);
-    if (out == NULL) {
-        return NULL;
+    for (size_t k = 0; out != NULL && schemas[k] != NULL; k++) {
+        fprintf(out, "%s%s.", k == 0 ? "" : "\n", schemas[k]->keys);
+        fputs(k == 0 ? " N is the number of an element, from 0; NAME is a name of yours;\n"
+                       "PAIR is default, or two materials a-b. clod explain KEY tells more.\n\n"
+                     : "\n\n",
+              out);
+        clod_walk(schemas[k]->table, list_row, out);
     }
-    fputs(
-        "Keys of a case file. N is the number of an element, from 0; NAME is a name of yours;\n"
-        "PAIR is default, or two materials a-b. clod explain KEY tells more.\n\n",
-        out);
-    clod_walk(&CLOD_TABLE_CASE, list_row, out);
-    return clod_text_close(&text);
+    char *all = out != NULL ? clod_text_close(&text) : NULL;
+    if (all == NULL) {
+        clod_status_fail(status, CLOD_FAILED, "out of memory");
+    }
+    return all;
 }
 
-char *clod_schema_explain(const char *key, clod_status *status)
+/** Look in all kinds of file. */
+static void look_everywhere(search *self, const clod_schema *const *schemas, bool whole_paths)
+{
+    self->whole_paths = whole_paths;
+    for (size_t k = 0; schemas[k] != NULL; k++) {
+        self->schema = schemas[k];
+        clod_walk(schemas[k]->table, look, self);
+    }
+}
+
+char *clod_schema_explain(const clod_schema *const *schemas, const char *key,
+                          clod_status *status)
 {
     CLOD_NEED(status);
+    const clod_schema *const cases[] = {clod_schema_case(), NULL};
+    schemas = schemas != NULL ? schemas : cases;
     if (key == NULL) {
-        char *all = explain_all();
-        if (all == NULL) {
-            clod_status_fail(status, CLOD_FAILED, "out of memory");
-        }
-        return all;
+        return explain_all(schemas, status);
     }
     clod_text text;
     search self = {.out = clod_text_open(&text), .key = key};
@@ -145,11 +154,9 @@ char *clod_schema_explain(const char *key, clod_status *status)
         return NULL;
     }
     self.near = clod_suggest_start(key);
-    self.whole_paths = true;
-    clod_walk(&CLOD_TABLE_CASE, look, &self);
+    look_everywhere(&self, schemas, true);
     if (self.found == 0) {
-        self.whole_paths = false;
-        clod_walk(&CLOD_TABLE_CASE, look, &self);
+        look_everywhere(&self, schemas, false);
     }
     char *answer = clod_text_close(&text);
     if (self.found == 0) {
@@ -164,92 +171,6 @@ char *clod_schema_explain(const char *key, clod_status *status)
         clod_status_fail(status, CLOD_FAILED, "out of memory");
     }
     return answer;
-}
-
-/** A `|` would end the cell of a Markdown table, `<` would begin a tag. */
-static void print_cell(FILE *out, const char *text)
-{
-    fputs(" ", out);
-    for (; *text != '\0'; text++) {
-        fprintf(out, *text == '|' ? "\\%c" : "%c", *text);
-    }
-    fputs(" |", out);
-}
-
-static void manual_row(FILE *out, const clod_param *param)
-{
-    char text[512];
-    fprintf(out, "| `%s` |", param->key);
-    print_cell(out, clod_param_kind_text(param, text, sizeof text));
-    print_cell(out, clod_param_is_group(param)
-                        ? (param->need == CLOD_PARAM_REQUIRED ? "must be given" : "-")
-                        : default_of(param));
-    print_cell(out, clod_param_range_text(param, text, sizeof text));
-    print_cell(out, param->example != NULL ? param->example : "");
-    print_cell(out, clod_param_help(param, text, sizeof text));
-    print_cell(out, param->source);
-    fputc('\n', out);
-}
-
-static void manual_table(FILE *out, const char *path, const clod_table *table)
-{
-    fprintf(out, "\n## %s\n\n%s\n\n", path, table->title);
-    fputs("| key | kind | default | allowed | example | meaning | source |\n"
-          "|---|---|---|---|---|---|---|\n",
-          out);
-    for (size_t i = 0; i < table->count; i++) {
-        manual_row(out, &table->params[i]);
-    }
-}
-
-static void manual_group(void *context, const char *path, const clod_param *param)
-{
-    if (param->table == NULL) {
-        return;
-    }
-    if (param->beside != NULL) {
-        manual_table(context, path, param->beside);
-    }
-    const char *step = clod_walk_step(param);
-    char title[CLOD_WALK_PATH + 8];
-    snprintf(title, sizeof title, "%s%s%s", path, step == NULL ? "" : ".",
-             step == NULL ? "" : step);
-    manual_table(context, title, param->table);
-}
-
-static const char MANUAL_HEAD[] =
-    "# Keys of a case file\n\n"
-    "This page is written by `clod explain --manual` from the tables that also load a case.\n\n"
-    "- A case file is YAML 1.2 (JSON is YAML too), at most 1 MiB, without anchors and tags.\n"
-    "- Every quantity carries its unit: `54.8 kPa`, `6.35 mm`, `20 rpm`, `250 kg`. A bare "
-    "number\n"
-    "  is an error, but 0 needs no unit. Pure numbers take none, or `%`.\n"
-    "- Exponents of units are whole: `kg/m3`, `m/s2`, `N*m`, `kg m-3`. A contact stiffness is\n"
-    "  written with the exponent of its contact: `4.75e8 N/m^1.5`.\n"
-    "- Vectors are lists, `[0 mm, 0 mm, 35 mm]`, or a text with one unit, `0 0 35 mm`.\n"
-    "- In paths, N is the number of an element of a list, from 0; NAME is a name of yours; "
-    "PAIR\n"
-    "  is `default` or two materials `a-b`. `--set grains.0.count=500` changes a value for "
-    "one\n"
-    "  run.\n"
-    "- A case has grains, walls and stages (a free run), or one tester (";
-static const char MANUAL_TESTERS[] = "),\n"
-                                     "  or contact_bench, which may also stand beside one of "
-                                     "the others.\n";
-
-char *clod_schema_manual(void)
-{
-    clod_text text;
-    FILE *out = clod_text_open(&text);
-    if (out == NULL) {
-        return NULL;
-    }
-    char testers[CLOD_CONFIG_TESTER_KEYS];
-    clod_config_tester_keys(testers);
-    fprintf(out, "%s%s%s", MANUAL_HEAD, testers, MANUAL_TESTERS);
-    manual_table(out, "The case", &CLOD_TABLE_CASE);
-    clod_walk(&CLOD_TABLE_CASE, manual_group, out);
-    return clod_text_close(&text);
 }
 
 void clod_schema_free(char *text)

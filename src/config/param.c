@@ -50,7 +50,7 @@ static const char *kind_name(clod_param_kind kind)
         [CLOD_PARAM_BOOL] = "true or false",
         [CLOD_PARAM_FLAGS] = "list of three true or false, for x, y, z",
         [CLOD_PARAM_TEXT] = "text",
-        [CLOD_PARAM_FILE] = "path of a file, relative to the case file",
+        [CLOD_PARAM_FILE] = "path of a file, relative to this file",
         [CLOD_PARAM_CHOICE] = "one of",
         [CLOD_PARAM_VECTOR] = "vector",
         [CLOD_PARAM_REALS] = "list of numbers",
@@ -116,4 +116,12 @@ const char *clod_param_range_text(const clod_param *param, char *buffer, size_t 
     const char *join = low[0] != '\0' && high[0] != '\0' ? " and " : "";
     snprintf(buffer, size, "%s%s%s", low, join, high);
     return buffer;
+}
+
+const char *clod_param_default_text(const clod_param *param)
+{
+    if (param->fallback != NULL) {
+        return param->fallback;
+    }
+    return param->need == CLOD_PARAM_REQUIRED ? "none: must be given" : "none: may be left out";
 }

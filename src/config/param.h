@@ -8,8 +8,10 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #include "clod/case.h"
+#include "clod/schema.h"
 #include "law/law_kinds.h"
 
 typedef enum clod_param_kind {
@@ -75,6 +77,15 @@ typedef struct clod_table {
     size_t kind; ///< offset of the int
 } clod_table;
 
+/** Keys of a kind of file: clod_schema of clod/schema.h. */
+struct clod_schema {
+    const char *keys; ///< "Keys of a case file"
+    const char *name; ///< where a key is, behind its path; NULL: in a case, as most
+    const char *top;  ///< heading of the table of its topmost keys
+    const clod_table *table;
+    void (*head)(FILE *out); ///< writes what the manual says before the tables
+};
+
 extern const clod_table CLOD_TABLE_CASE;
 extern const clod_table CLOD_TABLE_MATERIAL;
 extern const clod_table CLOD_TABLE_CONTACT;
@@ -111,6 +122,9 @@ const char *clod_param_help(const clod_param *param, char *buffer, size_t size);
 
 /** Short text of a row's kind and unit, for instance "pressure [Pa]". */
 const char *clod_param_kind_text(const clod_param *param, char *buffer, size_t size);
+
+/** Default of a row, or that it must be given or may be left out. */
+const char *clod_param_default_text(const clod_param *param);
 
 /** Allowed range of a row, for instance "above 0 m and at most 1 m"; "" when anything goes. */
 const char *clod_param_range_text(const clod_param *param, char *buffer, size_t size);

@@ -7,6 +7,8 @@
 #include "clod/locus.h"
 
 #define DEGREE (M_PI / 180.0)
+#define LEAST_TEST                                                                             \
+    100.0 // Pa: a tenth of the least preshear stress that ring shear testers are used at
 #define APART 0.01 // relative distance below which two stresses count as the same
 
 /** A property that has to come from somewhere. */
@@ -102,6 +104,29 @@ static void warn_beyond(clod_hopper *self, const char *name, const clod_curve *c
     }
 }
 
+/** Points of a flow function that no tester gives: wrong units or columns, as a rule. */
+static void warn_strength(clod_hopper *self)
+{
+    const clod_curve *curve = &self->solid.strength;
+    for (size_t i = 0; i < curve->count; i++) {
+        const clod_curve_point *p = &curve->points[i];
+        if (p->y - 2.0 * p->y_error > p->x) {
+            clod_warning_list_add(
+                &self->warnings,
+                "Flow function: f_c is %.6g kPa at sigma_1 %.6g kPa. A solid stronger than what "
+                "consolidated it was stored for long, or the columns are interchanged.",
+                1e-3 * p->y, 1e-3 * p->x);
+        }
+    }
+    if (curve->points[curve->count - 1].x < LEAST_TEST) {
+        clod_warning_list_add(
+            &self->warnings,
+            "Flow function: all its sigma_1 are below %.0f Pa, less than testers can do. Is "
+            "the unit of the table another one?",
+            LEAST_TEST);
+    }
+}
+
 static void warn_shape(clod_hopper *self, const char *name, const clod_hopper_found *found)
 {
     const clod_hopper_design *at = &found->design;
@@ -184,6 +209,7 @@ static void warn_rathole(clod_hopper *self)
 
 void clod_doubts_warn(clod_hopper *self, bool one_specimen)
 {
+    warn_strength(self);
     warn_shape(self, "Cone", &self->shape[CLOD_RADIAL_CONE]);
     warn_shape(self, "Wedge", &self->shape[CLOD_RADIAL_WEDGE]);
     warn_rathole(self);

@@ -1,5 +1,6 @@
 #include "hopper/params.h"
 
+#include "clod/hopper.h"
 #include "hopper/case.h"
 
 #define C clod_hopper_case
@@ -255,5 +256,23 @@ static const clod_param ROWS[] = {
      .help = "How the errors of the measured values are carried to the results.",
      .source = THEORY},
 };
+
+static void put_head(FILE *out)
+{
+    fputs(
+        "The case that `clod hopper` reads ([howto/hopper.md](howto/hopper.md)); units, names and `--set` as in a "
+        "case file.\n",
+        out);
+}
+
+const clod_schema *clod_hopper_schema(void)
+{
+    static const clod_schema OF_HOPPER = {.keys = "Keys of the case of a hopper",
+                                          .name = "in the case of a hopper (clod hopper)",
+                                          .top = "The hopper",
+                                          .table = &CLOD_TABLE_HOPPER,
+                                          .head = put_head};
+    return &OF_HOPPER;
+}
 
 const clod_table CLOD_TABLE_HOPPER = {.title = "A hopper.", CLOD_ROWS(ROWS), .size = sizeof(C)};

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "report/html.h"
+#include "report/run_kinds.h"
 #include "report/shear_rows.h"
 #include "report/wall_page.h"
 
@@ -65,26 +66,34 @@ static void put_strengths(FILE *out, const json_t *strengths)
     }
 }
 
-void clod_cards_put(FILE *out, const clod_run_files *run)
+void clod_cards_shear(FILE *out, const clod_run_files *run)
 {
     const json_t *study = json_object_get(run->summary, "locus");
-    fputs("<div class=\"cards\">\n", out);
-    switch (run->kind) {
-    case CLOD_RUN_SHEAR:
-        if (clod_shear_locus(study, 0) != NULL && clod_shear_locus(study, 1) == NULL) {
-            put_locus(out, clod_shear_locus(study, 0));
-        }
-        break;
-    case CLOD_RUN_UNIAXIAL:
-        put_strengths(out, json_object_get(run->summary, "flow_function"));
-        break;
-    case CLOD_RUN_WALL:
-        clod_wall_page_cards(out, json_object_get(run->summary, "wall_locus"));
-        break;
-    default:
-        for (size_t k = 0; k < sizeof FREE / sizeof *FREE; k++) {
-            put_card(out, &FREE[k], run->summary);
-        }
+    if (clod_shear_locus(study, 0) != NULL && clod_shear_locus(study, 1) == NULL) {
+        put_locus(out, clod_shear_locus(study, 0));
     }
+}
+
+void clod_cards_uniaxial(FILE *out, const clod_run_files *run)
+{
+    put_strengths(out, json_object_get(run->summary, "flow_function"));
+}
+
+void clod_cards_wall(FILE *out, const clod_run_files *run)
+{
+    clod_wall_page_cards(out, json_object_get(run->summary, "wall_locus"));
+}
+
+void clod_cards_free(FILE *out, const clod_run_files *run)
+{
+    for (size_t k = 0; k < sizeof FREE / sizeof *FREE; k++) {
+        put_card(out, &FREE[k], run->summary);
+    }
+}
+
+void clod_cards_put(FILE *out, const clod_run_files *run)
+{
+    fputs("<div class=\"cards\">\n", out);
+    run->kind->cards(out, run);
     fputs("</div>\n", out);
 }

@@ -7,5 +7,11 @@
 #include "report/run_files.h"
 #include "report/sheet.h"
 
+// Those of a run, by its kind.
+void clod_cards_shear(FILE *out, const clod_run_files *run);
+void clod_cards_uniaxial(FILE *out, const clod_run_files *run);
+void clod_cards_wall(FILE *out, const clod_run_files *run);
+void clod_cards_free(FILE *out, const clod_run_files *run);
+
 /** Write the cards of a run; nothing when it has no results yet. */
 void clod_cards_put(FILE *out, const clod_run_files *run);

@@ -8,6 +8,16 @@
 
 #define MOST_KEYS 200
 
+static void begin_table(FILE *out)
+{
+    fputs("<div class=\"scroll\"><table class=\"copied\" id=\"results-table\"><thead>", out);
+}
+
+static void end_table(FILE *out)
+{
+    fputs("</tbody></table></div>\n", out);
+}
+
 static void put_loci(FILE *out, const char *name, const json_t *study)
 {
     const json_t *locus;
@@ -24,8 +34,11 @@ static void put_loci(FILE *out, const char *name, const json_t *study)
     }
 }
 
-static void put_shear(FILE *out, const clod_run_files *runs, size_t count, const json_t *lab)
+bool clod_compare_tables_shear(FILE *out, const clod_run_files *runs, size_t count,
+                               const json_t *lab, clod_status *status)
 {
+    (void)status;
+    begin_table(out);
     fputs("<tr><th>run</th>", out);
     for (size_t k = 0; k < CLOD_SHEAR_ROW_COUNT; k++) {
         fprintf(out, "<th>%s<br><small>%s</small></th>", CLOD_SHEAR_ROWS[k].symbol,
@@ -36,6 +49,8 @@ static void put_shear(FILE *out, const clod_run_files *runs, size_t count, const
         put_loci(out, runs[k].name, json_object_get(runs[k].summary, "locus"));
     }
     put_loci(out, "laboratory", lab);
+    end_table(out);
+    return true;
 }
 
 /** Columns of numbers that stand in the summary or in a list of it. */
@@ -70,8 +85,11 @@ static void put_heads(FILE *out, const column *columns, size_t count)
     fputs("</tr></thead>\n<tbody>", out);
 }
 
-static void put_uniaxial(FILE *out, const clod_run_files *runs, size_t count)
+bool clod_compare_tables_uniaxial(FILE *out, const clod_run_files *runs, size_t count,
+                                  const json_t *lab, clod_status *status)
 {
+    (void)lab;
+    (void)status;
     static const column COLUMNS[] = {
         {"sigma_1_Pa", "sigma_1 [kPa]", "%.3f", 1e-3},
         {"bulk_density_kg_m3", "bulk density [kg/m3]", "%.0f", 1.0},
@@ -80,6 +98,7 @@ static void put_uniaxial(FILE *out, const clod_run_files *runs, size_t count)
         {"strain_at_peak", "strain at the peak [%]", "%.2f", 100.0},
         {"ffc", "ffc", "%.2f", 1.0}};
     const size_t columns = sizeof COLUMNS / sizeof *COLUMNS;
+    begin_table(out);
     put_heads(out, COLUMNS, columns);
     for (size_t k = 0; k < count; k++) {
         size_t s;
@@ -89,10 +108,15 @@ static void put_uniaxial(FILE *out, const clod_run_files *runs, size_t count)
             put_numbers(out, runs[k].name, one, COLUMNS, columns);
         }
     }
+    end_table(out);
+    return true;
 }
 
-static void put_free(FILE *out, const clod_run_files *runs, size_t count)
+bool clod_compare_tables_free(FILE *out, const clod_run_files *runs, size_t count,
+                              const json_t *lab, clod_status *status)
 {
+    (void)lab;
+    (void)status;
     static const column COLUMNS[] = {{"time_s", "time [s]", "%.5g", 1.0},
                                      {"grains", "grains", "%.0f", 1.0},
                                      {"contacts", "contacts", "%.0f", 1.0},
@@ -101,27 +125,13 @@ static void put_free(FILE *out, const clod_run_files *runs, size_t count)
                                      {"kinetic_energy_J", "kinetic energy [J]", "%.4g", 1.0},
                                      {"wall_clock_s", "computing time [s]", "%.4g", 1.0}};
     const size_t columns = sizeof COLUMNS / sizeof *COLUMNS;
+    begin_table(out);
     put_heads(out, COLUMNS, columns);
     for (size_t k = 0; k < count; k++) {
         put_numbers(out, runs[k].name, runs[k].summary, COLUMNS, columns);
     }
-}
-
-void clod_compare_tables_results(FILE *out, const clod_run_files *runs, size_t count,
-                                 const json_t *lab)
-{
-    fputs("<div class=\"scroll\"><table class=\"copied\" id=\"results-table\"><thead>", out);
-    switch (runs[0].kind) {
-    case CLOD_RUN_SHEAR:
-        put_shear(out, runs, count, lab);
-        break;
-    case CLOD_RUN_UNIAXIAL:
-        put_uniaxial(out, runs, count);
-        break;
-    default:
-        put_free(out, runs, count);
-    }
-    fputs("</tbody></table></div>\n", out);
+    end_table(out);
+    return true;
 }
 
 /** Keys that differ from those of the first run, each once, in the order in which they come. */

@@ -153,8 +153,10 @@ static bool put_others(clod_sheet *sheet, const clod_run_files *run, clod_status
            put_one(sheet, run, "energy.csv", put_ledger, status);
 }
 
-bool clod_run_pages_free(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+bool clod_run_pages_free(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
+                         clod_status *status)
 {
+    (void)lab;
     clod_table series;
     bool good = clod_table_read(&series, run->folder, "series.csv", status);
     if (good) {

@@ -1,12 +1,13 @@
 #include "report/head.h"
 
 #include "report/html.h"
+#include "report/run_kinds.h"
 #include "report/shear.h"
 
 void clod_head_put(FILE *out, const clod_run_files *run)
 {
     fputs("<header><p class=\"kind\">", out);
-    clod_html_text(out, run->kind_text);
+    clod_html_text(out, run->kind->text);
     fputs("</p><h1>", out);
     clod_html_text(out, run->title);
     fputs("</h1><p class=\"when\">", out);
@@ -74,7 +75,7 @@ void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
         count_warnings(study) + json_array_size(own) + count_alarms(run->summary);
     if (count + count_warnings(lab) == 0 && incomplete == NULL && run->report != NULL) {
         // free runs have no checks that could warn, but for the alarms of their gauges
-        fputs(run->kind != CLOD_RUN_FREE ? "<p class=\"good\">No warnings.</p>\n" : "", out);
+        fputs(run->kind->checked ? "<p class=\"good\">No warnings.</p>\n" : "", out);
         return;
     }
     fputs("<section class=\"warnings\" id=\"warnings\"><h2>Warnings</h2><ul>", out);

@@ -9,41 +9,13 @@
 #include "report/cards.h"
 #include "report/grain_view.h"
 #include "report/head.h"
-#include "report/html.h"
-#include "report/run_pages.h"
+#include "report/run_kinds.h"
 #include "report/scripts.h"
-#include "report/shear.h"
 #include "report/sheet.h"
-#include "report/wall_page.h"
 
 static bool fail_memory(clod_status *status)
 {
     return clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
-}
-
-static bool put_shear(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
-                      clod_status *status)
-{
-    clod_shear_loci sets[2];
-    size_t count = 0;
-    const json_t *study = json_object_get(run->summary, "locus");
-    if (study != NULL) {
-        sets[count++] = (clod_shear_loci){.of = "simulation", .study = study};
-    }
-    if (lab != NULL) {
-        sets[count++] = (clod_shear_loci){.of = "laboratory", .study = lab, .lab = true};
-    }
-    if (count > 0) {
-        clod_html_section(sheet->body, "results", "Results");
-        clod_shear_table(sheet->body, sets, count);
-        clod_shear_figures(sheet, sets, count);
-        clod_shear_points(sheet->body, sets, count);
-    }
-    clod_html_section(sheet->body, "curves", "Curves of the test");
-    clod_sheet_columns(sheet, true);
-    const bool good = clod_shear_curves(sheet, run, status);
-    clod_sheet_columns(sheet, false);
-    return good;
 }
 
 static bool put_run(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
@@ -51,18 +23,9 @@ static bool put_run(clod_sheet *sheet, const clod_run_files *run, const json_t *
 {
     clod_head_put(sheet->body, run);
     clod_head_warnings(sheet->body, run, lab);
-    bool good = true;
     clod_cards_put(sheet->body, run);
-    if (run->kind == CLOD_RUN_SHEAR) {
-        good = put_shear(sheet, run, lab, status);
-    } else if (run->kind == CLOD_RUN_UNIAXIAL) {
-        good = clod_run_pages_uniaxial(sheet, run, status);
-    } else if (run->kind == CLOD_RUN_WALL) {
-        good = clod_wall_page_put(sheet, run, lab, status);
-    } else {
-        good = clod_run_pages_free(sheet, run, status);
-    }
-    good = good && clod_grain_view_put(sheet, run, status);
+    const bool good =
+        run->kind->put(sheet, run, lab, status) && clod_grain_view_put(sheet, run, status);
     clod_head_sources(sheet->body, run);
     return good;
 }
@@ -108,8 +71,7 @@ static bool write_run(const clod_report_options *options, const char *path, clod
     json_t *lab = NULL;
     bool good = clod_run_files_open(&run, options->runs[0], status);
     if (good && options->lab != NULL) {
-        lab = run.kind == CLOD_RUN_WALL ? clod_wall_page_lab(options->lab, status)
-                                        : clod_shear_lab(options->lab, &run, status);
+        lab = clod_run_kinds_lab(options->lab, &run, status);
         good = lab != NULL;
     }
     good = good && clod_sheet_open(&sheet, status) && put_run(&sheet, &run, lab, status) &&

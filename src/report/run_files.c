@@ -9,20 +9,9 @@
 #include "base/memory.h"
 #include "config/yaml.h"
 #include "output/file.h"
+#include "report/run_kinds.h"
 
 #define TIME_LENGTH strlen("2026-01-31T12:00") ///< what the head of a page shows
-
-/** Kinds of case by the key that stands in every complete case of them. */
-static const struct {
-    const char *key;
-    clod_run_kind kind;
-    const char *text;
-} KINDS[] = {
-    {"\nring_shear:", CLOD_RUN_SHEAR, "Ring shear test"},
-    {"\njenike:", CLOD_RUN_SHEAR, "Jenike shear test"},
-    {"\nuniaxial:", CLOD_RUN_UNIAXIAL, "Uniaxial test"},
-    {"\nwall_friction:", CLOD_RUN_WALL, "Wall friction test"},
-};
 
 /** Read a text of the folder; none there is fine. */
 static bool load_text(const clod_run_files *self, const char *name, char **text,
@@ -107,18 +96,6 @@ static void find_title(clod_run_files *self)
     }
 }
 
-static void find_kind(clod_run_files *self)
-{
-    self->kind = CLOD_RUN_FREE;
-    self->kind_text = "Free run";
-    for (size_t k = 0; self->complete != NULL && k < sizeof KINDS / sizeof *KINDS; k++) {
-        if (strstr(self->complete, KINDS[k].key) != NULL) {
-            self->kind = KINDS[k].kind;
-            self->kind_text = KINDS[k].text;
-        }
-    }
-}
-
 bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *status)
 {
     *self = (clod_run_files){.folder = clod_memory_text(folder)};
@@ -141,7 +118,7 @@ bool clod_run_files_open(clod_run_files *self, const char *folder, clod_status *
                                 self->folder);
     }
     find_title(self);
-    find_kind(self);
+    self->kind = clod_run_kinds_of(self->complete);
     return self->title != NULL ||
            clod_status_fail(status, CLOD_FAILED, "No memory for the report.");
 }

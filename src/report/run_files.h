@@ -10,24 +10,18 @@
 
 #include "clod/status.h"
 
-typedef enum clod_run_kind {
-    CLOD_RUN_FREE,
-    CLOD_RUN_SHEAR, ///< ring shear or Jenike
-    CLOD_RUN_UNIAXIAL,
-    CLOD_RUN_WALL, ///< wall friction
-} clod_run_kind;
+typedef struct clod_run_kind clod_run_kind; // run_kinds.h
 
 typedef struct clod_run_files {
-    char *folder;          ///< owned
-    const char *name;      ///< end of `folder`: what the run is called beside others
-    char *title;           ///< owned: of the case, or the folder
-    char *case_text;       ///< owned: case.yaml; NULL: none
-    char *complete;        ///< owned: case-complete.yaml; NULL: none
-    char *report;          ///< owned: report.txt; NULL while the run is not complete
-    json_t *summary;       ///< owned; NULL while there is none
-    char *began, *ended;   ///< owned: when, UTC; NULL: the log does not say
-    const char *kind_text; ///< static
-    clod_run_kind kind;
+    char *folder;        ///< owned
+    const char *name;    ///< end of `folder`: what the run is called beside others
+    char *title;         ///< owned: of the case, or the folder
+    char *case_text;     ///< owned: case.yaml; NULL: none
+    char *complete;      ///< owned: case-complete.yaml; NULL: none
+    char *report;        ///< owned: report.txt; NULL while the run is not complete
+    json_t *summary;     ///< owned; NULL while there is none
+    char *began, *ended; ///< owned: when, UTC; NULL: the log does not say
+    const clod_run_kind *kind;
 } clod_run_files;
 
 /**

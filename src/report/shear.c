@@ -193,3 +193,28 @@ void clod_shear_points(FILE *out, const clod_shear_loci *sets, size_t count)
     }
     fputs("</tbody></table></div>\n", out);
 }
+
+bool clod_shear_put(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
+                    clod_status *status)
+{
+    clod_shear_loci sets[2];
+    size_t count = 0;
+    const json_t *study = json_object_get(run->summary, "locus");
+    if (study != NULL) {
+        sets[count++] = (clod_shear_loci){.of = "simulation", .study = study};
+    }
+    if (lab != NULL) {
+        sets[count++] = (clod_shear_loci){.of = "laboratory", .study = lab, .lab = true};
+    }
+    if (count > 0) {
+        clod_html_section(sheet->body, "results", "Results");
+        clod_shear_table(sheet->body, sets, count);
+        clod_shear_figures(sheet, sets, count);
+        clod_shear_points(sheet->body, sets, count);
+    }
+    clod_html_section(sheet->body, "curves", "Curves of the test");
+    clod_sheet_columns(sheet, true);
+    const bool good = clod_shear_curves(sheet, run, status);
+    clod_sheet_columns(sheet, false);
+    return good;
+}

@@ -19,11 +19,15 @@ typedef struct clod_shear_loci {
 /**
  * Evaluate the shear points of a laboratory in a CSV file, as clod locus does.
  *
- * @param run  whose page they are for
  * @return     owned study as clod_locus_json has it, or NULL
- * Errors  CLOD_USAGE: as clod_locus_read; `run` is no shear test. CLOD_FAILED: no memory.
+ * Errors  CLOD_USAGE: as clod_locus_read; CLOD_FAILED: no memory.
  */
-json_t *clod_shear_lab(const char *path, const clod_run_files *run, clod_status *status);
+json_t *clod_shear_lab(const char *path, clod_status *status);
+
+/** Results, yield loci, curves of a run, with the laboratory's loci laid over (NULL: none).
+ *  Errors  CLOD_USAGE: a damaged table. */
+bool clod_shear_put(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
+                    clod_status *status);
 
 /** Warnings of the evaluation, one list item each. */
 void clod_shear_warnings(FILE *out, const json_t *study);

@@ -7,23 +7,19 @@
 #include "clod/locus.h"
 #include "report/shear.h"
 
-json_t *clod_shear_lab(const char *path, const clod_run_files *run, clod_status *status)
+json_t *clod_shear_lab(const char *path, clod_status *status)
 {
     clod_locus_point *points;
     size_t count;
-    if (run->kind != CLOD_RUN_SHEAR) {
-        clod_status_fail(
-            status, CLOD_USAGE,
-            "--lab %s: %s is no shear or wall friction test: only their pages have yield loci to "
-            "lay laboratory points over.",
-            path, run->folder);
-        return NULL;
-    }
     if (!clod_locus_read(path, NULL, &points, &count, status)) {
         return NULL;
     }
-    clod_locus_study *study = clod_locus_study_create(points, count, status);
+    clod_status why = {0};
+    clod_locus_study *study = clod_locus_study_create(points, count, &why);
     clod_locus_free(points);
+    if (study == NULL) {
+        clod_status_fail(status, why.code, "%s: %s", path, why.text);
+    }
     char *text = study != NULL ? clod_locus_json(study) : NULL;
     json_t *all = text != NULL ? json_loads(text, 0, NULL) : NULL;
     if (study != NULL && all == NULL) {

@@ -48,8 +48,10 @@ static bool put_curves(clod_sheet *sheet, const clod_run_files *run, clod_status
     return clod_part_curves_put(sheet, run, &curves, status);
 }
 
-bool clod_run_pages_uniaxial(clod_sheet *sheet, const clod_run_files *run, clod_status *status)
+bool clod_run_pages_uniaxial(clod_sheet *sheet, const clod_run_files *run, const json_t *lab,
+                             clod_status *status)
 {
+    (void)lab;
     json_t *strengths = json_object_get(run->summary, "flow_function");
     clod_html_section(sheet->body, "results", "Results");
     clod_summary_tables_put(sheet->body, NULL, strengths);

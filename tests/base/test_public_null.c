@@ -80,7 +80,7 @@ static void no_overrides_and_no_points(void **state)
     assert_int_equal(status.code, CLOD_USAGE);
     clod_locus locus;
     assert_false(clod_locus_evaluate(NULL, 0, &locus, &status));
-    char *keys = clod_schema_explain(NULL, &status);
+    char *keys = clod_schema_explain(NULL, NULL, &status);
     assert_non_null(keys);
     clod_schema_free(keys);
 }

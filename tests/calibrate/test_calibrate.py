@@ -213,21 +213,24 @@ class Calibrate(bounce.Bounce):
               "95 deg is impossible; allowed is 0.1 to 85 deg")
         shear("number: phi_e, value: 40 kPa, error: 1 deg", "targets.0.value: 40 kPa")
         shear("number: rho_b, value: 1.4 kg/m3, error: 0.1 kg/m3", "impossible")
+        shear("number: phi_e, value: 40 deg, error: 2 rad",
+              "targets.0.error: 2 rad is more than all that is possible, 0.1 to 85 deg")
         shear("number: tau, value: 9 kPa, error: 1 kPa", "tau needs the key normal_stress")
         shear("number: tau, value: 9 kPa, error: 1 kPa, normal_stress: 60 kPa",
               "60 kPa is outside the shear_stresses of test bounce")
         shear("number: phi_e, value: 9 deg, error: 1 deg, normal_stress: 60 kPa", "phi_e has none")
         shear("number: phi_e, value: 30 deg, error: 1 deg}\n  - {test: bounce, number: phi_lin, value: 40 "
-              "deg, error: 1 deg", "phi_e 30.0 deg is below phi_lin 40.0 deg")
+              "deg, error: 1 deg", "phi_e 30.0 deg in targets.0 is below phi_lin 40.0 deg in targets.1")
         shear("number: c, value: 3 kPa, error: 0.1 kPa}\n  - {test: bounce, number: c, value: 4 kPa, "
-              "error: 0.1 kPa", "7.1 standard errors apart: they contradict each other")
+              "error: 0.1 kPa", "bounce: c is there as 3 kPa in targets.0 and as 4 kPa in targets.1, 7.1 standard errors apart")
         head = "sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
         points = "54.8,40,{0},20\n54.8,40,30,30\n54.8,40,40,35\n"
         shear("locus: lab.csv, error: 1 kPa", "5 kPa is outside the shear_stresses",
               files=[("lab.csv", head + points.format(5))])
         shear("locus: lab.csv", "the table has no tau_sh_error at 12 kPa",
               files=[("lab.csv", head + points.format(12))])
-        shear("locus: lab.csv, error: 1 kPa", "no points with the preshear stress of test bounce, 54.8 kPa",
+        shear("locus: lab.csv, error: 1 kPa",
+              "no points with the preshear stress of test bounce, 54.8 kPa; it has 60 kPa: give the case one",
               files=[("lab.csv", head + points.format(12).replace("54.8", "60"))])
         uniaxial = ("bounce.yaml", clod.source("cases/copper-ore-uniaxial/case.yaml"))
         self.refuse(uniaxial, key, (target, "number: sigma_c, normal_stress: 30 kPa, value: 9 kPa, "

@@ -47,6 +47,12 @@ class Plan(bounce.Bounce):
         self.refuse((ends, "key: seed, from: 1, to: 9"),
                     words=["parameters.e.key: seed is no parameter: every packing gets a seed of its own"])
 
+        # at the key, not at a range that is as good as any
+        self.refuse((ends, "key: contacts.default.restitutoin, from: 0.2, to: 0.9"),
+                    words=["plan.yaml:5:12: parameters.e.key: test bounce refuses it", "did you mean restitution?"])
+        self.refuse((ends, "key: contacts.default.restitution, from: -0.2, to: 0.9"),
+                    words=["parameters.e.from: test bounce refuses it", "is out of range"])
+
     def two(self, k1, k2, points="9"):
         return (("points: 9", f"points: {points}"), ("  e: {key: contacts.default.restitution, from: 0.2, to: 0.9}",
                 f"  k1: {{key: contacts.default.k1, {k1}}}\n  k2: {{key: contacts.default.k2, {k2}}}"))
@@ -201,6 +207,22 @@ sampling: {samples: 1000}
         with open(self.path("out/calibration.json")) as file:
             model = json.load(file)["targets"][0]["model"]
         self.assertEqual(row[3], f"{model:.4g}")
+
+    def test_one_number_measured_twice_has_two_names_everywhere(self):
+        """Table, JSON, runs.csv and the page's figures, where one would stand for the other."""
+        twice = "  - {test: bounce, number: kinetic_energy_J, value: 1.1e-4, error: 5e-6, held_back: true}\n"
+        told = self.calibrate(PLAN.replace("sampling:", twice + "sampling:"), "-o", "out").stdout
+        names = [f"bounce: kinetic_energy_J (targets.{k})" for k in (0, 1)]
+        self.assertEqual([one["name"] for one in self.found()["targets"]], names)
+        for name, value in zip(names, ("0.0001", "0.00011")):
+            self.assertRegex(told, re.escape(name) + r" +" + re.escape(value) + " ")
+            self.assertEqual(told.count(name), 2)  # in its table of targets and under Surrogates
+            self.assertIn(f"{name} [1]", self.rows()[0])
+        self.assertEqual(clod.run("report", "out", cwd=self.folder).returncode, 0)
+        with open(self.path("out/report.html")) as file:
+            page = file.read()
+        for name in names:
+            self.assertIn(f"{name} over e", page)
 
     def test_held_back_number_that_no_run_has_is_dropped_and_told(self):
         plan = PLAN.replace("points: 9", "points: 6")

@@ -76,6 +76,30 @@ static void measured_yield_locus_becomes_targets(void **state)
     clod_plan_fini(&plan);
 }
 
+// Two tables with a stress in common, and one number twice: their places in the plan tell them apart.
+static void targets_of_one_number_have_names_of_their_own(void **state)
+{
+    clod_plan plan;
+    clod_status status = {CLOD_OK, ""};
+    write_file(state, "lab.csv", SHEAR_HEAD "54.8,40,12,20,0.5\n54.8,40,30,30,0.5\n");
+    write_file(state, "other.csv", SHEAR_HEAD "54.8,40,12,21,0.5\n54.8,40,40,36,0.5\n");
+    assert_true(
+        load(state, RING, "contacts.default.rolling_friction",
+             "number: phi_e, value: 40 deg, error: 1 deg}, {test: lab, locus: lab.csv}, "
+             "{test: lab, locus: other.csv}, "
+             "{test: lab, number: phi_e, value: 41 deg, error: 1 deg, held_back: true",
+             &plan, &status));
+    static const char *const NAMES[] = {
+        "lab: phi_e (targets.0)", "lab: tau at 12 kPa (targets.1)",
+        "lab: tau at 30 kPa",     "lab: tau at 12 kPa (targets.2)",
+        "lab: tau at 40 kPa",     "lab: phi_e (targets.3)"};
+    assert_int_equal(plan.target_count, 6);
+    for (size_t t = 0; t < 6; t++) {
+        assert_string_equal(plan.targets[t].name, NAMES[t]);
+    }
+    clod_plan_fini(&plan);
+}
+
 // phi_x = atan(tau_w/sigma_w); its error is that of tau_w over sigma_w (1 + (tau_w/sigma_w)^2).
 static void measured_wall_yield_locus_becomes_angles(void **state)
 {
@@ -209,6 +233,8 @@ static void wall_table_that_is_no_target_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(targets_of_one_number_have_names_of_their_own,
+                                        temp_folder_make, temp_folder_remove),
         cmocka_unit_test_setup_teardown(measured_yield_locus_becomes_targets, temp_folder_make,
                                         temp_folder_remove),
         cmocka_unit_test_setup_teardown(measured_wall_yield_locus_becomes_angles,

@@ -121,6 +121,8 @@ class Locus(clod.Case):
         self.assertIn("standard input: a wall yield locus has no preshear; leave out --sigma-pre",
                       self.locus("-", "--sigma-pre", "1 kPa", input=wall, code=2).stderr)
         for text, said in (("sigma_w [kPa],tau_w [kPa]\n1,1\n", "standard input: A wall yield locus needs"),
+                           ("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n10,8,3,4\n",
+                            "standard input: Preshear at 10.000 kPa"),
                            ("sigma_1 [kPa],rho_b [kg/m3]\n1,1000\n", "standard input: Bulk density over stress"),
                            ("sigma_w [kPa],tau_w [kPa],sigma_1 [kPa],rho_b [kg/m3]\n1,1,1,1000\n",
                             "standard input: two tables are mixed"),

@@ -90,6 +90,24 @@ static void an_override_comes_after(void **state)
     clod_case_destroy(&self);
 }
 
+// As if it stood in the case, whatever the order; before, the file was not read, and nothing said so.
+static void an_override_may_name_the_file(void **state)
+{
+    (void)state;
+    const char *overrides[] = {"contacts.default.restitution=0.7", "include=card.yaml"};
+    clod_case *self = load("", CARD, overrides, 2);
+    assert_non_null(self);
+    assert_true(clod_case_pair(self, 0, 0)->restitution == 0.7 && self->gravity[2] == -5.0);
+    clod_case_destroy(&self);
+    self = load("include: nothing.yaml\n", CARD, overrides, 2);
+    assert_non_null(self);
+    assert_true(self->gravity[2] == -5.0);
+    clod_case_destroy(&self);
+    const char *wrong[] = {"include=nothing.yaml"};
+    assert_null(load("", CARD, wrong, 1));
+    assert_non_null(strstr(status.text, "nothing.yaml: cannot be opened"));
+}
+
 static void a_key_in_both_is_refused_with_both_places(void **state)
 {
     (void)state;
@@ -162,6 +180,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sections_are_joined),
         cmocka_unit_test(an_override_comes_after),
+        cmocka_unit_test(an_override_may_name_the_file),
         cmocka_unit_test(a_key_in_both_is_refused_with_both_places),
         cmocka_unit_test(mistakes_in_the_card_are_shown_there),
         cmocka_unit_test(a_key_that_is_twice_in_the_card_is_told_once),

@@ -167,6 +167,17 @@ class Hopper(clod.Case):
         self.assertIn("cannot flow by gravity", " ".join(self.hopper("case.yaml").stdout.split()))
         self.assertEqual(self.found()["cone"]["outlet_m"]["value"], "infinite")
 
+    def test_strengths_that_no_tester_gives_are_warned_of(self):
+        def warned():
+            return " ".join(self.hopper("case.yaml").stdout.split())
+
+        self.start(CASE, "2,3.0,0,45,40,1250\n8,4.0,0,45,40,1350\n")
+        self.assertIn("Flow function: f_c is 3 kPa at sigma_1 2 kPa", warned())
+        self.write("flow.csv", FLOW + "2,1.4,0,48,40,1250\n8,2.9,0,46,40,1350\n")
+        self.assertNotIn("Flow function:", warned())
+        self.write("flow.csv", FLOW.replace("kPa", "Pa") + "2,1.4,0,48,40,1250\n8,2.9,0,46,40,1350\n")
+        self.assertIn("all its sigma_1 are below 100 Pa", warned())
+
     def test_rough_walls_are_funnel_flow_with_a_rathole(self):
         self.start(CASE.replace("angle: 20 deg", "angle: 46 deg"))
         told = self.hopper("case.yaml", "-o", "rough").stdout

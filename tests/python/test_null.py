@@ -43,7 +43,8 @@ MAY_BE_NULL = {
     ("clod_locus_read", "defaults"), ("clod_locus_study_destroy", "self"),
     ("clod_measured_read", "defaults"), ("clod_measured_warnings", "context"),
     ("clod_mesh_destroy", "self"), ("clod_mesh_free", "memory"), ("clod_run_free", "report"),
-    ("clod_schema_explain", "key"), ("clod_schema_free", "text"), ("clod_sim_create", "options"),
+    ("clod_schema_explain", "key"), ("clod_schema_explain", "schemas"), ("clod_schema_free", "text"),
+    ("clod_schema_manual", "schemas"), ("clod_sim_create", "options"),
     ("clod_sim_create_from_file", "options"), ("clod_sim_create_from_text", "options"),
     ("clod_sim_destroy", "self"), ("clod_sim_read_checkpoint", "part"),
 }

@@ -1,0 +1,25 @@
+"""Runs many cases side by side, for the scripts `run` of studies."""
+
+import concurrent.futures
+import os
+import subprocess
+
+
+def run_one(clod, folder, name, case, changes):
+    """Run a case with keys changed into folder/name; what it prints goes to files beside. An interrupted run goes on."""
+    command = [clod, "run", case, "-o", os.path.join(folder, name), "--threads", "1"]
+    for change in changes:
+        command += ["--set", change]
+    with open(os.path.join(folder, name + ".txt"), "w") as out, \
+            open(os.path.join(folder, name + ".err"), "w") as err:
+        status = subprocess.run(command, stdout=out, stderr=err, check=False).returncode
+    print(f"{name}: exit status {status}", flush=True)
+    return status
+
+
+def run_all(clod, folder, jobs, runs):
+    """Run {name: (case, changes)}, so many side by side, on one thread each: bits do not depend on it. Exit status."""
+    os.makedirs(folder, exist_ok=True)
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        statuses = list(pool.map(lambda name: run_one(clod, folder, name, *runs[name]), runs))
+    return 1 if any(statuses) else 0

@@ -1,0 +1,72 @@
+/**
+ * @file number_shear.c
+ * Numbers of a shear test: of the yield locus of its points.
+ */
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "analysis/fields.h"
+#include "calibrate/number.h"
+#include "clod/locus.h"
+
+const clod_number CLOD_NUMBERS_SHEAR[CLOD_NUMBERS_SHEAR_COUNT] = {
+    {"phi_lin", CLOD_NUMBER_ANGLE, false, NULL, NULL},
+    {"phi_e", CLOD_NUMBER_ANGLE, false, NULL, NULL},
+    {"phi_sf", CLOD_NUMBER_ANGLE, false, NULL, NULL},
+    {"c", CLOD_NUMBER_STRESS, false, NULL, NULL},
+    {"tau_p", CLOD_NUMBER_STRESS, false, NULL, NULL},
+    {"tau", CLOD_NUMBER_STRESS, true, NULL, NULL}, // on the line, at its normal stress
+    {"sigma_1", CLOD_NUMBER_STRESS, false, NULL, NULL},
+    {"sigma_2", CLOD_NUMBER_STRESS, false, NULL, NULL},
+    {"sigma_c", CLOD_NUMBER_STRESS, false, NULL, NULL},
+    {"ffc", CLOD_NUMBER_RATIO, false, NULL, NULL},
+    {"rho_b", CLOD_NUMBER_DENSITY, false, NULL, NULL},
+};
+
+static double of_locus(const clod_locus *locus, const clod_plan_target *target)
+{
+    if (target->normal_stress > 0.0) { // tau alone has one
+        return locus->c.value + target->normal_stress * tan(locus->phi_lin.value);
+    }
+    double value = (double)NAN;
+    for (clod_field_index k = 0; k < CLOD_FIELD_COUNT; k++) {
+        if (strcmp(CLOD_FIELDS[k].key, target->number) == 0) {
+            value = clod_field_get(locus, k).value;
+        }
+    }
+    return value;
+}
+
+/** The yield locus of a run: of its points. */
+static clod_locus_study *read_locus(const char *folder, clod_status *status)
+{
+    char path[PATH_MAX];
+    snprintf(path, sizeof path, "%s/points.csv", folder);
+    clod_locus_point *points;
+    size_t count;
+    if (!clod_locus_read(path, NULL, &points, &count, status)) {
+        return NULL;
+    }
+    clod_locus_study *study = clod_locus_study_create(points, count, status);
+    clod_locus_free(points);
+    return study;
+}
+
+bool clod_number_read_shear(const clod_plan *plan, size_t test, const char *folder,
+                            double *values, clod_status *status)
+{
+    clod_locus_study *study = read_locus(folder, status);
+    if (study == NULL) {
+        return false;
+    }
+    for (size_t t = 0; t < plan->target_count; t++) {
+        if (plan->targets[t].test == test) {
+            values[t] = of_locus(&study->groups[0].locus, &plan->targets[t]);
+        }
+    }
+    clod_locus_study_destroy(&study);
+    return true;
+}

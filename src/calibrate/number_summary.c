@@ -1,0 +1,183 @@
+/**
+ * @file number_summary.c
+ * Numbers of a uniaxial test, a wall friction test or a free run: of its summary.
+ */
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/json.h"
+#include "calibrate/number.h"
+#include "config/suggest.h"
+
+/** A number of the row with the target's stress, in a list of rows. The stress is the one that was asked
+ *  for, as in the plan: what reaches the grains depends on the packing. */
+static double of_rows(const json_t *rows, const char *stress_key, const char *key,
+                      const clod_plan_target *target)
+{
+    size_t index;
+    const json_t *row;
+    json_array_foreach(rows, index, row)
+    {
+        const double stress = json_number_value(json_object_get(row, stress_key));
+        const json_t *found = json_object_get(row, key);
+        if (fabs(stress / target->normal_stress - 1.0) < CLOD_NUMBER_SAME_STRESS &&
+            json_is_number(found)) {
+            return json_number_value(found);
+        }
+    }
+    return (double)NAN;
+}
+
+// ---- uniaxial tests
+
+static double of_flow_function(const json_t *summary, const clod_number *self,
+                               const clod_plan_target *target)
+{
+    return of_rows(json_object_get(summary, "flow_function"), "consolidation_stress_Pa",
+                   self->field, target);
+}
+
+const clod_number CLOD_NUMBERS_UNIAXIAL[CLOD_NUMBERS_UNIAXIAL_COUNT] = {
+    {"sigma_c", CLOD_NUMBER_STRESS, true, "sigma_c_Pa", of_flow_function},
+    {"ffc", CLOD_NUMBER_RATIO, true, "ffc", of_flow_function},
+    {"rho_b", CLOD_NUMBER_DENSITY, true, "bulk_density_kg_m3", of_flow_function},
+};
+
+// ---- wall friction tests
+
+/** A number of the wall yield locus's line. */
+static double of_line(const json_t *summary, const clod_number *self)
+{
+    const json_t *locus = json_object_get(summary, "wall_locus");
+    const json_t *found = json_object_get(json_object_get(locus, self->field), "value");
+    return json_is_number(found) ? json_number_value(found) : (double)NAN;
+}
+
+static double of_line_stress(const json_t *summary, const clod_number *self,
+                             const clod_plan_target *target)
+{
+    (void)target;
+    return of_line(summary, self);
+}
+
+static double of_line_angle(const json_t *summary, const clod_number *self,
+                            const clod_plan_target *target)
+{
+    (void)target;
+    return CLOD_NUMBER_DEGREE * of_line(summary, self);
+}
+
+static double of_point_angle(const json_t *summary, const clod_number *self,
+                             const clod_plan_target *target)
+{
+    const json_t *locus = json_object_get(summary, "wall_locus");
+    return CLOD_NUMBER_DEGREE *
+           of_rows(json_object_get(locus, "points"), "wall_stress_Pa", self->field, target);
+}
+
+static double of_parts(const json_t *summary, const clod_number *self,
+                       const clod_plan_target *target)
+{
+    double value = (double)NAN;
+    size_t index;
+    const json_t *part; // the filling has no stresses
+    json_array_foreach(json_object_get(summary, "parts"), index, part)
+    {
+        value = fmax(value, of_rows(json_object_get(part, "stresses"), "wall_stress_Pa",
+                                    self->field, target));
+    }
+    return value;
+}
+
+const clod_number CLOD_NUMBERS_WALL[CLOD_NUMBERS_WALL_COUNT] = {
+    {"phi_x", CLOD_NUMBER_ANGLE, true, "phi_x_deg", of_point_angle},
+    {"phi_w", CLOD_NUMBER_ANGLE, false, "phi_w_deg", of_line_angle},
+    {"tau_ad", CLOD_NUMBER_STRESS, false, "tau_ad_Pa", of_line_stress},
+    {"rho_b", CLOD_NUMBER_DENSITY, true, "bulk_density_kg_m3", of_parts},
+};
+
+// ---- free runs
+
+const clod_number CLOD_NUMBER_PATH = {
+    "", "1", {"", 1.0, CLOD_PLAN_FIGURES}, -HUGE_VAL, HUGE_VAL, false, NULL, NULL};
+
+/** The item of a list or object by the first `length` bytes of a key. */
+static json_t *step_into(const json_t *from, const char *key, size_t length)
+{
+    char word[CLOD_PLAN_NAME];
+    snprintf(word, sizeof word, "%.*s", (int)length, key);
+    if (json_is_array(from)) {
+        char *end;
+        const size_t index = strtoul(word, &end, 10);
+        return *end == '\0' && end != word ? json_array_get(from, index) : NULL;
+    }
+    return json_object_get(from, word);
+}
+
+/** Say that a summary has no such number, with the key nearest to the step that is missing. */
+static bool unknown(const clod_plan_target *target, const json_t *from, const char *step,
+                    const char *folder, clod_status *status)
+{
+    char word[CLOD_PLAN_NAME];
+    char hint[160];
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(step, "."), step);
+    clod_suggest near = clod_suggest_start(word);
+    const char *key;
+    json_t *item;
+    json_object_foreach((json_t *)from, key, item)
+    {
+        clod_suggest_offer(&near, key);
+    }
+    return clod_status_fail(
+        status, CLOD_USAGE,
+        "%s/summary.json has no number %s: nothing is called \"%s\" there%s", folder,
+        target->number, word, clod_suggest_text(&near, hint, sizeof hint));
+}
+
+/** A number by its path. */
+static bool of_path(const json_t *summary, const clod_plan_target *target, const char *folder,
+                    double *value, clod_status *status)
+{
+    const json_t *at = summary;
+    for (const char *step = target->number; *step != '\0';) {
+        const size_t length = strcspn(step, ".");
+        const json_t *next = step_into(at, step, length);
+        if (next == NULL) {
+            return unknown(target, at, step, folder, status);
+        }
+        at = next;
+        step += length + (step[length] == '.' ? 1 : 0);
+    }
+    if (!json_is_number(at) && !json_is_null(at)) {
+        return clod_status_fail(status, CLOD_USAGE, "%s/summary.json: %s is no number", folder,
+                                target->number);
+    }
+    *value = json_is_number(at) ? json_number_value(at) : (double)NAN;
+    return true;
+}
+
+// ---- all of them
+
+bool clod_number_read_summary(const clod_plan *plan, size_t test, const char *folder,
+                              double *values, clod_status *status)
+{
+    json_t *summary = clod_json_read(folder, "summary.json", status);
+    bool good = summary != NULL;
+    for (size_t t = 0; t < plan->target_count && good; t++) {
+        const clod_plan_target *target = &plan->targets[t];
+        if (target->test != test) {
+            continue;
+        }
+        const clod_number *kind = clod_number_find(plan->tests[test].middle, target->number);
+        if (kind->of != NULL) {
+            values[t] = kind->of(summary, kind, target);
+        } else {
+            good = of_path(summary, target, folder, &values[t], status);
+        }
+    }
+    json_decref(summary);
+    return good;
+}

@@ -1,0 +1,31 @@
+#pragma once
+/**
+ * @file test_kinds.h
+ * What differs between kinds of case as tests of a calibration: one row each.
+ */
+
+#include "calibrate/number.h"
+
+struct clod_plan_table;
+
+typedef struct clod_test_kind {
+    const clod_number *numbers; ///< [number_count]; NULL: it is no test
+    size_t number_count;
+    bool paths; ///< a number may be any path of the summary; `numbers` has one row for all
+
+    /** Packings that a case asks for by itself. */
+    int64_t (*seeds)(const clod_case *from);
+
+    /** Whether a case has a normal stress; NULL: none of its numbers has one. */
+    bool (*has_stress)(const clod_case *from, double stress);
+    const char *without_stress; ///< what a stress is that it has not
+
+    /** Values of all targets of a test; as clod_number_read. */
+    bool (*read)(const clod_plan *plan, size_t test, const char *folder, double *values,
+                 clod_status *status);
+
+    const struct clod_plan_table *table; ///< of measured points; NULL: it takes none
+} clod_test_kind;
+
+/** Row of a case. Threads  pure. */
+const clod_test_kind *clod_test_kinds_of(const clod_case *from);

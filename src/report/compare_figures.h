@@ -1,0 +1,23 @@
+#pragma once
+/**
+ * @file compare_figures.h
+ * Figures of a comparison, by the kind of its runs; those of wall friction tests are in wall_compare.h.
+ */
+
+#include <jansson.h>
+
+#include "report/run_files.h"
+#include "report/sheet.h"
+
+/** Yield loci over each other, and the curves of all preshears.
+ *  Errors  CLOD_USAGE: a damaged table; CLOD_FAILED: no memory. */
+bool clod_compare_figures_shear(clod_sheet *sheet, const clod_run_files *runs, size_t count,
+                                const json_t *lab, clod_status *status);
+
+/** Flow functions, and axial stresses over strain. Errors  as above. */
+bool clod_compare_figures_uniaxial(clod_sheet *sheet, const clod_run_files *runs, size_t count,
+                                   const json_t *lab, clod_status *status);
+
+/** The columns that matter most and that all have. Errors  as above. */
+bool clod_compare_figures_free(clod_sheet *sheet, const clod_run_files *runs, size_t count,
+                               const json_t *lab, clod_status *status);

@@ -1,0 +1,53 @@
+"""clod explain: the keys of all kinds of file, and the manual in docs/."""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+PLAN = ", in the plan of a calibration (clod calibrate)\n"
+HOPPER = ", in the case of a hopper (clod hopper)\n"
+
+
+class Explain(clod.Case):
+
+    def explain(self, *keys, code=0):
+        done = clod.run("explain", *keys, cwd=self.folder)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def test_keys_of_plans_and_hoppers_say_where_they_are(self):
+        self.assertTrue(self.explain("budget").stdout.startswith("budget" + PLAN))
+        self.assertIn("targets.N.discrepancy" + PLAN, self.explain("targets.0.discrepancy").stdout)
+        told = self.explain("parameters.k_adh.scale").stdout
+        self.assertIn("parameters.NAME.scale" + PLAN, told)
+        self.assertIn("one of linear, log", told)
+        told = self.explain("cone.half_angle").stdout
+        self.assertIn("cone.half_angle" + HOPPER, told)
+        self.assertIn("allowed  at least 0 deg and at most 60 deg", told)
+
+    def test_a_key_of_several_files_is_explained_for_each(self):
+        told = self.explain("title").stdout
+        for where in ("title\n", "title" + HOPPER, "title" + PLAN):
+            self.assertEqual(told.count(where), 1, told)
+
+    def test_wrong_keys_are_answered_with_the_nearest_of_all_files(self):
+        for wrong, right in (("bugdet", "budget"), ("arch_thicknes", "arch_thickness"), ("kadh", "k_adh")):
+            self.assertIn(f"there is no key {wrong}; did you mean {right}?", self.explain(wrong, code=2).stderr)
+
+    def test_list_has_all_files(self):
+        told = self.explain().stdout
+        for title in ("Keys of a case file.", "Keys of the case of a hopper.", "Keys of the plan of a calibration."):
+            self.assertEqual(told.count(title), 1)
+        for key in ("  ring_shear.depth ", "  wedge.half_angle ", "  sampling.level "):
+            self.assertIn(key, told)
+
+    def test_manual_in_docs_is_up_to_date(self):
+        with open(clod.source("docs/manual.md")) as file:
+            self.assertTrue(file.read() == self.explain("--manual").stdout,
+                            "write it again with: clod explain --manual > docs/manual.md")
+
+
+if __name__ == "__main__":
+    clod.unittest.main()
