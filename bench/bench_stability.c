@@ -6,9 +6,10 @@
  *   bench_stability CASE FOLDER PART slides|holds [FACTOR ...]
  *
  * FOLDER is that of a `clod run` of CASE, PART one of its parts. The walls are held, the weight is
- * taken away, the bed comes to rest, every grain is given a speed of up to 1 um/s along each axis: far too little for a contact
- * to open; with `holds` no contact that is
- * pressed slides or rolls at a limit, which is what the largest stable step is for. Then it is stepped 4000 times with each FACTOR times the largest stable step.
+ * taken away, the bed comes to rest, every grain is given a speed of up to 1 um/s along each axis:
+ * far too little for a contact to open. With `holds` no contact slides or rolls at a limit, which
+ * is what the largest stable step is for. Then it is stepped 4000 times with each FACTOR times the
+ * largest stable step.
  */
 #include <math.h>
 #include <stdio.h>
@@ -56,12 +57,13 @@ static void hold_all(clod_state *state)
     state->gravity[0] = state->gravity[1] = state->gravity[2] = 0.0; // no loose grain falls
 }
 
-/** Friction and rolling resistance without a limit. */
+/** Friction and rolling resistance without a limit, of contacts under tension too. */
 static void hold_contacts(clod_laws *laws)
 {
     for (int32_t l = 0; l < laws->count; l++) {
         clod_law *law = &laws->law[l];
         law->friction = law->friction > 0.0 ? NO_LIMIT : 0.0;
+        law->coulomb = CLOD_COULOMB_FORCE;
         law->rolling_friction = law->rolling_friction > 0.0 ? NO_LIMIT : 0.0;
     }
 }

@@ -10,7 +10,7 @@
 /** y = A x of a symmetric matrix A. @param x, y  [size] */
 typedef void (*clod_lanczos_product)(const void *matrix, const double *x, double *y);
 
-/** Room for three vectors of the matrix's size. */
+/** Room for four vectors of the matrix's size. */
 typedef struct clod_lanczos {
     size_t size;
     double *start;   ///< [size] of any length; set by the caller, kept

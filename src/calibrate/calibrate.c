@@ -12,9 +12,7 @@
 /** Write a text that was made, and free it. */
 static bool put(const clod_folder *folder, const char *name, char *text, clod_status *status)
 {
-    const bool good =
-        (text != NULL || clod_status_fail(status, CLOD_FAILED, "No memory for %s.", name)) &&
-        clod_folder_write(folder, name, text, status);
+    const bool good = clod_folder_write(folder, name, text, status);
     clod_memory_free(text);
     return good;
 }

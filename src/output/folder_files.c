@@ -132,8 +132,12 @@ bool clod_folder_write(const clod_folder *self, const char *name, const char *te
 bool clod_folder_write_json(const clod_folder *self, const char *name, const json_t *json,
                             clod_status *status)
 {
-    char *text =
-        json == NULL ? NULL : clod_json_text(json, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
+    if (json == NULL) {
+        return clod_status_fail(status, CLOD_FAILED,
+                                "%s/%s: no memory, or a number in it is not finite", self->path,
+                                name);
+    }
+    char *text = clod_json_text(json, JSON_INDENT(2) | JSON_REAL_PRECISION(17));
     if (text == NULL) {
         return clod_folder_fail(self, "write", name, ENOMEM, status);
     }

@@ -85,7 +85,8 @@ bool clod_folder_remove(const clod_folder *self, const char *name, clod_status *
 bool clod_folder_write(const clod_folder *self, const char *name, const char *text,
                        clod_status *status);
 
-/** Replace a file by indented JSON; `json` is borrowed, NULL as above. */
+/** Replace a file by indented JSON; `json` is borrowed. NULL, of json_pack, is a
+ *  failure: no memory, or a number that is not finite. */
 bool clod_folder_write_json(const clod_folder *self, const char *name, const json_t *json,
                             clod_status *status);
 

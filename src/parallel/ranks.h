@@ -84,10 +84,12 @@ void clod_ranks_fini(clod_ranks *self);
 bool clod_ranks_reserve(clod_ranks *self, size_t bytes, clod_status *status);
 
 /**
- * Merge what every rank has: all get the same. Pairs of ranks merge, then pairs of pairs (recursive
- * doubling; Thakur, Rabenseifner, Gropp 2005), so a rank sends log2(size) messages, and two more where
- * size is no power of two. What comes from lower ranks is always `into`: with a merge that is associative the
- * result is that in the order of ranks. Allocates nothing.
+ * Merge what every rank has: all get the same. Pairs of ranks merge, then pairs of pairs
+ * (recursive doubling; Thakur, Rabenseifner, Gropp 2005): log2(size) rounds, and two more where
+ * size is no power of two. What comes from lower ranks is always `into`: with a merge that is
+ * associative the result is that in the order of ranks. With one that is not, such as a sum that
+ * rounds, all ranks have the same bits, but others than another number of ranks has. Allocates
+ * nothing.
  *
  * @param data   [in,out] of this rank, then of all; all bytes count, so none may be undefined
  * @param bytes  at most those reserved

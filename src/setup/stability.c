@@ -13,7 +13,7 @@
 #define FREEDOMS 6  ///< of a grain: it moves and turns
 #define AT_ONCE 256 ///< contacts
 #define STEPS 12    ///< most tries for the largest step
-#define CLOSE 1e-5  ///< of the step
+#define CLOSE 1e-5  ///< of the eigenvalue
 
 /** Stiffness and dash-pot in one direction of a contact. */
 typedef struct spring {
@@ -246,23 +246,25 @@ static double measure_step(bed *self, clod_lanczos *lanczos, double dt)
 }
 
 /**
- * The step at which the eigenvalue is 1. In logarithms it rises with a slope between 1, dash-pots
- * alone, and 2, springs alone, so a secant held to these comes down from above.
+ * The step at which the eigenvalue is 1. It rises between dt, dash-pots alone, and dt^2, springs
+ * alone, so the step sought lies between dt over it and dt over its root; a secant held to these.
+ * No logarithm: their last bits differ between processors.
  */
 static double find_step(bed *self, clod_lanczos *lanczos, double without)
 {
-    double at = log(without);
-    double rise = log(measure_step(self, lanczos, without));
-    double slope = 1.5;
-    for (int k = 0; k < STEPS && fabs(rise) > CLOSE; k++) {
-        const double next = at - rise / slope;
-        const double there = log(measure_step(self, lanczos, exp(next)));
-        const double found = (rise - there) / (at - next);
-        slope = found > 1.0 ? fmin(found, 2.0) : 1.0;
-        at = next;
-        rise = there;
+    double before = 0.0, there = 0.0; // nothing at dt = 0
+    double at = without;
+    double here = measure_step(self, lanczos, at);
+    for (int k = 0; k < STEPS && fabs(here - 1.0) > CLOSE; k++) {
+        const double slope = (here - there) / (at - before);
+        const double one = at / here, other = at / sqrt(here);
+        const double least = fmin(one, other), most = fmax(one, other);
+        before = at;
+        at = fmin(fmax(at + (1.0 - here) / slope, least), most);
+        there = here;
+        here = measure_step(self, lanczos, at);
     }
-    return exp(at);
+    return at;
 }
 
 static void measure(clod_stability *self, bed *all, clod_lanczos *lanczos)

@@ -17,10 +17,9 @@
 #include "state/contact_source.h"
 
 typedef struct clod_stability {
-    size_t contacts; ///< that are closed
-    double
-        frequency; ///< rad/s, of the fastest oscillation without dash-pots; 0: nothing swings
-    double step;   ///< s, largest stable step; infinity without contacts, 0 when not known
+    size_t contacts;  ///< that are closed
+    double frequency; ///< rad/s, fastest without dash-pots; 0: nothing swings
+    double step;      ///< s, largest stable step; infinity without contacts, 0 when not known
 } clod_stability;
 
 /**

@@ -4,16 +4,14 @@
 
 #include "measure/contacts.h"
 #include "setup/stability.h"
-
-/** Grains beyond which a bed is not asked: it takes 25 us and 450 bytes a grain. */
-#define STABLE_STEP_MOST 200000
+#include "tester/limits.h"
 
 /** The largest stable step of now, once for a moment. */
 static bool note_stable_step(clod_job *job, const clod_contact_source *contacts,
                              const clod_laws *laws, clod_status *status)
 {
     if ((job->stable_known && job->stable_at == job->state.step) ||
-        job->state.grains.count > STABLE_STEP_MOST) {
+        job->state.grains.count > CLOD_LIMITS_STABLE_GRAINS) {
         return true;
     }
     clod_stability found;

@@ -227,12 +227,7 @@ bool clod_parts_write_summary(const clod_job_shared *sim, json_t *parts, const c
                              sim->from->title != NULL ? sim->from->title : "", "version",
                              clod_version_text(), "incomplete", incomplete, "parts", parts,
                              name, results, "warnings", warnings);
-    const bool ok = root != NULL
-                        ? clod_folder_write_json(sim->folder, "summary.json", root, status)
-                        : clod_status_fail(status, CLOD_FAILED,
-                                           "%s/summary.json: no memory, or a number in it is "
-                                           "not finite",
-                                           sim->directory);
+    const bool ok = clod_folder_write_json(sim->folder, "summary.json", root, status);
     json_decref(root);
     return ok;
 }

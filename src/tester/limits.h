@@ -23,3 +23,4 @@ enum { CLOD_LIMITS_COARSE_STEPS = 200 };   ///< per row of the series, at consta
 #define CLOD_LIMITS_OVERLAP_MEAN 0.01 ///< overlap / radius of a contact under the mean load
 #define CLOD_LIMITS_OVERLAP_MOST 0.05 ///< overlap / radius of the deepest contact of a run
 #define CLOD_LIMITS_STABLE 0.9        ///< time step / largest stable one of a bed
+#define CLOD_LIMITS_STABLE_GRAINS 50000 ///< of beds asked for it, which takes 450 bytes each

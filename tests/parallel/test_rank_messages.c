@@ -58,7 +58,7 @@ static void merges_are_in_the_order_of_ranks(void **state)
     }
 }
 
-/** log2 of the ranks, and one before or behind it, or both, where that is no whole number. */
+/** log2 of the ranks, and one before or behind it where that is no whole number. */
 static void messages_of_a_merge_grow_with_the_logarithm(void **state)
 {
     (void)state;

@@ -72,6 +72,22 @@ static void two_grains_swing_along_the_normal(void **state)
     }
 }
 
+/** The same of unequal grains, whose arms and inertias differ:
+ *  omega^2 = k_t (1/m_i + 1/m_j + a_i^2/I_i + a_j^2/I_j). */
+static void unequal_grains_swing_across(void **state)
+{
+    (void)state;
+    const clod_case_contact contact = contact_hooke(1.0, 0.5);
+    scene s;
+    make_pair(&s, &contact, 2.0 * R);
+    scene_start(&s);
+    const double arm = ARM + R, inertia = 0.4 * 8.0 * MASS * 4.0 * R * R;
+    const double per_mass = 1.0 / MASS + 1.0 / (8.0 * MASS) + ARM * ARM / (0.4 * MASS * R * R) +
+                            arm * arm / inertia;
+    check_relative(measure(&s).frequency, sqrt(K * per_mass), 1e-6);
+    scene_end(&s);
+}
+
 /** A slip moves and turns: omega^2 = k_t (2/m + 2 a^2/I), I = 0.4 m R^2; 7/2 of 2 k_t/m. */
 static void two_grains_swing_across(void **state)
 {
@@ -317,6 +333,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_grains_swing_along_the_normal),
         cmocka_unit_test(two_grains_swing_across),
+        cmocka_unit_test(unequal_grains_swing_across),
         cmocka_unit_test(two_grains_swing_by_rolling),
         cmocka_unit_test(a_grain_on_a_plane_slips_and_rolls),
         cmocka_unit_test(a_chain_between_walls_has_its_closed_form),
