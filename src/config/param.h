@@ -83,6 +83,7 @@ extern const clod_table CLOD_TABLE_GRAINS;
 extern const clod_table CLOD_TABLE_REGION;
 extern const clod_table CLOD_TABLE_OUTLET;
 extern const clod_table CLOD_TABLE_GAUGE;
+extern const clod_table CLOD_TABLE_FIELD;
 extern const clod_table CLOD_TABLE_CLUMPS;
 extern const clod_table CLOD_TABLE_BUILD_UP;
 extern const clod_table CLOD_TABLE_HISTORY_MAP;

@@ -4,6 +4,7 @@
 #include "sim/belt_loads.h"
 #include "sim/build_up.h"
 #include "sim/clumps.h"
+#include "sim/fields.h"
 #include "sim/gauges.h"
 #include "sim/history_map.h"
 #include "sim/inlets.h"
@@ -14,10 +15,11 @@
 
 /** In the order of the series' columns. */
 static const clod_free_measure *const MEASURES[] = {
-    &CLOD_MEASURE_LEAVERS,   &CLOD_MEASURE_INLETS,     &CLOD_MEASURE_OUTLETS,
-    &CLOD_MEASURE_RESIDENCE, &CLOD_MEASURE_WALL_LOADS, &CLOD_MEASURE_SURFACES,
-    &CLOD_MEASURE_BALANCE,   &CLOD_MEASURE_BELT_LOADS, &CLOD_MEASURE_GAUGES,
-    &CLOD_MEASURE_CLUMPS,    &CLOD_MEASURE_BUILD_UP,   &CLOD_MEASURE_HISTORY_MAP,
+    &CLOD_MEASURE_LEAVERS,     &CLOD_MEASURE_INLETS,     &CLOD_MEASURE_OUTLETS,
+    &CLOD_MEASURE_RESIDENCE,   &CLOD_MEASURE_WALL_LOADS, &CLOD_MEASURE_SURFACES,
+    &CLOD_MEASURE_BALANCE,     &CLOD_MEASURE_BELT_LOADS, &CLOD_MEASURE_GAUGES,
+    &CLOD_MEASURE_FIELDS,      &CLOD_MEASURE_CLUMPS,     &CLOD_MEASURE_BUILD_UP,
+    &CLOD_MEASURE_HISTORY_MAP,
 };
 enum { COUNT = sizeof MEASURES / sizeof *MEASURES };
 

@@ -219,6 +219,13 @@ static void defaults_of_time_output_and_bench(void **state)
     assert_int_equal(gauge->profile_bins, 20);
     assert_int_equal(gauge->trajectory_bins, 3);
     same(made->gauges[1].region.outer_radius, 0.05);
+    assert_int_equal(made->field_count, 2);
+    same(made->fields[0].cell, 0.01);
+    same(made->fields[0].width, 0.025);
+    same(made->fields[0].interval, 2e-3);
+    same(made->fields[1].cell, 0.0);
+    same(made->fields[1].width, 0.0);
+    same(made->fields[1].interval, 0.01);
     const clod_case_contact_bench *bench = &made->contact_bench;
     assert_true(bench->present && bench->wall);
     same(bench->adhesion, 1.0);

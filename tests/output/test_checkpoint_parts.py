@@ -31,6 +31,8 @@ PARTS = [("src/tester/ring_shear.h", ["clod_ring_shear_kind", "clod_ring_shear_p
          ("src/sim/belt_work.h", ["clod_belt_work"]),
          ("src/sim/belt_loads.c", ["belt_memory", "belts"]),
          ("src/sim/gauges.h", ["clod_gauge_alarm", "clod_gauge_memory", "clod_gauges"]),
+         ("src/measure/continuum.h", ["CLOD_CONTINUUM_SUMS"]),
+         ("src/sim/fields.h", ["clod_field_memory"]),
          ("src/sim/balance.h", ["clod_balance_count", "clod_balance"]),
          ("src/sim/steady_time.h", ["clod_steady_time"]),
          ("src/state/clump_class.h", ["CLOD_CLUMP_CLASSES"]),
