@@ -340,6 +340,10 @@ typedef struct clod_case {
     size_t gauge_count;
     clod_case_field *fields;
     size_t field_count;
+    clod_case_mixing *mixings;
+    size_t mixing_count;
+    clod_case_repose *reposes;
+    size_t repose_count;
     clod_case_stage *stages;
     size_t stage_count;
     clod_case_output output;

@@ -61,19 +61,20 @@ static bool check_grid(clod_loader *loader, const clod_case_field *field)
              2.0 * field->cell);
         return false;
     }
-    if (field->width < field->cell) {
-        fail(
-            loader, field, "width",
-            "is less than a cell: grains would be missed between the middles of cells; allowed "
-            "are %.6g m (a cell) to %.6g m",
-            field->cell, CLOD_CASE_FIELD_REACH * field->cell);
+    const double least = CLOD_CASE_FIELD_LEAST * field->cell;
+    const double most = CLOD_CASE_FIELD_REACH * field->cell;
+    if (field->width < least * (1.0 - 1e-12)) {
+        fail(loader, field, "width",
+             "is less than %.3g cells: grains would be missed between the middles of cells; "
+             "allowed are %.6g m to %.6g m",
+             CLOD_CASE_FIELD_LEAST, least, most);
         return false;
     }
-    if (field->width > CLOD_CASE_FIELD_REACH * field->cell) {
+    if (field->width > most * (1.0 + 1e-12)) {
         fail(loader, field, "width",
              "reaches over more than %.0f cells: every grain would be spread over thousands; "
-             "allowed are %.6g m (a cell) to %.6g m, or make cell larger",
-             CLOD_CASE_FIELD_REACH, field->cell, CLOD_CASE_FIELD_REACH * field->cell);
+             "allowed are %.6g m to %.6g m, or make cell larger",
+             CLOD_CASE_FIELD_REACH, least, most);
         return false;
     }
     return true;

@@ -84,6 +84,8 @@ extern const clod_table CLOD_TABLE_REGION;
 extern const clod_table CLOD_TABLE_OUTLET;
 extern const clod_table CLOD_TABLE_GAUGE;
 extern const clod_table CLOD_TABLE_FIELD;
+extern const clod_table CLOD_TABLE_MIXING;
+extern const clod_table CLOD_TABLE_REPOSE;
 extern const clod_table CLOD_TABLE_CLUMPS;
 extern const clod_table CLOD_TABLE_BUILD_UP;
 extern const clod_table CLOD_TABLE_HISTORY_MAP;

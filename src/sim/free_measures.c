@@ -9,17 +9,18 @@
 #include "sim/history_map.h"
 #include "sim/inlets.h"
 #include "sim/leavers.h"
+#include "sim/mixing.h"
 #include "sim/residence.h"
 #include "sim/surfaces.h"
 #include "sim/wall_loads.h"
 
 /** In the order of the series' columns. */
 static const clod_free_measure *const MEASURES[] = {
-    &CLOD_MEASURE_LEAVERS,     &CLOD_MEASURE_INLETS,     &CLOD_MEASURE_OUTLETS,
-    &CLOD_MEASURE_RESIDENCE,   &CLOD_MEASURE_WALL_LOADS, &CLOD_MEASURE_SURFACES,
-    &CLOD_MEASURE_BALANCE,     &CLOD_MEASURE_BELT_LOADS, &CLOD_MEASURE_GAUGES,
-    &CLOD_MEASURE_FIELDS,      &CLOD_MEASURE_CLUMPS,     &CLOD_MEASURE_BUILD_UP,
-    &CLOD_MEASURE_HISTORY_MAP,
+    &CLOD_MEASURE_LEAVERS,   &CLOD_MEASURE_INLETS,     &CLOD_MEASURE_OUTLETS,
+    &CLOD_MEASURE_RESIDENCE, &CLOD_MEASURE_WALL_LOADS, &CLOD_MEASURE_SURFACES,
+    &CLOD_MEASURE_BALANCE,   &CLOD_MEASURE_BELT_LOADS, &CLOD_MEASURE_GAUGES,
+    &CLOD_MEASURE_FIELDS,    &CLOD_MEASURE_MIXING,     &CLOD_MEASURE_REPOSE,
+    &CLOD_MEASURE_CLUMPS,    &CLOD_MEASURE_BUILD_UP,   &CLOD_MEASURE_HISTORY_MAP,
 };
 enum { COUNT = sizeof MEASURES / sizeof *MEASURES };
 
