@@ -57,7 +57,7 @@ int32_t clod_surface_touch(const clod_surface_facet *facets, int32_t count, clod
  *
  * @param most  m, farther ones do not count
  * @return      infinitely far where there is none
- * Threads  pure.   Test  tests/step/test_contact_force.c
+ * Threads  pure.   Test  tests/sim/test_sim_mesh_force.c
  */
 clod_surface_closest clod_surface_slot_closest(const clod_surface *self, int32_t patch,
                                                int32_t slot, clod_vec3 p, double most);

@@ -10,7 +10,7 @@
 #define DEGREE (180.0 / M_PI)
 
 /** Columns of each angle. */
-static const char *const COLUMN[] = {"angle [deg]", "height [m]"};
+static const char *const COLUMN[] = {"repose_angle [deg]", "height [m]"};
 #define COLUMNS (sizeof COLUMN / sizeof *COLUMN)
 
 /** What one remembers. */

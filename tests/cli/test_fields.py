@@ -88,6 +88,15 @@ class Fields(clod.Case):
         self.assertIn("field_grid.hdf", done.stdout)
         self.assertTrue(os.path.exists(self.path("out/field_grid.hdf")))
 
+    def test_check_warns_of_a_narrow_kernel(self):
+        self.write(COLUMN.replace("cell: 4 mm", "cell: 3 mm").replace("width: 12 mm", "width: 5 mm"))
+        done = clod.run("check", self.path("case.yaml"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("fields.grid.width 0.005 m is less than the largest grain, 0.006",
+                      " ".join(done.stdout.split()))
+        self.write(COLUMN)
+        self.assertNotIn("fields.grid", clod.run("check", self.path("case.yaml")).stdout)
+
     def test_free_fall(self):
         """Before anything touches: the velocity is that of the fall, stresses are none."""
         self.write(COLUMN.replace("max: [40 mm, 40 mm, 80 mm]", "max: [40 mm, 40 mm, 180 mm]")

@@ -143,7 +143,7 @@ class Mixing(clod.Case):
         # it turns by more than half: from nearly apart to mixed, and the surface stands askew
         self.assertLess(rows[0]["mixing_ores.lacey"], 0.35)
         self.assertGreater(rows[-1]["mixing_ores.lacey"], rows[0]["mixing_ores.lacey"] + 0.2)
-        self.assertGreater(abs(rows[-1]["repose_surface.angle"]), 10.0)
+        self.assertGreater(abs(rows[-1]["repose_surface.repose_angle"]), 10.0)
 
 
 if __name__ == "__main__":
