@@ -17,6 +17,7 @@ typedef struct clod_case_field {
     double cell;     ///< m, edge of a cell of the grid; 0: one mean over the region
     double width;    ///< m, radius of the kernel of a grid
     double interval; ///< s of simulated time from one sample to the next
+    bool frames;     ///< of a grid: the moment of each snapshot is written too
 } clod_case_field;
 
 /** Most fields. */

@@ -95,6 +95,8 @@ static void check_field(clod_loader *loader, const clod_case *self,
             "is that of a grid; give it a cell, for instance cell: %.3g m, or leave out width: "
             "a mean over a region has none",
             0.5 * field->width);
+    } else if (field->cell == 0.0 && field->frames) {
+        fail(loader, field, "frames", "are those of a grid; give it a cell, or leave them out");
     } else if (field->cell == 0.0 || check_grid(loader, field)) {
         check_period(loader, self, field);
     }

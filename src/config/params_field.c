@@ -56,6 +56,15 @@ static const clod_param FIELD[] = {
      CLOD_AT(F, interval),
      .help = "Simulated time from one sample to the next.",
      .source = "docs/fields.md"},
+    {.key = "frames",
+     .kind = CLOD_PARAM_BOOL,
+     .need = CLOD_PARAM_OPTIONAL,
+     .fallback = "false",
+     .example = "true",
+     CLOD_AT(F, frames),
+     .used = has_cell,
+     .help = "Whether the grid as it is at each snapshot is written too, for a film.",
+     .source = "docs/fields.md"},
 };
 const clod_table CLOD_TABLE_FIELD = {
     .title = "Fields, by name: density, velocity, stress and more, on a grid or as means.",

@@ -212,6 +212,7 @@ const clod_free_measure CLOD_MEASURE_FIELDS = {.key = "fields",
                                                .columns = fields_columns,
                                                .column = fields_column,
                                                .row = fields_row,
+                                               .picture = clod_fields_picture,
                                                .report = clod_fields_report,
                                                .json = clod_fields_json,
                                                .write = clod_fields_write};

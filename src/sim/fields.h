@@ -14,7 +14,9 @@ typedef struct clod_field_memory {
     int64_t row_samples; ///< of `row`
     int64_t row_told;    ///< `row` stands in the series: the next sample begins a new one
     int64_t samples[CLOD_STEADY_BLOCKS];
-    double row[CLOD_CONTINUUM_SUMS];                       ///< of a mean, since the last row
+    double frame_time;               ///< s, of the last frame of a grid
+    uint64_t frame_sum;              ///< checksum of the list of frames; 0: none yet
+    double row[CLOD_CONTINUUM_SUMS]; ///< of a mean, since the last row
     double block[CLOD_STEADY_BLOCKS][CLOD_CONTINUUM_SUMS]; ///< of a mean, in the steady time
 } clod_field_memory;
 
@@ -30,9 +32,17 @@ const double (*clod_fields_grid(const void *memory, const clod_case *from,
 /** Samples of the steady time. */
 int64_t clod_fields_samples(const clod_field_memory *self);
 
-/** Lines of the report, object of the summary, files of the grids (fields_report.c). */
+/** Cells of a grid that a grain or a contact has ever reached (fields_files.c). */
+int64_t clod_fields_used(const clod_continuum *field,
+                         const double (*sums)[CLOD_CONTINUUM_SUMS]);
+
+/** Lines of the report, object of the summary (fields_report.c). */
 void clod_fields_report(FILE *out, const void *memory, const clod_free_moment *now);
 json_t *clod_fields_json(const void *memory, const clod_free_moment *now);
+
+/** Files of the grids: at the end, and at a snapshot (fields_files.c). */
+bool clod_fields_picture(void *memory, const clod_free_moment *now, const clod_frame *frame,
+                         clod_status *status);
 bool clod_fields_write(const clod_folder *folder, const void *memory,
                        const clod_free_moment *now, clod_status *status);
 

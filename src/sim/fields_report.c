@@ -1,14 +1,9 @@
-// What fields leave at the end: lines of the report, their object in the summary, files of grids.
+// What fields leave at the end: lines of the report, their object in the summary.
 
 #include <inttypes.h>
-#include <limits.h>
 #include <math.h>
-#include <string.h>
 
 #include "base/json.h"
-#include "base/memory.h"
-#include "output/voxels.h"
-#include "output/vtk_cells.h"
 #include "sim/fields.h"
 
 // ---- means over regions
@@ -97,89 +92,6 @@ static void put_means(json_t *object, const means *self)
     }
 }
 
-// ---- grids
-
-/** Numbers of a cell in the file. */
-typedef struct cell_row {
-    double corner[3];
-    double value[CLOD_CONTINUUM_NUMBERS];
-} cell_row;
-
-/** Whether a grain or a contact has ever reached a cell. */
-static bool is_used(const double *sums)
-{
-    bool used = false;
-    for (int k = 0; k < CLOD_CONTINUUM_SUMS; k++) {
-        used = used || sums[k] != 0.0;
-    }
-    return used;
-}
-
-static int64_t used_cells(const clod_continuum *field,
-                          const double (*sums)[CLOD_CONTINUUM_SUMS])
-{
-    int64_t used = 0;
-    for (int64_t p = 0; p < clod_continuum_points(field); p++) {
-        used += is_used(sums[p]);
-    }
-    return used;
-}
-
-/** Write the rows; `corner` has room for those of all. */
-static bool write_cells(const cell_row *rows, double (*corner)[3], size_t count,
-                        const clod_case_field *field, const clod_free_moment *now,
-                        const clod_folder *folder, clod_status *status)
-{
-    char name[NAME_MAX + 1], dataset[CLOD_CONTINUUM_VALUES][64];
-    clod_hdf_column columns[CLOD_CONTINUUM_VALUES];
-    for (int v = 0; v < CLOD_CONTINUUM_VALUES; v++) {
-        const clod_continuum_value *value = &CLOD_CONTINUUM_VALUE[v];
-        snprintf(dataset[v], sizeof dataset[v], VTK_CELL_DATA "/%s", value->name);
-        columns[v] = (clod_hdf_column){dataset[v],   value->unit,
-                                       CLOD_HDF_F64, (size_t)value->components,
-                                       count,        &rows->value[value->first],
-                                       sizeof *rows};
-    }
-    for (size_t k = 0; k < count; k++) {
-        memcpy(corner[k], rows[k].corner, sizeof *corner);
-    }
-    const clod_voxels voxels = {(const double(*)[3])corner,
-                                count,
-                                field->cell,
-                                columns,
-                                CLOD_CONTINUUM_VALUES,
-                                now->state->step,
-                                now->state->time};
-    snprintf(name, sizeof name, "field_%s.hdf", field->name);
-    return clod_voxels_write(folder, name, &voxels, status);
-}
-
-static bool write_grid(const void *memory, size_t k, const clod_free_moment *now,
-                       const clod_folder *folder, clod_status *status)
-{
-    const clod_case_field *asked = &now->from->fields[k];
-    const clod_continuum field = clod_fields_make(asked);
-    const double(*sums)[CLOD_CONTINUUM_SUMS] = clod_fields_grid(memory, now->from, k);
-    const double samples = (double)clod_fields_samples(clod_fields_memory(memory, k));
-    const size_t used = (size_t)used_cells(&field, sums);
-    cell_row *rows = clod_memory_alloc(used + 1, sizeof *rows);
-    double(*corner)[3] = clod_memory_alloc(used + 1, sizeof *corner);
-    bool good = rows != NULL && corner != NULL;
-    size_t count = 0;
-    for (int64_t p = 0; good && p < clod_continuum_points(&field); p++) {
-        if (is_used(sums[p])) {
-            clod_continuum_corner(&field, p, rows[count].corner);
-            clod_continuum_values(&field, sums[p], samples, rows[count++].value);
-        }
-    }
-    good =
-        good ? write_cells(rows, corner, count, asked, now, folder, status)
-             : clod_status_fail(status, CLOD_FAILED, "no memory for field_%s.hdf", asked->name);
-    clod_memory_free(rows);
-    clod_memory_free(corner);
-    return good;
-}
-
 // ---- the measure
 
 void clod_fields_report(FILE *out, const void *memory, const clod_free_moment *now)
@@ -195,7 +107,8 @@ void clod_fields_report(FILE *out, const void *memory, const clod_free_moment *n
             fprintf(out,
                     "  field %-15s %" PRId64 " of %" PRId64
                     " cells have something, mean of %" PRId64 " samples (field_%s.hdf)\n",
-                    asked->name, used_cells(&field, clod_fields_grid(memory, now->from, k)),
+                    asked->name,
+                    clod_fields_used(&field, clod_fields_grid(memory, now->from, k)),
                     clod_continuum_points(&field), clod_fields_samples(mine), asked->name);
         }
     }
@@ -219,7 +132,8 @@ json_t *clod_fields_json(const void *memory, const clod_free_moment *now)
                                 json_real(clod_continuum_volume(&field.region)));
             put_means(one, &of);
         } else {
-            const int64_t used = used_cells(&field, clod_fields_grid(memory, now->from, k));
+            const int64_t used =
+                clod_fields_used(&field, clod_fields_grid(memory, now->from, k));
             json_object_set_new(one, "cells",
                                 json_pack("[III]", (json_int_t)field.cells[0],
                                           (json_int_t)field.cells[1],
@@ -231,14 +145,4 @@ json_t *clod_fields_json(const void *memory, const clod_free_moment *now)
         json_object_set_new(all, asked->name, one);
     }
     return all;
-}
-
-bool clod_fields_write(const clod_folder *folder, const void *memory,
-                       const clod_free_moment *now, clod_status *status)
-{
-    bool good = true;
-    for (size_t k = 0; good && k < now->from->field_count; k++) {
-        good = now->from->fields[k].cell == 0.0 || write_grid(memory, k, now, folder, status);
-    }
-    return good;
 }

@@ -132,11 +132,13 @@ bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_sta
     return good;
 }
 
-bool clod_free_measures_picture(const clod_free_moment *now, clod_status *status)
+bool clod_free_measures_picture(void *memory, const clod_free_moment *now,
+                                const clod_frame *frame, clod_status *status)
 {
     bool good = true;
     for (int k = 0; good && k < COUNT; k++) {
-        good = MEASURES[k]->picture == NULL || MEASURES[k]->picture(now, status);
+        good = MEASURES[k]->picture == NULL ||
+               MEASURES[k]->picture(memory_of(memory, now->from, k), now, frame, status);
     }
     return good;
 }

@@ -1,5 +1,6 @@
 """Fields of a free run: a column at rest with the stresses of its weight, shear, same bytes."""
 
+import json
 import math
 import os
 import sys
@@ -114,12 +115,21 @@ class Fields(clod.Case):
 
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(COLUMN.replace("duration: 0.5 s", "duration: 0.3 s")
-                   .replace("steady_since: 0.4 s", "steady_since: 0.05 s"))
+                   .replace("steady_since: 0.4 s", "steady_since: 0.05 s")
+                   .replace("width: 12 mm", "width: 12 mm\n    frames: true")
+                   .replace("series_interval: 20 ms", "series_interval: 20 ms, snapshot_interval: 50 ms"))
         self.go("one")
         self.go("two", "2")
         self.stop_after(5, "cut")
         self.go("cut")
-        for name in ("series.csv", "field_grid.hdf"):
+        frames = sorted(name for name in os.listdir(self.path("one")) if "grid-" in name)
+        self.assertEqual(frames, [f"field_grid-{k:06d}.hdf" for k in range(6)])
+        with open(self.path("one/field_grid.hdf.series")) as file:
+            listed = json.load(file)["files"]
+        self.assertEqual([one["name"] for one in listed], frames)
+        for one, time in zip(listed, (0.05, 0.1, 0.15, 0.2, 0.25, 0.3)):
+            self.assertAlmostEqual(one["time"], time, delta=1e-4)
+        for name in ("series.csv", "field_grid.hdf", "field_grid.hdf.series", *frames):
             whole = clod.read(self.path("one/" + name))
             self.assertEqual(whole, clod.read(self.path("two/" + name)), name)
             self.assertEqual(whole, clod.read(self.path("cut/" + name)), name)

@@ -1,0 +1,12 @@
+#pragma once
+/**
+ * @file frame.h
+ * A snapshot that is being written: where to, and which it is.
+ */
+
+#include "output/folder.h"
+
+typedef struct clod_frame {
+    const clod_folder *folder;
+    int64_t number; ///< of the snapshot
+} clod_frame;
