@@ -52,7 +52,7 @@ static void a_random_mixture_is_one(void **unused)
             urn[g] = g < GRAINS * 3 / 10;
         }
         for (int g = GRAINS - 1; g > 0; g--) {
-            const int other = (int)dice_pick(&roll, (uint64_t)g + 1);
+            const int other = dice_pick(&roll, g + 1);
             const uint8_t kept = urn[g];
             urn[g] = urn[other];
             urn[other] = kept;
