@@ -4,6 +4,8 @@
  * A snapshot that is being written: where to, and which it is.
  */
 
+#include <stdint.h>
+
 #include "output/folder.h"
 
 typedef struct clod_frame {
