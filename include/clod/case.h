@@ -11,6 +11,7 @@
 #include <stdint.h>
 
 #include "clod/case_grains.h"
+#include "clod/case_measures.h"
 #include "clod/case_walls.h"
 #include "clod/status.h"
 
@@ -337,6 +338,12 @@ typedef struct clod_case {
     size_t outlet_count;
     clod_case_gauge *gauges;
     size_t gauge_count;
+    clod_case_field *fields;
+    size_t field_count;
+    clod_case_mixing *mixings;
+    size_t mixing_count;
+    clod_case_repose *reposes;
+    size_t repose_count;
     clod_case_stage *stages;
     size_t stage_count;
     clod_case_output output;

@@ -161,11 +161,12 @@ bool clod_check_pair_needed(const clod_case *self, int a, int b)
 /** Which kind of case this is, and what does not go together. */
 static void check_kind(clod_loader *loader, const clod_case *self)
 {
-    static const char *const FREE[] = {"grains", "walls",  "outlets",  "gauges",     "stages",
-                                       "domain", "clumps", "build_up", "history_map"};
-    static const char *const RUN[] = {"walls",   "outlets",  "gauges",     "domain",
-                                      "gravity", "time",     "output",     "seed",
-                                      "clumps",  "build_up", "history_map"};
+    static const char *const FREE[] = {"grains",      "walls",  "outlets", "gauges",
+                                       "stages",      "domain", "clumps",  "build_up",
+                                       "history_map", "fields", "mixing",  "repose"};
+    static const char *const RUN[] = {"walls",       "outlets", "gauges", "domain", "gravity",
+                                      "time",        "output",  "seed",   "clumps", "build_up",
+                                      "history_map", "fields",  "mixing", "repose"};
     const char *tester = clod_case_tester(self);
     const bool grains = clod_check_has(loader, "grains");
     const bool stages = clod_check_has(loader, "stages");

@@ -60,6 +60,12 @@ void clod_check_outlets(clod_loader *loader, const clod_case *self);
 /** Checks of the gauges, and of the time from which means count (check_gauge.c). */
 void clod_check_gauges(clod_loader *loader, const clod_case *self);
 
+/** Checks of the fields (check_field.c). */
+void clod_check_fields(clod_loader *loader, const clod_case *self);
+
+/** Checks of mixing indices and angles of repose (check_mixing.c). */
+void clod_check_mixing(clod_loader *loader, const clod_case *self);
+
 /** Checks of clumps, build-up and the map of histories (check_clumps.c). */
 void clod_check_clumps(clod_loader *loader, const clod_case *self);
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "config/check.h"
+#include "config/grid.h"
 
 static void check_counts(clod_loader *loader, const clod_case_clumps *clumps)
 {
@@ -26,16 +27,6 @@ static void check_counts(clod_loader *loader, const clod_case_clumps *clumps)
     }
 }
 
-/** Cells of a box [m]. */
-static double cells_of(const double low[3], const double high[3], double cell)
-{
-    double cells = 1.0;
-    for (int a = 0; a < 3; a++) {
-        cells *= fmax(1.0, ceil((high[a] - low[a]) / cell * (1.0 - 1e-12)));
-    }
-    return cells;
-}
-
 static void check_map(clod_loader *loader, const clod_case *self)
 {
     const clod_case_history_map *map = &self->history_map;
@@ -54,7 +45,7 @@ static void check_map(clod_loader *loader, const clod_case *self)
     }
     const double *low = map->has_region ? map->region.min : self->domain_min;
     const double *high = map->has_region ? map->region.max : self->domain_max;
-    const double cells = cells_of(low, high, map->cell);
+    const double cells = clod_grid_cells(low, high, map->cell);
     if (cells > CLOD_CASE_MAP_CELLS) {
         clod_check_fail(
             loader, "history_map.cell",

@@ -407,6 +407,8 @@ void clod_check_run(clod_loader *loader, clod_case *self)
     }
     clod_check_gauges(loader, self);
     clod_check_clumps(loader, self);
+    clod_check_fields(loader, self);
+    clod_check_mixing(loader, self);
     clod_check_walls(loader, self);
     clod_check_outlets(loader, self); // knows which walls have a load
     clod_index stage_names = {0};

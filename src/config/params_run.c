@@ -183,9 +183,10 @@ static const clod_param OUTPUT_ROWS[] = {
      .used = has_free_run,
      .unused = "only a free run has these means; remove this key",
      .formerly = "surfaces_from",
-     .help = "Time from the beginning of the run from which on all means are taken: those of "
-             "gauges, belts, balance, clumps, build-up, history map and surfaces; without it "
-             "the last third of the stages' durations.",
+     .help =
+         "Time from the beginning of the run from which on all means are taken: those of "
+         "gauges, fields, mixing, repose, belts, balance, clumps, build-up, history map and "
+         "surfaces; without it the last third of the stages' durations.",
      .source = "docs/gauges.md"},
     {.key = "snapshot_interval",
      .kind = CLOD_PARAM_REAL,

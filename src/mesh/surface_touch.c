@@ -148,3 +148,37 @@ int32_t clod_surface_touch(const clod_surface_facet *facets, int32_t count, clod
     }
     return found;
 }
+
+/** A search for the closest point of a slot. */
+typedef struct slot_search {
+    const clod_surface *surface;
+    clod_vec3 from;
+    int32_t patch, slot;
+    clod_surface_closest best;
+} slot_search;
+
+static double look_at_slot(void *context, uint32_t number, double reach)
+{
+    slot_search *self = context;
+    if (self->surface->patch[number] != (uint32_t)self->patch) {
+        return reach;
+    }
+    const clod_surface_facet facet = clod_surface_facet_of(self->surface, number);
+    clod_surface_hit hit = {.of = &facet, .facet = number, .patch = facet.patch};
+    if (clod_surface_facet_is_beyond(self->surface, &facet, self->from, reach)) {
+        return reach;
+    }
+    clod_surface_facet_find(&facet, self->from, &hit.at);
+    if (slot_of(&hit) == self->slot && hit.at.distance < self->best.distance) {
+        self->best = hit.at;
+    }
+    return reach;
+}
+
+clod_surface_closest clod_surface_slot_closest(const clod_surface *self, int32_t patch,
+                                               int32_t slot, clod_vec3 p, double most)
+{
+    slot_search search = {self, p, patch, slot, {.distance = INFINITY}};
+    clod_surface_near(self, p, most, look_at_slot, &search);
+    return search.best;
+}

@@ -50,3 +50,14 @@ typedef struct clod_surface_hit {
  */
 int32_t clod_surface_touch(const clod_surface_facet *facets, int32_t count, clod_vec3 p,
                            double radius, clod_surface_hit *hits);
+
+/**
+ * Closest point of a patch among those whose contacts have a slot: where its contact in that slot
+ * is.
+ *
+ * @param most  m, farther ones do not count
+ * @return      infinitely far where there is none
+ * Threads  pure.   Test  tests/sim/test_sim_mesh_force.c
+ */
+clod_surface_closest clod_surface_slot_closest(const clod_surface *self, int32_t patch,
+                                               int32_t slot, clod_vec3 p, double most);

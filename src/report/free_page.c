@@ -17,6 +17,9 @@ static void put_tables(FILE *out, const json_t *summary)
     json_t *left = json_pack("{s:O}", "what left", json_object_get(summary, "residence"));
     clod_html_section(out, "tables", "Tables");
     clod_summary_tables_put(out, "Gauges", json_object_get(summary, "gauges"));
+    clod_summary_tables_put(out, "Fields", json_object_get(summary, "fields"));
+    clod_summary_tables_put(out, "Mixing", json_object_get(summary, "mixing"));
+    clod_summary_tables_put(out, "Angle of repose", json_object_get(summary, "repose"));
     clod_summary_tables_put(out, "Balance", balance);
     clod_summary_tables_put(out, "Out, of the balance", json_object_get(balance, "out"));
     clod_summary_tables_put(out, "Residence time", left);

@@ -10,7 +10,8 @@
 /** Quantities that are shown first, in this order. */
 static const char *const MAIN[] = {"kinetic_energy", "max_speed",  "grains",  "mass",
                                    "mass_flow",      "speed",      "power",   "force_z",
-                                   "resting_mass",   "mass_share", "largest", "impact_power"};
+                                   "resting_mass",   "mass_share", "largest", "impact_power",
+                                   "density",        "pressure",   "lacey",   "repose_angle"};
 #define MAIN_COUNT (sizeof MAIN / sizeof MAIN[0])
 
 static void add_column(clod_figure *figure, const clod_table *series, const double *time,

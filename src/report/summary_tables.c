@@ -12,7 +12,10 @@
 /** Endings of keys and the units that they mean, the longest first. */
 static const struct {
     const char *ending, *unit;
-} UNITS[] = {{"_m3_per_s", "m3/s"},
+} UNITS[] = {{"_m2_per_s2", "m2/s2"},
+             {"_kg_per_m3", "kg/m3"},
+             {"_N_per_m3", "N/m3"},
+             {"_m3_per_s", "m3/s"},
              {"_kg_per_s", "kg/s"},
              {"_m_per_s", "m/s"},
              {"_kg_m3", "kg/m3"},

@@ -148,8 +148,11 @@ static bool clumps_sample(void *memory, const clod_free_moment *now, clod_status
     return good;
 }
 
-static bool clumps_picture(const clod_free_moment *now, clod_status *status)
+static bool clumps_picture(void *memory, const clod_free_moment *now, const clod_frame *frame,
+                           clod_status *status)
 {
+    (void)memory;
+    (void)frame;
     if (!now->from->clumps.present) {
         return true;
     }

@@ -4,10 +4,12 @@
 #include "sim/belt_loads.h"
 #include "sim/build_up.h"
 #include "sim/clumps.h"
+#include "sim/fields.h"
 #include "sim/gauges.h"
 #include "sim/history_map.h"
 #include "sim/inlets.h"
 #include "sim/leavers.h"
+#include "sim/mixing.h"
 #include "sim/residence.h"
 #include "sim/surfaces.h"
 #include "sim/wall_loads.h"
@@ -17,6 +19,7 @@ static const clod_free_measure *const MEASURES[] = {
     &CLOD_MEASURE_LEAVERS,   &CLOD_MEASURE_INLETS,     &CLOD_MEASURE_OUTLETS,
     &CLOD_MEASURE_RESIDENCE, &CLOD_MEASURE_WALL_LOADS, &CLOD_MEASURE_SURFACES,
     &CLOD_MEASURE_BALANCE,   &CLOD_MEASURE_BELT_LOADS, &CLOD_MEASURE_GAUGES,
+    &CLOD_MEASURE_FIELDS,    &CLOD_MEASURE_MIXING,     &CLOD_MEASURE_REPOSE,
     &CLOD_MEASURE_CLUMPS,    &CLOD_MEASURE_BUILD_UP,   &CLOD_MEASURE_HISTORY_MAP,
 };
 enum { COUNT = sizeof MEASURES / sizeof *MEASURES };
@@ -129,11 +132,13 @@ bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_sta
     return good;
 }
 
-bool clod_free_measures_picture(const clod_free_moment *now, clod_status *status)
+bool clod_free_measures_picture(void *memory, const clod_free_moment *now,
+                                const clod_frame *frame, clod_status *status)
 {
     bool good = true;
     for (int k = 0; good && k < COUNT; k++) {
-        good = MEASURES[k]->picture == NULL || MEASURES[k]->picture(now, status);
+        good = MEASURES[k]->picture == NULL ||
+               MEASURES[k]->picture(memory_of(memory, now->from, k), now, frame, status);
     }
     return good;
 }

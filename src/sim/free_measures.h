@@ -15,6 +15,7 @@
 
 #include "clod/case.h"
 #include "output/folder.h"
+#include "sim/frame.h"
 #include "sim/news.h"
 #include "sim/sight.h"
 #include "sim/steady_time.h"
@@ -47,8 +48,9 @@ typedef struct clod_free_measure {
     bool (*news)(void *memory, const clod_case *from, const clod_state *state, clod_news *news);
     /** A row is due: look at grains and contacts. */
     bool (*look)(void *memory, const clod_free_moment *now, clod_status *status);
-    /** A snapshot is due: fill the columns of grains that it shows. */
-    bool (*picture)(const clod_free_moment *now, clod_status *status);
+    /** A snapshot is due: fill the columns of grains that it shows; write what is shown beside it. */
+    bool (*picture)(void *memory, const clod_free_moment *now, const clod_frame *frame,
+                    clod_status *status);
     /** Number of its columns in the series. */
     size_t (*columns)(const clod_case *from, const clod_state *state);
     /** Header text of column k, with its unit: "exit.mass_flow [kg s-1]". */
@@ -92,7 +94,8 @@ bool clod_free_measures_news(void *memory, const clod_case *from, const clod_sta
 
 bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_status *status);
 
-bool clod_free_measures_picture(const clod_free_moment *now, clod_status *status);
+bool clod_free_measures_picture(void *memory, const clod_free_moment *now,
+                                const clod_frame *frame, clod_status *status);
 
 /** Number of all columns. */
 size_t clod_free_measures_columns(const clod_case *from, const clod_state *state);

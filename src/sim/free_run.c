@@ -96,11 +96,11 @@ static bool free_measure(void *data, const void *context, clod_state *state,
 }
 
 static bool free_picture(void *data, const void *context, clod_state *state,
-                         const clod_contact_source *contacts, clod_status *status)
+                         const clod_contact_source *contacts, const clod_frame *frame,
+                         clod_status *status)
 {
-    (void)data;
     const clod_free_moment now = moment_of(data, context, state, contacts);
-    return clod_free_measures_picture(&now, status);
+    return clod_free_measures_picture(measures_of(data, context), &now, frame, status);
 }
 
 static bool free_sample(void *data, const void *context, clod_state *state, double *row)

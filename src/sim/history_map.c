@@ -43,7 +43,7 @@ static map_grid grid_of(const clod_case *from)
     map_grid grid = {.edge = map->cell};
     for (int a = 0; a < 3; a++) {
         grid.low[a] = low[a];
-        // as check_clumps.c counts them: a rounding beyond a whole number is none
+        // as config counts them (grid.c): a rounding beyond a whole number is none
         grid.cells[a] =
             (int64_t)fmax(1.0, ceil((high[a] - low[a]) / map->cell * (1.0 - 1e-12)));
     }

@@ -76,8 +76,7 @@ static bool with_contacts(job_loop *loop,
 static bool write_snapshot(job_loop *loop, clod_status *status)
 {
     loop->last_picture = loop->job->state.step;
-    if (!clod_step_see(&loop->step, status) ||
-        !with_contacts(loop, loop->job->procedure.picture, status)) {
+    if (!clod_step_see(&loop->step, status)) {
         return false;
     }
     clod_step_reader reader;

@@ -12,6 +12,7 @@
 #include "output/folder.h"
 #include "output/series.h"
 #include "output/snapshot.h"
+#include "sim/frame.h"
 #include "sim/news.h"
 #include "sim/sight.h"
 #include "sim/time_limit.h"
@@ -42,9 +43,11 @@ typedef struct clod_procedure {
                     const clod_contact_source *contacts, clod_status *status);
     /** Fill the row [column_count], change walls and adhesion; true when finished. */
     bool (*sample)(void *data, const void *context, clod_state *state, double *row);
-    /** Before a snapshot: fill the columns of grains that it shows. NULL: nothing. */
+    /** Before a snapshot: fill the columns of grains that it shows, and write what is shown beside it.
+     *  NULL: nothing. */
     bool (*picture)(void *data, const void *context, clod_state *state,
-                    const clod_contact_source *contacts, clod_status *status);
+                    const clod_contact_source *contacts, const clod_frame *frame,
+                    clod_status *status);
     const char *(*phase)(const void *data, const void *context);
     double (*fraction)(const void *data, const void *context);
     /** Why the phase that a sample has just ended is over. NULL: nobody asks. */

@@ -2,7 +2,8 @@
 /**
  * @file steady_time.h
  * The part of a free run over which all means of its report are taken (output.steady_since):
- * those of gauges, belts, balance, clumps, build-up, history map and surfaces. It is cut into
+ * those of gauges, fields, mixing indices, angles of repose, belts, balance, clumps, build-up,
+ * history map and surfaces. It is cut into
  * blocks: their scatter is that of the means.
  */
 

@@ -13,6 +13,14 @@ typedef struct clod_contact_strength {
     double pressed;  ///< N, largest past force that it remembers; 0: none
 } clod_contact_strength;
 
+/** What a contact does now, as its law tells from the state of the moment. */
+typedef struct clod_contact_force {
+    double force[3]; ///< N, on the grain i
+    double from
+        [3]; ///< m, beginning of the branch vector, which ends at the centre of i: centre of
+             ///< the image of j next to i; of a wall the point of contact
+} clod_contact_force;
+
 typedef struct clod_contact_source {
     void *context; ///< of the first two functions, borrowed
 
@@ -27,9 +35,11 @@ typedef struct clod_contact_source {
      */
     size_t (*next)(void *context, clod_contact *to, size_t room);
 
-    const void *laws; ///< of the next function, borrowed
+    const void *laws; ///< of the next functions, borrowed
     /** Strength of a contact; NULL: nobody knows the laws. Threads: pure. */
     clod_contact_strength (*strength)(const void *laws, const clod_contact *contact);
+    /** Force of a contact, likewise; i and j may have been turned (clod_contact_turn). */
+    clod_contact_force (*force)(const void *laws, const clod_contact *contact);
 } clod_contact_source;
 
 /** A place in a state's own list of contacts. */

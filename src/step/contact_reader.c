@@ -2,8 +2,8 @@
 #include <math.h>
 
 #include "law/law_cycle.h"
+#include "step/contact_force.h"
 #include "step/near_reader.h"
-#include "step/step.h"
 
 static size_t next_of_blocks(void *context, clod_contact *to, size_t room)
 {
@@ -25,9 +25,8 @@ static void begin_blocks(void *context, size_t *pairs, size_t *walls)
     self->blocks = clod_near_reader_begin(near, &self->step->walls);
 }
 
-/** R*, and the law, of a contact. */
-static const clod_law *law_of(const clod_step *self, const clod_contact *contact,
-                              double *r_star)
+const clod_law *clod_step_law_of(const clod_step *self, const clod_contact *contact,
+                                 double *r_star)
 {
     const clod_grains *grains = &self->state->grains;
     const double a = grains->position[contact->i][3];
@@ -46,7 +45,7 @@ static const clod_law *law_of(const clod_step *self, const clod_contact *contact
 static clod_contact_strength strength_of(const void *laws, const clod_contact *contact)
 {
     double r_star;
-    const clod_law *law = law_of(laws, contact, &r_star);
+    const clod_law *law = clod_step_law_of(laws, contact, &r_star);
     const double memory = contact->history[CLOD_HISTORY[CLOD_HISTORY_PLASTIC].first];
     const double pressed = clod_law_cycle_pressed(law, memory);
     return (clod_contact_strength){clod_law_cycle_pull(law, r_star, pressed).force,
@@ -63,5 +62,6 @@ clod_contact_source clod_step_contacts(clod_step *self, clod_step_reader *reader
     }
     source.laws = self;
     source.strength = strength_of;
+    source.force = clod_step_force_of;
     return source;
 }

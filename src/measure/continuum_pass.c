@@ -1,0 +1,183 @@
+#include "measure/continuum_pass.h"
+
+#include <math.h>
+
+#include "base/memory.h"
+#include "measure/continuum_sums.h"
+
+#define AT_A_TIME 256 // contacts
+#define IMAGES 27
+
+/** What a pass works with. */
+typedef struct pass {
+    const clod_state *state;
+    clod_continuum_sums **sums; ///< [count] owned
+    size_t count;
+    int32_t *partners; ///< [grains] owned, contacts of each
+    int images;
+    double image[IMAGES][3]; ///< m, by which images of the domain are shifted; the first by 0
+} pass;
+
+static void list_images(pass *self)
+{
+    const clod_domain *domain = &self->state->domain;
+    self->images = 1;
+    for (int k = 0; k < IMAGES; k++) {
+        const int at[3] = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+        bool real = at[0] != 0 || at[1] != 0 || at[2] != 0;
+        for (int a = 0; a < 3; a++) {
+            real = real && (at[a] == 0 || domain->periodic[a]);
+        }
+        for (int a = 0; real && a < 3; a++) {
+            self->image[self->images][a] = at[a] * (domain->max[a] - domain->min[a]);
+        }
+        self->images += real;
+    }
+}
+
+/** Shift that brings a point into the domain, along one axis [m]: grains leave it a little on
+ *  periodic sides. */
+static double shift_of(const clod_domain *domain, int axis, double at)
+{
+    const double low = domain->min[axis], period = domain->max[axis] - low;
+    return domain->periodic[axis] ? -period * floor((at - low) / period) : 0.0;
+}
+
+/** A branch with all its images that reach a field. */
+static void spread_contact(const pass *self, const double end[3],
+                           const clod_contact_force *told, bool wall)
+{
+    double shift[3];
+    for (int a = 0; a < 3; a++) {
+        shift[a] = shift_of(&self->state->domain, a, end[a]);
+    }
+    for (int k = 0; k < self->images; k++) {
+        double from[3], to[3], low[3], high[3];
+        for (int a = 0; a < 3; a++) {
+            from[a] = told->from[a] + shift[a] + self->image[k][a];
+            to[a] = end[a] + shift[a] + self->image[k][a];
+            low[a] = fmin(from[a], to[a]);
+            high[a] = fmax(from[a], to[a]);
+        }
+        for (size_t f = 0; f < self->count; f++) {
+            if (clod_continuum_sums_reached(self->sums[f], low, high)) {
+                clod_continuum_sums_contact(self->sums[f], from, to, told->force, wall);
+            }
+        }
+    }
+}
+
+/** A contact, seen from the grain with the smaller id whatever the order of the rows. */
+static void add_contact(pass *self, const clod_contact_source *contacts,
+                        const clod_contact *contact)
+{
+    const clod_grains *grains = &self->state->grains;
+    const bool wall = contact->shape >= 0;
+    clod_contact seen = *contact;
+    self->partners[contact->i]++;
+    if (!wall) {
+        self->partners[contact->j]++;
+        if (grains->id[contact->i] > grains->id[contact->j]) {
+            clod_contact_turn(&seen);
+        }
+    }
+    if (contacts->force != NULL) {
+        const clod_contact_force told = contacts->force(contacts->laws, &seen);
+        spread_contact(self, grains->position[seen.i], &told, wall);
+    }
+}
+
+static void add_contacts(pass *self, const clod_contact_source *contacts)
+{
+    clod_contact some[AT_A_TIME];
+    size_t pairs, walls, count;
+    contacts->begin(contacts->context, &pairs, &walls);
+    do {
+        count = contacts->next(contacts->context, some, AT_A_TIME);
+        for (size_t k = 0; k < count; k++) {
+            add_contact(self, contacts, &some[k]);
+        }
+    } while (count == AT_A_TIME);
+}
+
+/** A grain's sums for a kernel of 1/m3; numbers of grains times `scale` cubed. */
+static void sums_of(const clod_grains *grains, size_t g, int32_t partners, double scale,
+                    double sum[CLOD_CONTINUUM_GRAIN_SUMS])
+{
+    const double *v = grains->velocity[g], mass = v[3], radius = grains->position[g][3];
+    const double volume = 4.0 / 3.0 * M_PI * radius * radius * radius;
+    const double number = scale * scale * scale;
+    sum[CLOD_CONTINUUM_MASS] = mass;
+    for (int a = 0; a < 3; a++) {
+        sum[CLOD_CONTINUUM_MOMENTUM + a] = mass * v[a];
+        sum[CLOD_CONTINUUM_FLUX + a] = mass * v[a] * v[a];
+    }
+    sum[CLOD_CONTINUUM_FLUX + 3] = mass * v[0] * v[1];
+    sum[CLOD_CONTINUUM_FLUX + 4] = mass * v[0] * v[2];
+    sum[CLOD_CONTINUUM_FLUX + 5] = mass * v[1] * v[2];
+    sum[CLOD_CONTINUUM_VOLUME] = volume;
+    sum[CLOD_CONTINUUM_NUMBER] = number;
+    sum[CLOD_CONTINUUM_PARTNERS] = number * partners;
+    sum[CLOD_CONTINUUM_RADIUS] = volume * radius;
+}
+
+static void add_grain(const pass *self, const clod_continuum_part *parts, size_t g)
+{
+    const clod_grains *grains = &self->state->grains;
+    const double *p = grains->position[g];
+    double shift[3];
+    for (int a = 0; a < 3; a++) {
+        shift[a] = shift_of(&self->state->domain, a, p[a]);
+    }
+    for (int k = 0; k < self->images; k++) {
+        double at[3];
+        for (int a = 0; a < 3; a++) {
+            at[a] = p[a] + shift[a] + self->image[k][a];
+        }
+        for (size_t f = 0; f < self->count; f++) {
+            if (clod_continuum_sums_reached(self->sums[f], at, at)) {
+                double sum[CLOD_CONTINUUM_GRAIN_SUMS];
+                sums_of(grains, g, self->partners[g], parts[f].field->scale, sum);
+                clod_continuum_sums_grain(self->sums[f], at, sum);
+            }
+        }
+    }
+}
+
+static bool open(pass *self, const clod_continuum_part *parts)
+{
+    self->sums = clod_memory_alloc(self->count, sizeof(clod_continuum_sums *));
+    self->partners = clod_memory_alloc(self->state->grains.count + 1, sizeof *self->partners);
+    bool good = self->sums != NULL && self->partners != NULL;
+    for (size_t f = 0; good && f < self->count; f++) {
+        self->sums[f] = clod_continuum_sums_open(parts[f].field);
+        good = self->sums[f] != NULL;
+    }
+    return good;
+}
+
+bool clod_continuum_pass(const clod_continuum_part *parts, size_t count,
+                         const clod_state *state, const clod_contact_source *contacts,
+                         clod_status *status)
+{
+    pass self = {.state = state, .count = count};
+    const bool good = open(&self, parts);
+    if (good) {
+        list_images(&self);
+        add_contacts(&self, contacts);
+        for (size_t g = 0; g < state->grains.count; g++) {
+            add_grain(&self, parts, g);
+        }
+    } else {
+        clod_status_fail(status, CLOD_FAILED, "no memory for a sample of %zu fields", count);
+    }
+    for (size_t f = 0; self.sums != NULL && f < count; f++) {
+        if (good) {
+            clod_continuum_sums_take(self.sums[f], parts[f].to);
+        }
+        clod_continuum_sums_close(&self.sums[f]);
+    }
+    clod_memory_free(self.sums);
+    clod_memory_free(self.partners);
+    return good;
+}

@@ -1,0 +1,27 @@
+#pragma once
+/**
+ * @file continuum_pass.h
+ * One pass over all contacts and grains for several fields.
+ */
+
+#include "measure/continuum.h"
+#include "state/contact_source.h"
+
+/** One field of a pass. */
+typedef struct clod_continuum_part {
+    const clod_continuum *field;
+    double (*to)[CLOD_CONTINUUM_SUMS]; ///< [clod_continuum_points] [in,out] a sample is added
+} clod_continuum_part;
+
+/**
+ * Sample the fields at this moment. In periodic directions grains and branches count with their
+ * images: regions lie within the domain there and kernels are no wider than half of it, so each
+ * counts once.
+ *
+ * @param contacts  with laws; without them there are no stresses
+ * Errors  CLOD_FAILED: memory; nothing is added then.   Threads  one per state.
+ * Test    tests/measure/test_continuum_pass.c
+ */
+bool clod_continuum_pass(const clod_continuum_part *parts, size_t count,
+                         const clod_state *state, const clod_contact_source *contacts,
+                         clod_status *status);

@@ -1,0 +1,231 @@
+#include "measure/continuum_sums.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "measure/lucy.h"
+#include "parallel/fixed.h"
+
+#define BLOCKS ((CLOD_CONTINUUM_SUMS + CLOD_FIXED_COLUMNS - 1) / CLOD_FIXED_COLUMNS)
+#define COLUMNS (BLOCKS * CLOD_FIXED_COLUMNS)
+/** Blocks of grains and of contacts. */
+#define GRAIN_BLOCKS ((CLOD_CONTINUUM_GRAIN_SUMS + CLOD_FIXED_COLUMNS - 1) / CLOD_FIXED_COLUMNS)
+#define CONTACT_BLOCK (CLOD_CONTINUUM_CONTACT / CLOD_FIXED_COLUMNS)
+
+/** The sums of one point. */
+typedef struct point {
+    clod_fixed sum[BLOCKS];
+    _Alignas(64) int64_t addends; ///< since the last carry
+} point;
+
+struct clod_continuum_sums {
+    const clod_continuum *field;
+    double weight; ///< 1/m3, of a region
+    point *point;  ///< [clod_continuum_points]
+};
+
+clod_continuum_sums *clod_continuum_sums_open(const clod_continuum *field)
+{
+    clod_continuum_sums *self = clod_memory_alloc(1, sizeof *self);
+    if (self == NULL) {
+        return NULL;
+    }
+    *self = (clod_continuum_sums){
+        .field = field,
+        .weight = field->cell > 0.0 ? 0.0 : 1.0 / clod_continuum_volume(&field->region),
+        .point = clod_memory_alloc((size_t)clod_continuum_points(field), sizeof *self->point)};
+    if (self->point == NULL) {
+        clod_continuum_sums_close(&self);
+    }
+    return self;
+}
+
+void clod_continuum_sums_close(clod_continuum_sums **self)
+{
+    if (*self != NULL) {
+        clod_memory_free((*self)->point);
+        clod_memory_free(*self);
+        *self = NULL;
+    }
+}
+
+/** Add columns [8 first, 8 last) with a weight. */
+static void add(point *to, const double sum[COLUMNS], double weight, int first, int last)
+{
+    for (int b = first; b < last; b++) {
+        double addend[CLOD_FIXED_COLUMNS];
+        for (int c = 0; c < CLOD_FIXED_COLUMNS; c++) {
+            addend[c] = weight * sum[b * CLOD_FIXED_COLUMNS + c];
+        }
+        clod_fixed_add(&to->sum[b], addend);
+    }
+    if (++to->addends == CLOD_FIXED_ADDENDS) {
+        for (int b = 0; b < BLOCKS; b++) {
+            clod_fixed_carry(&to->sum[b]);
+        }
+        to->addends = 0;
+    }
+}
+
+/** Cells whose middles may be in a box, along each axis; none: last < first. */
+typedef struct range {
+    int64_t first[3], last[3];
+} range;
+
+static range range_of(const clod_continuum *field, const double low[3], const double high[3],
+                      double reach)
+{
+    range self;
+    for (int a = 0; a < 3; a++) {
+        const double begin = (low[a] - reach - field->region.low[a]) / field->cell - 0.5;
+        const double end = (high[a] + reach - field->region.low[a]) / field->cell - 0.5;
+        self.first[a] = (int64_t)fmax(0.0, ceil(fmin(begin, (double)field->cells[a])));
+        self.last[a] = (int64_t)fmin((double)field->cells[a] - 1.0, floor(fmax(end, -1.0)));
+    }
+    return self;
+}
+
+/** The next cell of a range behind `at`; false behind the last. */
+static bool next_cell(const range *self, int64_t at[3])
+{
+    for (int a = 0; a < 3; a++) {
+        if (++at[a] <= self->last[a]) {
+            return true;
+        }
+        at[a] = self->first[a];
+    }
+    return false;
+}
+
+static bool begin_cells(const range *self, int64_t at[3])
+{
+    memcpy(at, self->first, sizeof self->first);
+    return self->first[0] <= self->last[0] && self->first[1] <= self->last[1] &&
+           self->first[2] <= self->last[2];
+}
+
+/** A cell with its middle. */
+static point *cell_at(const clod_continuum_sums *self, const int64_t at[3], double middle[3])
+{
+    const clod_continuum *field = self->field;
+    for (int a = 0; a < 3; a++) {
+        middle[a] = field->region.low[a] + field->cell * ((double)at[a] + 0.5);
+    }
+    return &self->point[(at[2] * field->cells[1] + at[1]) * field->cells[0] + at[0]];
+}
+
+static double square_between(const double a[3], const double b[3])
+{
+    double square = 0.0;
+    for (int d = 0; d < 3; d++) {
+        square += (a[d] - b[d]) * (a[d] - b[d]);
+    }
+    return square;
+}
+
+void clod_continuum_sums_grain(clod_continuum_sums *self, const double at[3], const double *sum)
+{
+    double all[COLUMNS] = {0};
+    memcpy(all, sum, CLOD_CONTINUUM_GRAIN_SUMS * sizeof *sum);
+    const clod_continuum *field = self->field;
+    if (field->cell == 0.0) {
+        if (clod_outlet_has(&field->region, at)) {
+            add(self->point, all, self->weight, 0, GRAIN_BLOCKS);
+        }
+        return;
+    }
+    const range cells = range_of(field, at, at, field->width);
+    int64_t k[3];
+    for (bool more = begin_cells(&cells, k); more; more = next_cell(&cells, k)) {
+        double middle[3];
+        point *to = cell_at(self, k, middle);
+        const double weight = clod_lucy(field->width, square_between(at, middle));
+        if (weight > 0.0) {
+            add(to, all, weight, 0, GRAIN_BLOCKS);
+        }
+    }
+}
+
+/** Spread a branch, and the force of a wall at its beginning, over a grid. */
+static void spread(clod_continuum_sums *self, const clod_lucy_line *line, const double to[3],
+                   const double stress[COLUMNS], const double *push)
+{
+    const clod_continuum *field = self->field;
+    double low[3], high[3];
+    for (int a = 0; a < 3; a++) {
+        low[a] = fmin(line->from[a], to[a]);
+        high[a] = fmax(line->from[a], to[a]);
+    }
+    const range cells = range_of(field, low, high, field->width);
+    int64_t k[3];
+    for (bool more = begin_cells(&cells, k); more; more = next_cell(&cells, k)) {
+        double middle[3];
+        point *at = cell_at(self, k, middle);
+        const double along = clod_lucy_along(field->width, line, middle);
+        const double here =
+            push != NULL ? clod_lucy(field->width, square_between(line->from, middle)) : 0.0;
+        if (along > 0.0) {
+            add(at, stress, along, CONTACT_BLOCK, BLOCKS);
+        }
+        if (here > 0.0) {
+            add(at, push, here, CONTACT_BLOCK, BLOCKS);
+        }
+    }
+}
+
+void clod_continuum_sums_contact(clod_continuum_sums *self, const double from[3],
+                                 const double to[3], const double force[3], bool wall)
+{
+    const clod_continuum *field = self->field;
+    double stress[COLUMNS] = {0}, push[COLUMNS] = {0};
+    for (int a = 0; a < 3; a++) {
+        for (int b = 0; b < 3; b++) {
+            stress[CLOD_CONTINUUM_CONTACT + 3 * a + b] = force[a] * (to[b] - from[b]);
+        }
+        push[CLOD_CONTINUUM_WALL_FORCE + a] = force[a] * field->scale;
+    }
+    if (field->cell > 0.0) {
+        const clod_lucy_line line = clod_lucy_line_of(from, to);
+        spread(self, &line, to, stress, wall ? push : NULL);
+        return;
+    }
+    const double share = clod_continuum_share(&field->region, from, to);
+    if (share > 0.0) {
+        add(self->point, stress, share * self->weight, CONTACT_BLOCK, BLOCKS);
+    }
+    if (wall && clod_outlet_has(&field->region, from)) {
+        add(self->point, push, self->weight, CONTACT_BLOCK, BLOCKS);
+    }
+}
+
+bool clod_continuum_sums_reached(const clod_continuum_sums *self, const double low[3],
+                                 const double high[3])
+{
+    bool reached = true;
+    const clod_outlet *region = &self->field->region;
+    const double reach = self->field->cell > 0.0 ? self->field->width : 0.0;
+    for (int a = 0; a < 3; a++) {
+        const double end =
+            self->field->cell > 0.0
+                ? region->low[a] + self->field->cell * (double)self->field->cells[a]
+                : region->high[a];
+        reached = reached && high[a] + reach >= region->low[a] && low[a] - reach <= end;
+    }
+    return reached;
+}
+
+void clod_continuum_sums_take(const clod_continuum_sums *self,
+                              double (*to)[CLOD_CONTINUUM_SUMS])
+{
+    const int64_t points = clod_continuum_points(self->field);
+    for (int64_t p = 0; p < points; p++) {
+        double all[COLUMNS];
+        for (int b = 0; b < BLOCKS; b++) {
+            clod_fixed_value(&self->point[p].sum[b], &all[b * CLOD_FIXED_COLUMNS]);
+        }
+        for (int c = 0; c < CLOD_CONTINUUM_SUMS; c++) {
+            to[p][c] += all[c];
+        }
+    }
+}

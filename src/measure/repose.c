@@ -1,0 +1,211 @@
+#include "measure/repose.h"
+
+#include <math.h>
+
+#include "base/memory.h"
+#include "parallel/exact.h"
+
+/** Strips of a flank below which it has no angle. */
+#define LEAST 3
+/** Height of a cell that is no part of the surface [m]. */
+#define OUTSIDE (-1.0)
+
+bool clod_repose_center(const clod_outlet *region, const clod_grains *grains, double center[2])
+{
+    clod_exact mass = {.pending = 0}, moment[2] = {{.pending = 0}, {.pending = 0}};
+    for (size_t g = 0; g < grains->count; g++) {
+        const double *p = grains->position[g], m = grains->velocity[g][3];
+        if (clod_outlet_has(region, p)) {
+            clod_exact_add(&mass, m);
+            clod_exact_add(&moment[0], m * p[0]);
+            clod_exact_add(&moment[1], m * p[1]);
+        }
+    }
+    const double all = clod_exact_value(&mass);
+    center[0] = clod_exact_value(&moment[0]) / all;
+    center[1] = clod_exact_value(&moment[1]) / all;
+    return all > 0.0;
+}
+
+/** Strips, each cut into cells across. */
+typedef struct strips {
+    int64_t count;
+    int64_t *first; ///< [count + 1] of the cells of each
+    double *top;    ///< [first[count]] m, highest point of any grain; 0: none, or OUTSIDE
+    bool *used;     ///< [count] some grain is in it
+    double low[2];  ///< m, least along and across a slope
+} strips;
+
+static double along(const clod_repose *self, double x, double y)
+{
+    return self->direction[0] * x + self->direction[1] * y;
+}
+
+static double across(const clod_repose *self, double x, double y)
+{
+    return self->direction[0] * y - self->direction[1] * x;
+}
+
+/** Lengths of the region along and across a slope, or its farthest point from the axis [m]. */
+static void measure_region(const clod_repose *self, strips *to, double length[2])
+{
+    const double *low = self->region.low, *high = self->region.high;
+    double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY}, far = 0.0;
+    for (int c = 0; c < 4; c++) {
+        const double x = c % 2 == 0 ? low[0] : high[0], y = c < 2 ? low[1] : high[1];
+        const double at[2] = {along(self, x, y), across(self, x, y)};
+        for (int a = 0; a < 2; a++) {
+            least[a] = fmin(least[a], at[a]);
+            most[a] = fmax(most[a], at[a]);
+        }
+        far = fmax(far, hypot(x - self->center[0], y - self->center[1]));
+    }
+    for (int a = 0; a < 2; a++) {
+        to->low[a] = least[a];
+        length[a] = self->slope ? most[a] - least[a] : far;
+    }
+}
+
+/** Cells of a strip: about as long as wide. */
+static int64_t cells_of(const clod_repose *self, int64_t strip, double width)
+{
+    const double length = self->slope ? width / self->cell : 2.0 * M_PI * ((double)strip + 0.5);
+    return (int64_t)fmax(1.0, floor(length));
+}
+
+/** Whether the middle of a cell is within the region, seen from above. */
+static bool is_inside(const clod_repose *self, const strips *of, int64_t strip, int64_t cell)
+{
+    const int64_t cells = of->first[strip + 1] - of->first[strip];
+    const double way = ((double)strip + 0.5) * self->cell;
+    double p[3] = {0.0, 0.0, self->region.low[2]};
+    if (self->slope) {
+        const double *n = self->direction, u = of->low[0] + way;
+        const double v = of->low[1] + ((double)cell + 0.5) * self->cell;
+        p[0] = n[0] * u - n[1] * v;
+        p[1] = n[1] * u + n[0] * v;
+    } else {
+        const double turn = 2.0 * M_PI * ((double)cell + 0.5) / (double)cells;
+        p[0] = self->center[0] + way * cos(turn);
+        p[1] = self->center[1] + way * sin(turn);
+    }
+    return clod_outlet_has(&self->region, p);
+}
+
+static bool strips_open(const clod_repose *self, strips *to)
+{
+    double length[2];
+    *to = (strips){.count = 0};
+    measure_region(self, to, length);
+    to->count = 1 + (int64_t)floor(length[0] / self->cell);
+    to->first = clod_memory_alloc((size_t)to->count + 1, sizeof *to->first);
+    to->used = clod_memory_alloc((size_t)to->count, sizeof *to->used);
+    for (int64_t s = 0; to->first != NULL && s < to->count; s++) {
+        to->first[s + 1] = to->first[s] + cells_of(self, s, length[1]);
+    }
+    if (to->first != NULL) {
+        to->top = clod_memory_alloc((size_t)to->first[to->count], sizeof *to->top);
+    }
+    for (int64_t s = 0; to->top != NULL && s < to->count; s++) {
+        for (int64_t c = to->first[s]; c < to->first[s + 1]; c++) {
+            to->top[c] = is_inside(self, to, s, c - to->first[s]) ? 0.0 : OUTSIDE;
+        }
+    }
+    return to->top != NULL && to->used != NULL;
+}
+
+static void strips_close(strips *self)
+{
+    clod_memory_free(self->first);
+    clod_memory_free(self->top);
+    clod_memory_free(self->used);
+}
+
+/** A grain in its cell. */
+static void add_grain(const clod_repose *self, strips *to, const double p[4])
+{
+    const double x = p[0] - self->center[0], y = p[1] - self->center[1];
+    const double way = self->slope ? along(self, p[0], p[1]) - to->low[0] : hypot(x, y);
+    const int64_t strip = (int64_t)fmin(floor(way / self->cell), (double)to->count - 1.0);
+    const int64_t cells = to->first[strip + 1] - to->first[strip];
+    const double turn = atan2(y, x) / (2.0 * M_PI);
+    const double place = self->slope ? (across(self, p[0], p[1]) - to->low[1]) / self->cell
+                                     : (turn - floor(turn)) * (double)cells;
+    const int64_t cell = (int64_t)fmin(fmax(place, 0.0), (double)cells - 1.0);
+    double *top = &to->top[to->first[strip] + cell];
+    *top = fmax(*top, p[2] + p[3] - self->region.low[2]);
+    to->used[strip] = true;
+}
+
+/** Mean height of a strip: cells of the region without a grain are ground. */
+static double height_of(const strips *self, int64_t strip)
+{
+    double sum = 0.0, cells = 0.0;
+    for (int64_t c = self->first[strip]; c < self->first[strip + 1]; c++) {
+        if (self->top[c] >= 0.0) {
+            sum += self->top[c];
+            cells += 1.0;
+        }
+    }
+    return sum / cells; // of a strip with a grain
+}
+
+/** Straight line through the strips between two heights. */
+static void fit(const strips *self, double cell, double low, double high,
+                clod_repose_angle *found)
+{
+    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, n = 0.0;
+    for (int pass = 0; pass < 2; pass++) { // means first
+        for (int64_t s = 0; s < self->count; s++) {
+            const double height = self->used[s] ? height_of(self, s) : OUTSIDE;
+            const double at = ((double)s + 0.5) * cell;
+            if (height < low || height > high) {
+                continue;
+            }
+            if (pass == 0) {
+                n += 1.0;
+                x += at;
+                y += height;
+            } else {
+                xx += (at - x / n) * (at - x / n);
+                xy += (at - x / n) * (height - y / n);
+                yy += (height - y / n) * (height - y / n);
+            }
+        }
+    }
+    found->strips = (int64_t)n;
+    if (n >= LEAST) {
+        const double slope = xy / xx;
+        const double left = fmax(0.0, yy - slope * xy) / (n - 2.0);
+        found->angle = atan(-slope);
+        found->error = sqrt(left / xx) / (1.0 + slope * slope);
+    }
+}
+
+bool clod_repose_find(const clod_repose *self, const clod_grains *grains,
+                      clod_repose_angle *found, clod_status *status)
+{
+    strips surface;
+    const bool good = strips_open(self, &surface);
+    *found = (clod_repose_angle){(double)NAN, (double)NAN, (double)NAN, 0};
+    if (good) {
+        for (size_t g = 0; g < grains->count; g++) {
+            if (clod_outlet_has(&self->region, grains->position[g])) {
+                add_grain(self, &surface, grains->position[g]);
+            }
+        }
+        for (int64_t s = 0; s < surface.count; s++) {
+            if (surface.used[s]) {
+                found->height = fmax(found->height, height_of(&surface, s)); // NAN is less
+            }
+        }
+        if (found->height > 0.0) {
+            fit(&surface, self->cell, self->from * found->height, self->to * found->height,
+                found);
+        }
+    } else {
+        clod_status_fail(status, CLOD_FAILED, "no memory for the surface of a heap");
+    }
+    strips_close(&surface);
+    return good;
+}

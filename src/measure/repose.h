@@ -1,0 +1,41 @@
+#pragma once
+/**
+ * @file repose.h
+ * Angle of the surface of a heap or a slope. The surface is that of the highest grain of each cell,
+ * averaged over the cells of a strip: a ring about the axis of a round heap, or a strip across the
+ * direction of a slope. The angle is that of the straight line through the strips of the flank.
+ *
+ * Source  our choice; docs/mixing.md.   Test  tests/measure/test_repose.c
+ */
+
+#include "state/state.h"
+
+/** How the surface is cut. */
+typedef struct clod_repose {
+    clod_outlet region;
+    double cell;         ///< m
+    bool slope;          ///< along `direction`; else round about `center`
+    double center[2];    ///< m
+    double direction[2]; ///< unit, level
+    double from, to;     ///< of the height: ends of the flank
+} clod_repose;
+
+/** What came of it; NAN where there is none. */
+typedef struct clod_repose_angle {
+    double angle;   ///< rad, positive where it falls outwards or along the direction
+    double error;   ///< rad, standard error of the line
+    double height;  ///< m, of the highest strip, over the region's bottom
+    int64_t strips; ///< of the flank; with fewer than three there is no angle
+} clod_repose_angle;
+
+/** Centre of mass of the grains in a region, seen from above; false when there is none. */
+bool clod_repose_center(const clod_outlet *region, const clod_grains *grains, double center[2]);
+
+/**
+ * The angle of the grains in the region, which may stand in any order.
+ *
+ * @param found  [out]
+ * Errors  CLOD_FAILED: memory.   Threads  pure.
+ */
+bool clod_repose_find(const clod_repose *self, const clod_grains *grains,
+                      clod_repose_angle *found, clod_status *status);

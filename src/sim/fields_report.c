@@ -1,0 +1,148 @@
+// What fields leave at the end: lines of the report, their object in the summary.
+
+#include <inttypes.h>
+#include <math.h>
+
+#include "base/json.h"
+#include "sim/fields.h"
+
+// ---- means over regions
+
+/** Means over the steady time, and the standard deviation of those of its blocks. */
+typedef struct means {
+    int64_t samples;
+    double mean[CLOD_CONTINUUM_NUMBERS];
+    double deviation[CLOD_CONTINUUM_NUMBERS];
+} means;
+
+static void fill(double *values, int count, double with)
+{
+    for (int k = 0; k < count; k++) {
+        values[k] = with;
+    }
+}
+
+static means means_of(const clod_continuum *field, const clod_field_memory *memory)
+{
+    means self = {.samples = clod_fields_samples(memory)};
+    double whole[CLOD_CONTINUUM_SUMS] = {0};
+    double values[CLOD_STEADY_BLOCKS][CLOD_CONTINUUM_NUMBERS];
+    fill(self.mean, CLOD_CONTINUUM_NUMBERS, (double)NAN);
+    for (int b = 0; b < CLOD_STEADY_BLOCKS; b++) {
+        for (int k = 0; k < CLOD_CONTINUUM_SUMS; k++) {
+            whole[k] += memory->block[b][k];
+        }
+        fill(values[b], CLOD_CONTINUUM_NUMBERS, (double)NAN);
+        if (memory->samples[b] > 0) {
+            clod_continuum_values(field, memory->block[b], (double)memory->samples[b],
+                                  values[b]);
+        }
+    }
+    if (self.samples > 0) {
+        clod_continuum_values(field, whole, (double)self.samples, self.mean);
+    }
+    for (int v = 0; v < CLOD_CONTINUUM_NUMBERS; v++) {
+        double each[CLOD_STEADY_BLOCKS];
+        for (int b = 0; b < CLOD_STEADY_BLOCKS; b++) {
+            each[b] = values[b][v];
+        }
+        self.deviation[v] = clod_steady_time_deviation(each, CLOD_STEADY_BLOCKS);
+    }
+    return self;
+}
+
+static void report_mean(FILE *out, const char *name, const means *self)
+{
+    const double *mean = self->mean;
+    const double *v = mean + CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_VELOCITY].first;
+    fprintf(out, "  field %-15s ", name);
+    if (self->samples == 0) {
+        fputs("no sample in the steady time\n", out);
+        return;
+    }
+    fprintf(out,
+            "%.4g kg/m3, solid fraction %.4g, velocity (%.4g, %.4g, %.4g) m/s, pressure %.4g "
+            "+- %.2g Pa\n",
+            mean[CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_DENSITY].first],
+            mean[CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_SOLID].first], v[0], v[1], v[2],
+            mean[CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_PRESSURE].first],
+            self->deviation[CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_PRESSURE].first]);
+}
+
+/** Numbers of one value, an array where it has several. */
+static json_t *numbers_json(const double *numbers, const clod_continuum_value *value)
+{
+    if (value->components == 1) {
+        return clod_json_number(numbers[value->first]);
+    }
+    json_t *array = json_array();
+    for (int c = 0; c < value->components; c++) {
+        json_array_append_new(array, clod_json_number(numbers[value->first + c]));
+    }
+    return array;
+}
+
+static void put_means(json_t *object, const means *self)
+{
+    for (int v = 0; v < CLOD_CONTINUUM_VALUES; v++) {
+        const clod_continuum_value *value = &CLOD_CONTINUUM_VALUE[v];
+        json_object_set_new(object, value->key,
+                            json_pack("{s:o, s:o}", "mean", numbers_json(self->mean, value),
+                                      "deviation", numbers_json(self->deviation, value)));
+    }
+}
+
+// ---- the measure
+
+void clod_fields_report(FILE *out, const void *memory, const clod_free_moment *now)
+{
+    for (size_t k = 0; k < now->from->field_count; k++) {
+        const clod_case_field *asked = &now->from->fields[k];
+        const clod_continuum field = clod_fields_make(asked);
+        const clod_field_memory *mine = clod_fields_memory(memory, k);
+        if (asked->cell == 0.0) {
+            const means of = means_of(&field, mine);
+            report_mean(out, asked->name, &of);
+        } else {
+            fprintf(out,
+                    "  field %-15s %" PRId64 " of %" PRId64
+                    " cells have something, mean of %" PRId64 " samples (field_%s.hdf)\n",
+                    asked->name,
+                    clod_fields_used(&field, clod_fields_grid(memory, now->from, k)),
+                    clod_continuum_points(&field), clod_fields_samples(mine), asked->name);
+        }
+    }
+}
+
+json_t *clod_fields_json(const void *memory, const clod_free_moment *now)
+{
+    if (now->from->field_count == 0) {
+        return NULL;
+    }
+    json_t *all = json_object();
+    for (size_t k = 0; k < now->from->field_count; k++) {
+        const clod_case_field *asked = &now->from->fields[k];
+        const clod_continuum field = clod_fields_make(asked);
+        const clod_field_memory *mine = clod_fields_memory(memory, k);
+        json_t *one = json_pack("{s:f, s:I}", "since_s", now->steady.since, "samples",
+                                (json_int_t)clod_fields_samples(mine));
+        if (asked->cell == 0.0) {
+            const means of = means_of(&field, mine);
+            json_object_set_new(one, "volume_m3",
+                                json_real(clod_continuum_volume(&field.region)));
+            put_means(one, &of);
+        } else {
+            const int64_t used =
+                clod_fields_used(&field, clod_fields_grid(memory, now->from, k));
+            json_object_set_new(one, "cells",
+                                json_pack("[III]", (json_int_t)field.cells[0],
+                                          (json_int_t)field.cells[1],
+                                          (json_int_t)field.cells[2]));
+            json_object_set_new(one, "used_cells", json_integer((json_int_t)used));
+            json_object_set_new(one, "cell_m", json_real(field.cell));
+            json_object_set_new(one, "width_m", json_real(field.width));
+        }
+        json_object_set_new(all, asked->name, one);
+    }
+    return all;
+}

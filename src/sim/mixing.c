@@ -1,0 +1,185 @@
+#include "sim/mixing.h"
+
+#include <math.h>
+
+#include "base/json.h"
+#include "base/memory.h"
+#include "measure/mixing.h"
+#include "setup/domain.h"
+
+/** Columns of each index. */
+static const char *const COLUMN[] = {"lacey [1]", "variance [1]", "random_variance [1]",
+                                     "share [1]", "grains_per_cell [1]"};
+#define COLUMNS (sizeof COLUMN / sizeof *COLUMN)
+
+/** What one remembers. */
+typedef struct mixing_memory {
+    clod_mixing now; ///< of the last look
+    clod_mixing_mean mean;
+} mixing_memory;
+
+void clod_mixing_mean_note(clod_mixing_mean *self, const clod_free_moment *now, double value)
+{
+    const int block = clod_steady_time_block(&now->steady, now->state->time);
+    if (block >= 0 && !isnan(value)) {
+        self->samples[block]++;
+        self->sum[block] += value;
+    }
+}
+
+void clod_mixing_mean_of(const clod_mixing_mean *self, double *mean, double *deviation)
+{
+    double each[CLOD_STEADY_BLOCKS], sum = 0.0;
+    int64_t samples = 0;
+    for (int b = 0; b < CLOD_STEADY_BLOCKS; b++) {
+        each[b] = self->sum[b] / (double)self->samples[b]; // NAN without samples
+        sum += self->sum[b];
+        samples += self->samples[b];
+    }
+    *mean = sum / (double)samples;
+    *deviation = clod_steady_time_deviation(each, CLOD_STEADY_BLOCKS);
+}
+
+static size_t mixing_size(const clod_case *from)
+{
+    return from->mixing_count * sizeof(mixing_memory);
+}
+
+/** Samples of a region. */
+typedef struct grid {
+    clod_outlet region;
+    double cell;
+    int64_t cells[3];
+    clod_mixing_sample *sample; ///< owned
+} grid;
+
+static bool grid_open(grid *self, const clod_case_mixing *from)
+{
+    *self = (grid){.region = clod_setup_domain_region(&from->region), .cell = from->cell};
+    size_t count = 1;
+    for (int a = 0; a < 3; a++) {
+        const double length = self->region.high[a] - self->region.low[a];
+        // as config counts them (grid.c)
+        self->cells[a] = (int64_t)fmax(1.0, ceil(length / self->cell * (1.0 - 1e-12)));
+        count *= (size_t)self->cells[a];
+    }
+    self->sample = clod_memory_alloc(count, sizeof *self->sample);
+    return self->sample != NULL;
+}
+
+static clod_mixing_sample *sample_of(const grid *self, const double p[4])
+{
+    int64_t at[3];
+    for (int a = 0; a < 3; a++) {
+        const double k = floor((p[a] - self->region.low[a]) / self->cell);
+        at[a] = (int64_t)fmin(fmax(k, 0.0), (double)self->cells[a] - 1.0);
+    }
+    return &self->sample[(at[2] * self->cells[1] + at[1]) * self->cells[0] + at[0]];
+}
+
+static bool look_at(mixing_memory *self, const clod_case_mixing *asked,
+                    const clod_free_moment *now, clod_status *status)
+{
+    grid samples;
+    const clod_grains *grains = &now->state->grains;
+    if (!grid_open(&samples, asked)) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the samples of mixing.%s",
+                                asked->name);
+    }
+    const int material =
+        asked->material != NULL ? clod_case_material_index(now->from, asked->material) : -1;
+    for (size_t g = 0; g < grains->count; g++) {
+        const double *p = grains->position[g];
+        if (clod_outlet_has(&samples.region, p)) {
+            clod_mixing_sample *of = sample_of(&samples, p);
+            of->grains++;
+            of->first += material >= 0 ? grains->material[g] == material : p[3] > asked->above;
+        }
+    }
+    const size_t count = (size_t)(samples.cells[0] * samples.cells[1] * samples.cells[2]);
+    self->now = clod_mixing_of(samples.sample, count);
+    clod_mixing_mean_note(&self->mean, now, self->now.index);
+    clod_memory_free(samples.sample);
+    return true;
+}
+
+static bool mixing_look(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    mixing_memory *self = memory;
+    bool good = true;
+    for (size_t k = 0; good && k < now->from->mixing_count; k++) {
+        good = look_at(&self[k], &now->from->mixings[k], now, status);
+    }
+    return good;
+}
+
+static size_t mixing_columns(const clod_case *from, const clod_state *state)
+{
+    (void)state;
+    return from->mixing_count * COLUMNS;
+}
+
+static void mixing_column(const clod_case *from, const clod_state *state, size_t k, char *text,
+                          size_t size)
+{
+    (void)state;
+    snprintf(text, size, "mixing_%s.%s", from->mixings[k / COLUMNS].name, COLUMN[k % COLUMNS]);
+}
+
+static void mixing_row(void *memory, const clod_free_moment *now, double *row)
+{
+    const mixing_memory *self = memory;
+    for (size_t k = 0; k < now->from->mixing_count; k++) {
+        const clod_mixing *of = &self[k].now;
+        *row++ = of->index;
+        *row++ = of->variance;
+        *row++ = of->random;
+        *row++ = of->share;
+        *row++ = of->grains;
+    }
+}
+
+static void mixing_report(FILE *out, const void *memory, const clod_free_moment *now)
+{
+    const mixing_memory *self = memory;
+    for (size_t k = 0; k < now->from->mixing_count; k++) {
+        double mean, deviation;
+        clod_mixing_mean_of(&self[k].mean, &mean, &deviation);
+        fprintf(
+            out,
+            "  mixing %-14s Lacey's index %.4g at the end, %.4g +- %.2g in the steady time; "
+            "share %.4g, %.3g grains a cell\n",
+            now->from->mixings[k].name, self[k].now.index, mean, deviation, self[k].now.share,
+            self[k].now.grains);
+    }
+}
+
+static json_t *mixing_json(const void *memory, const clod_free_moment *now)
+{
+    const mixing_memory *self = memory;
+    json_t *all = now->from->mixing_count > 0 ? json_object() : NULL;
+    for (size_t k = 0; k < now->from->mixing_count; k++) {
+        const clod_mixing *of = &self[k].now;
+        double mean, deviation;
+        clod_mixing_mean_of(&self[k].mean, &mean, &deviation);
+        json_object_set_new(
+            all, now->from->mixings[k].name,
+            json_pack("{s:f, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "since_s",
+                      now->steady.since, "lacey", clod_json_number(of->index), "mean",
+                      clod_json_number(mean), "deviation", clod_json_number(deviation),
+                      "variance", clod_json_number(of->variance), "segregated_variance",
+                      clod_json_number(of->segregated), "random_variance",
+                      clod_json_number(of->random), "share", clod_json_number(of->share),
+                      "grains_per_cell", clod_json_number(of->grains)));
+    }
+    return all;
+}
+
+const clod_free_measure CLOD_MEASURE_MIXING = {.key = "mixing",
+                                               .size = mixing_size,
+                                               .look = mixing_look,
+                                               .columns = mixing_columns,
+                                               .column = mixing_column,
+                                               .row = mixing_row,
+                                               .report = mixing_report,
+                                               .json = mixing_json};

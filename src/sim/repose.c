@@ -1,0 +1,129 @@
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/json.h"
+#include "measure/repose.h"
+#include "setup/domain.h"
+#include "sim/mixing.h"
+
+#define DEGREE (180.0 / M_PI)
+
+/** Columns of each angle. */
+static const char *const COLUMN[] = {"repose_angle [deg]", "height [m]"};
+#define COLUMNS (sizeof COLUMN / sizeof *COLUMN)
+
+/** What one remembers. */
+typedef struct repose_memory {
+    clod_repose_angle now; ///< of the last look
+    clod_mixing_mean mean; ///< of the angle [rad]
+} repose_memory;
+
+static size_t repose_size(const clod_case *from)
+{
+    return from->repose_count * sizeof(repose_memory);
+}
+
+/** A surface of the case; about the centre of mass of now where none is given. */
+static clod_repose surface_of(const clod_case_repose *from, const clod_grains *grains)
+{
+    clod_repose self = {.region = clod_setup_domain_region(&from->region),
+                        .cell = from->cell,
+                        .slope = from->has_direction,
+                        .from = from->from,
+                        .to = from->to};
+    const double length = hypot(from->direction[0], from->direction[1]);
+    for (int a = 0; self.slope && a < 2; a++) {
+        self.direction[a] = from->direction[a] / length;
+    }
+    if (from->has_center) {
+        memcpy(self.center, from->center, sizeof self.center);
+    } else if (!self.slope && !clod_repose_center(&self.region, grains, self.center)) {
+        self.center[0] = self.center[1] = 0.0; // of nothing, which has no angle
+    }
+    return self;
+}
+
+static bool repose_look(void *memory, const clod_free_moment *now, clod_status *status)
+{
+    repose_memory *self = memory;
+    const clod_grains *grains = &now->state->grains;
+    bool good = true;
+    for (size_t k = 0; good && k < now->from->repose_count; k++) {
+        const clod_repose surface = surface_of(&now->from->reposes[k], grains);
+        good = clod_repose_find(&surface, grains, &self[k].now, status);
+        clod_mixing_mean_note(&self[k].mean, now, self[k].now.angle);
+    }
+    return good;
+}
+
+static size_t repose_columns(const clod_case *from, const clod_state *state)
+{
+    (void)state;
+    return from->repose_count * COLUMNS;
+}
+
+static void repose_column(const clod_case *from, const clod_state *state, size_t k, char *text,
+                          size_t size)
+{
+    (void)state;
+    snprintf(text, size, "repose_%s.%s", from->reposes[k / COLUMNS].name, COLUMN[k % COLUMNS]);
+}
+
+static void repose_row(void *memory, const clod_free_moment *now, double *row)
+{
+    const repose_memory *self = memory;
+    for (size_t k = 0; k < now->from->repose_count; k++) {
+        *row++ = self[k].now.angle * DEGREE;
+        *row++ = self[k].now.height;
+    }
+}
+
+static void repose_report(FILE *out, const void *memory, const clod_free_moment *now)
+{
+    const repose_memory *self = memory;
+    for (size_t k = 0; k < now->from->repose_count; k++) {
+        const clod_repose_angle *of = &self[k].now;
+        double mean, deviation;
+        clod_mixing_mean_of(&self[k].mean, &mean, &deviation);
+        fprintf(out, "  repose %-14s height %.4g m, ", now->from->reposes[k].name, of->height);
+        if (isnan(of->angle)) {
+            fprintf(out, "no angle at the end: %" PRId64 " strips of the flank\n", of->strips);
+        } else {
+            fprintf(
+                out,
+                "angle of repose %.4g +- %.2g deg at the end, %.4g +- %.2g deg in the steady "
+                "time\n",
+                of->angle * DEGREE, of->error * DEGREE, mean * DEGREE, deviation * DEGREE);
+        }
+    }
+}
+
+static json_t *repose_json(const void *memory, const clod_free_moment *now)
+{
+    const repose_memory *self = memory;
+    json_t *all = now->from->repose_count > 0 ? json_object() : NULL;
+    for (size_t k = 0; k < now->from->repose_count; k++) {
+        const clod_repose_angle *of = &self[k].now;
+        double mean, deviation;
+        clod_mixing_mean_of(&self[k].mean, &mean, &deviation);
+        json_object_set_new(
+            all, now->from->reposes[k].name,
+            json_pack("{s:f, s:o, s:o, s:o, s:o, s:o, s:I}", "since_s", now->steady.since,
+                      "angle_deg", clod_json_number(of->angle * DEGREE), "error_deg",
+                      clod_json_number(of->error * DEGREE), "mean_deg",
+                      clod_json_number(mean * DEGREE), "deviation_deg",
+                      clod_json_number(deviation * DEGREE), "height_m",
+                      clod_json_number(of->height), "strips", (json_int_t)of->strips));
+    }
+    return all;
+}
+
+const clod_free_measure CLOD_MEASURE_REPOSE = {.key = "repose",
+                                               .size = repose_size,
+                                               .look = repose_look,
+                                               .columns = repose_columns,
+                                               .column = repose_column,
+                                               .row = repose_row,
+                                               .report = repose_report,
+                                               .json = repose_json};

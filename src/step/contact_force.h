@@ -1,0 +1,21 @@
+#pragma once
+/**
+ * @file contact_force.h
+ * The force of one contact, told again from the state of the moment: positions, velocities,
+ * history, and walls as they are now. Nothing that a step has left behind is read, so one process
+ * and several ranks tell the same. Springs give what they gave in the last step; dash-pots
+ * count with the velocities of the moment, half a kick later than those that the step used.
+ *
+ * Threads  pure.   Test  tests/step/test_contact_force.c
+ */
+
+#include "law/law.h"
+#include "state/contact_source.h"
+#include "step/step.h"
+
+/** R* [m], and the law, of a contact. */
+const clod_law *clod_step_law_of(const clod_step *self, const clod_contact *contact,
+                                 double *r_star);
+
+/** @param step  a clod_step.   See clod_contact_source. */
+clod_contact_force clod_step_force_of(const void *step, const clod_contact *contact);

@@ -1,0 +1,150 @@
+"""Mixing index and angle of repose of a free run: grains that were put, same bytes."""
+
+import math
+import os
+import random
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+
+# Grains of a file that lie still.
+STILL = """\
+materials: {ore: {density: 2500 kg/m3}}
+contacts: {default: {law: hooke, k1: 1e4 N/m}}
+gravity: [0 m/s2, 0 m/s2, 0 m/s2]
+time: {step: 5e-6 s, design_stress: 100 Pa}
+domain: {min: [-0.2 m, -0.2 m, -0.1 m], max: [0.2 m, 0.2 m, 0.3 m]}
+grains: [{material: ore, file: grains.csv}]
+MEASURE
+stages: [{name: run, duration: 0.4 ms}]
+output: {series_interval: 0.1 ms}
+"""
+MIXING = """\
+mixing:
+  size:
+    region: {box: {min: [0 mm, 0 mm, 0 mm], max: [120 mm, 120 mm, 120 mm]}}
+    cell: 20 mm
+    above: 0.95 mm
+"""
+REPOSE = """\
+repose:
+  heap: {region: {annulus: {center: [0 mm, 0 mm, 0 mm], outer_radius: 90 mm, height: 100 mm}}, cell: 4 mm}
+"""
+# Two ores of two sizes fall and roll in a rotating drum.
+DRUM = """\
+materials: {red: {density: 2500 kg/m3}, blue: {density: 2500 kg/m3}}
+contacts: {default: {law: hooke, k1: 1e4 N/m, restitution: 0.5, friction: 0.5}}
+gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]
+time: {design_stress: 500 Pa}
+domain: {min: [-60 mm, 0 mm, -60 mm], max: [60 mm, 20 mm, 60 mm], periodic: [false, true, false]}
+grains:
+  - material: red
+    count: 150
+    radius: {distribution: uniform, min: 2.4 mm, max: 2.6 mm}
+    region: {box: {min: [-35 mm, 0 mm, -30 mm], max: [0 mm, 20 mm, 30 mm]}}
+  - material: blue
+    count: 150
+    radius: {distribution: uniform, min: 1.9 mm, max: 2.1 mm}
+    region: {box: {min: [0 mm, 0 mm, -30 mm], max: [35 mm, 20 mm, 30 mm]}}
+walls:
+  drum:
+    material: red
+    shapes:
+      - cylinder: {foot: [0 mm, -5 mm, 0 mm], axis: [0, 1, 0], radius: 50 mm, length: 30 mm, side: inside}
+    spin: 60 rpm
+    spin_axis: [0, 1, 0]
+    spin_point: [0 mm, 0 mm, 0 mm]
+mixing:
+  ores:
+    region: {box: {min: [-50 mm, 0 mm, -50 mm], max: [50 mm, 20 mm, 50 mm]}}
+    cell: 12 mm
+    material: red
+repose:
+  surface:
+    region: {box: {min: [-50 mm, 0 mm, -50 mm], max: [50 mm, 20 mm, 50 mm]}}
+    cell: 5 mm
+    direction: [1, 0, 0]
+    from: 0 %
+    to: 100 %
+stages: [{name: turn, duration: 0.6 s}]
+output: {series_interval: 20 ms, steady_since: 0.2 s}
+"""
+
+
+class Mixing(clod.Case):
+
+    def write(self, text, name="case.yaml"):
+        with open(self.path(name), "w") as file:
+            file.write(text)
+
+    def put(self, grains, measure):
+        """Run with grains (x, y, z, radius) in mm; the summary."""
+        lines = [f"{x:.9g},{y:.9g},{z:.9g},{r:.9g}" for x, y, z, r in grains]
+        self.write("\n".join(["x [mm],y [mm],z [mm],radius [mm]", *lines, ""]), "grains.csv")
+        self.write(STILL.replace("MEASURE\n", measure))
+        self.done = self.go("out", "1", "--fresh")
+        return self.summary("out")
+
+    def lattice(self, large):
+        """30 x 30 x 30 grains, 125 to a cell; `large` says which."""
+        places = [(2.0 + 4.0 * i, 2.0 + 4.0 * j, 2.0 + 4.0 * k)
+                  for i in range(30) for j in range(30) for k in range(30)]
+        return [(*place, 1.0 if large(place) else 0.9) for place in places]
+
+    def test_segregated_and_random(self):
+        """Layers: 0, with S^2 = p (1 - p). By chance: 1 within its scatter, and p (1 - p)/n."""
+        layers = self.put(self.lattice(lambda place: place[2] < 40.0), MIXING)["mixing"]["size"]
+        self.assertAlmostEqual(layers["share"], 1.0 / 3.0, delta=1e-12)
+        self.assertAlmostEqual(layers["variance"], 2.0 / 9.0, delta=1e-12)
+        self.assertAlmostEqual(layers["segregated_variance"], 2.0 / 9.0, delta=1e-12)
+        self.assertAlmostEqual(layers["lacey"], 0.0, delta=1e-12)
+        self.assertEqual(layers["grains_per_cell"], 125.0)
+        source = random.Random(4)
+        mixed = self.put(self.lattice(lambda place: source.random() < 0.4), MIXING)["mixing"]["size"]
+        p = mixed["share"]
+        self.assertLess(abs(p - 0.4), 0.02)
+        self.assertAlmostEqual(mixed["random_variance"], p * (1 - p) / 125, delta=1e-2 * p / 125)
+        # 216 samples: the variance scatters by sqrt(2/215) of itself
+        self.assertLess(abs(mixed["variance"] / mixed["random_variance"] - 1.0), 4 * math.sqrt(2 / 215))
+        self.assertLess(abs(mixed["lacey"] - 1.0), 4 * math.sqrt(2 / 215) / 124)
+        last = clod.table(self.path("out/series.csv"))[-1]
+        self.assertAlmostEqual(last["mixing_size.lacey"], mixed["lacey"], delta=1e-12)
+        self.assertIn("mixing size", self.done.stdout)
+
+    def test_a_cone_of_grains(self):
+        """A cone of 30 degrees, 40 mm high, its axis beside the origin: about its centre of mass."""
+        grains = []
+        for i in range(-75, 76):
+            for j in range(-75, 76):
+                top = 40.0 - math.tan(math.radians(30.0)) * math.hypot(i - 4.0, j + 3.0)
+                if top > 2.0:
+                    grains.append((i, j, top - 0.5, 0.49))
+        heap = self.put(grains, REPOSE)["repose"]["heap"]
+        self.assertLess(abs(heap["angle_deg"] - 30.0), 0.5)
+        self.assertLess(abs(heap["height_m"] - 0.040), 2e-3)
+        self.assertAlmostEqual(heap["mean_deg"], heap["angle_deg"], delta=1e-9)
+        self.assertIn("angle of repose", self.done.stdout)
+
+    def test_the_same_bytes_on_threads_and_when_interrupted(self):
+        self.write(DRUM)
+        self.go("one")
+        self.go("two", "2")
+        self.stop_after(5, "cut")
+        self.go("cut")
+        whole = clod.read(self.path("one/series.csv"))
+        self.assertEqual(whole, clod.read(self.path("two/series.csv")))
+        self.assertEqual(whole, clod.read(self.path("cut/series.csv")))
+        summaries = [clod.without_clock(clod.read(self.path(name + "/summary.json")))
+                     for name in ("one", "two", "cut")]
+        self.assertEqual(summaries[0], summaries[1])
+        self.assertEqual(summaries[0], summaries[2])
+        rows = clod.table(self.path("one/series.csv"))
+        # it turns by more than half: from nearly apart to mixed, and the surface stands askew
+        self.assertLess(rows[0]["mixing_ores.lacey"], 0.35)
+        self.assertGreater(rows[-1]["mixing_ores.lacey"], rows[0]["mixing_ores.lacey"] + 0.2)
+        self.assertGreater(abs(rows[-1]["repose_surface.repose_angle"]), 10.0)
+
+
+if __name__ == "__main__":
+    clod.main()
