@@ -93,6 +93,9 @@ typedef struct clod_check_report {
     // meshes and belts
     size_t facets, patches; ///< of all walls; patches: pieces of the smooth surface
     double memory_facets;   ///< bytes of their surfaces and shapes
+    // fields
+    double fields_clock;  ///< s of one thread for all samples at most; in the clock times below
+    double fields_memory; ///< bytes
     // run
     double time_likely, time_most;   ///< s simulated, all parts one after the other
     double steps_likely, steps_most; ///< of all parts together

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "output/folder.h"
 #include "parallel/threads.h"
+#include "sim/check_fields.h"
 #include "sim/energy_series.h"
 #include "sim/outputs.h"
 #include "sim/testers.h"
@@ -131,12 +132,20 @@ static void plan_disk(const clod_check_subject *subject, clod_check_report *repo
         columns = (double)tester->first->procedure.column_count;
     }
     plan_outputs(from, parts, report);
+    const clod_check_fields_cost fields = clod_check_fields_of(
+        from, (double)report->grains, report->step, report->time_most, report->snapshots_most);
+    report->fields_clock = fields.clock;
+    report->fields_memory = fields.memory;
+    report->clock_likely += fields.clock;
+    report->clock_most += fields.clock;
+    columns += fields.columns;
     const double grains = (double)report->grains;
     const double contacts = from->output.contacts ? CONTACTS * PICTURE_CONTACT : 0.0;
     columns += from->output.energy ? CLOD_ENERGY_SERIES_COLUMNS : 0.0;
     report->disk_series = report->rows_most * columns * NUMBER_BYTES;
-    report->disk_snapshots = report->snapshots_most *
-                             (grains * (PICTURE_GRAIN + contacts) + picture_of_facets(subject));
+    report->disk_snapshots = report->snapshots_most * (grains * (PICTURE_GRAIN + contacts) +
+                                                       picture_of_facets(subject)) +
+                             fields.disk;
     // two of each part are kept, and a third is there while it is written
     report->disk_checkpoints =
         3.0 * parts * grains * (STORED_GRAIN + CONTACTS * STORED_CONTACT);
@@ -201,7 +210,7 @@ bool clod_check_cost(const clod_check_subject *subject, clod_check_report *repor
     if (report->rate > 0.0) {
         // files are read before there are grains
         report->memory = fmax(memory_of(&bytes, (double)report->grains) * report->side_by_side +
-                                  report->memory_facets,
+                                  report->memory_facets + report->fields_memory,
                               READ_FACET * (double)report->facets) +
                          PROGRAM_BYTES;
     }

@@ -48,6 +48,8 @@ static const clod_check_real REALS[] = {
     CLOD_CHECK_REAL("wall_clock_most_s", clock_most),
     CLOD_CHECK_REAL("memory_bytes", memory),
     CLOD_CHECK_REAL("memory_facets_bytes", memory_facets),
+    CLOD_CHECK_REAL("fields_clock_s", fields_clock),
+    CLOD_CHECK_REAL("fields_memory_bytes", fields_memory),
     CLOD_CHECK_REAL("rows_most", rows_most),
     CLOD_CHECK_REAL("snapshots_most", snapshots_most),
     CLOD_CHECK_REAL("disk_series_bytes", disk_series),

@@ -117,6 +117,16 @@ static void write_contact(clod_check_page *to, const clod_check_report *r)
     }
 }
 
+/** Of fields, where there are any. */
+static void write_fields(clod_check_page *to, const clod_check_report *r)
+{
+    char a[32], b[32];
+    if (r->fields_memory > 0.0) {
+        clod_check_line(to, "", "fields take %s of it at most, on one thread, and %s",
+                        clock_words(r->fields_clock, a), byte_words(r->fields_memory, b));
+    }
+}
+
 /** What was timed; nothing when that went wrong, which a note says. */
 static void write_rate(clod_check_page *to, const clod_check_report *r)
 {
@@ -160,6 +170,7 @@ static void write_rate(clod_check_page *to, const clod_check_report *r)
         clod_check_line(to, "", "walls have %zu facets in %zu pieces of smooth surface: %s",
                         r->facets, r->patches, byte_words(r->memory_facets, a));
     }
+    write_fields(to, r);
 }
 
 static void write_cost(clod_check_page *to, const clod_check_report *r)

@@ -209,6 +209,7 @@ const clod_free_measure CLOD_MEASURE_FIELDS = {.key = "fields",
                                                .sight = fields_sight,
                                                .act = fields_act,
                                                .plan = fields_plan,
+                                               .look = fields_act, // a row has its own moment
                                                .columns = fields_columns,
                                                .column = fields_column,
                                                .row = fields_row,

@@ -105,13 +105,13 @@ class Fields(clod.Case):
                    .replace("steady_since: 0.4 s", "steady_since: 0 s"))
         self.go("out")
         rows = clod.table(self.path("out/series.csv"))
-        # samples at 0 and 10 ms, 20 and 30 ms, 40 and 50 ms: one at the moment of a row comes after it
-        for row, time in zip(rows, (0.005, 0.025, 0.045)):
+        # samples at 0, 10 and 20 ms, 30 and 40 ms, 50 and 60 ms: one at the moment of a row is in it
+        for row, time in zip(rows, (0.010, 0.035, 0.055)):
             self.assertAlmostEqual(row["field_whole.velocity_z"], -G * time, delta=2e-3)
             self.assertEqual(row["field_whole.contact_stress_zz"], 0.0)
         self.assertTrue(math.isnan(rows[0]["field_floor.velocity_z"]))
         self.assertEqual(rows[0]["field_floor.density"], 0.0)
-        self.assertEqual(self.summary("out")["fields"]["grid"]["samples"], 6)
+        self.assertEqual(self.summary("out")["fields"]["grid"]["samples"], 7)
 
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(COLUMN.replace("duration: 0.5 s", "duration: 0.3 s")
