@@ -128,13 +128,18 @@ static char *explain_all(const clod_schema *const *schemas, clod_status *status)
     return all;
 }
 
-/** Look in all kinds of file. */
-static void look_everywhere(search *self, const clod_schema *const *schemas, bool whole_paths)
+/** Look in all kinds of file: in each for the whole path, and without one for keys that end so. */
+static void look_everywhere(search *self, const clod_schema *const *schemas)
 {
-    self->whole_paths = whole_paths;
     for (size_t k = 0; schemas[k] != NULL; k++) {
+        const size_t before = self->found;
         self->schema = schemas[k];
+        self->whole_paths = true;
         clod_walk(schemas[k]->table, look, self);
+        if (self->found == before) {
+            self->whole_paths = false;
+            clod_walk(schemas[k]->table, look, self);
+        }
     }
 }
 
@@ -154,10 +159,7 @@ char *clod_schema_explain(const clod_schema *const *schemas, const char *key,
         return NULL;
     }
     self.near = clod_suggest_start(key);
-    look_everywhere(&self, schemas, true);
-    if (self.found == 0) {
-        look_everywhere(&self, schemas, false);
-    }
+    look_everywhere(&self, schemas);
     char *answer = clod_text_close(&text);
     if (self.found == 0) {
         char hint[CLOD_WALK_PATH + 32];

@@ -32,6 +32,11 @@ class Explain(clod.Case):
         for where in ("title\n", "title" + HOPPER, "title" + PLAN):
             self.assertEqual(told.count(where), 1, told)
 
+    def test_a_key_at_the_top_of_one_file_hides_none_within_others(self):
+        told = self.explain("seeds").stdout
+        for where in ("ring_shear.seeds\n", "wall_friction.seeds\n", "seeds" + PLAN):
+            self.assertEqual(told.count(where), 1, told)
+
     def test_wrong_keys_are_answered_with_the_nearest_of_all_files(self):
         for wrong, right in (("bugdet", "budget"), ("arch_thicknes", "arch_thickness"), ("kadh", "k_adh")):
             self.assertIn(f"there is no key {wrong}; did you mean {right}?", self.explain(wrong, code=2).stderr)
