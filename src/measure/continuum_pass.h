@@ -20,7 +20,7 @@ typedef struct clod_continuum_part {
  *
  * @param contacts  with laws; without them there are no stresses
  * Errors  CLOD_FAILED: memory; nothing is added then.   Threads  one per state.
- * Test    tests/measure/test_continuum_pass.c
+ * Test    tests/measure/test_continuum.c
  */
 bool clod_continuum_pass(const clod_continuum_part *parts, size_t count,
                          const clod_state *state, const clod_contact_source *contacts,

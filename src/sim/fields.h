@@ -1,6 +1,6 @@
 #pragma once
 /**
- * @file continuums.h
+ * @file fields.h
  * Fields of the case (docs/fields.md): a measure of free runs. Each is sampled at intervals of its
  * own; a grid only in the steady time, since all that it tells is its mean over that.
  */
