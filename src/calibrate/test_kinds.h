@@ -27,5 +27,5 @@ typedef struct clod_test_kind {
     const struct clod_plan_table *table; ///< of measured points; NULL: it takes none
 } clod_test_kind;
 
-/** Row of a case. Threads  pure. */
+/** Row of a case; borrowed. Threads  pure.   Test  tests/calibrate/test_test_kinds.c */
 const clod_test_kind *clod_test_kinds_of(const clod_case *from);

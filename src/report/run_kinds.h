@@ -34,7 +34,7 @@ struct clod_run_kind {
                     const json_t *lab, clod_status *status);
 };
 
-/** Row of the kind of a complete case. Threads  pure. */
+/** Row of the kind of a complete case; borrowed. Threads  pure.   Test  tests/report/test_run_kinds.c */
 const clod_run_kind *clod_run_kinds_of(const char *complete);
 
 /**
