@@ -21,6 +21,62 @@ __attribute__((format(printf, 4, 5))) static void fail(clod_loader *loader,
     clod_check_fail(loader, path, "%s", text);
 }
 
+/** End of a region's last cell along an axis [m]. */
+static double end_of(const clod_case_field *field, int axis, double cell)
+{
+    const double low = field->region.min[axis], length = field->region.max[axis] - low;
+    return low + cell * fmax(1.0, ceil(length / cell * (1.0 - 1e-12))); // as grid.c counts
+}
+
+/** First axis along which cells reach past a periodic side; 3: none. */
+static int past_side(const clod_case *self, const clod_case_field *field, double cell)
+{
+    for (int a = 0; a < 3; a++) {
+        const double period = self->domain_max[a] - self->domain_min[a];
+        if (self->periodic[a] && end_of(field, a, cell) > self->domain_max[a] + 1e-9 * period) {
+            return a;
+        }
+    }
+    return 3;
+}
+
+/** The nearest cell of which a whole number is as long as the region along an axis, and that fits
+ *  along the others too [m]; 0: none. */
+static double nearest_fit(const clod_case *self, const clod_case_field *field, int axis)
+{
+    const double length = field->region.max[axis] - field->region.min[axis];
+    const double most = fmin(CLOD_CASE_FIELD_CELLS, 4.0 * ceil(length / field->cell));
+    double best = 0.0;
+    for (double n = 1.0; n <= most; n += 1.0) {
+        const double cell = length / n;
+        if (fabs(cell - field->cell) < fabs(best - field->cell) &&
+            past_side(self, field, cell) == 3) {
+            best = cell;
+        }
+    }
+    return best;
+}
+
+/** Cells must not reach past a periodic side, where they would see again what is at the other. */
+static void check_fit(clod_loader *loader, const clod_case *self, const clod_case_field *field)
+{
+    const int a = self->has_domain ? past_side(self, field, field->cell) : 3;
+    if (a == 3) {
+        return;
+    }
+    const double end = end_of(field, a, field->cell), side = self->domain_max[a];
+    const double fit = nearest_fit(self, field, a);
+    char hint[48] = "";
+    if (fit > 0.0) {
+        snprintf(hint, sizeof hint, "make it %.13g m, or ", fit);
+    }
+    fail(
+        loader, field, "cell",
+        "the last cells end at %.6g m along %c, past the periodic side at %.6g m: grains would "
+        "count twice in the sum over cells; %send the region where a cell ends",
+        end, "xyz"[a], side, hint);
+}
+
 /** In periodic directions grains and contacts must count once. */
 static void check_period(clod_loader *loader, const clod_case *self,
                          const clod_case_field *field)
@@ -99,6 +155,9 @@ static void check_field(clod_loader *loader, const clod_case *self,
         fail(loader, field, "frames", "are those of a grid; give it a cell, or leave them out");
     } else if (field->cell == 0.0 || check_grid(loader, field)) {
         check_period(loader, self, field);
+        if (field->cell > 0.0 && clod_report_clean(loader->report, path)) {
+            check_fit(loader, self, field);
+        }
     }
 }
 

@@ -12,6 +12,7 @@
 typedef struct pass {
     const clod_state *state;
     clod_continuum_sums **sums; ///< [count] owned
+    bool *kernel;               ///< [count] owned, the field is a grid
     size_t count;
     int32_t *partners; ///< [grains] owned, contacts of each
     int images;
@@ -35,35 +36,74 @@ static void list_images(pass *self)
     }
 }
 
-/** Shift that brings a point into the domain, along one axis [m]: grains leave it a little on
- *  periodic sides. */
-static double shift_of(const clod_domain *domain, int axis, double at)
+/** Moves a place to an image of it. */
+static void to_image(const pass *self, int image, const double at[3], double to[3])
 {
-    const double low = domain->min[axis], period = domain->max[axis] - low;
-    return domain->periodic[axis] ? -period * floor((at - low) / period) : 0.0;
+    for (int a = 0; a < 3; a++) {
+        to[a] = at[a] + self->image[image][a];
+    }
 }
 
-/** A branch with all its images that reach a field. */
+/** Whether what lies in a box, moved to an image, reaches a field. A mean has no kernel: what is at
+ *  one place along a periodic direction is there in the domain, and in no image. So what is on a
+ *  side counts once. */
+static bool reaches(const pass *self, size_t f, int image, const double low[3],
+                    const double high[3])
+{
+    bool real = true;
+    for (int a = 0; a < 3; a++) {
+        real = real && (self->image[image][a] == 0.0 || low[a] < high[a] || self->kernel[f]);
+    }
+    return real && clod_continuum_sums_reached(self->sums[f], low, high);
+}
+
+/** A branch with all its images that reach a field; `to` is in the domain. */
+static void spread_branch(const pass *self, const double from[3], const double to[3],
+                          const double force[3])
+{
+    for (int k = 0; k < self->images; k++) {
+        double begin[3], end[3], low[3], high[3];
+        to_image(self, k, from, begin);
+        to_image(self, k, to, end);
+        for (int a = 0; a < 3; a++) {
+            low[a] = fmin(begin[a], end[a]);
+            high[a] = fmax(begin[a], end[a]);
+        }
+        for (size_t f = 0; f < self->count; f++) {
+            if (reaches(self, f, k, low, high)) {
+                clod_continuum_sums_branch(self->sums[f], begin, end, force);
+            }
+        }
+    }
+}
+
+/** The force of a wall at a point in the domain, likewise. */
+static void spread_push(const pass *self, const double at[3], const double force[3])
+{
+    for (int k = 0; k < self->images; k++) {
+        double there[3];
+        to_image(self, k, at, there);
+        for (size_t f = 0; f < self->count; f++) {
+            if (reaches(self, f, k, there, there)) {
+                clod_continuum_sums_push(self->sums[f], there, force);
+            }
+        }
+    }
+}
+
 static void spread_contact(const pass *self, const double end[3],
                            const clod_contact_force *told, bool wall)
 {
-    double shift[3];
+    const clod_domain *domain = &self->state->domain;
+    double from[3], to[3], at[3];
     for (int a = 0; a < 3; a++) {
-        shift[a] = shift_of(&self->state->domain, a, end[a]);
+        to[a] = clod_domain_within(domain, a, end[a]);
+        from[a] = to[a] - (end[a] - told->from[a]);
+        at[a] = clod_domain_within(domain, a, told->from[a]);
     }
-    for (int k = 0; k < self->images; k++) {
-        double from[3], to[3], low[3], high[3];
-        for (int a = 0; a < 3; a++) {
-            from[a] = told->from[a] + shift[a] + self->image[k][a];
-            to[a] = end[a] + shift[a] + self->image[k][a];
-            low[a] = fmin(from[a], to[a]);
-            high[a] = fmax(from[a], to[a]);
-        }
-        for (size_t f = 0; f < self->count; f++) {
-            if (clod_continuum_sums_reached(self->sums[f], low, high)) {
-                clod_continuum_sums_contact(self->sums[f], from, to, told->force, wall);
-            }
-        }
+    spread_branch(self, from, to, told->force);
+    if (wall) {
+        spread_push(self, at, told->force);
     }
 }
 
@@ -124,18 +164,13 @@ static void sums_of(const clod_grains *grains, size_t g, int32_t partners, doubl
 static void add_grain(const pass *self, const clod_continuum_part *parts, size_t g)
 {
     const clod_grains *grains = &self->state->grains;
-    const double *p = grains->position[g];
-    double shift[3];
-    for (int a = 0; a < 3; a++) {
-        shift[a] = shift_of(&self->state->domain, a, p[a]);
-    }
+    double place[4];
+    clod_domain_place(&self->state->domain, grains->position[g], place);
     for (int k = 0; k < self->images; k++) {
         double at[3];
-        for (int a = 0; a < 3; a++) {
-            at[a] = p[a] + shift[a] + self->image[k][a];
-        }
+        to_image(self, k, place, at);
         for (size_t f = 0; f < self->count; f++) {
-            if (clod_continuum_sums_reached(self->sums[f], at, at)) {
+            if (reaches(self, f, k, at, at)) {
                 double sum[CLOD_CONTINUUM_GRAIN_SUMS];
                 sums_of(grains, g, self->partners[g], parts[f].field->scale, sum);
                 clod_continuum_sums_grain(self->sums[f], at, sum);
@@ -147,10 +182,12 @@ static void add_grain(const pass *self, const clod_continuum_part *parts, size_t
 static bool open(pass *self, const clod_continuum_part *parts)
 {
     self->sums = clod_memory_alloc(self->count, sizeof(clod_continuum_sums *));
+    self->kernel = clod_memory_alloc(self->count + 1, sizeof *self->kernel);
     self->partners = clod_memory_alloc(self->state->grains.count + 1, sizeof *self->partners);
-    bool good = self->sums != NULL && self->partners != NULL;
+    bool good = self->sums != NULL && self->kernel != NULL && self->partners != NULL;
     for (size_t f = 0; good && f < self->count; f++) {
         self->sums[f] = clod_continuum_sums_open(parts[f].field);
+        self->kernel[f] = parts[f].field->cell > 0.0;
         good = self->sums[f] != NULL;
     }
     return good;
@@ -178,6 +215,7 @@ bool clod_continuum_pass(const clod_continuum_part *parts, size_t count,
         clod_continuum_sums_close(&self.sums[f]);
     }
     clod_memory_free(self.sums);
+    clod_memory_free(self.kernel);
     clod_memory_free(self.partners);
     return good;
 }

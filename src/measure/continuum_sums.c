@@ -124,14 +124,14 @@ static double square_between(const double a[3], const double b[3])
     return square;
 }
 
-void clod_continuum_sums_grain(clod_continuum_sums *self, const double at[3], const double *sum)
+/** Add columns [8 first, 8 last) of what is at one place. */
+static void add_at(clod_continuum_sums *self, const double at[3], const double sum[COLUMNS],
+                   int first, int last)
 {
-    double all[COLUMNS] = {0};
-    memcpy(all, sum, CLOD_CONTINUUM_GRAIN_SUMS * sizeof *sum);
     const clod_continuum *field = self->field;
     if (field->cell == 0.0) {
         if (clod_outlet_has(&field->region, at)) {
-            add(self->point, all, self->weight, 0, GRAIN_BLOCKS);
+            add(self->point, sum, self->weight, first, last);
         }
         return;
     }
@@ -142,61 +142,68 @@ void clod_continuum_sums_grain(clod_continuum_sums *self, const double at[3], co
         point *to = cell_at(self, k, middle);
         const double weight = clod_lucy(field->width, square_between(at, middle));
         if (weight > 0.0) {
-            add(to, all, weight, 0, GRAIN_BLOCKS);
+            add(to, sum, weight, first, last);
         }
     }
 }
 
-/** Spread a branch, and the force of a wall at its beginning, over a grid. */
-static void spread(clod_continuum_sums *self, const clod_lucy_line *line, const double to[3],
-                   const double stress[COLUMNS], const double *push)
+void clod_continuum_sums_grain(clod_continuum_sums *self, const double at[3], const double *sum)
 {
-    const clod_continuum *field = self->field;
+    double all[COLUMNS] = {0};
+    memcpy(all, sum, CLOD_CONTINUUM_GRAIN_SUMS * sizeof *sum);
+    add_at(self, at, all, 0, GRAIN_BLOCKS);
+}
+
+/** Spread a branch over a grid. */
+static void spread(clod_continuum_sums *self, const double from[3], const double to[3],
+                   const double stress[COLUMNS])
+{
+    const double width = self->field->width;
+    const clod_lucy_line line = clod_lucy_line_of(from, to);
     double low[3], high[3];
     for (int a = 0; a < 3; a++) {
-        low[a] = fmin(line->from[a], to[a]);
-        high[a] = fmax(line->from[a], to[a]);
+        low[a] = fmin(from[a], to[a]);
+        high[a] = fmax(from[a], to[a]);
     }
-    const range cells = range_of(field, low, high, field->width);
+    const range cells = range_of(self->field, low, high, width);
     int64_t k[3];
     for (bool more = begin_cells(&cells, k); more; more = next_cell(&cells, k)) {
         double middle[3];
         point *at = cell_at(self, k, middle);
-        const double along = clod_lucy_along(field->width, line, middle);
-        const double here =
-            push != NULL ? clod_lucy(field->width, square_between(line->from, middle)) : 0.0;
-        if (along > 0.0) {
-            add(at, stress, along, CONTACT_BLOCK, BLOCKS);
-        }
-        if (here > 0.0) {
-            add(at, push, here, CONTACT_BLOCK, BLOCKS);
+        const double weight = clod_lucy_along(width, &line, middle);
+        if (weight > 0.0) {
+            add(at, stress, weight, CONTACT_BLOCK, BLOCKS);
         }
     }
 }
 
-void clod_continuum_sums_contact(clod_continuum_sums *self, const double from[3],
-                                 const double to[3], const double force[3], bool wall)
+void clod_continuum_sums_branch(clod_continuum_sums *self, const double from[3],
+                                const double to[3], const double force[3])
 {
-    const clod_continuum *field = self->field;
-    double stress[COLUMNS] = {0}, push[COLUMNS] = {0};
+    double stress[COLUMNS] = {0};
     for (int a = 0; a < 3; a++) {
         for (int b = 0; b < 3; b++) {
             stress[CLOD_CONTINUUM_CONTACT + 3 * a + b] = force[a] * (to[b] - from[b]);
         }
-        push[CLOD_CONTINUUM_WALL_FORCE + a] = force[a] * field->scale;
     }
-    if (field->cell > 0.0) {
-        const clod_lucy_line line = clod_lucy_line_of(from, to);
-        spread(self, &line, to, stress, wall ? push : NULL);
+    if (self->field->cell > 0.0) {
+        spread(self, from, to, stress);
         return;
     }
-    const double share = clod_continuum_share(&field->region, from, to);
+    const double share = clod_continuum_share(&self->field->region, from, to);
     if (share > 0.0) {
         add(self->point, stress, share * self->weight, CONTACT_BLOCK, BLOCKS);
     }
-    if (wall && clod_outlet_has(&field->region, from)) {
-        add(self->point, push, self->weight, CONTACT_BLOCK, BLOCKS);
+}
+
+void clod_continuum_sums_push(clod_continuum_sums *self, const double at[3],
+                              const double force[3])
+{
+    double push[COLUMNS] = {0};
+    for (int a = 0; a < 3; a++) {
+        push[CLOD_CONTINUUM_WALL_FORCE + a] = force[a] * self->field->scale;
     }
+    add_at(self, at, push, CONTACT_BLOCK, BLOCKS);
 }
 
 bool clod_continuum_sums_reached(const clod_continuum_sums *self, const double low[3],

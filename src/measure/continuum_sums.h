@@ -23,14 +23,17 @@ void clod_continuum_sums_grain(clod_continuum_sums *self, const double at[3],
                                const double *sum);
 
 /**
- * Add a contact.
+ * Add the stress of a contact.
  *
  * @param from, to  ends of the branch, or of an image of it [m]
  * @param force     N, on what is at `to`
- * @param wall      `from` is a point of contact with a wall, which pushes there
  */
-void clod_continuum_sums_contact(clod_continuum_sums *self, const double from[3],
-                                 const double to[3], const double force[3], bool wall);
+void clod_continuum_sums_branch(clod_continuum_sums *self, const double from[3],
+                                const double to[3], const double force[3]);
+
+/** Add the force of a wall [N] at a point of contact, or an image of it [m]. */
+void clod_continuum_sums_push(clod_continuum_sums *self, const double at[3],
+                              const double force[3]);
 
 /** Whether anything within a box reaches a point of the field: to leave out what does not. */
 bool clod_continuum_sums_reached(const clod_continuum_sums *self, const double low[3],

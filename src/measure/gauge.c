@@ -130,10 +130,10 @@ static void add_motion(clod_gauge_exact *sums, const double v[4], const double w
 }
 
 void clod_gauge_add(clod_gauge_exact *self, const clod_gauge *gauge, const clod_grains *grains,
-                    size_t row)
+                    size_t row, const double place[4])
 {
     self->count += 1.0;
-    add_position(self, gauge, grains->position[row], grains->velocity[row][3]);
+    add_position(self, gauge, place, grains->velocity[row][3]);
     add_motion(self, grains->velocity[row], grains->angular_velocity[row], grains->load[row]);
 }
 

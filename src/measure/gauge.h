@@ -108,9 +108,9 @@ typedef struct clod_gauge_exact {
     clod_exact radius, radius2, radius_across, energy, acceleration;
 } clod_gauge_exact;
 
-/** Add a grain that is inside. @param row  of the grain */
+/** Add a grain that is inside. @param row  of the grain  @param place  [4] in the domain */
 void clod_gauge_add(clod_gauge_exact *self, const clod_gauge *gauge, const clod_grains *grains,
-                    size_t row);
+                    size_t row, const double place[4]);
 
 /**
  * The sums of one sample.

@@ -21,30 +21,32 @@ static bool open_bins(worker *self, const clod_gauge_part *part)
 }
 
 static void add_grain(worker *self, const clod_gauge_part *part, const clod_grains *grains,
-                      size_t g)
+                      size_t g, const double place[4])
 {
     const double mass = grains->velocity[g][3];
-    clod_gauge_add(&self->exact, &part->gauge, grains, g);
+    clod_gauge_add(&self->exact, &part->gauge, grains, g, place);
     if (self->across != NULL) {
-        clod_gauge_bins_add(self->across, &part->gauge, &part->across, grains->position[g],
-                            mass);
+        clod_gauge_bins_add(self->across, &part->gauge, &part->across, place, mass);
     }
     if (self->along != NULL) {
-        clod_gauge_bins_add(self->along, &part->gauge, &part->along, grains->position[g], mass);
+        clod_gauge_bins_add(self->along, &part->gauge, &part->along, place, mass);
     }
 }
 
 /** Go through the grains; `all` has the sums over every one. */
 static void add_grains(worker *workers, const clod_gauge_part *parts, size_t count,
-                       const clod_grains *grains, clod_exact all[2])
+                       const clod_state *state, clod_exact all[2])
 {
+    const clod_grains *grains = &state->grains;
     for (size_t g = 0; g < grains->count; g++) {
+        double place[4];
+        clod_domain_place(&state->domain, grains->position[g], place);
         const double mass = grains->velocity[g][3];
         clod_exact_add(&all[0], mass);
         clod_exact_add(&all[1], mass * grains->position[g][3]);
         for (size_t k = 0; k < count; k++) {
-            if (clod_outlet_has(&parts[k].gauge.region, grains->position[g])) {
-                add_grain(&workers[k], &parts[k], grains, g);
+            if (clod_outlet_has(&parts[k].gauge.region, place)) {
+                add_grain(&workers[k], &parts[k], grains, g, place);
             }
         }
     }
@@ -74,7 +76,7 @@ bool clod_gauge_pass(const clod_gauge_part *parts, size_t count, const clod_stat
         good = open_bins(&workers[k], &parts[k]);
     }
     if (good) {
-        add_grains(workers, parts, count, &state->grains, all);
+        add_grains(workers, parts, count, state, all);
     } else {
         clod_status_fail(status, CLOD_FAILED, "no memory for the sums of %zu gauges", count);
     }

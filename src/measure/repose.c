@@ -10,11 +10,14 @@
 /** Height of a cell that is no part of the surface [m]. */
 #define OUTSIDE (-1.0)
 
-bool clod_repose_center(const clod_outlet *region, const clod_grains *grains, double center[2])
+bool clod_repose_center(const clod_outlet *region, const clod_state *state, double center[2])
 {
+    const clod_grains *grains = &state->grains;
     clod_exact mass = {.pending = 0}, moment[2] = {{.pending = 0}, {.pending = 0}};
     for (size_t g = 0; g < grains->count; g++) {
-        const double *p = grains->position[g], m = grains->velocity[g][3];
+        const double m = grains->velocity[g][3];
+        double p[4];
+        clod_domain_place(&state->domain, grains->position[g], p);
         if (clod_outlet_has(region, p)) {
             clod_exact_add(&mass, m);
             clod_exact_add(&moment[0], m * p[0]);
@@ -182,16 +185,18 @@ static void fit(const strips *self, double cell, double low, double high,
     }
 }
 
-bool clod_repose_find(const clod_repose *self, const clod_grains *grains,
+bool clod_repose_find(const clod_repose *self, const clod_state *state,
                       clod_repose_angle *found, clod_status *status)
 {
     strips surface;
     const bool good = strips_open(self, &surface);
     *found = (clod_repose_angle){(double)NAN, (double)NAN, (double)NAN, 0};
     if (good) {
-        for (size_t g = 0; g < grains->count; g++) {
-            if (clod_outlet_has(&self->region, grains->position[g])) {
-                add_grain(self, &surface, grains->position[g]);
+        for (size_t g = 0; g < state->grains.count; g++) {
+            double p[4];
+            clod_domain_place(&state->domain, state->grains.position[g], p);
+            if (clod_outlet_has(&self->region, p)) {
+                add_grain(self, &surface, p);
             }
         }
         for (int64_t s = 0; s < surface.count; s++) {

@@ -29,7 +29,7 @@ typedef struct clod_repose_angle {
 } clod_repose_angle;
 
 /** Centre of mass of the grains in a region, seen from above; false when there is none. */
-bool clod_repose_center(const clod_outlet *region, const clod_grains *grains, double center[2]);
+bool clod_repose_center(const clod_outlet *region, const clod_state *state, double center[2]);
 
 /**
  * The angle of the grains in the region, which may stand in any order.
@@ -37,5 +37,5 @@ bool clod_repose_center(const clod_outlet *region, const clod_grains *grains, do
  * @param found  [out]
  * Errors  CLOD_FAILED: memory.   Threads  pure.
  */
-bool clod_repose_find(const clod_repose *self, const clod_grains *grains,
+bool clod_repose_find(const clod_repose *self, const clod_state *state,
                       clod_repose_angle *found, clod_status *status);

@@ -89,7 +89,8 @@ static bool look_at(mixing_memory *self, const clod_case_mixing *asked,
     const int material =
         asked->material != NULL ? clod_case_material_index(now->from, asked->material) : -1;
     for (size_t g = 0; g < grains->count; g++) {
-        const double *p = grains->position[g];
+        double p[4];
+        clod_domain_place(&now->state->domain, grains->position[g], p);
         if (clod_outlet_has(&samples.region, p)) {
             clod_mixing_sample *of = sample_of(&samples, p);
             of->grains++;

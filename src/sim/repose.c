@@ -25,7 +25,7 @@ static size_t repose_size(const clod_case *from)
 }
 
 /** A surface of the case; about the centre of mass of now where none is given. */
-static clod_repose surface_of(const clod_case_repose *from, const clod_grains *grains)
+static clod_repose surface_of(const clod_case_repose *from, const clod_state *state)
 {
     clod_repose self = {.region = clod_setup_domain_region(&from->region),
                         .cell = from->cell,
@@ -38,7 +38,7 @@ static clod_repose surface_of(const clod_case_repose *from, const clod_grains *g
     }
     if (from->has_center) {
         memcpy(self.center, from->center, sizeof self.center);
-    } else if (!self.slope && !clod_repose_center(&self.region, grains, self.center)) {
+    } else if (!self.slope && !clod_repose_center(&self.region, state, self.center)) {
         self.center[0] = self.center[1] = 0.0; // of nothing, which has no angle
     }
     return self;
@@ -47,11 +47,10 @@ static clod_repose surface_of(const clod_case_repose *from, const clod_grains *g
 static bool repose_look(void *memory, const clod_free_moment *now, clod_status *status)
 {
     repose_memory *self = memory;
-    const clod_grains *grains = &now->state->grains;
     bool good = true;
     for (size_t k = 0; good && k < now->from->repose_count; k++) {
-        const clod_repose surface = surface_of(&now->from->reposes[k], grains);
-        good = clod_repose_find(&surface, grains, &self[k].now, status);
+        const clod_repose surface = surface_of(&now->from->reposes[k], now->state);
+        good = clod_repose_find(&surface, now->state, &self[k].now, status);
         clod_mixing_mean_note(&self[k].mean, now, self[k].now.angle);
     }
     return good;

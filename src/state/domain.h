@@ -57,6 +57,32 @@ static inline int clod_domain_outlet(const clod_domain *self, const double p[3])
     return -1;
 }
 
+/** A position along one axis [m], in a periodic direction that within [min, max): grains are a
+ *  little outside until the neighbour list is next made. Threads: pure. */
+static inline double clod_domain_within(const clod_domain *self, int axis, double at)
+{
+    const double low = self->min[axis], high = self->max[axis], period = high - low;
+    if (!self->periodic[axis] || (at >= low && at < high)) {
+        return at;
+    }
+    const double within = at - period * floor((at - low) / period);
+    return within >= low && within < high ? within : low; // a rounding is none
+}
+
+/** Where a grain is in the domain: what asks whether it is in a region asks with this.
+ *
+ *  @param position  [4] m, with the radius
+ *  @param place     [4] [out]
+ *  Threads  pure. */
+static inline void clod_domain_place(const clod_domain *self, const double position[4],
+                                     double place[4])
+{
+    for (int a = 0; a < 3; a++) {
+        place[a] = clod_domain_within(self, a, position[a]);
+    }
+    place[3] = position[3];
+}
+
 /** a - b along one axis, by the nearest image where the domain is periodic [m]. */
 static inline double clod_domain_separation(const clod_domain *self, int axis, double a,
                                             double b)

@@ -90,7 +90,7 @@ class Fields(clod.Case):
         self.assertTrue(os.path.exists(self.path("out/field_grid.hdf")))
 
     def test_check_warns_of_a_narrow_kernel(self):
-        self.write(COLUMN.replace("cell: 4 mm", "cell: 3 mm").replace("width: 12 mm", "width: 5 mm"))
+        self.write(COLUMN.replace("cell: 4 mm", "cell: 2.5 mm").replace("width: 12 mm", "width: 5 mm"))
         done = clod.run("check", self.path("case.yaml"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("fields.grid.width 0.005 m is less than the largest grain, 0.006",

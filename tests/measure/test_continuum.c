@@ -237,6 +237,62 @@ static void a_side_is_no_place(void **unused)
     clod_state_fini(&b);
 }
 
+/** On the sides themselves, at min or at max: grains, a branch that lies in them, and the point
+ *  where a wall pushes. */
+static void on_a_side_counts_once(void **unused)
+{
+    (void)unused;
+    double sum[CLOD_CONTINUUM_SUMS];
+    const double low[3] = {0.01, -0.03, 0.0}, high[3] = {0.05, 0.01, 0.1};
+    for (int k = 0; k < 4; k++) {
+        clod_state state = {.dt = 1e-3};
+        state.domain = (clod_domain){.periodic = {true, true, false}};
+        memcpy(state.domain.min, low, sizeof low);
+        memcpy(state.domain.max, high, sizeof high);
+        const double x = k % 2 == 0 ? low[0] : high[0], y = k < 2 ? low[1] : high[1];
+        add(&state, x, y, 0.0029, 3e-3, NONE);
+        add(&state, x, y, 0.0089, 3e-3, NONE);
+        given two = {.count = 2};
+        two.contact[0] = (clod_contact){.i = 0, .j = 1, .shape = -1};
+        two.told[0] = (clod_contact_force){{0.0, 1.0, -5.0}, {x, y, 0.0089}};
+        two.contact[1] = (clod_contact){.i = 0, .j = 0, .shape = 0};
+        two.told[1] = (clod_contact_force){{2.0, 0.0, 7.0}, {x, y, 0.0}};
+        const clod_continuum whole = box_of(low, high, 0.0, 0.0);
+        sample(&whole, &state, &two, sum, NULL);
+        check_relative(sum[CLOD_CONTINUUM_MASS], 2.0 * mass_of(3e-3), 1e-12);
+        check_relative(sum[CLOD_CONTINUUM_CONTACT + 5], -6e-3, 1e-12); // yz: 1 N x -6 mm
+        check_relative(sum[CLOD_CONTINUUM_CONTACT + 8], 30e-3 + 7.0 * 2.9e-3, 1e-12);
+        check_relative(sum[CLOD_CONTINUUM_WALL_FORCE + 2] / whole.scale, 7.0, 1e-12);
+        // a quarter at each corner: one of them has all
+        double mass = 0.0;
+        for (int q = 0; q < 4; q++) {
+            const double from[3] = {q % 2 == 0 ? 0.01 : 0.03, q < 2 ? -0.03 : -0.01, 0.0};
+            const double to[3] = {from[0] + 0.02, from[1] + 0.02, 0.1};
+            const clod_continuum quarter = box_of(from, to, 0.0, 0.0);
+            sample(&quarter, &state, &two, sum, NULL);
+            mass += sum[CLOD_CONTINUUM_MASS];
+        }
+        check_relative(mass, 2.0 * mass_of(3e-3), 1e-12);
+        clod_state_fini(&state);
+    }
+}
+
+/** A lattice that begins on the sides has the density of one that does not. */
+static void a_lattice_on_the_sides(void **unused)
+{
+    (void)unused;
+    clod_state state = {.dt = 1e-3};
+    double sum[CLOD_CONTINUUM_SUMS];
+    state.domain = (clod_domain){.max = {0.1, 0.1, 0.1}, .periodic = {true, true, false}};
+    for (int k = 0; k < 1000; k++) {
+        add(&state, 0.01 * (k % 10), 0.01 * (k / 10 % 10), 5e-3 + 0.01 * (k / 100), 5e-3, NONE);
+    }
+    const clod_continuum whole = box_of(LOW, HIGH, 0.0, 0.0);
+    sample(&whole, &state, NULL, sum, NULL);
+    check_relative(sum[CLOD_CONTINUUM_MASS], 1000.0 * mass_of(5e-3), 1e-12);
+    clod_state_fini(&state);
+}
+
 /** A wall below pushes a grain with 5 N: its force at the point of contact, its stress along the
  *  radius. */
 static void walls_push_where_they_touch(void **unused)
@@ -377,6 +433,8 @@ int main(void)
         cmocka_unit_test(two_grains_pressed_together),
         cmocka_unit_test(periodic_sides_count_once),
         cmocka_unit_test(a_side_is_no_place),
+        cmocka_unit_test(on_a_side_counts_once),
+        cmocka_unit_test(a_lattice_on_the_sides),
         cmocka_unit_test(walls_push_where_they_touch),
         cmocka_unit_test(a_gas_of_set_velocities),
         cmocka_unit_test(uniform_shear),

@@ -54,7 +54,7 @@ static clod_repose_angle find(const clod_state *state, clod_repose self)
     self.region = BOX;
     self.from = 0.1;
     self.to = self.to > 0.0 ? self.to : 0.75;
-    assert_true(clod_repose_find(&self, &state->grains, &found, &status));
+    assert_true(clod_repose_find(&self, state, &found, &status));
     return found;
 }
 
@@ -67,7 +67,7 @@ static void cones(void **unused)
         fill(&state, cone, tan(ANGLE[k] / DEGREE));
         double center[2];
         if (k == 2) { // which lies within the box
-            assert_true(clod_repose_center(&BOX, &state.grains, center));
+            assert_true(clod_repose_center(&BOX, &state, center));
             check_close(center[0], 0.012, 1e-4);
             check_close(center[1], -0.007, 1e-4);
         }
@@ -107,7 +107,7 @@ static void no_heap_no_angle(void **unused)
     double center[2];
     const clod_repose round = {.cell = 2.0 * R};
     assert_true(isnan(find(&state, round).angle) && isnan(find(&state, round).height));
-    assert_false(clod_repose_center(&BOX, &state.grains, center));
+    assert_false(clod_repose_center(&BOX, &state, center));
     for (int k = 0; k < 40; k++) { // a pillar: no ring between the heights
         add(&state, 0.0, 0.0, R + k * 2.0 * R);
     }
