@@ -126,6 +126,33 @@ class Mixing(clod.Case):
         self.assertAlmostEqual(heap["mean_deg"], heap["angle_deg"], delta=1e-9)
         self.assertIn("angle of repose", self.done.stdout)
 
+    def test_words_where_there_is_no_value(self):
+        """Why there is none; never nan, whose sign depends on the machine."""
+        region = "region: {box: {min: [LOW mm, 0 mm, 0 mm], max: [120 mm, 120 mm, 120 mm]}}"
+        here, beside = region.replace("LOW", "-5"), region.replace("LOW", "110")
+        self.put([(0.0, 2.0, 2.0, 1.0), (30.0, 2.0, 2.0, 0.9), (60.0, 2.0, 2.0, 1.0)], f"""\
+mixing:
+  one_kind: {{{here}, cell: 20 mm, above: 0.5 mm}}
+  one_cell: {{{here}, cell: 150 mm, above: 0.95 mm}}
+  alone: {{{here}, cell: 20 mm, above: 0.95 mm}}
+  empty: {{{beside}, cell: 5 mm, above: 0.95 mm}}
+repose:
+  few: {{{here}, cell: 4 mm}}
+  none: {{{beside}, cell: 2 mm}}
+fields:
+  gone: {{{beside}, interval: 0.1 ms}}
+""")
+        report = clod.read(self.path("out/report.txt")).decode()
+        self.assertNotIn("nan", report)
+        lines = {" ".join(line.split()[:2]): " ".join(line.split()[2:]) for line in report.splitlines()}
+        for name, reason in (("one_kind", "one kind of grains in the region"),
+                             ("one_cell", "all grains in one cell"),
+                             ("alone", "no two grains in one cell"), ("empty", "no grain in the region")):
+            self.assertIn(f"none at the end ({reason}), none in the steady time", lines["mixing " + name])
+        self.assertIn("strips of the flank, 3 are needed), none in the steady", lines["repose few"])
+        self.assertIn("none at the end (no grain in the region), none in the", lines["repose none"])
+        self.assertIn("no velocity (no grain in the region), pressure 0", lines["field gone"])
+
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(DRUM)
         self.go("one")
