@@ -50,7 +50,7 @@ static double across(const clod_repose *self, double x, double y)
 static void measure_region(const clod_repose *self, strips *to, double length[2])
 {
     const double *low = self->region.low, *high = self->region.high;
-    double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY}, far = 0.0;
+    double least[2] = {HUGE_VAL, HUGE_VAL}, most[2] = {-HUGE_VAL, -HUGE_VAL}, far = 0.0;
     for (int c = 0; c < 4; c++) {
         const double x = c % 2 == 0 ? low[0] : high[0], y = c < 2 ? low[1] : high[1];
         const double at[2] = {along(self, x, y), across(self, x, y)};
