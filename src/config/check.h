@@ -48,6 +48,11 @@ void clod_check_inlet(clod_loader *loader, const char *path, const clod_case *se
 /** Complain when a region is empty; `path` is that of what has it (check_region.c). */
 bool clod_check_region(clod_loader *loader, const char *path, const clod_case_region *region);
 
+/** Complain when nothing of a region is in the domain, or when it reaches beyond a periodic side:
+ *  grains there would count twice. `path` as above. */
+bool clod_check_region_place(clod_loader *loader, const clod_case *self, const char *path,
+                             const clod_case_region *region);
+
 /** Whether streams that come in have room, once each group is right (check_stream.c). */
 void clod_check_streams(clod_loader *loader, const clod_case *self);
 

@@ -81,24 +81,12 @@ static void check_fit(clod_loader *loader, const clod_case *self, const clod_cas
 static void check_period(clod_loader *loader, const clod_case *self,
                          const clod_case_field *field)
 {
-    double low[3], high[3];
-    clod_region_bounds(&field->region, low, high);
-    for (int a = 0; a < 3; a++) {
-        const double begin = self->domain_min[a], end = self->domain_max[a];
-        if (!self->has_domain || !self->periodic[a]) {
-            continue;
-        }
-        if (low[a] < begin || high[a] > end) {
-            fail(loader, field, "region",
-                 "reaches beyond the domain along %c, in which it is periodic: grains would "
-                 "count twice; stay between %.6g m and %.6g m",
-                 "xyz"[a], begin, end);
-            return;
-        }
-        if (field->cell > 0.0 && field->width > 0.5 * (end - begin)) {
+    for (int a = 0; self->has_domain && a < 3; a++) {
+        const double period = self->domain_max[a] - self->domain_min[a];
+        if (self->periodic[a] && field->cell > 0.0 && field->width > 0.5 * period) {
             fail(loader, field, "width",
                  "is more than half of the period of %.6g m along %c: grains would count twice",
-                 end - begin, "xyz"[a]);
+                 period, "xyz"[a]);
             return;
         }
     }
@@ -153,7 +141,8 @@ static void check_field(clod_loader *loader, const clod_case *self,
             0.5 * field->width);
     } else if (field->cell == 0.0 && field->frames) {
         fail(loader, field, "frames", "are those of a grid; give it a cell, or leave them out");
-    } else if (field->cell == 0.0 || check_grid(loader, field)) {
+    } else if ((field->cell == 0.0 || check_grid(loader, field)) &&
+               clod_check_region_place(loader, self, path, &field->region)) {
         check_period(loader, self, field);
         if (field->cell > 0.0 && clod_report_clean(loader->report, path)) {
             check_fit(loader, self, field);

@@ -69,7 +69,36 @@ static void check_angle(clod_loader *loader, const char *path, const clod_case_r
     }
     if (!(angle->from < angle->to)) {
         snprintf(key, sizeof key, "%s.to", path);
-        clod_check_fail(loader, key, "must be larger than from, %.6g %%", 100.0 * angle->from);
+        clod_check_fail(
+            loader, key,
+            "is %.6g %%, and from is %.6g %%: must be larger than from, for instance "
+            "from: 10 %% and to: 75 %%",
+            100.0 * angle->to, 100.0 * angle->from);
+    }
+}
+
+/** An angle needs three strips: along the slope, or from the axis of a heap outwards. */
+static void check_strips(clod_loader *loader, const char *path, const clod_case_repose *angle)
+{
+    double low[3], high[3];
+    clod_region_bounds(&angle->region, low, high);
+    const double wide[2] = {high[0] - low[0], high[1] - low[1]};
+    double length = hypot(wide[0], wide[1]); // of a heap with its axis in a corner
+    if (angle->has_direction) {
+        const double *n = angle->direction;
+        length = (wide[0] * fabs(n[0]) + wide[1] * fabs(n[1])) / hypot(n[0], n[1]);
+    } else if (angle->has_center) {
+        const double *c = angle->center;
+        length =
+            hypot(fmax(c[0] - low[0], high[0] - c[0]), fmax(c[1] - low[1], high[1] - c[1]));
+    }
+    if (length < 2.0 * angle->cell) {
+        char key[CLOD_LOAD_PATH + 8];
+        snprintf(key, sizeof key, "%s.cell", path);
+        clod_check_fail(loader, key,
+                        "is %.4g m, too wide for a region that is %.4g m long: an angle needs "
+                        "three strips at least; make it %.2g m or less",
+                        angle->cell, length, 0.1 * length);
     }
 }
 
@@ -89,7 +118,8 @@ void clod_check_mixing(clod_loader *loader, const clod_case *self)
         const clod_case_mixing *mixing = &self->mixings[k];
         snprintf(path, sizeof path, "mixing.%s", mixing->name);
         if (clod_report_clean(loader->report, path) &&
-            clod_check_region(loader, path, &mixing->region)) {
+            clod_check_region(loader, path, &mixing->region) &&
+            clod_check_region_place(loader, self, path, &mixing->region)) {
             check_cells(loader, path, &mixing->region, mixing->cell, false);
             check_kinds(loader, self, path, mixing);
         }
@@ -98,9 +128,11 @@ void clod_check_mixing(clod_loader *loader, const clod_case *self)
         const clod_case_repose *angle = &self->reposes[k];
         snprintf(path, sizeof path, "repose.%s", angle->name);
         if (clod_report_clean(loader->report, path) &&
-            clod_check_region(loader, path, &angle->region)) {
+            clod_check_region(loader, path, &angle->region) &&
+            clod_check_region_place(loader, self, path, &angle->region)) {
             check_cells(loader, path, &angle->region, angle->cell, true);
             check_angle(loader, path, angle);
+            check_strips(loader, path, angle);
         }
     }
 }

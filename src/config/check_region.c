@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "config/check.h"
+#include "config/region.h"
 
 /** Cosine of the angle between two directions below which they are across each other. */
 #define ACROSS 1e-9
@@ -66,4 +67,32 @@ bool clod_check_region(clod_loader *loader, const char *path, const clod_case_re
                             : "must be larger than min in x, y and z");
     }
     return good;
+}
+
+bool clod_check_region_place(clod_loader *loader, const clod_case *self, const char *path,
+                             const clod_case_region *region)
+{
+    char key[CLOD_LOAD_PATH + 8];
+    double low[3], high[3];
+    clod_region_bounds(region, low, high);
+    snprintf(key, sizeof key, "%s.region", path);
+    for (int a = 0; self->has_domain && a < 3; a++) {
+        const double begin = self->domain_min[a], end = self->domain_max[a];
+        if (self->periodic[a] && (low[a] < begin || high[a] > end)) {
+            clod_check_fail(
+                loader, key,
+                "reaches beyond the domain along %c, in which it is periodic: grains "
+                "would count twice; stay between %.6g m and %.6g m",
+                "xyz"[a], begin, end);
+            return false;
+        }
+        if (low[a] >= end || high[a] <= begin) {
+            clod_check_fail(loader, key,
+                            "is outside the domain, in which all grains are: %.6g m to %.6g m "
+                            "along %c; the domain is from %.6g m to %.6g m",
+                            low[a], high[a], "xyz"[a], begin, end);
+            return false;
+        }
+    }
+    return true;
 }

@@ -53,7 +53,7 @@ static double across(const clod_repose *self, double x, double y)
 static void measure_region(const clod_repose *self, strips *to, double length[2])
 {
     const double *low = self->region.low, *high = self->region.high;
-    double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY}, far = 0.0;
+    double least[2] = {HUGE_VAL, HUGE_VAL}, most[2] = {-HUGE_VAL, -HUGE_VAL}, far = 0.0;
     for (int c = 0; c < 4; c++) {
         const double x = c % 2 == 0 ? low[0] : high[0], y = c < 2 ? low[1] : high[1];
         const double at[2] = {along(self, x, y), across(self, x, y)};
@@ -124,23 +124,78 @@ static void strips_close(strips *self)
     clod_memory_free(self->used);
 }
 
-/** A grain in its cell. */
-static void add_grain(const clod_repose *self, strips *to, const double p[4])
+/** Where a grain is: along the slope or off the axis [m], and across it [m] or about it [1 turn]. */
+typedef struct place {
+    double way, across;
+} place;
+
+static place place_of(const clod_repose *self, const strips *in, const double p[4])
 {
+    if (self->slope) {
+        return (place){along(self, p[0], p[1]) - in->low[0],
+                       across(self, p[0], p[1]) - in->low[1]};
+    }
     const double x = p[0] - self->center[0], y = p[1] - self->center[1];
-    const double way = self->slope ? along(self, p[0], p[1]) - to->low[0] : hypot(x, y);
-    const int64_t strip = (int64_t)fmin(floor(way / self->cell), (double)to->count - 1.0);
-    const int64_t cells = to->first[strip + 1] - to->first[strip];
     const double turn = atan2(y, x) / (2.0 * M_PI);
-    const double place = self->slope ? (across(self, p[0], p[1]) - to->low[1]) / self->cell
-                                     : (turn - floor(turn)) * (double)cells;
-    const int64_t cell = (int64_t)fmin(fmax(place, 0.0), (double)cells - 1.0);
+    return (place){hypot(x, y), turn - floor(turn)};
+}
+
+/** A grain in the cell that its centre is in: its top. */
+static void add_top(const clod_repose *self, strips *to, const double p[4], place at)
+{
+    const int64_t strip = (int64_t)fmin(floor(at.way / self->cell), (double)to->count - 1.0);
+    const int64_t cells = to->first[strip + 1] - to->first[strip];
+    const double column = at.across * (self->slope ? 1.0 / self->cell : (double)cells);
+    const int64_t cell = (int64_t)fmin(fmax(column, 0.0), (double)cells - 1.0);
     double *top = &to->top[to->first[strip] + cell];
     *top = fmax(*top, p[2] + p[3] - self->region.low[2]);
     to->used[strip] = true;
 }
 
-/** Mean height of a strip: cells of the region without a grain are ground. */
+/** A grain over the middles of cells of one strip: its sphere's height there. */
+static void add_over(const clod_repose *self, strips *to, const double p[4], place at,
+                     int64_t strip)
+{
+    const int64_t cells = to->first[strip + 1] - to->first[strip];
+    const double off = ((double)strip + 0.5) * self->cell, r2 = p[3] * p[3];
+    const double gap = off - at.way, twice = 2.0 * off * at.way;
+    // cells in a unit of `across`, and half of the disc's chord in them
+    const double many = self->slope ? 1.0 / self->cell : (double)cells;
+    const double chord =
+        self->slope ? sqrt(fmax(0.0, r2 - gap * gap))
+                    : acos(fmax(-1.0, 1.0 - fmax(0.0, r2 - gap * gap) / twice)) / (2.0 * M_PI);
+    int64_t first = (int64_t)ceil((at.across - chord) * many - 0.5);
+    int64_t last = (int64_t)floor((at.across + chord) * many - 0.5);
+    if (self->slope) {
+        first = first > 0 ? first : 0;
+        last = last < cells ? last : cells - 1;
+    } else if (last >= first + cells) {
+        last = first + cells - 1;
+    }
+    for (int64_t c = first; c <= last; c++) {
+        const double side = ((double)c + 0.5) / many - at.across;
+        const double half = sin(M_PI * side); // of the turn between them
+        const double d2 = gap * gap + (self->slope ? side * side : 2.0 * twice * half * half);
+        double *top = &to->top[to->first[strip] + (c + cells) % cells];
+        if (d2 <= r2 && *top >= 0.0) {
+            *top = fmax(*top, p[2] + sqrt(r2 - d2) - self->region.low[2]);
+            to->used[strip] = true;
+        }
+    }
+}
+
+static void add_grain(const clod_repose *self, strips *to, const double p[4])
+{
+    const place at = place_of(self, to, p);
+    const double first = ceil((at.way - p[3]) / self->cell - 0.5);
+    const double last = floor((at.way + p[3]) / self->cell - 0.5);
+    add_top(self, to, p, at);
+    for (double s = fmax(0.0, first); s <= fmin(last, (double)to->count - 1.0); s++) {
+        add_over(self, to, p, at, (int64_t)s);
+    }
+}
+
+/** Mean height of a strip: cells of the region without a grain in or over them are ground. */
 static double height_of(const strips *self, int64_t strip)
 {
     double sum = 0.0, cells = 0.0;

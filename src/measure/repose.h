@@ -1,9 +1,10 @@
 #pragma once
 /**
  * @file repose.h
- * Angle of the surface of a heap or a slope. The surface is that of the highest grain of each cell,
- * averaged over the cells of a strip: a ring about the axis of a round heap, or a strip across the
- * direction of a slope. The angle is that of the straight line through the strips of the flank.
+ * Angle of the surface of a heap or a slope. The surface of a cell is the top of the highest grain
+ * in it, or the sphere over its middle where that is higher; it is averaged over the cells of a
+ * strip: a ring about the axis of a round heap, or a strip across the direction of a slope. The
+ * angle is that of the straight line through the strips of the flank.
  *
  * Source  our choice; docs/mixing.md.   Test  tests/measure/test_repose.c
  */

@@ -155,26 +155,6 @@ static void warn_outputs(const clod_case *from, clod_check_report *r)
     }
 }
 
-/** A kernel narrower than a grain. */
-static void warn_fields(const clod_check_subject *subject, clod_check_report *r)
-{
-    const clod_grains *grains = &subject->state.grains;
-    double radius = 0.0;
-    for (size_t g = 0; g < grains->count; g++) {
-        radius = fmax(radius, grains->position[g][3]);
-    }
-    for (size_t k = 0; k < subject->from->field_count; k++) {
-        const clod_case_field *field = &subject->from->fields[k];
-        if (field->cell > 0.0 && field->width < 2.0 * radius) {
-            clod_check_warning(
-                r,
-                "fields.%s.width %.3g m is less than the largest grain, %.3g m across: the grid "
-                "will show single grains. Two to four diameters show a continuum",
-                field->name, field->width, 2.0 * radius);
-        }
-    }
-}
-
 void clod_check_warn(const clod_check_subject *subject, clod_check_report *report)
 {
     const clod_tester_row *tester = clod_testers_row(report->kind);
@@ -186,7 +166,7 @@ void clod_check_warn(const clod_check_subject *subject, clod_check_report *repor
         tester->warn(subject, report);
     }
     warn_mass(subject, report);
-    warn_fields(subject, report);
+    clod_check_measures_warn(subject, report);
     warn_machine(subject, report);
     note_sample(subject->from, report);
 }

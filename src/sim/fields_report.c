@@ -60,13 +60,20 @@ static void report_mean(FILE *out, const char *name, const means *self)
         fputs("no sample in the steady time\n", out);
         return;
     }
-    fprintf(out,
-            "%.4g kg/m3, solid fraction %.4g, velocity (%.4g, %.4g, %.4g) m/s, pressure %.4g "
-            "+- %.2g Pa\n",
+    fprintf(out, "%.4g kg/m3, solid fraction %.4g, ",
             mean[CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_DENSITY].first],
-            mean[CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_SOLID].first], v[0], v[1], v[2],
-            mean[CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_PRESSURE].first],
-            self->deviation[CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_PRESSURE].first]);
+            mean[CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_SOLID].first]);
+    if (isnan(v[0])) {
+        fputs("no velocity (no grain in the region), ", out);
+    } else {
+        fprintf(out, "velocity (%.4g, %.4g, %.4g) m/s, ", v[0], v[1], v[2]);
+    }
+    const int pressure = CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_OF_PRESSURE].first;
+    fprintf(out, "pressure %.4g", mean[pressure]);
+    if (!isnan(self->deviation[pressure])) { // of two blocks at least
+        fprintf(out, " +- %.2g", self->deviation[pressure]);
+    }
+    fputs(" Pa\n", out);
 }
 
 /** Numbers of one value, an array where it has several. */

@@ -40,6 +40,21 @@ void clod_mixing_mean_of(const clod_mixing_mean *self, double *mean, double *dev
     *deviation = clod_steady_time_deviation(each, CLOD_STEADY_BLOCKS);
 }
 
+void clod_mixing_mean_write(FILE *out, const clod_mixing_mean *self, double scale,
+                            const char *unit)
+{
+    double mean, deviation;
+    clod_mixing_mean_of(self, &mean, &deviation);
+    if (isnan(mean)) {
+        fputs("none in the steady time", out);
+    } else if (isnan(deviation)) { // of one block
+        fprintf(out, "%.4g%s in the steady time", mean * scale, unit);
+    } else {
+        fprintf(out, "%.4g +- %.2g%s in the steady time", mean * scale, deviation * scale,
+                unit);
+    }
+}
+
 static size_t mixing_size(const clod_case *from)
 {
     return from->mixing_count * sizeof(mixing_memory);
@@ -140,18 +155,34 @@ static void mixing_row(void *memory, const clod_free_moment *now, double *row)
     }
 }
 
+/** Why there is no index. */
+static const char *lack_of(const clod_mixing *of)
+{
+    if (isnan(of->share)) {
+        return "no grain in the region";
+    }
+    if (!(of->segregated > 0.0)) {
+        return "one kind of grains in the region";
+    }
+    return isnan(of->random) ? "all grains in one cell" : "no two grains in one cell";
+}
+
 static void mixing_report(FILE *out, const void *memory, const clod_free_moment *now)
 {
     const mixing_memory *self = memory;
     for (size_t k = 0; k < now->from->mixing_count; k++) {
-        double mean, deviation;
-        clod_mixing_mean_of(&self[k].mean, &mean, &deviation);
-        fprintf(
-            out,
-            "  mixing %-14s Lacey's index %.4g at the end, %.4g +- %.2g in the steady time; "
-            "share %.4g, %.3g grains a cell\n",
-            now->from->mixings[k].name, self[k].now.index, mean, deviation, self[k].now.share,
-            self[k].now.grains);
+        const clod_mixing *of = &self[k].now;
+        fprintf(out, "  mixing %-14s Lacey's index ", now->from->mixings[k].name);
+        if (isnan(of->index)) {
+            fprintf(out, "none at the end (%s), ", lack_of(of));
+        } else {
+            fprintf(out, "%.4g at the end, ", of->index);
+        }
+        clod_mixing_mean_write(out, &self[k].mean, 1.0, "");
+        if (!isnan(of->share)) {
+            fprintf(out, "; share %.4g, %.3g grains a cell", of->share, of->grains);
+        }
+        fputc('\n', out);
     }
 }
 

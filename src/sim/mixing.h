@@ -5,6 +5,8 @@
  * at every row of the series.
  */
 
+#include <stdio.h>
+
 #include "sim/free_measures.h"
 
 /** Mean over the samples of the steady time. */
@@ -18,6 +20,11 @@ void clod_mixing_mean_note(clod_mixing_mean *self, const clod_free_moment *now, 
 
 /** Mean and standard deviation of the blocks' means; NAN of nothing. */
 void clod_mixing_mean_of(const clod_mixing_mean *self, double *mean, double *deviation);
+
+/** Write them times `scale`, with the unit, for a line of the report; in words where there are
+ *  none. */
+void clod_mixing_mean_write(FILE *out, const clod_mixing_mean *self, double scale,
+                            const char *unit);
 
 /**
  * Errors  CLOD_FAILED: memory.   Threads  one per state.

@@ -83,18 +83,21 @@ static void repose_report(FILE *out, const void *memory, const clod_free_moment 
     const repose_memory *self = memory;
     for (size_t k = 0; k < now->from->repose_count; k++) {
         const clod_repose_angle *of = &self[k].now;
-        double mean, deviation;
-        clod_mixing_mean_of(&self[k].mean, &mean, &deviation);
-        fprintf(out, "  repose %-14s height %.4g m, ", now->from->reposes[k].name, of->height);
-        if (isnan(of->angle)) {
-            fprintf(out, "no angle at the end: %" PRId64 " strips of the flank\n", of->strips);
+        fprintf(out, "  repose %-14s angle of repose ", now->from->reposes[k].name);
+        if (isnan(of->height)) {
+            fputs("none at the end (no grain in the region), ", out);
+        } else if (isnan(of->angle)) {
+            fprintf(out, "none at the end (%" PRId64 " strips of the flank, 3 are needed), ",
+                    of->strips);
         } else {
-            fprintf(
-                out,
-                "angle of repose %.4g +- %.2g deg at the end, %.4g +- %.2g deg in the steady "
-                "time\n",
-                of->angle * DEGREE, of->error * DEGREE, mean * DEGREE, deviation * DEGREE);
+            fprintf(out, "%.4g +- %.2g deg at the end, ", of->angle * DEGREE,
+                    of->error * DEGREE);
         }
+        clod_mixing_mean_write(out, &self[k].mean, DEGREE, " deg");
+        if (!isnan(of->height)) {
+            fprintf(out, "; height %.4g m", of->height);
+        }
+        fputc('\n', out);
     }
 }
 

@@ -63,7 +63,7 @@ mixing:
 repose:
   surface:
     region: {box: {min: [-50 mm, 0 mm, -50 mm], max: [50 mm, 20 mm, 50 mm]}}
-    cell: 5 mm
+    cell: 6 mm
     direction: [1, 0, 0]
     from: 0 %
     to: 100 %
@@ -125,6 +125,62 @@ class Mixing(clod.Case):
         self.assertLess(abs(heap["height_m"] - 0.040), 2e-3)
         self.assertAlmostEqual(heap["mean_deg"], heap["angle_deg"], delta=1e-9)
         self.assertIn("angle of repose", self.done.stdout)
+
+    def test_words_where_there_is_no_value(self):
+        """Why there is none; never nan, whose sign depends on the machine."""
+        region = "region: {box: {min: [LOW mm, 0 mm, 0 mm], max: [120 mm, 120 mm, 120 mm]}}"
+        here, beside = region.replace("LOW", "-5"), region.replace("LOW", "110")
+        self.put([(0.0, 2.0, 2.0, 1.0), (30.0, 2.0, 2.0, 0.9), (60.0, 2.0, 2.0, 1.0)], f"""\
+mixing:
+  one_kind: {{{here}, cell: 20 mm, above: 0.5 mm}}
+  one_cell: {{{here}, cell: 150 mm, above: 0.95 mm}}
+  alone: {{{here}, cell: 20 mm, above: 0.95 mm}}
+  empty: {{{beside}, cell: 5 mm, above: 0.95 mm}}
+repose:
+  few: {{{here}, cell: 4 mm}}
+  none: {{{beside}, cell: 2 mm}}
+fields:
+  gone: {{{beside}, interval: 0.1 ms}}
+""")
+        report = clod.read(self.path("out/report.txt")).decode()
+        self.assertNotIn("nan", report)
+        lines = {" ".join(line.split()[:2]): " ".join(line.split()[2:]) for line in report.splitlines()}
+        for name, reason in (("one_kind", "one kind of grains in the region"),
+                             ("one_cell", "all grains in one cell"),
+                             ("alone", "no two grains in one cell"), ("empty", "no grain in the region")):
+            self.assertIn(f"none at the end ({reason}), none in the steady time", lines["mixing " + name])
+        self.assertIn("strips of the flank, 3 are needed), none in the steady", lines["repose few"])
+        self.assertIn("none at the end (no grain in the region), none in the", lines["repose none"])
+        self.assertIn("no velocity (no grain in the region), pressure 0", lines["field gone"])
+
+    def warnings(self, text):
+        self.write(text)
+        done = clod.run("check", self.path("case.yaml"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return " ".join(done.stdout.split())
+
+    def test_check_warns_of_what_says_nothing(self):
+        """One kind of grains; cells below a grain; a field that is sampled too seldom."""
+        self.assertNotRegex(self.warnings(DRUM), "mixing\\.|repose\\.|fields\\.")
+        self.assertIn("mixing.ores.material: all grains are of red",
+                      self.warnings(DRUM.replace("material: blue", "material: red")))
+        self.assertIn("mixing.ores.material: no grains are of gray",
+                      self.warnings(DRUM.replace("blue: {", "gray: {density: 2500 kg/m3}, blue: {")
+                                    .replace("cell: 12 mm\n    material: red", "cell: 12 mm\n    material: gray")))
+        by_size = DRUM.replace("cell: 12 mm\n    material: red", "cell: 12 mm\n    above: ABOVE mm")
+        self.assertNotIn("mixing.", self.warnings(by_size.replace("ABOVE", "2.2")))
+        for above, share in (("2.7", "no"), ("1.8", "all")):
+            self.assertIn(f"mixing.ores.above: {share} grains have a radius above",
+                          self.warnings(by_size.replace("ABOVE", above)))
+        self.assertIn("repose.surface.cell 0.004 m is less than the largest grain, 0.0052 m across",
+                      self.warnings(DRUM.replace("cell: 6 mm", "cell: 4 mm")))
+        field = """\
+fields:
+  all: {region: {box: {min: [-50 mm, 0 mm, -50 mm], max: [50 mm, 20 mm, 50 mm]}}, interval: LONG}
+"""
+        self.assertIn("fields.all.interval 0.5 s is longer than the steady time of 0.4 s",
+                      self.warnings(DRUM + field.replace("LONG", "0.5 s")))
+        self.assertNotIn("fields.", self.warnings(DRUM + field.replace("LONG", "0.3 s")))
 
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(DRUM)
