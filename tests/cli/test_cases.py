@@ -140,20 +140,10 @@ class Cases(clod.Case):
         self.assertEqual(angle["trough"], 0.0)
         self.assertLess(summary["max_overlap"], 0.05)
 
-    def test_angle_of_a_cone_of_grains(self):
-        """Grains on a cone of 30 degrees, and on a cylinder's top, which has no angle."""
-        pile = script("pile/table")
-        cone, column = [], []
-        for i in range(-160, 161):
-            for j in range(-160, 161):
-                x, y = 5e-4 * i, 5e-4 * j
-                r = math.hypot(x, y)
-                if r < 80e-3:
-                    cone.append((x, y, (80e-3 - r) * math.tan(math.radians(30.0)), 0.0, 1.0))
-                    column.append((x, y, 80e-3, 0.0, 1.0))
-        # the highest grain of a ring lies on its inner side: the same shift for all rings
-        self.assertAlmostEqual(pile.angle(pile.surface(cone)), 30.0, delta=0.7)
-        self.assertIsNone(pile.angle(pile.surface(column)))
+    def test_spread_of_a_pile(self):
+        """Of grains along a line nine tenths lie within nine tenths of it."""
+        spread = script("pile/table").spread([(1e-3 * k, 0.0, 0.0) for k in range(100)])
+        self.assertAlmostEqual(spread, 0.09, places=9)
 
     def test_closed_form_of_the_conveyor(self):
         """Where the parabola of the flight meets the tray; a block as fast for endless friction."""
