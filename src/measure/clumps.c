@@ -118,7 +118,9 @@ static bool forest_init(forest *self, const clod_state *state, const clod_bonds 
         self->above[k] = (int32_t)k;
         self->clump[k] = -1;
         self->index[row] = (int32_t)k;
-        self->in[k] = region == NULL || clod_outlet_has(region, state->grains.position[row]);
+        double place[4];
+        clod_domain_place(&state->domain, state->grains.position[row], place);
+        self->in[k] = region == NULL || clod_outlet_has(region, place);
     }
     return true;
 }

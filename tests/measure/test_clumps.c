@@ -196,6 +196,16 @@ static void a_region_cuts(void **state)
     assert_int_equal(f.clumps.count, 2);
     assert_true(f.stats.grains == 4.0);
     drop(&f);
+    // with a period of 4 the one at 4 is at 0, until the next rebuild moves it there
+    clod_domain *domain = &graph.state.domain;
+    domain->periodic[0] = true;
+    domain->min[0] = 0.0;
+    domain->max[0] = 4.0;
+    const clod_outlet start = {.low = {-0.1, -1.0, -1.0}, .high = {0.5, 1.0, 1.0}};
+    choice.region = &start;
+    find(&f, &graph, 1.0, &choice);
+    check_relative(f.clumps.grains_mass, 2.0 * mass_of(0.5), 1e-12);
+    drop(&f);
     graph_fini(&graph);
 }
 
