@@ -57,7 +57,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     }
 }
 
-/** Write one text into NAME with an ending, and free it. */
+/** Write one text into NAME with an ending, say so, and free the text. */
 static bool put(const request *self, const char *ending, char *text, clod_status *status)
 {
     const size_t size = strlen(self->output) + strlen(ending) + 1;
@@ -66,6 +66,9 @@ static bool put(const request *self, const char *ending, char *text, clod_status
     if (done) {
         snprintf(path, size, "%s%s", self->output, ending);
         done = clod_text_file_write(path, self->path, text, status);
+        if (done) {
+            fprintf(self->json ? stderr : stdout, "wrote %s\n", path);
+        }
     } else {
         clod_status_fail(status, CLOD_FAILED, "No memory for the result.");
     }

@@ -60,6 +60,15 @@ class Page(clod.Case):
             done += 1
         self.assertGreater(done, 5)
 
+    def test_the_calibration_on_the_page_is_that_of_the_card(self):
+        """Mean and interval: the row of the table, the card in the case, and the plan's parameter."""
+        with open(CARD) as file:
+            card = re.search(r"pull_off_force: (\S+) mN # 90 %: (\S+) mN to (\S+) mN\n", file.read())
+        told = [text for command, text in steps() if command.startswith("clod calibrate plan.yaml -o")]
+        self.assertEqual(len(told), 1)
+        row = re.search(r"^  pull_off_force +(\S+) +(\S+) +(\S+)  mN ", told[0], re.MULTILINE)
+        self.assertEqual(row.groups(), card.groups())
+
     def test_dear_commands_are_in_order(self):
         """Their cases load, with the card of the page."""
         self.assertEqual(clod.run("new", "lab-to-outlet", "hopper.yaml", cwd=self.folder).returncode, 0)

@@ -52,6 +52,10 @@ class Hopper(clod.Case):
         self.assertEqual(sorted(os.listdir(self.folder)),
                          ["flow-function.csv", "hopper.yaml", "wall.csv"])
         told = self.hopper("hopper.yaml", "-o", "design").stdout
+        self.assertTrue(told.endswith("\nwrote design.json\nwrote design.svg\n"), told)
+        as_json = self.hopper("hopper.yaml", "-o", "again", "--json")
+        json.loads(as_json.stdout)
+        self.assertEqual(as_json.stderr, "wrote again.json\nwrote again.svg\n")
         with open(self.path("design.json")) as file:
             found = json.load(file)
         self.assertEqual(found["cone"]["outcome"], "flows")
