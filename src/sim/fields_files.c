@@ -112,18 +112,31 @@ bool clod_fields_write(const clod_folder *folder, const void *memory,
 
 // ---- frames
 
-/** Put a frame into its series; what a run that was cut off had put there later goes. */
+/** Name of the list of a grid's frames. */
+static void name_index(char index[NAME_MAX + 1], const clod_case_field *asked)
+{
+    snprintf(index, NAME_MAX + 1, "field_%s.hdf.series", asked->name);
+}
+
+/** Frames that a run that was cut off had put there later go, with their files: before this one is
+ *  written, which has the name of one of them. */
+static bool cut_frames(const clod_field_memory *self, const clod_case_field *asked,
+                       const clod_folder *folder, clod_status *status)
+{
+    char index[NAME_MAX + 1];
+    name_index(index, asked);
+    return self->frame_sum == 0 || clod_hdf_series_cut(folder, index, self->frame_time, status);
+}
+
+/** Put a frame into its series. */
 static bool note_frame(clod_field_memory *self, const clod_case_field *asked,
                        const clod_free_moment *now, const grid_file *file, clod_status *status)
 {
     char index[NAME_MAX + 1];
-    snprintf(index, sizeof index, "field_%s.hdf.series", asked->name);
-    const bool good = (self->frame_sum == 0 ||
-                       clod_hdf_series_cut(file->folder, index, self->frame_time, status)) &&
-                      clod_hdf_series_add(file->folder, index, file->name, now->state->time,
-                                          &self->frame_sum, status);
+    name_index(index, asked);
     self->frame_time = now->state->time;
-    return good;
+    return clod_hdf_series_add(file->folder, index, file->name, now->state->time,
+                               &self->frame_sum, status);
 }
 
 /** One grid as it is now. */
@@ -143,6 +156,7 @@ static bool write_frame(clod_field_memory *self, const clod_case_field *asked,
              frame->number);
     const clod_continuum_part part = {&field, sums};
     const bool good = clod_continuum_pass(&part, 1, now->state, now->contacts, status) &&
+                      cut_frames(self, asked, frame->folder, status) &&
                       write_grid(asked, (const double(*)[CLOD_CONTINUUM_SUMS])sums, 1.0, now,
                                  &file, status) &&
                       note_frame(self, asked, now, &file, status);

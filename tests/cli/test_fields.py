@@ -137,6 +137,26 @@ class Fields(clod.Case):
         self.assertEqual(whole, clod.without_clock(clod.read(self.path("two/summary.json"))))
         self.assertEqual(whole, clod.without_clock(clod.read(self.path("cut/summary.json"))))
 
+    def test_frames_behind_the_last_checkpoint_are_written_again(self):
+        """As when a run was killed: what it had written after its checkpoint goes, and comes again."""
+        self.write(COLUMN.replace("duration: 0.5 s", "duration: 0.3 s")
+                   .replace("steady_since: 0.4 s", "steady_since: 0.05 s")
+                   .replace("width: 12 mm", "width: 12 mm\n    frames: true")
+                   .replace("series_interval: 20 ms", "series_interval: 20 ms, snapshot_interval: 30 ms"))
+        self.go("one")
+        self.stop_after(4, "cut")
+        kept = [(path, clod.read(path)) for path in clod.checkpoints(self.path("cut"), "run")]
+        self.stop_after(10, "cut")
+        for path, content in kept:
+            with open(path, "wb") as file:
+                file.write(content)
+        self.go("cut")
+        frames = [name for name in sorted(os.listdir(self.path("one"))) if "field_grid" in name]
+        self.assertEqual(len(frames), 12)
+        self.assertEqual(frames, [n for n in sorted(os.listdir(self.path("cut"))) if "field_grid" in n])
+        for name in frames:
+            self.assertEqual(clod.read(self.path("one/" + name)), clod.read(self.path("cut/" + name)), name)
+
     def test_a_grid_of_before_goes(self):
         short = COLUMN.replace("duration: 0.5 s", "duration: 20 ms").replace("0.4 s", "0 s")
         self.write(short)
