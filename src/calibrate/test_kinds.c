@@ -61,26 +61,22 @@ static bool has_stress_wall(const clod_case *from, double stress)
 
 // ---- rows
 
+#define SHEAR                                                                                  \
+    {                                                                                          \
+        .numbers = CLOD_NUMBERS_SHEAR, .number_count = CLOD_NUMBERS_SHEAR_COUNT,               \
+        .seeds = seeds_shear, .has_stress = has_stress_shear,                                  \
+        .without_stress = "outside the shear_stresses", .read = clod_number_read_shear,        \
+        .table = &CLOD_PLAN_TABLE_SHEAR                                                        \
+    }
+
 static const clod_test_kind ROWS[CLOD_CASE_KINDS] = {
     [CLOD_CASE_FREE] = {.numbers = &CLOD_NUMBER_PATH,
                         .number_count = 1,
                         .paths = true,
                         .seeds = seeds_one,
                         .read = clod_number_read_summary},
-    [CLOD_CASE_RING_SHEAR] = {.numbers = CLOD_NUMBERS_SHEAR,
-                              .number_count = CLOD_NUMBERS_SHEAR_COUNT,
-                              .seeds = seeds_shear,
-                              .has_stress = has_stress_shear,
-                              .without_stress = "outside the shear_stresses",
-                              .read = clod_number_read_shear,
-                              .table = &CLOD_PLAN_TABLE_SHEAR},
-    [CLOD_CASE_JENIKE] = {.numbers = CLOD_NUMBERS_SHEAR,
-                          .number_count = CLOD_NUMBERS_SHEAR_COUNT,
-                          .seeds = seeds_shear,
-                          .has_stress = has_stress_shear,
-                          .without_stress = "outside the shear_stresses",
-                          .read = clod_number_read_shear,
-                          .table = &CLOD_PLAN_TABLE_SHEAR},
+    [CLOD_CASE_RING_SHEAR] = SHEAR,
+    [CLOD_CASE_JENIKE] = SHEAR,
     [CLOD_CASE_UNIAXIAL] = {.numbers = CLOD_NUMBERS_UNIAXIAL,
                             .number_count = CLOD_NUMBERS_UNIAXIAL_COUNT,
                             .seeds = seeds_one,
