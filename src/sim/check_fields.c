@@ -8,7 +8,7 @@
 #define CELL_TIME 0.05e-6     ///< s: a grain or contact and a cell of the cube about its kernel
 #define MEAN_TIME 0.05e-6     ///< s: into a mean over a region
 #define POINT_BYTES 832.0     ///< sums of a cell during a sample (measure/continuum_sums.c)
-#define NUMBER_ON_DISK 8.0    ///< of a value of a cell
+#define NUMBER_BYTES 8.0      ///< of a value of a cell
 #define CORNERS_ON_DISK 150.0 ///< of a cell's corners and their numbers
 
 /** Seconds of one sample. */
@@ -36,9 +36,8 @@ clod_check_fields_cost clod_check_fields_of(const clod_case *from, double grains
         const double samples = sampled / fmax(field->interval, step) + frames;
         all.clock += samples * sample_time(field, grains);
         all.memory +=
-            points * (POINT_BYTES + (grid ? CLOD_CONTINUUM_SUMS * sizeof(double) : 0));
-        all.disk +=
-            files * points * (CLOD_CONTINUUM_NUMBERS * NUMBER_ON_DISK + CORNERS_ON_DISK);
+            points * (POINT_BYTES + (grid ? CLOD_CONTINUUM_SUMS * NUMBER_BYTES : 0.0));
+        all.disk += files * points * (CLOD_CONTINUUM_NUMBERS * NUMBER_BYTES + CORNERS_ON_DISK);
         all.columns += grid ? 0.0 : CLOD_CONTINUUM_NUMBERS;
     }
     return all;
