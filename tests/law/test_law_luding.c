@@ -1,5 +1,6 @@
 // Luding's law (2008): its branches by hand, MercuryDPM's published collisions, and its limits.
 
+#include "law/law_kinds.h"
 #include "support/law_probe.h"
 
 /**
@@ -55,6 +56,25 @@ static void a_light_contact_unloads_on_its_own_line(void **state)
                           {0.009, 0.772}, {0.006, 0.088},       {0.01, 1.0},
                           {0.02, 2.0},    {0.019, 2.0 - 0.356}, {0.03125, 3.125}};
     follow(&contact, path, 9);
+}
+
+/** By hand: k2 of a contact is 100 + 12800 d_max, and 500 from d* on; so falls the force. */
+static void a_contact_is_unloaded_with_its_own_k2(void **state)
+{
+    (void)state;
+    const clod_case_contact contact = contact_luding();
+    const double deepest[] = {0.01, 0.02, FLOW, 0.04};
+    const double by_hand[] = {228.0, 356.0, 500.0, 500.0};
+    for (int k = 0; k < 4; k++) {
+        law_probe probe = {.law = clod_law_make(&contact, &ORE, &ORE)};
+        const double before = press(&probe, deepest[k]);
+        const double after = press(&probe, deepest[k] - 1e-4);
+        check_close((before - after) / 1e-4, by_hand[k], 1e-8);
+        const double told =
+            clod_law_kinds_row(CLOD_LAW_LUDING)
+                ->unloading(&probe.law, deepest[k], 0.25, probe.history.plastic[0]);
+        check_close(told, by_hand[k], 1e-9);
+    }
 }
 
 /** Beyond d*: f = 500 (d - 0.025), up and down the same line, whatever the largest overlap. */
@@ -264,6 +284,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_light_contact_unloads_on_its_own_line),
+        cmocka_unit_test(a_contact_is_unloaded_with_its_own_k2),
         cmocka_unit_test(a_heavy_contact_has_the_limit_branch),
         cmocka_unit_test(the_adhesive_branch_forgets),
         cmocka_unit_test(the_largest_pull_is_where_the_lines_meet),
