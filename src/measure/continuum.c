@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/assert.h"
+#include "base/cell_count.h"
 
 const clod_continuum_value CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_VALUES] = {
     [CLOD_CONTINUUM_OF_DENSITY] = {"density", "kg/m3", "density_kg_per_m3", 0, 1},
@@ -45,9 +46,7 @@ clod_continuum clod_continuum_make(const clod_outlet *region, double cell, doubl
         return self;
     }
     for (int a = 0; a < 3; a++) {
-        // as config counts them (grid.c): a rounding beyond a whole number is none
-        const double edges = (region->high[a] - region->low[a]) / cell;
-        self.cells[a] = (int64_t)fmax(1.0, ceil(edges * (1.0 - 1e-12)));
+        self.cells[a] = (int64_t)clod_cell_count(region->high[a] - region->low[a], cell);
     }
     return self;
 }

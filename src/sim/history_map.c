@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/cell_count.h"
 #include "base/memory.h"
 #include "output/voxels.h"
 #include "output/vtk_cells.h"
@@ -43,9 +44,7 @@ static map_grid grid_of(const clod_case *from)
     map_grid grid = {.edge = map->cell};
     for (int a = 0; a < 3; a++) {
         grid.low[a] = low[a];
-        // as config counts them (grid.c): a rounding beyond a whole number is none
-        grid.cells[a] =
-            (int64_t)fmax(1.0, ceil((high[a] - low[a]) / map->cell * (1.0 - 1e-12)));
+        grid.cells[a] = (int64_t)clod_cell_count(high[a] - low[a], map->cell);
     }
     return grid;
 }

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/cell_count.h"
 #include "base/json.h"
 #include "base/memory.h"
 #include "measure/mixing.h"
@@ -74,8 +75,7 @@ static bool grid_open(grid *self, const clod_case_mixing *from)
     size_t count = 1;
     for (int a = 0; a < 3; a++) {
         const double length = self->region.high[a] - self->region.low[a];
-        // as config counts them (grid.c)
-        self->cells[a] = (int64_t)fmax(1.0, ceil(length / self->cell * (1.0 - 1e-12)));
+        self->cells[a] = (int64_t)clod_cell_count(length, self->cell);
         count *= (size_t)self->cells[a];
     }
     self->sample = clod_memory_alloc(count, sizeof *self->sample);
