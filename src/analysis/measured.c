@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis/study_file.h"
 #include "base/given.h"
 #include "base/input.h"
 #include "base/memory.h"
@@ -118,10 +119,9 @@ static bool read_shear(const char *path, const char *text, size_t length,
     if (!clod_locus_parse(path, text, length, defaults, &points, &count, status)) {
         return false;
     }
-    clod_status why = {0};
-    self->study = clod_locus_study_create(points, count, &why);
+    self->study = clod_study_of_points(path, points, count, status);
     clod_locus_free(points);
-    return self->study != NULL || fail_evaluation(path, &why, status);
+    return self->study != NULL;
 }
 
 static bool read_wall(const char *path, const char *text, size_t length, clod_measured *self,

@@ -79,10 +79,13 @@ static bool evaluate_seed(const sorted *items, size_t count, clod_locus_point *p
     if (clod_locus_evaluate(points, count, locus, status)) {
         return true;
     }
-    char text[512];
+    char text[512], seed[32] = "";
     snprintf(text, sizeof text, "%.*s", (int)sizeof text - 1, status->text);
-    return clod_status_fail(status, status->code, "Preshear at %.3f kPa, seed %lld: %s",
-                            points[0].sigma_p / 1000.0, (long long)points[0].seed, text);
+    if (points[0].seed != 0) { // as of a table without that column
+        snprintf(seed, sizeof seed, ", seed %lld", (long long)points[0].seed);
+    }
+    return clod_status_fail(status, status->code, "Preshear at %.3f kPa%s: %s",
+                            points[0].sigma_p / 1000.0, seed, text);
 }
 
 static bool evaluate_group(const sorted *items, size_t count, clod_locus_point *points,

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "analysis/fields.h"
+#include "analysis/study_file.h"
 #include "calibrate/number.h"
 #include "clod/locus.h"
 
@@ -40,25 +41,12 @@ static double of_locus(const clod_locus *locus, const clod_plan_target *target)
     return value;
 }
 
-/** The yield locus of a run: of its points. */
-static clod_locus_study *read_locus(const char *folder, clod_status *status)
-{
-    char path[PATH_MAX];
-    snprintf(path, sizeof path, "%s/points.csv", folder);
-    clod_locus_point *points;
-    size_t count;
-    if (!clod_locus_read(path, NULL, &points, &count, status)) {
-        return NULL;
-    }
-    clod_locus_study *study = clod_locus_study_create(points, count, status);
-    clod_locus_free(points);
-    return study;
-}
-
 bool clod_number_read_shear(const clod_plan *plan, size_t test, const char *folder,
                             double *values, clod_status *status)
 {
-    clod_locus_study *study = read_locus(folder, status);
+    char path[PATH_MAX];
+    snprintf(path, sizeof path, "%s/points.csv", folder);
+    clod_locus_study *study = clod_study_of_file(path, status);
     if (study == NULL) {
         return false;
     }

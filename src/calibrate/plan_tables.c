@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "analysis/mean.h"
+#include "analysis/study_file.h"
 #include "base/memory.h"
 #include "calibrate/plan_targets.h"
 #include "calibrate/test_kinds.h"
@@ -219,7 +220,7 @@ static bool make_locus(maker *self, size_t test, const clod_number *kind, clod_s
     if (!clod_locus_read(self->wish->locus, NULL, &points, &count, status)) {
         return false;
     }
-    clod_locus_study *study = clod_locus_study_create(points, count, status);
+    clod_locus_study *study = clod_study_of_points(self->wish->locus, points, count, status);
     const bool good = study != NULL;
     if (good) {
         make_marks(self, test, kind, study, points, count);

@@ -264,8 +264,13 @@ static bool read_tests(const clod_hopper_strength *from, clod_solid *solid,
     for (size_t t = 0; t < from->test_count && good; t++) {
         good = add_points(from->tests[t].points, &points, &count, status);
     }
-    clod_locus_study *study = good ? clod_locus_study_create(points, count, status) : NULL;
-    good = study != NULL && take_study(study, solid, notes, status);
+    clod_status why = {0};
+    clod_locus_study *study = good ? clod_locus_study_create(points, count, &why) : NULL;
+    if (good && !(study != NULL && take_study(study, solid, notes, &why))) {
+        // of several files: the preshear stress says which
+        good = clod_status_fail(status, why.code, "%s%s: %s", from->tests[0].points,
+                                from->test_count > 1 ? " and those after it" : "", why.text);
+    }
     clod_locus_study_destroy(&study);
     clod_memory_free(points);
     return good;

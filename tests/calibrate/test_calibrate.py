@@ -84,6 +84,7 @@ class Calibrate(bounce.Bounce):
         with open(self.path("again/case-complete.yaml")) as file:
             self.assertIn(f"restitution: {mean:.4g}", file.read())
 
+    @clod.quick_only
     def test_interrupted_it_goes_on_to_the_same_results(self):
         self.calibrate(PLAN, "-o", "whole", "-j", "2")
         for number, code in ((signal.SIGTERM, 143), (signal.SIGKILL, -signal.SIGKILL)):

@@ -227,6 +227,7 @@ class Clumps(clod.Case):
         left = self.summary("wet")["clumps"]["left"]
         self.assertEqual(left["alone"] + left["in_clumps"], last["outlet_below.grains"])
 
+    @clod.quick_only
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write_rain(k_adh=2.5e6)
         self.go("one", "-t", "1")

@@ -113,6 +113,7 @@ class Fields(clod.Case):
         self.assertEqual(rows[0]["field_floor.density"], 0.0)
         self.assertEqual(self.summary("out")["fields"]["grid"]["samples"], 7)
 
+    @clod.quick_only
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(COLUMN.replace("duration: 0.5 s", "duration: 0.3 s")
                    .replace("steady_since: 0.4 s", "steady_since: 0.05 s")

@@ -334,7 +334,7 @@ class Folder(clod.Case):
         self.assertEqual(clod.without_clock(clod.read(self.path("out/summary.json"))),
                          clod.without_clock(clod.read(self.path("whole/summary.json"))))
         times = [time for time in self.times("out") if time > stopped]
-        self.assertGreaterEqual(len(times), int((0.4 - stopped) / 10e-3) - 1)
+        self.assertGreaterEqual(len(times), int((0.22 - stopped) / 10e-3) - 1)
         for one, other in zip([stopped] + times, times):
             self.assertLess(other - one, 11e-3)  # and a row of the series, 0.5 ms
         with open(self.path("out/case-complete.yaml")) as file:

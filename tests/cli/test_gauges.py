@@ -250,6 +250,7 @@ class Gauges(clod.Case):
         self.assertEqual(done.stderr.count("gauge slot is blocked since"), 2)
         self.assertEqual(done.stderr.count("gauge slot is not blocked any more"), 1)
 
+    @clod.quick_only
     def test_alarms_are_logged_once_when_a_run_is_killed(self):
         """Killed after the first alarm it begins anew from its first checkpoint, before it."""
         self.fly("0.6 m/s", "2e-7 s")
@@ -263,6 +264,7 @@ class Gauges(clod.Case):
         self.assertTrue(any(event["event"] == "resume" for event in clod.log(self.path("cut"))))
         self.assertEqual(self.alarms("cut"), whole)
 
+    @clod.quick_only
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         text = FALL.replace("DURATION", "0.7 s").replace("steady_since: 0.4 s",
                                                          "steady_since: 0.1 s")

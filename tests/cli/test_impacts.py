@@ -213,6 +213,7 @@ class Impacts(clod.Case):
             self.assertEqual([self.hits_of_a_ramp(bend, one_file) for bend in (5, 18, 22, 60)],
                              [0, 0, 1, 1], one_file)
 
+    @clod.quick_only
     def test_same_bytes_on_two_threads_and_after_a_stop(self):
         """Grains that bounce on all surfaces; what was counted before the stop is still there."""
         grains = [(0.01 + 0.017 * (k % 17), -0.07 + 0.02 * (k // 17), RADIUS + 1e-4 + 1e-5 * k,

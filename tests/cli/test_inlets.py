@@ -154,6 +154,7 @@ walls: {lid: {material: ore, shapes: [{box: {center: [0 m, 0 m, 0 m], size: [0.1
         self.assertEqual(done.stderr.count("inlet 1 is not blocked any more"), 1)
         self.assertNotIn("blocked_since_s", self.summary("out")["inlets"][0])
 
+    @clod.quick_only
     def test_a_blocked_inlet_is_logged_once_when_a_run_is_killed(self):
         self.write_lid("1e-6 s")
         self.go("out")
@@ -168,6 +169,7 @@ walls: {lid: {material: ore, shapes: [{box: {center: [0 m, 0 m, 0 m], size: [0.1
         self.assertTrue(any(event["event"] == "resume" for event in clod.log(self.path("cut"))))
         self.assertEqual(self.blocked("cut"), whole)
 
+    @clod.quick_only
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(group("mass_flow: 1 kg/s", low=-0.08, high=0.0),
                    group("number_flow: 300 1/s", low=-0.02, high=0.08), walls=WALL,

@@ -66,6 +66,7 @@ class Face(clod.Case):
         # normal (0.6, 0, -0.8): 2.2 m/s along it through 120 x 100 mm
         self.stream(RECTANGLE, 0.2 * 0.012 * 2.2 * 2500.0, 0.012)
 
+    @clod.quick_only
     def test_the_same_bytes_on_threads(self):
         self.write(RECTANGLE, duration=0.2)
         self.go("one")

@@ -122,6 +122,7 @@ class Mix(clod.Case):
         self.assertEqual(last["inlet_2.grains"], 0)
         self.assertLess(abs(last["inlet_2.owed"] - 0.1), 1.1e-3)
 
+    @clod.quick_only
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(group("ore", "mass_flow: 2 kg/s"), group("steel", "mass_flow: 4 kg/s"),
                    walls=WALL, duration=0.2)

@@ -89,6 +89,7 @@ class Leavers(clod.Case):
         for row in clod.table(self.path("out/energy.csv")):
             self.assertLess(abs(row["residual_of_flow"]), 1e-3)
 
+    @clod.quick_only
     def test_threads_change_no_byte(self):
         self.write(", open: delete")
         tables = []

@@ -182,6 +182,7 @@ fields:
                       self.warnings(DRUM + field.replace("LONG", "0.5 s")))
         self.assertNotIn("fields.", self.warnings(DRUM + field.replace("LONG", "0.3 s")))
 
+    @clod.quick_only
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(DRUM)
         self.go("one")

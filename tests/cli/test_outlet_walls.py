@@ -163,6 +163,7 @@ class OutletWalls(clod.Case):
         self.go("region", "1", "--from", "first")
         self.assertGreater(self.rows("region")[-1]["outlet_all.grains"], 0.9 * there)
 
+    @clod.quick_only
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(SHEET, "{left: {wall: sheet, part: left}, low: {region: {box: {min: [-0.2 m, "
                    "-0.2 m, -0.3 m], max: [0.2 m, 0.2 m, -0.25 m]}}}}", duration=0.4)

@@ -144,6 +144,7 @@ class Residence(clod.Case):
         self.assertEqual(times, sorted(times))
         self.assertEqual(len({id for _, id in times}), len(rows))
 
+    @clod.quick_only
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
         self.write(THERE, inlet("number_flow: 400 1/s"), output=", leavers: true")
         self.go("one")

@@ -189,6 +189,7 @@ class Surfaces(clod.Case):
                         for k, row in enumerate(rows))
             self.assertAlmostEqual(total / (times[-1] - times[0]) / press[name], 1.0, 6)
 
+    @clod.quick_only
     def test_same_bytes_on_two_threads_and_after_a_stop(self):
         self.go("one")
         self.go("two", threads="2")

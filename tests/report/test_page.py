@@ -34,7 +34,7 @@ class Report(clod.Case):
     def test_ring_shear(self):
         """A real test: the run itself writes the page; laboratory points come over it later."""
         case = clod.source("tests/restart/ring.yaml")
-        done = self.made("run", case, "-o", "ring", "-t", "2", "--report")
+        done = self.made("run", case, "-o", "ring", "-t", "1", "--report")
         self.assertIn("ring/report.html", done.stderr)
         page = self.page("ring/report.html")
         with open(self.path("ring/summary.json")) as file:

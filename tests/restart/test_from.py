@@ -14,7 +14,7 @@ import clod
 BOX = clod.source("tests/restart/box.yaml")
 RING = clod.source("tests/restart/ring.yaml")
 SMALL = clod.source("tests/faults/ring.yaml")
-UNIAXIAL = clod.source("tests/cli/uniaxial.yaml")
+UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
 SETTLE = "{name: settle, duration: 60 ms, adhesion: 10 %}"
 STEP = "time.step=8e-6 s"  # what stages press with would change the automatic one
 PRESS = "{name: press, duration: 10 ms, walls: {lid: {stress: 1 kPa}}}"
@@ -256,7 +256,7 @@ class Tests(clod.Case):
     def run_case(self, case, folder, *changes, origin=None, expect=0):
         words = [word for change in changes for word in ("--set", change)]
         words += ["--from", self.path(origin)] if origin else []
-        done = clod.run("run", case, "-o", self.path(folder), "-t", "2", *words)
+        done = clod.run("run", case, "-o", self.path(folder), "-t", "1", *words)
         self.assertEqual(done.returncode, expect, done.stderr)
         return done
 

@@ -5,6 +5,7 @@
 #include "step/layers.h"
 #include "support/bed.h"
 #include "support/bits.h"
+#include "support/sanitized.h"
 
 #define SIDE 48
 #define SPACING 0.00598 ///< m, of grains of 3 mm
@@ -81,7 +82,7 @@ static void nothing_is_lost_when_lists_are_made_anew(void **state)
     scene plain;
     run_plain(&plain);
     assert_true(clod_step_export(&plain.step, &plain.step.status));
-    for (int k = 0; k < 2; k++) {
+    for (int k = sanitized() ? 1 : 0; k < 2; k++) {
         scene again;
         run_with_lists(&again, threads[k]);
         assert_true(clod_step_export(&again.step, &again.step.status));
