@@ -1,5 +1,7 @@
 #include "calibrate/calibrate.h"
 
+#include <stdio.h>
+
 #include "base/given.h"
 #include "base/memory.h"
 #include "calibrate/plan.h"
@@ -68,6 +70,16 @@ static bool stopped(void *context)
     return atomic_load((clod_run_signal *)context) != 0;
 }
 
+/** Before hours are spent on a table that was misread. */
+static void tell_warnings(const clod_plan *plan, const clod_calibrate_options *options)
+{
+    for (size_t k = 0; k < plan->warnings.count && options->tell != NULL; k++) {
+        char text[CLOD_WARNING_LIST_TEXT + 16];
+        snprintf(text, sizeof text, "WARNING: %s", plan->warnings.text[k]);
+        options->tell(options->context, text);
+    }
+}
+
 /** Design, runs, posterior, files. */
 static bool work(const clod_plan *plan, const char *directory,
                  const clod_calibrate_options *options, char **report, clod_status *status)
@@ -114,6 +126,9 @@ bool clod_calibrate_run(const char *path, const clod_calibrate_options *options,
         good && options->directory == NULL ? clod_folder_default(path, status) : NULL;
     const char *directory = options->directory != NULL ? options->directory : standard;
     good = good && directory != NULL;
+    if (good) {
+        tell_warnings(&plan, options);
+    }
     if (good && !options->dry) {
         good = work(&plan, directory, options, report, status);
     }

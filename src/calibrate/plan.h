@@ -9,6 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/warning_list.h"
 #include "clod/case.h"
 #include "clod/status.h"
 
@@ -80,7 +81,8 @@ typedef struct clod_plan {
     clod_plan_sampling sampling;
     clod_plan_target *targets; ///< [target_count] owned
     size_t target_count;
-    char *path, *text; ///< owned: of its file
+    char *path, *text;          ///< owned: of its file
+    clod_warning_list warnings; ///< of its measured tables: wrong units or columns, as a rule
 } clod_plan;
 
 /**

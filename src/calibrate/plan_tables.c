@@ -156,6 +156,12 @@ static double error_of(const clod_locus_mark *mark, const clod_locus_point *poin
     return 0.0;
 }
 
+/** What `clod locus` says of a table beside its numbers. */
+static void warn(maker *self, const char *warning)
+{
+    clod_warning_list_add(&self->plan->warnings, "%s: %s", self->wish->locus, warning);
+}
+
 /** The prorated points of a yield locus. */
 static void make_locus_points(maker *self, const clod_number *kind,
                               const clod_plan_target *common, const clod_locus *locus,
@@ -202,6 +208,9 @@ static void make_marks(maker *self, size_t test, const clod_number *kind,
             continue;
         }
         make_locus_points(self, kind, &common, locus, points, count);
+        for (size_t k = 0; k < locus->warning_count; k++) {
+            warn(self, locus->warnings[k]);
+        }
         return;
     }
     char list[160];
@@ -297,6 +306,9 @@ static bool make_wall(maker *self, size_t test, const clod_number *kind, clod_st
     clod_locus_free(points);
     if (good) {
         make_angles(self, test, kind, &locus);
+        for (size_t k = 0; k < locus.warning_count; k++) {
+            warn(self, locus.warnings[k]);
+        }
         clod_wall_locus_fini(&locus);
     }
     return good;

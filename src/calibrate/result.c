@@ -41,6 +41,8 @@ const char *clod_result_measured(const clod_plan_measure *measure, double value,
         snprintf(buffer, size, "-");
     } else if (measure->digits == CLOD_PLAN_FIGURES) {
         snprintf(buffer, size, "%.4g", told);
+    } else if (told != 0.0 && fabs(told) < pow(10.0, 1 - measure->digits)) {
+        snprintf(buffer, size, "%.3g", told); // its decimals would show one figure or none
     } else {
         snprintf(buffer, size, "%.*f", measure->digits, told);
     }
@@ -161,6 +163,9 @@ void clod_result_warn(clod_result *self)
                               failed, clod_plural((double)failed), failed == 1 ? "is" : "are");
     }
     clod_runs_warn(self->runs, &self->warnings);
+    for (size_t k = 0; k < self->plan->warnings.count; k++) {
+        clod_warning_list_add(&self->warnings, "%s", self->plan->warnings.text[k]);
+    }
 }
 
 char *clod_result_samples(const clod_result *self)

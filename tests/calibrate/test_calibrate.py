@@ -238,6 +238,20 @@ class Calibrate(bounce.Bounce):
                                             "error: 1 kPa"),
                     words=["30 kPa is not among the consolidation_stresses"])
 
+    def test_table_in_a_wrong_unit_is_told_before_anything_runs(self):
+        """Shear stresses a hundred times too small, as of a column in bar with kPa above it."""
+        table = ("sigma_pre [kPa],tau_pre [kPa],sigma_sh [kPa],tau_sh [kPa]\n"
+                 "54.8,0.4,12,0.2\n54.8,0.4,30,0.3\n54.8,0.4,40,0.35\n")
+        with open(self.path("lab.csv"), "w") as file:
+            file.write(table)
+        plan = PLAN.replace("bounce.yaml", clod.source("cases/calibrate-kadh/ring.yaml"))
+        plan = plan.replace("contacts.default.restitution", "contacts.default.rolling_friction")
+        target = f"number: kinetic_energy_J, value: {BEFORE * TRUTH**2:.6g}, error: 4e-6"
+        done = self.calibrate(plan.replace(target, "locus: lab.csv, error: 1 kPa"), "--check")
+        self.assertRegex(done.stderr, r"WARNING: .*lab\.csv: phi_lin = 0\.3\d* deg is outside 5 to 65 deg; "
+                                      "check the columns and units")
+        self.assertIn("in order", done.stdout)
+
     def test_unknown_number_of_a_free_run_is_told_after_the_first_point(self):
         plan = PLAN.replace("kinetic_energy_J", "kinetic_energy")
         done = self.calibrate(plan, "-o", "out", code=2)
