@@ -9,6 +9,7 @@
 #include "base/memory.h"
 #include "calibrate/params.h"
 #include "calibrate/plan_check.h"
+#include "config/file_kind.h"
 #include "config/load.h"
 #include "config/yaml.h"
 
@@ -46,11 +47,7 @@ char *clod_plan_setting(const clod_plan_parameter *self, double place)
 /** Tree -> struct -> checks. */
 static void build(clod_loader *loader, clod_plan *self)
 {
-    if (clod_tree_find(loader->root, "materials") != NULL) {
-        clod_report_add(
-            loader->report, loader->root->place, "",
-            "is a simulation's case, no plan; clod run reads it, and clod new calibrate "
-            "writes an example of a plan");
+    if (!clod_file_kind_check(loader, CLOD_FILE_PLAN)) {
         return;
     }
     clod_load_section(loader, &CLOD_TABLE_PLAN, loader->root, loader->root->place, self);

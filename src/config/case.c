@@ -12,6 +12,7 @@
 #include "base/memory.h"
 #include "config/check.h"
 #include "config/contacts.h"
+#include "config/file_kind.h"
 #include "config/include.h"
 #include "config/load.h"
 #include "config/override.h"
@@ -40,16 +41,7 @@ static char *folder_of(const char *path, clod_arena *arena)
 /** Tree -> structs -> checks; errors go to the report. */
 static void build(clod_loader *loader, clod_case *self)
 {
-    if (clod_tree_find(loader->root, "flow_function") != NULL &&
-        clod_tree_find(loader->root, "materials") == NULL) {
-        clod_report_add(loader->report, loader->root->place, "",
-                        "is a hopper's case, no simulation's; clod hopper reads it");
-        return;
-    }
-    if (clod_tree_find(loader->root, "targets") != NULL &&
-        clod_tree_find(loader->root, "materials") == NULL) {
-        clod_report_add(loader->report, loader->root->place, "",
-                        "is the plan of a calibration; clod calibrate reads it");
+    if (!clod_file_kind_check(loader, CLOD_FILE_CASE)) {
         return;
     }
     clod_load_section(loader, &CLOD_TABLE_CASE, loader->root, loader->root->place, self);

@@ -7,6 +7,7 @@
 
 #include "base/input.h"
 #include "base/memory.h"
+#include "config/file_kind.h"
 #include "config/load.h"
 #include "config/override.h"
 #include "config/yaml.h"
@@ -82,11 +83,7 @@ static bool read_tree(clod_loader *loader, const char *text, size_t length, size
 /** Tree -> struct -> checks. */
 static void build(clod_loader *loader, clod_hopper_case *self)
 {
-    if (clod_tree_find(loader->root, "materials") != NULL &&
-        clod_tree_find(loader->root, "flow_function") == NULL) {
-        clod_report_add(loader->report, loader->root->place, "",
-                        "is a simulation's case, no hopper's; clod run reads it, and clod new "
-                        "hopper writes an example of a hopper's");
+    if (!clod_file_kind_check(loader, CLOD_FILE_HOPPER)) {
         return;
     }
     clod_load_section(loader, &CLOD_TABLE_HOPPER, loader->root, loader->root->place, self);

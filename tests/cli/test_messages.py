@@ -221,7 +221,7 @@ class Messages(clod.Case):
         seconds = time.monotonic() - begin
         self.assertEqual(done.returncode, 0, done.stderr)
         ended = re.match(r"time (\S+) s, ", done.stdout)
-        self.assertAlmostEqual(float(ended[1]), 0.4, delta=2e-5, msg=done.stdout)  # two steps
+        self.assertAlmostEqual(float(ended[1]), 0.22, delta=2e-5, msg=done.stdout)  # two steps
         # the bed, three stages and why each ended, two walls
         self.assertEqual([line.split()[0] for line in done.stdout.splitlines()],
                          ["time", *3 * ["stage"], *2 * ["wall"]])
@@ -233,7 +233,7 @@ class Messages(clod.Case):
         for line in lines[:-1]:
             self.assertRegex(line, r"^run +\w+ +\d\.\d{4} s, step \d+, \S+ grain-steps/s"
                                    r"(, at most \d+:\d\d:\d\d left of this part)?$")
-        self.assertRegex(lines[-1], r"^run +drag +0\.4\d* s, step \d+, \S+ grain-steps/s$")
+        self.assertRegex(lines[-1], r"^run +drag +0\.22\d* s, step \d+, \S+ grain-steps/s$")
 
     def test_output_that_cannot_be_written(self):
         with open("/dev/full", "w") as full:

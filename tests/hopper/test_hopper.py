@@ -304,15 +304,28 @@ class Hopper(clod.Case):
         clod.run("new", "hopper", cwd=self.folder)
         clod.run("new", "free-run", cwd=self.folder)
         done = self.hopper("free-run.yaml", code=2)
-        self.assertIn("free-run.yaml:3:1: is a simulation's case, no hopper's; clod run",
+        self.assertIn("free-run.yaml:3:1: is a simulation's case, not a hopper's case; clod run",
                       done.stderr)
         self.assertNotIn("not known", done.stderr)
+        self.write("card.yaml", "contacts:\n  default: {k_adh: 1e6 N/m^1.5}\n")
+        self.write("plan.yaml", "tests: {}\ntargets: []\n")
+        said = {"hopper.yaml": "is a hopper's case, not a simulation's case; clod hopper reads it",
+                "plan.yaml": "is the plan of a calibration, not a simulation's case; clod calibrate",
+                "card.yaml": "is a material card, not a simulation's case; a simulation's case takes "
+                             "it in with include: FILE"}
         for verb in ("run", "check", "contact"):
-            done = clod.run(verb, "hopper.yaml", cwd=self.folder)
+            for name, text in said.items():
+                done = clod.run(verb, name, cwd=self.folder)
+                self.assertEqual(done.returncode, 2)
+                self.assertIn(text, done.stderr)
+                self.assertNotIn("not known", done.stderr)
+        for name in ("plan.yaml", "card.yaml"):
+            self.assertIn(said[name].replace("a simulation's case", "a hopper's case", 1),
+                          self.hopper(name, code=2).stderr)
+        done = clod.run("calibrate", "hopper.yaml", cwd=self.folder)
+        if "without GSL" not in done.stderr:
             self.assertEqual(done.returncode, 2)
-            self.assertIn("hopper.yaml:3:1: is a hopper's case, no simulation's; clod hopper",
-                          done.stderr)
-            self.assertNotIn("not known", done.stderr)
+            self.assertIn("is a hopper's case, not the plan of a calibration", done.stderr)
 
     def test_shear_points_without_preshear(self):
         """Only clod locus has options for it."""
