@@ -139,7 +139,7 @@ static void leaving_has_the_same_bits(void **state)
     (void)state;
     scene one;
     burst_with(&one, 1);
-    const int64_t all = sanitized() ? 12000 : 60000;
+    const int64_t all = sanitized() ? 12000 : 30000;
     scene_run(&one, all);
     assert_true(clod_step_export(&one.step, &one.step.status));
     for (int threads = 2; threads <= 5; threads += sanitized() ? 3 : 1) {
