@@ -180,6 +180,51 @@ static void two_grains_pressed_together(void **unused)
     clod_state_fini(&state);
 }
 
+/** About an axis: a grain at (3, 4) cm from it moves with (-8, 6) m/s, 10 m/s around it; two grains that
+ *  are pressed together across a radius, and dragged around. */
+static void a_ring_tells_what_goes_around(void **unused)
+{
+    (void)unused;
+    clod_state state = {.dt = 1e-3};
+    const clod_outlet region = {.middle = {0.2, -0.1},
+                                .inner = 0.04,
+                                .outer = 0.06,
+                                .low = {0.14, -0.16, 0.0},
+                                .high = {0.26, -0.04, 0.1}};
+    clod_continuum ring = clod_continuum_make(&region, 0.0, 0.0);
+    ring.cylindrical = true;
+    double sum[CLOD_CONTINUUM_SUMS], values[CLOD_CONTINUUM_NUMBERS];
+    add(&state, 0.23, -0.06, 0.05, 3e-3, (const double[]){-8.0, 6.0, -1.0});
+    sample(&ring, &state, NULL, sum, NULL);
+    const double mass = mass_of(3e-3);
+    check_close(sum[CLOD_CONTINUUM_MOMENTUM], 0.0, 1e-15);
+    check_relative(sum[CLOD_CONTINUUM_MOMENTUM + 1], 10.0 * mass, 1e-12);
+    check_relative(sum[CLOD_CONTINUUM_MOMENTUM + 2], -mass, 1e-12);
+    check_relative(sum[CLOD_CONTINUUM_FLUX + 1], 100.0 * mass, 1e-12);
+    check_relative(sum[CLOD_CONTINUUM_FLUX + 5], -10.0 * mass, 1e-12);
+    clod_state_fini(&state);
+    // branch of 6 mm along the radius (0.6, 0.8); 5 N along it, 2 N around: (3 - 1.6, 4 + 1.2)
+    state = (clod_state){.dt = 1e-3};
+    add(&state, 0.2 + 0.0318, -0.1 + 0.0424, 0.05, 3e-3, NONE);
+    add(&state, 0.2 + 0.0282, -0.1 + 0.0376, 0.05, 3e-3, NONE);
+    given pair = {.count = 1,
+                  .contact = {{.i = 0, .j = 1, .shape = -1}},
+                  .told = {{.from = {0.2282, -0.0624, 0.05}, .force = {1.4, 5.2, 0.0}}}};
+    sample(&ring, &state, &pair, sum, NULL);
+    check_relative(sum[CLOD_CONTINUUM_CONTACT], 5.0 * 6e-3, 1e-12);     // rr
+    check_relative(sum[CLOD_CONTINUUM_CONTACT + 3], 2.0 * 6e-3, 1e-12); // tr
+    check_close(sum[CLOD_CONTINUUM_CONTACT + 1], 0.0, 1e-15);           // rt
+    check_close(sum[CLOD_CONTINUUM_CONTACT + 4], 0.0, 1e-15);           // tt
+    clod_continuum_values(&ring, sum, 1.0, values);
+    assert_string_equal(clod_continuum_component(&ring, 9, 5), "_tz");
+    assert_string_equal(clod_continuum_component(&ring, 3, 1), "_t");
+    ring.cylindrical = false;
+    assert_string_equal(clod_continuum_component(&ring, 9, 5), "_yz");
+    sample(&ring, &state, &pair, sum, NULL);
+    check_relative(sum[CLOD_CONTINUUM_CONTACT + 1], 1.4 * 4.8e-3, 1e-12); // xy
+    clod_state_fini(&state);
+}
+
 /** Across a periodic side: once on a grid, in the whole and in parts, wherever rows stand. */
 static void periodic_sides_count_once(void **unused)
 {
@@ -431,6 +476,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_grid_has_the_mass_of_a_grain),
         cmocka_unit_test(two_grains_pressed_together),
+        cmocka_unit_test(a_ring_tells_what_goes_around),
         cmocka_unit_test(periodic_sides_count_once),
         cmocka_unit_test(a_side_is_no_place),
         cmocka_unit_test(on_a_side_counts_once),
