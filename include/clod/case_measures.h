@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file case_measures.h
- * What a free run of a checked case measures in regions of space: fields (case.h).
+ * What a run of a checked case measures in regions of space: fields (case.h).
  */
 
 #include "clod/case_grains.h"

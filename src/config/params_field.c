@@ -64,7 +64,7 @@ static const clod_param FIELD[] = {
      .fallback = "10 ms",
      .example = "20 ms",
      CLOD_AT(F, interval),
-     .help = "Simulated time from one sample to the next.",
+     .help = "Simulated time from one sample to the next; a test takes them at its rows.",
      .source = "docs/fields.md"},
     {.key = "frames",
      .kind = CLOD_PARAM_BOOL,
