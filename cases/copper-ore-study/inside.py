@@ -65,6 +65,19 @@ def survival(keys, begin):
     return numpy.array(told)
 
 
+def budget(before, after):
+    """What changes the mean pull-off between two lists of (keys, pull-offs), as parts of it: what contacts that stay gain, and
+    lose; what those that open and come do to it. Then shares that open and come, with their mean pull-offs."""
+    _, a, b = numpy.intersect1d(before[0], after[0], return_indices=True)
+    change = after[1][b] - before[1][a]
+    opened, new = numpy.delete(before[1], a), numpy.delete(after[1], b)
+    mean, count = before[1].mean(), len(after[0])
+    turnover = (new - mean).sum() - (opened - mean).sum()
+    return {"gained": change[change > 0].sum() / count, "lost": change[change < 0].sum() / count,
+            "turnover": turnover / count, "opened": len(opened) / len(before[0]), "new": len(new) / count,
+            "opened_pull": opened.mean() if len(opened) else math.nan, "new_pull": new.mean() if len(new) else math.nan}
+
+
 def sphere_slices(z, radius, edges):
     """Volume of all spheres within each slice between level planes [m3]."""
     reach = numpy.clip(edges[None, :] - z[:, None], -radius[:, None], radius[:, None])
@@ -99,6 +112,7 @@ class Preshear:
                 re.findall(r"^  (inner_radius|outer_radius|bar_height|preshear_stress): ([-+.0-9e]+)", text, re.M)}
         self.inner, self.outer, self.bar = size["inner_radius"], size["outer_radius"], size["bar_height"]
         self.sigma = size["preshear_stress"]
+        self.radius = float(re.search(r"^    mean: ([-+.0-9e]+)", text[text.index("\nring_shear:"):], re.M).group(1))
         self.area = math.pi * (self.outer ** 2 - self.inner ** 2)
         self.middle = 2 / 3 * (self.outer ** 3 - self.inner ** 3) / (self.outer ** 2 - self.inner ** 2)
         table = self.run.series("preshear")
@@ -161,6 +175,27 @@ class Preshear:
         """Volume of the bed [m3]: mass over bulk density."""
         density = self.mean("bulk_density", way, reach) if way > 0 else self.series["bulk_density"][0]
         return grains["mass"].sum() / density
+
+    def stress(self, way, snapshots=2):
+        """Stresses of the normal forces in the bed between the bars, a grain's radius away from them [Pa]: rows of those
+        that push and those that pull, columns rr, tt, zz, tz; compression is positive. Mean of the snapshots around."""
+        middle, found = self.nearest(way), []
+        for k in range(max(0, middle - snapshots), min(len(self.way), middle + snapshots + 1)):
+            contacts = self.contacts(k)
+            ends = contacts["position"].reshape(-1, 2, 3)
+            branch, place = ends[:, 0] - ends[:, 1], ends.mean(axis=1)
+            height = self.mean("height", max(self.way[k], 1e-4))
+            low, high = self.bar + self.radius, height - self.bar - self.radius
+            radius = numpy.hypot(place[:, 0], place[:, 1])
+            r = (branch[:, :2] * place[:, :2]).sum(axis=1) / radius
+            t = (place[:, 0] * branch[:, 1] - place[:, 1] * branch[:, 0]) / radius
+            z = branch[:, 2]
+            force = normal_force(self.law, contacts["overlap"], contacts["plastic"])
+            scale = force / numpy.linalg.norm(branch, axis=1) / (self.area * (high - low))
+            inside = (place[:, 2] > low) & (place[:, 2] < high)
+            found.append([[(scale * product)[inside & some].sum() for product in (r * r, t * t, z * z, t * z)]
+                          for some in (force > 0, force < 0)])
+        return numpy.mean(found, axis=0)
 
     def profile(self, way, slices, reach=2e-3):
         """Over the height at a way: middle of each slice [m], solid fraction, turning over that of the trough, grains

@@ -125,6 +125,48 @@ def print_rises(beds):
         put([name, *cells])
 
 
+def print_stresses(beds):
+    head("test", "way [mm]", "tau [kPa]", "pushes: rr, tt, zz [kPa]", "pulls: rr, tt, zz [kPa]",
+         "shear of pushes [kPa]", "shear of pulls [kPa]", "rest of tau: friction [kPa]")
+    for name, bed in beds.items():
+        for way in (1, *WAYS[1:]):
+            k = bed.at(way)
+            if k is not None:
+                push, pull = 1e-3 * bed.stress(bed.way[k])
+                shear = [abs(push[3]), abs(pull[3])]
+                tau = 1e-3 * bed.mean("shear_stress", bed.way[k])
+                put([name, f"{way}", f"{tau:.1f}", ", ".join(f"{x:.1f}" for x in push[:3]),
+                     ", ".join(f"{x:.1f}" for x in pull[:3]), *(f"{x:.1f}" for x in shear),
+                     f"{tau - sum(shear):.1f}"])
+
+
+def budget_over(bed, low, high):
+    """Budget of the mean pull-off for each millimetre of a part of the way; pull-offs of what opens and comes as means."""
+    rows = []
+    for k in range(1, len(bed.way)):
+        if low < 1e3 * bed.way[k] <= high:
+            rows.append(inside.budget(*((bed.keys[j], bed.contacts(j)["pull_off"]) for j in (k - 1, k))))
+    way = 1e3 * (bed.way[bed.way * 1e3 <= high][-1] - bed.way[bed.way * 1e3 <= low][-1])
+    told = {key: sum(row[key] for row in rows) / way for key in ("gained", "lost", "turnover", "opened", "new")}
+    for key in ("opened", "new"):
+        told[key + "_pull"] = (sum(row[key] * row[key + "_pull"] for row in rows if row[key] > 0) /
+                               max(1e-12, sum(row[key] for row in rows)))
+    return told
+
+
+def print_budget(beds):
+    head("test", "over [mm]", "mean pull-off [N]", "contacts that stay gain [N/mm]", "and forget [N/mm]",
+         "opening and coming [N/mm]", "open per mm, their pull-off", "come per mm, their pull-off")
+    for name, bed in beds.items():
+        for low, high in ((0, 2), (2, 5), (5, 10), (10, 20), (20, 30), (30, 38.2)):
+            if 1e3 * bed.way[-1] > low + 0.7 * (high - low):
+                b = budget_over(bed, low, high)
+                mean = numpy.mean([n["pull_off"] for n in bed.told if low <= 1e3 * n["way"] <= high])
+                put([name, f"{low}-{high:.0f}", f"{mean:.2f}", f"{b['gained']:+.3f}", f"{b['lost']:+.3f}",
+                     f"{b['turnover']:+.3f}", f"{100 * b['opened']:.1f} %, {b['opened_pull']:.2f} N",
+                     f"{100 * b['new']:.1f} %, {b['new_pull']:.2f} N"])
+
+
 def print_profiles(beds):
     head("test", "at [mm]", "angle turned over the trough's, from below", "solid fraction", "mean pull-off [N]")
     for name, bed in beds.items():
@@ -136,5 +178,5 @@ def print_profiles(beds):
 
 
 def print_tables(beds):
-    for table in (print_contacts, print_lives, print_ages, print_rises, print_profiles):
+    for table in (print_rises, print_contacts, print_stresses, print_budget, print_lives, print_ages, print_profiles):
         table(beds)

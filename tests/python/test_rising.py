@@ -36,6 +36,14 @@ class ByHand(unittest.TestCase):
         numpy.testing.assert_allclose(inside.survival(keys, 0), [1.0, 1.0, 1 / 3, 1 / 3])
         numpy.testing.assert_allclose(inside.survival(keys, 1), [1.0, 0.5, 0.5])
 
+    def test_the_budget_adds_up(self):
+        """Mean 4 N; contact 1 gains 2 N, 2 loses 1 N, 3 with 6 N opens, 4 comes with 1 N: 8/3 N = 4 + 2/3 - 1/3 - 5/3."""
+        told = inside.budget((numpy.array([1, 2, 3]), numpy.array([1.0, 5.0, 6.0])),
+                             (numpy.array([2, 4, 1]), numpy.array([4.0, 1.0, 3.0])))
+        for key, value in (("gained", 2 / 3), ("lost", -1 / 3), ("turnover", -5 / 3), ("opened", 1 / 3), ("new", 1 / 3),
+                           ("opened_pull", 6.0), ("new_pull", 1.0)):
+            self.assertAlmostEqual(told[key], value)
+
     def test_the_force_is_that_of_the_law(self):
         """docs/theory/mepa.md: 3 um pressed, then 0.90 of it: 0.667921 N; the largest pull -1.285924 N at 2.354201 um."""
         law = {"k2": 2.37e9, "n": 1.5, "pull": 0.0}
@@ -87,6 +95,10 @@ class ARing(program.Case):
         self.assertGreater(told["push"], told["pull"])
         self.assertGreater(told["push"] - told["pull"], 0.3 * bed.sigma)
         self.assertLess(told["push"] - told["pull"], 1.2 * bed.sigma)
+        # normal forces carry the load but for what friction of contacts carries along z
+        push, pull = bed.stress(8e-3)
+        self.assertAlmostEqual((push[2] + pull[2]) / bed.sigma, 1.0, delta=0.15)
+        self.assertLess(pull[2], 0.0)
         profile = bed.profile(6e-3, 4)
         # a straight line from floor to lid has 1 to 0.75 in the lowest slice, 0.25 to 0 in the highest
         self.assertGreater(profile["speed"][0], 0.75)
