@@ -5,11 +5,11 @@ import os
 import inside
 import numpy
 
-WAYS = [0, 2, 5, 10, 15, 20, 25, 30, 38]  # mm
+WAYS = [0, 2, 5, 10, 15, 20, 25, 30, 38, 48]  # mm
 SINCE = [5, 10, 20]  # mm, from where on lives are counted
 LATER = [1, 2, 5, 10, 20]  # mm
-AGES = [(0, 1), (1, 2), (2, 5), (5, 10), (10, 20), (20, 40)]  # mm
-RISES = [(2, 10), (10, 20), (20, 38)]  # mm
+AGES = [(0, 1), (1, 2), (2, 5), (5, 10), (10, 20), (20, 50)]  # mm
+RISES = [(2, 10), (10, 20), (20, 50)]  # mm; the last one to the end
 BLOCK = 1e-3  # m
 
 
@@ -100,7 +100,7 @@ def by_age(bed, k):
 def print_ages(beds):
     head("test", "at [mm]", *(f"{low}-{high} mm" for low, high in AGES), "from before shear")
     for name, bed in beds.items():
-        for way in (10, 20, 30, 38):
+        for way in (10, 20, 38, 48):
             k = bed.at(way)
             if k is not None:
                 put([name, f"{way}", *("-" if share == 0 else f"{100 * share:.0f} %: {pull:.1f} N"
@@ -129,7 +129,7 @@ def print_stresses(beds):
     head("test", "way [mm]", "tau [kPa]", "pushes: rr, tt, zz [kPa]", "pulls: rr, tt, zz [kPa]",
          "shear of pushes [kPa]", "shear of pulls [kPa]", "rest of tau: friction [kPa]")
     for name, bed in beds.items():
-        for way in (1, *WAYS[1:]):
+        for way in WAYS[1:]:
             k = bed.at(way)
             if k is not None:
                 push, pull = 1e-3 * bed.stress(bed.way[k])
@@ -158,11 +158,11 @@ def print_budget(beds):
     head("test", "over [mm]", "mean pull-off [N]", "contacts that stay gain [N/mm]", "and forget [N/mm]",
          "opening and coming [N/mm]", "open per mm, their pull-off", "come per mm, their pull-off")
     for name, bed in beds.items():
-        for low, high in ((0, 2), (2, 5), (5, 10), (10, 20), (20, 30), (30, 38.2)):
+        for low, high in ((0, 2), (2, 5), (5, 10), (10, 20), (20, 30), (30, 38), (38, 48)):
             if 1e3 * bed.way[-1] > low + 0.7 * (high - low):
                 b = budget_over(bed, low, high)
                 mean = numpy.mean([n["pull_off"] for n in bed.told if low <= 1e3 * n["way"] <= high])
-                put([name, f"{low}-{high:.0f}", f"{mean:.2f}", f"{b['gained']:+.3f}", f"{b['lost']:+.3f}",
+                put([name, f"{low}-{high}", f"{mean:.2f}", f"{b['gained']:+.3f}", f"{b['lost']:+.3f}",
                      f"{b['turnover']:+.3f}", f"{100 * b['opened']:.1f} %, {b['opened_pull']:.2f} N",
                      f"{100 * b['new']:.1f} %, {b['new_pull']:.2f} N"])
 
@@ -170,7 +170,7 @@ def print_budget(beds):
 def print_profiles(beds):
     head("test", "at [mm]", "angle turned over the trough's, from below", "solid fraction", "mean pull-off [N]")
     for name, bed in beds.items():
-        for way in (5, 10, 20, 38):
+        for way in (5, 10, 20, 38, 48):
             if bed.way[-1] > 1e-3 * way:
                 told = bed.profile(1e-3 * way, 8)
                 put([name, f"{way}", *(" ".join(f"{value:.{digits}f}" for value in told[key]) for key, digits in
