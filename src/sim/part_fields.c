@@ -18,7 +18,7 @@ static void *memory_of(const clod_part_fields *self, void *data)
 static clod_free_moment moment_of(const clod_part_fields *self, clod_state *state,
                                   const clod_contact_source *contacts)
 {
-    const clod_steady_time never = {INFINITY, 1.0};
+    const clod_steady_time never = {HUGE_VAL, 1.0};
     return (clod_free_moment){self->from, state, contacts, never};
 }
 
