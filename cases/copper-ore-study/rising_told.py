@@ -63,6 +63,17 @@ def head(*cells):
     print("|---" * len(cells) + "|")
 
 
+def print_course(beds):
+    """Shear stress as means over 5 mm."""
+    edges = range(0, 50, 5)
+    head("test", *(f"{low}-{low + 5} mm" for low in edges))
+    for name, bed in beds.items():
+        way, tau = (bed.series[key] for key in ("displacement", "shear_stress"))
+        inside_of = [(way >= 1e-3 * low) & (way < 1e-3 * (low + 5)) for low in edges]
+        put([name, *(f"{1e-3 * tau[some].mean():.1f}" if way[-1] > 1e-3 * (low + 2.5) else "-"
+                     for low, some in zip(edges, inside_of))])
+
+
 def print_contacts(beds):
     head("test", "way [mm]", "tau [kPa]", "height [mm]", "contacts of a grain", "pull-off: mean, median, 99 % [N]",
          "share that pull", "pressure of pushes, of pulls [kPa]", "tau / pushes")
@@ -178,5 +189,5 @@ def print_profiles(beds):
 
 
 def print_tables(beds):
-    for table in (print_rises, print_contacts, print_stresses, print_budget, print_lives, print_ages, print_profiles):
+    for table in (print_rises, print_course, print_contacts, print_stresses, print_budget, print_lives, print_ages, print_profiles):
         table(beds)
