@@ -98,7 +98,7 @@ def print_lives(beds):
             left = inside.survival(bed.keys, begin)
             ends = [bed.at(since + way) for way in LATER]
             put([name, f"{since}", *("-" if end is None else f"{left[end - begin]:.3f}" for end in ends),
-                 f"{1e3 * bed.life(since):.1f}"])
+                 "-" if bed.at(since + 10) is None else f"{1e3 * bed.life(since):.1f}"])
 
 
 def by_age(bed, k):
