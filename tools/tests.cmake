@@ -117,17 +117,17 @@ if(NOT TARGET clod_calibrate)
 endif()
 if(CLOD_SANITIZE)
   # What these look at (numbers, progress lines) does not depend on the build, and takes long.
-  list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "cli/test_(ring_shear|jenike|uniaxial|wall_friction|terminal)\\.py$")
+  list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "cli/test_(ring_shear|jenike|uniaxial|wall_friction|fields_testers|terminal)\\.py$")
   # Simulations of a minute; tests/calibrate/test_plan.c has the texts of wrong plans.
   list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "calibrate/test_calibrate_(plan|runs)\\.py$")
   # Faults are injected by a preloaded library, which the sanitizers do not go with.
   list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "faults/test_")
 endif()
-# The Python package needs packages of Debian's own Python, and the shared library, which a tree with
-# sanitizers does not have.
+# The Python package and what reads snapshots need packages of Debian's own Python, and the shared
+# library, which a tree with sanitizers does not have.
 list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "tests/python/")
 if(TARGET clod_shared)
-  foreach(name IN ITEMS test_python test_null)
+  foreach(name IN ITEMS test_python test_null test_rising)
     add_test(NAME python/${name}
       COMMAND /usr/bin/python3 -B ${CMAKE_SOURCE_DIR}/tests/python/${name}.py)
     set_tests_properties(python/${name} PROPERTIES LABELS python TIMEOUT ${CLOD_TEST_SECONDS}

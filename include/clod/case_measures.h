@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file case_measures.h
- * What a free run of a checked case measures in regions of space: fields (case.h).
+ * What a run of a checked case measures in regions of space: fields (case.h).
  */
 
 #include "clod/case_grains.h"
@@ -9,6 +9,12 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/** Along which directions vectors and tensors of a field are told. */
+typedef enum clod_components {
+    CLOD_COMPONENTS_CARTESIAN,
+    CLOD_COMPONENTS_CYLINDRICAL ///< r, t, z about the axis of an annulus
+} clod_components;
 
 /** Density, velocity, stress and more on a grid, or their means over a region (docs/fields.md). */
 typedef struct clod_case_field {
@@ -18,6 +24,7 @@ typedef struct clod_case_field {
     double width;    ///< m, radius of the kernel of a grid
     double interval; ///< s of simulated time from one sample to the next
     bool frames;     ///< of a grid: the moment of each snapshot is written too
+    int components;  ///< clod_components
 } clod_case_field;
 
 /** Most fields. */

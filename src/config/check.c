@@ -163,7 +163,7 @@ static void check_kind(clod_loader *loader, const clod_case *self)
 {
     static const char *const FREE[] = {"grains",      "walls",  "outlets", "gauges",
                                        "stages",      "domain", "clumps",  "build_up",
-                                       "history_map", "fields", "mixing",  "repose"};
+                                       "history_map", "mixing", "repose"};
     static const char *const RUN[] = {"walls",       "outlets", "gauges", "domain", "gravity",
                                       "time",        "output",  "seed",   "clumps", "build_up",
                                       "history_map", "fields",  "mixing", "repose"};

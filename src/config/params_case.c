@@ -253,8 +253,8 @@ static const clod_param ROWS[] = {
      .table = &CLOD_TABLE_FIELD,
      CLOD_AT(C, fields),
      CLOD_COUNT(C, field_count),
-     .help = "Grids or regions in which density, velocity, stress and more of a free run are "
-             "measured, by name.",
+     .help = "Grids or regions in which density, velocity, stress and more are measured, by "
+             "name; a test has regions only.",
      .source = "docs/fields.md"},
     {.key = "mixing",
      .kind = CLOD_PARAM_MAP,

@@ -13,6 +13,16 @@ static bool has_cell(const clod_case *whole, const void *self)
     return ((const F *)self)->cell > 0.0;
 }
 
+/** Whether it is a mean over a disc or ring, which has an axis. */
+static bool has_axis(const clod_case *whole, const void *self)
+{
+    return !has_cell(whole, self) && ((const F *)self)->region.kind == CLOD_REGION_ANNULUS;
+}
+
+static const char *const COMPONENTS[] = {[CLOD_COMPONENTS_CARTESIAN] = "cartesian",
+                                         [CLOD_COMPONENTS_CYLINDRICAL] = "cylindrical",
+                                         [CLOD_COMPONENTS_CYLINDRICAL + 1] = NULL};
+
 static const clod_param FIELD[] = {
     {.key = "region",
      .kind = CLOD_PARAM_SECTION,
@@ -54,7 +64,7 @@ static const clod_param FIELD[] = {
      .fallback = "10 ms",
      .example = "20 ms",
      CLOD_AT(F, interval),
-     .help = "Simulated time from one sample to the next.",
+     .help = "Simulated time from one sample to the next; a test takes them at its rows.",
      .source = "docs/fields.md"},
     {.key = "frames",
      .kind = CLOD_PARAM_BOOL,
@@ -64,6 +74,18 @@ static const clod_param FIELD[] = {
      CLOD_AT(F, frames),
      .used = has_cell,
      .help = "Whether the grid as it is at each snapshot is written too, for a film.",
+     .source = "docs/fields.md"},
+    {.key = "components",
+     .kind = CLOD_PARAM_CHOICE,
+     .need = CLOD_PARAM_OPTIONAL,
+     .choices = COMPONENTS,
+     .fallback = "cartesian",
+     CLOD_AT(F, components),
+     .used = has_axis,
+     .unused = "only a mean over an annulus has an axis; give it one, or remove this key",
+     .help = "Along which directions velocities, stresses and forces are told: x, y, z, or "
+             "radius r, direction of turning t and height z, about the axis of the annulus. "
+             "What turns has no mean velocity along x.",
      .source = "docs/fields.md"},
 };
 const clod_table CLOD_TABLE_FIELD = {

@@ -18,13 +18,28 @@ const clod_continuum_value CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_VALUES] = {
     [CLOD_CONTINUUM_OF_RADIUS] = {"radius", "m", "radius_m", 29, 1},
 };
 
-const char *clod_continuum_component(int components, int number)
+const char *clod_continuum_component(const clod_continuum *self, int components, int number)
 {
-    static const char *const VECTOR[] = {"_x", "_y", "_z"};
-    static const char *const TENSOR[] = {"_xx", "_xy", "_xz", "_yx", "_yy",
-                                         "_yz", "_zx", "_zy", "_zz"};
+    static const char *const VECTOR[2][3] = {{"_x", "_y", "_z"}, {"_r", "_t", "_z"}};
+    static const char *const TENSOR[2][9] = {
+        {"_xx", "_xy", "_xz", "_yx", "_yy", "_yz", "_zx", "_zy", "_zz"},
+        {"_rr", "_rt", "_rz", "_tr", "_tt", "_tz", "_zr", "_zt", "_zz"}};
     CLOD_ASSERT(number >= 0 && number < components);
-    return components == 9 ? TENSOR[number] : components == 3 ? VECTOR[number] : "";
+    const int frame = self->cylindrical ? 1 : 0;
+    return components == 9   ? TENSOR[frame][number]
+           : components == 3 ? VECTOR[frame][number]
+                             : "";
+}
+
+void clod_continuum_turn(const clod_continuum *self, const double at[3], const double vector[3],
+                         double to[3])
+{
+    const double x = at[0] - self->region.middle[0], y = at[1] - self->region.middle[1];
+    const double r = sqrt(x * x + y * y);
+    const bool turned = self->cylindrical && r > 0.0;
+    to[0] = turned ? (x * vector[0] + y * vector[1]) / r : vector[0];
+    to[1] = turned ? (x * vector[1] - y * vector[0]) / r : vector[1];
+    to[2] = vector[2];
 }
 
 double clod_continuum_volume(const clod_outlet *region)

@@ -70,16 +70,21 @@ extern const clod_continuum_value CLOD_CONTINUUM_VALUE[CLOD_CONTINUUM_VALUES];
 /** Numbers of all values. */
 #define CLOD_CONTINUUM_NUMBERS 30
 
-/** Name of a component: "" of a number, "_x" of a vector, "_xy" of a tensor. */
-const char *clod_continuum_component(int components, int number);
-
 typedef struct clod_continuum {
     clod_outlet region;
     double cell;      ///< m, edge; 0: one mean over the region
     double width;     ///< m, radius of the kernel of a grid
     int64_t cells[3]; ///< 1 1 1 without a grid
     double scale;     ///< m: width of the kernel, or the edge of a cube as large as the region
+    bool cylindrical; ///< of a mean over an annulus: along r, t, z about its axis
 } clod_continuum;
+
+/** Name of a component: "" of a number, "_x" or "_r" of a vector, "_xy" or "_rt" of a tensor. */
+const char *clod_continuum_component(const clod_continuum *self, int components, int number);
+
+/** A vector that is at a place, along the directions of the field. Threads: pure. */
+void clod_continuum_turn(const clod_continuum *self, const double at[3], const double vector[3],
+                         double to[3]);
 
 /**
  * A field of a region.

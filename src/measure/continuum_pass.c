@@ -140,13 +140,17 @@ static void add_contacts(pass *self, const clod_contact_source *contacts)
     } while (count == AT_A_TIME);
 }
 
-/** A grain's sums for a kernel of 1/m3; numbers of grains times `scale` cubed. */
-static void sums_of(const clod_grains *grains, size_t g, int32_t partners, double scale,
+/** Sums of a grain or an image of it at `at`, for a kernel of 1/m3; numbers of grains times the
+ *  field's scale cubed. */
+static void sums_of(const pass *self, size_t g, const clod_continuum *field, const double at[3],
                     double sum[CLOD_CONTINUUM_GRAIN_SUMS])
 {
-    const double *v = grains->velocity[g], mass = v[3], radius = grains->position[g][3];
+    const clod_grains *grains = &self->state->grains;
+    const double mass = grains->velocity[g][3], radius = grains->position[g][3];
     const double volume = 4.0 / 3.0 * M_PI * radius * radius * radius;
-    const double number = scale * scale * scale;
+    const double number = field->scale * field->scale * field->scale;
+    double v[3];
+    clod_continuum_turn(field, at, grains->velocity[g], v);
     sum[CLOD_CONTINUUM_MASS] = mass;
     for (int a = 0; a < 3; a++) {
         sum[CLOD_CONTINUUM_MOMENTUM + a] = mass * v[a];
@@ -157,7 +161,7 @@ static void sums_of(const clod_grains *grains, size_t g, int32_t partners, doubl
     sum[CLOD_CONTINUUM_FLUX + 5] = mass * v[1] * v[2];
     sum[CLOD_CONTINUUM_VOLUME] = volume;
     sum[CLOD_CONTINUUM_NUMBER] = number;
-    sum[CLOD_CONTINUUM_PARTNERS] = number * partners;
+    sum[CLOD_CONTINUUM_PARTNERS] = number * self->partners[g];
     sum[CLOD_CONTINUUM_RADIUS] = volume * radius;
 }
 
@@ -172,7 +176,7 @@ static void add_grain(const pass *self, const clod_continuum_part *parts, size_t
         for (size_t f = 0; f < self->count; f++) {
             if (reaches(self, f, k, at, at)) {
                 double sum[CLOD_CONTINUUM_GRAIN_SUMS];
-                sums_of(grains, g, self->partners[g], parts[f].field->scale, sum);
+                sums_of(self, g, parts[f].field, at, sum);
                 clod_continuum_sums_grain(self->sums[f], at, sum);
             }
         }

@@ -180,11 +180,15 @@ static void spread(clod_continuum_sums *self, const double from[3], const double
 void clod_continuum_sums_branch(clod_continuum_sums *self, const double from[3],
                                 const double to[3], const double force[3])
 {
-    double stress[COLUMNS] = {0};
+    double stress[COLUMNS] = {0}, way[3], middle[3], f[3], b[3];
     for (int a = 0; a < 3; a++) {
-        for (int b = 0; b < 3; b++) {
-            stress[CLOD_CONTINUUM_CONTACT + 3 * a + b] = force[a] * (to[b] - from[b]);
-        }
+        way[a] = to[a] - from[a];
+        middle[a] = from[a] + 0.5 * way[a];
+    }
+    clod_continuum_turn(self->field, middle, force, f);
+    clod_continuum_turn(self->field, middle, way, b);
+    for (int k = 0; k < 9; k++) {
+        stress[CLOD_CONTINUUM_CONTACT + k] = f[k / 3] * b[k % 3];
     }
     if (self->field->cell > 0.0) {
         spread(self, from, to, stress);
@@ -199,9 +203,10 @@ void clod_continuum_sums_branch(clod_continuum_sums *self, const double from[3],
 void clod_continuum_sums_push(clod_continuum_sums *self, const double at[3],
                               const double force[3])
 {
-    double push[COLUMNS] = {0};
+    double push[COLUMNS] = {0}, f[3];
+    clod_continuum_turn(self->field, at, force, f);
     for (int a = 0; a < 3; a++) {
-        push[CLOD_CONTINUUM_WALL_FORCE + a] = force[a] * self->field->scale;
+        push[CLOD_CONTINUUM_WALL_FORCE + a] = f[a] * self->field->scale;
     }
     add_at(self, at, push, CONTACT_BLOCK, BLOCKS);
 }

@@ -1,7 +1,7 @@
 #pragma once
 /**
  * @file check_fields.h
- * What fields cost a free run (docs/fields.md), for `clod check`.
+ * What fields cost a run (docs/fields.md), for `clod check`.
  */
 
 #include "clod/check.h"

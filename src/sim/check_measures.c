@@ -8,7 +8,8 @@
 static void warn_fields(const clod_check_subject *subject, clod_check_report *r)
 {
     const clod_steady_time steady = clod_steady_time_of(subject->from, subject->state.time);
-    const double length = steady.block * CLOD_STEADY_BLOCKS;
+    const bool test = clod_case_tester(subject->from) != NULL; // its means are its rows
+    const double length = test ? HUGE_VAL : steady.block * CLOD_STEADY_BLOCKS;
     for (size_t k = 0; k < subject->from->field_count; k++) {
         const clod_case_field *field = &subject->from->fields[k];
         if (field->cell > 0.0 && field->width < 2.0 * r->radius_max) {

@@ -10,7 +10,9 @@
 clod_continuum clod_fields_make(const clod_case_field *from)
 {
     const clod_outlet region = clod_setup_domain_region(&from->region);
-    return clod_continuum_make(&region, from->cell, from->width);
+    clod_continuum made = clod_continuum_make(&region, from->cell, from->width);
+    made.cylindrical = from->components == CLOD_COMPONENTS_CYLINDRICAL;
+    return made;
 }
 
 /** Points of a grid; 0 of a mean. */
@@ -78,10 +80,11 @@ static int64_t fields_plan(const void *memory, const clod_case *from, const clod
 
 // ---- samples
 
-/** Whether field number k is to be sampled now. */
+/** Whether field number k is to be sampled now. A test looks at its rows only: then it is the first
+ *  one since. */
 static bool is_due(const clod_field_memory *self, const clod_free_moment *now, size_t k)
 {
-    return now->state->step == self[k].next &&
+    return now->state->step >= self[k].next &&
            (now->from->fields[k].cell == 0.0 ||
             clod_steady_time_block(&now->steady, now->state->time) >= 0);
 }
@@ -153,7 +156,7 @@ static bool fields_act(void *memory, const clod_free_moment *now, clod_status *s
         return false;
     }
     for (size_t k = 0; k < now->from->field_count; k++) {
-        if (self[k].next == state->step) {
+        if (state->step >= self[k].next) {
             self[k].next =
                 clod_outputs_next(now->from->fields[k].interval, state->dt, state->step);
         }
@@ -185,8 +188,10 @@ static void fields_column(const clod_case *from, const clod_state *state, size_t
     while ((int)k >= value->first + value->components) {
         value++;
     }
+    const clod_continuum made = clod_fields_make(field);
     snprintf(text, size, "field_%s.%s%s [%s]", field->name, value->name,
-             clod_continuum_component(value->components, (int)k - value->first), value->unit);
+             clod_continuum_component(&made, value->components, (int)k - value->first),
+             value->unit);
 }
 
 static void fields_row(void *memory, const clod_free_moment *now, double *row)

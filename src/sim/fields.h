@@ -1,8 +1,9 @@
 #pragma once
 /**
  * @file fields.h
- * Fields of the case (docs/fields.md): a measure of free runs. Each is sampled at intervals of its
- * own; a grid only in the steady time, since all that it tells is its mean over that.
+ * Fields of the case (docs/fields.md): a measure of free runs, and of the parts of a test
+ * (part_fields.h). Each is sampled at intervals of its own; a grid only in the steady time, since
+ * all that it tells is its mean over that.
  */
 
 #include "measure/continuum.h"

@@ -17,6 +17,7 @@
 #include "parallel/threads.h"
 #include "setup/begin.h"
 #include "sim/job_store.h"
+#include "sim/part_fields.h"
 #include "sim/warning_box.h"
 #include "tester/limits.h"
 
@@ -24,7 +25,8 @@
 typedef struct part_batch {
     const clod_parts_tester *tester;
     const clod_job_shared *sim;
-    clod_part *part;    ///< [count]
+    clod_part *part; ///< [count]
+    clod_part_fields fields;
     int threads;        ///< of each part
     atomic_bool failed; ///< a part has: no further one is begun
 } part_batch;
@@ -35,6 +37,7 @@ static void init_job(const part_batch *batch, clod_part *part, clod_job *job)
         .sim = batch->sim, .threads = batch->threads, .procedure = batch->tester->procedure};
     memcpy(job->name, part->name, sizeof job->name);
     job->procedure.data = part->test;
+    clod_part_fields_join(&batch->fields, &job->procedure);
 }
 
 /** Take a preparation over from another run, as a finished part of this one. */
@@ -124,8 +127,12 @@ bool clod_parts_run(const clod_parts_tester *tester, const clod_job_shared *sim,
                         .sim = sim,
                         .part = part,
                         .threads = threads / workers > 0 ? threads / workers : 1};
+    bool ok = clod_part_fields_init(&batch.fields, sim->from, &tester->procedure, status);
+    if (!ok) {
+        return false;
+    }
     clod_threads_run(count, workers, run_part, &batch);
-    bool ok = true;
+    clod_part_fields_fini(&batch.fields);
     for (int p = 0; p < count; p++) {
         if (!part[p].ok && (ok || status->code == CLOD_INTERRUPTED)) {
             *status = part[p].status;
@@ -135,9 +142,10 @@ bool clod_parts_run(const clod_parts_tester *tester, const clod_job_shared *sim,
     return ok;
 }
 
-clod_part *clod_parts_create(const clod_parts_tester *tester, int count, clod_status *status)
+clod_part *clod_parts_create(const clod_parts_tester *tester, const clod_case *from, int count,
+                             clod_status *status)
 {
-    const size_t size = tester->procedure.size;
+    const size_t size = tester->procedure.size + clod_part_fields_size(from);
     clod_part *self = clod_memory_alloc((size_t)count, sizeof *self);
     char *tests = clod_memory_alloc((size_t)count, size);
     if (self == NULL || tests == NULL) {
@@ -181,8 +189,8 @@ void clod_parts_warn_end(json_t *list, const clod_part *part)
 bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_job_shared *sim,
                            clod_part *part, int count, clod_status *status)
 {
-    const part_batch batch = {.tester = tester, .sim = sim};
-    bool ok = true;
+    part_batch batch = {.tester = tester, .sim = sim};
+    bool ok = clod_part_fields_init(&batch.fields, sim->from, &tester->procedure, status);
     for (int p = 0; ok && p < count; p++) {
         clod_job job;
         init_job(&batch, &part[p], &job);
@@ -190,6 +198,7 @@ bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_job_share
              clod_job_try_origin(&job, status);
         clod_job_fini(&job);
     }
+    clod_part_fields_fini(&batch.fields);
     return ok;
 }
 

@@ -14,11 +14,11 @@ typedef struct clod_part {
     char name[48];
     char from[48]; ///< name of the part whose end this one begins with; "" for a preparation
     int64_t seed;
-    int64_t point;                  ///< which of the points; below 0 for a preparation
-    void *test;                     ///< the procedure's data, borrowed
-    int64_t steps;                  ///< of this part
-    double dt;                      ///< s
-    double wall_clock;              ///< s
+    int64_t point;     ///< which of the points; below 0 for a preparation
+    void *test;        ///< the procedure's data, and behind them those of fields; borrowed
+    int64_t steps;     ///< of this part
+    double dt;         ///< s
+    double wall_clock; ///< s
     char version[CLOD_JOB_VERSION]; ///< of the clod that began this part
     char origin[CLOD_JOB_ORIGIN];   ///< of its specimen, if that is another run's
     size_t grains;
@@ -39,9 +39,10 @@ typedef struct clod_parts_tester {
     void (*adopt)(const clod_case *from, const clod_part *part);
 } clod_parts_tester;
 
-/** Parts, each with room for the data of its test; owned (clod_parts_destroy).
- *  Errors  CLOD_FAILED: no memory, then NULL. */
-clod_part *clod_parts_create(const clod_parts_tester *tester, int count, clod_status *status);
+/** Parts, each with room for the data of its test and what its fields remember; owned
+ *  (clod_parts_destroy).   Errors  CLOD_FAILED: no memory, then NULL. */
+clod_part *clod_parts_create(const clod_parts_tester *tester, const clod_case *from, int count,
+                             clod_status *status);
 
 /** Free; NULL is fine. */
 void clod_parts_destroy(clod_part *self);

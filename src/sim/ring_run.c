@@ -114,7 +114,7 @@ static int count_points(const clod_case *from)
 /** All parts of a test; owned (clod_parts_destroy), or NULL. */
 static clod_part *make_parts(const clod_case *from, clod_status *status)
 {
-    clod_part *part = clod_parts_create(&CLOD_RING_TESTER,
+    clod_part *part = clod_parts_create(&CLOD_RING_TESTER, from,
                                         count_preparations(from) + count_points(from), status);
     if (part != NULL) {
         name_parts(from, part);

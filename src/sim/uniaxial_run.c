@@ -67,7 +67,7 @@ const clod_parts_tester CLOD_UNIAXIAL_TESTER = {
 /** Parts, owned (clod_parts_destroy), or NULL: `fill`, then `stress-1` and so on as in the case. */
 static clod_part *make_parts(const clod_case *from, int parts, clod_status *status)
 {
-    clod_part *part = clod_parts_create(&CLOD_UNIAXIAL_TESTER, parts, status);
+    clod_part *part = clod_parts_create(&CLOD_UNIAXIAL_TESTER, from, parts, status);
     for (int k = 0; part != NULL && k < parts; k++) {
         part[k].seed = from->seed;
         part[k].point = k - 1;

@@ -68,7 +68,7 @@ const clod_parts_tester CLOD_WALL_SHEAR_TESTER = {
 static clod_part *make_parts(const clod_case *from, clod_status *status)
 {
     const int seeds = (int)from->wall_friction.seeds;
-    clod_part *parts = clod_parts_create(&CLOD_WALL_SHEAR_TESTER, 2 * seeds, status);
+    clod_part *parts = clod_parts_create(&CLOD_WALL_SHEAR_TESTER, from, 2 * seeds, status);
     for (int k = 0; parts != NULL && k < 2 * seeds; k++) {
         clod_part *part = &parts[k];
         const bool shear = k >= seeds;

@@ -1,110 +1,7 @@
 // Fields of grains and contacts made by hand: every expected number is computed by hand.
 
-#include "measure/continuum_pass.h"
-
-#include <string.h>
-
-#include "base/memory.h"
-#include "support/check.h"
+#include "measure/continuum_made.h"
 #include "support/dice.h"
-
-#define MOST 8
-#define DENSITY 2500.0
-
-static clod_status status;
-static const double NONE[3] = {0.0, 0.0, 0.0};
-
-/** Contacts with the forces that a test gives them. */
-typedef struct given {
-    clod_contact contact[MOST];
-    clod_contact_force told[MOST]; ///< of contacts met from i to j
-    size_t count, at;
-} given;
-
-static void given_begin(void *context, size_t *pairs, size_t *walls)
-{
-    given *self = context;
-    self->at = *walls = 0;
-    *pairs = self->count;
-}
-
-static size_t given_next(void *context, clod_contact *to, size_t room)
-{
-    given *self = context;
-    size_t count = 0;
-    for (; count < room && self->at < self->count; self->at++) {
-        to[count++] = self->contact[self->at];
-    }
-    return count;
-}
-
-static clod_contact_force given_force(const void *laws, const clod_contact *contact)
-{
-    const given *self = laws;
-    for (size_t k = 0; k < self->count; k++) {
-        if (self->contact[k].i == contact->i && self->contact[k].j == contact->j) {
-            return self->told[k];
-        }
-    }
-    fail(); // it was turned: tests give contacts from the smaller id
-    return self->told[0];
-}
-
-static clod_contact_source source_of(given *self)
-{
-    return (clod_contact_source){.context = self,
-                                 .begin = given_begin,
-                                 .next = given_next,
-                                 .laws = self,
-                                 .force = given_force};
-}
-
-static void add(clod_state *state, double x, double y, double z, double r, const double v[3])
-{
-    const double position[4] = {x, y, z, r};
-    assert_true(clod_grains_add(&state->grains, position, v, NONE, DENSITY, 0,
-                                state->grains.count + 1, &status));
-}
-
-static double mass_of(double r)
-{
-    return DENSITY * 4.0 / 3.0 * M_PI * r * r * r;
-}
-
-static clod_continuum box_of(const double low[3], const double high[3], double cell,
-                             double width)
-{
-    clod_outlet box = {.outer = 0.0};
-    memcpy(box.low, low, sizeof box.low);
-    memcpy(box.high, high, sizeof box.high);
-    return clod_continuum_make(&box, cell, width);
-}
-
-/** Sums of one sample over all points, times the volume of each; owned points in `each` if it is
- *  not NULL. */
-static void sample(const clod_continuum *field, const clod_state *state, given *contacts,
-                   double sum[CLOD_CONTINUUM_SUMS], double (**each)[CLOD_CONTINUUM_SUMS])
-{
-    given none = {.count = 0};
-    const clod_contact_source source = source_of(contacts != NULL ? contacts : &none);
-    const size_t points = (size_t)clod_continuum_points(field);
-    double(*to)[CLOD_CONTINUUM_SUMS] = clod_memory_alloc(points, sizeof *to);
-    const clod_continuum_part part = {field, to};
-    assert_true(clod_continuum_pass(&part, 1, state, &source, &status));
-    const double volume = field->cell > 0.0 ? field->cell * field->cell * field->cell
-                                            : clod_continuum_volume(&field->region);
-    memset(sum, 0, CLOD_CONTINUUM_SUMS * sizeof *sum);
-    for (size_t p = 0; p < points; p++) {
-        for (int c = 0; c < CLOD_CONTINUUM_SUMS; c++) {
-            sum[c] += volume * to[p][c];
-        }
-    }
-    if (each != NULL) {
-        *each = to;
-    } else {
-        clod_memory_free(to);
-    }
-}
 
 static const double LOW[3] = {0.0, 0.0, 0.0}, HIGH[3] = {0.1, 0.1, 0.1};
 
@@ -177,6 +74,51 @@ static void two_grains_pressed_together(void **unused)
     sample(&part, &state, &pair, sum, NULL);
     check_relative(sum[CLOD_CONTINUUM_CONTACT], 8e-3, 1e-12);
     check_relative(sum[CLOD_CONTINUUM_MASS], mass_of(3e-3), 1e-12);
+    clod_state_fini(&state);
+}
+
+/** About an axis: a grain at (3, 4) cm from it moves with (-8, 6) m/s, 10 m/s around it; two grains that
+ *  are pressed together across a radius, and dragged around. */
+static void a_ring_tells_what_goes_around(void **unused)
+{
+    (void)unused;
+    clod_state state = {.dt = 1e-3};
+    const clod_outlet region = {.middle = {0.2, -0.1},
+                                .inner = 0.04,
+                                .outer = 0.06,
+                                .low = {0.14, -0.16, 0.0},
+                                .high = {0.26, -0.04, 0.1}};
+    clod_continuum ring = clod_continuum_make(&region, 0.0, 0.0);
+    ring.cylindrical = true;
+    double sum[CLOD_CONTINUUM_SUMS], values[CLOD_CONTINUUM_NUMBERS];
+    add(&state, 0.23, -0.06, 0.05, 3e-3, (const double[]){-8.0, 6.0, -1.0});
+    sample(&ring, &state, NULL, sum, NULL);
+    const double mass = mass_of(3e-3);
+    check_close(sum[CLOD_CONTINUUM_MOMENTUM], 0.0, 1e-15);
+    check_relative(sum[CLOD_CONTINUUM_MOMENTUM + 1], 10.0 * mass, 1e-12);
+    check_relative(sum[CLOD_CONTINUUM_MOMENTUM + 2], -mass, 1e-12);
+    check_relative(sum[CLOD_CONTINUUM_FLUX + 1], 100.0 * mass, 1e-12);
+    check_relative(sum[CLOD_CONTINUUM_FLUX + 5], -10.0 * mass, 1e-12);
+    clod_state_fini(&state);
+    // branch of 6 mm along the radius (0.6, 0.8); 5 N along it, 2 N around: (3 - 1.6, 4 + 1.2)
+    state = (clod_state){.dt = 1e-3};
+    add(&state, 0.2 + 0.0318, -0.1 + 0.0424, 0.05, 3e-3, NONE);
+    add(&state, 0.2 + 0.0282, -0.1 + 0.0376, 0.05, 3e-3, NONE);
+    given pair = {.count = 1,
+                  .contact = {{.i = 0, .j = 1, .shape = -1}},
+                  .told = {{.from = {0.2282, -0.0624, 0.05}, .force = {1.4, 5.2, 0.0}}}};
+    sample(&ring, &state, &pair, sum, NULL);
+    check_relative(sum[CLOD_CONTINUUM_CONTACT], 5.0 * 6e-3, 1e-12);     // rr
+    check_relative(sum[CLOD_CONTINUUM_CONTACT + 3], 2.0 * 6e-3, 1e-12); // tr
+    check_close(sum[CLOD_CONTINUUM_CONTACT + 1], 0.0, 1e-15);           // rt
+    check_close(sum[CLOD_CONTINUUM_CONTACT + 4], 0.0, 1e-15);           // tt
+    clod_continuum_values(&ring, sum, 1.0, values);
+    assert_string_equal(clod_continuum_component(&ring, 9, 5), "_tz");
+    assert_string_equal(clod_continuum_component(&ring, 3, 1), "_t");
+    ring.cylindrical = false;
+    assert_string_equal(clod_continuum_component(&ring, 9, 5), "_yz");
+    sample(&ring, &state, &pair, sum, NULL);
+    check_relative(sum[CLOD_CONTINUUM_CONTACT + 1], 1.4 * 4.8e-3, 1e-12); // xy
     clod_state_fini(&state);
 }
 
@@ -431,6 +373,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_grid_has_the_mass_of_a_grain),
         cmocka_unit_test(two_grains_pressed_together),
+        cmocka_unit_test(a_ring_tells_what_goes_around),
         cmocka_unit_test(periodic_sides_count_once),
         cmocka_unit_test(a_side_is_no_place),
         cmocka_unit_test(on_a_side_counts_once),
