@@ -61,6 +61,7 @@ struct clod_ranks {
     char *room;                        ///< scratch of the functions below; owned
     size_t room_bytes;                 ///< of it
     clod_message *message;             ///< [2 * size] scratch; owned
+    size_t *number;                    ///< [3 * size] scratch; owned
 };
 
 /** As the call of the same name, and counted. */
@@ -113,7 +114,9 @@ void clod_ranks_gather(clod_ranks *self, const void *mine, size_t bytes, void *a
 bool clod_ranks_agree(clod_ranks *self, bool good, clod_status *status);
 
 /**
- * Bytes from each rank to each.
+ * Bytes from each rank to each; ranks that have none for each other exchange no message for them.
+ * How many come from whom all ranks learn in log2(size) rounds of size / 2 numbers, rounded up
+ * (Bruck, Ho, Kipnis, Upfal, Weathersby 1997, doi:10.1109/71.642949).
  *
  * @param out    [size] for each rank, this one too
  * @param in     [out] one behind the other, in the order of ranks

@@ -48,6 +48,7 @@ typedef struct clod_spread {
     int32_t *owner;  ///< [rows] rank of each grain; NULL: all are this rank's
     clod_chunk *run; ///< [runs] rows that are this rank's
     size_t runs, owner_room, run_room;
+    int *reached;   ///< [ranks] scratch
     clod_torn torn; ///< at the last rebuild
     clod_ghosts ghosts;
     clod_fixed *felt; ///< [walls] by each wall in this step, and behind it clod_spread_sums
@@ -82,8 +83,9 @@ static inline size_t clod_spread_numbers(const clod_state *state)
  *  work asks for it. Own rows are those of self->owner. */
 void clod_spread_cut(clod_spread *self, const clod_state *state);
 
-/** How far from a rank's box a grain may matter to it [m]. */
-double clod_spread_reach(const clod_spread *self, double radius, double skin);
+/** Ranks that a grain may matter to until the next rebuild, its own too; how many. [ranks] [out] */
+int clod_spread_reach(const clod_spread *self, const clod_domain *domain, const double place[4],
+                      double skin, int *rank);
 
 /** Whether it went well on all ranks, see clod_ranks_agree; with NULL there is this one alone. */
 static inline bool clod_spread_agree(const clod_spread *self, bool good, clod_status *status)
