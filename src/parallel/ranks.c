@@ -45,10 +45,15 @@ bool clod_ranks_keep(clod_ranks *self, const clod_message *out, int outs,
                             outs + ins);
 }
 
-void clod_ranks_repeat(clod_ranks *self)
+void clod_ranks_start(clod_ranks *self)
+{
+    self->start(self);
+}
+
+void clod_ranks_finish(clod_ranks *self)
 {
     const double began = clod_clock_now(), worked = clod_clock_worked();
-    self->repeat(self);
+    self->finish(self);
     count_time(&self->count, began, worked);
     self->count.exchanges++;
     self->count.messages += self->kept_messages;
