@@ -5,38 +5,38 @@
 #include "step/spread.h"
 #include "step/trouble.h"
 
-#define ROW 4  ///< numbers of a row
-#define ROWS 3 ///< of a grain: position, velocity, angular velocity
+#define VECTOR CLOD_SPREAD_VECTOR
 
-/** Rows of other ranks' ghosts into the messages. */
+/** Rows of other ranks' ghosts into the messages, without radius, mass and inertia, which a ghost has. */
 static void pack(const clod_spread *self, const clod_grains *grains, size_t numbers)
 {
     const clod_ghosts *ghosts = &self->ghosts;
+    const size_t bytes = VECTOR * sizeof(double);
     for (size_t k = 0; k < ghosts->out_start[self->ranks->size]; k++) {
         const size_t g = (size_t)ghosts->out[k];
         double *to = ghosts->sent + k * numbers;
-        memcpy(to, grains->position[g], sizeof *grains->position);
-        memcpy(to + ROW, grains->velocity[g], sizeof *grains->velocity);
-        memcpy(to + 2 * ROW, grains->angular_velocity[g], sizeof *grains->angular_velocity);
+        memcpy(to, grains->position[g], bytes);
+        memcpy(to + VECTOR, grains->velocity[g], bytes);
+        memcpy(to + 2 * VECTOR, grains->angular_velocity[g], bytes);
         if (grains->before != NULL) {
-            memcpy(to + ROWS * ROW, grains->before[g], sizeof *grains->before);
+            memcpy(to + 3 * VECTOR, grains->before[g], sizeof *grains->before);
         }
     }
 }
 
-/** Own ghosts from the messages; what a step adds to their loads begins anew, unread. */
+/** Own ghosts from the messages; what steps add to their loads nobody reads. */
 static void unpack(const clod_spread *self, clod_grains *grains, size_t numbers)
 {
     const clod_ghosts *ghosts = &self->ghosts;
+    const size_t bytes = VECTOR * sizeof(double);
     for (size_t k = 0; k < ghosts->in_start[self->ranks->size]; k++) {
         const size_t g = (size_t)ghosts->in[k];
         const double *from = ghosts->got + k * numbers;
-        memcpy(grains->position[g], from, sizeof *grains->position);
-        memcpy(grains->velocity[g], from + ROW, sizeof *grains->velocity);
-        memcpy(grains->angular_velocity[g], from + 2 * ROW, sizeof *grains->angular_velocity);
-        memset(grains->load[g], 0, sizeof *grains->load);
+        memcpy(grains->position[g], from, bytes);
+        memcpy(grains->velocity[g], from + VECTOR, bytes);
+        memcpy(grains->angular_velocity[g], from + 2 * VECTOR, bytes);
         if (grains->before != NULL) {
-            memcpy(grains->before[g], from + ROWS * ROW, sizeof *grains->before);
+            memcpy(grains->before[g], from + 3 * VECTOR, sizeof *grains->before);
         }
     }
 }

@@ -76,10 +76,14 @@ bool clod_spread_init(clod_spread *self, clod_ranks *ranks, int32_t walls, clod_
 bool clod_spread_list(clod_spread *self, const clod_state *state, double skin,
                       clod_status *status);
 
-/** Numbers that are sent of a row: three rows of four, and with the ledger the load before. */
+/** Numbers of position, velocity and angular velocity each. */
+enum { CLOD_SPREAD_VECTOR = 3 };
+
+/** Numbers that are sent of a row: these three vectors, and with the ledger the load before. */
 static inline size_t clod_spread_numbers(const clod_state *state)
 {
-    return state->grains.before != NULL ? 20 : 12;
+    const size_t before = sizeof *state->grains.before / sizeof(double);
+    return 3 * (size_t)CLOD_SPREAD_VECTOR + (state->grains.before != NULL ? before : 0);
 }
 
 /** Layers of the whole bed by state->build_position, and the boxes of ranks in it: cut anew if their
