@@ -23,7 +23,7 @@
 #define RADIUS 2e-3
 #define PITCH (2.000001 * RADIUS) // of the lattice: no contacts by rounding
 #define WINDOW 20                 // steps
-#define GHOST_BYTES 96.0          // of a ghost in a step, without the ledger
+#define GHOST_BYTES 72.0          // of a ghost in a step, without the ledger
 
 /** Counts of all ranks at a moment. */
 typedef struct counted {

@@ -12,7 +12,8 @@
 bool clod_ranks_init(clod_ranks *self, clod_status *status)
 {
     self->message = clod_memory_alloc(2 * (size_t)self->size, sizeof *self->message);
-    return (self->message != NULL &&
+    self->number = clod_memory_alloc(3 * (size_t)self->size, sizeof *self->number);
+    return (self->message != NULL && self->number != NULL &&
             clod_room_for(&self->room, &self->room_bytes, LEAST_ROOM, 1)) ||
            clod_status_fail(status, CLOD_FAILED, "no memory for messages of %d ranks",
                             self->size);
@@ -44,10 +45,15 @@ bool clod_ranks_keep(clod_ranks *self, const clod_message *out, int outs,
                             outs + ins);
 }
 
-void clod_ranks_repeat(clod_ranks *self)
+void clod_ranks_start(clod_ranks *self)
+{
+    self->start(self);
+}
+
+void clod_ranks_finish(clod_ranks *self)
 {
     const double began = clod_clock_now(), worked = clod_clock_worked();
-    self->repeat(self);
+    self->finish(self);
     count_time(&self->count, began, worked);
     self->count.exchanges++;
     self->count.messages += self->kept_messages;
@@ -67,10 +73,12 @@ void clod_ranks_exchange(clod_ranks *self, const clod_message *out, int outs,
 void clod_ranks_fini(clod_ranks *self)
 {
     clod_memory_free(self->message);
+    clod_memory_free(self->number);
     clod_memory_free(self->room);
     clod_memory_free(self->place);
     self->place = NULL;
     self->message = NULL;
+    self->number = NULL;
     self->room = NULL;
     self->room_bytes = 0;
 }
@@ -223,27 +231,58 @@ bool clod_ranks_agree(clod_ranks *self, bool good, clod_status *status)
     return first == self->size;
 }
 
+/** The numbers of a round of numbers for all: those with the bit of their distance. */
+static size_t pick(const clod_ranks *self, int bit, const size_t *from, size_t *picked)
+{
+    size_t count = 0;
+    for (int d = bit; d < self->size; d++) {
+        if ((d & bit) != 0) {
+            picked[count++] = from[d];
+        }
+    }
+    return count;
+}
+
+/** The same back to where they were picked. */
+static void put_back(const clod_ranks *self, int bit, const size_t *picked, size_t *to)
+{
+    size_t count = 0;
+    for (int d = bit; d < self->size; d++) {
+        if ((d & bit) != 0) {
+            to[d] = picked[count++];
+        }
+    }
+}
+
+/**
+ * A number from each rank to each. A number that is to go d ranks on goes by 1, by 2, by 4, ... for
+ * each bit of d, with all others that go so (Bruck et al. 1997).
+ *
+ * @param number  [size] for the rank as many places on; then from the rank as many places back
+ */
+static void exchange_numbers(clod_ranks *self, size_t *number)
+{
+    size_t *sent = self->number + self->size, *got = sent + self->size;
+    for (int bit = 1; bit < self->size; bit *= 2) {
+        const size_t bytes = pick(self, bit, number, sent) * sizeof *sent;
+        const clod_message out = {(self->rank + bit) % self->size, sent, bytes};
+        const clod_message in = {(self->rank - bit + self->size) % self->size, got, bytes};
+        clod_ranks_exchange(self, &out, 1, &in, 1);
+        put_back(self, bit, got, number);
+    }
+}
+
 /** How many bytes come from each rank: `begin` of it up to that of the next one. */
 static void count_bytes(clod_ranks *self, const clod_bytes *out, size_t *begin)
 {
-    int outs = 0, ins = 0;
-    size_t *number = begin + 1;
-    for (int r = 0; r < self->size; r++) {
-        number[r] = out[r].count;
-        if (r != self->rank) {
-            self->message[outs++] =
-                (clod_message){r, (void *)&out[r].count, sizeof out[r].count};
-        }
+    const int size = self->size;
+    for (int d = 0; d < size; d++) {
+        self->number[d] = out[(self->rank + d) % size].count;
     }
-    for (int r = 0; r < self->size; r++) {
-        if (r != self->rank) {
-            self->message[outs + ins++] = (clod_message){r, &number[r], sizeof number[r]};
-        }
-    }
-    clod_ranks_exchange(self, self->message, outs, self->message + outs, ins);
+    exchange_numbers(self, self->number);
     begin[0] = 0;
-    for (int r = 0; r < self->size; r++) {
-        begin[r + 1] += begin[r];
+    for (int r = 0; r < size; r++) {
+        begin[r + 1] = begin[r] + self->number[(self->rank - r + size) % size];
     }
 }
 

@@ -2,7 +2,7 @@
 /**
  * @file ranks.h
  * Ranks that compute one bed together: what they say to each other. One call does everything, and
- * two more do again and again what is the same each time; they are MPI's (ranks_mpi.c) or those of
+ * three more do again and again what is the same each time; they are MPI's (ranks_mpi.c) or those of
  * threads in one process (tests/support/ranks_threads.h).
  *
  * All ranks make the same calls in the same order. What a rank gets does not depend on who comes
@@ -48,29 +48,33 @@ struct clod_ranks {
      *  same number of bytes; empty ones may be named by one of them alone. */
     void (*exchange)(clod_ranks *self, const clod_message *out, int outs,
                      const clod_message *in, int ins);
-    /** Messages as of exchange, which repeat exchanges each time with what is in their places then.
+    /** Messages as of exchange, which start sends each time with what is in their places then; they have
+     *  arrived after finish. Other calls may come between; the places are not to be touched there.
      *  They replace those before them; false without memory, on this rank alone. */
     bool (*keep)(clod_ranks *self, const clod_message *out, int outs, const clod_message *in,
                  int ins);
-    void (*repeat)(clod_ranks *self);
+    void (*start)(clod_ranks *self);
+    void (*finish)(clod_ranks *self);
     clod_rank_place *place; ///< [size] where they run; NULL: not known; owned
     clod_ranks_count count;
     clod_ranks_evenness evenness;
     int64_t kept_messages, kept_bytes; ///< of a repetition
-    void *group;                       ///< what the two need
+    void *group;                       ///< what these need
     char *room;                        ///< scratch of the functions below; owned
     size_t room_bytes;                 ///< of it
     clod_message *message;             ///< [2 * size] scratch; owned
+    size_t *number;                    ///< [3 * size] scratch; owned
 };
 
 /** As the call of the same name, and counted. */
 void clod_ranks_exchange(clod_ranks *self, const clod_message *out, int outs,
                          const clod_message *in, int ins);
 
-/** The same of the other two: the messages are borrowed until others are kept. */
+/** The same of the others: the messages are borrowed until others are kept. */
 bool clod_ranks_keep(clod_ranks *self, const clod_message *out, int outs,
                      const clod_message *in, int ins, clod_status *status);
-void clod_ranks_repeat(clod_ranks *self);
+void clod_ranks_start(clod_ranks *self);
+void clod_ranks_finish(clod_ranks *self);
 
 /** Scratch of the functions below; false without memory. Then clod_ranks_fini. */
 bool clod_ranks_init(clod_ranks *self, clod_status *status);
@@ -113,7 +117,9 @@ void clod_ranks_gather(clod_ranks *self, const void *mine, size_t bytes, void *a
 bool clod_ranks_agree(clod_ranks *self, bool good, clod_status *status);
 
 /**
- * Bytes from each rank to each.
+ * Bytes from each rank to each; ranks that have none for each other exchange no message for them.
+ * How many come from whom all ranks learn in log2(size) rounds of size / 2 numbers, rounded up
+ * (Bruck, Ho, Kipnis, Upfal, Weathersby 1997, doi:10.1109/71.642949).
  *
  * @param out    [size] for each rank, this one too
  * @param in     [out] one behind the other, in the order of ranks

@@ -152,14 +152,20 @@ static bool keep(clod_ranks *self, const clod_message *out, int outs, const clod
     return true;
 }
 
-static void repeat(clod_ranks *self)
+static void start(clod_ranks *self)
 {
     mpi_group *group = self->group;
-    if (group->kept_count == 0) { // no array of them, which MPI_Startall refuses
-        return;
+    if (group->kept_count > 0) { // no array of none, which MPI_Startall refuses
+        MPI_Startall((int)group->kept_count, group->kept);
     }
-    MPI_Startall((int)group->kept_count, group->kept);
-    MPI_Waitall((int)group->kept_count, group->kept, MPI_STATUSES_IGNORE);
+}
+
+static void finish(clod_ranks *self)
+{
+    mpi_group *group = self->group;
+    if (group->kept_count > 0) {
+        MPI_Waitall((int)group->kept_count, group->kept, MPI_STATUSES_IGNORE);
+    }
 }
 
 bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
@@ -170,7 +176,8 @@ bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
         return clod_status_fail(status, CLOD_FAILED, "no memory for MPI");
     }
     MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &thread_level);
-    *self = (clod_ranks){.exchange = exchange, .keep = keep, .repeat = repeat, .group = group};
+    *self = (clod_ranks){
+        .exchange = exchange, .keep = keep, .start = start, .finish = finish, .group = group};
     MPI_Comm_rank(MPI_COMM_WORLD, &self->rank);
     MPI_Comm_size(MPI_COMM_WORLD, &self->size);
     const bool good = (thread_level >= MPI_THREAD_FUNNELED ||

@@ -149,7 +149,8 @@ bool clod_crew_advance(clod_crew *self, int64_t steps, clod_status *status)
     give_order(self, what);
     const bool good = clod_crew_part_advance(self, &what, status);
     conclude(self, good, status);
-    return good || (!self->whole->failed && report_trouble(self, status));
+    return good ||
+           (!self->whole->failed && !self->step.trouble.any && report_trouble(self, status));
 }
 
 /** Whether only grains are to come that need no look at the whole bed. */

@@ -1,82 +1,44 @@
-// Stages ghosts and merge: what ranks tell each other in a step. A rank alone has nothing to tell.
+// Stage ghosts: what ranks tell each other in a step. A rank alone has nothing to tell.
 #include <math.h>
 #include <string.h>
 
 #include "step/spread.h"
+#include "step/trouble.h"
 
-#define ROW 4  ///< numbers of a row
-#define ROWS 3 ///< of a grain: position, velocity, angular velocity
+#define VECTOR CLOD_SPREAD_VECTOR
 
-/** Rows of other ranks' ghosts into the messages. */
+/** Rows of other ranks' ghosts into the messages, without radius, mass and inertia, which a ghost has. */
 static void pack(const clod_spread *self, const clod_grains *grains, size_t numbers)
 {
     const clod_ghosts *ghosts = &self->ghosts;
+    const size_t bytes = VECTOR * sizeof(double);
     for (size_t k = 0; k < ghosts->out_start[self->ranks->size]; k++) {
         const size_t g = (size_t)ghosts->out[k];
         double *to = ghosts->sent + k * numbers;
-        memcpy(to, grains->position[g], sizeof *grains->position);
-        memcpy(to + ROW, grains->velocity[g], sizeof *grains->velocity);
-        memcpy(to + 2 * ROW, grains->angular_velocity[g], sizeof *grains->angular_velocity);
+        memcpy(to, grains->position[g], bytes);
+        memcpy(to + VECTOR, grains->velocity[g], bytes);
+        memcpy(to + 2 * VECTOR, grains->angular_velocity[g], bytes);
         if (grains->before != NULL) {
-            memcpy(to + ROWS * ROW, grains->before[g], sizeof *grains->before);
+            memcpy(to + 3 * VECTOR, grains->before[g], sizeof *grains->before);
         }
     }
 }
 
-/** Own ghosts from the messages; what a step adds to their loads begins anew, unread. */
+/** Own ghosts from the messages; what steps add to their loads nobody reads. */
 static void unpack(const clod_spread *self, clod_grains *grains, size_t numbers)
 {
     const clod_ghosts *ghosts = &self->ghosts;
+    const size_t bytes = VECTOR * sizeof(double);
     for (size_t k = 0; k < ghosts->in_start[self->ranks->size]; k++) {
         const size_t g = (size_t)ghosts->in[k];
         const double *from = ghosts->got + k * numbers;
-        memcpy(grains->position[g], from, sizeof *grains->position);
-        memcpy(grains->velocity[g], from + ROW, sizeof *grains->velocity);
-        memcpy(grains->angular_velocity[g], from + 2 * ROW, sizeof *grains->angular_velocity);
-        memset(grains->load[g], 0, sizeof *grains->load);
+        memcpy(grains->position[g], from, bytes);
+        memcpy(grains->velocity[g], from + VECTOR, bytes);
+        memcpy(grains->angular_velocity[g], from + 2 * VECTOR, bytes);
         if (grains->before != NULL) {
-            memcpy(grains->before[g], from + ROWS * ROW, sizeof *grains->before);
+            memcpy(grains->before[g], from + 3 * VECTOR, sizeof *grains->before);
         }
     }
-}
-
-static void exchange(const clod_spread *self, clod_grains *grains, size_t numbers)
-{
-    pack(self, grains, numbers);
-    clod_ranks_repeat(self->ranks);
-    unpack(self, grains, numbers);
-}
-
-/** What drift saw on a rank. */
-typedef struct seen {
-    double max_speed2;
-    int64_t finite;
-} seen;
-
-static void merge_seen(const void *context, void *into, const void *from)
-{
-    (void)context;
-    seen *mine = into;
-    const seen *other = from;
-    mine->max_speed2 = fmax(mine->max_speed2, other->max_speed2);
-    mine->finite &= other->finite;
-}
-
-void clod_step_ghosts(clod_step *self, int part)
-{
-    clod_spread *spread = self->spread;
-    if (spread == NULL || part != 0) {
-        return;
-    }
-    seen all = {0.0, 1};
-    for (int t = 0; t < self->threads; t++) {
-        all.max_speed2 = fmax(all.max_speed2, self->thread[t].max_speed2);
-        all.finite &= self->thread[t].finite;
-    }
-    exchange(spread, &self->state->grains, clod_spread_numbers(self->state));
-    clod_ranks_merge(spread->ranks, &all, sizeof all, merge_seen, NULL);
-    self->thread[0].max_speed2 = all.max_speed2;
-    self->thread[0].finite = all.finite != 0;
 }
 
 /** What the contacts of a thread spent, onto those of another. */
@@ -109,36 +71,78 @@ static void merge_sums(const void *context, void *into, const void *from)
     }
     clod_spread_sums *sums = (clod_spread_sums *)(felt + self->spread->walls);
     const clod_spread_sums *others = (const clod_spread_sums *)(other + self->spread->walls);
+    sums->max_speed2 = fmax(sums->max_speed2, others->max_speed2);
+    sums->finite &= others->finite;
     sums->excess |= others->excess;
     if (self->near.ledger) {
         merge_spent(&sums->spent, &others->spent);
     }
 }
 
-void clod_step_merge(clod_step *self, int part)
+/** What all ranks have to say: of the drift of this step, and of the end of the one before. */
+static void merge(clod_step *self)
 {
     const clod_spread *spread = self->spread;
-    if (spread == NULL || part != 0) {
-        return;
-    }
     clod_spread_sums *sums = (clod_spread_sums *)(spread->felt + spread->walls);
     for (int32_t w = 0; w < spread->walls; w++) {
         sum_felt(self, &spread->felt[w], w);
     }
-    *sums = (clod_spread_sums){0};
+    *sums = (clod_spread_sums){.finite = 1};
     for (int t = 0; t < self->threads; t++) {
-        sums->excess |= self->thread[t].excess;
+        clod_step_thread *thread = &self->thread[t];
+        sums->max_speed2 = fmax(sums->max_speed2, thread->max_speed2);
+        sums->finite &= thread->finite;
+        sums->excess |= thread->excess && spread->owed;
         if (self->near.ledger) {
-            merge_spent(&sums->spent, &self->thread[t].spent);
-            self->thread[t].spent = (clod_step_heat){0};
+            merge_spent(&sums->spent, &thread->spent);
+            thread->spent = (clod_step_heat){0};
         }
     }
     const size_t felt = (size_t)spread->walls * sizeof *spread->felt;
     const size_t bytes =
         felt + (self->near.ledger ? sizeof *sums : offsetof(clod_spread_sums, spent));
     clod_ranks_merge(spread->ranks, spread->felt, bytes, merge_sums, self);
-    self->thread[0].excess = sums->excess != 0;
+    self->thread[0].max_speed2 = sums->max_speed2;
+    self->thread[0].finite = sums->finite != 0;
     self->thread[0].spent = sums->spent;
+    for (int t = 0; t < self->threads; t++) {
+        self->thread[t].late = self->thread[t].late || sums->excess != 0;
+    }
+}
+
+/** The end of the step before: every rank by itself, from the same numbers. */
+static void end_walls(clod_step *self)
+{
+    if (self->spread->owed) {
+        clod_step_push_walls(self);
+        clod_step_add_ledger(self);
+        self->spread->owed = false;
+    }
+}
+
+/** The one meeting of a step: while rows of ghosts are on their way, what all must know. */
+void clod_step_ghosts(clod_step *self, int part)
+{
+    const clod_spread *spread = self->spread;
+    if (spread == NULL || part != 0) {
+        return;
+    }
+    const size_t numbers = clod_spread_numbers(self->state);
+    pack(spread, &self->state->grains, numbers);
+    clod_ranks_start(spread->ranks);
+    merge(self);
+    clod_ranks_finish(spread->ranks);
+    unpack(spread, &self->state->grains, numbers);
+    end_walls(self);
+    clod_step_move_walls(self);
+}
+
+void clod_spread_settle(clod_step *self)
+{
+    if (self->spread->owed) {
+        merge(self);
+        end_walls(self);
+    }
 }
 
 static void merge_stored(const void *context, void *into, const void *from)
@@ -159,4 +163,20 @@ void clod_spread_merge_stored(const clod_spread *self, clod_step_stored *sums)
     if (self != NULL) {
         clod_ranks_merge(self->ranks, sums, sizeof *sums, merge_stored, NULL);
     }
+}
+
+static void merge_trouble(const void *context, void *into, const void *from)
+{
+    (void)context;
+    clod_step_trouble *mine = into;
+    const clod_step_trouble *other = from;
+    if (clod_trouble_comes_first(other, mine)) {
+        *mine = *other;
+    }
+}
+
+void clod_spread_merge_trouble(clod_step *self)
+{
+    clod_ranks_merge(self->spread->ranks, &self->trouble, sizeof self->trouble, merge_trouble,
+                     NULL);
 }

@@ -80,9 +80,9 @@ void clod_step_spent(clod_step *self, int part)
     }
 }
 
-void clod_step_ledger(clod_step *self, int part)
+void clod_step_add_ledger(clod_step *self)
 {
-    if (part != 0 || !self->near.ledger) {
+    if (!self->near.ledger) {
         return;
     }
     clod_step_heat all = {0};
@@ -100,6 +100,13 @@ void clod_step_ledger(clod_step *self, int part)
     ledger->friction += clod_exact_value(&all.friction);
     ledger->rolling += clod_exact_value(&all.rolling);
     ledger->lag += clod_exact_value(&all.lag);
+}
+
+void clod_step_ledger(clod_step *self, int part)
+{
+    if (part == 0 && self->spread == NULL) { // else stage ghosts does, in the next step
+        clod_step_add_ledger(self);
+    }
 }
 
 static void add_grain(clod_step_stored *sums, const clod_state *state, size_t g)

@@ -86,53 +86,38 @@ static void pack_contacts(const clod_spread *self, const clod_state *state, clod
     }
 }
 
-static void pack_grains(clod_spread *self, const clod_state *state, clod_bytes *out)
-{
-    for (size_t g = 0; g < state->grains.count; g++) {
-        if (clod_spread_has(self, g)) {
-            const int owner = new_owner(self, state, (int32_t)g);
-            clod_records_put_grain(&out[owner], state, g);
-            self->balance.moved += owner != self->ranks->rank;
-        }
-    }
-}
-
-/** The first `own` rows, to the ranks that they matter to. */
-static void pack_ghosts(const clod_spread *self, const clod_state *state, double skin,
+/** Own grains to their new owners, and to the ranks that they matter to as ghosts. */
+static void pack_grains(clod_spread *self, const clod_state *state, double skin,
                         clod_bytes *out)
 {
     for (size_t g = 0; g < state->grains.count; g++) {
+        if (!clod_spread_has(self, g)) {
+            continue;
+        }
         const double *p = state->build_position[g];
-        const double reach = clod_spread_reach(self, p[3], skin);
-        for (int r = 0; r < self->ranks->size; r++) {
-            if (r != self->ranks->rank &&
-                clod_partition_reaches(&self->partition, &state->domain, r, p, reach)) {
-                clod_records_put_grain(&out[r], state, g);
+        const int owner = new_owner(self, state, (int32_t)g);
+        const int count = clod_spread_reach(self, &state->domain, p, skin, self->reached);
+        clod_records_put_grain(&out[owner], state, g);
+        for (int k = 0; k < count; k++) {
+            if (self->reached[k] != owner) {
+                clod_records_put_grain(&out[self->reached[k]], state, g);
             }
         }
+        self->balance.moved += owner != self->ranks->rank;
     }
 }
 
-/** Grains to their owners, and then ghosts behind them. */
+/** Grains to their owners, and as ghosts to others. */
 static bool move_grains(clod_spread *self, const clod_state *from, clod_state *to, double skin,
                         parcels *way, clod_status *status)
 {
-    parcels_clear(way);
-    pack_grains(self, from, way->out);
+    pack_grains(self, from, skin, way->out);
     if (!swap(self, way, status)) {
         return false;
     }
     to->grains.count = 0;
-    bool good = clod_records_get_grains(&way->in, to, status);
-    if (!clod_ranks_agree(self->ranks, good, status)) {
-        return false;
-    }
-    parcels_clear(way);
-    pack_ghosts(self, to, skin, way->out);
-    if (!swap(self, way, status)) {
-        return false;
-    }
-    good = clod_records_get_grains(&way->in, to, status);
+    const bool good = clod_records_get_grains(&way->in, to, status);
+    clod_bytes_fini(&way->in);
     return clod_ranks_agree(self->ranks, good, status);
 }
 

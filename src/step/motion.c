@@ -6,9 +6,9 @@
 #include "parallel/threads.h"
 #include "step/spread.h"
 
-/** Walls that can move do; the fastest speed that a point of them can have [m/s]. */
-static double move_walls(clod_step *self)
+void clod_step_move_walls(clod_step *self)
 {
+    clod_step_thread *first = &self->thread[0];
     double fastest = 0.0;
     for (int32_t k = 0; k < self->moving_count; k++) {
         const int32_t w = self->moving[k];
@@ -16,7 +16,9 @@ static double move_walls(clod_step *self)
         clod_wall_move(wall, self->state->dt, self->state->step + 1);
         fastest = fmax(fastest, clod_wall_speed_within(wall, self->walls.reach[w]));
     }
-    return fastest;
+    first->max_speed2 = fmax(first->max_speed2, fastest * fastest);
+    first->wall_speed = fastest;
+    first->finite = first->finite && self->felt_finite;
 }
 
 /** A thread's share of the shapes that move and have grains near, where they are now. */
@@ -79,11 +81,10 @@ void clod_step_drift(clod_step *self, int part)
         self->spread == NULL ? drift_rows(self, c, mine->owed) : drift_own(self, c, mine->owed);
     mine->owed = true; // this step's second half kick, when its forces are there
     mine->max_speed2 = seen.max_speed2;
-    mine->finite = seen.finite && (part != 0 || self->felt_finite);
-    if (part == 0) {
-        const double walls = move_walls(self);
-        mine->max_speed2 = fmax(mine->max_speed2, walls * walls);
-        mine->wall_speed = walls;
+    mine->finite = seen.finite;
+    if (part == 0 &&
+        self->spread == NULL) { // else stage ghosts does, when it knows their speed
+        clod_step_move_walls(self);
     }
 }
 
@@ -123,7 +124,7 @@ static void sum_wall(clod_step *self, int32_t w)
 {
     clod_wall *wall = &self->state->walls.wall[w];
     clod_fixed all = {0};
-    if (self->spread != NULL) { // stage merge has added them up
+    if (self->spread != NULL) { // stage ghosts has added them up
         all = self->spread->felt[w];
     }
     for (int32_t s = self->near.sum_start[w]; s < self->near.sum_start[w + 1]; s++) {
@@ -152,11 +153,8 @@ static void kick_servo(clod_wall *wall, double dt)
                            (1.0 + dt * wall->damping / wall->mass);
 }
 
-void clod_step_servo(clod_step *self, int part)
+void clod_step_push_walls(clod_step *self)
 {
-    if (part != 0) {
-        return;
-    }
     clod_exact work = {0};
     for (int32_t k = 0; k < self->summed_count; k++) {
         const int32_t w = self->summed[k];
@@ -176,5 +174,14 @@ void clod_step_servo(clod_step *self, int part)
     }
     if (self->near.ledger) {
         self->state->ledger.wall_work += clod_exact_value(&work);
+    }
+}
+
+void clod_step_servo(clod_step *self, int part)
+{
+    if (part == 0 && self->spread == NULL) {
+        clod_step_push_walls(self);
+    } else if (part == 0) { // with what other ranks' contacts did, in the next step
+        self->spread->owed = true;
     }
 }

@@ -248,6 +248,17 @@ static void apply_order(clod_neighbour *self, clod_state *state)
     }
 }
 
+/** Contacts of grains whose later one comes first are met from the other side. */
+static void turn_contacts(clod_state *state)
+{
+    for (size_t k = 0; k < state->contact_count; k++) {
+        clod_contact *c = &state->contacts[k];
+        if (c->shape < 0 && c->i > c->j) {
+            clod_contact_turn(c);
+        }
+    }
+}
+
 /** Both lists of contacts into ascending order. */
 static bool sort_lists(clod_neighbour *self, clod_state *state, clod_status *status)
 {
@@ -280,6 +291,8 @@ bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_
         const size_t row = sizeof *state->build_position;
         permute(self, (clod_row_column){(char *)state->build_position, row, row}, count);
         apply_order(self, state);
+    } else { // rows that came from other ranks may be in order, and their contacts be of another
+        turn_contacts(state);
     }
     return sort_lists(self, state, status);
 }

@@ -13,10 +13,7 @@ bool clod_partition_init(clod_partition *self, int ranks, clod_status *status)
     *self = (clod_partition){.ranks = ranks};
     self->weight = clod_memory_alloc(CLOD_PARTITION_BLOCKS, sizeof *self->weight);
     self->plane = clod_memory_alloc((size_t)ranks, sizeof *self->plane);
-    self->low = clod_memory_alloc((size_t)ranks, sizeof *self->low);
-    self->high = clod_memory_alloc((size_t)ranks, sizeof *self->high);
-    return (self->weight != NULL && self->plane != NULL && self->low != NULL &&
-            self->high != NULL) ||
+    return (self->weight != NULL && self->plane != NULL) ||
            clod_status_fail(status, CLOD_FAILED, "no memory to cut a bed for %d ranks", ranks);
 }
 
@@ -203,60 +200,68 @@ void clod_partition_cut(clod_partition *self)
 
 // ---- boxes
 
-/** Box of a rank between the planes that a place of it passes. */
-static void bound_rank(clod_partition *self, int rank)
-{
-    double *low = self->low[rank], *high = self->high[rank];
-    bool none = false;
-    int first = 0, last = self->ranks;
-    while (last - first > 1) {
-        const int middle = first + (last - first) / 2;
-        const clod_partition_plane plane = self->plane[middle];
-        if (rank < middle) { // what it has is below
-            none = none || !(plane.at > low[plane.axis]);
-            high[plane.axis] = fmin(high[plane.axis], plane.at);
-            last = middle;
-        } else {
-            none = none || plane.at > high[plane.axis];
-            low[plane.axis] = fmax(low[plane.axis], plane.at);
-            first = middle;
-        }
-    }
-    if (none) {
-        low[0] = INFINITY;
-        high[0] = -INFINITY;
-    }
-}
-
 void clod_partition_bound(clod_partition *self, const double min[3], const double max[3])
 {
-    for (int r = 0; r < self->ranks; r++) {
-        memcpy(self->low[r], min, sizeof *self->low);
-        memcpy(self->high[r], max, sizeof *self->high);
-        bound_rank(self, r);
-    }
+    memcpy(self->low, min, sizeof self->low);
+    memcpy(self->high, max, sizeof self->high);
 }
 
-bool clod_partition_reaches(const clod_partition *self, const clod_domain *domain, int rank,
-                            const double position[3], double reach)
+/** Box of ranks [first, last). */
+typedef struct span {
+    double low[3], high[3]; ///< m
+    int first, last;
+} span;
+
+/** Whether a place is within `reach` of a box along every axis. */
+static bool is_near(const span *at, const clod_domain *domain, const double position[3],
+                    double reach)
 {
+    bool near = true;
     for (int a = 0; a < 3; a++) {
-        const double low = self->low[rank][a], high = self->high[rank][a];
-        const double half = 0.5 * (high - low);
-        const double off =
-            fabs(clod_domain_separation(domain, a, position[a], low + half)) - half;
-        if (!(low <= high && off <= reach)) {
-            return false;
+        const double half = 0.5 * (at->high[a] - at->low[a]);
+        const double middle = at->low[a] + half;
+        const double off = fabs(clod_domain_separation(domain, a, position[a], middle)) - half;
+        near = near && half >= 0.0 && off <= reach;
+    }
+    return near;
+}
+
+int clod_partition_reach(const clod_partition *self, const clod_domain *domain,
+                         const double position[3], double reach, int *rank)
+{
+    span stack[64]; // halves of ranks: as deep as the bits of an int
+    int depth = 0, count = 0;
+    stack[depth] = (span){.first = 0, .last = self->ranks};
+    memcpy(stack[depth].low, self->low, sizeof self->low);
+    memcpy(stack[depth++].high, self->high, sizeof self->high);
+    while (depth > 0) {
+        const span at = stack[--depth];
+        if (!is_near(&at, domain, position, reach)) {
+            continue;
+        }
+        if (at.last - at.first == 1) {
+            rank[count++] = at.first;
+            continue;
+        }
+        const int middle = at.first + (at.last - at.first) / 2;
+        const clod_partition_plane plane = self->plane[middle];
+        span lower = at, upper = at;
+        lower.last = upper.first = middle;
+        lower.high[plane.axis] = fmin(at.high[plane.axis], plane.at);
+        upper.low[plane.axis] = fmax(at.low[plane.axis], plane.at);
+        if (upper.low[plane.axis] <= at.high[plane.axis]) { // else it has none
+            stack[depth++] = upper;
+        }
+        if (plane.at > at.low[plane.axis]) {
+            stack[depth++] = lower;
         }
     }
-    return true;
+    return count;
 }
 
 void clod_partition_fini(clod_partition *self)
 {
     clod_memory_free(self->weight);
     clod_memory_free(self->plane);
-    clod_memory_free(self->low);
-    clod_memory_free(self->high);
     *self = (clod_partition){0};
 }

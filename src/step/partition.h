@@ -27,13 +27,13 @@ typedef struct clod_partition_plane {
 
 typedef struct clod_partition {
     int ranks;
-    bool exists;                  ///< it has been cut, with some weight
-    int32_t n[3];                 ///< blocks along each axis, of the last grid
-    double min[3];                ///< m
-    double width[3];              ///< m, of a block
-    float *weight;                ///< [blocks]
-    clod_partition_plane *plane;  ///< [ranks] of r > 0: below the upper half that begins with r
-    double (*low)[3], (*high)[3]; ///< [ranks] m, box of each; low > high: it has none
+    bool exists;                 ///< it has been cut, with some weight
+    int32_t n[3];                ///< blocks along each axis, of the last grid
+    double min[3];               ///< m
+    double width[3];             ///< m, of a block
+    float *weight;               ///< [blocks]
+    clod_partition_plane *plane; ///< [ranks] of r > 0: below the upper half that begins with r
+    double low[3], high[3];      ///< m, box of all
 } clod_partition;
 
 bool clod_partition_init(clod_partition *self, int ranks, clod_status *status);
@@ -57,15 +57,20 @@ size_t clod_partition_blocks(const clod_partition *self);
  *  planes move as little as the weights do. */
 void clod_partition_cut(clod_partition *self);
 
-/** Boxes of the ranks, in a bed whose grains lie within a box. */
+/** All grains lie within a box, so those of each rank within its box between the planes. */
 void clod_partition_bound(clod_partition *self, const double min[3], const double max[3]);
 
 /** The rank that owns a place. */
 int clod_partition_owner(const clod_partition *self, const double position[3]);
 
-/** Whether a place is within `reach` [m] of the box of a rank, along every axis, by the nearest
- *  image where the domain is periodic. */
-bool clod_partition_reaches(const clod_partition *self, const clod_domain *domain, int rank,
-                            const double position[3], double reach);
+/**
+ * The ranks whose boxes are within `reach` [m] of a place along every axis, by the nearest image where
+ * the domain is periodic; as many steps as there are such ranks, times log2(ranks).
+ *
+ * @param rank  [ranks] [out] ascending
+ * @return      how many
+ */
+int clod_partition_reach(const clod_partition *self, const clod_domain *domain,
+                         const double position[3], double reach, int *rank);
 
 void clod_partition_fini(clod_partition *self);

@@ -20,11 +20,13 @@ bool clod_spread_init(clod_spread *self, clod_ranks *ranks, int32_t walls, clod_
     ghosts->out_start = clod_memory_alloc(size + 1, sizeof *ghosts->out_start);
     ghosts->in_start = clod_memory_alloc(size + 1, sizeof *ghosts->in_start);
     ghosts->message = clod_memory_alloc(2 * size, sizeof *ghosts->message);
+    self->reached = clod_memory_alloc(size, sizeof *self->reached);
     self->wear_out = clod_memory_alloc(size, sizeof *self->wear_out);
     self->wear_begin = clod_memory_alloc(size + 1, sizeof *self->wear_begin);
     const bool good =
-        (self->felt != NULL && self->wear_out != NULL && self->wear_begin != NULL &&
-         ghosts->out_start != NULL && ghosts->in_start != NULL && ghosts->message != NULL) ||
+        (self->felt != NULL && self->reached != NULL && self->wear_out != NULL &&
+         self->wear_begin != NULL && ghosts->out_start != NULL && ghosts->in_start != NULL &&
+         ghosts->message != NULL) ||
         clod_status_fail(status, CLOD_FAILED, "no memory for %d ranks", ranks->size);
     const size_t blocks = CLOD_PARTITION_BLOCKS * sizeof *self->partition.weight;
     return clod_ranks_agree(ranks,
@@ -33,9 +35,11 @@ bool clod_spread_init(clod_spread *self, clod_ranks *ranks, int32_t walls, clod_
            clod_ranks_reserve(ranks, blocks > sums ? blocks : sums, status);
 }
 
-double clod_spread_reach(const clod_spread *self, double radius, double skin)
+int clod_spread_reach(const clod_spread *self, const clod_domain *domain, const double place[4],
+                      double skin, int *rank)
 {
-    return REACH_MARGIN * (radius + self->bed.largest + skin);
+    const double reach = REACH_MARGIN * (place[3] + self->bed.largest + skin);
+    return clod_partition_reach(&self->partition, domain, place, reach, rank);
 }
 
 // ---- whose rows
@@ -62,28 +66,48 @@ static void find_owners(clod_spread *self, const clod_state *state)
     }
 }
 
-/** Rows that come, or go: those of each rank ascend. With `row` NULL they are counted alone. */
-static size_t list_rows(const clod_spread *self, const clod_state *state, double skin, bool out,
-                        size_t *start, int32_t *row)
+/** Count a row of a rank, or list it. */
+static void add_row(size_t *next, int rank, size_t g, int32_t *row)
 {
-    size_t count = 0;
-    for (int r = 0; r < self->ranks->size; r++) {
-        start[r] = count;
-        for (size_t g = 0; r != self->ranks->rank && g < state->grains.count; g++) {
-            const double *p = state->build_position[g];
-            const bool goes =
-                out ? clod_spread_owns(self, (int32_t)g) &&
-                          clod_partition_reaches(&self->partition, &state->domain, r, p,
-                                                 clod_spread_reach(self, p[3], skin))
-                    : self->owner[g] == r;
-            if (goes && row != NULL) {
-                row[count] = (int32_t)g;
+    if (row != NULL) {
+        row[next[rank]] = (int32_t)g;
+    }
+    next[rank]++;
+}
+
+/** Rows that go to, and come from, each rank: they are counted, or with lists of rows listed. */
+static void add_rows(const clod_spread *self, const clod_state *state, double skin, size_t *out,
+                     size_t *in, int32_t *out_row, int32_t *in_row)
+{
+    for (size_t g = 0; g < state->grains.count; g++) {
+        if (!clod_spread_owns(self, (int32_t)g)) {
+            add_row(in, self->owner[g], g, in_row);
+            continue;
+        }
+        const double *p = state->build_position[g];
+        const int count = clod_spread_reach(self, &state->domain, p, skin, self->reached);
+        for (int k = 0; k < count; k++) {
+            if (self->reached[k] != self->ranks->rank) {
+                add_row(out, self->reached[k], g, out_row);
             }
-            count += goes;
         }
     }
-    start[self->ranks->size] = count;
-    return count;
+}
+
+/** From the numbers of rows of each rank, in start[1 ...], where they begin; how many there are. */
+static size_t sum_up(size_t *start, size_t ranks)
+{
+    for (size_t r = 0; r < ranks; r++) {
+        start[r + 1] += start[r];
+    }
+    return start[ranks];
+}
+
+/** Where rows of each rank begin, after each of these has gone to where the next one was. */
+static void step_back(size_t *start, size_t ranks)
+{
+    memmove(start + 1, start, ranks * sizeof *start);
+    start[0] = 0;
 }
 
 /** Messages with the rows [start[r], start[r + 1]) for each rank r; how many there are. */
@@ -115,8 +139,11 @@ static bool list_ghosts(clod_spread *self, const clod_state *state, double skin,
                         clod_status *status)
 {
     clod_ghosts *ghosts = &self->ghosts;
-    const size_t out = list_rows(self, state, skin, true, ghosts->out_start, NULL);
-    const size_t in = list_rows(self, state, skin, false, ghosts->in_start, NULL);
+    const size_t ranks = (size_t)self->ranks->size;
+    memset(ghosts->out_start, 0, (ranks + 1) * sizeof *ghosts->out_start);
+    memset(ghosts->in_start, 0, (ranks + 1) * sizeof *ghosts->in_start);
+    add_rows(self, state, skin, ghosts->out_start + 1, ghosts->in_start + 1, NULL, NULL);
+    const size_t out = sum_up(ghosts->out_start, ranks), in = sum_up(ghosts->in_start, ranks);
     const size_t numbers = clod_spread_numbers(state);
     if (!clod_room_for(&ghosts->out, &ghosts->out_room, out, sizeof *ghosts->out) ||
         !clod_room_for(&ghosts->in, &ghosts->in_room, in, sizeof *ghosts->in) ||
@@ -125,8 +152,9 @@ static bool list_ghosts(clod_spread *self, const clod_state *state, double skin,
         return clod_status_fail(status, CLOD_FAILED, "no memory for the ghosts of %zu grains",
                                 state->grains.count);
     }
-    list_rows(self, state, skin, true, ghosts->out_start, ghosts->out);
-    list_rows(self, state, skin, false, ghosts->in_start, ghosts->in);
+    add_rows(self, state, skin, ghosts->out_start, ghosts->in_start, ghosts->out, ghosts->in);
+    step_back(ghosts->out_start, ranks);
+    step_back(ghosts->in_start, ranks);
     return keep_messages(self, numbers, status);
 }
 
@@ -203,6 +231,7 @@ void clod_spread_fini(clod_spread *self)
     clod_memory_free(self->owner);
     clod_memory_free(self->run);
     clod_memory_free(self->felt);
+    clod_memory_free(self->reached);
     clod_memory_free(self->wear);
     clod_memory_free(self->wear_begin);
     for (int r = 0; self->wear_out != NULL && r < self->ranks->size; r++) {

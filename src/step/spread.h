@@ -27,10 +27,12 @@ typedef struct clod_ghosts {
     size_t out_room, in_room, sent_room, got_room;
 } clod_ghosts;
 
-/** What ranks tell each other at the end of a step, behind what each wall felt. */
+/** What ranks tell each other in a step, behind what each wall felt in the step before. */
 typedef struct clod_spread_sums {
-    _Alignas(64) int64_t excess;       ///< an overlap beyond the laws' range
-    _Alignas(64) clod_step_heat spent; ///< sent with the ledger only
+    _Alignas(64) double max_speed2; ///< m2/s2, of the grains as they drift
+    int64_t finite;                 ///< whether their numbers are
+    int64_t excess;                 ///< an overlap beyond the laws' range, in the step before
+    clod_step_heat spent;           ///< in the step before; sent with the ledger only
 } clod_spread_sums;
 
 /** What a contact did to a surface in a step (spread_wear.h). */
@@ -48,10 +50,12 @@ typedef struct clod_spread {
     int32_t *owner;  ///< [rows] rank of each grain; NULL: all are this rank's
     clod_chunk *run; ///< [runs] rows that are this rank's
     size_t runs, owner_room, run_room;
+    int *reached;   ///< [ranks] scratch
     clod_torn torn; ///< at the last rebuild
     clod_ghosts ghosts;
-    clod_fixed *felt; ///< [walls] by each wall in this step, and behind it clod_spread_sums
+    clod_fixed *felt; ///< [walls] by each wall in a step, and behind it clod_spread_sums
     int32_t walls;
+    bool owed; ///< what the step before did to walls and ledger is still to be added up
     // with the sums of surfaces
     clod_wear_record *wear; ///< [wear_count] of this step
     size_t wear_count, wear_room;
@@ -72,18 +76,23 @@ bool clod_spread_init(clod_spread *self, clod_ranks *ranks, int32_t walls, clod_
 bool clod_spread_list(clod_spread *self, const clod_state *state, double skin,
                       clod_status *status);
 
-/** Numbers that are sent of a row: three rows of four, and with the ledger the load before. */
+/** Numbers of position, velocity and angular velocity each. */
+enum { CLOD_SPREAD_VECTOR = 3 };
+
+/** Numbers that are sent of a row: these three vectors, and with the ledger the load before. */
 static inline size_t clod_spread_numbers(const clod_state *state)
 {
-    return state->grains.before != NULL ? 20 : 12;
+    const size_t before = sizeof *state->grains.before / sizeof(double);
+    return 3 * (size_t)CLOD_SPREAD_VECTOR + (state->grains.before != NULL ? before : 0);
 }
 
 /** Layers of the whole bed by state->build_position, and the boxes of ranks in it: cut anew if their
  *  work asks for it. Own rows are those of self->owner. */
 void clod_spread_cut(clod_spread *self, const clod_state *state);
 
-/** How far from a rank's box a grain may matter to it [m]. */
-double clod_spread_reach(const clod_spread *self, double radius, double skin);
+/** Ranks that a grain may matter to until the next rebuild, its own too; how many. [ranks] [out] */
+int clod_spread_reach(const clod_spread *self, const clod_domain *domain, const double place[4],
+                      double skin, int *rank);
 
 /** Whether it went well on all ranks, see clod_ranks_agree; with NULL there is this one alone. */
 static inline bool clod_spread_agree(const clod_spread *self, bool good, clod_status *status)
@@ -127,6 +136,12 @@ void clod_spread_leave_out(const clod_spread *self, clod_neighbour *neighbour, s
 
 /** The least of the numbers of all ranks. */
 double clod_spread_least(const clod_spread *self, double number);
+
+/** After the last step: add up what it did to walls and ledger. Threads: thread 0 of each rank. */
+void clod_spread_settle(clod_step *step);
+
+/** The trouble of all ranks that one process would tell, on all. */
+void clod_spread_merge_trouble(clod_step *step);
 
 /** Energies of all ranks; with NULL they are this one's alone. */
 void clod_spread_merge_stored(const clod_spread *self, clod_step_stored *sums);

@@ -59,6 +59,6 @@ typedef struct clod_stage {
     clod_stage_barrier barrier;
 } clod_stage;
 
-#define CLOD_STAGES 13
+#define CLOD_STAGES 12
 
 extern const clod_stage CLOD_STAGE[CLOD_STAGES];

@@ -6,6 +6,7 @@
 #include "parallel/threads.h"
 #include "step/crew.h"
 #include "step/derived.h"
+#include "step/spread.h"
 #include "step/stages.h"
 #include "step/team.h"
 #include "step/trouble.h"
@@ -27,21 +28,34 @@
 #define EXCESS CLOD_STAGE_EXCESS
 #define RUB CLOD_STAGE_RUB
 #define WEAR CLOD_STAGE_WEAR
+#define ENDS (FELT | SUMS | EXCESS | WALLS | LEDGER) // with ranks: of the step before
 #define ROWS (POSITION | VELOCITY | FORCE | HISTORY) // a rebuild puts them into a new order
 
-/** Trouble as one thread sees it, from flags that stay until all threads have seen them. */
-static bool has_trouble(const clod_step *self, int part)
+/** An overlap beyond the laws' range in this step, from flags that stay until all threads have seen
+ *  them. */
+static bool has_excess(const clod_step *self)
 {
-    bool trouble = self->failed || !self->thread[part].all_finite;
+    bool excess = false;
     for (int t = 0; t < self->threads; t++) {
-        trouble |= self->thread[t].excess;
+        excess |= self->thread[t].excess;
     }
-    return trouble;
+    return excess;
 }
 
+/** After steps: trouble in any of them, of any rank. */
+static bool has_trouble(const clod_step *self)
+{
+    const clod_step_thread *first = &self->thread[0];
+    return self->failed || !first->all_finite || first->late ||
+           (self->spread == NULL && has_excess(self));
+}
+
+/** An overlap too large stops the step after its own: by then other ranks know of it too. */
 static void check(clod_step *self, int part)
 {
-    self->thread[part].stop = has_trouble(self, part);
+    clod_step_thread *mine = &self->thread[part];
+    mine->stop = self->failed || !mine->all_finite || mine->late;
+    mine->late = mine->late || (self->spread == NULL && has_excess(self));
 }
 
 // drift completes the half kick of the step before; after the last step clod_step_settle does
@@ -49,20 +63,31 @@ const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     // clang-format off
     //name,      function,          reads,                                  writes,                                     by thread 0,           barrier
     {"drift",   clod_step_drift,   ROWS | LISTS | WALLS,                   POSITION | VELOCITY | FORCE | WALLS | SEEN, WALLS,                 CLOD_BARRIER_AFTER},
-    {"ghosts",  clod_step_ghosts,  POSITION | VELOCITY | SEEN,             POSITION | VELOCITY | FORCE | SEEN,         POSITION | VELOCITY | SEEN, CLOD_BARRIER_RANKS},
+    {"ghosts",  clod_step_ghosts,  POSITION | VELOCITY | SEEN | LISTS | ENDS, POSITION | VELOCITY | FORCE | SEEN | ENDS, POSITION | VELOCITY | SEEN | ENDS, CLOD_BARRIER_RANKS},
     {"place",   clod_step_place,   WALLS | LISTS,                          SURFACES,                                   0,                     CLOD_BARRIER_NONE},
     {"near",    clod_step_near,    ROWS | WALLS | SEEN,                    ROWS | LISTS | SURFACES,                    0,                     CLOD_BARRIER_WITHIN},
     {"contact", clod_step_contact, POSITION | VELOCITY | LISTS,            FORCE | HISTORY | SHARE | SPENT | EXCESS,   0,                     CLOD_BARRIER_NONE},
     {"touch",   clod_step_touch,   POSITION | LISTS | SURFACES,            HISTORY | TOUCH,                            0,                     CLOD_BARRIER_NONE},
     {"wall",    clod_step_wall,    POSITION | VELOCITY | LISTS | SURFACES | TOUCH, FORCE | HISTORY | FELT | SPENT | RUB | EXCESS, 0,                     CLOD_BARRIER_NONE},
     {"spent",   clod_step_spent,   LISTS | SPENT,                          SUMS,                                       0,                     CLOD_BARRIER_AFTER},
-    {"merge",   clod_step_merge,   FELT | SUMS | EXCESS | LISTS,           FELT | SUMS | EXCESS,                       FELT | SUMS | EXCESS,  CLOD_BARRIER_RANKS},
     {"wear",    clod_step_wear,    LISTS | RUB | TOUCH | WEAR,             WEAR,                                       0,                     CLOD_BARRIER_NONE},
     {"servo",   clod_step_servo,   FELT | WALLS | LISTS,                   FELT | WALLS | LEDGER,                      FELT | WALLS | LEDGER, CLOD_BARRIER_NONE},
     {"ledger",  clod_step_ledger,  SUMS | LEDGER,                          LEDGER,                                     SUMS | LEDGER,         CLOD_BARRIER_NONE},
     {"check",   check,             EXCESS,                                 0,                                          0,                     CLOD_BARRIER_NONE},
     // clang-format on
 };
+
+/** The first overlap too large is looked at while no thread moves anything. */
+static void note_excess(clod_step *self, int part)
+{
+    if (has_excess(self) && self->thread[part].all_finite && !self->thread[part].noted) {
+        if (part == 0) {
+            clod_trouble_note(self);
+        }
+        self->thread[part].noted = true;
+        clod_barrier_wait(&self->barrier);
+    }
+}
 
 /** The steps as one thread sees them. */
 static void advance_part(clod_step *self, int part)
@@ -85,11 +110,15 @@ static void advance_part(clod_step *self, int part)
         if (part == 0) {
             self->state->step = first + s + 1;
         }
+        note_excess(self, part);
         if (self->thread[part].stop) { // all agree
             break;
         }
     }
     clod_step_settle(self, part);
+    if (part == 0 && self->spread != NULL) {
+        clod_spread_settle(self);
+    }
 }
 
 bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
@@ -110,7 +139,9 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
         self->thread[t].near_motion = self->thread[0].near_motion;
         self->thread[t].near_slack = self->thread[0].near_slack;
         self->thread[t].wall_motion = self->thread[0].wall_motion;
+        self->thread[t].late = self->thread[t].noted = false;
     }
+    self->trouble.any = false;
     self->view.dt = self->state->dt;
     const int64_t first = self->state->step;
     clod_step_list_moving(self);
@@ -120,11 +151,14 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     clod_step_count_steps(self, self->state->step - first);
     self->state->build_motion = self->thread[0].build_motion;
     self->state->time = (double)self->state->step * self->state->dt;
-    if (self->failed) {
+    if (self->spread != NULL && self->thread[0].late) {
+        clod_spread_merge_trouble(self);
+    }
+    if (self->failed && !self->trouble.any) {
         *status = self->status;
         return false;
     }
-    return !has_trouble(self, 0) || clod_trouble_report(self, status);
+    return !has_trouble(self) || clod_trouble_report(self, status);
 }
 
 static bool allocate(clod_step *self)
@@ -161,7 +195,7 @@ static bool first_forces(clod_step *self, clod_status *status)
     }
     clod_step_servo(self, 0);
     clod_walls_reset_sums(&self->state->walls);
-    return !has_trouble(self, 0) || clod_trouble_report(self, status);
+    return !has_trouble(self) || clod_trouble_report(self, status);
 }
 
 /** Everything but the lists. */

@@ -62,8 +62,10 @@ typedef struct clod_step_thread {
     double slack;         ///< m, least left of the own skins of its grains now
     bool finite;          ///< its grains' numbers
     bool all_finite;      ///< those of all threads in this step
-    bool excess;          ///< an overlap beyond the laws' range
-    bool stop;            ///< physics went wrong in this step, with any thread
+    bool excess;          ///< an overlap beyond the laws' range, with its contacts in this step
+    bool late;            ///< the same with any thread or rank in a step before
+    bool noted;           ///< it has been, in this advance
+    bool stop;            ///< physics went wrong, with any thread: this step is the last
     bool owed;            ///< its grains' second half kick is still to be done
     clod_step_heat spent; ///< by its contacts in this step, with the ledger
 } clod_step_thread;
@@ -81,6 +83,15 @@ typedef struct clod_step_remake {
     clod_reorder reorder;
     clod_near_job job;
 } clod_step_remake;
+
+/** The deepest contact of the first step of an advance with an overlap beyond the laws' range. */
+typedef struct clod_step_trouble {
+    bool any;
+    int64_t step;
+    double fraction;    ///< of the smaller radius
+    uint64_t id[2];     ///< of the grains; of a wall its number, from CLOD_TROUBLE_WALLS on
+    clod_status status; ///< what is told of it
+} clod_step_trouble;
 
 /** A shape of a wall. */
 typedef struct clod_step_shape {
@@ -115,6 +126,7 @@ typedef struct clod_step {
     const void *context; ///< of accepts; both as in clod_step_options
     bool failed;         ///< a rebuild went wrong; status says why
     clod_status status;
+    clod_step_trouble trouble;
     // for reports
     int64_t rebuilds, refreshes;
     struct clod_spread *spread; ///< NULL: all grains are in this process
@@ -137,8 +149,8 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
 /**
  * Advance by a number of steps of velocity Verlet.
  *
- * @return  false when physics went wrong: a number that is not finite, or an overlap beyond the
- *          laws' range: the state is whole then; or a list that could not be made anew: then
+ * @return  false when physics went wrong: a number that is not finite, or, in the last step or the
+ *          one before, an overlap beyond the laws' range: the state is whole then; or a list that could not be made anew: then
  * positions are one step ahead and forces are zero. The text names the grain and the step.
  * Errors  CLOD_FAILED.   Threads  uses options.threads; same bits for any number.
  */
@@ -293,10 +305,20 @@ void clod_step_contact(clod_step *self, int part);
 void clod_step_touch(clod_step *self, int part);
 void clod_step_wall(clod_step *self, int part);
 void clod_step_spent(clod_step *self, int part);
-void clod_step_merge(clod_step *self, int part);
 void clod_step_wear(clod_step *self, int thread);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);
+
+// ---- what stages of thread 0 do; where grains are spread over ranks, all of it in stage ghosts
+
+/** Walls that can move do. */
+void clod_step_move_walls(clod_step *self);
+
+/** What the contacts of a step did to walls, and to those that are loaded. */
+void clod_step_push_walls(clod_step *self);
+
+/** What they spent, onto the ledger if there is one. */
+void clod_step_add_ledger(clod_step *self);
 
 /** The half kick that the last drift has left: in the next one, or after the last step. */
 void clod_step_settle(clod_step *self, int part);

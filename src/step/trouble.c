@@ -72,27 +72,46 @@ typedef struct worst_overlap {
     double fraction; ///< of the radius; 0: there is none
     int32_t i, j;    ///< j < 0: with a wall
     int32_t wall, shape;
+    uint64_t id[2]; ///< as in clod_step_trouble
 } worst_overlap;
+
+/** Of two as deep the one with the lower ids: no rank sees the whole order. */
+static bool is_deeper(double fraction, const uint64_t id[2], double than, const uint64_t of[2])
+{
+    return fraction > than ||
+           (fraction == than && (id[0] < of[0] || (id[0] == of[0] && id[1] < of[1])));
+}
+
+static void compare(worst_overlap *worst, const worst_overlap *other)
+{
+    if (other->fraction > 0.0 &&
+        is_deeper(other->fraction, other->id, worst->fraction, worst->id)) {
+        *worst = *other;
+    }
+}
 
 static worst_overlap find_worst(const clod_step *self)
 {
     worst_overlap worst = {0};
+    const uint64_t *id = self->state->grains.id;
     const clod_pairs *pairs = &self->neighbour.pairs;
     for (size_t i = 0; i < self->state->grains.count; i++) {
         for (size_t k = pairs->start[i]; k < pairs->start[i + 1]; k++) {
             const int32_t j = (int32_t)pairs->item[k].j;
-            const double fraction = overlap_fraction(self, (int32_t)i, j);
-            if (fraction > worst.fraction) {
-                worst = (worst_overlap){fraction, (int32_t)i, j, -1, -1};
-            }
+            const worst_overlap one = {
+                overlap_fraction(self, (int32_t)i, j), (int32_t)i, j, -1, -1, {id[i], id[j]}};
+            compare(&worst, &one);
         }
     }
     for (size_t k = 0; k < self->neighbour.walls.count; k++) {
         const clod_wall_candidate *c = &self->neighbour.walls.item[k];
-        const double fraction = wall_overlap_fraction(self, c);
-        if (fraction > worst.fraction) {
-            worst = (worst_overlap){fraction, c->i, -1, c->wall, c->shape};
-        }
+        const worst_overlap one = {wall_overlap_fraction(self, c),
+                                   c->i,
+                                   -1,
+                                   c->wall,
+                                   c->shape,
+                                   {id[c->i], CLOD_TROUBLE_WALLS + (uint64_t)c->wall}};
+        compare(&worst, &one);
     }
     return worst;
 }
@@ -193,38 +212,61 @@ static void advise(const clod_step *self, const worst_overlap *worst, char *text
     }
 }
 
-static bool report_overlap(const clod_step *self, clod_status *status)
+static bool report_overlap(const clod_step *self, const worst_overlap *worst,
+                           clod_status *status)
 {
     const clod_state *state = self->state;
-    const worst_overlap worst = find_worst(self);
-    if (!(worst.fraction > 0.0)) {
+    if (!(worst->fraction > 0.0)) {
         return clod_status_fail(status, CLOD_FAILED, "step %lld: an overlap is out of range",
                                 (long long)state->step);
     }
-    const unsigned long long i = (unsigned long long)state->grains.id[worst.i];
     char partner[64];
     char advice[400];
-    if (worst.j >= 0) {
-        snprintf(partner, sizeof partner, "grain %llu",
-                 (unsigned long long)state->grains.id[worst.j]);
+    if (worst->j >= 0) {
+        snprintf(partner, sizeof partner, "grain %llu", (unsigned long long)worst->id[1]);
     } else {
-        snprintf(partner, sizeof partner, "wall '%s'", state->walls.wall[worst.wall].name);
+        snprintf(partner, sizeof partner, "wall '%s'", state->walls.wall[worst->wall].name);
     }
-    advise(self, &worst, advice, sizeof advice);
+    advise(self, worst, advice, sizeof advice);
     return clod_status_fail(status, CLOD_FAILED,
                             "step %lld: grain %llu overlaps %s by %.1f %% of the radius%s; "
                             "time.overlap_limit is %.3g %%. %s",
-                            (long long)state->step, i, partner, 100.0 * worst.fraction,
-                            worst.j >= 0 ? " of the smaller one" : "",
+                            (long long)state->step, (unsigned long long)worst->id[0], partner,
+                            100.0 * worst->fraction, worst->j >= 0 ? " of the smaller one" : "",
                             100.0 * self->view.overlap_limit, advice);
+}
+
+void clod_trouble_note(clod_step *self)
+{
+    clod_step_trouble *trouble = &self->trouble;
+    const worst_overlap worst = find_worst(self);
+    trouble->any = true;
+    trouble->step = self->state->step;
+    trouble->fraction = worst.fraction;
+    trouble->id[0] = worst.id[0];
+    trouble->id[1] = worst.id[1];
+    report_overlap(self, &worst, &trouble->status);
+}
+
+bool clod_trouble_comes_first(const clod_step_trouble *a, const clod_step_trouble *b)
+{
+    if (!a->any || !b->any || a->step != b->step) {
+        return a->any && (!b->any || a->step < b->step);
+    }
+    return is_deeper(a->fraction, a->id, b->fraction, b->id);
 }
 
 bool clod_trouble_report(const clod_step *self, clod_status *status)
 {
+    if (self->trouble.any) {
+        *status = self->trouble.status;
+        return false;
+    }
     for (int t = 0; t < self->threads; t++) {
         if (!self->thread[t].finite) {
             return report_not_finite(self->state, status);
         }
     }
-    return report_overlap(self, status);
+    const worst_overlap worst = find_worst(self);
+    return report_overlap(self, &worst, status);
 }

@@ -152,22 +152,76 @@ static void count_letters(clod_ranks *ranks, void *context)
     count[ranks->rank] = ranks->count;
 }
 
+/** Numbers of bytes in three rounds, by hand: of ranks 1 and 3, 2 and 3, and 4 places on. */
 static void what_is_said_is_counted(void **state)
 {
     (void)state;
     clod_ranks_count count[SIZE];
     ranks_run(SIZE, count_letters, count);
     for (int r = 0; r < SIZE; r++) {
-        size_t messages = SIZE - 1, bytes = (SIZE - 1) * sizeof(size_t); // how many, first
+        size_t messages = 3, bytes = 5 * sizeof(size_t);
         for (int to = 0; to < SIZE; to++) {
             messages += to != r && letters(r, to) > 0;
             bytes += to != r ? letters(r, to) : 0;
         }
         assert_int_equal(count[r].messages, messages);
         assert_int_equal(count[r].bytes, bytes);
-        assert_int_equal(count[r].exchanges, 2);
+        assert_int_equal(count[r].exchanges, 4);
         assert_int_equal(count[r].merges, 1); // whether all have memory
         assert_true(count[r].waited > 0.0 && count[r].waited < 100.0);
+    }
+}
+
+typedef struct swapped {
+    bool good[MOST];
+    int64_t messages[MOST];
+} swapped;
+
+/** Every rank has 10 r + d + 1 bytes for the rank d places on, where d is a power of two. */
+static size_t bytes_on(int from, int size, int to)
+{
+    const int d = (to - from + size) % size;
+    return d > 0 && (d & (d - 1)) == 0 ? (size_t)(10 * from + d + 1) : 0;
+}
+
+static void swap_some(clod_ranks *ranks, void *context)
+{
+    swapped *found = context;
+    const int size = ranks->size, me = ranks->rank;
+    clod_status status = {0};
+    clod_bytes out[MOST] = {0}, in = {0};
+    size_t begin[MOST + 1];
+    for (int r = 0; r < size; r++) {
+        const char c = letter(me, r);
+        for (size_t k = 0; k < bytes_on(me, size, r); k++) {
+            clod_bytes_put(&out[r], &c, 1);
+        }
+    }
+    bool good = clod_ranks_swap(ranks, out, &in, begin, &status);
+    for (int r = 0; r < size; r++) {
+        good = good && begin[r + 1] - begin[r] == bytes_on(r, size, me);
+        for (size_t k = begin[r]; good && k < begin[r + 1]; k++) {
+            good = in.data[k] == letter(r, me);
+        }
+        clod_bytes_fini(&out[r]);
+    }
+    clod_bytes_fini(&in);
+    found->good[me] = good;
+    found->messages[me] = ranks->count.messages;
+}
+
+/** A round for each bit of the number of ranks, and one to each rank that gets something. */
+static void messages_of_a_swap_grow_with_the_logarithm(void **state)
+{
+    (void)state;
+    for (int size = 1; size <= MOST; size++) {
+        swapped found;
+        ranks_run(size, swap_some, &found);
+        const int64_t rounds = (int64_t)ceil(log2(size));
+        for (int r = 0; r < size; r++) {
+            assert_true(found.good[r]);
+            assert_int_equal(found.messages[r], 2 * rounds); // as many neighbours
+        }
     }
 }
 
@@ -194,7 +248,9 @@ static void repeat_rounds(clod_ranks *ranks, void *context)
         CLOD_ASSERT(clod_ranks_keep(ranks, &out, 1, &in, 1, &status));
         for (int k = 0; k < 3; k++) {
             sent = 10 * k + ranks->rank; // what is in their places then
-            clod_ranks_repeat(ranks);
+            clod_ranks_start(ranks);
+            CLOD_ASSERT(clod_ranks_agree(ranks, true, &status)); // others may come between
+            clod_ranks_finish(ranks);
             CLOD_ASSERT(got == 10 * k + from);
         }
     }
@@ -225,10 +281,12 @@ static void announce_much(clod_ranks *self, const clod_message *out, int outs,
     const size_t bytes = ENORMOUS;
     const int good = SIZE; // the first rank on which something fails is none
     for (int k = 0; k < ins; k++) {
-        if (in[k].bytes == sizeof bytes) { // not the text of the failure
-            memcpy(in[k].data, &bytes, sizeof bytes);
-        } else if (in[k].bytes == sizeof good) {
+        if (in[k].bytes == sizeof good) {
             memcpy(in[k].data, &good, sizeof good);
+        } else if (in[k].bytes < sizeof(clod_status)) { // not the text of the failure
+            for (size_t at = 0; at < in[k].bytes; at += sizeof bytes) {
+                memcpy((char *)in[k].data + at, &bytes, sizeof bytes);
+            }
         }
     }
 }
@@ -285,6 +343,7 @@ int main(void)
         cmocka_unit_test(messages_that_are_kept_are_repeated),
         cmocka_unit_test(bytes_arrive_at_whom_they_are_for),
         cmocka_unit_test(what_is_said_is_counted),
+        cmocka_unit_test(messages_of_a_swap_grow_with_the_logarithm),
         cmocka_unit_test(more_bytes_than_an_int_counts),
         cmocka_unit_test(all_learn_of_the_first_failure),
     };

@@ -46,6 +46,29 @@ static size_t ask_for_all(const scene *s)
     return found;
 }
 
+/** Rows from other ranks may be in order, and their contacts in that of the rebuild before. */
+static void contacts_of_sorted_rows_are_turned(void **state)
+{
+    (void)state;
+    scene s, turned;
+    clod_status status = {0};
+    bed_init(&s, BED_CLUSTER, 7);
+    scene_start(&s);
+    scene_run(&s, STEPS);
+    assert_true(clod_step_export(&s.step, &status));
+    turned = s;
+    assert_true(clod_state_copy(&turned.state, &s.state, &status));
+    for (size_t k = 0; k < turned.state.contact_count; k += 2) {
+        if (turned.state.contacts[k].shape < 0) {
+            clod_contact_turn(&turned.state.contacts[k]);
+        }
+    }
+    assert_true(clod_neighbour_sort_as_built(&s.step.neighbour, &turned.state, &status));
+    check_same_bits(&s.state, &turned.state);
+    clod_state_fini(&turned.state);
+    scene_end(&s);
+}
+
 static void every_contact_is_found_by_its_identity(void **state)
 {
     (void)state;
@@ -118,6 +141,7 @@ static void an_export_leaves_everything_as_it_is(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(contacts_of_sorted_rows_are_turned),
         cmocka_unit_test(every_contact_is_found_by_its_identity),
         cmocka_unit_test(what_is_not_there_is_not_found),
         cmocka_unit_test(an_export_leaves_everything_as_it_is),

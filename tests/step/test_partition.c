@@ -1,7 +1,9 @@
 // The cut of a bed for ranks: everyone has his share, and knows whose grains matter to whom.
 #include "step/partition.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "support/check.h"
 #include "support/dice.h"
@@ -153,30 +155,77 @@ static double distance(double x, double low, double high, double period)
     return least;
 }
 
+/** Box of a rank: what is on its side of all planes that divide it from others. */
+static void box_of(const clod_partition *self, int rank, double low[3], double high[3])
+{
+    memcpy(low, MIN, sizeof MIN);
+    memcpy(high, MAX, sizeof MAX);
+    for (int first = 0, last = self->ranks; last - first > 1;) {
+        const int middle = first + (last - first) / 2, axis = self->plane[middle].axis;
+        if (rank < middle) {
+            high[axis] = fmin(high[axis], self->plane[middle].at);
+            last = middle;
+        } else {
+            low[axis] = fmax(low[axis], self->plane[middle].at);
+            first = middle;
+        }
+    }
+}
+
+/** Whether a place is within `reach` of a box of a rank, by hand. */
+static bool is_reached(const clod_partition *self, const clod_domain *domain, int rank,
+                       const double at[3], double reach)
+{
+    double low[3], high[3];
+    bool reached = true;
+    box_of(self, rank, low, high);
+    for (int a = 0; a < 3; a++) {
+        const double period = domain->periodic[a] ? domain->max[a] : 1e9;
+        reached = reached && distance(at[a], low[a], high[a], period) <= reach;
+    }
+    return reached;
+}
+
 static void what_is_near_a_box_reaches_it(void **state)
 {
     (void)state;
+    static const int RANKS[] = {1, 2, 3, 7, 16};
     const clod_domain domain = {.max = {1.0, 2.0, 0.5}, .periodic = {true, true, false}};
-    clod_partition self = partition_of(7, GRAINS);
     const double reach = 0.06;
-    int near = 0;
-    for (int g = 0; g < GRAINS; g++) {
-        for (int r = 0; r < 7; r++) {
-            bool expected = true;
-            for (int a = 0; a < 3; a++) {
-                const double period = domain.periodic[a] ? domain.max[a] : 1e9;
-                expected = expected && distance(place[g][a], self.low[r][a], self.high[r][a],
-                                                period) <= reach;
+    for (size_t k = 0; k < sizeof RANKS / sizeof *RANKS; k++) {
+        clod_partition self = partition_of(RANKS[k], GRAINS);
+        int all = 0;
+        for (int g = 0; g < GRAINS; g++) {
+            int rank[16];
+            const int count = clod_partition_reach(&self, &domain, place[g], reach, rank);
+            int next = 0;
+            bool owned = false;
+            for (int r = 0; r < RANKS[k]; r++) {
+                if (is_reached(&self, &domain, r, place[g], reach)) {
+                    assert_true(next < count);
+                    assert_int_equal(rank[next++], r);
+                    owned = owned || clod_partition_owner(&self, place[g]) == r;
+                }
             }
-            near += expected;
-            assert_int_equal(clod_partition_reaches(&self, &domain, r, place[g], reach),
-                             expected);
-            if (clod_partition_owner(&self, place[g]) == r) {
-                assert_true(expected);
-            }
+            assert_int_equal(next, count);
+            assert_true(owned);
+            all += count;
         }
+        assert_true(all <= 4 * GRAINS && (RANKS[k] == 1 || all > GRAINS + 100));
+        clod_partition_fini(&self);
     }
-    assert_true(near > GRAINS + 100 && near < 3 * GRAINS);
+}
+
+static void nothing_reaches_a_bed_without_grains(void **state)
+{
+    (void)state;
+    const clod_domain domain = {.max = {1.0, 2.0, 0.5}, .periodic = {true, true, false}};
+    const double none[3] = {INFINITY, INFINITY, INFINITY};
+    const double neither[3] = {-INFINITY, -INFINITY, -INFINITY};
+    clod_partition self = partition_of(7, GRAINS);
+    int rank[7];
+    clod_partition_bound(&self, none, neither);
+    assert_int_equal(clod_partition_reach(&self, &domain, place[0], 0.06, rank), 0);
     clod_partition_fini(&self);
 }
 
@@ -185,18 +234,17 @@ static void grains_that_lie_apart_have_two_ranks(void **state)
     (void)state;
     const clod_domain domain = {.max = {1.0, 2.0, 0.5}};
     clod_partition self = partition_of(16, 2);
-    int owners[16] = {0};
     for (int g = 0; g < 2; g++) {
-        owners[clod_partition_owner(&self, place[g])]++;
+        int rank[16];
+        const int owner = clod_partition_owner(&self, place[g]);
+        const int count = clod_partition_reach(&self, &domain, place[g], 1e-9, rank);
+        bool found = false;
+        for (int k = 0; k < count; k++) {
+            found = found || rank[k] == owner;
+        }
+        assert_true(found);
     }
-    int busy = 0;
-    for (int r = 0; r < 16; r++) {
-        busy += owners[r] > 0;
-        assert_true(owners[r] == 0 ||
-                    clod_partition_reaches(&self, &domain, r, place[0], 1e-9) ||
-                    clod_partition_reaches(&self, &domain, r, place[1], 1e-9));
-    }
-    assert_int_equal(busy, 2);
+    assert_true(clod_partition_owner(&self, place[0]) != clod_partition_owner(&self, place[1]));
     clod_partition_fini(&self);
 }
 
@@ -230,6 +278,7 @@ int main(void)
         cmocka_unit_test(each_piece_of_a_first_cut_is_cut_across_its_longest_side),
         cmocka_unit_test(weights_are_shared_not_grains),
         cmocka_unit_test(what_is_near_a_box_reaches_it),
+        cmocka_unit_test(nothing_reaches_a_bed_without_grains),
         cmocka_unit_test(grains_that_lie_apart_have_two_ranks),
         cmocka_unit_test(blocks_of_more_grains_than_an_int_counts_are_cut),
     };

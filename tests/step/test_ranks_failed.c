@@ -1,4 +1,5 @@
 // Runs that break down: the state they leave is that of the step, the same from several ranks.
+#include <stdio.h>
 #include <string.h>
 
 #include "state/wear.h"
@@ -84,6 +85,59 @@ static void ranks_leave_what_one_leaves(void **state)
     }
 }
 
+typedef struct deep_bed {
+    scene *into;
+    clod_status status;
+} deep_bed;
+
+/** A bed with an overlap beyond a low limit, some time after its start. */
+static void press(deep_bed *how, clod_step_options options)
+{
+    scene *s = how->into;
+    options.overlap_limit = 8e-3;
+    bed_init(s, BED_CLUSTER, 1);
+    scene_start_with(s, options);
+    assert_false(clod_step_advance(&s->step, 20000, &how->status));
+    assert_true(clod_step_export(&s->step, &(clod_status){0}));
+}
+
+static void press_rank(clod_ranks *ranks, void *context)
+{
+    deep_bed *how = context;
+    if (ranks->rank > 0) {
+        clod_crew_serve(ranks);
+        return;
+    }
+    press(how, (clod_step_options){.threads = 1, .ranks = ranks});
+    clod_crew_end(&how->into->step.crew);
+    clod_crew_dismiss(ranks);
+}
+
+/** It is told as it was in its step; all stop one step later, when all know. */
+static void an_overlap_on_one_rank_stops_all_in_one_step(void **state)
+{
+    (void)state;
+    scene one, other;
+    deep_bed expected = {.into = &one};
+    press(&expected, (clod_step_options){.threads = 1});
+    char begins[40];
+    snprintf(begins, sizeof begins, "step %d: grain ", (int)one.state.step - 1);
+    assert_true(one.state.step > 100 && one.state.step < 20000);
+    assert_true(strncmp(expected.status.text, begins, strlen(begins)) == 0);
+    for (int ranks = 1; ranks <= 7; ranks += 2) {
+        deep_bed found = {.into = &other};
+        if (ranks == 1) {
+            press(&found, (clod_step_options){.threads = 3});
+        } else {
+            ranks_run(ranks, press_rank, &found);
+        }
+        assert_string_equal(found.status.text, expected.status.text);
+        check_same_bits(&one.state, &other.state);
+        scene_end(&other);
+    }
+    scene_end(&one);
+}
+
 static void lose_wear(clod_ranks *ranks, void *context)
 {
     scene *s = context;
@@ -122,6 +176,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(places_at_the_rebuild_are_in_the_order_of_grains),
         cmocka_unit_test(ranks_leave_what_one_leaves),
+        cmocka_unit_test(an_overlap_on_one_rank_stops_all_in_one_step),
         cmocka_unit_test(a_lack_of_memory_for_surfaces_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
