@@ -49,7 +49,9 @@ static int64_t inlets_plan(const void *memory, const clod_case *from, const clod
 static void inlets_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
 {
     const clod_inlets *self = memory;
-    const bool due = clod_setup_grains_coming(now->from) > 0 && now->state->step == self->next;
+    const bool some = clod_setup_grains_coming(now->from) > 0;
+    const bool due = some && now->state->step == self->next;
+    sees->whole |= some && now->row;
     if (due && !sees->whole) {
         sees->whole = !clod_inlets_sight(now->from, sees);
     }

@@ -79,16 +79,17 @@ void clod_job_table_names(const char *name, char series[CLOD_JOB_STEM],
     snprintf(energy, CLOD_JOB_STEM, "%s%senergy.csv", plain ? "" : name, plain ? "" : "-");
 }
 
-bool clod_job_picture(clod_job *self, const clod_contact_source *contacts, clod_status *status)
+bool clod_job_picture(clod_job *self, const clod_survey *survey, clod_status *status)
 {
     const clod_procedure *p = &self->procedure;
     const clod_frame frame = {self->sim->folder, self->memory.snapshots};
     pthread_mutex_lock(&hdf5_lock);
-    const bool ok = (p->picture == NULL ||
-                     p->picture(p->data, p->context, &self->state, contacts, &frame, status)) &&
-                    clod_snapshot_write(
-                        self->sim->folder, self->name, self->memory.snapshots++, &self->state,
-                        contacts, self->sim->from->output.contacts, &self->memory.film, status);
+    const bool ok =
+        (p->picture == NULL ||
+         p->picture(p->data, p->context, &self->state, survey, &frame, status)) &&
+        clod_snapshot_write(self->sim->folder, self->name, self->memory.snapshots++,
+                            &self->state, survey->contacts, self->sim->from->output.contacts,
+                            &self->memory.film, status);
     pthread_mutex_unlock(&hdf5_lock);
     return ok;
 }

@@ -28,7 +28,7 @@ bool clod_job_store(clod_job *self, const clod_contact_source *contacts, const c
                     clod_status *status);
 
 /** Write the next snapshot. */
-bool clod_job_picture(clod_job *self, const clod_contact_source *contacts, clod_status *status);
+bool clod_job_picture(clod_job *self, const clod_survey *survey, clod_status *status);
 
 /** Forget the snapshots that are later than the state. */
 bool clod_job_cut_pictures(const clod_job *self, clod_status *status);

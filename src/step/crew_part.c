@@ -80,8 +80,7 @@ static bool is_whole(const clod_crew *self, clod_status *status)
     return !self->broken;
 }
 
-/** Walls and numbers of rank 0, and what follows from them; on all ranks alike. */
-static bool update(clod_crew *self, clod_status *status)
+bool clod_crew_part_update(clod_crew *self, clod_status *status)
 {
     clod_crew_state_tell(self->ranks, &self->state);
     if (self->whole == NULL) {
@@ -104,7 +103,7 @@ static bool update(clod_crew *self, clod_status *status)
 static bool prepare(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
     const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
-    return update(self, status) &&
+    return clod_crew_part_update(self, status) &&
            (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status) ||
             fail(self, status));
 }
@@ -146,6 +145,13 @@ bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_
                              self->whole != NULL ? self->whole->state : NULL, status);
 }
 
+bool clod_crew_part_see_gone(clod_crew *self, clod_status *status)
+{
+    clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
+    return is_whole(self, status) &&
+           clod_migrate_gone(&self->spread, &self->state, whole, status);
+}
+
 /** Grains that are in the queue of rank 0 come. */
 bool clod_crew_part_take(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
@@ -156,7 +162,7 @@ bool clod_crew_part_take(clod_crew *self, const clod_crew_order *what, clod_stat
 void clod_crew_part_store(clod_crew *self, clod_step_stored *sums)
 {
     clod_status status = {0};
-    update(self, &status); // a failure stays: the next advance tells it
+    clod_crew_part_update(self, &status); // a failure stays: the next advance tells it
     clod_step_store(&self->step, sums);
     clod_spread_merge_stored(&self->spread, sums);
 }

@@ -33,6 +33,8 @@ typedef enum clod_crew_order_kind {
     CLOD_CREW_SEE_NEAR,
     CLOD_CREW_TAKE,
     CLOD_CREW_STORE,
+    CLOD_CREW_SURVEY,
+    CLOD_CREW_GONE,
     CLOD_CREW_END,
     CLOD_CREW_DISMISS
 } clod_crew_order_kind;
@@ -66,6 +68,13 @@ bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_
 
 /** Grains that are in the queue of rank 0 come. */
 bool clod_crew_part_take(clod_crew *self, const clod_crew_order *what, clod_status *status);
+
+/** Walls and numbers of rank 0, and what follows from them; false on all ranks alike: something
+ *  has failed for good. */
+bool clod_crew_part_update(clod_crew *self, clod_status *status);
+
+/** Bring rank 0 the grains that have left one by one. */
+bool clod_crew_part_see_gone(clod_crew *self, clod_status *status);
 
 /** As clod_step_store, of all ranks. */
 void clod_crew_part_store(clod_crew *self, clod_step_stored *sums);

@@ -47,6 +47,11 @@ static void exchange(const clod_spread *self, clod_grains *grains, size_t number
     unpack(self, grains, numbers);
 }
 
+void clod_spread_refresh(const clod_spread *self, clod_state *state)
+{
+    exchange(self, &state->grains, clod_spread_numbers(state));
+}
+
 /** What drift saw on a rank. */
 typedef struct seen {
     double max_speed2;

@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "law/law.h"
+#include "measure/survey.h"
 #include "parallel/barrier.h"
 #include "parallel/exact.h"
 #include "parallel/ranks.h"
@@ -219,6 +220,17 @@ bool clod_step_see(clod_step *self, clod_status *status);
  */
 bool clod_step_see_near(clod_step *self, const clod_domain_box *box, int count,
                         clod_status *status);
+
+/** The same of the list of grains that have left (state->gone). */
+bool clod_step_see_gone(clod_step *self, clod_status *status);
+
+/**
+ * The bed as one that can be asked for sums at this moment, wherever its grains are.
+ *
+ * @param contacts  of this step (clod_step_contacts), borrowed; NULL: nothing asks for them
+ * Threads  one per state.   Test  tests/step/test_ranks_survey.c
+ */
+clod_survey clod_step_survey(clod_step *self, const clod_contact_source *contacts);
 
 /** Number of grains of the whole bed, whoever has them. */
 size_t clod_step_grains(const clod_step *self);
