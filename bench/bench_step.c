@@ -157,10 +157,10 @@ static bool write_checkpoints(const char *path, clod_step *step, double *seconds
     bool good = folder != NULL;
     for (int k = 0; good && k < CHECKPOINTS; k++) {
         const double begin = bench_now();
-        clod_step_reader reader;
-        const clod_contact_source contacts = clod_step_contacts(step, &reader);
-        good = clod_checkpoint_write(folder, "restart", step->state, &contacts, NULL, 0, NULL,
-                                     status);
+        clod_step_bed view;
+        const clod_bed_source bed = clod_step_bed_source(step, &view);
+        good =
+            clod_checkpoint_write(folder, "restart", step->state, &bed, NULL, 0, NULL, status);
         *seconds = bench_now() - begin;
     }
     clod_folder_close(&folder);

@@ -51,7 +51,7 @@ typedef struct clod_free_measure {
     bool (*news)(void *memory, const clod_case *from, const clod_state *state, clod_news *news);
     /** A row is due: look at the bed. */
     bool (*look)(void *memory, const clod_free_moment *now, clod_status *status);
-    /** A snapshot is due, and the bed is in the state: fill the columns of grains that it shows; write
+    /** A snapshot is due: fill the columns of grains that it shows (clod_job_picture_needs_all); write
      *  what is shown beside it. */
     bool (*picture)(void *memory, const clod_free_moment *now, const clod_frame *frame,
                     clod_status *status);

@@ -49,14 +49,11 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
     const double now = clod_clock_now();
     job->memory.wall_clock += now - loop->last_clock;
     loop->last_clock = loop->last_checkpoint = now;
-    if (!clod_step_see(&loop->step, status)) {
-        return false;
-    }
-    clod_step_reader reader;
-    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
+    clod_step_bed view;
+    const clod_bed_source bed = clod_step_bed_source(&loop->step, &view);
     const bool good = clod_step_see_gone(&loop->step, status) &&
                       clod_job_tables_mark(&loop->tables, job, status) &&
-                      clod_job_store(job, &contacts, suffix, status);
+                      clod_job_store(job, &bed, suffix, status);
     loop->spent.checkpoint = fmax(loop->spent.checkpoint, clod_clock_now() - now);
     return good;
 }
@@ -78,13 +75,15 @@ static bool with_survey(job_loop *loop,
 static bool write_snapshot(job_loop *loop, clod_status *status)
 {
     loop->last_picture = loop->job->state.step;
-    if (!clod_step_see(&loop->step, status)) {
+    if (clod_job_picture_needs_all(loop->job) && !clod_step_see(&loop->step, status)) {
         return false;
     }
+    clod_step_bed view;
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
     const clod_survey survey = clod_step_survey(&loop->step, &contacts);
-    return clod_job_picture(loop->job, &survey, status);
+    const clod_bed_source bed = clod_step_bed_source(&loop->step, &view);
+    return clod_job_picture(loop->job, &survey, &bed, status);
 }
 
 /** Steps until a snapshot is due; very many when none ever is. */

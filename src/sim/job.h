@@ -45,8 +45,8 @@ typedef struct clod_procedure {
     /** Fill the row [column_count], change walls and adhesion; true when finished. */
     bool (*sample)(void *data, const void *context, clod_state *state,
                    const clod_survey *survey, double *row);
-    /** Before a snapshot, when the bed is in the state: fill the columns of grains that it shows, and
-     *  write what is shown beside it. NULL: nothing. */
+    /** Before a snapshot: fill the columns of grains that it shows, and write what is shown beside it. The
+     *  bed is in the state where clod_job_picture_needs_all says so. NULL: nothing. */
     bool (*picture)(void *data, const void *context, clod_state *state,
                     const clod_survey *survey, const clod_frame *frame, clod_status *status);
     const char *(*phase)(const void *data, const void *context);

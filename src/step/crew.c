@@ -18,6 +18,11 @@ static void give_order(const clod_crew *self, clod_crew_order what)
     clod_ranks_tell(self->ranks, &what, sizeof what);
 }
 
+void clod_crew_give(const clod_crew *self, clod_crew_order_kind what)
+{
+    give_order(self, (clod_crew_order){.what = what});
+}
+
 /** It steps no more; false. */
 static bool fail(clod_step *whole, const clod_status *status)
 {
@@ -241,6 +246,7 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
 {
     clod_status status = {0};
     clod_step_stored sums;
+    clod_bed_counts all;
     clod_domain_box box[CLOD_STEP_BOXES];
     switch (what->what) {
     case CLOD_CREW_BEGIN:
@@ -269,6 +275,15 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
         break;
     case CLOD_CREW_GONE:
         clod_crew_part_see_gone(self, &status);
+        break;
+    case CLOD_CREW_SLABS_BEGIN:
+        clod_crew_slabs_begin(self, false, &all, &status);
+        break;
+    case CLOD_CREW_SLABS_BRING:
+        clod_crew_slabs_bring(self, NULL, &status);
+        break;
+    case CLOD_CREW_SLABS_END:
+        clod_crew_slabs_end(self);
         break;
     case CLOD_CREW_END:
         clod_crew_part_end(self);

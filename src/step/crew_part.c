@@ -71,8 +71,7 @@ static bool fail(clod_crew *self, const clod_status *status)
     return false;
 }
 
-/** Whether nothing before steps has failed yet; else what it was. */
-static bool is_whole(const clod_crew *self, clod_status *status)
+bool clod_crew_part_is_whole(const clod_crew *self, clod_status *status)
 {
     if (self->broken) {
         *status = self->status;
@@ -86,7 +85,7 @@ bool clod_crew_part_update(clod_crew *self, clod_status *status)
     if (self->whole == NULL) {
         clod_laws_set_adhesion(&self->laws, self->state.adhesion);
     }
-    if (!is_whole(self, status)) {
+    if (!clod_crew_part_is_whole(self, status)) {
         return false;
     }
     if (self->state.ledger.open != 0 && !self->ledger) {
@@ -127,7 +126,7 @@ bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_s
 
 bool clod_crew_part_see(clod_crew *self, clod_status *status)
 {
-    if (!is_whole(self, status)) {
+    if (!clod_crew_part_is_whole(self, status)) {
         return false;
     }
     const bool listed = clod_step_export(&self->step, status);
@@ -140,7 +139,7 @@ bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_
                              clod_status *status)
 {
     clod_ranks_tell(self->ranks, box, (size_t)what->boxes * sizeof *box);
-    return is_whole(self, status) &&
+    return clod_crew_part_is_whole(self, status) &&
            clod_migrate_near(&self->spread, &self->state, box, what->boxes,
                              self->whole != NULL ? self->whole->state : NULL, status);
 }
@@ -148,7 +147,7 @@ bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_
 bool clod_crew_part_see_gone(clod_crew *self, clod_status *status)
 {
     clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
-    return is_whole(self, status) &&
+    return clod_crew_part_is_whole(self, status) &&
            clod_migrate_gone(&self->spread, &self->state, whole, status);
 }
 
@@ -169,6 +168,7 @@ void clod_crew_part_store(clod_crew *self, clod_step_stored *sums)
 
 void clod_crew_part_end(clod_crew *self)
 {
+    clod_crew_slabs_end(self);
     clod_step_fini(&self->step);
     clod_state_fini(&self->state);
     clod_spread_fini(&self->spread);

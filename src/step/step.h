@@ -14,7 +14,7 @@
 #include "parallel/barrier.h"
 #include "parallel/exact.h"
 #include "parallel/ranks.h"
-#include "state/contact_source.h"
+#include "state/bed_source.h"
 #include "state/state.h"
 #include "step/balance.h"
 #include "step/kernel.h"
@@ -251,6 +251,23 @@ typedef struct clod_step_reader {
  * Errors  none.   Threads  one per state.   Test  tests/step/test_contact_reader.c
  */
 clod_contact_source clod_step_contacts(clod_step *self, clod_step_reader *reader);
+
+/** Grains and contacts of a step on their way into a file. */
+typedef struct clod_step_bed {
+    clod_step_reader reader;
+    clod_contact_source contacts;
+    clod_bed_view view;
+} clod_step_bed;
+
+/**
+ * All grains and contacts of this moment, slab by slab, wherever they are: the state need not have
+ * them.
+ *
+ * @param self  [out] borrowed as long as the source is used: until the next advance
+ * @return      source; one at a time of a step, and no other reader of its contacts beside it
+ * Threads  one per state.   Test  tests/step/test_ranks_slabs.c
+ */
+clod_bed_source clod_step_bed_source(clod_step *step, clod_step_bed *self);
 
 /**
  * History of one contact of two grains now, by their ids.
