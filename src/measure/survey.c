@@ -5,6 +5,7 @@
 #include "measure/gauge_pass.h"
 #include "measure/mixing_grid.h"
 #include "measure/repose.h"
+#include "measure/stock.h"
 
 const clod_survey_way *clod_survey_way_of(clod_survey_kind kind)
 {
@@ -14,6 +15,7 @@ const clod_survey_way *clod_survey_way_of(clod_survey_kind kind)
         [CLOD_SURVEY_GAUGES] = &CLOD_GAUGE_PASS_WAY,
         [CLOD_SURVEY_CONTINUUM] = &CLOD_CONTINUUM_PASS_WAY,
         [CLOD_SURVEY_MIXING] = &CLOD_MIXING_GRID_WAY,
+        [CLOD_SURVEY_STOCK] = &CLOD_STOCK_WAY,
         [CLOD_SURVEY_REPOSE] = &CLOD_REPOSE_WAY,
         [CLOD_SURVEY_REPOSE_CENTER] = &CLOD_REPOSE_CENTER_WAY,
     };

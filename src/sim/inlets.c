@@ -49,9 +49,7 @@ static int64_t inlets_plan(const void *memory, const clod_case *from, const clod
 static void inlets_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
 {
     const clod_inlets *self = memory;
-    const bool some = clod_setup_grains_coming(now->from) > 0;
-    const bool due = some && now->state->step == self->next;
-    sees->whole |= some && now->row;
+    const bool due = clod_setup_grains_coming(now->from) > 0 && now->state->step == self->next;
     if (due && !sees->whole) {
         sees->whole = !clod_inlets_sight(now->from, sees);
     }
@@ -62,7 +60,7 @@ static bool inlets_check(void *memory, const clod_free_moment *now, clod_status 
 {
     (void)memory;
     return clod_setup_grains_coming(now->from) == 0 ||
-           clod_setup_bound_streams(now->from, now->state, status);
+           clod_setup_bound_streams(now->from, now->survey, status);
 }
 
 static bool inlets_act(void *memory, const clod_free_moment *now, clod_status *status)

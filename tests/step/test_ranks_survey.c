@@ -4,6 +4,7 @@
 #include "measure/gauge_pass.h"
 #include "measure/mixing_grid.h"
 #include "measure/repose.h"
+#include "measure/stock.h"
 #include "step/crew_part.h"
 
 #include "support/bed.h"
@@ -31,6 +32,7 @@ typedef struct told {
     clod_mixing_sample mixing[POINTS];
     clod_repose_angle repose;
     double center[2];
+    clod_stock stock[3];
 } told;
 
 typedef struct surveyed_bed {
@@ -66,6 +68,12 @@ static void ask_fields(const clod_survey *survey, told *to)
     assert_true(clod_continuum_pass(parts, 2, survey, &status));
 }
 
+static void ask_stock(const clod_survey *survey, told *to)
+{
+    clod_status status = {0};
+    assert_true(clod_stock_take(to->stock, 3, survey, &status));
+}
+
 static void ask(clod_step *step, told *to)
 {
     clod_status status = {0};
@@ -80,6 +88,7 @@ static void ask(clod_step *step, told *to)
     assert_true(clod_measure_contacts_from(&survey, &to->contacts, &status));
     ask_gauges(&survey, to);
     ask_fields(&survey, to);
+    ask_stock(&survey, to);
     assert_true(clod_mixing_grid_count(&mixing, &survey, to->mixing, &status));
     assert_true(clod_repose_center(&BOX, &survey, to->center, &status));
     memcpy(heap.center, to->center, sizeof heap.center);
@@ -132,7 +141,7 @@ static void check_full(const told *of, bool walls)
     assert_true(of->region[CLOD_CONTINUUM_MASS] > 0.0);
     assert_true(of->region[CLOD_CONTINUUM_CONTACT] != 0.0);
     assert_true(of->region[CLOD_CONTINUUM_PARTNERS] > 0.0);
-    assert_true(of->repose.height > 0.0);
+    assert_true(of->repose.height > 0.0 && of->stock[2].count > 10.0);
 }
 
 static void check_same(const told *one, const told *other)
@@ -147,6 +156,7 @@ static void check_same(const told *one, const told *other)
     assert_memory_equal(one->mixing, other->mixing, sizeof one->mixing);
     assert_memory_equal(&one->repose, &other->repose, sizeof one->repose);
     assert_memory_equal(one->center, other->center, sizeof one->center);
+    assert_memory_equal(one->stock, other->stock, sizeof one->stock);
 }
 
 static void compare(surveyed_bed how)
