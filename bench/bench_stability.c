@@ -96,11 +96,13 @@ static void try_factor(const clod_sim *sim, double largest, double factor)
     if (!clod_step_init(&step, &state, &sim->laws, &options, &status)) {
         give_up(status.text);
     }
-    printf("| %.2f | %.3e | %.2e |", factor, state.dt, clod_measure_motion_of(&state).kinetic_energy);
+    printf("| %.2f | %.3e | %.2e |", factor, state.dt,
+           clod_measure_motion_of(&state).kinetic_energy);
     bool good = true;
     for (int t = 0; good && t < TAKES; t++) {
         good = clod_step_advance(&step, TAKE_STEPS, &status);
-        printf(good ? " %.2e |" : " %.2e, stopped |", clod_measure_motion_of(&state).kinetic_energy);
+        printf(good ? " %.2e |" : " %.2e, stopped |",
+               clod_measure_motion_of(&state).kinetic_energy);
     }
     printf("\n");
     fflush(stdout);

@@ -201,8 +201,8 @@ static bool measure(const options *o, clod_step *step, measured *m, clod_status 
                                  remake(step, status)));
     m->rss_peak = bench_resident_most();
     forget_ranks(step);
-    good = good &&
-           (o->folder == NULL || write_checkpoints(o->folder, step, &m->writing, status));
+    good =
+        good && (o->folder == NULL || write_checkpoints(o->folder, step, &m->writing, status));
     m->rss_written = bench_resident_most();
     forget_ranks(step);
     if (!good || !clod_step_see(step, status)) {

@@ -38,9 +38,8 @@ typedef struct clod_checkpoint_part {
  * Test    tests/output/test_checkpoint.c
  */
 bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const clod_state *state,
-                           const clod_bed_source *bed,
-                           const clod_checkpoint_part *parts, size_t part_count,
-                           const char *case_text, clod_status *status);
+                           const clod_bed_source *bed, const clod_checkpoint_part *parts,
+                           size_t part_count, const char *case_text, clod_status *status);
 
 /**
  * Fill the state from the newest checkpoint that is whole.

@@ -35,8 +35,8 @@ typedef struct clod_snapshot_film {
  * Threads one per stem.   Test  tests/output/test_snapshot.c
  */
 bool clod_snapshot_write(const clod_folder *folder, const char *stem, int64_t number,
-                         const clod_state *state, const clod_bed_source *bed,
-                         bool contacts, clod_snapshot_film *film, clod_status *status);
+                         const clod_state *state, const clod_bed_source *bed, bool contacts,
+                         clod_snapshot_film *film, clod_status *status);
 
 /** Drop from the series, and remove, the snapshots later than `time` [s]; none is fine. */
 bool clod_snapshot_resume(const clod_folder *folder, const char *stem, double time,
