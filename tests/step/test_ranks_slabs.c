@@ -166,7 +166,7 @@ static void make_large(scene *s, clod_ranks *ranks)
     const clod_case_contact ore = contact_ore();
     scene_init(s, 1e-7, &ore);
     for (int k = 0; k < EDGE * EDGE * EDGE; k++) {
-        const double x = k % EDGE, y = k / EDGE % EDGE, z = k / EDGE / EDGE;
+        const int x = k % EDGE, y = k / EDGE % EDGE, z = k / (EDGE * EDGE);
         scene_grain(s, 2.1 * RADIUS * x, 2.1 * RADIUS * y, 1.999 * RADIUS * z, RADIUS);
     }
     scene_start_with(s, (clod_step_options){.threads = 1, .ranks = ranks});
