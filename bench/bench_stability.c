@@ -96,11 +96,13 @@ static void try_factor(const clod_sim *sim, double largest, double factor)
     if (!clod_step_init(&step, &state, &sim->laws, &options, &status)) {
         give_up(status.text);
     }
-    printf("| %.2f | %.3e | %.2e |", factor, state.dt, clod_measure_kinetic_energy(&state));
+    printf("| %.2f | %.3e | %.2e |", factor, state.dt,
+           clod_measure_motion_of(&state).kinetic_energy);
     bool good = true;
     for (int t = 0; good && t < TAKES; t++) {
         good = clod_step_advance(&step, TAKE_STEPS, &status);
-        printf(good ? " %.2e |" : " %.2e, stopped |", clod_measure_kinetic_energy(&state));
+        printf(good ? " %.2e |" : " %.2e, stopped |",
+               clod_measure_motion_of(&state).kinetic_energy);
     }
     printf("\n");
     fflush(stdout);
@@ -146,7 +148,7 @@ int main(int argc, char **argv)
     }
     const clod_stability rest = settle(sim, strcmp(argv[4], "holds") == 0, &status);
     printf("at rest: largest stable step %.4g s, kinetic energy %.2e J\n\n", rest.step,
-           clod_measure_kinetic_energy(&sim->state));
+           clod_measure_motion_of(&sim->state).kinetic_energy);
     printf("| dt / largest stable | dt [s] | kinetic energy [J] at the start | after %d steps |"
            " %d | %d | %d |\n|---|---|---|---|---|---|---|\n",
            TAKE_STEPS, 2 * TAKE_STEPS, 3 * TAKE_STEPS, 4 * TAKE_STEPS);

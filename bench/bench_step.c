@@ -157,10 +157,10 @@ static bool write_checkpoints(const char *path, clod_step *step, double *seconds
     bool good = folder != NULL;
     for (int k = 0; good && k < CHECKPOINTS; k++) {
         const double begin = bench_now();
-        clod_step_reader reader;
-        const clod_contact_source contacts = clod_step_contacts(step, &reader);
-        good = clod_checkpoint_write(folder, "restart", step->state, &contacts, NULL, 0, NULL,
-                                     status);
+        clod_step_bed view;
+        const clod_bed_source bed = clod_step_bed_source(step, &view);
+        good =
+            clod_checkpoint_write(folder, "restart", step->state, &bed, NULL, 0, NULL, status);
         *seconds = bench_now() - begin;
     }
     clod_folder_close(&folder);
@@ -176,15 +176,21 @@ static double count_contacts(clod_step *step)
     return (double)(pairs + walls);
 }
 
+/** On ranks each phase is measured by itself. */
+static void forget_ranks(const clod_step *step)
+{
+    if (step->crew != NULL) {
+        bench_resident_forget();
+    }
+}
+
 static bool measure(const options *o, clod_step *step, measured *m, clod_status *status)
 {
     if ((o->ledger && !clod_step_open_ledger(step, status)) ||
         !clod_step_advance(step, o->warm, status)) {
         return false;
     }
-    if (step->crew != NULL) { // without that of the deal
-        bench_resident_forget();
-    }
+    forget_ranks(step);
     const double begin = bench_now();
     bool good = o->stages ? bench_stages_advance(step, o->steps, m->stage, status)
                           : clod_step_advance(step, o->steps, status);
@@ -194,14 +200,16 @@ static bool measure(const options *o, clod_step *step, measured *m, clod_status 
     good = good && (!o->peak || ((step->crew != NULL || remake_near(step, status)) &&
                                  remake(step, status)));
     m->rss_peak = bench_resident_most();
-    good = good && clod_step_see(step, status);
-    m->rss_gathered = bench_resident_most();
-    m->contacts = count_contacts(step);
-    if (!good ||
-        (o->folder != NULL && !write_checkpoints(o->folder, step, &m->writing, status))) {
+    forget_ranks(step);
+    good =
+        good && (o->folder == NULL || write_checkpoints(o->folder, step, &m->writing, status));
+    m->rss_written = bench_resident_most();
+    forget_ranks(step);
+    if (!good || !clod_step_see(step, status)) {
         return false;
     }
-    m->rss_written = bench_resident_most();
+    m->rss_gathered = bench_resident_most();
+    m->contacts = count_contacts(step);
     m->energies = clod_step_energies(step); // with scratch of its own
     return true;
 }

@@ -72,8 +72,8 @@ endforeach()
 target_sources(test_duration PRIVATE app/duration.c)
 target_include_directories(test_duration PRIVATE app)
 
-# They let calls for memory fail.
-foreach(name test_sim_memory test_ranks_memory)
+# They let calls for memory fail, or look at them.
+foreach(name test_sim_memory test_ranks_memory test_ranks_slabs)
   target_link_options(${name} PRIVATE -Wl,--wrap=aligned_alloc)
 endforeach()
 

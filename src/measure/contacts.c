@@ -2,9 +2,16 @@
 
 #include <math.h>
 
-#include "parallel/exact.h"
-
 #define AT_A_TIME 256 // contacts
+
+// ---- contacts
+
+/** Their sums. */
+typedef struct contacts_sums {
+    clod_exact overlap;
+    double max_overlap;
+    int64_t pairs, walls, grains;
+} contacts_sums;
 
 static double pair_distance(const clod_state *state, const double a[4], const double b[4])
 {
@@ -17,75 +24,160 @@ static double pair_distance(const clod_state *state, const double a[4], const do
 }
 
 /** A contact's share. */
-static void add_contact(clod_measure_contacts *self, clod_exact *sum, const clod_state *state,
+static void add_contact(contacts_sums *self, const clod_state *state,
                         const clod_contact *contact)
 {
+    if (contact->shape >= 0) {
+        self->walls++;
+        return;
+    }
     const double *a = state->grains.position[contact->i];
     const double *b = state->grains.position[contact->j];
     const double overlap = (a[3] + b[3] - pair_distance(state, a, b)) / fmin(a[3], b[3]);
+    self->pairs++;
     self->max_overlap = fmax(self->max_overlap, overlap);
-    clod_exact_add(sum, overlap);
+    clod_exact_add(&self->overlap, overlap);
 }
 
-clod_measure_contacts clod_measure_contacts_from(const clod_state *state,
-                                                 const clod_contact_source *contacts)
+static bool add_contacts(const clod_survey_question *question, const clod_survey_part *here,
+                         clod_status *status)
 {
-    clod_measure_contacts m = {0};
+    (void)status;
+    contacts_sums *sums = question->sums;
+    const clod_contact_source *contacts = here->contacts;
     clod_contact some[AT_A_TIME];
-    clod_exact sum = {0};
-    contacts->begin(contacts->context, &m.pairs, &m.walls);
-    for (size_t first = 0; first < m.pairs; first += AT_A_TIME) { // pairs come first
-        const size_t count = contacts->next(contacts->context, some, AT_A_TIME);
-        for (size_t k = 0; k < count && first + k < m.pairs; k++) {
-            add_contact(&m, &sum, state, &some[k]);
-        }
+    size_t pairs, walls, count;
+    for (size_t g = 0; g < here->state->grains.count; g++) {
+        sums->grains += clod_survey_has(here, g);
     }
-    m.mean_overlap = m.pairs > 0 ? clod_exact_value(&sum) / (double)m.pairs : 0.0;
-    m.coordination =
-        2.0 * (double)m.pairs / (double)(state->grains.count + !state->grains.count);
-    return m;
+    contacts->begin(contacts->context, &pairs, &walls);
+    do {
+        count = contacts->next(contacts->context, some, AT_A_TIME);
+        for (size_t k = 0; k < count; k++) {
+            if (clod_survey_has(here, (size_t)some[k].i)) {
+                add_contact(sums, here->state, &some[k]);
+            }
+        }
+    } while (count == AT_A_TIME);
+    return true;
+}
+
+static void merge_contacts(const clod_survey_question *question, void *into, const void *from)
+{
+    (void)question;
+    contacts_sums *mine = into;
+    const contacts_sums *other = from;
+    clod_exact_merge(&mine->overlap, &other->overlap);
+    mine->max_overlap = fmax(mine->max_overlap, other->max_overlap);
+    mine->pairs += other->pairs;
+    mine->walls += other->walls;
+    mine->grains += other->grains;
+}
+
+const clod_survey_way CLOD_MEASURE_CONTACTS_WAY = {.add = add_contacts,
+                                                   .merge = merge_contacts};
+
+bool clod_measure_contacts_from(const clod_survey *survey, clod_measure_contacts *found,
+                                clod_status *status)
+{
+    contacts_sums sums = {.pairs = 0};
+    const clod_survey_question question = {
+        .kind = CLOD_SURVEY_CONTACTS, .sums = &sums, .sums_bytes = sizeof sums};
+    const bool good = clod_survey_ask(survey, &question, status);
+    const double pairs = (double)sums.pairs;
+    *found = (clod_measure_contacts){.pairs = (size_t)sums.pairs,
+                                     .walls = (size_t)sums.walls,
+                                     .max_overlap = sums.max_overlap};
+    found->mean_overlap = sums.pairs > 0 ? clod_exact_value(&sums.overlap) / pairs : 0.0;
+    found->coordination = 2.0 * pairs / (double)(sums.grains + !sums.grains);
+    return good;
 }
 
 clod_measure_contacts clod_measure_contacts_of(const clod_state *state)
 {
     clod_contact_list list;
+    clod_measure_contacts found;
     const clod_contact_source contacts = clod_contact_source_of(&list, state);
-    return clod_measure_contacts_from(state, &contacts);
+    const clod_survey survey = clod_survey_of(state, &contacts);
+    clod_measure_contacts_from(&survey, &found, &(clod_status){0}); // needs no memory
+    return found;
 }
 
-size_t clod_measure_loaded_grains(const clod_state *state)
+// ---- motion
+
+/** Its sums. */
+typedef struct motion_sums {
+    clod_exact mass, kinetic_energy;
+    double max_speed2;
+    int64_t grains, loaded;
+} motion_sums;
+
+static bool carries_load(const clod_state *state, size_t g)
 {
-    size_t loaded = 0;
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const double *load = state->grains.load[g];
-        const double mass = state->grains.velocity[g][3];
-        bool free = true;
-        for (int a = 0; a < 3; a++) { // a sum to which nothing was added is the weight itself
-            free = free && load[a] == mass * state->gravity[a];
+    const double *load = state->grains.load[g];
+    const double mass = state->grains.velocity[g][3];
+    bool free = true;
+    for (int a = 0; a < 3; a++) { // a sum to which nothing was added is the weight itself
+        free = free && load[a] == mass * state->gravity[a];
+    }
+    return !free;
+}
+
+static bool add_motion(const clod_survey_question *question, const clod_survey_part *here,
+                       clod_status *status)
+{
+    (void)status;
+    motion_sums *sums = question->sums;
+    const clod_grains *grains = &here->state->grains;
+    for (size_t g = 0; g < grains->count; g++) {
+        if (!clod_survey_has(here, g)) {
+            continue;
         }
-        loaded += free ? 0 : 1;
+        const double *v = grains->velocity[g], *w = grains->angular_velocity[g];
+        const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        const double w2 = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+        sums->grains++;
+        sums->loaded += carries_load(here->state, g);
+        sums->max_speed2 = fmax(sums->max_speed2, v2);
+        clod_exact_add(&sums->mass, v[3]);
+        clod_exact_add(&sums->kinetic_energy, 0.5 * v[3] * v2);
+        clod_exact_add(&sums->kinetic_energy, 0.5 / w[3] * w2);
     }
-    return loaded;
+    return true;
 }
 
-double clod_measure_kinetic_energy(const clod_state *state)
+static void merge_motion(const clod_survey_question *question, void *into, const void *from)
 {
-    clod_exact sum = {0};
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const double *v = state->grains.velocity[g];
-        const double *w = state->grains.angular_velocity[g];
-        clod_exact_add(&sum, 0.5 * v[3] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
-        clod_exact_add(&sum, 0.5 / w[3] * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
-    }
-    return clod_exact_value(&sum);
+    (void)question;
+    motion_sums *mine = into;
+    const motion_sums *other = from;
+    clod_exact_merge(&mine->mass, &other->mass);
+    clod_exact_merge(&mine->kinetic_energy, &other->kinetic_energy);
+    mine->max_speed2 = fmax(mine->max_speed2, other->max_speed2);
+    mine->grains += other->grains;
+    mine->loaded += other->loaded;
 }
 
-double clod_measure_max_speed(const clod_state *state)
+const clod_survey_way CLOD_MEASURE_MOTION_WAY = {.add = add_motion, .merge = merge_motion};
+
+clod_measure_motion clod_measure_motion_from(const clod_survey *survey)
 {
-    double most = 0.0;
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const double *v = state->grains.velocity[g];
-        most = fmax(most, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    motion_sums sums = {.grains = 0};
+    const clod_survey_question question = {
+        .kind = CLOD_SURVEY_MOTION, .sums = &sums, .sums_bytes = sizeof sums};
+    if (!clod_survey_ask(survey, &question, &(clod_status){0})) {
+        return (clod_measure_motion){
+            .mass = (double)NAN, .kinetic_energy = (double)NAN, .max_speed = (double)NAN};
     }
-    return sqrt(most);
+    return (clod_measure_motion){.grains = sums.grains,
+                                 .loaded = sums.loaded,
+                                 .mass = clod_exact_value(&sums.mass),
+                                 .kinetic_energy = clod_exact_value(&sums.kinetic_energy),
+                                 .max_speed = sqrt(sums.max_speed2)};
+}
+
+clod_measure_motion clod_measure_motion_of(const clod_state *state)
+{
+    const clod_survey survey = clod_survey_of(state, NULL);
+    return clod_measure_motion_from(&survey);
 }

@@ -1,10 +1,11 @@
 #pragma once
 /**
  * @file contacts.h
- * What the contacts of a state say about the bed.
+ * What the contacts and the motion of grains say about the bed.
  */
 
-#include "state/contact_source.h"
+#include "measure/survey.h"
+#include "parallel/exact.h"
 
 typedef struct clod_measure_contacts {
     size_t pairs, walls; ///< closed contacts: grain-grain, grain-wall
@@ -13,17 +14,28 @@ typedef struct clod_measure_contacts {
     double mean_overlap; ///< likewise
 } clod_measure_contacts;
 
-/** Of all contacts of a source, in any order; `state` has the grains.  Threads: pure. */
-clod_measure_contacts clod_measure_contacts_from(const clod_state *state,
-                                                 const clod_contact_source *contacts);
+/** Of all contacts of a bed; false without memory on any rank.  Threads: one per bed. */
+bool clod_measure_contacts_from(const clod_survey *survey, clod_measure_contacts *found,
+                                clod_status *status);
 
 /** The same of state->contacts. */
 clod_measure_contacts clod_measure_contacts_of(const clod_state *state);
 
-/** Grains on which anything but their weight acts: those that are in contact and carry load.
- *  Threads: pure. */
-size_t clod_measure_loaded_grains(const clod_state *state);
+/** How grains move. */
+typedef struct clod_measure_motion {
+    int64_t grains;
+    int64_t
+        loaded; ///< those on which anything but their weight acts: in contact, and carrying load
+    double mass;           ///< kg
+    double kinetic_energy; ///< J, translation and rotation
+    double max_speed;      ///< m/s
+} clod_measure_motion;
 
-/** Kinetic energy of all grains, translation and rotation [J]; fastest grain [m/s]. */
-double clod_measure_kinetic_energy(const clod_state *state);
-double clod_measure_max_speed(const clod_state *state);
+/** Of all grains of a bed. Not a number, and no grains, after a failure that ends the run: the next
+ *  steps tell it.  Threads: one per bed. */
+clod_measure_motion clod_measure_motion_from(const clod_survey *survey);
+
+/** The same of a state.  Threads: pure. */
+clod_measure_motion clod_measure_motion_of(const clod_state *state);
+
+extern const clod_survey_way CLOD_MEASURE_CONTACTS_WAY, CLOD_MEASURE_MOTION_WAY;

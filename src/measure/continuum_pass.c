@@ -10,9 +10,9 @@
 
 /** What a pass works with. */
 typedef struct pass {
+    const clod_survey_part *here;
     const clod_state *state;
-    clod_continuum_sums **sums; ///< [count] owned
-    bool *kernel;               ///< [count] owned, the field is a grid
+    clod_continuum_sums *sums; ///< [count] owned
     size_t count;
     int32_t *partners; ///< [grains] owned, contacts of each
     int images;
@@ -52,9 +52,10 @@ static bool reaches(const pass *self, size_t f, int image, const double low[3],
 {
     bool real = true;
     for (int a = 0; a < 3; a++) {
-        real = real && (self->image[image][a] == 0.0 || low[a] < high[a] || self->kernel[f]);
+        real = real && (self->image[image][a] == 0.0 || low[a] < high[a] ||
+                        self->sums[f].field->cell > 0.0);
     }
-    return real && clod_continuum_sums_reached(self->sums[f], low, high);
+    return real && clod_continuum_sums_reached(&self->sums[f], low, high);
 }
 
 /** A branch with all its images that reach a field; `to` is in the domain. */
@@ -71,7 +72,7 @@ static void spread_branch(const pass *self, const double from[3], const double t
         }
         for (size_t f = 0; f < self->count; f++) {
             if (reaches(self, f, k, low, high)) {
-                clod_continuum_sums_branch(self->sums[f], begin, end, force);
+                clod_continuum_sums_branch(&self->sums[f], begin, end, force);
             }
         }
     }
@@ -85,7 +86,7 @@ static void spread_push(const pass *self, const double at[3], const double force
         to_image(self, k, at, there);
         for (size_t f = 0; f < self->count; f++) {
             if (reaches(self, f, k, there, there)) {
-                clod_continuum_sums_push(self->sums[f], there, force);
+                clod_continuum_sums_push(&self->sums[f], there, force);
             }
         }
     }
@@ -121,7 +122,7 @@ static void add_contact(pass *self, const clod_contact_source *contacts,
             clod_contact_turn(&seen);
         }
     }
-    if (contacts->force != NULL) {
+    if (contacts->force != NULL && clod_survey_has(self->here, (size_t)contact->i)) {
         const clod_contact_force told = contacts->force(contacts->laws, &seen);
         spread_contact(self, grains->position[seen.i], &told, wall);
     }
@@ -165,7 +166,7 @@ static void sums_of(const pass *self, size_t g, const clod_continuum *field, con
     sum[CLOD_CONTINUUM_RADIUS] = volume * radius;
 }
 
-static void add_grain(const pass *self, const clod_continuum_part *parts, size_t g)
+static void add_grain(const pass *self, size_t g)
 {
     const clod_grains *grains = &self->state->grains;
     double place[4];
@@ -176,50 +177,94 @@ static void add_grain(const pass *self, const clod_continuum_part *parts, size_t
         for (size_t f = 0; f < self->count; f++) {
             if (reaches(self, f, k, at, at)) {
                 double sum[CLOD_CONTINUUM_GRAIN_SUMS];
-                sums_of(self, g, parts[f].field, at, sum);
-                clod_continuum_sums_grain(self->sums[f], at, sum);
+                sums_of(self, g, self->sums[f].field, at, sum);
+                clod_continuum_sums_grain(&self->sums[f], at, sum);
             }
         }
     }
 }
 
-static bool open(pass *self, const clod_continuum_part *parts)
+static size_t points_of(const clod_continuum *fields, size_t count)
 {
-    self->sums = clod_memory_alloc(self->count, sizeof(clod_continuum_sums *));
-    self->kernel = clod_memory_alloc(self->count + 1, sizeof *self->kernel);
-    self->partners = clod_memory_alloc(self->state->grains.count + 1, sizeof *self->partners);
-    bool good = self->sums != NULL && self->kernel != NULL && self->partners != NULL;
-    for (size_t f = 0; good && f < self->count; f++) {
-        self->sums[f] = clod_continuum_sums_open(parts[f].field);
-        self->kernel[f] = parts[f].field->cell > 0.0;
-        good = self->sums[f] != NULL;
+    size_t points = 0;
+    for (size_t f = 0; f < count; f++) {
+        points += (size_t)clod_continuum_points(&fields[f]);
     }
-    return good;
+    return points;
 }
 
-bool clod_continuum_pass(const clod_continuum_part *parts, size_t count,
-                         const clod_state *state, const clod_contact_source *contacts,
-                         clod_status *status)
+/** Sums of each field, in points that lie one behind the other. */
+static bool open(pass *self, const clod_continuum *fields, clod_continuum_point *point)
 {
-    pass self = {.state = state, .count = count};
-    const bool good = open(&self, parts);
+    self->sums = clod_memory_alloc(self->count + 1, sizeof *self->sums);
+    self->partners = clod_memory_alloc(self->state->grains.count + 1, sizeof *self->partners);
+    for (size_t f = 0; self->sums != NULL && f < self->count; f++) {
+        self->sums[f] = clod_continuum_sums_of(&fields[f], point);
+        point += clod_continuum_points(&fields[f]);
+    }
+    return self->sums != NULL && self->partners != NULL;
+}
+
+static bool fail(size_t count, clod_status *status)
+{
+    return clod_status_fail(status, CLOD_FAILED, "no memory for a sample of %zu fields", count);
+}
+
+static bool add(const clod_survey_question *question, const clod_survey_part *here,
+                clod_status *status)
+{
+    const clod_continuum *fields = question->asked;
+    pass self = {
+        .here = here, .state = here->state, .count = question->asked_bytes / sizeof *fields};
+    const bool good = open(&self, fields, question->sums);
     if (good) {
         list_images(&self);
-        add_contacts(&self, contacts);
-        for (size_t g = 0; g < state->grains.count; g++) {
-            add_grain(&self, parts, g);
+        add_contacts(&self, here->contacts);
+        for (size_t g = 0; g < self.state->grains.count; g++) {
+            if (clod_survey_has(here, g)) {
+                add_grain(&self, g);
+            }
         }
-    } else {
-        clod_status_fail(status, CLOD_FAILED, "no memory for a sample of %zu fields", count);
-    }
-    for (size_t f = 0; self.sums != NULL && f < count; f++) {
-        if (good) {
-            clod_continuum_sums_take(self.sums[f], parts[f].to);
+        for (size_t f = 0; f < self.count; f++) {
+            clod_continuum_sums_end(&self.sums[f]);
         }
-        clod_continuum_sums_close(&self.sums[f]);
     }
     clod_memory_free(self.sums);
-    clod_memory_free(self.kernel);
     clod_memory_free(self.partners);
+    return good || fail(self.count, status);
+}
+
+static void merge(const clod_survey_question *question, void *into, const void *from)
+{
+    (void)question;
+    clod_continuum_sums_merge(into, from);
+}
+
+const clod_survey_way CLOD_CONTINUUM_PASS_WAY = {
+    .add = add, .merge = merge, .unit = sizeof(clod_continuum_point), .motions = true};
+
+bool clod_continuum_pass(const clod_continuum_part *parts, size_t count,
+                         const clod_survey *survey, clod_status *status)
+{
+    clod_continuum *fields = clod_memory_alloc(count + 1, sizeof *fields); // all zero
+    for (size_t f = 0; fields != NULL && f < count; f++) {
+        fields[f] = *parts[f].field;
+    }
+    const size_t points = fields != NULL ? points_of(fields, count) : 0;
+    clod_continuum_point *point = clod_memory_alloc(points + 1, sizeof *point);
+    const clod_survey_question question = {.kind = CLOD_SURVEY_CONTINUUM,
+                                           .asked = fields,
+                                           .asked_bytes = count * sizeof *fields,
+                                           .sums = point,
+                                           .sums_bytes = points * sizeof *point};
+    bool good = (fields != NULL && point != NULL) || fail(count, status);
+    good = good && clod_survey_ask(survey, &question, status);
+    const clod_continuum_point *next = point;
+    for (size_t f = 0; good && f < count; f++) {
+        clod_continuum_sums_take(next, clod_continuum_points(parts[f].field), parts[f].to);
+        next += clod_continuum_points(parts[f].field);
+    }
+    clod_memory_free(fields);
+    clod_memory_free(point);
     return good;
 }

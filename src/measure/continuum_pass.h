@@ -5,7 +5,7 @@
  */
 
 #include "measure/continuum.h"
-#include "state/contact_source.h"
+#include "measure/survey.h"
 
 /** One field of a pass. */
 typedef struct clod_continuum_part {
@@ -18,10 +18,11 @@ typedef struct clod_continuum_part {
  * images: regions lie within the domain there and kernels are no wider than half of it, so each
  * counts once.
  *
- * @param contacts  with laws; without them there are no stresses
- * Errors  CLOD_FAILED: memory; nothing is added then.   Threads  one per state.
+ * @param survey  contacts without laws have no stresses
+ * Errors  CLOD_FAILED: memory; nothing is added then.   Threads  one per bed.
  * Test    tests/measure/test_continuum.c
  */
 bool clod_continuum_pass(const clod_continuum_part *parts, size_t count,
-                         const clod_state *state, const clod_contact_source *contacts,
-                         clod_status *status);
+                         const clod_survey *survey, clod_status *status);
+
+extern const clod_survey_way CLOD_CONTINUUM_PASS_WAY;

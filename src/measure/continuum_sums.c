@@ -3,55 +3,34 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "measure/lucy.h"
-#include "parallel/fixed.h"
 
-#define BLOCKS ((CLOD_CONTINUUM_SUMS + CLOD_FIXED_COLUMNS - 1) / CLOD_FIXED_COLUMNS)
+#define BLOCKS CLOD_CONTINUUM_BLOCKS
 #define COLUMNS (BLOCKS * CLOD_FIXED_COLUMNS)
 /** Blocks of grains and of contacts. */
 #define GRAIN_BLOCKS ((CLOD_CONTINUUM_GRAIN_SUMS + CLOD_FIXED_COLUMNS - 1) / CLOD_FIXED_COLUMNS)
 #define CONTACT_BLOCK (CLOD_CONTINUUM_CONTACT / CLOD_FIXED_COLUMNS)
 
-/** The sums of one point. */
-typedef struct point {
-    clod_fixed sum[BLOCKS];
-    _Alignas(64) int64_t addends; ///< since the last carry
-} point;
-
-struct clod_continuum_sums {
-    const clod_continuum *field;
-    double weight; ///< 1/m3, of a region
-    point *point;  ///< [clod_continuum_points]
-};
-
-clod_continuum_sums *clod_continuum_sums_open(const clod_continuum *field)
+clod_continuum_sums clod_continuum_sums_of(const clod_continuum *field,
+                                           clod_continuum_point *points)
 {
-    clod_continuum_sums *self = clod_memory_alloc(1, sizeof *self);
-    if (self == NULL) {
-        return NULL;
-    }
-    *self = (clod_continuum_sums){
+    return (clod_continuum_sums){
         .field = field,
         .weight = field->cell > 0.0 ? 0.0 : 1.0 / clod_continuum_volume(&field->region),
-        .point = clod_memory_alloc((size_t)clod_continuum_points(field), sizeof *self->point)};
-    if (self->point == NULL) {
-        clod_continuum_sums_close(&self);
-    }
-    return self;
+        .point = points};
 }
 
-void clod_continuum_sums_close(clod_continuum_sums **self)
+static void carry(clod_continuum_point *point)
 {
-    if (*self != NULL) {
-        clod_memory_free((*self)->point);
-        clod_memory_free(*self);
-        *self = NULL;
+    for (int b = 0; b < BLOCKS; b++) {
+        clod_fixed_carry(&point->sum[b]);
     }
+    point->addends = 0;
 }
 
 /** Add columns [8 first, 8 last) with a weight. */
-static void add(point *to, const double sum[COLUMNS], double weight, int first, int last)
+static void add(clod_continuum_point *to, const double sum[COLUMNS], double weight, int first,
+                int last)
 {
     for (int b = first; b < last; b++) {
         double addend[CLOD_FIXED_COLUMNS];
@@ -61,10 +40,7 @@ static void add(point *to, const double sum[COLUMNS], double weight, int first, 
         clod_fixed_add(&to->sum[b], addend);
     }
     if (++to->addends == CLOD_FIXED_ADDENDS) {
-        for (int b = 0; b < BLOCKS; b++) {
-            clod_fixed_carry(&to->sum[b]);
-        }
-        to->addends = 0;
+        carry(to);
     }
 }
 
@@ -106,7 +82,8 @@ static bool begin_cells(const range *self, int64_t at[3])
 }
 
 /** A cell with its middle. */
-static point *cell_at(const clod_continuum_sums *self, const int64_t at[3], double middle[3])
+static clod_continuum_point *cell_at(const clod_continuum_sums *self, const int64_t at[3],
+                                     double middle[3])
 {
     const clod_continuum *field = self->field;
     for (int a = 0; a < 3; a++) {
@@ -139,7 +116,7 @@ static void add_at(clod_continuum_sums *self, const double at[3], const double s
     int64_t k[3];
     for (bool more = begin_cells(&cells, k); more; more = next_cell(&cells, k)) {
         double middle[3];
-        point *to = cell_at(self, k, middle);
+        clod_continuum_point *to = cell_at(self, k, middle);
         const double weight = clod_lucy(field->width, square_between(at, middle));
         if (weight > 0.0) {
             add(to, sum, weight, first, last);
@@ -169,7 +146,7 @@ static void spread(clod_continuum_sums *self, const double from[3], const double
     int64_t k[3];
     for (bool more = begin_cells(&cells, k); more; more = next_cell(&cells, k)) {
         double middle[3];
-        point *at = cell_at(self, k, middle);
+        clod_continuum_point *at = cell_at(self, k, middle);
         const double weight = clod_lucy_along(width, &line, middle);
         if (weight > 0.0) {
             add(at, stress, weight, CONTACT_BLOCK, BLOCKS);
@@ -227,14 +204,28 @@ bool clod_continuum_sums_reached(const clod_continuum_sums *self, const double l
     return reached;
 }
 
-void clod_continuum_sums_take(const clod_continuum_sums *self,
-                              double (*to)[CLOD_CONTINUUM_SUMS])
+void clod_continuum_sums_end(clod_continuum_sums *self)
 {
     const int64_t points = clod_continuum_points(self->field);
     for (int64_t p = 0; p < points; p++) {
+        carry(&self->point[p]);
+    }
+}
+
+void clod_continuum_sums_merge(clod_continuum_point *into, const clod_continuum_point *from)
+{
+    for (int b = 0; b < BLOCKS; b++) {
+        clod_fixed_merge(&into->sum[b], &from->sum[b]);
+    }
+}
+
+void clod_continuum_sums_take(const clod_continuum_point *point, int64_t points,
+                              double (*to)[CLOD_CONTINUUM_SUMS])
+{
+    for (int64_t p = 0; p < points; p++) {
         double all[COLUMNS];
         for (int b = 0; b < BLOCKS; b++) {
-            clod_fixed_value(&self->point[p].sum[b], &all[b * CLOD_FIXED_COLUMNS]);
+            clod_fixed_value(&point[p].sum[b], &all[b * CLOD_FIXED_COLUMNS]);
         }
         for (int c = 0; c < CLOD_CONTINUUM_SUMS; c++) {
             to[p][c] += all[c];

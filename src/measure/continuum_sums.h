@@ -6,11 +6,27 @@
  */
 
 #include "measure/continuum.h"
+#include "parallel/fixed.h"
 
-typedef struct clod_continuum_sums clod_continuum_sums;
+/** Sums in fixed point of one point, eight columns each. */
+#define CLOD_CONTINUUM_BLOCKS                                                                  \
+    ((CLOD_CONTINUUM_SUMS + CLOD_FIXED_COLUMNS - 1) / CLOD_FIXED_COLUMNS)
 
-/** Of nothing yet; NULL without memory. `field` is borrowed. */
-clod_continuum_sums *clod_continuum_sums_open(const clod_continuum *field);
+/** The sums of one point; all zero: of nothing. */
+typedef struct clod_continuum_point {
+    clod_fixed sum[CLOD_CONTINUUM_BLOCKS];
+    _Alignas(64) int64_t addends; ///< since the last carry
+} clod_continuum_point;
+
+typedef struct clod_continuum_sums {
+    const clod_continuum *field; ///< borrowed
+    double weight;               ///< 1/m3, of a region
+    clod_continuum_point *point; ///< [clod_continuum_points] borrowed
+} clod_continuum_sums;
+
+/** Sums of a field in these points. */
+clod_continuum_sums clod_continuum_sums_of(const clod_continuum *field,
+                                           clod_continuum_point *points);
 
 /**
  * Add a grain.
@@ -39,9 +55,12 @@ void clod_continuum_sums_push(clod_continuum_sums *self, const double at[3],
 bool clod_continuum_sums_reached(const clod_continuum_sums *self, const double low[3],
                                  const double high[3]);
 
-/** Add what there is to `to` [clod_continuum_points][CLOD_CONTINUUM_SUMS]. */
-void clod_continuum_sums_take(const clod_continuum_sums *self,
-                              double (*to)[CLOD_CONTINUUM_SUMS]);
+/** After the last addend: points can be merged and taken. */
+void clod_continuum_sums_end(clod_continuum_sums *self);
 
-/** NULL is fine. */
-void clod_continuum_sums_close(clod_continuum_sums **self);
+/** Add a point of other sums; both have ended. */
+void clod_continuum_sums_merge(clod_continuum_point *into, const clod_continuum_point *from);
+
+/** Add what there is in points to `to` [points]. */
+void clod_continuum_sums_take(const clod_continuum_point *point, int64_t points,
+                              double (*to)[CLOD_CONTINUUM_SUMS]);

@@ -137,6 +137,24 @@ void clod_gauge_add(clod_gauge_exact *self, const clod_gauge *gauge, const clod_
     add_motion(self, grains->velocity[row], grains->angular_velocity[row], grains->load[row]);
 }
 
+void clod_gauge_merge(clod_gauge_exact *self, const clod_gauge_exact *other)
+{
+    self->count += other->count;
+    clod_exact_merge(&self->mass, &other->mass);
+    for (int a = 0; a < 3; a++) {
+        clod_exact_merge(&self->momentum[a], &other->momentum[a]);
+        clod_exact_merge(&self->moment[a], &other->moment[a]);
+    }
+    clod_exact_merge(&self->speed, &other->speed);
+    clod_exact_merge(&self->speed2, &other->speed2);
+    clod_exact_merge(&self->across2, &other->across2);
+    clod_exact_merge(&self->radius, &other->radius);
+    clod_exact_merge(&self->radius2, &other->radius2);
+    clod_exact_merge(&self->radius_across, &other->radius_across);
+    clod_exact_merge(&self->energy, &other->energy);
+    clod_exact_merge(&self->acceleration, &other->acceleration);
+}
+
 void clod_gauge_sums_of(const clod_gauge_exact *self, const clod_gauge *gauge,
                         const clod_state *state, double *sums)
 {

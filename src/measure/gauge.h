@@ -112,6 +112,9 @@ typedef struct clod_gauge_exact {
 void clod_gauge_add(clod_gauge_exact *self, const clod_gauge *gauge, const clod_grains *grains,
                     size_t row, const double place[4]);
 
+/** Add other sums. */
+void clod_gauge_merge(clod_gauge_exact *self, const clod_gauge_exact *other);
+
 /**
  * The sums of one sample.
  * @param sums  [CLOD_GAUGE_SUMS] [out] of alarm, all grains and work none

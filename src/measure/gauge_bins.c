@@ -2,8 +2,6 @@
 
 #include <math.h>
 
-#include "base/memory.h"
-
 /** Share of the samples from which on a bin belongs to the load. */
 #define LOADED 0.5
 
@@ -48,11 +46,6 @@ static void add_slice(clod_gauge_slice *bin, const clod_gauge_axis *axis, int k,
     clod_exact_add(&bin->moment, mass * h);
 }
 
-clod_gauge_slice *clod_gauge_bins_open(const clod_gauge_axis *axis)
-{
-    return clod_memory_alloc((size_t)axis->count + 1, sizeof(clod_gauge_slice)); // all zero
-}
-
 void clod_gauge_bins_add(clod_gauge_slice *slices, const clod_gauge *gauge,
                          const clod_gauge_axis *axis, const double position[4], double mass)
 {
@@ -63,6 +56,17 @@ void clod_gauge_bins_add(clod_gauge_slice *slices, const clod_gauge *gauge,
     for (int k = bin_of(axis, s - r); k <= last; k++) {
         add_slice(&slices[k], axis, k, s, h, r, mass);
     }
+}
+
+void clod_gauge_bins_merge(clod_gauge_slice *self, const clod_gauge_slice *other)
+{
+    if (other->seen) {
+        self->lower = self->seen ? fmin(self->lower, other->lower) : other->lower;
+        self->upper = self->seen ? fmax(self->upper, other->upper) : other->upper;
+        self->seen = true;
+    }
+    clod_exact_merge(&self->mass, &other->mass);
+    clod_exact_merge(&self->moment, &other->moment);
 }
 
 void clod_gauge_bins_take(clod_gauge_bins *self, const clod_gauge_axis *axis,

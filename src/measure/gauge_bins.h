@@ -37,11 +37,8 @@ typedef struct clod_gauge_slice {
     bool seen;
 } clod_gauge_slice;
 
-/** Owned slices [axis->count] of a sample, empty (clod_memory_free); NULL without memory. */
-clod_gauge_slice *clod_gauge_bins_open(const clod_gauge_axis *axis);
-
 /**
- * Add a grain. One that reaches over several bins is in each with what of the sphere is there;
+ * Add a grain to the slices [axis->count] of a sample, which are all zero at first. One that reaches over several bins is in each with what of the sphere is there;
  * what reaches beyond the ends counts in the first and last bin.
  *
  * @param position  x, y, z, radius [m]
@@ -49,6 +46,9 @@ clod_gauge_slice *clod_gauge_bins_open(const clod_gauge_axis *axis);
  */
 void clod_gauge_bins_add(clod_gauge_slice *slices, const clod_gauge *gauge,
                          const clod_gauge_axis *axis, const double position[4], double mass);
+
+/** Add another slice of the same bin. */
+void clod_gauge_bins_merge(clod_gauge_slice *self, const clod_gauge_slice *other);
 
 /** Add a sample to the sums. */
 void clod_gauge_bins_take(clod_gauge_bins *self, const clod_gauge_axis *axis,

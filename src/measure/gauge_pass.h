@@ -6,6 +6,7 @@
  */
 
 #include "measure/gauge_bins.h"
+#include "measure/survey.h"
 
 /** One gauge of a pass. */
 typedef struct clod_gauge_part {
@@ -19,8 +20,10 @@ typedef struct clod_gauge_part {
  * Sample the grains for all gauges. Sums are exact: they do not depend on the order of rows.
  *
  * @param parts  [count] regions may overlap; of alarm and work the sums are none
- * Errors  CLOD_FAILED: memory; nothing is added to the bins then.   Threads  one per state.
+ * Errors  CLOD_FAILED: memory; nothing is added to the bins then.   Threads  one per bed.
  * Test    tests/measure/test_gauge.c
  */
-bool clod_gauge_pass(const clod_gauge_part *parts, size_t count, const clod_state *state,
+bool clod_gauge_pass(const clod_gauge_part *parts, size_t count, const clod_survey *survey,
                      clod_status *status);
+
+extern const clod_survey_way CLOD_GAUGE_PASS_WAY;

@@ -10,32 +10,76 @@
 /** Height of a cell that is no part of the surface [m]. */
 #define OUTSIDE (-1.0)
 
-bool clod_repose_center(const clod_outlet *region, const clod_state *state, double center[2])
+// ---- centre
+
+/** Sums of the grains in a region. */
+typedef struct center_sums {
+    clod_exact mass, moment[2];
+} center_sums;
+
+static bool add_center(const clod_survey_question *question, const clod_survey_part *here,
+                       clod_status *status)
 {
-    const clod_grains *grains = &state->grains;
-    clod_exact mass = {.pending = 0}, moment[2] = {{.pending = 0}, {.pending = 0}};
+    (void)status;
+    const clod_outlet *region = question->asked;
+    const clod_grains *grains = &here->state->grains;
+    center_sums *sums = question->sums;
     for (size_t g = 0; g < grains->count; g++) {
         const double m = grains->velocity[g][3];
         double p[4];
-        clod_domain_place(&state->domain, grains->position[g], p);
-        if (clod_outlet_has(region, p)) {
-            clod_exact_add(&mass, m);
-            clod_exact_add(&moment[0], m * p[0]);
-            clod_exact_add(&moment[1], m * p[1]);
+        clod_domain_place(&here->state->domain, grains->position[g], p);
+        if (clod_survey_has(here, g) && clod_outlet_has(region, p)) {
+            clod_exact_add(&sums->mass, m);
+            clod_exact_add(&sums->moment[0], m * p[0]);
+            clod_exact_add(&sums->moment[1], m * p[1]);
         }
     }
-    const double all = clod_exact_value(&mass);
-    center[0] = clod_exact_value(&moment[0]) / all;
-    center[1] = clod_exact_value(&moment[1]) / all;
-    return all > 0.0;
+    return true;
 }
+
+static void merge_center(const clod_survey_question *question, void *into, const void *from)
+{
+    (void)question;
+    center_sums *mine = into;
+    const center_sums *other = from;
+    clod_exact_merge(&mine->mass, &other->mass);
+    clod_exact_merge(&mine->moment[0], &other->moment[0]);
+    clod_exact_merge(&mine->moment[1], &other->moment[1]);
+}
+
+const clod_survey_way CLOD_REPOSE_CENTER_WAY = {.add = add_center, .merge = merge_center};
+
+bool clod_repose_center(const clod_outlet *region, const clod_survey *survey, double center[2],
+                        clod_status *status)
+{
+    center_sums sums = {.mass = {.pending = 0}};
+    const clod_survey_question question = {.kind = CLOD_SURVEY_REPOSE_CENTER,
+                                           .asked = region,
+                                           .asked_bytes = sizeof *region,
+                                           .sums = &sums,
+                                           .sums_bytes = sizeof sums};
+    const bool good = clod_survey_ask(survey, &question, status);
+    const double all = clod_exact_value(&sums.mass);
+    for (int a = 0; a < 2; a++) {
+        center[a] = all > 0.0 ? clod_exact_value(&sums.moment[a]) / all : 0.0;
+    }
+    return good;
+}
+
+// ---- surface
+
+/** What is highest in and over a cell. */
+typedef struct top_cell {
+    double top;     ///< m, highest point of any grain; 0: none, or OUTSIDE
+    double used;    ///< 1: some grain is there
+    double outside; ///< 1: its middle is, so only grains in the cell count
+} top_cell;
 
 /** Strips, each cut into cells across. */
 typedef struct strips {
     int64_t count;
     int64_t *first; ///< [count + 1] of the cells of each
-    double *top;    ///< [first[count]] m, highest point of any grain; 0: none, or OUTSIDE
-    bool *used;     ///< [count] some grain is in it
+    top_cell *cell; ///< [first[count]] borrowed
     double low[2];  ///< m, least along and across a slope
 } strips;
 
@@ -95,6 +139,7 @@ static bool is_inside(const clod_repose *self, const strips *of, int64_t strip, 
     return clod_outlet_has(&self->region, p);
 }
 
+/** How the region is cut; false without memory. */
 static bool strips_open(const clod_repose *self, strips *to)
 {
     double length[2];
@@ -102,26 +147,26 @@ static bool strips_open(const clod_repose *self, strips *to)
     measure_region(self, to, length);
     to->count = 1 + (int64_t)floor(length[0] / self->cell);
     to->first = clod_memory_alloc((size_t)to->count + 1, sizeof *to->first);
-    to->used = clod_memory_alloc((size_t)to->count, sizeof *to->used);
     for (int64_t s = 0; to->first != NULL && s < to->count; s++) {
         to->first[s + 1] = to->first[s] + cells_of(self, s, length[1]);
     }
-    if (to->first != NULL) {
-        to->top = clod_memory_alloc((size_t)to->first[to->count], sizeof *to->top);
-    }
-    for (int64_t s = 0; to->top != NULL && s < to->count; s++) {
-        for (int64_t c = to->first[s]; c < to->first[s + 1]; c++) {
-            to->top[c] = is_inside(self, to, s, c - to->first[s]) ? 0.0 : OUTSIDE;
-        }
-    }
-    return to->top != NULL && to->used != NULL;
+    return to->first != NULL;
 }
 
-static void strips_close(strips *self)
+static bool fail(clod_status *status)
 {
-    clod_memory_free(self->first);
-    clod_memory_free(self->top);
-    clod_memory_free(self->used);
+    return clod_status_fail(status, CLOD_FAILED, "no memory for the surface of a heap");
+}
+
+/** Cells that no grain is in or over yet. */
+static void clear(const clod_repose *self, const strips *to)
+{
+    for (int64_t s = 0; s < to->count; s++) {
+        for (int64_t c = to->first[s]; c < to->first[s + 1]; c++) {
+            const bool inside = is_inside(self, to, s, c - to->first[s]);
+            to->cell[c] = (top_cell){.top = inside ? 0.0 : OUTSIDE, .outside = !inside};
+        }
+    }
 }
 
 /** Where a grain is: along the slope or off the axis [m], and across it [m] or about it [1 turn]. */
@@ -141,19 +186,19 @@ static place place_of(const clod_repose *self, const strips *in, const double p[
 }
 
 /** A grain in the cell that its centre is in: its top. */
-static void add_top(const clod_repose *self, strips *to, const double p[4], place at)
+static void add_top(const clod_repose *self, const strips *to, const double p[4], place at)
 {
     const int64_t strip = (int64_t)fmin(floor(at.way / self->cell), (double)to->count - 1.0);
     const int64_t cells = to->first[strip + 1] - to->first[strip];
     const double column = at.across * (self->slope ? 1.0 / self->cell : (double)cells);
     const int64_t cell = (int64_t)fmin(fmax(column, 0.0), (double)cells - 1.0);
-    double *top = &to->top[to->first[strip] + cell];
-    *top = fmax(*top, p[2] + p[3] - self->region.low[2]);
-    to->used[strip] = true;
+    top_cell *of = &to->cell[to->first[strip] + cell];
+    of->top = fmax(of->top, p[2] + p[3] - self->region.low[2]);
+    of->used = 1.0;
 }
 
 /** A grain over the middles of cells of one strip: its sphere's height there. */
-static void add_over(const clod_repose *self, strips *to, const double p[4], place at,
+static void add_over(const clod_repose *self, const strips *to, const double p[4], place at,
                      int64_t strip)
 {
     const int64_t cells = to->first[strip + 1] - to->first[strip];
@@ -176,15 +221,15 @@ static void add_over(const clod_repose *self, strips *to, const double p[4], pla
         const double side = ((double)c + 0.5) / many - at.across;
         const double half = sin(M_PI * side); // of the turn between them
         const double d2 = gap * gap + (self->slope ? side * side : 2.0 * twice * half * half);
-        double *top = &to->top[to->first[strip] + (c + cells) % cells];
-        if (d2 <= r2 && *top >= 0.0) {
-            *top = fmax(*top, p[2] + sqrt(r2 - d2) - self->region.low[2]);
-            to->used[strip] = true;
+        top_cell *of = &to->cell[to->first[strip] + (c + cells) % cells];
+        if (d2 <= r2 && of->outside == 0.0) { // whatever came before
+            of->top = fmax(of->top, p[2] + sqrt(r2 - d2) - self->region.low[2]);
+            of->used = 1.0;
         }
     }
 }
 
-static void add_grain(const clod_repose *self, strips *to, const double p[4])
+static void add_grain(const clod_repose *self, const strips *to, const double p[4])
 {
     const place at = place_of(self, to, p);
     const double first = ceil((at.way - p[3]) / self->cell - 0.5);
@@ -195,13 +240,57 @@ static void add_grain(const clod_repose *self, strips *to, const double p[4])
     }
 }
 
+static bool add(const clod_survey_question *question, const clod_survey_part *here,
+                clod_status *status)
+{
+    const clod_repose *self = question->asked;
+    const clod_state *state = here->state;
+    strips surface;
+    if (!strips_open(self, &surface)) {
+        return fail(status);
+    }
+    surface.cell = question->sums;
+    clear(self, &surface);
+    for (size_t g = 0; g < state->grains.count; g++) {
+        double p[4];
+        clod_domain_place(&state->domain, state->grains.position[g], p);
+        if (clod_survey_has(here, g) && clod_outlet_has(&self->region, p)) {
+            add_grain(self, &surface, p);
+        }
+    }
+    clod_memory_free(surface.first);
+    return true;
+}
+
+static void merge(const clod_survey_question *question, void *into, const void *from)
+{
+    (void)question;
+    top_cell *mine = into;
+    const top_cell *other = from;
+    mine->top = fmax(mine->top, other->top);
+    mine->used = fmax(mine->used, other->used);
+    mine->outside = other->outside;
+}
+
+const clod_survey_way CLOD_REPOSE_WAY = {.add = add, .merge = merge, .unit = sizeof(top_cell)};
+
+/** Whether some grain is in or over a strip. */
+static bool is_used(const strips *self, int64_t strip)
+{
+    bool used = false;
+    for (int64_t c = self->first[strip]; c < self->first[strip + 1]; c++) {
+        used = used || self->cell[c].used > 0.0;
+    }
+    return used;
+}
+
 /** Mean height of a strip: cells of the region without a grain in or over them are ground. */
 static double height_of(const strips *self, int64_t strip)
 {
     double sum = 0.0, cells = 0.0;
     for (int64_t c = self->first[strip]; c < self->first[strip + 1]; c++) {
-        if (self->top[c] >= 0.0) {
-            sum += self->top[c];
+        if (self->cell[c].top >= 0.0) {
+            sum += self->cell[c].top;
             cells += 1.0;
         }
     }
@@ -215,7 +304,7 @@ static void fit(const strips *self, double cell, double low, double high,
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, n = 0.0;
     for (int pass = 0; pass < 2; pass++) { // means first
         for (int64_t s = 0; s < self->count; s++) {
-            const double height = self->used[s] ? height_of(self, s) : OUTSIDE;
+            const double height = is_used(self, s) ? height_of(self, s) : OUTSIDE;
             const double at = ((double)s + 0.5) * cell;
             if (height < low || height > high) {
                 continue;
@@ -240,32 +329,38 @@ static void fit(const strips *self, double cell, double low, double high,
     }
 }
 
-bool clod_repose_find(const clod_repose *self, const clod_state *state,
+/** The angle of a surface that is known. */
+static void find(const clod_repose *self, const strips *surface, clod_repose_angle *found)
+{
+    for (int64_t s = 0; s < surface->count; s++) {
+        if (is_used(surface, s)) {
+            found->height = fmax(found->height, height_of(surface, s)); // NAN is less
+        }
+    }
+    if (found->height > 0.0) {
+        fit(surface, self->cell, self->from * found->height, self->to * found->height, found);
+    }
+}
+
+bool clod_repose_find(const clod_repose *self, const clod_survey *survey,
                       clod_repose_angle *found, clod_status *status)
 {
     strips surface;
-    const bool good = strips_open(self, &surface);
+    bool good = strips_open(self, &surface);
+    const size_t cells = good ? (size_t)surface.first[surface.count] : 0;
+    surface.cell = clod_memory_alloc(cells + 1, sizeof *surface.cell);
+    good = (good && surface.cell != NULL) || fail(status);
     *found = (clod_repose_angle){(double)NAN, (double)NAN, (double)NAN, 0};
+    const clod_survey_question question = {.kind = CLOD_SURVEY_REPOSE,
+                                           .asked = self,
+                                           .asked_bytes = sizeof *self,
+                                           .sums = surface.cell,
+                                           .sums_bytes = cells * sizeof *surface.cell};
+    good = good && clod_survey_ask(survey, &question, status);
     if (good) {
-        for (size_t g = 0; g < state->grains.count; g++) {
-            double p[4];
-            clod_domain_place(&state->domain, state->grains.position[g], p);
-            if (clod_outlet_has(&self->region, p)) {
-                add_grain(self, &surface, p);
-            }
-        }
-        for (int64_t s = 0; s < surface.count; s++) {
-            if (surface.used[s]) {
-                found->height = fmax(found->height, height_of(&surface, s)); // NAN is less
-            }
-        }
-        if (found->height > 0.0) {
-            fit(&surface, self->cell, self->from * found->height, self->to * found->height,
-                found);
-        }
-    } else {
-        clod_status_fail(status, CLOD_FAILED, "no memory for the surface of a heap");
+        find(self, &surface, found);
     }
-    strips_close(&surface);
+    clod_memory_free(surface.first);
+    clod_memory_free(surface.cell);
     return good;
 }

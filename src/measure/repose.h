@@ -9,7 +9,7 @@
  * Source  our choice; docs/mixing.md.   Test  tests/measure/test_repose.c
  */
 
-#include "state/state.h"
+#include "measure/survey.h"
 
 /** How the surface is cut. */
 typedef struct clod_repose {
@@ -29,14 +29,22 @@ typedef struct clod_repose_angle {
     int64_t strips; ///< of the flank; with fewer than three there is no angle
 } clod_repose_angle;
 
-/** Centre of mass of the grains in a region, seen from above; false when there is none. */
-bool clod_repose_center(const clod_outlet *region, const clod_state *state, double center[2]);
+/**
+ * Centre of mass of the grains in a region, seen from above.
+ *
+ * @param center  [out] 0 of no grain
+ * Errors  CLOD_FAILED: memory on another rank.   Threads  one per bed.
+ */
+bool clod_repose_center(const clod_outlet *region, const clod_survey *survey, double center[2],
+                        clod_status *status);
 
 /**
  * The angle of the grains in the region, which may stand in any order.
  *
  * @param found  [out]
- * Errors  CLOD_FAILED: memory.   Threads  pure.
+ * Errors  CLOD_FAILED: memory.   Threads  one per bed.
  */
-bool clod_repose_find(const clod_repose *self, const clod_state *state,
+bool clod_repose_find(const clod_repose *self, const clod_survey *survey,
                       clod_repose_angle *found, clod_status *status);
+
+extern const clod_survey_way CLOD_REPOSE_WAY, CLOD_REPOSE_CENTER_WAY;

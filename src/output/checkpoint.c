@@ -33,6 +33,33 @@ static void put_columns(clod_hdf *hdf, const clod_state *state)
     clod_checkpoint_columns_put(&columns, hdf);
 }
 
+/** All grains, slab by slab. */
+static bool put_grains(clod_hdf *hdf, const clod_state *state, const clod_bed_source *bed,
+                       size_t total, clod_status *status)
+{
+    clod_checkpoint_columns columns;
+    clod_bed_slab slab = {.rows = state};
+    size_t first = 0;
+    bool good = true;
+    do {
+        const size_t count = total - first < CLOD_HDF_SLAB ? total - first : CLOD_HDF_SLAB;
+        good = count == 0 || bed->grains(bed->context, first, count, &slab, status);
+        if (good) {
+            clod_checkpoint_columns_of_grains(&columns, slab.rows);
+            for (size_t c = 0; first == 0 && c < columns.count; c++) {
+                clod_hdf_column column = columns.column[c];
+                column.rows = total;
+                clod_hdf_make(hdf, &column);
+            }
+            for (size_t c = 0; count > 0 && c < columns.count; c++) {
+                clod_hdf_put_rows(hdf, &columns.column[c], first);
+            }
+        }
+        first += count;
+    } while (good && first < total);
+    return good;
+}
+
 static void put_attributes(clod_hdf *hdf, const clod_state *state)
 {
     const int64_t format = CLOD_CHECKPOINT_FORMAT;
@@ -65,10 +92,24 @@ static void put_case(clod_hdf *hdf, const char *case_text)
     }
 }
 
+/** Everything that changes in a run. */
+static bool put_state(clod_hdf *hdf, const clod_state *state, const clod_bed_source *bed,
+                      clod_status *status)
+{
+    clod_bed_counts all;
+    put_attributes(hdf, state);
+    put_columns(hdf, state);
+    const bool good = bed->begin(bed->context, false, &all, status) &&
+                      put_grains(hdf, state, bed, all.grains, status) &&
+                      clod_checkpoint_walls_put(hdf, &state->walls, status) &&
+                      clod_checkpoint_contacts_put(hdf, bed, &all, status);
+    bed->end(bed->context);
+    return good;
+}
+
 bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const clod_state *state,
-                           const clod_contact_source *contacts,
-                           const clod_checkpoint_part *parts, size_t part_count,
-                           const char *case_text, clod_status *status)
+                           const clod_bed_source *bed, const clod_checkpoint_part *parts,
+                           size_t part_count, const char *case_text, clod_status *status)
 {
     clod_checkpoint_file files[2];
     const bool found = clod_checkpoint_file_find(files, folder, stem, status);
@@ -91,13 +132,12 @@ bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const cl
     };
     const clod_hdf_place place = {folder, draft.name, draft.descriptor,
                                   CLOD_CHECKPOINT_HEAD_BYTES};
+    clod_bed_view view;
+    const clod_bed_source own = clod_bed_source_of(&view, state, NULL);
     clod_hdf *hdf = clod_hdf_create(&place, CLOD_HDF_EXACT, status);
     bool good = hdf != NULL;
     if (good) {
-        put_attributes(hdf, state);
-        put_columns(hdf, state);
-        good = clod_checkpoint_walls_put(hdf, &state->walls, status) &&
-               clod_checkpoint_contacts_put(hdf, state, contacts, status);
+        good = put_state(hdf, state, bed != NULL ? bed : &own, status);
         put_parts(hdf, parts, part_count);
         put_case(hdf, case_text);
         clod_status finishing; // an error before it is the one to tell
@@ -151,6 +191,8 @@ static void get_columns(clod_hdf *hdf, const clod_state *state,
 {
     clod_checkpoint_columns columns;
     clod_checkpoint_columns_list(&columns, state);
+    clod_checkpoint_columns_get(&columns, hdf);
+    clod_checkpoint_columns_of_grains(&columns, state);
     clod_checkpoint_columns_get(&columns, hdf);
     for (size_t p = 0; p < part_count; p++) {
         char name[NAME_MAX];

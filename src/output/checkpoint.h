@@ -7,7 +7,7 @@
  */
 
 #include "output/folder.h"
-#include "state/contact_source.h"
+#include "state/bed_source.h"
 #include "state/state.h"
 
 /**
@@ -30,7 +30,7 @@ typedef struct clod_checkpoint_part {
  *
  * @param stem        start of the files' names
  * @param state       what to store; its walls' shapes are not stored
- * @param contacts    all its contacts; NULL: those of state->contacts
+ * @param bed         its grains and contacts; NULL: those of the state itself
  * @param parts       [part_count] further data of the run
  * @param case_text   whole text of the case; NULL stores none
  * @param status      [out] on failure both files of before are untouched
@@ -38,9 +38,8 @@ typedef struct clod_checkpoint_part {
  * Test    tests/output/test_checkpoint.c
  */
 bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const clod_state *state,
-                           const clod_contact_source *contacts,
-                           const clod_checkpoint_part *parts, size_t part_count,
-                           const char *case_text, clod_status *status);
+                           const clod_bed_source *bed, const clod_checkpoint_part *parts,
+                           size_t part_count, const char *case_text, clod_status *status);
 
 /**
  * Fill the state from the newest checkpoint that is whole.

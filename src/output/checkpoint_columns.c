@@ -70,8 +70,9 @@ static void add_state(clod_checkpoint_columns *self, const clod_state *state)
 #undef ADD
 }
 
-static void add_grains(clod_checkpoint_columns *self, const clod_state *state)
+void clod_checkpoint_columns_of_grains(clod_checkpoint_columns *self, const clod_state *state)
 {
+    self->count = 0;
     const clod_grains *grains = &state->grains;
     const size_t n = grains->count;
     const size_t real = sizeof(double);
@@ -216,7 +217,6 @@ void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_stat
 {
     self->count = 0;
     add_state(self, state);
-    add_grains(self, state);
     add_build(self, state);
 }
 

@@ -17,12 +17,15 @@ typedef struct clod_checkpoint_columns {
 } clod_checkpoint_columns;
 
 /**
- * List every column of the state but those of its contacts, walls and their shapes.
+ * List every column of the state but those of its grains, contacts, walls and their shapes.
  *
  * The pointers are borrowed from the state: list again when its arrays have moved. Arrays that
- * the state does not have or that have no rows (build_position, build_walls) are not listed.
+ * the state does not have or that have no rows (build_walls) are not listed.
  */
 void clod_checkpoint_columns_list(clod_checkpoint_columns *self, const clod_state *state);
+
+/** List the columns of the grains of a state, likewise (build_position). */
+void clod_checkpoint_columns_of_grains(clod_checkpoint_columns *self, const clod_state *state);
 
 /**
  * List the columns of contacts. They are known by their partners: the ids of two grains, the

@@ -17,10 +17,10 @@ static void slab_fini(slab *self)
     clod_memory_free(self->partners);
 }
 
-static bool fail_without_memory(const clod_state *state, clod_status *status)
+static bool fail_without_memory(size_t contacts, clod_status *status)
 {
-    return clod_status_fail(status, CLOD_FAILED, "No memory for a checkpoint of %zu grains.",
-                            state->grains.count);
+    return clod_status_fail(status, CLOD_FAILED,
+                            "No memory for the %zu contacts of a checkpoint.", contacts);
 }
 
 /** Room for this many rows of the partners, and of the contacts when they are on their way too.
@@ -35,16 +35,6 @@ static bool slab_init(slab *self, size_t rows, bool contacts)
 static size_t slab_rows(size_t total)
 {
     return total < CLOD_HDF_SLAB ? total : CLOD_HDF_SLAB;
-}
-
-/** Whom each contact is between; the first `pairs` are between two grains. */
-static void note_partners(const slab *self, const clod_state *state, size_t pairs, size_t count)
-{
-    for (size_t c = 0; c < count; c++) {
-        const clod_contact *contact = &self->contacts[c];
-        self->partners[c][0] = state->grains.id[contact->i];
-        self->partners[c][1] = c < pairs ? state->grains.id[contact->j] : (uint64_t)contact->j;
-    }
 }
 
 /** Datasets for so many contacts. */
@@ -68,31 +58,27 @@ static void put_slab(clod_hdf *hdf, const slab *self, size_t first, size_t count
     }
 }
 
-bool clod_checkpoint_contacts_put(clod_hdf *hdf, const clod_state *state,
-                                  const clod_contact_source *source, clod_status *status)
+bool clod_checkpoint_contacts_put(clod_hdf *hdf, const clod_bed_source *bed,
+                                  const clod_bed_counts *all, clod_status *status)
 {
-    clod_contact_list list;
-    const clod_contact_source own = clod_contact_source_of(&list, state);
-    const clod_contact_source *from = source != NULL ? source : &own;
-    size_t pairs, walls;
-    from->begin(from->context, &pairs, &walls);
-    const clod_hdf_column wall_count = clod_checkpoint_columns_wall_count(&walls);
+    const clod_hdf_column wall_count = clod_checkpoint_columns_wall_count(&all->walls);
     clod_hdf_put(hdf, &wall_count);
-    const size_t total = pairs + walls;
+    const size_t total = all->pairs + all->walls;
     slab some;
-    const bool good = slab_init(&some, slab_rows(total), true);
+    bool good = slab_init(&some, slab_rows(total), true) || fail_without_memory(total, status);
     if (good) {
         make_columns(hdf, &some, total);
     }
-    for (size_t first = 0; good && first < total;) {
-        const size_t count = from->next(from->context, some.contacts, slab_rows(total));
-        CLOD_ASSERT(count > 0);
-        note_partners(&some, state, first < pairs ? pairs - first : 0, count);
-        put_slab(hdf, &some, first, count);
-        first += count;
+    for (size_t first = 0, count = 0; good && first < total; first += count) {
+        count = slab_rows(total);
+        good = bed->contacts(bed->context, &count, some.contacts, some.partners, status);
+        if (good) {
+            CLOD_ASSERT(count > 0);
+            put_slab(hdf, &some, first, count);
+        }
     }
     slab_fini(&some);
-    return good || fail_without_memory(state, status);
+    return good;
 }
 
 /** Rows of a contact from its partners; false: they are not there. */
@@ -148,7 +134,7 @@ bool clod_checkpoint_contacts_get(clod_hdf *hdf, clod_state *state, const char *
     clod_ids ids;
     if (!slab_init(&some, slab_rows(state->contact_count), false)) {
         slab_fini(&some);
-        return fail_without_memory(state, status);
+        return fail_without_memory(state->contact_count, status);
     }
     if (!clod_ids_init(&ids, state->grains.id, state->grains.count, status)) {
         slab_fini(&some);

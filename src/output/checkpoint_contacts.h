@@ -5,16 +5,17 @@
  */
 
 #include "output/hdf.h"
-#include "state/contact_source.h"
+#include "state/bed_source.h"
 
 /**
  * Write all contacts.
  *
- * @param source  NULL: the state's own list
- * @return        false without memory; errors of the file are those of `hdf`
+ * @param bed  has begun
+ * @param all  what it has
+ * @return     false without memory; errors of the file are those of `hdf`
  */
-bool clod_checkpoint_contacts_put(clod_hdf *hdf, const clod_state *state,
-                                  const clod_contact_source *source, clod_status *status);
+bool clod_checkpoint_contacts_put(clod_hdf *hdf, const clod_bed_source *bed,
+                                  const clod_bed_counts *all, clod_status *status);
 
 /**
  * Fill state->contacts, which has room for all of them, and find their rows; the grains and

@@ -28,57 +28,25 @@ static void put_columns(clod_hdf *hdf, const clod_hdf_column *columns, size_t co
     }
 }
 
-/** Contacts of each grain with grains and walls; owned [grains.count], or NULL. */
-static int32_t *coordination(const clod_state *state, const clod_contact_source *from)
-{
-    int32_t *number = clod_memory_alloc(state->grains.count + 1, sizeof *number);
-    clod_contact *some = clod_memory_alloc(CLOD_HDF_SLAB, sizeof *some);
-    size_t between, walls, count = 0;
-    from->begin(from->context, &between, &walls);
-    const size_t total = number != NULL && some != NULL ? between + walls : 0;
-    for (size_t first = 0; first < total; first += count) {
-        count = from->next(from->context, some, CLOD_HDF_SLAB);
-        CLOD_ASSERT(count > 0);
-        for (size_t c = 0; c < count; c++) {
-            number[some[c].i]++;
-            if (first + c < between) {
-                number[some[c].j]++;
-            }
-        }
-    }
-    const bool good = number != NULL && some != NULL;
-    clod_memory_free(some);
-    if (!good) {
-        clod_memory_free(number);
-    }
-    return good ? number : NULL;
-}
+/** What a picture is taken of, and what ParaView's state file shall know of it. */
+typedef struct scene {
+    const clod_folder *folder;
+    const char *stem;
+    int64_t number;
+    const clod_state *state;
+    const clod_bed_source *bed;
+    clod_paraview *view;
+} scene;
 
-static void put_clumps(clod_hdf *hdf, const clod_grains *grains)
-{
-    const size_t row = sizeof *grains->clump;
-    const clod_hdf_column columns[] = {
-        {VTK_POINT_DATA "/clump", "1", CLOD_HDF_I64, 1, grains->count, &grains->clump->number,
-         row},
-        {VTK_POINT_DATA "/clump_size", "1", CLOD_HDF_I32, 1, grains->count,
-         &grains->clump->size, row},
-    };
-    put_columns(hdf, columns, sizeof columns / sizeof *columns);
-}
+enum { GRAIN_COLUMNS = 12 };
 
-static bool put_grains(clod_hdf *hdf, const clod_state *state, const clod_contact_source *from,
-                       clod_status *status)
+/** List the columns of the grains of a slab; how many. */
+static size_t list_grains(const clod_bed_slab *slab, clod_hdf_column column[GRAIN_COLUMNS])
 {
-    const clod_grains *grains = &state->grains;
-    const size_t n = grains->count;
-    int32_t *contacts = coordination(state, from);
-    if (contacts == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "No memory for a snapshot.");
-    }
-    const size_t row = sizeof *grains->position;
-    const bool some = n > 0;
-    const double *radius = some ? &grains->position[0][3] : NULL;
-    const double *mass = some ? &grains->velocity[0][3] : NULL;
+    const clod_grains *grains = &slab->rows->grains;
+    const size_t n = grains->count, row = sizeof *grains->position;
+    const double *radius = n > 0 ? &grains->position[0][3] : NULL;
+    const double *mass = n > 0 ? &grains->velocity[0][3] : NULL;
     const clod_hdf_column columns[] = {
         {VTK_POINTS, "m", CLOD_HDF_F64, 3, n, grains->position, row},
         {VTK_POINT_DATA "/id", "1", CLOD_HDF_I64, 1, n, grains->id, sizeof *grains->id},
@@ -91,14 +59,66 @@ static bool put_grains(clod_hdf *hdf, const clod_state *state, const clod_contac
         {VTK_POINT_DATA "/omega", "rad s-1", CLOD_HDF_F64, 3, n, grains->angular_velocity, row},
         {VTK_POINT_DATA "/force", "N", CLOD_HDF_F64, 3, n, grains->load, sizeof *grains->load},
         {VTK_POINT_DATA "/mass", "kg", CLOD_HDF_F64, 1, n, mass, row},
-        {VTK_POINT_DATA "/coordination", "1", CLOD_HDF_I32, 1, n, contacts, sizeof *contacts},
+        {VTK_POINT_DATA "/coordination", "1", CLOD_HDF_I32, 1, n, slab->contacts,
+         sizeof *slab->contacts},
     };
-    put_columns(hdf, columns, sizeof columns / sizeof *columns);
-    clod_memory_free(contacts);
+    size_t count = sizeof columns / sizeof *columns;
+    memcpy(column, columns, sizeof columns);
     if (grains->clump != NULL) {
-        put_clumps(hdf, grains);
+        const size_t each = sizeof *grains->clump;
+        column[count++] = (clod_hdf_column){VTK_POINT_DATA "/clump", "1", CLOD_HDF_I64, 1, n,
+                                            &grains->clump->number,  each};
+        column[count++] = (clod_hdf_column){
+            VTK_POINT_DATA "/clump_size", "1", CLOD_HDF_I32, 1, n, &grains->clump->size, each};
     }
-    return clod_vtk_cells_put(hdf, n, VTK_VERTEX, 1, status);
+    return count;
+}
+
+static void view_grains(clod_paraview *view, const clod_grains *grains)
+{
+    for (size_t g = 0; g < grains->count; g++) {
+        const double *p = grains->position[g], *v = grains->velocity[g];
+        clod_paraview_add(view, p, p[3]);
+        view->speed = fmax(view->speed, sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+    }
+}
+
+/** All grains, slab by slab. */
+static bool put_slabs(clod_hdf *hdf, const scene *self, size_t total, clod_status *status)
+{
+    const clod_bed_source *bed = self->bed;
+    clod_hdf_column column[GRAIN_COLUMNS];
+    clod_bed_slab slab = {.rows = self->state};
+    size_t first = 0;
+    bool good = true;
+    do {
+        const size_t count = total - first < CLOD_HDF_SLAB ? total - first : CLOD_HDF_SLAB;
+        good = count == 0 || bed->grains(bed->context, first, count, &slab, status);
+        const size_t columns = good ? list_grains(&slab, column) : 0;
+        for (size_t c = 0; first == 0 && c < columns; c++) {
+            clod_hdf_column whole = column[c];
+            whole.rows = total;
+            clod_hdf_make(hdf, &whole);
+        }
+        for (size_t c = 0; count > 0 && c < columns; c++) {
+            clod_hdf_put_rows(hdf, &column[c], first);
+        }
+        if (good && count > 0) {
+            view_grains(self->view, &slab.rows->grains);
+        }
+        first += count;
+    } while (good && first < total);
+    return good;
+}
+
+static bool put_grains(clod_hdf *hdf, const scene *self, clod_status *status)
+{
+    clod_bed_counts all;
+    const clod_bed_source *bed = self->bed;
+    const bool good = bed->begin(bed->context, true, &all, status) &&
+                      put_slabs(hdf, self, all.grains, status);
+    bed->end(bed->context);
+    return good && clod_vtk_cells_put(hdf, all.grains, VTK_VERTEX, 1, status);
 }
 
 /** What grains did to the triangles, if that was measured. */
@@ -122,17 +142,6 @@ static void put_wear(clod_hdf *hdf, const clod_wall_mesh *mesh)
             sizeof *mesh->wear};
         clod_hdf_put(hdf, &column);
     }
-}
-
-static void view_grains(clod_paraview *view, const clod_grains *grains)
-{
-    double square = 0.0;
-    for (size_t g = 0; g < grains->count; g++) {
-        const double *p = grains->position[g], *v = grains->velocity[g];
-        clod_paraview_add(view, p, p[3]);
-        square = fmax(square, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    }
-    view->speed = sqrt(square);
 }
 
 static void view_walls(clod_paraview *view, const clod_wall_mesh *mesh)
@@ -292,16 +301,6 @@ static bool put_contacts(clod_hdf *hdf, const clod_state *state,
     return clod_vtk_cells_put(hdf, n, VTK_LINE, 2, status);
 }
 
-/** What a picture is taken of, and what ParaView's state file shall know of it. */
-typedef struct scene {
-    const clod_folder *folder;
-    const char *stem;
-    int64_t number;
-    const clod_state *state;
-    const clod_contact_source *contacts;
-    clod_paraview *view;
-} scene;
-
 /** Write one picture into an open file. */
 static bool put_picture(const clod_hdf_place *place, const scene *self, int kind,
                         clod_status *status)
@@ -314,9 +313,9 @@ static bool put_picture(const clod_hdf_place *place, const scene *self, int kind
     clod_vtk_cells_head(hdf);
     clod_hdf_put_ints(hdf, "/", "step", &state->step, 1);
     clod_hdf_put_real(hdf, "/", VTK_TIME, state->time);
-    const bool good = kind == GRAINS  ? put_grains(hdf, state, self->contacts, status)
+    const bool good = kind == GRAINS  ? put_grains(hdf, self, status)
                       : kind == WALLS ? put_walls(hdf, state, self->view, status)
-                                      : put_contacts(hdf, state, self->contacts, status);
+                                      : put_contacts(hdf, state, self->bed->here, status);
     clod_status finishing;
     uint64_t size;
     return clod_hdf_finish(&hdf, &size, good ? status : &finishing) && good;
@@ -354,15 +353,14 @@ static bool write_picture(const scene *self, int kind, clod_snapshot_film *film,
 }
 
 bool clod_snapshot_write(const clod_folder *folder, const char *stem, int64_t number,
-                         const clod_state *state, const clod_contact_source *from,
-                         bool contacts, clod_snapshot_film *film, clod_status *status)
+                         const clod_state *state, const clod_bed_source *bed, bool contacts,
+                         clod_snapshot_film *film, clod_status *status)
 {
-    clod_contact_list list;
-    const clod_contact_source own = clod_contact_source_of(&list, state);
+    clod_bed_view whole;
+    const clod_bed_source own = clod_bed_source_of(&whole, state, NULL);
     clod_paraview view = clod_paraview_begin(state->time);
-    const scene of = {folder, stem, number, state, from != NULL ? from : &own, &view};
+    const scene of = {folder, stem, number, state, bed != NULL ? bed : &own, &view};
     view.contacts = contacts;
-    view_grains(&view, &state->grains);
     return write_picture(&of, GRAINS, film, status) &&
            write_picture(&of, WALLS, film, status) &&
            (!contacts || write_picture(&of, CONTACTS, film, status)) &&

@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 #include "output/folder.h"
-#include "state/contact_source.h"
+#include "state/bed_source.h"
 #include "state/state.h"
 
 /** Checksums of the series of grains, walls and contacts, as last written; 0: none was. */
@@ -28,15 +28,15 @@ typedef struct clod_snapshot_film {
  *
  * @param stem       name of the series; "run" is left out of the names of the single files
  * @param number     number in the names of the files
- * @param from       all contacts; NULL: those of state->contacts
- * @param contacts   also write the grain-grain contacts
+ * @param bed        its grains and contacts; NULL: those of the state itself
+ * @param contacts   also write the grain-grain contacts, which are in the state
  * @param film       [in,out] checksums of the series
  * Errors  CLOD_FAILED: no folder, disk full, no memory, an index that is not ours.
  * Threads one per stem.   Test  tests/output/test_snapshot.c
  */
 bool clod_snapshot_write(const clod_folder *folder, const char *stem, int64_t number,
-                         const clod_state *state, const clod_contact_source *from,
-                         bool contacts, clod_snapshot_film *film, clod_status *status);
+                         const clod_state *state, const clod_bed_source *bed, bool contacts,
+                         clod_snapshot_film *film, clod_status *status);
 
 /** Drop from the series, and remove, the snapshots later than `time` [s]; none is fine. */
 bool clod_snapshot_resume(const clod_folder *folder, const char *stem, double time,

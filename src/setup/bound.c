@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "config/sizes.h"
 #include "config/testers.h"
+#include "measure/stock.h"
 #include "setup/bed.h"
 
 /** The sizes of grains that are to come: two each of the smallest and of the median, which can
@@ -23,20 +24,21 @@ static bool add_coming(clod_setup_bound *self, const clod_case *from,
     return good;
 }
 
-bool clod_setup_bound_init(clod_setup_bound *self, const clod_case *from,
-                           const clod_state *state, clod_status *status)
+/** Of nothing yet. */
+static bool begin(clod_setup_bound *self, const clod_case *from, clod_status *status)
 {
     *self = (clod_setup_bound){.stress = from->time.design_stress};
     const size_t materials = from->material_count + 1; // never an array of none
     self->sizes = clod_memory_alloc(materials, sizeof *self->sizes);
     self->is_wall = clod_memory_alloc(materials, sizeof *self->is_wall);
-    if (self->sizes == NULL || self->is_wall == NULL) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory for the time step");
-    }
-    for (size_t g = 0; g < state->grains.count; g++) {
-        clod_timestep_add(&self->sizes[state->grains.material[g]], 1.0,
-                          state->grains.position[g][3]);
-    }
+    return (self->sizes != NULL && self->is_wall != NULL) ||
+           clod_status_fail(status, CLOD_FAILED, "no memory for the time step");
+}
+
+/** The grains that are to come, the walls, and the stress that the case gives, if it does. */
+static bool add_rest(clod_setup_bound *self, const clod_case *from, const clod_state *state,
+                     clod_status *status)
+{
     for (size_t k = 0; k < from->grains_count; k++) {
         if (from->grains[k].comes && !add_coming(self, from, &from->grains[k], status)) {
             return false;
@@ -51,12 +53,41 @@ bool clod_setup_bound_init(clod_setup_bound *self, const clod_case *from,
     if (self->stress == 0.0) {
         self->stress = clod_case_tester_stress(from);
     }
-    if (self->stress == 0.0) {
+    return true;
+}
+
+bool clod_setup_bound_init(clod_setup_bound *self, const clod_case *from,
+                           const clod_state *state, clod_status *status)
+{
+    bool good = begin(self, from, status);
+    for (size_t g = 0; good && g < state->grains.count; g++) {
+        clod_timestep_add(&self->sizes[state->grains.material[g]], 1.0,
+                          state->grains.position[g][3]);
+    }
+    good = good && add_rest(self, from, state, status);
+    if (good && self->stress == 0.0) {
         const clod_setup_bed bed = clod_setup_bed_of(state);
         self->stress = clod_setup_bed_stress(&bed, from, state);
         self->speed = clod_setup_impact_speed(state);
     }
-    return true;
+    return good;
+}
+
+/** The same of a bed that is asked for sums, under the stress that a case with inlets gives. */
+static bool init_from(clod_setup_bound *self, const clod_case *from, const clod_survey *survey,
+                      clod_status *status)
+{
+    clod_stock *stock = clod_memory_alloc(from->material_count + 1, sizeof *stock);
+    bool good = begin(self, from, status) &&
+                (stock != NULL ||
+                 clod_status_fail(status, CLOD_FAILED, "no memory for the time step")) &&
+                clod_stock_take(stock, from->material_count, survey, status);
+    for (size_t m = 0; good && m < from->material_count; m++) {
+        self->sizes[m] = (clod_timestep_sizes){
+            .count = stock[m].count, .least = stock[m].least, .sum = stock[m].sum};
+    }
+    clod_memory_free(stock);
+    return good && add_rest(self, from, survey->state, status);
 }
 
 clod_timestep clod_setup_bound_timestep(const clod_setup_bound *self, const clod_case *from)
@@ -206,16 +237,17 @@ bool clod_setup_bound_accepts(const void *from, const clod_state *state, clod_st
     return good;
 }
 
-bool clod_setup_bound_streams(const clod_case *from, const clod_state *state,
+bool clod_setup_bound_streams(const clod_case *from, const clod_survey *survey,
                               clod_status *status)
 {
     clod_setup_bound bound;
-    bool good = clod_setup_bound_init(&bound, from, state, status);
+    bool good = init_from(&bound, from, survey, status);
     for (size_t k = 0; good && k < from->grains_count; k++) {
         const int material = clod_case_material_index(from, from->grains[k].material);
         good = !from->grains[k].comes || grain_has_laws(&bound, from, material, status);
     }
-    good = good && is_stable(&bound, from, state->dt, "the grains that come in", status);
+    good =
+        good && is_stable(&bound, from, survey->state->dt, "the grains that come in", status);
     clod_setup_bound_fini(&bound);
     return good;
 }

@@ -5,8 +5,8 @@
  */
 
 #include "clod/case.h"
+#include "measure/survey.h"
 #include "setup/timestep.h"
-#include "state/state.h"
 
 /** What the critical time step follows from, for some grains and walls. */
 typedef struct clod_setup_bound {
@@ -47,7 +47,7 @@ bool clod_setup_bound_fits(const clod_case *from, const clod_state *state, const
  * Errors  CLOD_USAGE, CLOD_FAILED without memory.   Threads  pure.
  * Test    tests/setup/test_setup_bound.c
  */
-bool clod_setup_bound_streams(const clod_case *from, const clod_state *state,
+bool clod_setup_bound_streams(const clod_case *from, const clod_survey *survey,
                               clod_status *status);
 
 /**

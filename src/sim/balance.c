@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "base/json.h"
-#include "parallel/exact.h"
 #include "setup/grains.h"
 #include "sim/exits.h"
 
@@ -18,18 +17,15 @@ static bool is_open(const clod_case *from)
            clod_setup_grains_coming(from) + from->outlet_count > 0;
 }
 
-clod_balance_count clod_balance_of(const clod_state *state)
+/** Count what has come and gone, and what is there. */
+static clod_balance_count count_of(const clod_state *state, const clod_measure_motion *bed)
 {
     const clod_exchange *gone = &state->exchange;
     clod_balance_count self = {.time = state->time,
                                .mass_in = gone->added_mass,
                                .in = gone->added,
-                               .inside = (int64_t)state->grains.count};
-    clod_exact mass = {0};
-    for (size_t g = 0; g < state->grains.count; g++) {
-        clod_exact_add(&mass, state->grains.velocity[g][3]);
-    }
-    self.mass_inside = clod_exact_value(&mass);
+                               .mass_inside = bed->mass,
+                               .inside = bed->grains};
     for (int e = 0; e < CLOD_EXITS; e++) {
         self.mass_out[e] = gone->left_mass[e];
         self.out[e] = gone->left[e];
@@ -49,7 +45,8 @@ static void note(clod_balance *self, const clod_free_moment *now)
 {
     const int edges = clod_steady_time_edges(&now->steady, now->state->time);
     if (self->edges < edges) {
-        const clod_balance_count count = clod_balance_of(now->state);
+        const clod_measure_motion bed = clod_measure_motion_from(now->survey);
+        const clod_balance_count count = count_of(now->state, &bed);
         while (self->edges < edges) {
             self->edge[self->edges++] = count;
         }
@@ -60,16 +57,10 @@ static void balance_begin(void *memory, const clod_case *from, const clod_state 
 {
     clod_balance *self = memory;
     if (is_open(from)) {
-        self->start = clod_balance_of(state);
+        const clod_measure_motion bed = clod_measure_motion_of(state);
+        self->start = count_of(state, &bed);
         self->row = self->start;
     }
-}
-
-static void balance_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
-{
-    const clod_balance *self = memory;
-    sees->whole |= is_open(now->from) &&
-                   self->edges < clod_steady_time_edges(&now->steady, now->state->time);
 }
 
 static bool balance_act(void *memory, const clod_free_moment *now, clod_status *status)
@@ -246,7 +237,7 @@ static void balance_row(void *memory, const clod_free_moment *now, double *row)
     if (!is_open(now->from)) {
         return;
     }
-    const clod_balance_count all = clod_balance_of(now->state);
+    const clod_balance_count all = count_of(now->state, now->motion);
     for (size_t k = 0; k < COLUMNS; k++) {
         if (COLUMN[k].flow >= 0) {
             row[k] = mean_flow(now->from, &self->row, &all, COLUMN[k].flow);
@@ -270,7 +261,7 @@ static void balance_report(FILE *out, const void *memory, const clod_free_moment
     if (!is_open(from)) {
         return;
     }
-    const clod_balance_count count = since(&self->start, clod_balance_of(now->state));
+    const clod_balance_count count = since(&self->start, self->row); // the last row is the end
     double flow[2];
     int64_t grains;
     fprintf(out, "  balance                     grains             kg");
@@ -312,7 +303,7 @@ static json_t *balance_json(const void *memory, const clod_free_moment *now)
     if (!is_open(from)) {
         return NULL;
     }
-    const clod_balance_count count = since(&self->start, clod_balance_of(now->state));
+    const clod_balance_count count = since(&self->start, self->row);
     json_t *exits = json_object();
     char key[64];
     for (int e = 0; e < WAYS; e++) {
@@ -341,7 +332,6 @@ static json_t *balance_json(const void *memory, const clod_free_moment *now)
 const clod_free_measure CLOD_MEASURE_BALANCE = {.key = "balance",
                                                 .size = balance_size,
                                                 .begin = balance_begin,
-                                                .sight = balance_sight,
                                                 .act = balance_act,
                                                 .plan = balance_plan,
                                                 .look = balance_look,

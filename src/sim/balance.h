@@ -24,8 +24,5 @@ typedef struct clod_balance {
     clod_balance_count edge[CLOD_STEADY_BLOCKS + 1];
 } clod_balance;
 
-/** Count what has come and gone. Threads: one per state. */
-clod_balance_count clod_balance_of(const clod_state *state);
-
 /** Test  tests/cli/test_gauges.py */
 extern const clod_free_measure CLOD_MEASURE_BALANCE;

@@ -187,6 +187,13 @@ static void weigh(clod_exact *mass, const target *targets, size_t count,
     }
 }
 
+/** What rests on what is followed from grain to grain, across ranks. */
+static void build_up_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
+{
+    (void)memory;
+    sees->whole |= now->from->build_up.present && now->row;
+}
+
 static bool build_up_sample(void *memory, const clod_free_moment *now, clod_status *status)
 {
     build_up *self = memory;
@@ -202,8 +209,8 @@ static bool build_up_sample(void *memory, const clod_free_moment *now, clod_stat
         clod_status_fail(status, CLOD_FAILED, "no memory for what rests of %zu grains",
                          now->state->grains.count);
     }
-    good = good &&
-           clod_resting_find(on, now->state, now->contacts, now->from->build_up.speed, status);
+    good = good && clod_resting_find(on, now->state, now->survey->contacts,
+                                     now->from->build_up.speed, status);
     if (good) {
         const size_t count = visit_targets(now->from, now->state, note_target, targets);
         weigh(mass, targets, count, now->state, on);
@@ -344,6 +351,7 @@ static json_t *build_up_json(const void *memory, const clod_free_moment *now)
 const clod_free_measure CLOD_MEASURE_BUILD_UP = {.key = "build_up",
                                                  .size = build_up_size,
                                                  .begin = build_up_begin,
+                                                 .sight = build_up_sight,
                                                  .look = build_up_sample,
                                                  .columns = build_up_columns,
                                                  .column = build_up_column,

@@ -19,6 +19,13 @@ static void clumps_begin(void *memory, const clod_case *from, const clod_state *
     }
 }
 
+/** Clumps cross ranks: they are found where all contacts are. */
+static void clumps_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
+{
+    (void)memory;
+    sees->whole |= now->from->clumps.present && now->row;
+}
+
 static bool clumps_act(void *memory, const clod_free_moment *now, clod_status *status)
 {
     (void)memory;
@@ -139,11 +146,11 @@ static bool clumps_sample(void *memory, const clod_free_moment *now, clod_status
     const double time = clod_steady_time_within(&now->steady, self->sampled, now->state->time);
     self->sampled = now->state->time;
     self->time += time;
-    const bool good =
-        clod_grains_keep_clumps(&now->state->grains, status) &&
-        clod_bonds_find(&bonds, now->state, now->contacts, now->from->clumps.bond, status) &&
-        sample_all(self, now, &bonds, time, status) &&
-        sample_counts(self, now, &bonds, time, status);
+    const bool good = clod_grains_keep_clumps(&now->state->grains, status) &&
+                      clod_bonds_find(&bonds, now->state, now->survey->contacts,
+                                      now->from->clumps.bond, status) &&
+                      sample_all(self, now, &bonds, time, status) &&
+                      sample_counts(self, now, &bonds, time, status);
     clod_bonds_fini(&bonds);
     return good;
 }
@@ -159,10 +166,10 @@ static bool clumps_picture(void *memory, const clod_free_moment *now, const clod
     clod_bonds bonds = {0};
     clod_clumps clumps = {0};
     const clod_clump_choice choice = {.least = now->from->clumps.least};
-    const bool good =
-        clod_grains_keep_clumps(&now->state->grains, status) &&
-        clod_bonds_find(&bonds, now->state, now->contacts, now->from->clumps.bond, status) &&
-        clod_clumps_find(&clumps, now->state, &bonds, &choice, status);
+    const bool good = clod_grains_keep_clumps(&now->state->grains, status) &&
+                      clod_bonds_find(&bonds, now->state, now->survey->contacts,
+                                      now->from->clumps.bond, status) &&
+                      clod_clumps_find(&clumps, now->state, &bonds, &choice, status);
     if (good) {
         show(&clumps, &now->state->grains);
     }
@@ -174,6 +181,7 @@ static bool clumps_picture(void *memory, const clod_free_moment *now, const clod
 const clod_free_measure CLOD_MEASURE_CLUMPS = {.key = "clumps",
                                                .size = clumps_size,
                                                .begin = clumps_begin,
+                                               .sight = clumps_sight,
                                                .act = clumps_act,
                                                .look = clumps_sample,
                                                .picture = clumps_picture,

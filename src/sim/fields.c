@@ -89,13 +89,6 @@ static bool is_due(const clod_field_memory *self, const clod_free_moment *now, s
             clod_steady_time_block(&now->steady, now->state->time) >= 0);
 }
 
-static void fields_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
-{
-    for (size_t k = 0; k < now->from->field_count; k++) {
-        sees->whole |= is_due(memory, now, k);
-    }
-}
-
 static void add_sums(double *to, const double *sums)
 {
     for (int k = 0; k < CLOD_CONTINUUM_SUMS; k++) {
@@ -136,7 +129,7 @@ static bool sample(clod_field_memory *self, const clod_free_moment *now, clod_st
                     : sums[k];
         }
     }
-    if (count > 0 && !clod_continuum_pass(parts, count, now->state, now->contacts, status)) {
+    if (count > 0 && !clod_continuum_pass(parts, count, now->survey, status)) {
         return false;
     }
     const int block = clod_steady_time_block(&now->steady, now->state->time);
@@ -211,7 +204,6 @@ static void fields_row(void *memory, const clod_free_moment *now, double *row)
 const clod_free_measure CLOD_MEASURE_FIELDS = {.key = "fields",
                                                .size = fields_size,
                                                .begin = fields_begin,
-                                               .sight = fields_sight,
                                                .act = fields_act,
                                                .plan = fields_plan,
                                                .look = fields_act, // a row has its own moment

@@ -155,7 +155,7 @@ static bool write_frame(clod_field_memory *self, const clod_case_field *asked,
     snprintf(file.name, sizeof file.name, "field_%s-%06" PRId64 ".hdf", asked->name,
              frame->number);
     const clod_continuum_part part = {&field, sums};
-    const bool good = clod_continuum_pass(&part, 1, now->state, now->contacts, status) &&
+    const bool good = clod_continuum_pass(&part, 1, now->survey, status) &&
                       cut_frames(self, asked, frame->folder, status) &&
                       write_grid(asked, (const double(*)[CLOD_CONTINUUM_SUMS])sums, 1.0, now,
                                  &file, status) &&

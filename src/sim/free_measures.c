@@ -69,11 +69,13 @@ void clod_free_measures_begin(void *memory, const clod_case *from, const clod_st
 }
 
 clod_free_moment clod_free_measures_moment(const void *memory, const clod_case *from,
-                                           clod_state *state,
-                                           const clod_contact_source *contacts)
+                                           clod_state *state, const clod_survey *survey)
 {
     const clod_free_memory *self = memory;
-    return (clod_free_moment){from, state, contacts, clod_steady_time_of(from, self->begin)};
+    return (clod_free_moment){.from = from,
+                              .state = state,
+                              .survey = survey,
+                              .steady = clod_steady_time_of(from, self->begin)};
 }
 
 void clod_free_measures_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)

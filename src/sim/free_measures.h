@@ -14,19 +14,21 @@
 #include <stdio.h>
 
 #include "clod/case.h"
+#include "measure/contacts.h"
 #include "output/folder.h"
 #include "sim/frame.h"
 #include "sim/news.h"
 #include "sim/sight.h"
 #include "sim/steady_time.h"
-#include "state/contact_source.h"
 
 /** What a measure looks at. */
 typedef struct clod_free_moment {
     const clod_case *from;
-    clod_state *state; ///< a measure changes only what is its own, or asks for changes
-    const clod_contact_source *contacts; ///< of this moment; NULL in report and json
-    clod_steady_time steady;             ///< of this run: all means are those over it
+    clod_state *state;         ///< a measure changes only what is its own, or asks for changes
+    const clod_survey *survey; ///< of the bed at this moment; NULL in sight, report and json
+    const clod_measure_motion *motion; ///< of the bed, in row; else NULL
+    bool row;                          ///< in sight: a row may be due
+    clod_steady_time steady;           ///< of this run: all means are those over it
 } clod_free_moment;
 
 /** One measure. Members may be NULL where nothing is to be done. */
@@ -36,7 +38,8 @@ typedef struct clod_free_measure {
     size_t (*size)(const clod_case *from);
     /** The run begins; its memory is all zero. */
     void (*begin)(void *memory, const clod_case *from, const clod_state *state);
-    /** What it must see of the bed to act at this step, into `sees`. NULL: nothing of it. */
+    /** What of the bed must be in the state, and not only in the survey's sums, to act at this step,
+     *  or for a row where one may be due, into `sees`. NULL: nothing of it. */
     void (*sight)(const void *memory, const clod_free_moment *now, clod_sight *sees);
     /** Before every plan, at steps of its own: once for a step, however often it is called. */
     bool (*act)(void *memory, const clod_free_moment *now, clod_status *status);
@@ -46,9 +49,10 @@ typedef struct clod_free_measure {
     /** After every act: something that is to be said at once; false when there is nothing more.
      *  What was said is remembered. */
     bool (*news)(void *memory, const clod_case *from, const clod_state *state, clod_news *news);
-    /** A row is due: look at grains and contacts. */
+    /** A row is due: look at the bed. */
     bool (*look)(void *memory, const clod_free_moment *now, clod_status *status);
-    /** A snapshot is due: fill the columns of grains that it shows; write what is shown beside it. */
+    /** A snapshot is due: fill the columns of grains that it shows (clod_job_picture_needs_all); write
+     *  what is shown beside it. */
     bool (*picture)(void *memory, const clod_free_moment *now, const clod_frame *frame,
                     clod_status *status);
     /** Number of its columns in the series. */
@@ -75,10 +79,9 @@ size_t clod_free_measures_size(const clod_case *from);
 /** The run begins. `memory` is [clod_free_measures_size], zero. */
 void clod_free_measures_begin(void *memory, const clod_case *from, const clod_state *state);
 
-/** What measures with this memory look at now; contacts may be NULL in report and json. */
+/** What measures with this memory look at now; the survey may be NULL in report and json. */
 clod_free_moment clod_free_measures_moment(const void *memory, const clod_case *from,
-                                           clod_state *state,
-                                           const clod_contact_source *contacts);
+                                           clod_state *state, const clod_survey *survey);
 
 void clod_free_measures_sight(const void *memory, const clod_free_moment *now,
                               clod_sight *sees);

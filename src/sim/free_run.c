@@ -47,9 +47,9 @@ static void *measures_of(const void *data, const clod_case *from)
 
 /** What the measures look at. */
 static clod_free_moment moment_of(const void *data, const clod_case *from, clod_state *state,
-                                  const clod_contact_source *contacts)
+                                  const clod_survey *survey)
 {
-    return clod_free_measures_moment(measures_of(data, from), from, state, contacts);
+    return clod_free_measures_moment(measures_of(data, from), from, state, survey);
 }
 
 static int64_t free_plan(const void *data, const void *context, const clod_state *state)
@@ -65,15 +65,15 @@ static void free_sight(const void *data, const void *context, const clod_state *
 {
     const free_data *self = data;
     clod_state *seen = (clod_state *)state; // a moment may change it; nobody does here
-    const clod_free_moment now = moment_of(data, context, seen, NULL);
-    sees->whole = clod_free_stages_sees(&self->at, context, state);
+    clod_free_moment now = moment_of(data, context, seen, NULL);
+    now.row = clod_free_stages_may_end(&self->at, context, state);
     clod_free_measures_sight(measures_of(data, context), &now, sees);
 }
 
 static bool free_act(void *data, const void *context, clod_state *state,
-                     const clod_contact_source *contacts, clod_status *status)
+                     const clod_survey *survey, clod_status *status)
 {
-    const clod_free_moment now = moment_of(data, context, state, contacts);
+    const clod_free_moment now = moment_of(data, context, state, survey);
     return clod_free_measures_act(measures_of(data, context), &now, status);
 }
 
@@ -82,34 +82,37 @@ static bool free_news(void *data, const void *context, const clod_state *state, 
     return clod_free_measures_news(measures_of(data, context), context, state, news);
 }
 
-static bool free_look(void *data, const void *context, const clod_state *state)
+static bool free_look(void *data, const void *context, const clod_state *state,
+                      const clod_survey *survey)
 {
     free_data *self = data;
-    return clod_free_stages_look(&self->at, context, state);
+    return clod_free_stages_look(&self->at, context, state, survey);
 }
 
 static bool free_measure(void *data, const void *context, clod_state *state,
-                         const clod_contact_source *contacts, clod_status *status)
+                         const clod_survey *survey, clod_status *status)
 {
-    const clod_free_moment now = moment_of(data, context, state, contacts);
+    const clod_free_moment now = moment_of(data, context, state, survey);
     return clod_free_measures_look(measures_of(data, context), &now, status);
 }
 
 static bool free_picture(void *data, const void *context, clod_state *state,
-                         const clod_contact_source *contacts, const clod_frame *frame,
+                         const clod_survey *survey, const clod_frame *frame,
                          clod_status *status)
 {
-    const clod_free_moment now = moment_of(data, context, state, contacts);
+    const clod_free_moment now = moment_of(data, context, state, survey);
     return clod_free_measures_picture(measures_of(data, context), &now, frame, status);
 }
 
-static bool free_sample(void *data, const void *context, clod_state *state, double *row)
+static bool free_sample(void *data, const void *context, clod_state *state,
+                        const clod_survey *survey, double *row)
 {
     free_data *self = data;
-    const clod_free_moment now = moment_of(data, context, state, NULL);
-    const double first[FIRST_COUNT] = {state->time, (double)self->at.stage,
-                                       clod_measure_kinetic_energy(state),
-                                       clod_measure_max_speed(state)};
+    const clod_measure_motion bed = clod_measure_motion_from(survey);
+    clod_free_moment now = moment_of(data, context, state, survey);
+    now.motion = &bed;
+    const double first[FIRST_COUNT] = {state->time, (double)self->at.stage, bed.kinetic_energy,
+                                       bed.max_speed};
     memcpy(row, first, sizeof first);
     clod_free_measures_row(measures_of(data, context), &now, row + FIRST_COUNT);
     if (self->at.end != CLOD_FREE_GOES_ON) {
@@ -124,9 +127,10 @@ static int64_t trial_plan(const void *data, const void *context, const clod_stat
     return clod_free_stages_plan(data, context, state);
 }
 
-static bool trial_look(void *data, const void *context, const clod_state *state)
+static bool trial_look(void *data, const void *context, const clod_state *state,
+                       const clod_survey *survey)
 {
-    return clod_free_stages_look(data, context, state);
+    return clod_free_stages_look(data, context, state, survey);
 }
 
 static void trial_begin(const clod_case *from, const clod_part *part, clod_state *state)
@@ -134,8 +138,10 @@ static void trial_begin(const clod_case *from, const clod_part *part, clod_state
     clod_free_stages_begin(part->test, from, state);
 }
 
-static bool trial_sample(void *data, const void *context, clod_state *state, double *row)
+static bool trial_sample(void *data, const void *context, clod_state *state,
+                         const clod_survey *survey, double *row)
 {
+    (void)survey;
     (void)row;
     return clod_free_stages_next(data, context, state);
 }
@@ -202,6 +208,7 @@ static char *make_report(clod_job *job)
 {
     clod_state *state = &job->state;
     const clod_measure_contacts bed = clod_job_bed(job);
+    const size_t grains = (size_t)clod_job_motion(job).grains;
     clod_text text;
     FILE *out = clod_text_open(&text);
     if (out == NULL) {
@@ -210,9 +217,9 @@ static char *make_report(clod_job *job)
     fprintf(out,
             "time %.6g s, %lld step%s, %zu grain%s, %zu contact%s, coordination %.2f, largest "
             "overlap %.3g %% of a radius\n",
-            state->time, (long long)state->step, clod_plural((double)state->step),
-            state->grains.count, clod_plural((double)state->grains.count), bed.pairs,
-            clod_plural((double)bed.pairs), bed.coordination, 100.0 * bed.max_overlap);
+            state->time, (long long)state->step, clod_plural((double)state->step), grains,
+            clod_plural((double)grains), bed.pairs, clod_plural((double)bed.pairs),
+            bed.coordination, 100.0 * bed.max_overlap);
     report_stages(out, job);
     const clod_free_moment now = moment_of(job->procedure.data, job->sim->from, state, NULL);
     clod_free_measures_report(out, measures_of(job->procedure.data, now.from), &now);
@@ -237,15 +244,16 @@ static bool write_summary(clod_job *job, clod_status *status)
 {
     clod_state *state = &job->state;
     const clod_measure_contacts bed = clod_job_bed(job);
+    const clod_measure_motion motion = clod_job_motion(job);
     const char *title = job->sim->from->title;
-    json_t *root = json_pack(
-        "{s:s, s:s, s:f, s:f, s:I, s:I, s:I, s:f, s:f, s:f, s:f, s:f, s:o}", "title",
-        title != NULL ? title : "", "version", job->memory.version, "time_s", state->time,
-        "dt_s", state->dt, "steps", (json_int_t)state->step, "grains",
-        (json_int_t)state->grains.count, "contacts", (json_int_t)bed.pairs, "coordination",
-        bed.coordination, "max_overlap", bed.max_overlap, "stable_step_s",
-        clod_job_stable_step(job), "kinetic_energy_J", clod_measure_kinetic_energy(state),
-        "wall_clock_s", job->memory.wall_clock, "stages", stages_json(job));
+    json_t *root =
+        json_pack("{s:s, s:s, s:f, s:f, s:I, s:I, s:I, s:f, s:f, s:f, s:f, s:f, s:o}", "title",
+                  title != NULL ? title : "", "version", job->memory.version, "time_s",
+                  state->time, "dt_s", state->dt, "steps", (json_int_t)state->step, "grains",
+                  (json_int_t)motion.grains, "contacts", (json_int_t)bed.pairs, "coordination",
+                  bed.coordination, "max_overlap", bed.max_overlap, "stable_step_s",
+                  clod_job_stable_step(job), "kinetic_energy_J", motion.kinetic_energy,
+                  "wall_clock_s", job->memory.wall_clock, "stages", stages_json(job));
     const clod_job_shared *sim = job->sim;
     if (job->memory.origin[0] != '\0') {
         json_object_set_new(root, "from", json_string(job->memory.origin));

@@ -86,16 +86,16 @@ int64_t clod_free_stages_plan(const clod_free_stages *self, const clod_case *fro
 }
 
 /** Count a look at which the grains rest; whether there were enough in a row. */
-static bool have_come_to_rest(clod_free_stages *self, double rest, const clod_state *state)
+static bool have_come_to_rest(clod_free_stages *self, double rest, const clod_survey *survey)
 {
-    const bool calm =
-        clod_measure_max_speed(state) < rest && clod_measure_loaded_grains(state) > 0;
+    const clod_measure_motion bed = clod_measure_motion_from(survey);
+    const bool calm = bed.max_speed < rest && bed.loaded > 0;
     self->calm = calm ? self->calm + 1 : 0;
     return self->calm >= CLOD_FREE_LOOKS;
 }
 
-bool clod_free_stages_sees(const clod_free_stages *self, const clod_case *from,
-                           const clod_state *state)
+bool clod_free_stages_may_end(const clod_free_stages *self, const clod_case *from,
+                              const clod_state *state)
 {
     const double rest = from->stages[self->stage].rest;
     const int64_t done = state->step - self->stage_start;
@@ -105,13 +105,13 @@ bool clod_free_stages_sees(const clod_free_stages *self, const clod_case *from,
 }
 
 bool clod_free_stages_look(clod_free_stages *self, const clod_case *from,
-                           const clod_state *state)
+                           const clod_state *state, const clod_survey *survey)
 {
     const double rest = from->stages[self->stage].rest;
     const int64_t done = state->step - self->stage_start;
     self->done = (double)done * state->dt;
     if (rest > 0.0 && done % look_steps(rest, state) == 0 &&
-        have_come_to_rest(self, rest, state)) {
+        have_come_to_rest(self, rest, survey)) {
         self->end = CLOD_FREE_AT_REST;
     } else if (done >= stage_steps(self, from, state->dt)) {
         self->end = CLOD_FREE_DURATION;

@@ -16,7 +16,7 @@
 #include <stdbool.h>
 
 #include "clod/case.h"
-#include "state/state.h"
+#include "measure/survey.h"
 
 enum { CLOD_FREE_LOOKS = 5 }; ///< in a row, to be at rest
 
@@ -49,9 +49,9 @@ void clod_free_stages_begin(clod_free_stages *self, const clod_case *from, clod_
 int64_t clod_free_stages_plan(const clod_free_stages *self, const clod_case *from,
                               const clod_state *state);
 
-/** Whether clod_free_stages_look at this step, or the row that follows it, sees the grains. */
-bool clod_free_stages_sees(const clod_free_stages *self, const clod_case *from,
-                           const clod_state *state);
+/** Whether a row may be due at this step: after clod_free_stages_look. */
+bool clod_free_stages_may_end(const clod_free_stages *self, const clod_case *from,
+                              const clod_state *state);
 
 /**
  * After the planned steps: see whether the grains are at rest, if it is time for that.
@@ -59,7 +59,7 @@ bool clod_free_stages_sees(const clod_free_stages *self, const clod_case *from,
  * @return  true when a row is due: by its interval, or because the stage ends here
  */
 bool clod_free_stages_look(clod_free_stages *self, const clod_case *from,
-                           const clod_state *state);
+                           const clod_state *state, const clod_survey *survey);
 
 /**
  * A row's time has come: reset the walls' sums, and begin the next stage when this one is over;

@@ -108,13 +108,7 @@ static bool sample(clod_gauges *self, const clod_free_moment *now, bool steady,
             .across = clod_gauge_axis_of(&gauge, gauge.across, asked->profile_bins),
             .along = clod_gauge_axis_of(&gauge, gauge.direction, asked->trajectory_bins)};
     }
-    return clod_gauge_pass(parts, from->gauge_count, now->state, status);
-}
-
-static void gauges_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
-{
-    const clod_gauges *self = memory;
-    sees->whole |= now->from->gauge_count > 0 && now->state->step == self->next;
+    return clod_gauge_pass(parts, from->gauge_count, now->survey, status);
 }
 
 static bool gauges_act(void *memory, const clod_free_moment *now, clod_status *status)
@@ -246,7 +240,6 @@ static void gauges_row(void *memory, const clod_free_moment *now, double *row)
 const clod_free_measure CLOD_MEASURE_GAUGES = {.key = "gauges",
                                                .size = gauges_size,
                                                .begin = gauges_begin,
-                                               .sight = gauges_sight,
                                                .act = gauges_act,
                                                .plan = gauges_plan,
                                                .news = clod_gauges_news,

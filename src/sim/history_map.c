@@ -118,16 +118,24 @@ static void add_contact(map_cell *cell, clod_contact_strength strength)
     cell->most_pressed = fmax(cell->most_pressed, strength.pressed);
 }
 
+/** The strength of each contact is asked of all of them in a row. */
+static void map_sight(const void *memory, const clod_free_moment *now, clod_sight *sees)
+{
+    (void)memory;
+    sees->whole |= now->from->history_map.present && now->row &&
+                   clod_steady_time_block(&now->steady, now->state->time) >= 0;
+}
+
 static bool map_look(void *memory, const clod_free_moment *now, clod_status *status)
 {
     (void)status;
     history_map *self = memory;
-    if (!now->from->history_map.present || now->contacts->strength == NULL ||
+    if (!now->from->history_map.present || now->survey->contacts->strength == NULL ||
         clod_steady_time_block(&now->steady, now->state->time) < 0) {
         return true;
     }
     const map_grid grid = grid_of(now->from);
-    const clod_contact_source *contacts = now->contacts;
+    const clod_contact_source *contacts = now->survey->contacts;
     clod_contact some[AT_A_TIME];
     size_t pairs, walls, count;
     self->samples++;
@@ -300,6 +308,7 @@ static bool map_files(const clod_folder *folder, const void *memory,
 
 const clod_free_measure CLOD_MEASURE_HISTORY_MAP = {.key = "history_map",
                                                     .size = map_size,
+                                                    .sight = map_sight,
                                                     .look = map_look,
                                                     .report = map_report,
                                                     .json = map_json,

@@ -60,7 +60,7 @@ static bool inlets_check(void *memory, const clod_free_moment *now, clod_status 
 {
     (void)memory;
     return clod_setup_grains_coming(now->from) == 0 ||
-           clod_setup_bound_streams(now->from, now->state, status);
+           clod_setup_bound_streams(now->from, now->survey, status);
 }
 
 static bool inlets_act(void *memory, const clod_free_moment *now, clod_status *status)

@@ -49,39 +49,41 @@ static bool write_checkpoint(job_loop *loop, const char *suffix, clod_status *st
     const double now = clod_clock_now();
     job->memory.wall_clock += now - loop->last_clock;
     loop->last_clock = loop->last_checkpoint = now;
-    if (!clod_step_see(&loop->step, status)) {
-        return false;
-    }
-    clod_step_reader reader;
-    const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
-    const bool good = clod_job_tables_mark(&loop->tables, job, status) &&
-                      clod_job_store(job, &contacts, suffix, status);
+    clod_step_bed view;
+    const clod_bed_source bed = clod_step_bed_source(&loop->step, &view);
+    const bool good = clod_step_see_gone(&loop->step, status) &&
+                      clod_job_tables_mark(&loop->tables, job, status) &&
+                      clod_job_store(job, &bed, suffix, status);
     loop->spent.checkpoint = fmax(loop->spent.checkpoint, clod_clock_now() - now);
     return good;
 }
 
-/** Something of the procedure that looks at the state with its contacts; NULL: nothing. */
-static bool with_contacts(job_loop *loop,
-                          bool (*run)(void *data, const void *context, clod_state *state,
-                                      const clod_contact_source *contacts, clod_status *status),
-                          clod_status *status)
+/** Something of the procedure that looks at the bed; NULL: nothing. */
+static bool with_survey(job_loop *loop,
+                        bool (*run)(void *data, const void *context, clod_state *state,
+                                    const clod_survey *survey, clod_status *status),
+                        clod_status *status)
 {
     clod_job *job = loop->job;
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
+    const clod_survey survey = clod_step_survey(&loop->step, &contacts);
     return run == NULL ||
-           run(job->procedure.data, job->procedure.context, &job->state, &contacts, status);
+           run(job->procedure.data, job->procedure.context, &job->state, &survey, status);
 }
 
 static bool write_snapshot(job_loop *loop, clod_status *status)
 {
     loop->last_picture = loop->job->state.step;
-    if (!clod_step_see(&loop->step, status)) {
+    if (clod_job_picture_needs_all(loop->job) && !clod_step_see(&loop->step, status)) {
         return false;
     }
+    clod_step_bed view;
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&loop->step, &reader);
-    return clod_job_picture(loop->job, &contacts, status);
+    const clod_survey survey = clod_step_survey(&loop->step, &contacts);
+    const clod_bed_source bed = clod_step_bed_source(&loop->step, &view);
+    return clod_job_picture(loop->job, &survey, &bed, status);
 }
 
 /** Steps until a snapshot is due; very many when none ever is. */
@@ -186,16 +188,18 @@ static bool sample(job_loop *loop, bool *finished, clod_status *status)
     if (books && !clod_energy_series_row(loop->tables.energy, &job->state, &before, status)) {
         return false;
     }
-    if (!with_contacts(loop, p->measure, status)) {
+    if (!with_survey(loop, p->measure, status)) {
         return false;
     }
-    *finished = p->sample(p->data, p->context, &job->state, loop->row);
+    const clod_survey survey = clod_step_survey(&loop->step, NULL);
+    *finished = p->sample(p->data, p->context, &job->state, &survey, loop->row);
     clod_laws_set_adhesion(&loop->laws, job->state.adhesion);
     if (books) {
         clod_step_book(&loop->step, clod_energies_sum(&before));
     }
     return clod_step_change(&loop->step, status) &&
            clod_series_row(loop->tables.series, loop->row, status) &&
+           clod_step_see_gone(&loop->step, status) &&
            clod_job_tables_leavers(&loop->tables, loop->job, status) && can_go_on(loop, status);
 }
 
@@ -241,7 +245,7 @@ static bool turn(job_loop *loop, clod_status *status)
     clod_job *job = loop->job;
     const clod_procedure *p = &job->procedure;
     if (job->memory.planned == 0) {
-        if (!with_contacts(loop, p->act, status)) {
+        if (!with_survey(loop, p->act, status)) {
             return false;
         }
         tell_news(job);
@@ -250,8 +254,9 @@ static bool turn(job_loop *loop, clod_status *status)
     if (!advance(loop, status)) {
         return false;
     }
+    const clod_survey survey = clod_step_survey(&loop->step, NULL);
     if (job->memory.planned == 0 &&
-        (p->look == NULL || p->look(p->data, p->context, &job->state))) {
+        (p->look == NULL || p->look(p->data, p->context, &job->state, &survey))) {
         return look(loop, status);
     }
     tell_progress(loop, false);

@@ -27,27 +27,28 @@ typedef struct clod_procedure {
     const char *const *columns; ///< [column_count] of the series
     size_t column_count;
     /** Before every plan: ask for grains to come (state->changes), or measure. NULL: nothing. */
-    bool (*act)(void *data, const void *context, clod_state *state,
-                const clod_contact_source *contacts, clod_status *status);
+    bool (*act)(void *data, const void *context, clod_state *state, const clod_survey *survey,
+                clod_status *status);
     /** After every act: the next thing to be said at once; false: nothing more. NULL: nothing. */
     bool (*news)(void *data, const void *context, const clod_state *state, clod_news *news);
     int64_t (*plan)(const void *data, const void *context, const clod_state *state);
-    /** After the planned steps: what look, and then act, must see of the bed; walls and numbers are
-     *  there anyhow. NULL: all of it. */
+    /** After the planned steps: what look, sample and then act must see of the bed in the state, and not
+     *  by asking the survey; walls and numbers are there anyhow. NULL: all of it. */
     void (*sight)(const void *data, const void *context, const clod_state *state,
                   clod_sight *sees);
     /** After the planned steps: whether it is time for a sample. NULL: it always is. */
-    bool (*look)(void *data, const void *context, const clod_state *state);
-    /** Before a sample: measure contacts. NULL: nothing. */
+    bool (*look)(void *data, const void *context, const clod_state *state,
+                 const clod_survey *survey);
+    /** Before a sample: measure what may fail. NULL: nothing. */
     bool (*measure)(void *data, const void *context, clod_state *state,
-                    const clod_contact_source *contacts, clod_status *status);
+                    const clod_survey *survey, clod_status *status);
     /** Fill the row [column_count], change walls and adhesion; true when finished. */
-    bool (*sample)(void *data, const void *context, clod_state *state, double *row);
-    /** Before a snapshot: fill the columns of grains that it shows, and write what is shown beside it.
-     *  NULL: nothing. */
+    bool (*sample)(void *data, const void *context, clod_state *state,
+                   const clod_survey *survey, double *row);
+    /** Before a snapshot: fill the columns of grains that it shows, and write what is shown beside it. The
+     *  bed is in the state where clod_job_picture_needs_all says so. NULL: nothing. */
     bool (*picture)(void *data, const void *context, clod_state *state,
-                    const clod_contact_source *contacts, const clod_frame *frame,
-                    clod_status *status);
+                    const clod_survey *survey, const clod_frame *frame, clod_status *status);
     const char *(*phase)(const void *data, const void *context);
     double (*fraction)(const void *data, const void *context);
     /** Why the phase that a sample has just ended is over. NULL: nobody asks. */
@@ -94,11 +95,12 @@ typedef struct clod_job {
     clod_procedure procedure;
     clod_job_memory memory;
     bool resumed;              ///< state and procedure come from a checkpoint
-    clod_measure_contacts bed; ///< at the end of the steps
-    double stable_step;        ///< s, measured last (clod_job_stable_step) ...
-    int64_t stable_at;         ///< ... at this step
-    bool stable_known;         ///< ... if it was
-    bool stepped;              ///< there were steps; else state.contacts are those of the end
+    clod_measure_contacts bed; ///< at the end of the steps, as the next
+    clod_measure_motion motion;
+    double stable_step; ///< s, measured last (clod_job_stable_step) ...
+    int64_t stable_at;  ///< ... at this step
+    bool stable_known;  ///< ... if it was
+    bool stepped;       ///< there were steps; else the state is that of the end
 } clod_job;
 
 /**
@@ -146,6 +148,9 @@ bool clod_job_run(clod_job *job, clod_status *status);
 
 /** What the contacts say at the end of a job that has run. */
 clod_measure_contacts clod_job_bed(const clod_job *job);
+
+/** How its grains move then. */
+clod_measure_motion clod_job_motion(const clod_job *job);
 
 /** The largest stable time step of its bed then [s] (setup/stability.h); 0: not known, or
  *  nothing that could swing. */

@@ -10,8 +10,7 @@
 static bool note_stable_step(clod_job *job, const clod_contact_source *contacts,
                              const clod_laws *laws, clod_status *status)
 {
-    if ((job->stable_known && job->stable_at == job->state.step) ||
-        job->state.grains.count > CLOD_LIMITS_STABLE_GRAINS) {
+    if (job->stable_known && job->stable_at == job->state.step) {
         return true;
     }
     clod_stability found;
@@ -21,14 +20,32 @@ static bool note_stable_step(clod_job *job, const clod_contact_source *contacts,
     return job->stable_known;
 }
 
+/** The same of a bed that is stepped; a large one is not even looked at. */
+static bool see_stable_step(clod_job *job, clod_step *step, clod_status *status)
+{
+    if (clod_step_grains(step) > CLOD_LIMITS_STABLE_GRAINS) {
+        return true;
+    }
+    if (!clod_step_see(step, status)) {
+        return false;
+    }
+    clod_step_reader reader;
+    const clod_contact_source contacts = clod_step_contacts(step, &reader);
+    return note_stable_step(job, &contacts, step->laws, status);
+}
+
 bool clod_job_measure_bed(clod_job *job, clod_step *step, clod_status *status)
 {
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(step, &reader);
-    job->bed = clod_measure_contacts_from(&job->state, &contacts);
+    const clod_survey survey = clod_step_survey(step, &contacts);
     job->stepped = true;
+    if (!clod_measure_contacts_from(&survey, &job->bed, status)) {
+        return false;
+    }
+    job->motion = clod_measure_motion_from(&survey);
     // one that stops for now goes on without it
-    return job->memory.finished == 0 || note_stable_step(job, &contacts, step->laws, status);
+    return job->memory.finished == 0 || see_stable_step(job, step, status);
 }
 
 bool clod_job_measure_finished(clod_job *job, clod_status *status)
@@ -40,7 +57,8 @@ bool clod_job_measure_finished(clod_job *job, clod_status *status)
         return false;
     }
     clod_laws_set_adhesion(&laws, job->state.adhesion);
-    const bool good = note_stable_step(job, &contacts, &laws, status);
+    const bool good = job->state.grains.count > CLOD_LIMITS_STABLE_GRAINS ||
+                      note_stable_step(job, &contacts, &laws, status);
     clod_laws_fini(&laws);
     return good;
 }
@@ -48,6 +66,11 @@ bool clod_job_measure_finished(clod_job *job, clod_status *status)
 clod_measure_contacts clod_job_bed(const clod_job *job)
 {
     return job->stepped ? job->bed : clod_measure_contacts_of(&job->state);
+}
+
+clod_measure_motion clod_job_motion(const clod_job *job)
+{
+    return job->stepped ? job->motion : clod_measure_motion_of(&job->state);
 }
 
 double clod_job_stable_step(const clod_job *job)
@@ -60,12 +83,7 @@ bool clod_job_log_phase(clod_job *job, clod_step *step, const char *before, cons
 {
     const clod_procedure *p = &job->procedure;
     const char *reason = p->reason != NULL ? p->reason(p->data) : NULL;
-    clod_step_reader reader;
-    if (!clod_step_see(step, status)) {
-        return false;
-    }
-    const clod_contact_source contacts = clod_step_contacts(step, &reader);
-    const bool good = note_stable_step(job, &contacts, step->laws, status);
+    const bool good = see_stable_step(job, step, status);
     clod_eventlog_write(job->sim->log, "phase", "{s:s, s:s, s:s, s:s*, s:I, s:f, s:f}", "part",
                         job->name, "from", before, "to", after, "reason", reason, "step",
                         (json_int_t)job->state.step, "time_s", job->state.time, "stable_step_s",

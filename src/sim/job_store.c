@@ -57,7 +57,7 @@ void clod_job_tell(const clod_job *self, const char *text)
                         text);
 }
 
-bool clod_job_store(clod_job *self, const clod_contact_source *contacts, const char *suffix,
+bool clod_job_store(clod_job *self, const clod_bed_source *bed, const char *suffix,
                     clod_status *status)
 {
     char stem[CLOD_JOB_STEM];
@@ -65,8 +65,8 @@ bool clod_job_store(clod_job *self, const clod_contact_source *contacts, const c
     const size_t count = parts_of(self, &self->memory, parts);
     clod_job_stem(self->name, suffix, stem);
     pthread_mutex_lock(&hdf5_lock);
-    const bool ok = clod_checkpoint_write(self->sim->folder, stem, &self->state, contacts,
-                                          parts, count, self->sim->identity, status);
+    const bool ok = clod_checkpoint_write(self->sim->folder, stem, &self->state, bed, parts,
+                                          count, self->sim->identity, status);
     pthread_mutex_unlock(&hdf5_lock);
     return ok;
 }
@@ -79,16 +79,23 @@ void clod_job_table_names(const char *name, char series[CLOD_JOB_STEM],
     snprintf(energy, CLOD_JOB_STEM, "%s%senergy.csv", plain ? "" : name, plain ? "" : "-");
 }
 
-bool clod_job_picture(clod_job *self, const clod_contact_source *contacts, clod_status *status)
+bool clod_job_picture_needs_all(const clod_job *self)
+{
+    const clod_case *from = self->sim->from;
+    return from->output.contacts || from->clumps.present;
+}
+
+bool clod_job_picture(clod_job *self, const clod_survey *survey, const clod_bed_source *bed,
+                      clod_status *status)
 {
     const clod_procedure *p = &self->procedure;
     const clod_frame frame = {self->sim->folder, self->memory.snapshots};
     pthread_mutex_lock(&hdf5_lock);
     const bool ok = (p->picture == NULL ||
-                     p->picture(p->data, p->context, &self->state, contacts, &frame, status)) &&
-                    clod_snapshot_write(
-                        self->sim->folder, self->name, self->memory.snapshots++, &self->state,
-                        contacts, self->sim->from->output.contacts, &self->memory.film, status);
+                     p->picture(p->data, p->context, &self->state, survey, &frame, status)) &&
+                    clod_snapshot_write(self->sim->folder, self->name, self->memory.snapshots++,
+                                        &self->state, bed, self->sim->from->output.contacts,
+                                        &self->memory.film, status);
     pthread_mutex_unlock(&hdf5_lock);
     return ok;
 }

@@ -6,7 +6,7 @@
  */
 
 #include "sim/job.h"
-#include "state/contact_source.h"
+#include "state/bed_source.h"
 
 #define CLOD_JOB_STEM 96 ///< bytes: restart-, the name of a part and a suffix
 
@@ -23,12 +23,16 @@ void clod_job_table_names(const char *name, char series[CLOD_JOB_STEM],
 /** Tell the user a sentence, and the log. */
 void clod_job_tell(const clod_job *self, const char *text);
 
-/** Write a checkpoint; `contacts` NULL: they are in the state. */
-bool clod_job_store(clod_job *self, const clod_contact_source *contacts, const char *suffix,
+/** Write a checkpoint; `bed` NULL: it is in the state. */
+bool clod_job_store(clod_job *self, const clod_bed_source *bed, const char *suffix,
                     clod_status *status);
 
+/** Whether a snapshot needs all grains and contacts in the state: lines of contacts, clumps. */
+bool clod_job_picture_needs_all(const clod_job *self);
+
 /** Write the next snapshot. */
-bool clod_job_picture(clod_job *self, const clod_contact_source *contacts, clod_status *status);
+bool clod_job_picture(clod_job *self, const clod_survey *survey, const clod_bed_source *bed,
+                      clod_status *status);
 
 /** Forget the snapshots that are later than the state. */
 bool clod_job_cut_pictures(const clod_job *self, clod_status *status);

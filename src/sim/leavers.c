@@ -78,7 +78,7 @@ static void side_row(void *memory, const clod_free_moment *now, double *row)
 {
     (void)memory;
     if (inside_columns(now->from) > 0) {
-        *row++ = (double)now->state->grains.count;
+        *row++ = (double)now->motion->grains;
     }
     for (int f = 0; f < CLOD_FACES; f++) {
         if (is_open(now->from, f)) {

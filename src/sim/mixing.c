@@ -5,7 +5,7 @@
 #include "base/cell_count.h"
 #include "base/json.h"
 #include "base/memory.h"
-#include "measure/mixing.h"
+#include "measure/mixing_grid.h"
 #include "setup/domain.h"
 
 /** Columns of each index. */
@@ -61,62 +61,40 @@ static size_t mixing_size(const clod_case *from)
     return from->mixing_count * sizeof(mixing_memory);
 }
 
-/** Samples of a region. */
-typedef struct grid {
-    clod_outlet region;
-    double cell;
-    int64_t cells[3];
-    clod_mixing_sample *sample; ///< owned
-} grid;
-
-static bool grid_open(grid *self, const clod_case_mixing *from)
+/** Samples of the case's region. */
+static clod_mixing_grid grid_of(const clod_case *from, const clod_case_mixing *asked)
 {
-    *self = (grid){.region = clod_setup_domain_region(&from->region), .cell = from->cell};
-    size_t count = 1;
+    clod_mixing_grid self = {.region = clod_setup_domain_region(&asked->region),
+                             .cell = asked->cell,
+                             .material = -1,
+                             .above = asked->above};
     for (int a = 0; a < 3; a++) {
-        const double length = self->region.high[a] - self->region.low[a];
-        self->cells[a] = (int64_t)clod_cell_count(length, self->cell);
-        count *= (size_t)self->cells[a];
+        const double length = self.region.high[a] - self.region.low[a];
+        self.cells[a] = (int64_t)clod_cell_count(length, self.cell);
     }
-    self->sample = clod_memory_alloc(count, sizeof *self->sample);
-    return self->sample != NULL;
-}
-
-static clod_mixing_sample *sample_of(const grid *self, const double p[4])
-{
-    int64_t at[3];
-    for (int a = 0; a < 3; a++) {
-        const double k = floor((p[a] - self->region.low[a]) / self->cell);
-        at[a] = (int64_t)fmin(fmax(k, 0.0), (double)self->cells[a] - 1.0);
+    if (asked->material != NULL) {
+        self.material = clod_case_material_index(from, asked->material);
     }
-    return &self->sample[(at[2] * self->cells[1] + at[1]) * self->cells[0] + at[0]];
+    return self;
 }
 
 static bool look_at(mixing_memory *self, const clod_case_mixing *asked,
                     const clod_free_moment *now, clod_status *status)
 {
-    grid samples;
-    const clod_grains *grains = &now->state->grains;
-    if (!grid_open(&samples, asked)) {
+    const clod_mixing_grid grid = grid_of(now->from, asked);
+    const size_t count = clod_mixing_grid_samples(&grid);
+    clod_mixing_sample *samples = clod_memory_alloc(count, sizeof *samples);
+    if (samples == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for the samples of mixing.%s",
                                 asked->name);
     }
-    const int material =
-        asked->material != NULL ? clod_case_material_index(now->from, asked->material) : -1;
-    for (size_t g = 0; g < grains->count; g++) {
-        double p[4];
-        clod_domain_place(&now->state->domain, grains->position[g], p);
-        if (clod_outlet_has(&samples.region, p)) {
-            clod_mixing_sample *of = sample_of(&samples, p);
-            of->grains++;
-            of->first += material >= 0 ? grains->material[g] == material : p[3] > asked->above;
-        }
+    const bool good = clod_mixing_grid_count(&grid, now->survey, samples, status);
+    if (good) {
+        self->now = clod_mixing_of(samples, count);
+        clod_mixing_mean_note(&self->mean, now, self->now.index);
     }
-    const size_t count = (size_t)(samples.cells[0] * samples.cells[1] * samples.cells[2]);
-    self->now = clod_mixing_of(samples.sample, count);
-    clod_mixing_mean_note(&self->mean, now, self->now.index);
-    clod_memory_free(samples.sample);
-    return true;
+    clod_memory_free(samples);
+    return good;
 }
 
 static bool mixing_look(void *memory, const clod_free_moment *now, clod_status *status)

@@ -16,26 +16,27 @@ static void *memory_of(const clod_part_fields *self, void *data)
 
 /** A test has no steady time of the whole run: its rows are all that there is. */
 static clod_free_moment moment_of(const clod_part_fields *self, clod_state *state,
-                                  const clod_contact_source *contacts)
+                                  const clod_survey *survey)
 {
-    const clod_steady_time never = {HUGE_VAL, 1.0};
-    return (clod_free_moment){self->from, state, contacts, never};
+    return (clod_free_moment){
+        .from = self->from, .state = state, .survey = survey, .steady = {HUGE_VAL, 1.0}};
 }
 
 static bool measure(void *data, const void *context, clod_state *state,
-                    const clod_contact_source *contacts, clod_status *status)
+                    const clod_survey *survey, clod_status *status)
 {
     const clod_part_fields *self = context;
-    const clod_free_moment now = moment_of(self, state, contacts);
+    const clod_free_moment now = moment_of(self, state, survey);
     return CLOD_MEASURE_FIELDS.look(memory_of(self, data), &now, status);
 }
 
-static bool sample(void *data, const void *context, clod_state *state, double *row)
+static bool sample(void *data, const void *context, clod_state *state,
+                   const clod_survey *survey, double *row)
 {
     const clod_part_fields *self = context;
-    const clod_free_moment now = moment_of(self, state, NULL);
+    const clod_free_moment now = moment_of(self, state, survey);
     CLOD_MEASURE_FIELDS.row(memory_of(self, data), &now, row + self->tester->column_count);
-    return self->tester->sample(data, self->tester->context, state, row);
+    return self->tester->sample(data, self->tester->context, state, survey, row);
 }
 
 size_t clod_part_fields_size(const clod_case *from)

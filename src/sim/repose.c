@@ -25,23 +25,23 @@ static size_t repose_size(const clod_case *from)
 }
 
 /** A surface of the case; about the centre of mass of now where none is given. */
-static clod_repose surface_of(const clod_case_repose *from, const clod_state *state)
+static bool surface_of(const clod_case_repose *from, const clod_survey *survey,
+                       clod_repose *self, clod_status *status)
 {
-    clod_repose self = {.region = clod_setup_domain_region(&from->region),
-                        .cell = from->cell,
-                        .slope = from->has_direction,
-                        .from = from->from,
-                        .to = from->to};
+    *self = (clod_repose){.region = clod_setup_domain_region(&from->region),
+                          .cell = from->cell,
+                          .slope = from->has_direction,
+                          .from = from->from,
+                          .to = from->to};
     const double length = hypot(from->direction[0], from->direction[1]);
-    for (int a = 0; self.slope && a < 2; a++) {
-        self.direction[a] = from->direction[a] / length;
+    for (int a = 0; self->slope && a < 2; a++) {
+        self->direction[a] = from->direction[a] / length;
     }
     if (from->has_center) {
-        memcpy(self.center, from->center, sizeof self.center);
-    } else if (!self.slope && !clod_repose_center(&self.region, state, self.center)) {
-        self.center[0] = self.center[1] = 0.0; // of nothing, which has no angle
+        memcpy(self->center, from->center, sizeof self->center);
     }
-    return self;
+    return from->has_center || self->slope ||
+           clod_repose_center(&self->region, survey, self->center, status);
 }
 
 static bool repose_look(void *memory, const clod_free_moment *now, clod_status *status)
@@ -49,8 +49,9 @@ static bool repose_look(void *memory, const clod_free_moment *now, clod_status *
     repose_memory *self = memory;
     bool good = true;
     for (size_t k = 0; good && k < now->from->repose_count; k++) {
-        const clod_repose surface = surface_of(&now->from->reposes[k], now->state);
-        good = clod_repose_find(&surface, now->state, &self[k].now, status);
+        clod_repose surface;
+        good = surface_of(&now->from->reposes[k], now->survey, &surface, status) &&
+               clod_repose_find(&surface, now->survey, &self[k].now, status);
         clod_mixing_mean_note(&self[k].mean, now, self[k].now.angle);
     }
     return good;

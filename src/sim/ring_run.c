@@ -10,8 +10,10 @@ static int64_t ring_plan(const void *data, const void *context, const clod_state
     return clod_ring_shear_plan(data, state);
 }
 
-static bool ring_sample(void *data, const void *context, clod_state *state, double *row)
+static bool ring_sample(void *data, const void *context, clod_state *state,
+                        const clod_survey *survey, double *row)
 {
+    (void)survey;
     (void)context;
     return clod_ring_shear_sample(data, state, row);
 }

@@ -228,6 +228,6 @@ bool clod_sim_measure(clod_sim *self, clod_sim_bed *bed, clod_status *status)
                           .coordination = now.coordination,
                           .max_overlap = now.max_overlap,
                           .mean_overlap = now.mean_overlap,
-                          .max_speed = clod_measure_max_speed(&self->state)};
+                          .max_speed = clod_measure_motion_of(&self->state).max_speed};
     return true;
 }

@@ -28,15 +28,14 @@ bool clod_sim_write_checkpoint(clod_sim *self, const char *folder, clod_status *
         !clod_step_change(&self->step, status)) {
         return false;
     }
-    clod_step_reader reader;
-    const clod_contact_source contacts = clod_step_contacts(&self->step, &reader);
+    clod_step_bed view;
+    const clod_bed_source bed = clod_step_bed_source(&self->step, &view);
     const clod_checkpoint_part measures = {"measures", self->measures, self->measures_size};
     const size_t count = self->measures != NULL;
     char *identity = make_identity(self->from, status);
     clod_folder *open = identity != NULL ? clod_folder_open(folder, status) : NULL;
-    const bool ok =
-        open != NULL && clod_checkpoint_write(open, "restart", &self->state, &contacts,
-                                              &measures, count, identity, status);
+    const bool ok = open != NULL && clod_checkpoint_write(open, "restart", &self->state, &bed,
+                                                          &measures, count, identity, status);
     clod_folder_close(&open);
     clod_memory_free(identity);
     return ok;
@@ -115,12 +114,12 @@ bool clod_sim_write_snapshot(clod_sim *self, const char *folder, bool contacts,
         !clod_step_change(&self->step, status)) {
         return false;
     }
-    clod_step_reader reader;
-    const clod_contact_source from = clod_step_contacts(&self->step, &reader);
+    clod_step_bed view;
+    const clod_bed_source bed = clod_step_bed_source(&self->step, &view);
     clod_folder *open = clod_folder_open(folder, status);
     clod_snapshot_film film = {0};
     const bool ok =
-        open != NULL && clod_snapshot_write(open, "run", self->state.step, &self->state, &from,
+        open != NULL && clod_snapshot_write(open, "run", self->state.step, &self->state, &bed,
                                             contacts, &film, status);
     clod_folder_close(&open);
     return ok;

@@ -6,9 +6,9 @@
 #include "sim/sim.h"
 
 /** What the measures look at now. */
-static clod_free_moment moment_of(clod_sim *self, const clod_contact_source *contacts)
+static clod_free_moment moment_of(clod_sim *self, const clod_survey *survey)
 {
-    return clod_free_measures_moment(self->measures, self->from, &self->state, contacts);
+    return clod_free_measures_moment(self->measures, self->from, &self->state, survey);
 }
 
 bool clod_sim_walls_are_free(const clod_sim *self, const char *function, clod_status *status)
@@ -81,7 +81,8 @@ bool clod_sim_advance_measured(clod_sim *self, int64_t steps, clod_status *statu
         clod_step_reader reader;
         good = clod_step_change(&self->step, status); // not together with what inlets bring
         const clod_contact_source contacts = clod_step_contacts(&self->step, &reader);
-        const clod_free_moment now = moment_of(self, &contacts);
+        const clod_survey survey = clod_step_survey(&self->step, &contacts);
+        const clod_free_moment now = moment_of(self, &survey);
         good = good && clod_free_measures_act(self->measures, &now, status);
         const int64_t plan = clod_free_measures_plan(self->measures, self->from, &self->state);
         const int64_t next = plan < steps ? plan : steps;
@@ -116,10 +117,13 @@ bool clod_sim_series_row(clod_sim *self, const clod_sim_column **columns, size_t
     }
     clod_step_reader reader;
     const clod_contact_source contacts = clod_step_contacts(&self->step, &reader);
-    const clod_free_moment now = moment_of(self, &contacts);
+    const clod_survey survey = clod_step_survey(&self->step, &contacts);
+    clod_free_moment now = moment_of(self, &survey);
     if (!clod_free_measures_look(self->measures, &now, status)) {
         return false;
     }
+    const clod_measure_motion motion = clod_measure_motion_from(&survey);
+    now.motion = &motion;
     clod_free_measures_row(self->measures, &now, self->row);
     clod_walls_reset_sums(&self->state.walls);
     for (size_t k = 0; k < self->column_count; k++) {

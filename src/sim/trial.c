@@ -22,8 +22,10 @@ static bool look(trial *self, bool *finished, clod_status *status)
 {
     const clod_procedure *way = self->procedure;
     char text[512];
-    const bool due = way->look == NULL || way->look(self->data, self->from, &self->state);
-    *finished = due && way->sample(self->data, self->from, &self->state, self->row);
+    const clod_survey survey = clod_survey_of(&self->state, NULL);
+    const bool due =
+        way->look == NULL || way->look(self->data, self->from, &self->state, &survey);
+    *finished = due && way->sample(self->data, self->from, &self->state, &survey, self->row);
     clod_laws_set_adhesion(&self->laws, self->state.adhesion);
     return way->trouble == NULL || !way->trouble(self->data, text, sizeof text) ||
            clod_status_fail(status, CLOD_FAILED, "step %lld: %s", (long long)self->state.step,

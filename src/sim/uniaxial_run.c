@@ -10,8 +10,10 @@ static int64_t uniaxial_plan(const void *data, const void *context, const clod_s
     return clod_uniaxial_plan(data, state);
 }
 
-static bool uniaxial_sample(void *data, const void *context, clod_state *state, double *row)
+static bool uniaxial_sample(void *data, const void *context, clod_state *state,
+                            const clod_survey *survey, double *row)
 {
+    (void)survey;
     (void)context;
     return clod_uniaxial_sample(data, state, row);
 }

@@ -10,8 +10,10 @@ static int64_t wall_plan(const void *data, const void *context, const clod_state
     return clod_wall_shear_plan(data, state);
 }
 
-static bool wall_sample(void *data, const void *context, clod_state *state, double *row)
+static bool wall_sample(void *data, const void *context, clod_state *state,
+                        const clod_survey *survey, double *row)
 {
+    (void)survey;
     (void)context;
     return clod_wall_shear_sample(data, state, row);
 }

@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "step/crew_part.h"
 #include "step/crew_state.h"
+#include "step/crew_survey.h"
 #include "step/derived.h"
 #include "step/trouble.h"
 
@@ -15,6 +16,11 @@
 static void give_order(const clod_crew *self, clod_crew_order what)
 {
     clod_ranks_tell(self->ranks, &what, sizeof what);
+}
+
+void clod_crew_give(const clod_crew *self, clod_crew_order_kind what)
+{
+    give_order(self, (clod_crew_order){.what = what});
 }
 
 /** It steps no more; false. */
@@ -95,6 +101,23 @@ bool clod_crew_see_near(clod_crew *self, const clod_domain_box *box, int count,
     const clod_crew_order what = {.what = CLOD_CREW_SEE_NEAR, .boxes = count};
     give_order(self, what);
     return clod_crew_part_see_near(self, &what, copy, status);
+}
+
+bool clod_crew_see_gone(clod_crew *self, clod_status *status)
+{
+    if (!self->stale || !self->state.gone.kept) {
+        return true;
+    }
+    give_order(self, (clod_crew_order){.what = CLOD_CREW_GONE});
+    return clod_crew_part_see_gone(self, status);
+}
+
+bool clod_crew_survey(clod_crew *self, const clod_survey_question *question,
+                      clod_status *status)
+{
+    clod_crew_state_copy(&self->state, self->whole->state);
+    give_order(self, (clod_crew_order){.what = CLOD_CREW_SURVEY});
+    return clod_crew_part_survey(self, question, status);
 }
 
 size_t clod_crew_grains(const clod_crew *self)
@@ -224,6 +247,7 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
 {
     clod_status status = {0};
     clod_step_stored sums;
+    clod_bed_counts all;
     clod_domain_box box[CLOD_STEP_BOXES];
     switch (what->what) {
     case CLOD_CREW_BEGIN:
@@ -246,6 +270,21 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
         break;
     case CLOD_CREW_STORE:
         clod_crew_part_store(self, &sums);
+        break;
+    case CLOD_CREW_SURVEY:
+        clod_crew_part_survey(self, NULL, &status);
+        break;
+    case CLOD_CREW_GONE:
+        clod_crew_part_see_gone(self, &status);
+        break;
+    case CLOD_CREW_SLABS_BEGIN:
+        clod_crew_slabs_begin(self, false, &all, &status);
+        break;
+    case CLOD_CREW_SLABS_BRING:
+        clod_crew_slabs_bring(self, NULL, &status);
+        break;
+    case CLOD_CREW_SLABS_END:
+        clod_crew_slabs_end(self);
         break;
     case CLOD_CREW_END:
         clod_crew_part_end(self);

@@ -3,12 +3,14 @@
  * @file crew.h
  * Ranks that step one bed. Rank 0 has the job and a state of the whole bed; every rank, this one
  * too, steps its part. The others wait for orders (clod_crew_serve). The whole state is gathered
- * when somebody wants to see it (clod_step_see); all else of it, walls and numbers, is told to all
- * before steps and taken back after them.
+ * when somebody wants to see it (clod_step_see), sums over it are made where the grains are
+ * (clod_step_survey); all else of it, walls and numbers, is told to all before steps and taken back
+ * after them.
  *
  * Threads  thread 0 of each rank, all ranks at the same time.   Test  tests/step/test_ranks.c
  */
 
+#include "measure/survey.h"
 #include "step/spread.h"
 
 typedef struct clod_crew clod_crew;
@@ -31,6 +33,13 @@ bool clod_crew_see(clod_crew *self, clod_status *status);
 /** As clod_step_see_near. Threads: rank 0. */
 bool clod_crew_see_near(clod_crew *self, const clod_domain_box *box, int count,
                         clod_status *status);
+
+/** Bring the list of grains that have left. Threads: rank 0. */
+bool clod_crew_see_gone(clod_crew *self, clod_status *status);
+
+/** As clod_survey_ask, of a bed that is not gathered. Threads: rank 0. */
+bool clod_crew_survey(clod_crew *self, const clod_survey_question *question,
+                      clod_status *status);
 
 /** Grains of all ranks. Threads: rank 0. */
 size_t clod_crew_grains(const clod_crew *self);

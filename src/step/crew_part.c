@@ -71,8 +71,7 @@ static bool fail(clod_crew *self, const clod_status *status)
     return false;
 }
 
-/** Whether nothing before steps has failed yet; else what it was. */
-static bool is_whole(const clod_crew *self, clod_status *status)
+bool clod_crew_part_is_whole(const clod_crew *self, clod_status *status)
 {
     if (self->broken) {
         *status = self->status;
@@ -80,14 +79,13 @@ static bool is_whole(const clod_crew *self, clod_status *status)
     return !self->broken;
 }
 
-/** Walls and numbers of rank 0, and what follows from them; on all ranks alike. */
-static bool update(clod_crew *self, clod_status *status)
+bool clod_crew_part_update(clod_crew *self, clod_status *status)
 {
     clod_crew_state_tell(self->ranks, &self->state);
     if (self->whole == NULL) {
         clod_laws_set_adhesion(&self->laws, self->state.adhesion);
     }
-    if (!is_whole(self, status)) {
+    if (!clod_crew_part_is_whole(self, status)) {
         return false;
     }
     if (self->state.ledger.open != 0 && !self->ledger) {
@@ -104,7 +102,7 @@ static bool update(clod_crew *self, clod_status *status)
 static bool prepare(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
     const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
-    return update(self, status) &&
+    return clod_crew_part_update(self, status) &&
            (!what->clumps || clod_crew_clumps_tell(self->ranks, whole, &self->state, status) ||
             fail(self, status));
 }
@@ -128,7 +126,7 @@ bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_s
 
 bool clod_crew_part_see(clod_crew *self, clod_status *status)
 {
-    if (!is_whole(self, status)) {
+    if (!clod_crew_part_is_whole(self, status)) {
         return false;
     }
     const bool listed = clod_step_export(&self->step, status);
@@ -141,9 +139,16 @@ bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_
                              clod_status *status)
 {
     clod_ranks_tell(self->ranks, box, (size_t)what->boxes * sizeof *box);
-    return is_whole(self, status) &&
+    return clod_crew_part_is_whole(self, status) &&
            clod_migrate_near(&self->spread, &self->state, box, what->boxes,
                              self->whole != NULL ? self->whole->state : NULL, status);
+}
+
+bool clod_crew_part_see_gone(clod_crew *self, clod_status *status)
+{
+    clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
+    return clod_crew_part_is_whole(self, status) &&
+           clod_migrate_gone(&self->spread, &self->state, whole, status);
 }
 
 /** Grains that are in the queue of rank 0 come. */
@@ -156,13 +161,14 @@ bool clod_crew_part_take(clod_crew *self, const clod_crew_order *what, clod_stat
 void clod_crew_part_store(clod_crew *self, clod_step_stored *sums)
 {
     clod_status status = {0};
-    update(self, &status); // a failure stays: the next advance tells it
+    clod_crew_part_update(self, &status); // a failure stays: the next advance tells it
     clod_step_store(&self->step, sums);
     clod_spread_merge_stored(&self->spread, sums);
 }
 
 void clod_crew_part_end(clod_crew *self)
 {
+    clod_crew_slabs_end(self);
     clod_step_fini(&self->step);
     clod_state_fini(&self->state);
     clod_spread_fini(&self->spread);

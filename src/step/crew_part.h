@@ -8,6 +8,7 @@
  */
 
 #include "step/crew.h"
+#include "step/crew_slabs.h"
 
 struct clod_crew {
     clod_ranks *ranks;           ///< borrowed
@@ -19,7 +20,8 @@ struct clod_crew {
     clod_laws laws;
     clod_spread spread;
     clod_step step;
-    bool ledger; ///< on all ranks: steps keep it, and messages have what it needs
+    clod_crew_slabs slabs; ///< while the bed is written
+    bool ledger;           ///< on all ranks: steps keep it, and messages have what it needs
     // on all ranks: what comes before steps has failed, for good; columns of grains may differ
     bool broken;
     clod_status status; ///< then
@@ -33,6 +35,11 @@ typedef enum clod_crew_order_kind {
     CLOD_CREW_SEE_NEAR,
     CLOD_CREW_TAKE,
     CLOD_CREW_STORE,
+    CLOD_CREW_SURVEY,
+    CLOD_CREW_GONE,
+    CLOD_CREW_SLABS_BEGIN,
+    CLOD_CREW_SLABS_BRING,
+    CLOD_CREW_SLABS_END,
     CLOD_CREW_END,
     CLOD_CREW_DISMISS
 } clod_crew_order_kind;
@@ -66,6 +73,19 @@ bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_
 
 /** Grains that are in the queue of rank 0 come. */
 bool clod_crew_part_take(clod_crew *self, const clod_crew_order *what, clod_status *status);
+
+/** An order to the others. Threads: rank 0. */
+void clod_crew_give(const clod_crew *self, clod_crew_order_kind what);
+
+/** Whether nothing before steps has failed yet; else what it was. */
+bool clod_crew_part_is_whole(const clod_crew *self, clod_status *status);
+
+/** Walls and numbers of rank 0, and what follows from them; false on all ranks alike: something
+ *  has failed for good. */
+bool clod_crew_part_update(clod_crew *self, clod_status *status);
+
+/** Bring rank 0 the grains that have left one by one. */
+bool clod_crew_part_see_gone(clod_crew *self, clod_status *status);
 
 /** As clod_step_store, of all ranks. */
 void clod_crew_part_store(clod_crew *self, clod_step_stored *sums);

@@ -96,6 +96,7 @@ void clod_crew_state_forget(clod_state *state)
     }
     forget(state->build_position, state->build_capacity * sizeof *state->build_position);
     forget(state->contacts, state->contact_capacity * sizeof *state->contacts);
+    state->grains.count = state->contact_count = state->wall_contact_count = 0;
 }
 
 void clod_crew_state_tell(clod_ranks *ranks, clod_state *state)

@@ -41,6 +41,15 @@ static void unpack(const clod_spread *self, clod_grains *grains, size_t numbers)
     }
 }
 
+void clod_spread_refresh(const clod_spread *self, clod_state *state)
+{
+    const size_t numbers = clod_spread_numbers(state);
+    pack(self, &state->grains, numbers);
+    clod_ranks_start(self->ranks);
+    clod_ranks_finish(self->ranks);
+    unpack(self, &state->grains, numbers);
+}
+
 /** What the contacts of a thread spent, onto those of another. */
 static void merge_spent(clod_step_heat *into, const clod_step_heat *from)
 {

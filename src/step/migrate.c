@@ -180,6 +180,16 @@ static bool gather_gone(clod_spread *self, clod_state *state, clod_state *whole,
     return true;
 }
 
+bool clod_migrate_gone(clod_spread *self, clod_state *state, clod_state *whole,
+                       clod_status *status)
+{
+    parcels way;
+    const bool good = parcels_init(&way, self->ranks, status) &&
+                      gather_gone(self, state, whole, &way, status);
+    parcels_fini(&way);
+    return good;
+}
+
 bool clod_migrate_gather(clod_spread *self, clod_state *state, clod_state *whole,
                          clod_status *status)
 {

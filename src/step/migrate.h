@@ -37,6 +37,11 @@ bool clod_migrate(clod_spread *self, const clod_state *from, clod_state *to,
 bool clod_migrate_near(clod_spread *self, const clod_state *state, const clod_domain_box *box,
                        int count, clod_state *whole, clod_status *status);
 
+/** Grains that left this rank, one by one, into the list of a state of rank 0 (NULL on others).
+ *  @return  false without memory, on all ranks alike */
+bool clod_migrate_gone(clod_spread *self, clod_state *state, clod_state *whole,
+                       clod_status *status);
+
 /**
  * Own grains of all ranks, with their contacts and places at the last rebuild, and those that left,
  * into a state of rank 0: in any order, next is clod_neighbour_sort_as_built.

@@ -72,12 +72,25 @@ bool clod_records_get_grains(const clod_bytes *from, clod_state *state, clod_sta
     return true;
 }
 
+const char *clod_records_get_grain(const char *at, clod_state *state, size_t row)
+{
+    clod_row_column columns[CLOD_ROW_COLUMNS + 1];
+    const int count = columns_of(state, columns);
+    for (int k = 0; k < count; k++) {
+        memcpy(columns[k].array + row * columns[k].stride, at, columns[k].size);
+        at += columns[k].size;
+    }
+    return at;
+}
+
 /** A contact on its way. */
 typedef struct contact_record {
     uint64_t id[2]; ///< of the grains; of a wall its number
     int64_t shape;
     double history[CLOD_HISTORY_NUMBERS];
 } contact_record;
+
+_Static_assert(sizeof(contact_record) == CLOD_RECORDS_CONTACT, "a record has no gaps");
 
 void clod_records_put_contact(clod_bytes *to, const clod_grains *grains,
                               const clod_contact *contact)
@@ -86,6 +99,15 @@ void clod_records_put_contact(clod_bytes *to, const clod_grains *grains,
     record.id[1] = contact->shape < 0 ? grains->id[contact->j] : (uint64_t)(uint32_t)contact->j;
     memcpy(record.history, contact->history, sizeof record.history);
     clod_bytes_put(to, &record, sizeof record);
+}
+
+void clod_records_get_contact(const char *at, clod_contact *contact, uint64_t partners[2])
+{
+    contact_record record;
+    memcpy(&record, at, sizeof record);
+    *contact = (clod_contact){.i = -1, .j = -1, .shape = (int32_t)record.shape};
+    memcpy(contact->history, record.history, sizeof record.history);
+    memcpy(partners, record.id, sizeof record.id);
 }
 
 /** Records of pairs, or of walls, behind the contacts that are there. */

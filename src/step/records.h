@@ -24,6 +24,16 @@ void clod_records_put_contact(clod_bytes *to, const clod_grains *grains,
 /** Grains behind those that the state has; both must keep the same columns. False without memory. */
 bool clod_records_get_grains(const clod_bytes *from, clod_state *state, clod_status *status);
 
+/** A record of a grain into a row of a state that has room for it; where the next one begins. */
+const char *clod_records_get_grain(const char *at, clod_state *state, size_t row);
+
+/** Bytes of the record of a contact. */
+#define CLOD_RECORDS_CONTACT (3 * sizeof(uint64_t) + CLOD_HISTORY_NUMBERS * sizeof(double))
+
+/** A record of a contact: its rows are not known, but the ids of its grains, or of its grain and the
+ *  number of its wall. */
+void clod_records_get_contact(const char *at, clod_contact *contact, uint64_t partners[2]);
+
 /** Whether a contact has come without one of its grains: then these are far from each other. */
 typedef struct clod_torn {
     bool any;

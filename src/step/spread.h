@@ -108,6 +108,9 @@ bool clod_spread_make_room(clod_spread *self, clod_state *state, size_t rows,
 /** Whether no grain of any rank has the id of one in the queue of rank 0; on all alike. */
 bool clod_spread_check_ids(clod_spread *self, const clod_state *state, clod_status *status);
 
+/** Rows of ghosts as they are at their owners between two steps, whole kicks and all. */
+void clod_spread_refresh(const clod_spread *self, clod_state *state);
+
 /** Speed of the fastest own grain of all ranks, or of the fastest point of a wall [m/s]. */
 double clod_spread_fastest(const clod_step *step);
 

@@ -10,10 +10,11 @@
 #include <stdint.h>
 
 #include "law/law.h"
+#include "measure/survey.h"
 #include "parallel/barrier.h"
 #include "parallel/exact.h"
 #include "parallel/ranks.h"
-#include "state/contact_source.h"
+#include "state/bed_source.h"
 #include "state/state.h"
 #include "step/balance.h"
 #include "step/kernel.h"
@@ -232,6 +233,17 @@ bool clod_step_see(clod_step *self, clod_status *status);
 bool clod_step_see_near(clod_step *self, const clod_domain_box *box, int count,
                         clod_status *status);
 
+/** The same of the list of grains that have left (state->gone). */
+bool clod_step_see_gone(clod_step *self, clod_status *status);
+
+/**
+ * The bed as one that can be asked for sums at this moment, wherever its grains are.
+ *
+ * @param contacts  of this step (clod_step_contacts), borrowed; NULL: nothing asks for them
+ * Threads  one per state.   Test  tests/step/test_ranks_survey.c
+ */
+clod_survey clod_step_survey(clod_step *self, const clod_contact_source *contacts);
+
 /** Number of grains of the whole bed, whoever has them. */
 size_t clod_step_grains(const clod_step *self);
 
@@ -251,6 +263,23 @@ typedef struct clod_step_reader {
  * Errors  none.   Threads  one per state.   Test  tests/step/test_contact_reader.c
  */
 clod_contact_source clod_step_contacts(clod_step *self, clod_step_reader *reader);
+
+/** Grains and contacts of a step on their way into a file. */
+typedef struct clod_step_bed {
+    clod_step_reader reader;
+    clod_contact_source contacts;
+    clod_bed_view view;
+} clod_step_bed;
+
+/**
+ * All grains and contacts of this moment, slab by slab, wherever they are: the state need not have
+ * them.
+ *
+ * @param self  [out] borrowed as long as the source is used: until the next advance
+ * @return      source; one at a time of a step, and no other reader of its contacts beside it
+ * Threads  one per state.   Test  tests/step/test_ranks_slabs.c
+ */
+clod_bed_source clod_step_bed_source(clod_step *step, clod_step_bed *self);
 
 /**
  * History of one contact of two grains now, by their ids.

@@ -20,12 +20,13 @@ static bool run_stages(clod_verify_bed *self, clod_verify_bed_look look, void *c
 {
     clod_free_stages_begin(&self->stages, self->from, &self->state);
     CLOD_MEASURE_INLETS.begin(&self->inlets, self->from, &self->state);
-    const clod_free_moment now = {.from = self->from, .state = &self->state};
+    const clod_survey survey = clod_survey_of(&self->state, NULL);
+    const clod_free_moment now = {.from = self->from, .state = &self->state, .survey = &survey};
     bool ok = look(context, self, status);
     for (bool finished = false; ok && !finished;) {
         ok = CLOD_MEASURE_INLETS.act(&self->inlets, &now, status) &&
              clod_step_advance(&self->step, plan(self), status);
-        if (!ok || !clod_free_stages_look(&self->stages, self->from, &self->state)) {
+        if (!ok || !clod_free_stages_look(&self->stages, self->from, &self->state, &survey)) {
             continue;
         }
         ok = look(context, self, status);

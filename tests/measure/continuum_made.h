@@ -94,7 +94,8 @@ static inline void sample(const clod_continuum *field, const clod_state *state, 
     const size_t points = (size_t)clod_continuum_points(field);
     double(*to)[CLOD_CONTINUUM_SUMS] = clod_memory_alloc(points, sizeof *to);
     const clod_continuum_part part = {field, to};
-    assert_true(clod_continuum_pass(&part, 1, state, &source, &status));
+    const clod_survey survey = clod_survey_of(state, &source);
+    assert_true(clod_continuum_pass(&part, 1, &survey, &status));
     const double volume = field->cell > 0.0 ? field->cell * field->cell * field->cell
                                             : clod_continuum_volume(&field->region);
     memset(sum, 0, CLOD_CONTINUUM_SUMS * sizeof *sum);

@@ -115,7 +115,8 @@ static grid sample(bed *self, double cell)
     const clod_continuum_part part = {&to.field, sums};
     const clod_contact_source source = {
         .context = self, .begin = begin, .next = next, .laws = self, .force = force};
-    assert_true(clod_continuum_pass(&part, 1, &self->state, &source, &status));
+    const clod_survey survey = clod_survey_of(&self->state, &source);
+    assert_true(clod_continuum_pass(&part, 1, &survey, &status));
     for (size_t k = 0; k < points; k++) {
         clod_continuum_values(&to.field, sums[k], 1.0, to.values[k]);
     }

@@ -40,7 +40,8 @@ static void make_two(clod_state *state)
 static void sample(const clod_gauge *gauge, const clod_state *state, double *sums)
 {
     const clod_gauge_part part = {.gauge = *gauge, .sums = sums};
-    assert_true(clod_gauge_pass(&part, 1, state, &status));
+    const clod_survey survey = clod_survey_of(state, NULL);
+    assert_true(clod_gauge_pass(&part, 1, &survey, &status));
 }
 
 static void two_grains_are_summed(void **unused)
@@ -165,7 +166,8 @@ static void a_sphere_is_cut_by_bins(void **unused)
     double sums[CLOD_GAUGE_SUMS];
     const clod_gauge_part part = {
         .gauge = gauge, .sums = sums, .profile = &bins, .across = axis};
-    assert_true(clod_gauge_pass(&part, 1, &state, &status));
+    const clod_survey survey = clod_survey_of(&state, NULL);
+    assert_true(clod_gauge_pass(&part, 1, &survey, &status));
     clod_gauge_bin bin = clod_gauge_bins_of(&bins, &axis, 0); // -2 to -1.5
     check_close(bin.lower, 0.0, 1e-15);
     check_close(bin.upper, 0.5, 1e-15);
@@ -230,13 +232,15 @@ static void gauges_in_one_pass_are_each_alone(void **unused)
                                      .trajectory = &bins[k],
                                      .along = clod_gauge_axis_of(&gauge, gauge.direction, 6)};
     }
-    assert_true(clod_gauge_pass(parts, BOXES, &state, &status));
+    const clod_survey survey = clod_survey_of(&state, NULL);
+    const clod_survey other = clod_survey_of(&turned, NULL);
+    assert_true(clod_gauge_pass(parts, BOXES, &survey, &status));
     for (int k = 0; k < BOXES; k++) {
         clod_gauge_part part = parts[k];
         memset(&one, 0, sizeof one);
         part.sums = alone;
         part.trajectory = &one;
-        assert_true(clod_gauge_pass(&part, 1, &turned, &status));
+        assert_true(clod_gauge_pass(&part, 1, &other, &status));
         assert_memory_equal(alone, together[k], sizeof alone);
         assert_memory_equal(&one, &bins[k], sizeof one);
         assert_true(alone[CLOD_GAUGE_GRAINS] > 10.0 && alone[CLOD_GAUGE_GRAINS] < 0.5 * MANY);

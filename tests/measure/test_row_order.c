@@ -10,7 +10,7 @@ typedef struct sums {
 
 static sums sums_of(const clod_state *state)
 {
-    return (sums){clod_measure_kinetic_energy(state), clod_bed_mass(state),
+    return (sums){clod_measure_motion_of(state).kinetic_energy, clod_bed_mass(state),
                   clod_bed_rms_speed(state), clod_measure_contacts_of(state).mean_overlap};
 }
 

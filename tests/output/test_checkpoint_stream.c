@@ -21,7 +21,9 @@ static char *store(void **folder, scene *s, size_t *size)
     clod_status status;
     clod_step_reader reader;
     const clod_contact_source from = clod_step_contacts(&s->step, &reader);
-    assert_true(clod_checkpoint_write(temp_folder(folder), "restart", &s->state, &from, NULL, 0,
+    clod_bed_view view;
+    const clod_bed_source bed = clod_bed_source_of(&view, &s->state, &from);
+    assert_true(clod_checkpoint_write(temp_folder(folder), "restart", &s->state, &bed, NULL, 0,
                                       NULL, &status));
     char *bytes = temp_read(folder, "restart_a.h5", size);
     char path[PATH_MAX];

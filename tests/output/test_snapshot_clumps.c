@@ -45,11 +45,13 @@ static void clumps_and_pull_off_are_there_when_they_are_known(void **folder)
     clod_contact_source from = clod_contact_source_of(&list, &state);
     from.laws = &seven;
     from.strength = sample_strength;
+    clod_bed_view view;
+    const clod_bed_source bed = clod_bed_source_of(&view, &state, &from);
     assert_true(clod_snapshot_write(temp_folder(folder), "run", 0, &state, NULL, true,
                                     &(clod_snapshot_film){{0}}, &status));
     assert_true(clod_grains_keep_clumps(&state.grains, &status));
     state.grains.clump[1] = (clod_grain_clump){.number = (uint64_t)1 << 60, .size = 3};
-    assert_true(clod_snapshot_write(temp_folder(folder), "run", 1, &state, &from, true,
+    assert_true(clod_snapshot_write(temp_folder(folder), "run", 1, &state, &bed, true,
                                     &(clod_snapshot_film){{0}}, &status));
     hid_t file = open_file(folder, "snap_000000.hdf");
     assert_true(H5Lexists(file, "VTKHDF/PointData/clump", H5P_DEFAULT) == 0);

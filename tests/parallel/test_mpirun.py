@@ -14,6 +14,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import clod
 
 RAIN = clod.source("tests/parallel/rain.yaml")
+STREAM = clod.source("tests/parallel/stream.yaml")
 SLIT = clod.source("tests/parallel/slit.yaml")
 SMALL = clod.source("tests/support/small.yaml")
 RING = clod.source("tests/restart/ring.yaml")
@@ -57,6 +58,12 @@ class Mpirun(clod.Case):
 
     def test_grains_come_and_go_and_hang_together_on_a_mesh(self):
         self.assert_same_on((2, 4, 7), RAIN)
+
+    def test_all_that_is_measured_without_a_gather(self):
+        self.assert_same_on((1, 2, 3, 4, 7), STREAM)
+        last = clod.table(self.path("one/series.csv"))[-1]
+        self.assertGreater(last["outlet_below.grains"], 10)
+        self.assertGreater(last["gauge_all.grains"], 10)
 
     def test_a_shear_test(self):
         self.assert_same_on((3,), RING, "--set", "ring_shear.preshear_min=2 mm",

@@ -2,6 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "parallel/ranks_collect.h"
+
 #include "support/check.h"
 #include "support/ranks_threads.h"
 
@@ -150,6 +152,44 @@ static void count_letters(clod_ranks *ranks, void *context)
     bool good[SIZE];
     swap_letters(ranks, good);
     count[ranks->rank] = ranks->count;
+}
+
+/** Each rank has as many letters for rank 0 as its number, and gets them back as capitals. */
+static void collect_letters(clod_ranks *ranks, void *context)
+{
+    bool *good = context;
+    clod_status status = {0};
+    clod_bytes mine = {0}, all = {0};
+    size_t begin[SIZE + 1] = {0};
+    char back[SIZE] = {0};
+    const size_t count = (size_t)ranks->rank;
+    for (size_t k = 0; k < count; k++) {
+        clod_bytes_put(&mine, &(char){(char)('a' + ranks->rank)}, 1);
+    }
+    bool same = clod_ranks_collect(ranks, &mine, &all, begin, &status);
+    if (ranks->rank == 0) {
+        same = same && all.count == 10 && memcmp(all.data, "bccdddeeee", 10) == 0;
+        for (size_t k = 0; k < all.count; k++) {
+            all.data[k] = (char)(all.data[k] - 'a' + 'A');
+        }
+    }
+    clod_ranks_return(ranks, all.data, begin, back, count);
+    for (size_t k = 0; k < SIZE; k++) {
+        same = same && back[k] == (k < count ? (char)('A' + ranks->rank) : 0);
+    }
+    clod_bytes_fini(&mine);
+    clod_bytes_fini(&all);
+    good[ranks->rank] = same;
+}
+
+static void bytes_are_collected_and_come_back(void **state)
+{
+    (void)state;
+    bool good[SIZE] = {false};
+    ranks_run(SIZE, collect_letters, good);
+    for (int r = 0; r < SIZE; r++) {
+        assert_true(good[r]);
+    }
 }
 
 /** Numbers of bytes in three rounds, by hand: of ranks 1 and 3, 2 and 3, and 4 places on. */
@@ -342,6 +382,7 @@ int main(void)
         cmocka_unit_test(what_rank_0_tells_all_hear),
         cmocka_unit_test(messages_that_are_kept_are_repeated),
         cmocka_unit_test(bytes_arrive_at_whom_they_are_for),
+        cmocka_unit_test(bytes_are_collected_and_come_back),
         cmocka_unit_test(what_is_said_is_counted),
         cmocka_unit_test(messages_of_a_swap_grow_with_the_logarithm),
         cmocka_unit_test(more_bytes_than_an_int_counts),

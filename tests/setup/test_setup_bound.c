@@ -141,14 +141,15 @@ static void streams_are_held_to_laws_and_the_critical_step(void **unused)
     made self;
     make(&self);
     self.from->grains[0].comes = true;
-    CHECK(clod_setup_bound_streams(self.from, &self.state, &status));
+    const clod_survey survey = clod_survey_of(&self.state, NULL);
+    CHECK(clod_setup_bound_streams(self.from, &survey, &status));
     self.state.dt = 1e-3;
-    expect_refused(clod_setup_bound_streams(self.from, &self.state, &status),
+    expect_refused(clod_setup_bound_streams(self.from, &survey, &status),
                    "with the grains that come in the time step of 0.001 s is beyond");
     self.state.dt = 1e-5;
     char *ore = self.from->grains[0].material, rubber[] = "rubber";
     self.from->grains[0].material = rubber;
-    expect_refused(clod_setup_bound_streams(self.from, &self.state, &status),
+    expect_refused(clod_setup_bound_streams(self.from, &survey, &status),
                    "no contact law for grains of 'rubber' with grains of 'rubber'");
     self.from->grains[0].material = ore;
     destroy(&self);

@@ -62,7 +62,8 @@ static void gauges_count_all(void **unused)
     make(&state, mean);
     const clod_gauge gauge = clod_gauge_of(&WHOLE, NONE, NONE, NONE);
     const clod_gauge_part part = {.gauge = gauge, .sums = sums};
-    assert_true(clod_gauge_pass(&part, 1, &state, &status));
+    const clod_survey survey = clod_survey_of(&state, NULL);
+    assert_true(clod_gauge_pass(&part, 1, &survey, &status));
     clod_gauge_values(&gauge, sums, v);
     check_close(v[CLOD_GAUGE_OF_GRAINS], GRAINS, 0.0);
     for (int a = 0; a < 3; a++) {
@@ -110,7 +111,8 @@ static void repose_counts_all(void **unused)
     clod_state state;
     double mean[3], center[2];
     make(&state, mean);
-    assert_true(clod_repose_center(&WHOLE, &state, center));
+    const clod_survey survey = clod_survey_of(&state, NULL);
+    assert_true(clod_repose_center(&WHOLE, &survey, center, &status));
     check_close(center[0], mean[0], 1e-15);
     check_close(center[1], mean[1], 1e-15);
     clod_state_fini(&state);
@@ -119,7 +121,7 @@ static void repose_counts_all(void **unused)
     clod_repose_angle found;
     const clod_repose slope = {
         .region = WHOLE, .cell = 0.04, .slope = true, .direction = {1.0, 0.0}, .to = 1.0};
-    assert_true(clod_repose_find(&slope, &state, &found, &status));
+    assert_true(clod_repose_find(&slope, &survey, &found, &status));
     check_close(found.height, 0.05 + RADIUS, 1e-15);
     clod_state_fini(&state);
 }

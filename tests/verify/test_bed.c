@@ -48,7 +48,7 @@ static bool look(void *context, clod_verify_bed *now, clod_status *status)
     const clod_wall *box = &now->state.walls.wall[0];
     assert_true(self->count < ROWS);
     self->time[self->count] = now->state.time;
-    self->energy[self->count] = clod_measure_kinetic_energy(&now->state);
+    self->energy[self->count] = clod_measure_motion_of(&now->state).kinetic_energy;
     self->force[self->count] = box->sum_force.z / (double)(box->sum_steps + !box->sum_steps);
     self->belt += clod_verify_bed_is_in(now, "belt");
     self->count++;

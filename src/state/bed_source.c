@@ -1,0 +1,103 @@
+#include "state/bed_source.h"
+
+#include "base/memory.h"
+
+#define AT_A_TIME 256 // contacts
+
+/** Contacts of each grain with grains and walls; false without memory. */
+static bool count_each(clod_bed_view *self)
+{
+    const clod_contact_source *from = &self->contacts;
+    clod_contact some[AT_A_TIME];
+    size_t pairs, walls, count;
+    self->each = clod_memory_alloc(self->state->grains.count + 1, sizeof *self->each);
+    if (self->each == NULL) {
+        return false;
+    }
+    from->begin(from->context, &pairs, &walls);
+    do {
+        count = from->next(from->context, some, AT_A_TIME);
+        for (size_t k = 0; k < count; k++) {
+            self->each[some[k].i]++;
+            if (some[k].shape < 0) {
+                self->each[some[k].j]++;
+            }
+        }
+    } while (count == AT_A_TIME);
+    return true;
+}
+
+static bool begin(void *context, bool each, clod_bed_counts *all, clod_status *status)
+{
+    clod_bed_view *self = context;
+    all->grains = self->state->grains.count;
+    if (each && !count_each(self)) {
+        return clod_status_fail(status, CLOD_FAILED, "no memory for the contacts of %zu grains",
+                                all->grains);
+    }
+    self->contacts.begin(self->contacts.context, &all->pairs, &all->walls);
+    self->pairs = all->pairs;
+    return true;
+}
+
+static bool get_grains(void *context, size_t first, size_t count, clod_bed_slab *slab,
+                       clod_status *status)
+{
+    (void)status;
+    clod_bed_view *self = context;
+    const clod_state *state = self->state;
+    const clod_grains *all = &state->grains;
+    self->rows = *state;
+    self->rows.grains = (clod_grains){.count = count,
+                                      .position = all->position + first,
+                                      .velocity = all->velocity + first,
+                                      .angular_velocity = all->angular_velocity + first,
+                                      .load = all->load + first,
+                                      .id = all->id + first,
+                                      .birth = all->birth + first,
+                                      .material = all->material + first};
+    if (all->clump != NULL) {
+        self->rows.grains.clump = all->clump + first;
+    }
+    if (state->build_position != NULL) {
+        self->rows.build_position = state->build_position + first;
+    }
+    *slab = (clod_bed_slab){&self->rows, self->each != NULL ? self->each + first : NULL};
+    return true;
+}
+
+static bool get_contacts(void *context, size_t *count, clod_contact *to,
+                         uint64_t (*partners)[2], clod_status *status)
+{
+    (void)status;
+    clod_bed_view *self = context;
+    const uint64_t *id = self->state->grains.id;
+    *count = self->contacts.next(self->contacts.context, to, *count);
+    for (size_t c = 0; c < *count; c++) {
+        const bool pair = c < self->pairs;
+        partners[c][0] = id[to[c].i];
+        partners[c][1] = pair ? id[to[c].j] : (uint64_t)to[c].j;
+    }
+    self->pairs -= *count < self->pairs ? *count : self->pairs;
+    return true;
+}
+
+static void end(void *context)
+{
+    clod_bed_view *self = context;
+    clod_memory_free(self->each);
+    self->each = NULL;
+}
+
+clod_bed_source clod_bed_source_of(clod_bed_view *self, const clod_state *state,
+                                   const clod_contact_source *contacts)
+{
+    *self = (clod_bed_view){.state = state};
+    self->contacts = contacts != NULL ? *contacts : clod_contact_source_of(&self->list, state);
+    return (clod_bed_source){.context = self,
+                             .begin = begin,
+                             .grains = get_grains,
+                             .contacts = get_contacts,
+                             .end = end,
+                             .here = &self->contacts};
+}

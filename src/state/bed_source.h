@@ -1,0 +1,68 @@
+#pragma once
+/**
+ * @file bed_source.h
+ * A bed as files want it: grains and contacts in their order, slab by slab, wherever they are. Who
+ * writes them needs no list of all.
+ */
+
+#include "state/contact_source.h"
+
+typedef struct clod_bed_counts {
+    size_t grains, pairs, walls; ///< the last two are contacts
+} clod_bed_counts;
+
+/** Some grains in a row. */
+typedef struct clod_bed_slab {
+    const clod_state *rows;  ///< they are its grains; borrowed until the next slab
+    const int32_t *contacts; ///< [rows->grains.count] of each with grains and walls, if wanted
+} clod_bed_slab;
+
+typedef struct clod_bed_source {
+    void *context; ///< of the functions, borrowed
+
+    /**
+     * Go before the first grain and contact. Then `end`, in any case.
+     *
+     * @param each  the numbers of contacts of each grain are wanted
+     * Errors  CLOD_FAILED: memory, as of the next two.
+     */
+    bool (*begin)(void *context, bool each, clod_bed_counts *all, clod_status *status);
+
+    /** Get the grains [first, first + count); `first` rises. */
+    bool (*grains)(void *context, size_t first, size_t count, clod_bed_slab *slab,
+                   clod_status *status);
+
+    /**
+     * Copy the next contacts, ascending: pairs, then walls.
+     *
+     * @param count     [in,out] room; how many there were: 0 only at the end
+     * @param partners  [room] [out] ids of both grains; id of the grain and number of the wall
+     */
+    bool (*contacts)(void *context, size_t *count, clod_contact *to, uint64_t (*partners)[2],
+                     clod_status *status);
+
+    void (*end)(void *context);
+
+    /** The contacts with their rows, when the state has all grains; else NULL. */
+    const clod_contact_source *here;
+} clod_bed_source;
+
+/** A bed that is in a state. */
+typedef struct clod_bed_view {
+    const clod_state *state; ///< borrowed
+    clod_contact_list list;
+    clod_contact_source contacts;
+    clod_state rows; ///< of the slab; nothing in it is owned
+    int32_t *each;   ///< [grains] owned
+    size_t pairs;    ///< that are still to come
+} clod_bed_view;
+
+/**
+ * The grains and contacts of a state.
+ *
+ * @param self      [out] borrowed as long as the source is used
+ * @param contacts  all its contacts; NULL: those of state->contacts
+ * Test  tests/output/test_checkpoint_stream.c
+ */
+clod_bed_source clod_bed_source_of(clod_bed_view *self, const clod_state *state,
+                                   const clod_contact_source *contacts);

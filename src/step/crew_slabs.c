@@ -1,0 +1,214 @@
+#include "step/crew_slabs.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+#include "parallel/ranks_collect.h"
+#include "step/crew_part.h"
+#include "step/records.h"
+
+/** Whether a row is own; those before it are passed by. Rows that are asked for ascend. */
+static bool find_own(clod_crew_slabs *self, int32_t row)
+{
+    while (self->at < self->own && self->row[self->at] < row) {
+        self->at++;
+    }
+    return self->at < self->own && self->row[self->at] == row;
+}
+
+// ---- the beginning
+
+/** Own rows, and room for what belongs to them; false without memory. */
+static bool list_own(clod_crew *self, bool each)
+{
+    clod_crew_slabs *slabs = &self->slabs;
+    for (size_t k = 0; k < self->spread.runs; k++) {
+        slabs->own += self->spread.run[k].end - self->spread.run[k].begin;
+    }
+    slabs->row = clod_memory_alloc(slabs->own + 1, sizeof *slabs->row);
+    slabs->number = clod_memory_alloc(slabs->own + 1, sizeof *slabs->number);
+    slabs->begin = clod_memory_alloc((size_t)self->ranks->size + 1, sizeof *slabs->begin);
+    slabs->each = each ? clod_memory_alloc(slabs->own + 1, sizeof *slabs->each) : NULL;
+    size_t count = 0;
+    for (size_t k = 0; slabs->row != NULL && k < self->spread.runs; k++) {
+        const clod_chunk run = self->spread.run[k];
+        for (size_t g = run.begin; g < run.end; g++) {
+            slabs->row[count++] = (int32_t)g;
+        }
+    }
+    return slabs->row != NULL && slabs->number != NULL && slabs->begin != NULL &&
+           (slabs->each != NULL || !each);
+}
+
+/** Place of a row among the own ones; own: there is none. */
+static size_t place_of(const clod_crew_slabs *self, int32_t row)
+{
+    size_t low = 0, high = self->own;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (self->row[middle] < row) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low < self->own && self->row[low] == row ? low : self->own;
+}
+
+static void note_each(clod_crew_slabs *self, int32_t row)
+{
+    const size_t place = self->each != NULL ? place_of(self, row) : self->own;
+    if (place < self->own) {
+        self->each[place]++;
+    }
+}
+
+/** Count own contacts, and those of each own grain. */
+static void count_contacts(clod_crew *self, clod_bed_counts *all)
+{
+    clod_crew_slabs *slabs = &self->slabs;
+    const clod_contact_source *from = &slabs->contacts;
+    size_t pairs, walls, count;
+    from->begin(from->context, &pairs, &walls);
+    do {
+        count = from->next(from->context, slabs->some, CLOD_CREW_SLABS_SOME);
+        for (size_t k = 0; k < count; k++) {
+            const clod_contact *contact = &slabs->some[k];
+            const bool own = clod_spread_owns(&self->spread, contact->i);
+            all->pairs += own && contact->shape < 0;
+            all->walls += own && contact->shape >= 0;
+            note_each(slabs, contact->i);
+            if (contact->shape < 0) {
+                note_each(slabs, contact->j);
+            }
+        }
+    } while (count == CLOD_CREW_SLABS_SOME);
+}
+
+static void add_counts(const void *context, void *into, const void *from)
+{
+    (void)context;
+    clod_bed_counts *mine = into;
+    const clod_bed_counts *other = from;
+    mine->grains += other->grains;
+    mine->pairs += other->pairs;
+    mine->walls += other->walls;
+}
+
+bool clod_crew_slabs_begin(clod_crew *self, bool each, clod_bed_counts *all,
+                           clod_status *status)
+{
+    clod_crew_slabs *slabs = &self->slabs;
+    if (!clod_crew_part_is_whole(self, status)) {
+        return false;
+    }
+    clod_crew_slabs_end(self); // of one that came to no end
+    clod_ranks_tell(self->ranks, &each, sizeof each);
+    const bool good =
+        list_own(self, each) ||
+        clod_status_fail(status, CLOD_FAILED, "no memory to write %zu grains", slabs->own);
+    if (!clod_ranks_agree(self->ranks, good, status) || !clod_crew_number(self, status)) {
+        return false;
+    }
+    size_t pairs, walls;
+    slabs->contacts = clod_step_contacts(&self->step, &slabs->reader);
+    slabs->all = (clod_bed_counts){.grains = slabs->own};
+    count_contacts(self, &slabs->all);
+    clod_ranks_merge(self->ranks, &slabs->all, sizeof slabs->all, add_counts, NULL);
+    slabs->contacts.begin(slabs->contacts.context, &pairs, &walls);
+    *all = slabs->all;
+    return true;
+}
+
+// ---- what is asked for
+
+/** Place of the first own grain with this number or a later one. */
+static size_t place_from(const clod_crew_slabs *self, uint64_t number)
+{
+    size_t low = 0, high = self->own;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (self->number[middle] < number) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+/** Number of the grain, its contacts if they are wanted, and all that belongs to it. */
+static void pack_grains(clod_crew *self, const clod_crew_range *range)
+{
+    clod_crew_slabs *slabs = &self->slabs;
+    const size_t end = place_from(slabs, range->first + range->count);
+    for (size_t k = place_from(slabs, range->first); k < end; k++) {
+        clod_bytes_put(&slabs->out, &slabs->number[k], sizeof *slabs->number);
+        if (slabs->each != NULL) {
+            clod_bytes_put(&slabs->out, &slabs->each[k], sizeof *slabs->each);
+        }
+        clod_records_put_grain(&slabs->out, &self->state, (size_t)slabs->row[k]);
+    }
+}
+
+/** The next contact, which stays where it is; NULL: at the end. */
+static const clod_contact *next_contact(clod_crew_slabs *self)
+{
+    if (self->some_at == self->some_count) {
+        self->some_at = 0;
+        self->some_count =
+            self->contacts.next(self->contacts.context, self->some, CLOD_CREW_SLABS_SOME);
+    }
+    return self->some_count > 0 ? &self->some[self->some_at] : NULL;
+}
+
+/** Number of the first grain, and the contact, of those that come next. */
+static void pack_contacts(clod_crew *self, const clod_crew_range *range)
+{
+    clod_crew_slabs *slabs = &self->slabs;
+    const bool walls = range->what == 2;
+    if (range->first == 0) {
+        slabs->at = 0; // wall contacts begin with the first grain again
+    }
+    for (const clod_contact *next = next_contact(slabs);
+         next != NULL && (next->shape >= 0) == walls; next = next_contact(slabs)) {
+        if (find_own(slabs, next->i)) {
+            const uint64_t number = slabs->number[slabs->at];
+            if (number >= range->first + range->count) {
+                break;
+            }
+            clod_bytes_put(&slabs->out, &number, sizeof number);
+            clod_records_put_contact(&slabs->out, &self->state.grains, next);
+        }
+        slabs->some_at++;
+    }
+}
+
+bool clod_crew_slabs_bring(clod_crew *self, const clod_crew_range *range, clod_status *status)
+{
+    clod_crew_slabs *slabs = &self->slabs;
+    clod_crew_range told = range != NULL ? *range : (clod_crew_range){0};
+    clod_ranks_tell(self->ranks, &told, sizeof told);
+    clod_bytes_clear(&slabs->out);
+    if (told.what == 0) {
+        pack_grains(self, &told);
+    } else {
+        pack_contacts(self, &told);
+    }
+    return clod_ranks_collect(self->ranks, &slabs->out, &slabs->in, slabs->begin, status);
+}
+
+void clod_crew_slabs_end(clod_crew *self)
+{
+    clod_crew_slabs *slabs = &self->slabs;
+    clod_memory_free(slabs->row);
+    clod_memory_free(slabs->number);
+    clod_memory_free(slabs->each);
+    clod_memory_free(slabs->begin);
+    clod_bytes_fini(&slabs->out);
+    clod_bytes_fini(&slabs->in);
+    clod_state_fini(&slabs->rows);
+    clod_memory_free(slabs->rows_each);
+    clod_memory_free(slabs->item);
+    *slabs = (clod_crew_slabs){0};
+}

@@ -1,0 +1,67 @@
+#pragma once
+/**
+ * @file crew_slabs.h
+ * A bed that ranks step on its way into a file: in the order of one process, slab by slab, so that no
+ * rank ever has more than its part and a slab. First every own grain gets its number in that order
+ * (crew_number.c); then rank 0 asks for the grains with the next numbers, and for their contacts.
+ *
+ * Threads  thread 0 of each rank, all ranks at the same time.   Test  tests/step/test_ranks_slabs.c
+ */
+
+#include "base/bytes.h"
+#include "state/bed_source.h"
+#include "step/step.h"
+
+typedef struct clod_crew clod_crew;
+
+/** Contacts that are read at a time. */
+#define CLOD_CREW_SLABS_SOME 64
+
+/** What of the bed is asked for. */
+typedef struct clod_crew_range {
+    uint64_t first, count; ///< numbers of grains
+    int64_t what;          ///< 0: these grains; 1: their contacts with grains; 2: with walls
+} clod_crew_range;
+
+/** All zero: nobody writes. */
+typedef struct clod_crew_slabs {
+    size_t own;       ///< rows
+    int32_t *row;     ///< [own] they ascend; owned, as the next
+    uint64_t *number; ///< [own] in the order of all grains: they ascend
+    int32_t *each;    ///< [own] contacts with grains and walls; NULL: not wanted
+    // contacts on their way out
+    clod_step_reader reader;
+    clod_contact_source contacts;
+    clod_contact some[CLOD_CREW_SLABS_SOME];
+    size_t some_at, some_count;
+    size_t at; ///< place in `row` of the last one's grain
+    clod_bytes out, in;
+    size_t *begin; ///< [ranks + 1]
+    // of rank 0
+    clod_state rows; ///< of the last slab
+    int32_t *rows_each;
+    size_t each_room;
+    clod_bed_counts all;
+    clod_crew_range range;       ///< of the contacts that are there
+    struct clod_sort_item *item; ///< [items] of them, in order
+    size_t item_room, items, next;
+} clod_crew_slabs;
+
+/** Number the own rows of all ranks (crew_number.c). False on all alike: no memory. */
+bool clod_crew_number(clod_crew *self, clod_status *status);
+
+/**
+ * Number grains, and begin with the first contact.
+ *
+ * @param each  of rank 0: contacts of each grain are wanted
+ * @param all   [out] counts of the bed
+ * @return      false on all alike: no memory, or a crew that is broken; then clod_crew_slabs_end
+ */
+bool clod_crew_slabs_begin(clod_crew *self, bool each, clod_bed_counts *all,
+                           clod_status *status);
+
+/** Bring rank 0 what it asks for, into `in`: records of each rank. False on all alike. */
+bool clod_crew_slabs_bring(clod_crew *self, const clod_crew_range *range, clod_status *status);
+
+/** Nothing is left of it. */
+void clod_crew_slabs_end(clod_crew *self);
