@@ -116,8 +116,11 @@ static void advance_part(clod_step *self, int part)
         }
     }
     clod_step_settle(self, part);
-    if (part == 0 && self->spread != NULL) {
-        clod_spread_settle(self);
+    if (self->spread != NULL) {
+        clod_barrier_wait(&self->barrier); // all are through with the last step's flags
+        if (part == 0) {
+            clod_spread_settle(self);
+        }
     }
 }
 

@@ -111,7 +111,8 @@ static void press_rank(clod_ranks *ranks, void *context)
         clod_crew_serve(ranks);
         return;
     }
-    press(how, (clod_step_options){.threads = 1, .ranks = ranks});
+    const int threads = ranks->size == 3 ? 2 : 1;
+    press(how, (clod_step_options){.threads = threads, .ranks = ranks});
     clod_crew_end(&how->into->step.crew);
     clod_crew_dismiss(ranks);
 }
