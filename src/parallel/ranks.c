@@ -47,7 +47,9 @@ bool clod_ranks_keep(clod_ranks *self, const clod_message *out, int outs,
 
 void clod_ranks_start(clod_ranks *self)
 {
+    const double began = clod_clock_now(), worked = clod_clock_worked();
     self->start(self);
+    count_time(&self->count, began, worked);
 }
 
 void clod_ranks_finish(clod_ranks *self)

@@ -58,7 +58,7 @@ struct clod_ranks {
     clod_rank_place *place; ///< [size] where they run; NULL: not known; owned
     clod_ranks_count count;
     clod_ranks_evenness evenness;
-    int64_t kept_messages, kept_bytes; ///< of a repetition
+    int64_t kept_messages, kept_bytes; ///< of a start
     void *group;                       ///< what these need
     char *room;                        ///< scratch of the functions below; owned
     size_t room_bytes;                 ///< of it

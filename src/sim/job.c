@@ -143,8 +143,11 @@ static bool advance(job_loop *loop, clod_status *status)
     const int64_t next = memory->planned < picture ? memory->planned : picture;
     const int64_t steps = next < loop->slice ? next : loop->slice;
     const double begin = clod_clock_now();
+    const int64_t before = loop->job->state.step;
     if (!clod_step_advance(&loop->step, steps, status)) {
         clod_status ignored;
+        const int64_t made = loop->job->state.step - before; // perhaps one more than asked for
+        memory->planned -= made < memory->planned ? made : memory->planned;
         write_checkpoint(loop, "-failed", &ignored);
         return false;
     }

@@ -88,7 +88,8 @@ static void merge_sums(const void *context, void *into, const void *from)
     }
 }
 
-/** What all ranks have to say: of the drift of this step, and of the end of the one before. */
+/** What all ranks have to say: of the drift of this step, and of the end of the one before. No other
+ *  thread is in a stage. */
 static void merge(clod_step *self)
 {
     const clod_spread *spread = self->spread;
@@ -114,8 +115,8 @@ static void merge(clod_step *self)
     self->thread[0].max_speed2 = sums->max_speed2;
     self->thread[0].finite = sums->finite != 0;
     self->thread[0].spent = sums->spent;
-    for (int t = 0; t < self->threads; t++) {
-        self->thread[t].late = self->thread[t].late || sums->excess != 0;
+    for (int t = 0; t < self->threads && sums->excess != 0; t++) {
+        self->thread[t].late = true;
     }
 }
 

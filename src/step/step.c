@@ -50,7 +50,7 @@ static bool has_trouble(const clod_step *self)
            (self->spread == NULL && has_excess(self));
 }
 
-/** An overlap too large stops the step after its own: by then other ranks know of it too. */
+/** An overlap too large stops the step after its own: by then all ranks know of it. */
 static void check(clod_step *self, int part)
 {
     clod_step_thread *mine = &self->thread[part];
@@ -116,9 +116,18 @@ static void advance_part(clod_step *self, int part)
         }
     }
     clod_step_settle(self, part);
-    if (part == 0 && self->spread != NULL) {
-        clod_spread_settle(self);
+    if (self->spread != NULL) {
+        clod_barrier_wait(&self->barrier); // all are through with the last step's flags
+        if (part == 0) {
+            clod_spread_settle(self);
+        }
     }
+}
+
+/** After steps: an overlap too large in the last of them, which asks for the step after its own. */
+static bool lacks_step(const clod_step *self)
+{
+    return !self->failed && self->thread[0].late && !self->thread[0].stop;
 }
 
 bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
@@ -148,6 +157,11 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
     clod_step_list_summed(self); // a load may have been put on
     self->steps = steps;
     clod_team_run(self, advance_part);
+    if (lacks_step(
+            self)) { // a run stops in the same step, however its steps are cut into calls
+        self->steps = 1;
+        clod_team_run(self, advance_part);
+    }
     clod_step_count_steps(self, self->state->step - first);
     self->state->build_motion = self->thread[0].build_motion;
     self->state->time = (double)self->state->step * self->state->dt;

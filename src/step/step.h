@@ -150,9 +150,10 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
 /**
  * Advance by a number of steps of velocity Verlet.
  *
- * @return  false when physics went wrong: a number that is not finite, or, in the last step or the
- *          one before, an overlap beyond the laws' range: the state is whole then; or a list that could not be made anew: then
- * positions are one step ahead and forces are zero. The text names the grain and the step.
+ * @return  false when physics went wrong: a number that is not finite, or an overlap beyond the laws'
+ *          range in the step before, for which one step more is made than asked for where it was in
+ *          the last one: the state is whole then; or a list that could not be made anew: then positions
+ *          are one step ahead and forces are zero. The text names the grain and the step.
  * Errors  CLOD_FAILED.   Threads  uses options.threads; same bits for any number.
  */
 bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status);
