@@ -155,7 +155,7 @@ static void conclude(clod_crew *self, bool good, const clod_status *status)
 {
     clod_step *whole = self->whole;
     clod_crew_state_copy(whole->state, &self->state);
-    if (!self->stale && !self->broken) { // a broken one steps no more
+    if (!self->stale && (!self->broken || self->spread.adrift)) { // else no step was made
         clod_crew_state_forget(whole->state);
         self->stale = true;
     }

@@ -49,6 +49,7 @@ typedef struct clod_spread {
     clod_chunk *run; ///< [runs] rows that are this rank's
     size_t runs, owner_room, run_room;
     clod_torn torn; ///< at the last rebuild
+    bool adrift;    ///< on all ranks: rows have moved, and whose they are is not listed
     clod_ghosts ghosts;
     clod_fixed *felt; ///< [walls] by each wall in this step, and behind it clod_spread_sums
     int32_t walls;
