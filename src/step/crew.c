@@ -117,7 +117,7 @@ bool clod_crew_survey(clod_crew *self, const clod_survey_question *question,
 {
     clod_crew_state_copy(&self->state, self->whole->state);
     give_order(self, (clod_crew_order){.what = CLOD_CREW_SURVEY});
-    return clod_crew_part_survey(self, question, status);
+    return clod_crew_part_survey(self, question, status) || fail(self->whole, status);
 }
 
 size_t clod_crew_grains(const clod_crew *self)

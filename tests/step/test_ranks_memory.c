@@ -1,7 +1,9 @@
 // A rank that has no memory: in an order that cannot say so all ranks learn of it in the next one; a
 // bed that cannot be dealt anew steps no more; one that cannot be spread anew is written all the same.
+#include <math.h>
 #include <string.h>
 
+#include "measure/contacts.h"
 #include "output/checkpoint.h"
 #include "step/crew_part.h"
 
@@ -148,6 +150,41 @@ static void messages_that_a_rank_has_no_room_for_are_told(void **state)
 {
     (void)state;
     check_told(LACK_MESSAGES, "messages between ranks");
+}
+
+// ---- sums over the bed
+
+static void sum_without_memory(clod_ranks *ranks, void *context)
+{
+    const lacking_bed *how = context;
+    if (!begin(ranks, how->what, CLOD_CREW_SURVEY)) {
+        return;
+    }
+    scene *s = how->into;
+    bed_init(s, BED_CLUSTER, 1);
+    scene_start_with(s, (clod_step_options){.threads = 1, .ranks = ranks});
+    scene_run(s, 10);
+    const clod_survey survey = clod_step_survey(&s->step, NULL);
+    assert_true(clod_measure_motion_from(&survey).grains > 300);
+    assert_true(isnan(clod_measure_motion_from(&survey).mass));
+    check_failure(s, how->text);
+    clod_crew_end(&s->step.crew);
+    clod_crew_dismiss(ranks);
+}
+
+static void sums_that_a_rank_has_no_room_for_are_told(void **state)
+{
+    (void)state;
+    scene one, several;
+    lacking_bed how = {LACK_MEMORY, "no memory for sums over the bed", &several};
+    bed_init(&one, BED_CLUSTER, 1);
+    scene_start_with(&one, (clod_step_options){.threads = 1});
+    scene_run(&one, 10);
+    assert_true(clod_step_export(&one.step, &(clod_status){0}));
+    ranks_run(3, sum_without_memory, &how);
+    check_same_bits(&one.state, &several.state);
+    scene_end(&several);
+    scene_end(&one);
 }
 
 // ---- a bed that is dealt anew
@@ -345,6 +382,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ledger_that_a_rank_has_no_room_for_is_told),
         cmocka_unit_test(messages_that_a_rank_has_no_room_for_are_told),
+        cmocka_unit_test(sums_that_a_rank_has_no_room_for_are_told),
         cmocka_unit_test(a_bed_that_a_rank_has_no_room_for_steps_no_more),
         cmocka_unit_test_setup_teardown(a_bed_that_cannot_be_spread_is_written,
                                         temp_folder_make, temp_folder_remove),
