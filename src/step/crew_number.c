@@ -41,19 +41,24 @@ static void take_least(const void *context, void *into, const void *from)
     *mine = other < *mine ? other : *mine;
 }
 
-/** Own rows from `at` on with a smaller key. */
-static size_t below(const numbering *self, uint64_t key)
+size_t clod_crew_below(const uint64_t *number, size_t count, uint64_t limit)
 {
-    size_t low = self->at, high = self->own;
+    size_t low = 0, high = count;
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
-        if (self->key[middle] < key) {
+        if (number[middle] < limit) {
             low = middle + 1;
         } else {
             high = middle;
         }
     }
-    return low - self->at;
+    return low;
+}
+
+/** Own rows from `at` on with a smaller key. */
+static size_t below(const numbering *self, uint64_t key)
+{
+    return clod_crew_below(self->key + self->at, self->own - self->at, key);
 }
 
 /** The same of all ranks. */
