@@ -76,6 +76,7 @@ target_include_directories(test_duration PRIVATE app)
 foreach(name test_sim_memory test_ranks_memory test_ranks_slabs)
   target_link_options(${name} PRIVATE -Wl,--wrap=aligned_alloc)
 endforeach()
+target_link_options(test_ranks_memory PRIVATE -Wl,--wrap=clod_spread_cut)
 
 # examples/NAME.c: each says on its last line what it found beside what should be, and fails when
 # they differ. tools/check-library builds them as users do.

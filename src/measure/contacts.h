@@ -31,8 +31,8 @@ typedef struct clod_measure_motion {
     double max_speed;      ///< m/s
 } clod_measure_motion;
 
-/** Of all grains of a bed. Not a number, and no grains, after a failure that ends the run: the next
- *  steps tell it.  Threads: one per bed. */
+/** Of all grains of a bed. Not a number, and no grains, after a failure, which only ranks can have:
+ *  the next steps fail with its status.  Threads: one per bed. */
 clod_measure_motion clod_measure_motion_from(const clod_survey *survey);
 
 /** The same of a state.  Threads: pure. */

@@ -71,7 +71,7 @@ static void note_result(const clod_job *job, clod_part *part)
     part->wall_clock = job->memory.wall_clock;
     memcpy(part->version, job->memory.version, sizeof part->version);
     memcpy(part->origin, job->memory.origin, sizeof part->origin);
-    part->grains = job->state.grains.count;
+    part->grains = (size_t)clod_job_motion(job).grains; // ranks may have them
     part->coordination = bed.coordination;
     part->max_overlap = bed.max_overlap;
     part->mean_overlap = bed.mean_overlap;

@@ -117,7 +117,7 @@ bool clod_crew_survey(clod_crew *self, const clod_survey_question *question,
 {
     clod_crew_state_copy(&self->state, self->whole->state);
     give_order(self, (clod_crew_order){.what = CLOD_CREW_SURVEY});
-    return clod_crew_part_survey(self, question, status);
+    return clod_crew_part_survey(self, question, status) || fail(self->whole, status);
 }
 
 size_t clod_crew_grains(const clod_crew *self)
@@ -155,7 +155,7 @@ static void conclude(clod_crew *self, bool good, const clod_status *status)
 {
     clod_step *whole = self->whole;
     clod_crew_state_copy(whole->state, &self->state);
-    if (!self->stale && !self->broken) { // a broken one steps no more
+    if (!self->stale && (!self->broken || self->spread.adrift)) { // else no step was made
         clod_crew_state_forget(whole->state);
         self->stale = true;
     }

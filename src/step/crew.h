@@ -37,7 +37,8 @@ bool clod_crew_see_near(clod_crew *self, const clod_domain_box *box, int count,
 /** Bring the list of grains that have left. Threads: rank 0. */
 bool clod_crew_see_gone(clod_crew *self, clod_status *status);
 
-/** As clod_survey_ask, of a bed that is not gathered. Threads: rank 0. */
+/** As clod_survey_ask, of a bed that is not gathered; after a failure the next steps fail with its
+ *  status. Threads: rank 0. */
 bool clod_crew_survey(clod_crew *self, const clod_survey_question *question,
                       clod_status *status);
 

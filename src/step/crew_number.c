@@ -41,19 +41,24 @@ static void take_least(const void *context, void *into, const void *from)
     *mine = other < *mine ? other : *mine;
 }
 
-/** Own rows from `at` on with a smaller key. */
-static size_t below(const numbering *self, uint64_t key)
+size_t clod_crew_below(const uint64_t *number, size_t count, uint64_t limit)
 {
-    size_t low = self->at, high = self->own;
+    size_t low = 0, high = count;
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
-        if (self->key[middle] < key) {
+        if (number[middle] < limit) {
             low = middle + 1;
         } else {
             high = middle;
         }
     }
-    return low - self->at;
+    return low;
+}
+
+/** Own rows from `at` on with a smaller key. */
+static size_t below(const numbering *self, uint64_t key)
+{
+    return clod_crew_below(self->key + self->at, self->own - self->at, key);
 }
 
 /** The same of all ranks. */
@@ -161,6 +166,20 @@ static bool number_all(numbering *self, const clod_crew *crew, clod_status *stat
     return good;
 }
 
+/** Keys of own rows, which are searched: they must ascend. */
+static bool find_keys(numbering *self, const clod_crew *crew, clod_status *status)
+{
+    for (size_t k = 0; k < self->own; k++) {
+        const int32_t row = crew->slabs.row[k];
+        self->key[k] = clod_layers_key(&crew->spread.layers, crew->state.build_position[row]);
+        if (k > 0 && self->key[k - 1] > self->key[k]) {
+            return clod_status_fail(status, CLOD_FAILED,
+                                    "the grains of a rank are not in their order");
+        }
+    }
+    return true;
+}
+
 bool clod_crew_number(clod_crew *self, clod_status *status)
 {
     const clod_crew_slabs *slabs = &self->slabs;
@@ -170,10 +189,7 @@ bool clod_crew_number(clod_crew *self, clod_status *status)
                      .begin = slabs->begin};
     bool good = all.key != NULL || clod_status_fail(status, CLOD_FAILED,
                                                     "no memory to number %zu grains", all.own);
-    for (size_t k = 0; good && k < all.own; k++) {
-        all.key[k] =
-            clod_layers_key(&self->spread.layers, self->state.build_position[slabs->row[k]]);
-    }
+    good = good && find_keys(&all, self, status);
     good = clod_ranks_agree(self->ranks, good, status) && number_all(&all, self, status);
     clod_memory_free(all.key);
     clod_memory_free(all.item);

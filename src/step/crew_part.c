@@ -114,6 +114,13 @@ static bool has_all_wear(const clod_crew *self, clod_status *status)
            clod_status_fail(status, CLOD_FAILED, "no memory for the sums of surfaces");
 }
 
+/** As clod_ranks_agree; rows of which nobody knows whose they are can be neither stepped nor seen. */
+static bool agree_on_rows(clod_crew *self, bool good, clod_status *status)
+{
+    good = clod_ranks_agree(self->ranks, good, status);
+    return good || (self->spread.adrift && fail(self, status));
+}
+
 bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
     bool good = prepare(self, what, status);
@@ -121,7 +128,7 @@ bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_s
     good = good && clod_step_advance(&self->step, what->steps, status) &&
            has_all_wear(self, status);
     clod_balance_pause(&self->spread.balance, self->ranks);
-    return clod_ranks_agree(self->ranks, good, status);
+    return agree_on_rows(self, good, status);
 }
 
 bool clod_crew_part_see(clod_crew *self, clod_status *status)
@@ -155,7 +162,7 @@ bool clod_crew_part_see_gone(clod_crew *self, clod_status *status)
 bool clod_crew_part_take(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
     const bool good = prepare(self, what, status) && clod_step_take(&self->step, status);
-    return clod_ranks_agree(self->ranks, good, status);
+    return agree_on_rows(self, good, status);
 }
 
 void clod_crew_part_store(clod_crew *self, clod_step_stored *sums)

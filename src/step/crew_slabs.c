@@ -122,27 +122,12 @@ bool clod_crew_slabs_begin(clod_crew *self, bool each, clod_bed_counts *all,
 
 // ---- what is asked for
 
-/** Place of the first own grain with this number or a later one. */
-static size_t place_from(const clod_crew_slabs *self, uint64_t number)
-{
-    size_t low = 0, high = self->own;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (self->number[middle] < number) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
-}
-
 /** Number of the grain, its contacts if they are wanted, and all that belongs to it. */
 static void pack_grains(clod_crew *self, const clod_crew_range *range)
 {
     clod_crew_slabs *slabs = &self->slabs;
-    const size_t end = place_from(slabs, range->first + range->count);
-    for (size_t k = place_from(slabs, range->first); k < end; k++) {
+    const size_t end = clod_crew_below(slabs->number, slabs->own, range->first + range->count);
+    for (size_t k = clod_crew_below(slabs->number, slabs->own, range->first); k < end; k++) {
         clod_bytes_put(&slabs->out, &slabs->number[k], sizeof *slabs->number);
         if (slabs->each != NULL) {
             clod_bytes_put(&slabs->out, &slabs->each[k], sizeof *slabs->each);

@@ -47,7 +47,11 @@ typedef struct clod_crew_slabs {
     size_t item_room, items, next;
 } clod_crew_slabs;
 
-/** Number the own rows of all ranks (crew_number.c). False on all alike: no memory. */
+/** How many of the numbers, which ascend, are smaller than a limit.  Threads: pure. */
+size_t clod_crew_below(const uint64_t *number, size_t count, uint64_t limit);
+
+/** Number the own rows of all ranks (crew_number.c). False on all alike: no memory, or rows that a
+ *  failed rebuild has left in no order. */
 bool clod_crew_number(clod_crew *self, clod_status *status);
 
 /**

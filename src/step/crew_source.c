@@ -21,6 +21,10 @@ static bool bring(clod_crew *self, const clod_crew_range *range, clod_status *st
 static bool begin(void *context, bool each, clod_bed_counts *all, clod_status *status)
 {
     clod_crew *self = context;
+    if (self->whole->failed) { // nor could it be gathered
+        return clod_status_fail(status, CLOD_FAILED,
+                                "the bed of steps that failed cannot be gathered");
+    }
     clod_crew_give(self, CLOD_CREW_SLABS_BEGIN);
     return clod_crew_slabs_begin(self, each, all, status);
 }
@@ -41,21 +45,28 @@ static bool make_room(clod_crew *self, size_t count, clod_status *status)
             clod_status_fail(status, CLOD_FAILED, "no memory for a slab of %zu grains", count));
 }
 
-/** Put what has come into its rows. */
-static void take_grains(clod_crew_slabs *self, size_t first)
+/** Put what has come into its rows; false: it is not the slab. */
+static bool take_grains(clod_crew_slabs *self, size_t first)
 {
     const char *at = self->in.data, *end = at + self->in.count;
+    const size_t count = self->rows.grains.count;
+    size_t taken = 0;
     while (at < end) {
         uint64_t number;
         memcpy(&number, at, sizeof number);
         at += sizeof number;
+        if (number < first || number - first >= count) {
+            return false;
+        }
         const size_t row = (size_t)number - first;
         if (self->each != NULL) {
             memcpy(&self->rows_each[row], at, sizeof *self->rows_each);
             at += sizeof *self->rows_each;
         }
         at = clod_records_get_grain(at, &self->rows, row);
+        taken++;
     }
+    return taken == count;
 }
 
 static bool get_grains(void *context, size_t first, size_t count, clod_bed_slab *slab,
@@ -68,7 +79,11 @@ static bool get_grains(void *context, size_t first, size_t count, clod_bed_slab 
         return false;
     }
     slabs->rows.grains.count = count;
-    take_grains(slabs, first);
+    if (!take_grains(slabs, first)) {
+        return clod_status_fail(status, CLOD_FAILED,
+                                "the ranks sent other grains than the %zu from number %zu on",
+                                count, first);
+    }
     *slab = (clod_bed_slab){&slabs->rows, slabs->each != NULL ? slabs->rows_each : NULL};
     return true;
 }
@@ -145,6 +160,9 @@ static void end(void *context)
 
 clod_bed_source clod_step_bed_source(clod_step *step, clod_step_bed *self)
 {
+    if (step->failed) { // a rebuild may have left ranks' rows in no order; `begin` tells it
+        clod_step_see(step, &(clod_status){0});
+    }
     if (step->crew != NULL && step->crew->stale) {
         return (clod_bed_source){.context = step->crew,
                                  .begin = begin,

@@ -1,5 +1,6 @@
 #include "step/crew_survey.h"
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "step/crew_state.h"
 
@@ -59,6 +60,7 @@ static bool merge(clod_crew *self, const clod_survey_question *question, clod_st
 {
     const clod_survey_way *way = clod_survey_way_of(question->kind);
     const size_t all = question->sums_bytes;
+    CLOD_ASSERT(way->unit <= PIECE);
     const size_t most = way->unit > 0 ? PIECE / way->unit * way->unit : all;
     if (!clod_ranks_reserve(self->ranks, most, status)) {
         return false;

@@ -115,6 +115,7 @@ static bool move_grains(clod_spread *self, const clod_state *from, clod_state *t
     if (!swap(self, way, status)) {
         return false;
     }
+    self->adrift = true;
     to->grains.count = 0;
     const bool good = clod_records_get_grains(&way->in, to, status);
     clod_bytes_fini(&way->in);
@@ -131,8 +132,9 @@ bool clod_migrate(clod_spread *self, const clod_state *from, clod_state *to,
     if (good) {
         clod_spread_cut(self, from);
         pack_contacts(self, from, contacts.out); // while the rows are there
-        good = move_grains(self, from, to, skin(context, &self->bed), &grains, status) &&
-               swap(self, &contacts, status) &&
+        const double wide = skin(context, &self->bed);
+        good = swap(self, &contacts, status) && // while nothing is lost by a failure
+               move_grains(self, from, to, wide, &grains, status) &&
                clod_ranks_agree(
                    self->ranks,
                    clod_records_get_contacts(&contacts.in, to, &self->torn, status), status);

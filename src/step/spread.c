@@ -168,7 +168,9 @@ bool clod_spread_list(clod_spread *self, const clod_state *state, double skin,
         find_owners(self, state);
         good = list_ghosts(self, state, skin, status);
     }
-    return clod_ranks_agree(self->ranks, good, status);
+    good = clod_ranks_agree(self->ranks, good, status);
+    self->adrift = self->adrift && !good;
+    return good;
 }
 
 // ---- lists of the neighbour search

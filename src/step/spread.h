@@ -52,6 +52,7 @@ typedef struct clod_spread {
     size_t runs, owner_room, run_room;
     int *reached;   ///< [ranks] scratch
     clod_torn torn; ///< at the last rebuild
+    bool adrift;    ///< on all ranks: rows have moved, and whose they are is not listed
     clod_ghosts ghosts;
     clod_fixed *felt; ///< [walls] by each wall in a step, and behind it clod_spread_sums
     int32_t walls;
