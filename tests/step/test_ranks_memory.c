@@ -360,7 +360,7 @@ static void a_bed_is_written_or_its_loss_told(void **folder)
     scene one;
     bed_init(&one, BED_CLUSTER, 1);
     scene_start_with(&one, (clod_step_options){.threads = 1});
-    for (int asks = 0; asks < 24; asks += 3) {
+    for (int asks = 0; asks < 36; asks++) {
         scene several;
         unspread_bed how = {.folder = folder, .asks = asks, .into = &several};
         ranks_run(3, spread_without_memory, &how);
