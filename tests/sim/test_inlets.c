@@ -39,7 +39,8 @@ static void made(clod_case **from, clod_state *state)
 
 static bool act(clod_inlets *inlets, const clod_case *from, clod_state *state)
 {
-    const clod_free_moment now = {.from = from, .state = state};
+    const clod_survey survey = clod_survey_of(state, NULL);
+    const clod_free_moment now = {.from = from, .state = state, .survey = &survey};
     return CLOD_MEASURE_INLETS.act(inlets, &now, &status);
 }
 

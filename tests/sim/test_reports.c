@@ -221,7 +221,7 @@ static void points_without_a_locus(void **state)
     assert_int_equal(status.code, CLOD_FAILED);
     assert_string_equal(status.text,
                         "the test ran to its end, but its points give no yield locus: Preshear "
-                        "at 10.000 kPa, seed 0: Point 2: the peak shear stress is -20; it must "
+                        "at 10.000 kPa: Point 2: the peak shear stress is -20; it must "
                         "be 0 or more.");
     clod_ring_report_finished(&b.sim, part, 2, 3, status.text);
     json_t *summary = incomplete_summary_of(&b, status.text);

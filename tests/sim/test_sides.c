@@ -88,7 +88,8 @@ static void mixing_counts_all(void **unused)
                                   .cell = cells == 1 ? 0.04 : 0.02,
                                   .above = 1e-3};
         const clod_case from = {.mixings = &asked, .mixing_count = 1};
-        const clod_free_moment now = {.from = &from, .state = &state};
+        const clod_survey survey = clod_survey_of(&state, NULL);
+        const clod_free_moment now = {.from = &from, .state = &state, .survey = &survey};
         void *memory = clod_memory_alloc(1, CLOD_MEASURE_MIXING.size(&from));
         double row[5];
         int expected = 0;
