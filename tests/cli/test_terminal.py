@@ -74,7 +74,7 @@ class Terminal(clod.Case):
         self.assertRegex(shown.split(CLEAR)[-1],
                          r"^run +drag +0\.22\d* s, step \d+, \S+ grain-steps/s\r\n$")
         ended = re.match(r"time (\S+) s, ", out)
-        self.assertAlmostEqual(float(ended[1]), 0.4, delta=2e-5, msg=out)  # two steps
+        self.assertAlmostEqual(float(ended[1]), 0.22, delta=2e-5, msg=out)  # two steps
 
 
 if __name__ == "__main__":
