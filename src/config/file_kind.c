@@ -2,22 +2,18 @@
 
 #include <string.h>
 
-/** A kind: what it is, the key that only it has, and what to do with it. */
+/** A kind: what it is, the key that only it has, what to do with it, and who writes one. */
 static const struct kind {
-    const char *name, *key, *reader;
+    const char *name, *key, *reader, *example;
 } KINDS[CLOD_FILE_KINDS] = {
-    [CLOD_FILE_CASE] = {"a simulation's case", "materials", "clod run reads it"},
-    [CLOD_FILE_HOPPER] = {"a hopper's case", "flow_function", "clod hopper reads it"},
-    [CLOD_FILE_PLAN] = {"the plan of a calibration", "targets", "clod calibrate reads it"},
+    [CLOD_FILE_CASE] = {"a simulation's case", "materials", "clod run reads it",
+                        "clod new writes examples of a simulation's case"},
+    [CLOD_FILE_HOPPER] = {"a hopper's case", "flow_function", "clod hopper reads it",
+                          "clod new hopper writes an example of a hopper's case"},
+    [CLOD_FILE_PLAN] = {"the plan of a calibration", "targets", "clod calibrate reads it",
+                        "clod new calibrate writes an example of a plan"},
     [CLOD_FILE_CARD] = {"a material card", NULL,
-                        "a simulation's case takes it in with include: FILE"},
-};
-
-/** What to write in place of it. */
-static const char *const EXAMPLES[CLOD_FILE_KINDS] = {
-    [CLOD_FILE_CASE] = "clod new writes examples of a simulation's case",
-    [CLOD_FILE_HOPPER] = "clod new hopper writes an example of a hopper's case",
-    [CLOD_FILE_PLAN] = "clod new calibrate writes an example of a plan",
+                        "a simulation's case takes it in with include: FILE", NULL},
 };
 
 /** A card has contacts and nothing else, but for what the command line sets. */
@@ -45,12 +41,11 @@ bool clod_file_kind_check(clod_loader *loader, clod_file_kind wanted)
 {
     const clod_node *root = loader->root;
     const clod_file_kind found = kind_of(root);
-    if (found == CLOD_FILE_UNKNOWN || found == wanted ||
-        clod_tree_find(root, KINDS[wanted].key) != NULL) {
+    if (found == CLOD_FILE_UNKNOWN || clod_tree_find(root, KINDS[wanted].key) != NULL) {
         return true;
     }
     clod_report_add(loader->report, root->place, "", "is %s, not %s; %s, and %s",
                     KINDS[found].name, KINDS[wanted].name, KINDS[found].reader,
-                    EXAMPLES[wanted]);
+                    KINDS[wanted].example);
     return false;
 }

@@ -17,5 +17,6 @@ typedef enum clod_file_kind {
     CLOD_FILE_UNKNOWN = CLOD_FILE_KINDS,
 } clod_file_kind;
 
-/** Whether a file may be of the kind that is wanted; false after saying which it is of, and who reads it. */
+/** Whether a file may be of the kind that a verb wants, which is no card; false after saying which it is of,
+ *  and who reads it.   Test  tests/hopper/test_hopper.py */
 bool clod_file_kind_check(clod_loader *loader, clod_file_kind wanted);
