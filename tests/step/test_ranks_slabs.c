@@ -8,7 +8,7 @@
 #include "../output/temp_folder.h"
 #include "support/bed.h"
 #include "support/bits.h"
-#include "support/ranks_threads.h"
+#include "support/ranks_crew.h"
 #include "support/sanitized.h"
 
 // ---- what rank 0 asks for
@@ -67,8 +67,9 @@ static void write_files(scene *s, void **folder, files *to)
     take(folder, "snap_000000.hdf", &to->bytes[1], &to->size[1]);
 }
 
-static void run_bed(written_bed *how, clod_ranks *ranks)
+static void run_bed(void *context, clod_ranks *ranks)
 {
+    written_bed *how = context;
     scene s;
     bed_init(&s, how->kind, 1);
     if (how->clumps) {
@@ -92,16 +93,6 @@ static void run_bed(written_bed *how, clod_ranks *ranks)
     scene_end(&s);
 }
 
-static void run_rank(clod_ranks *ranks, void *context)
-{
-    if (ranks->rank > 0) {
-        clod_crew_serve(ranks);
-        return;
-    }
-    run_bed(context, ranks);
-    clod_crew_dismiss(ranks);
-}
-
 static void free_files(files *self)
 {
     for (int f = 0; f < 2; f++) {
@@ -115,7 +106,7 @@ static void compare(written_bed how)
     written_bed one = how;
     run_bed(&one, NULL);
     for (size_t k = 0; k < sizeof RANKS / sizeof *RANKS; k += sanitized() ? 2 : 1) {
-        ranks_run(RANKS[k], run_rank, &how);
+        ranks_crew_run(RANKS[k], run_bed, &how);
         for (int n = 0; n < 2; n++) {
             for (int f = 0; f < 2; f++) {
                 assert_int_equal(how.to[n].size[f], one.to[n].size[f]);
@@ -173,8 +164,9 @@ static void make_large(scene *s, clod_ranks *ranks)
     scene_run(s, 2);
 }
 
-static void write_large(large_bed *how, clod_ranks *ranks)
+static void write_large(void *context, clod_ranks *ranks)
 {
+    large_bed *how = context;
     scene s;
     make_large(&s, ranks);
     largest_ask = 0;
@@ -184,22 +176,12 @@ static void write_large(large_bed *how, clod_ranks *ranks)
     scene_end(&s);
 }
 
-static void write_large_rank(clod_ranks *ranks, void *context)
-{
-    if (ranks->rank > 0) {
-        clod_crew_serve(ranks);
-        return;
-    }
-    write_large(context, ranks);
-    clod_crew_dismiss(ranks);
-}
-
 static void a_bed_of_several_slabs(void **folder)
 {
     large_bed one = {.folder = folder}, several = {.folder = folder};
     write_large(&one, NULL);
     for (int ranks = 2; ranks <= 7; ranks += 5) {
-        ranks_run(ranks, write_large_rank, &several);
+        ranks_crew_run(ranks, write_large, &several);
         for (int f = 0; f < 2; f++) {
             assert_int_equal(several.to.size[f], one.to.size[f]);
             assert_memory_equal(several.to.bytes[f], one.to.bytes[f], one.to.size[f]);

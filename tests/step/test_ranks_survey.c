@@ -8,7 +8,7 @@
 #include "step/crew_part.h"
 
 #include "support/bed.h"
-#include "support/ranks_threads.h"
+#include "support/ranks_crew.h"
 #include "support/sanitized.h"
 
 #define LOOKS 4
@@ -96,8 +96,9 @@ static void ask(clod_step *step, told *to)
 }
 
 /** Looks between steps; before the third somebody changes adhesion and how fast walls are. */
-static void run_bed(const surveyed_bed *how, clod_ranks *ranks)
+static void run_bed(void *context, clod_ranks *ranks)
 {
+    const surveyed_bed *how = context;
     scene s;
     bed_init(&s, how->kind, 1);
     scene_start_with(&s, (clod_step_options){.threads = how->threads, .ranks = ranks});
@@ -118,16 +119,6 @@ static void run_bed(const surveyed_bed *how, clod_ranks *ranks)
     }
     clod_crew_end(&s.step.crew);
     scene_end(&s);
-}
-
-static void run_rank(clod_ranks *ranks, void *context)
-{
-    if (ranks->rank > 0) {
-        clod_crew_serve(ranks);
-        return;
-    }
-    run_bed(context, ranks);
-    clod_crew_dismiss(ranks);
 }
 
 /** There is something to compare: at the last look, and somewhere a contact with a wall. */
@@ -174,7 +165,7 @@ static void compare(surveyed_bed how)
     check_full(one, how.kind != BED_CLUSTER);
     how.to = several;
     for (size_t k = 0; k < sizeof RANKS / sizeof *RANKS; k += sanitized() ? 2 : 1) {
-        ranks_run(RANKS[k], run_rank, &how);
+        ranks_crew_run(RANKS[k], run_bed, &how);
         for (int l = 0; l < LOOKS; l++) {
             check_same(&one[l], &several[l]);
         }
