@@ -14,6 +14,11 @@ RI, RO = 0.020, 0.040  # m, of RING
 R_MEAN = 2.0 / 3.0 * (RO ** 3 - RI ** 3) / (RO ** 2 - RI ** 2)
 BAR_HEIGHT, SPEED = 0.004, 0.080
 SHEARED = 3  # phase
+SMALL_WALL = (("shear_min: 2.5 mm", "shear_min: 1 mm"), ("shear_max: 5 mm", "shear_max: 1.2 mm"),
+              ("block_displacement: 0.5 mm", "block_displacement: 0.3 mm\n  steady_blocks: 3"),
+              ("grain_count: 400", "grain_count: 60"), ("outer_radius: 30 mm", "outer_radius: 14 mm"))
+SHORT = (("preshear_max: 30 mm", "preshear_max: 9 mm"),
+         ("preshear_stress: 10 kPa", "preshear_min: 9 mm\n  preshear_stress: 10 kPa"))
 ANNULUS = "{{annulus: {{center: [0 m, 0 m, {} m], inner_radius: 20 mm, outer_radius: 40 mm, height: {} m}}}}"
 
 
@@ -70,11 +75,13 @@ class FieldsOfTests(clod.Case):
 
     def test_other_tests(self):
         """Each of them, and every part of it."""
-        for name, box in (("jenike", 0.1), ("uniaxial", 0.1), ("wall_friction", 0.1)):
-            region = f"{{box: {{min: [-{box} m, -{box} m, -0.05 m], max: [{box} m, {box} m, 0.3 m]}}}}"
-            self.write(clod.source(f"tests/cli/{name}.yaml"), f"\nfields: {{whole: {{region: {region}}}}}\n")
+        region = "{box: {min: [-0.1 m, -0.1 m, -0.05 m], max: [0.1 m, 0.1 m, 0.3 m]}}"
+        for name, source, *changes in (("jenike", "tests/restart/jenike.yaml"),
+                                       ("uniaxial", "tests/faults/uniaxial.yaml"),
+                                       ("wall_friction", "tests/cli/wall_friction.yaml", *SMALL_WALL)):
+            self.write(clod.source(source), f"\nfields: {{whole: {{region: {region}}}}}\n", *changes)
             self.go(name)
-            mass, volume = self.mass(), (2 * box) ** 2 * 0.35
+            mass, volume = self.mass(), 0.2 * 0.2 * 0.35
             parts = [part["part"] for part in self.summary(name)["parts"]]
             self.assertGreater(len(parts), 1)
             for part in parts:
@@ -82,8 +89,7 @@ class FieldsOfTests(clod.Case):
                     self.assertAlmostEqual(row["field_whole.density"] * volume / mass, 1.0, delta=1e-9)
 
     def test_the_same_bytes_on_threads_and_when_interrupted(self):
-        self.write(RING, ring_fields(), ("preshear_max: 30 mm", "preshear_max: 12 mm"),
-                   ("preshear_stress: 10 kPa", "preshear_min: 12 mm\n  preshear_stress: 10 kPa"))
+        self.write(RING, ring_fields(), *SHORT)
         self.go("one")
         self.go("two", "2")
         self.stop_after(150, "cut", "preshear.csv", "1")
@@ -93,16 +99,13 @@ class FieldsOfTests(clod.Case):
             self.assertIn(b"field_middle.contact_stress_tz [Pa]", whole)
             self.assertEqual(whole, clod.read(self.path(f"two/{part}.csv")), part)
             self.assertEqual(whole, clod.read(self.path(f"cut/{part}.csv")), part)
+        self.write(RING, "", *SHORT)
+        self.check_fields_change_nothing("one")
 
-    def test_fields_change_nothing(self):
-        shorter = (("preshear_max: 30 mm", "preshear_max: 12 mm"),
-                   ("preshear_stress: 10 kPa", "preshear_min: 12 mm\n  preshear_stress: 10 kPa"))
-        self.write(RING, ring_fields(), *shorter)
-        self.go("with")
-        self.write(RING, "", *shorter)
+    def check_fields_change_nothing(self, folder):
         self.go("without")
-        self.assertEqual(clod.read(self.path("with/points.csv")), clod.read(self.path("without/points.csv")))
-        with_fields, without = (clod.table(self.path(f"{folder}/preshear.csv")) for folder in ("with", "without"))
+        self.assertEqual(clod.read(self.path(f"{folder}/points.csv")), clod.read(self.path("without/points.csv")))
+        with_fields, without = (clod.table(self.path(f"{name}/preshear.csv")) for name in (folder, "without"))
         self.assertEqual([{name: row[name] for name in without[0]} for row in with_fields], without)
 
 
