@@ -94,6 +94,7 @@ static void every_law_has_its_numbers(void **state)
         const clod_law_kind_row *row = clod_law_kinds_row((clod_law_kind)law);
         assert_non_null(row->make);
         assert_non_null(row->stiffest);
+        assert_non_null(row->unloading);
         assert_non_null(row->pull);
         assert_non_null(row->plastic);
         assert_non_null(row->pressed);
