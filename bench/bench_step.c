@@ -41,7 +41,7 @@ typedef struct options {
 
 typedef struct measured {
     double wall; ///< s
-    double stage[CLOD_STAGES];
+    double stage[BENCH_STAGES];
     clod_energies energies;
     double contacts;
     int64_t rebuilds;
@@ -235,8 +235,8 @@ static void report(const options *o, clod_step *step, const measured *m)
            1e9 * m->wall / ((double)o->steps * contacts));
     if (o->stages) {
         printf("\"ns_per_grain_step\": {");
-        for (int k = 0; k < CLOD_STAGES; k++) {
-            printf("%s\"%s\": %.3f", k > 0 ? ", " : "", CLOD_STAGE[k].name,
+        for (int k = 0; k < BENCH_STAGES; k++) {
+            printf("%s\"%s\": %.3f", k > 0 ? ", " : "", bench_stage_name(k),
                    1e9 * m->stage[k] / (grains * (double)o->steps));
         }
         printf("}, ");

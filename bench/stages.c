@@ -9,7 +9,7 @@ double bench_now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static double spent[CLOD_STAGES]; // by thread 0
+static double spent[BENCH_STAGES]; // by thread 0
 static double before;
 
 static void take_time(int part, int stage)
@@ -21,18 +21,24 @@ static void take_time(int part, int stage)
     }
 }
 
-bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[CLOD_STAGES],
+bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[BENCH_STAGES],
                           clod_status *status)
 {
-    for (int k = 0; k < CLOD_STAGES; k++) {
+    for (int k = 0; k < BENCH_STAGES; k++) {
         spent[k] = 0.0;
     }
     step->after_stage = take_time;
     before = bench_now();
     const bool good = clod_step_advance(step, steps, status);
     step->after_stage = NULL;
-    for (int k = 0; k < CLOD_STAGES; k++) {
+    for (int k = 0; k < BENCH_STAGES; k++) {
         seconds[k] = spent[k];
     }
     return good;
+}
+
+const char *bench_stage_name(int stage)
+{
+    return stage < CLOD_STAGES ? CLOD_STAGE[stage].name
+                               : CLOD_LAST_STAGE[stage - CLOD_STAGES].name;
 }

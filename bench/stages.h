@@ -6,6 +6,9 @@
 
 #include "step/stages.h"
 
+/** Those of a step, and behind them the last ones of a call. */
+#define BENCH_STAGES (CLOD_STAGES + CLOD_LAST_STAGES)
+
 /** Seconds of a clock that never goes back. */
 double bench_now(void);
 
@@ -16,5 +19,8 @@ double bench_now(void);
  * @param seconds  [out] of thread 0 in each stage, over all steps, waiting for others included
  * @return         false when the step failed
  */
-bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[CLOD_STAGES],
+bool bench_stages_advance(clod_step *step, int64_t steps, double seconds[BENCH_STAGES],
                           clod_status *status);
+
+/** Name of a stage in its table. */
+const char *bench_stage_name(int stage);

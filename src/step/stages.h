@@ -1,7 +1,8 @@
 #pragma once
 /**
  * @file stages.h
- * The table of the step: what happens, from top to bottom. Every step runs it.
+ * The table of the step: what happens, from top to bottom. Every step runs it; behind the last one of
+ * a call the table of last stages is run once.
  */
 
 #include "step/step.h"
@@ -60,5 +61,7 @@ typedef struct clod_stage {
 } clod_stage;
 
 #define CLOD_STAGES 12
+#define CLOD_LAST_STAGES 2
 
 extern const clod_stage CLOD_STAGE[CLOD_STAGES];
+extern const clod_stage CLOD_LAST_STAGE[CLOD_LAST_STAGES]; ///< after the last step of a call

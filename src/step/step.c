@@ -50,15 +50,40 @@ static bool has_trouble(const clod_step *self)
            (self->spread == NULL && has_excess(self));
 }
 
-/** An overlap too large stops the step after its own: by then all ranks know of it. */
+/** The first overlap too large is looked at while no thread moves anything. */
+static void note_excess(clod_step *self, int part)
+{
+    if (has_excess(self) && self->thread[part].all_finite && !self->thread[part].noted) {
+        if (part == 0) {
+            clod_trouble_note(self);
+        }
+        self->thread[part].noted = true;
+        clod_barrier_wait(&self->barrier);
+    }
+}
+
+/** The step is made. An overlap too large stops the step after its own: by then all ranks know
+ *  of it. */
 static void check(clod_step *self, int part)
 {
     clod_step_thread *mine = &self->thread[part];
+    if (part == 0) {
+        self->state->step++;
+    }
+    note_excess(self, part);
     mine->stop = self->failed || !mine->all_finite || mine->late;
     mine->late = mine->late || (self->spread == NULL && has_excess(self));
 }
 
-// drift completes the half kick of the step before; after the last step clod_step_settle does
+/** Ranks merge what walls felt in the last step; ghosts does so for the step before. */
+static void merge_last(clod_step *self, int part)
+{
+    if (part == 0 && self->spread != NULL) {
+        clod_spread_settle(self);
+    }
+}
+
+// drift completes the half kick of the step before; settle does after the last step
 const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     // clang-format off
     //name,      function,          reads,                                  writes,                                     by thread 0,           barrier
@@ -73,54 +98,46 @@ const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     {"wear",    clod_step_wear,    LISTS | RUB | TOUCH | WEAR,             WEAR,                                       0,                     CLOD_BARRIER_NONE},
     {"servo",   clod_step_servo,   FELT | WALLS | LISTS,                   FELT | WALLS | LEDGER,                      FELT | WALLS | LEDGER, CLOD_BARRIER_NONE},
     {"ledger",  clod_step_ledger,  SUMS | LEDGER,                          LEDGER,                                     SUMS | LEDGER,         CLOD_BARRIER_NONE},
-    {"check",   check,             EXCESS,                                 0,                                          0,                     CLOD_BARRIER_NONE},
+    {"check",   check,             EXCESS,                                 0,                                          0,                     CLOD_BARRIER_NONE}, // within, at the first excess
     // clang-format on
 };
 
-/** The first overlap too large is looked at while no thread moves anything. */
-static void note_excess(clod_step *self, int part)
+const clod_stage CLOD_LAST_STAGE[CLOD_LAST_STAGES] = {
+    // clang-format off
+    {"settle",  clod_step_settle,  VELOCITY | FORCE | LISTS,               VELOCITY,                                   0,                     CLOD_BARRIER_RANKS},
+    {"merge",   merge_last,        ENDS,                                   ENDS,                                       ENDS,                  CLOD_BARRIER_NONE},
+    // clang-format on
+};
+
+/** `number` is for those who measure: the last stages come behind those of a step. */
+static void run_stage(clod_step *self, int part, const clod_stage *stage, int number)
 {
-    if (has_excess(self) && self->thread[part].all_finite && !self->thread[part].noted) {
-        if (part == 0) {
-            clod_trouble_note(self);
-        }
-        self->thread[part].noted = true;
+    stage->run(self, part);
+    if (stage->barrier == CLOD_BARRIER_AFTER ||
+        (stage->barrier == CLOD_BARRIER_RANKS && self->spread != NULL)) {
         clod_barrier_wait(&self->barrier);
+    }
+    if (self->after_stage != NULL) {
+        self->after_stage(part, number);
     }
 }
 
 /** The steps as one thread sees them. */
 static void advance_part(clod_step *self, int part)
 {
-    const int64_t first = self->state->step;
     for (int64_t s = 0; s < self->steps; s++) {
         for (int k = 0; k < CLOD_STAGES; k++) {
-            CLOD_STAGE[k].run(self, part);
-            if (CLOD_STAGE[k].barrier == CLOD_BARRIER_AFTER ||
-                (CLOD_STAGE[k].barrier == CLOD_BARRIER_RANKS && self->spread != NULL)) {
-                clod_barrier_wait(&self->barrier);
-            }
-            if (self->after_stage != NULL) {
-                self->after_stage(part, k);
-            }
+            run_stage(self, part, &CLOD_STAGE[k], k);
             if (self->failed) { // set between barriers: all threads see it here
                 return;
             }
         }
-        if (part == 0) {
-            self->state->step = first + s + 1;
-        }
-        note_excess(self, part);
         if (self->thread[part].stop) { // all agree
             break;
         }
     }
-    clod_step_settle(self, part);
-    if (self->spread != NULL) {
-        clod_barrier_wait(&self->barrier); // all are through with the last step's flags
-        if (part == 0) {
-            clod_spread_settle(self);
-        }
+    for (int k = 0; k < CLOD_LAST_STAGES; k++) {
+        run_stage(self, part, &CLOD_LAST_STAGE[k], CLOD_STAGES + k);
     }
 }
 

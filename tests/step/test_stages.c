@@ -79,6 +79,43 @@ static void no_barrier_is_there_in_vain(void **state)
     }
 }
 
+/** The first stage that needs a barrier before a last one; -1: none. */
+static int unguarded_end(const clod_stage table[CLOD_STAGES],
+                         const clod_stage last[CLOD_LAST_STAGES])
+{
+    clod_stage end[CLOD_STAGES + CLOD_LAST_STAGES];
+    memcpy(end, table, sizeof *table * CLOD_STAGES);
+    memcpy(end + CLOD_STAGES, last, sizeof *last * CLOD_LAST_STAGES);
+    for (int b = CLOD_STAGES; b < CLOD_STAGES + CLOD_LAST_STAGES; b++) {
+        for (int a = b - 1; a >= 0 && end[a].barrier == CLOD_BARRIER_NONE; a--) {
+            if (clash(&end[a], &end[b]) != 0) {
+                return a;
+            }
+        }
+    }
+    return -1;
+}
+
+static void the_last_stages_are_guarded(void **state)
+{
+    (void)state;
+    for (int several = 0; several < 2; several++) {
+        clod_stage table[CLOD_STAGES], last[CLOD_LAST_STAGES];
+        table_for(table, several != 0);
+        memcpy(last, CLOD_LAST_STAGE, sizeof last);
+        if (several == 0) { // one rank has nothing to merge
+            assert_int_equal(last[0].barrier, CLOD_BARRIER_RANKS);
+            last[0].barrier = CLOD_BARRIER_NONE;
+            last[1].reads = last[1].writes = last[1].by_first = 0;
+        }
+        assert_int_equal(unguarded_end(table, last), -1);
+        if (several != 0) { // and the barrier is not there in vain
+            last[0].barrier = CLOD_BARRIER_NONE;
+            assert_int_not_equal(unguarded_end(table, last), -1);
+        }
+    }
+}
+
 /** Nothing is read that no stage writes, nothing written in vain; the ledger is for the caller.
  */
 static void what_is_written_is_read(void **state)
@@ -99,6 +136,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(barriers_stand_where_they_are_needed),
         cmocka_unit_test(no_barrier_is_there_in_vain),
+        cmocka_unit_test(the_last_stages_are_guarded),
         cmocka_unit_test(what_is_written_is_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
