@@ -382,5 +382,8 @@ int main(void)
     if (sanitized()) {
         cmocka_set_skip_filter("three_threads_*"); // as two and seven
     }
+    if (looks_for_races()) {
+        cmocka_set_test_filter("*threads*");
+    }
     return cmocka_run_group_tests(tests, run_references, end_references);
 }

@@ -8,6 +8,17 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+/** Whether this program looks for races, which one thread alone has not. */
+static inline bool looks_for_races(void)
+{
+#if defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+    return true;
+#endif
+#endif
+    return false;
+}
+
 /** Whether the program was built with a sanitizer (ctest says so). */
 static inline bool sanitized(void)
 {
