@@ -78,11 +78,13 @@ class Sets(clod.Case):
         for wall in ("chute", "belt"):
             self.assertLess(min(row[f"{wall}.force_z"] for row in rows), -0.1)
         self.assertGreaterEqual(rows[-1]["outlet_bin.grains"], LEAST_OUT, list(rows[-1]))
-        others = [self.run_on(simd, threads)
-                  for simd, threads in (("avx2", "2"), ("avx512", "1"), ("neon", "2"))]
-        for other in filter(None, others):
-            self.assert_same_end(first, other, ["run"])
-        if not any(others):
+        compared = 0
+        for simd, threads in (("avx512", "2"), ("avx2", "1"), ("neon", "2")):
+            other = self.run_on(simd, threads) if compared == 0 or not clod.SANITIZED else None
+            if other is not None:
+                self.assert_same_end(first, other, ["run"])
+                compared += 1
+        if compared == 0:
             self.skipTest("this machine has no set of vectors to compare with")
 
 
