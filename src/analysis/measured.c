@@ -65,18 +65,10 @@ static bool has_strength(const char *header)
     return has(header, "f_c") || has(header, "sigma_c") || has(header, "fc");
 }
 
-clod_measured_kind clod_measured_kind_of(const char *text, size_t length)
+static bool is_density(const char *header)
 {
-    char header[HEADER];
-    CLOD_NEED(text);
-    header_of(text, length, header);
-    if (is_wall(header)) {
-        return CLOD_MEASURED_WALL;
-    }
-    const bool density = has(header, "rho_b") || has(header, "rho");
-    const bool strength = has_strength(header);
-    return has(header, "sigma_1") && density && !strength ? CLOD_MEASURED_DENSITY
-                                                          : CLOD_MEASURED_SHEAR;
+    return has(header, "sigma_1") && (has(header, "rho_b") || has(header, "rho")) &&
+           !has_strength(header);
 }
 
 /** A table that is none of the kinds, but known. */
@@ -124,9 +116,11 @@ static bool read_shear(const char *path, const char *text, size_t length,
     return self->study != NULL;
 }
 
-static bool read_wall(const char *path, const char *text, size_t length, clod_measured *self,
+static bool read_wall(const char *path, const char *text, size_t length,
+                      const clod_locus_defaults *defaults, clod_measured *self,
                       clod_status *status)
 {
+    (void)defaults; // it has none
     clod_wall_locus_point *points;
     size_t count;
     if (!clod_wall_locus_parse(path, text, length, &points, &count, status)) {
@@ -138,9 +132,11 @@ static bool read_wall(const char *path, const char *text, size_t length, clod_me
     return good || fail_evaluation(path, &why, status);
 }
 
-static bool read_density(const char *path, const char *text, size_t length, clod_measured *self,
+static bool read_density(const char *path, const char *text, size_t length,
+                         const clod_locus_defaults *defaults, clod_measured *self,
                          clod_status *status)
 {
+    (void)defaults; // it has none
     clod_bulk_density_point *points;
     size_t count;
     if (!clod_bulk_density_parse(path, text, length, &points, &count, status)) {
@@ -152,17 +148,107 @@ static bool read_density(const char *path, const char *text, size_t length, clod
     return good || fail_evaluation(path, &why, status);
 }
 
+// ---- one row for each kind
+
+typedef struct kind_row {
+    const char *name;               ///< in messages
+    bool preshear;                  ///< its stresses may be given beside the table
+    bool (*is)(const char *header); ///< NULL: what is none of the others
+    bool (*read)(const char *path, const char *text, size_t length,
+                 const clod_locus_defaults *defaults, clod_measured *self, clod_status *status);
+    char *(*table)(const clod_measured *self);
+    char *(*json)(const clod_measured *self);
+    char *(*csv)(const clod_measured *self);
+} kind_row;
+
+static char *shear_table(const clod_measured *self)
+{
+    return clod_locus_table(self->study);
+}
+
+static char *shear_json(const clod_measured *self)
+{
+    return clod_locus_json(self->study);
+}
+
+static char *shear_csv(const clod_measured *self)
+{
+    return clod_locus_csv(self->study);
+}
+
+static char *wall_table(const clod_measured *self)
+{
+    return clod_wall_locus_table(&self->wall);
+}
+
+static char *wall_json(const clod_measured *self)
+{
+    return clod_wall_locus_json(&self->wall);
+}
+
+static char *wall_csv(const clod_measured *self)
+{
+    return clod_wall_locus_csv(&self->wall);
+}
+
+static char *density_table(const clod_measured *self)
+{
+    return clod_bulk_density_table(&self->density);
+}
+
+static char *density_json(const clod_measured *self)
+{
+    return clod_bulk_density_json(&self->density);
+}
+
+static char *density_csv(const clod_measured *self)
+{
+    return clod_bulk_density_csv(&self->density);
+}
+
+static const kind_row KINDS[] = {
+    [CLOD_MEASURED_SHEAR] = {.name = "table of shear points",
+                             .preshear = true,
+                             .read = read_shear,
+                             .table = shear_table,
+                             .json = shear_json,
+                             .csv = shear_csv},
+    [CLOD_MEASURED_WALL] = {.name = "wall yield locus",
+                            .is = is_wall,
+                            .read = read_wall,
+                            .table = wall_table,
+                            .json = wall_json,
+                            .csv = wall_csv},
+    [CLOD_MEASURED_DENSITY] = {.name = "table of bulk densities",
+                               .is = is_density,
+                               .read = read_density,
+                               .table = density_table,
+                               .json = density_json,
+                               .csv = density_csv},
+};
+
+clod_measured_kind clod_measured_kind_of(const char *text, size_t length)
+{
+    char header[HEADER];
+    CLOD_NEED(text);
+    header_of(text, length, header);
+    for (int k = 0; k < (int)(sizeof KINDS / sizeof *KINDS); k++) {
+        if (KINDS[k].is != NULL && KINDS[k].is(header)) {
+            return (clod_measured_kind)k;
+        }
+    }
+    return CLOD_MEASURED_SHEAR;
+}
+
 /** A preshear that was given for a table without one is a mistake. */
 static bool check_defaults(const char *path, const clod_locus_defaults *defaults,
-                           const clod_measured *self, clod_status *status)
+                           const kind_row *kind, clod_status *status)
 {
     const bool given =
         defaults != NULL && (defaults->sigma_pre != NULL || defaults->tau_pre != NULL);
-    return !given || self->kind == CLOD_MEASURED_SHEAR ||
+    return !given || kind->preshear ||
            clod_status_fail(status, CLOD_USAGE, "%s: a %s has no preshear; leave out --%s.",
-                            path,
-                            self->kind == CLOD_MEASURED_WALL ? "wall yield locus"
-                                                             : "table of bulk densities",
+                            path, kind->name,
                             defaults->sigma_pre != NULL ? "sigma-pre" : "tau-pre");
 }
 
@@ -170,18 +256,10 @@ static bool parse(const char *path, const char *text, size_t length,
                   const clod_locus_defaults *defaults, clod_measured *self, clod_status *status)
 {
     self->kind = clod_measured_kind_of(text, length);
-    if (!check_header(path, text, length, status) ||
-        !check_defaults(path, defaults, self, status)) {
-        return false;
-    }
-    switch (self->kind) {
-    case CLOD_MEASURED_WALL:
-        return read_wall(path, text, length, self, status);
-    case CLOD_MEASURED_DENSITY:
-        return read_density(path, text, length, self, status);
-    default:
-        return read_shear(path, text, length, defaults, self, status);
-    }
+    const kind_row *kind = &KINDS[self->kind];
+    return check_header(path, text, length, status) &&
+           check_defaults(path, defaults, kind, status) &&
+           kind->read(path, text, length, defaults, self, status);
 }
 
 bool clod_measured_read(const char *path, const clod_locus_defaults *defaults,
@@ -212,25 +290,19 @@ void clod_measured_fini(clod_measured *self)
 char *clod_measured_table(const clod_measured *self)
 {
     CLOD_NEED(self);
-    return self->kind == CLOD_MEASURED_WALL      ? clod_wall_locus_table(&self->wall)
-           : self->kind == CLOD_MEASURED_DENSITY ? clod_bulk_density_table(&self->density)
-                                                 : clod_locus_table(self->study);
+    return KINDS[self->kind].table(self);
 }
 
 char *clod_measured_json(const clod_measured *self)
 {
     CLOD_NEED(self);
-    return self->kind == CLOD_MEASURED_WALL      ? clod_wall_locus_json(&self->wall)
-           : self->kind == CLOD_MEASURED_DENSITY ? clod_bulk_density_json(&self->density)
-                                                 : clod_locus_json(self->study);
+    return KINDS[self->kind].json(self);
 }
 
 char *clod_measured_csv(const clod_measured *self)
 {
     CLOD_NEED(self);
-    return self->kind == CLOD_MEASURED_WALL      ? clod_wall_locus_csv(&self->wall)
-           : self->kind == CLOD_MEASURED_DENSITY ? clod_bulk_density_csv(&self->density)
-                                                 : clod_locus_csv(self->study);
+    return KINDS[self->kind].csv(self);
 }
 
 void clod_measured_warnings(const clod_measured *self, clod_measured_sink sink, void *context)

@@ -6,6 +6,7 @@
 
 #include "base/vec3.h"
 #include "config/check.h"
+#include "config/region.h"
 #include "config/suggest.h"
 
 /** Cosine of the angle between two directions below which they are at right angles. */
@@ -42,8 +43,7 @@ static void check_directions(clod_loader *loader, const clod_case *self,
         }
         return;
     }
-    if (gauge->region.kind == CLOD_REGION_ANNULUS &&
-        fabs(n[2]) < fmax(fabs(n[0]), fabs(n[1]))) {
+    if (clod_region_row(&gauge->region)->upright && fabs(n[2]) < fmax(fabs(n[0]), fabs(n[1]))) {
         fail(loader, gauge, "direction",
              "an upright annulus or cylinder measures a stream that goes through its top and "
              "bottom; where it is more level than upright, make the region a box");

@@ -4,15 +4,17 @@
 #include <string.h>
 
 #include "config/check.h"
+#include "config/region.h"
 
 /** Thickness of a region, the least of its sizes [m]. */
 static double thickness(const clod_case_region *region)
 {
-    if (region->kind == CLOD_REGION_ANNULUS) {
-        return fmin(region->height, region->outer_radius - region->inner_radius);
-    }
-    const double *a = region->min, *b = region->max;
-    return fmin(b[0] - a[0], fmin(b[1] - a[1], b[2] - a[2]));
+    const clod_region_kind_row *row = clod_region_row(region);
+    double size[3];
+    row->size(region, size);
+    const double across =
+        row->upright ? region->outer_radius - region->inner_radius : fmin(size[0], size[1]);
+    return fmin(across, size[2]);
 }
 
 /** Largest radius that a group of grains can have [m]; 0: not known before the run. */

@@ -51,22 +51,14 @@ bool clod_check_face(clod_loader *loader, const char *path, clod_case_grains *gr
 bool clod_check_region(clod_loader *loader, const char *path, const clod_case_region *region)
 {
     char key[CLOD_LOAD_PATH + 40];
-    bool good = true;
-    if (region->kind == CLOD_REGION_ANNULUS) {
-        good = region->inner_radius < region->outer_radius;
-        snprintf(key, sizeof key, "%s.region.annulus.inner_radius", path);
-    } else if (region->kind == CLOD_REGION_BOX) {
-        const double *low = region->min, *high = region->max;
-        good = low[0] < high[0] && low[1] < high[1] && low[2] < high[2];
-        snprintf(key, sizeof key, "%s.region.box.max", path);
+    const clod_region_kind_row *row = clod_region_row(region);
+    const clod_region_fault fault =
+        row->fault != NULL ? row->fault(region) : (clod_region_fault){0};
+    if (fault.key != NULL) {
+        snprintf(key, sizeof key, "%s.region.%s", path, fault.key);
+        clod_check_fail(loader, key, "%s", fault.text);
     }
-    if (!good) {
-        clod_check_fail(loader, key, "%s",
-                        region->kind == CLOD_REGION_ANNULUS
-                            ? "must be smaller than outer_radius"
-                            : "must be larger than min in x, y and z");
-    }
-    return good;
+    return fault.key == NULL;
 }
 
 bool clod_check_region_place(clod_loader *loader, const clod_case *self, const char *path,

@@ -28,11 +28,8 @@ static double area_across(const clod_case_region *region, const double velocity[
     if (clod_region_is_face(region)) {
         return face_across(region, velocity, speed);
     }
-    const bool box = region->kind == CLOD_REGION_BOX;
-    const double wide = 2.0 * region->outer_radius;
-    const double size[3] = {box ? region->max[0] - region->min[0] : wide,
-                            box ? region->max[1] - region->min[1] : wide,
-                            box ? region->max[2] - region->min[2] : region->height};
+    double size[3];
+    clod_region_row(region)->size(region, size);
     const double across[3] = {size[1] * size[2], size[2] * size[0], clod_region_area(region)};
     double area = 0.0;
     for (int a = 0; a < 3; a++) {

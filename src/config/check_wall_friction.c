@@ -3,6 +3,7 @@
 
 #include "base/plural.h"
 #include "config/check.h"
+#include "config/wall_cells.h"
 
 #define SECTION "wall_friction"
 #define STRESSES "wall_friction.wall_stresses"
@@ -34,9 +35,7 @@ static void check_cell(clod_loader *loader, const clod_case_wall_friction *test)
     if (!clean(loader, SECTION)) {
         return;
     }
-    const bool ring = test->cell == CLOD_CASE_CELL_RING;
-    const double width =
-        ring ? test->outer_radius - test->inner_radius : 2.0 * test->outer_radius;
+    const double width = clod_wall_cell_width(test);
     if (width <= 0.0) {
         clod_check_fail(loader, SECTION ".inner_radius",
                         "must be smaller than outer_radius = %.10g m", test->outer_radius);
@@ -48,7 +47,7 @@ static void check_cell(clod_loader *loader, const clod_case_wall_friction *test)
             "grains of %.10g m diameter do not fit into the cell: width %.10g m, depth %.10g m",
             2.0 * test->radius_max, width, test->depth);
     }
-    if (ring && test->bar_count > 0) {
+    if (clod_wall_cell_bars(test) > 0) {
         check_bars(loader, test);
     }
 }
@@ -63,10 +62,9 @@ static double weight_of(const clod_case *self)
                                         test->depth);
     }
     const double r = test->radius_mean;
-    const double inner = test->cell == CLOD_CASE_CELL_RING ? test->inner_radius : 0.0;
-    const double area = M_PI * (test->outer_radius * test->outer_radius - inner * inner);
     const double volume = (double)test->grain_count * 4.0 / 3.0 * M_PI * r * r * r;
-    return clod_check_tester_weight(self, test->grain_material, 1.0, volume / area);
+    return clod_check_tester_weight(self, test->grain_material, 1.0,
+                                    volume / clod_wall_cell_area(test));
 }
 
 /** Two stresses make a line; none is below the weight of the solid on the plate. */

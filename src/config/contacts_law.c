@@ -4,6 +4,7 @@
 
 #include "config/check.h"
 #include "config/law_keys.h"
+#include "law/law_springs.h"
 
 void clod_contacts_fail(clod_loader *loader, const clod_contacts_pair *self, const char *key,
                         const char *message)
@@ -43,7 +44,8 @@ static void check_fixed(clod_loader *loader, const clod_contacts_pair *self,
                  law, keys->exponent);
         clod_contacts_fail(loader, self, "exponent", message);
     }
-    if (contact->tangential == CLOD_TANGENTIAL_LITERAL && (keys->k1 == NULL || linear)) {
+    if (clod_law_springs_tangential_row_of(contact->tangential)->takes_k1 &&
+        (keys->k1 == NULL || linear)) {
         snprintf(message, sizeof message,
                  keys->k1 == NULL
                      ? "literal takes k1, which law %s does not have; write tangent"
@@ -128,7 +130,7 @@ static void require_elastic(clod_loader *loader, const clod_case *whole,
 static void require_rolling_friction(clod_loader *loader, const clod_contacts_pair *self,
                                      const clod_case_contact *contact)
 {
-    if (contact->rolling != CLOD_ROLLING_NONE &&
+    if (clod_law_springs_rolling_row_of(contact->rolling)->resists &&
         clod_tree_find(self->own, "rolling_friction") == NULL &&
         clod_tree_find(self->common, "rolling_friction") == NULL) {
         const bool own = clod_tree_find(self->own, "rolling") != NULL;
@@ -163,6 +165,8 @@ void clod_contacts_check_needs(clod_loader *loader, const clod_case *whole,
 void clod_contacts_complete(clod_case_contact *contact)
 {
     const clod_law_keys *keys = clod_law_keys_of(contact->law);
+    const clod_law_springs_rolling_row *rolling =
+        clod_law_springs_rolling_row_of(contact->rolling);
     contact->k1 = keys->k1 != NULL ? contact->k1 : 0.0;
     contact->k2 = keys->k2 != NULL ? contact->k2 : contact->k1;
     contact->k_adh = keys->k_adh ? contact->k_adh : 0.0;
@@ -175,13 +179,14 @@ void clod_contacts_complete(clod_case_contact *contact)
     if (!keys->surface_energy) {
         contact->surface_energy = 0.0;
     }
-    if (contact->rolling == CLOD_ROLLING_NONE) {
+    if (!rolling->resists) {
         contact->rolling_friction = 0.0;
     }
-    if (contact->rolling != CLOD_ROLLING_EPSD) {
+    if (!rolling->dash_pot) {
         contact->rolling_damping = 0.0;
     }
-    if (keys->elastic_moduli || contact->tangential == CLOD_TANGENTIAL_LITERAL) {
+    if (keys->elastic_moduli ||
+        clod_law_springs_tangential_row_of(contact->tangential)->takes_k1) {
         contact->tangential_ratio = 1.0;
     }
 }

@@ -4,6 +4,7 @@
  */
 
 #include "config/param.h"
+#include "config/region.h"
 
 #define F clod_case_field
 
@@ -16,7 +17,7 @@ static bool has_cell(const clod_case *whole, const void *self)
 /** Whether it is a mean over a disc or ring, which has an axis. */
 static bool has_axis(const clod_case *whole, const void *self)
 {
-    return !has_cell(whole, self) && ((const F *)self)->region.kind == CLOD_REGION_ANNULUS;
+    return !has_cell(whole, self) && clod_region_row(&((const F *)self)->region)->upright;
 }
 
 static const char *const COMPONENTS[] = {[CLOD_COMPONENTS_CARTESIAN] = "cartesian",

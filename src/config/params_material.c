@@ -5,6 +5,7 @@
 
 #include "config/law_keys.h"
 #include "config/param.h"
+#include "law/law_springs.h"
 
 #define M clod_case_material
 #define C clod_case_contact
@@ -74,13 +75,6 @@ const clod_table CLOD_TABLE_MATERIAL = {
 static const char *const COULOMB[] = {[CLOD_COULOMB_ADHESIVE] = "adhesive",
                                       [CLOD_COULOMB_FORCE] = "force",
                                       [CLOD_COULOMB_PAPER] = "paper",
-                                      NULL};
-static const char *const TANGENTIAL[] = {
-    [CLOD_TANGENTIAL_TANGENT] = "tangent", [CLOD_TANGENTIAL_LITERAL] = "literal", NULL};
-static const char *const ROLLING[] = {[CLOD_ROLLING_NONE] = "none",
-                                      [CLOD_ROLLING_CDT] = "cdt",
-                                      [CLOD_ROLLING_EPSD] = "epsd",
-                                      [CLOD_ROLLING_EPSD2] = "epsd2",
                                       NULL};
 
 static const clod_law_keys *keys_of(const void *self)
@@ -158,19 +152,19 @@ static bool has_ratio(const clod_case *whole, const void *self)
 {
     (void)whole;
     return !keys_of(self)->elastic_moduli &&
-           ((const C *)self)->tangential == CLOD_TANGENTIAL_TANGENT;
+           !clod_law_springs_tangential_row_of(((const C *)self)->tangential)->takes_k1;
 }
 
 static bool has_rolling(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return ((const C *)self)->rolling != CLOD_ROLLING_NONE;
+    return clod_law_springs_rolling_row_of(((const C *)self)->rolling)->resists;
 }
 
 static bool has_rolling_damping(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return ((const C *)self)->rolling == CLOD_ROLLING_EPSD;
+    return clod_law_springs_rolling_row_of(((const C *)self)->rolling)->dash_pot;
 }
 
 static const clod_param CONTACT[] = {
@@ -308,7 +302,7 @@ static const clod_param CONTACT[] = {
     {.key = "tangential",
      .kind = CLOD_PARAM_CHOICE,
      .need = CLOD_PARAM_OPTIONAL,
-     .choices = TANGENTIAL,
+     .choices = CLOD_LAW_SPRINGS_TANGENTIAL,
      .fallback = "tangent",
      CLOD_AT(C, tangential),
      .help = "Tangential stiffness: from the tangent of the loading branch (tangent), or the "
@@ -330,7 +324,7 @@ static const clod_param CONTACT[] = {
     {.key = "rolling",
      .kind = CLOD_PARAM_CHOICE,
      .need = CLOD_PARAM_OPTIONAL,
-     .choices = ROLLING,
+     .choices = CLOD_LAW_SPRINGS_ROLLING,
      .fallback = "none",
      CLOD_AT(C, rolling),
      .help = "Rolling resistance: none, constant torque (cdt), spring and dash-pot (epsd), or "

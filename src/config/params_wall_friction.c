@@ -5,6 +5,7 @@
 
 #include "config/params_radius.h"
 #include "config/params_tester.h"
+#include "config/wall_cells.h"
 
 #define W clod_case_wall_friction
 
@@ -16,25 +17,30 @@
         range, .fallback = value, CLOD_AT(W, name), .help = text,                              \
         .source = "docs/theory/wall-friction.md"                                               \
     }
-/** A length that a ring alone has. */
-#define OF_RING(name, range, value, when, why, text, where)                                    \
+/** A length that not every cell has. */
+#define OF_SOME(name, range, value, when, why, text, where)                                    \
     {                                                                                          \
         .key = #name, .kind = CLOD_PARAM_REAL, .need = CLOD_PARAM_OPTIONAL, .unit = "m",       \
         range, .fallback = value, CLOD_AT(W, name), .used = when, .unused = why, .help = text, \
         .source = where                                                                        \
     }
 
-static const char *const CELLS[] = {"ring", "straight", NULL};
-
-static bool is_ring(const clod_case *whole, const void *self)
+static bool is_annulus(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return ((const W *)self)->cell == CLOD_CASE_CELL_RING;
+    return clod_wall_cell_of(self)->annulus;
+}
+
+static bool may_have_bars(const clod_case *whole, const void *self)
+{
+    (void)whole;
+    return clod_wall_cell_of(self)->bars;
 }
 
 static bool has_bars(const clod_case *whole, const void *self)
 {
-    return is_ring(whole, self) && ((const W *)self)->bar_count > 0;
+    (void)whole;
+    return clod_wall_cell_bars(self) > 0;
 }
 
 static bool is_filled_by_depth(const clod_case *whole, const void *self)
@@ -59,13 +65,13 @@ static const clod_param ROWS[] = {
     {.key = "cell",
      .kind = CLOD_PARAM_CHOICE,
      .need = CLOD_PARAM_OPTIONAL,
-     .choices = CELLS,
+     .choices = CLOD_WALL_CELL_NAMES,
      .fallback = "ring",
      CLOD_AT(W, cell),
      .help = "ring: an annulus whose plate turns, as in a ring shear tester. straight: a round "
              "ring whose plate moves along x, as in a Jenike tester.",
      .source = "docs/theory/wall-friction.md; ASTM D6773, D6128"},
-    OF_RING(inner_radius, CLOD_ABOVE(0, 10), "50 mm", is_ring,
+    OF_SOME(inner_radius, CLOD_ABOVE(0, 10), "50 mm", is_annulus,
             "a straight cell has no inner radius; remove this key",
             "Inner radius of the annulus.", "docs/theory/ring-shear.md (RST-01)"),
     REAL(outer_radius, "m", CLOD_ABOVE(0, 10), "100 mm",
@@ -82,16 +88,16 @@ static const clod_param ROWS[] = {
      CLOD_FROM(0, 1000),
      .fallback = "20",
      CLOD_AT(W, bar_count),
-     .used = is_ring,
+     .used = may_have_bars,
      .unused =
          "the ring of a straight cell holds the solid, its lid has no bars; remove this key",
      .help = "Radial bars on the lid, which hold the solid; the plate has none.",
      .source = "docs/theory/ring-shear.md (RST-01)"},
-    OF_RING(bar_height, CLOD_ABOVE(0, 1), "6.35 mm", has_bars,
+    OF_SOME(bar_height, CLOD_ABOVE(0, 1), "6.35 mm", has_bars,
             "there are no bars; remove this key",
             "Height of a bar; at least one grain diameter grips well.",
             "docs/theory/ring-shear.md"),
-    OF_RING(bar_width, CLOD_ABOVE(0, 1), "3 mm", has_bars, "there are no bars; remove this key",
+    OF_SOME(bar_width, CLOD_ABOVE(0, 1), "3 mm", has_bars, "there are no bars; remove this key",
             "Thickness of a bar.", "docs/theory/ring-shear.md"),
     CLOD_TESTER_LID(W),
     CLOD_TESTER_FILLING(W, "depth", is_filled_by_depth, "2000"),

@@ -1,6 +1,7 @@
 #include "config/region.h"
 
 #include <math.h>
+#include <string.h>
 
 static double length_of(const double *v)
 {
@@ -20,77 +21,231 @@ static void cross(const double *a, const double *b, double *c)
     }
 }
 
-void clod_region_axes(const clod_case_region *self, double axis[3][3])
+// ---- box
+
+static double area_of_box(const clod_case_region *self)
 {
-    const double length = length_of(self->normal);
-    const bool rectangle = self->kind == CLOD_REGION_RECTANGLE;
-    int least = 0; // the coordinate axis that is farthest from the normal
+    return (self->max[0] - self->min[0]) * (self->max[1] - self->min[1]);
+}
+
+static double top_of_box(const clod_case_region *self)
+{
+    return self->max[2];
+}
+
+static void size_of_box(const clod_case_region *self, double size[3])
+{
+    for (int a = 0; a < 3; a++) {
+        size[a] = self->max[a] - self->min[a];
+    }
+}
+
+static void bounds_of_box(const clod_case_region *self, double low[3], double high[3])
+{
+    memcpy(low, self->min, sizeof self->min);
+    memcpy(high, self->max, sizeof self->max);
+}
+
+static clod_region_fault fault_of_box(const clod_case_region *self)
+{
+    const double *low = self->min, *high = self->max;
+    if (low[0] < high[0] && low[1] < high[1] && low[2] < high[2]) {
+        return (clod_region_fault){0};
+    }
+    return (clod_region_fault){"box.max", "must be larger than min in x, y and z"};
+}
+
+// ---- annulus
+
+static double area_of_annulus(const clod_case_region *self)
+{
+    const double inner = self->inner_radius;
+    return M_PI * (self->outer_radius * self->outer_radius - inner * inner);
+}
+
+static double top_of_annulus(const clod_case_region *self)
+{
+    return self->center[2] + self->height;
+}
+
+static void size_of_annulus(const clod_case_region *self, double size[3])
+{
+    size[0] = size[1] = 2.0 * self->outer_radius;
+    size[2] = self->height;
+}
+
+static void bounds_of_annulus(const clod_case_region *self, double low[3], double high[3])
+{
+    for (int a = 0; a < 2; a++) {
+        low[a] = self->center[a] - self->outer_radius;
+        high[a] = self->center[a] + self->outer_radius;
+    }
+    low[2] = self->center[2];
+    high[2] = top_of_annulus(self);
+}
+
+static clod_region_fault fault_of_annulus(const clod_case_region *self)
+{
+    if (self->inner_radius < self->outer_radius) {
+        return (clod_region_fault){0};
+    }
+    return (clod_region_fault){"annulus.inner_radius", "must be smaller than outer_radius"};
+}
+
+// ---- faces
+
+static double top_of_face(const clod_case_region *self)
+{
+    return self->center[2];
+}
+
+/** A face that reaches so far to both sides along x, y and z, and its way of depth. */
+static void bounds_of_face(const clod_case_region *self, const double normal[3],
+                           const double reach[3], double low[3], double high[3])
+{
     for (int k = 0; k < 3; k++) {
-        axis[2][k] = self->normal[k] / length;
+        const double way = self->depth * normal[k];
+        low[k] = self->center[k] - reach[k] + fmin(way, 0.0);
+        high[k] = self->center[k] + reach[k] + fmax(way, 0.0);
+    }
+}
+
+static double area_of_disc(const clod_case_region *self)
+{
+    return M_PI * (self->outer_radius * self->outer_radius);
+}
+
+static void bounds_of_disc(const clod_case_region *self, double low[3], double high[3])
+{
+    double axis[3][3], reach[3];
+    clod_region_axes(self, axis);
+    for (int k = 0; k < 3; k++) {
+        reach[k] = self->outer_radius * sqrt(fmax(0.0, 1.0 - axis[2][k] * axis[2][k]));
+    }
+    bounds_of_face(self, axis[2], reach, low, high);
+}
+
+/** Any direction will do: across the coordinate axis that is farthest from the normal. */
+static void axis_of_disc(const clod_case_region *self, const double normal[3], double axis[3])
+{
+    int least = 0;
+    for (int k = 0; k < 3; k++) {
         least = fabs(self->normal[k]) < fabs(self->normal[least]) ? k : least;
     }
     double along[3] = {0.0, 0.0, 0.0};
     along[least] = 1.0;
-    if (rectangle) {
-        const double edge = length_of(self->edge_1);
-        for (int k = 0; k < 3; k++) {
-            axis[0][k] = self->edge_1[k] / edge;
-        }
-    } else {
-        cross(along, axis[2], axis[0]);
+    cross(along, normal, axis);
+}
+
+static void half_of_disc(const clod_case_region *self, double half[2])
+{
+    half[0] = half[1] = self->outer_radius;
+}
+
+static double area_of_rectangle(const clod_case_region *self)
+{
+    return length_of(self->edge_1) * length_of(self->edge_2);
+}
+
+static void half_of_rectangle(const clod_case_region *self, double half[2])
+{
+    half[0] = 0.5 * length_of(self->edge_1);
+    half[1] = 0.5 * length_of(self->edge_2);
+}
+
+static void bounds_of_rectangle(const clod_case_region *self, double low[3], double high[3])
+{
+    double axis[3][3], half[2], reach[3];
+    clod_region_axes(self, axis);
+    half_of_rectangle(self, half);
+    for (int k = 0; k < 3; k++) {
+        reach[k] = half[0] * fabs(axis[0][k]) + half[1] * fabs(axis[1][k]);
     }
+    bounds_of_face(self, axis[2], reach, low, high);
+}
+
+static void axis_of_rectangle(const clod_case_region *self, const double normal[3],
+                              double axis[3])
+{
+    (void)normal;
+    const double edge = length_of(self->edge_1);
+    for (int k = 0; k < 3; k++) {
+        axis[k] = self->edge_1[k] / edge;
+    }
+}
+
+static const clod_region_kind_row REGIONS[] = {
+    [CLOD_REGION_BOX] = {.name = "box",
+                         .area = area_of_box,
+                         .top = top_of_box,
+                         .size = size_of_box,
+                         .bounds = bounds_of_box,
+                         .fault = fault_of_box},
+    [CLOD_REGION_ANNULUS] = {.name = "annulus",
+                             .upright = true,
+                             .area = area_of_annulus,
+                             .top = top_of_annulus,
+                             .size = size_of_annulus,
+                             .bounds = bounds_of_annulus,
+                             .fault = fault_of_annulus},
+    [CLOD_REGION_DISC] = {.name = "disc",
+                          .face = true,
+                          .area = area_of_disc,
+                          .top = top_of_face,
+                          .bounds = bounds_of_disc,
+                          .axis = axis_of_disc,
+                          .half = half_of_disc},
+    [CLOD_REGION_RECTANGLE] = {.name = "rectangle",
+                               .face = true,
+                               .area = area_of_rectangle,
+                               .top = top_of_face,
+                               .bounds = bounds_of_rectangle,
+                               .axis = axis_of_rectangle,
+                               .half = half_of_rectangle},
+};
+
+const clod_region_kind_row *clod_region_row(const clod_case_region *self)
+{
+    return &REGIONS[self->kind];
+}
+
+bool clod_region_is_face(const clod_case_region *self)
+{
+    return clod_region_row(self)->face;
+}
+
+double clod_region_height(const clod_case_region *self)
+{
+    double size[3] = {0.0, 0.0, self->depth};
+    if (!clod_region_is_face(self)) {
+        clod_region_row(self)->size(self, size);
+    }
+    return size[2];
+}
+
+void clod_region_axes(const clod_case_region *self, double axis[3][3])
+{
+    const double length = length_of(self->normal);
+    for (int k = 0; k < 3; k++) {
+        axis[2][k] = self->normal[k] / length;
+    }
+    clod_region_row(self)->axis(self, axis[2], axis[0]);
     cross(axis[2], axis[0], axis[1]);
 }
 
 void clod_region_half(const clod_case_region *self, double half[2])
 {
-    const bool rectangle = self->kind == CLOD_REGION_RECTANGLE;
-    half[0] = rectangle ? 0.5 * length_of(self->edge_1) : self->outer_radius;
-    half[1] = rectangle ? 0.5 * length_of(self->edge_2) : self->outer_radius;
+    clod_region_row(self)->half(self, half);
 }
 
 double clod_region_area(const clod_case_region *self)
 {
-    const double inner = self->kind == CLOD_REGION_ANNULUS ? self->inner_radius : 0.0;
-    switch (self->kind) {
-    case CLOD_REGION_BOX:
-        return (self->max[0] - self->min[0]) * (self->max[1] - self->min[1]);
-    case CLOD_REGION_RECTANGLE:
-        return length_of(self->edge_1) * length_of(self->edge_2);
-    default:
-        return M_PI * (self->outer_radius * self->outer_radius - inner * inner);
-    }
-}
-
-/** Of a face: its own extent and the way of depth along its normal. */
-static void face_bounds(const clod_case_region *self, double low[3], double high[3])
-{
-    double axis[3][3], half[2];
-    clod_region_axes(self, axis);
-    clod_region_half(self, half);
-    for (int k = 0; k < 3; k++) {
-        const double reach = self->kind == CLOD_REGION_DISC
-                                 ? half[0] * sqrt(fmax(0.0, 1.0 - axis[2][k] * axis[2][k]))
-                                 : half[0] * fabs(axis[0][k]) + half[1] * fabs(axis[1][k]);
-        const double way = self->depth * axis[2][k];
-        low[k] = self->center[k] - reach + fmin(way, 0.0);
-        high[k] = self->center[k] + reach + fmax(way, 0.0);
-    }
+    return clod_region_row(self)->area(self);
 }
 
 void clod_region_bounds(const clod_case_region *self, double low[3], double high[3])
 {
-    if (clod_region_is_face(self)) {
-        face_bounds(self, low, high);
-        return;
-    }
-    const bool box = self->kind == CLOD_REGION_BOX;
-    for (int a = 0; a < 3; a++) {
-        const double down = a < 2 ? self->outer_radius : 0.0;
-        const double up = a < 2 ? self->outer_radius : self->height;
-        low[a] = box ? self->min[a] : self->center[a] - down;
-        high[a] = box ? self->max[a] : self->center[a] + up;
-    }
+    clod_region_row(self)->bounds(self, low, high);
 }
 
 /** Whether one of two annuli is in the hole of the other, or beside it. */
@@ -111,6 +266,6 @@ bool clod_region_overlap(const clod_case_region *a, const clod_case_region *b)
             return false;
         }
     }
-    const bool annuli = a->kind == CLOD_REGION_ANNULUS && b->kind == CLOD_REGION_ANNULUS;
+    const bool annuli = clod_region_row(a)->upright && clod_region_row(b)->upright;
     return !annuli || !annuli_apart(a, b);
 }

@@ -21,6 +21,8 @@
 
 #include <float.h>
 
+#include "state/shape_kinds.h"
+
 /** Kinds in row 0; a shell has +1 or -1. */
 #define CLOD_WALL_BOX 0.0
 #define CLOD_WALL_PLANE 2.0
@@ -37,16 +39,14 @@ enum {
     CLOD_SHAPE_ROWS
 };
 
-/** What closest points are computed by: contacts of one form lie together. */
-typedef enum clod_wall_form {
-    CLOD_FORM_PLANE,
-    CLOD_FORM_BOX,   ///< box, bar
-    CLOD_FORM_SHELL, ///< disc, annulus, cylinder, cone
-    CLOD_FORM_MESH,  ///< facets: found before the kernels run (step/touch.h)
-    CLOD_FORMS
-} clod_wall_form;
+/** Kind in row 0 of each form; of a shell whose grains are inside its negative. */
+static const double CLOD_WALL_KIND[CLOD_FORMS] = {[CLOD_FORM_PLANE] = CLOD_WALL_PLANE,
+                                                  [CLOD_FORM_BOX] = CLOD_WALL_BOX,
+                                                  [CLOD_FORM_SHELL] = 1.0,
+                                                  [CLOD_FORM_MESH] = CLOD_WALL_MESH};
 
-/** Form of a shape from its number in row 0. */
+/** Form of a shape from its kind in row 0. Compared, not looked up in CLOD_WALL_KIND: the search
+ *  asks it of every candidate. */
 static inline clod_wall_form clod_wall_form_of(double kind)
 {
     return kind == CLOD_WALL_PLANE  ? CLOD_FORM_PLANE

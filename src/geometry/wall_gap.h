@@ -53,14 +53,11 @@ static inline void clod_wall_shape_rows(const clod_shape *s, double (*row)[4])
 {
     const clod_shape_kind_row *kind = clod_shape_kinds_row(s->kind);
     const double side = kind->shell && s->side == CLOD_SIDE_INSIDE ? -1.0 : 1.0;
-    clod_wall_shape_row(row[0], s->center,
-                        kind->endless ? CLOD_WALL_PLANE
-                        : kind->solid ? CLOD_WALL_BOX
-                                      : side);
+    clod_wall_shape_row(row[0], s->center, side * CLOD_WALL_KIND[kind->form]);
     clod_wall_shape_row(row[1], s->axis[0], s->half[0]);
     clod_wall_shape_row(row[2], s->axis[2], s->half[2]);
     clod_wall_shape_row(row[3], s->axis[1], s->half[1]);
-    if (kind->flat || kind->shell) {
+    if (kind->form == CLOD_FORM_SHELL) {
         clod_wall_shape_line(s, row[3]);
     }
 }

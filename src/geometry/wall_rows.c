@@ -26,12 +26,8 @@ bool clod_wall_rows_init(clod_wall_rows *self, const clod_walls *walls)
         clod_wall_rows_fini(self);
         return false;
     }
-    static const double KIND[CLOD_FORMS] = {[CLOD_FORM_PLANE] = CLOD_WALL_PLANE,
-                                            [CLOD_FORM_BOX] = CLOD_WALL_BOX,
-                                            [CLOD_FORM_SHELL] = 1.0,
-                                            [CLOD_FORM_MESH] = CLOD_WALL_MESH};
     for (size_t f = 0; f < CLOD_FORMS; f++) { // all zero else
-        self->shape[CLOD_SHAPE_ROWS * (shapes + f)][3] = KIND[f];
+        self->shape[CLOD_SHAPE_ROWS * (shapes + f)][3] = CLOD_WALL_KIND[f];
     }
     for (int32_t w = 0; w < walls->count; w++) {
         self->first_shape[w + 1] = self->first_shape[w] + walls->wall[w].shape_count;
@@ -168,14 +164,56 @@ void clod_wall_rows_place(clod_wall_rows *self, int32_t w, const clod_wall *wall
     }
 }
 
-/** Extent of a patch along an axis of space: that of the box about it in its frame. */
+// ---- what differs between forms: one row each
+
+typedef const double (*shape_rows)[4];
+
+static shape_rows rows_of(const clod_wall_rows *self, int32_t w, int32_t shape)
+{
+    return (shape_rows)self->shape + clod_wall_rows_shape(self, w, shape);
+}
+
+static void box_of_plane(const clod_wall_rows *self, int32_t w, int32_t shape, int axis,
+                         double *low, double *high)
+{
+    (void)self;
+    (void)w;
+    (void)shape;
+    (void)axis;
+    *low = -INFINITY;
+    *high = INFINITY;
+}
+
+static void box_of_box(const clod_wall_rows *self, int32_t w, int32_t shape, int axis,
+                       double *low, double *high)
+{
+    const shape_rows row = rows_of(self, w, shape);
+    const double half = fabs(row[1][axis]) * row[1][3] + fabs(row[2][axis]) * row[2][3] +
+                        fabs(row[3][axis]) * row[3][3];
+    *low = row[0][axis] - half;
+    *high = row[0][axis] + half;
+}
+
+/** Between the circles at both ends. */
+static void box_of_shell(const clod_wall_rows *self, int32_t w, int32_t shape, int axis,
+                         double *low, double *high)
+{
+    const shape_rows row = rows_of(self, w, shape);
+    const double across = sqrt(fmax(1.0 - row[2][axis] * row[2][axis], 0.0));
+    const double rise = row[2][axis] * row[3][2] * row[3][3];
+    const double foot = across * row[3][0];
+    const double top = across * fabs(row[3][0] + row[3][1] * row[3][3]);
+    *low = row[0][axis] - fmax(foot, top - rise);
+    *high = row[0][axis] + fmax(foot, top + rise);
+}
+
+/** That of the box about the patch in its frame. */
 static void box_of_patch(const clod_wall_rows *self, int32_t w, int32_t shape, int axis,
                          double *low, double *high)
 {
     const clod_wall_patch *at = clod_wall_rows_patch(self, w, shape);
     const clod_surface_patch *patch = &at->surface->patches[at->patch];
-    const clod_wall_pose pose = clod_wall_facets_pose((const double(*)[4])self->shape +
-                                                      clod_wall_rows_shape(self, w, shape));
+    const clod_wall_pose pose = clod_wall_facets_pose(rows_of(self, w, shape));
     double middle[3], half = 0.0;
     for (int b = 0; b < 3; b++) {
         middle[b] = 0.5 * (patch->low[b] + patch->high[b]);
@@ -187,10 +225,22 @@ static void box_of_patch(const clod_wall_rows *self, int32_t w, int32_t shape, i
     *high = centre[axis] + half;
 }
 
-/** Whether a point is farther than `reach` from a box or bar for sure: outside the sphere about
- *  it, made larger by so much. False says nothing. */
-static bool is_far(const double (*row)[4], const double p[3], double reach)
+static double gap_of(const clod_wall_rows *self, int32_t w, int32_t shape, const double p[3])
 {
+    return clod_wall_gap_rows(rows_of(self, w, shape), clod_vec3_of(p)).distance;
+}
+
+static bool gap_is_near(const clod_wall_rows *self, int32_t w, int32_t shape, const double p[3],
+                        double reach)
+{
+    return gap_of(self, w, shape, p) < reach;
+}
+
+/** First whether the point is outside the sphere about the box, made larger by `reach`. */
+static bool box_is_near(const clod_wall_rows *self, int32_t w, int32_t shape, const double p[3],
+                        double reach)
+{
+    const shape_rows row = rows_of(self, w, shape);
     double apart2 = 0.0;
     double half2 = 0.0;
     for (int a = 0; a < 3; a++) {
@@ -198,65 +248,76 @@ static bool is_far(const double (*row)[4], const double p[3], double reach)
         half2 += row[1 + a][3] * row[1 + a][3];
     }
     const double most = sqrt(half2) + reach;
-    return row[0][3] == CLOD_WALL_BOX && apart2 > most * most;
+    return !(apart2 > most * most) && gap_is_near(self, w, shape, p, reach);
 }
 
-bool clod_wall_rows_is_near(const clod_wall_rows *self, int32_t w, int32_t shape,
-                            const double p[3], double reach)
+/** A point in the frame of a patch. */
+static clod_vec3 to_frame(const clod_wall_rows *self, int32_t w, int32_t shape,
+                          const double p[3])
 {
-    const double(*row)[4] =
-        (const double(*)[4])self->shape + clod_wall_rows_shape(self, w, shape);
-    if (row[0][3] != CLOD_WALL_MESH) {
-        return !is_far(row, p, reach) &&
-               clod_wall_gap_rows(row, clod_vec3_of(p)).distance < reach;
-    }
+    const clod_wall_pose pose = clod_wall_facets_pose(rows_of(self, w, shape));
+    return clod_wall_to_frame(&pose, clod_vec3_of(p));
+}
+
+static bool patch_is_near(const clod_wall_rows *self, int32_t w, int32_t shape,
+                          const double p[3], double reach)
+{
     const clod_wall_patch *at = clod_wall_rows_patch(self, w, shape);
-    const clod_wall_pose pose = clod_wall_facets_pose(row);
-    const clod_vec3 q = clod_wall_to_frame(&pose, clod_vec3_of(p));
+    const clod_vec3 q = to_frame(self, w, shape, p);
     return at->slot == 0
                ? clod_surface_patch_is_near(at->surface, (uint32_t)at->patch, q, reach)
                : clod_surface_rim_is_near(at->surface, (uint32_t)at->patch, q, reach);
 }
 
+static double patch_apart(const clod_wall_rows *self, int32_t w, int32_t shape,
+                          const double p[3])
+{
+    const clod_wall_patch *at = clod_wall_rows_patch(self, w, shape);
+    return clod_surface_patch_box(at->surface, (uint32_t)at->patch,
+                                  to_frame(self, w, shape, p));
+}
+
+typedef struct form_row {
+    /** Whether a point is nearer than `reach`. */
+    bool (*is_near)(const clod_wall_rows *self, int32_t w, int32_t shape, const double p[3],
+                    double reach);
+    /** Distance of a point, of a patch from the box about it [m]. */
+    double (*apart)(const clod_wall_rows *self, int32_t w, int32_t shape, const double p[3]);
+    /** Extent along an axis of space [m]. */
+    void (*box)(const clod_wall_rows *self, int32_t w, int32_t shape, int axis, double *low,
+                double *high);
+} form_row;
+
+static const form_row FORMS[CLOD_FORMS] = {
+    [CLOD_FORM_PLANE] = {gap_is_near, gap_of, box_of_plane},
+    [CLOD_FORM_BOX] = {box_is_near, gap_of, box_of_box},
+    [CLOD_FORM_SHELL] = {gap_is_near, gap_of, box_of_shell},
+    [CLOD_FORM_MESH] = {patch_is_near, patch_apart, box_of_patch},
+};
+
+static const form_row *form_row_of(const clod_wall_rows *self, int32_t w, int32_t shape)
+{
+    return &FORMS[clod_wall_form_of(rows_of(self, w, shape)[0][3])];
+}
+
+bool clod_wall_rows_is_near(const clod_wall_rows *self, int32_t w, int32_t shape,
+                            const double p[3], double reach)
+{
+    return form_row_of(self, w, shape)->is_near(self, w, shape, p, reach);
+}
+
 bool clod_wall_rows_may_reach(const clod_wall_rows *self, int32_t w, int32_t shape,
                               const double p[3], double half, double reach)
 {
-    const double(*row)[4] =
-        (const double(*)[4])self->shape + clod_wall_rows_shape(self, w, shape);
-    if (row[0][3] != CLOD_WALL_MESH) {
-        return clod_wall_gap_rows(row, clod_vec3_of(p)).distance < half + reach;
-    }
-    const clod_wall_patch *at = clod_wall_rows_patch(self, w, shape);
-    const clod_wall_pose pose = clod_wall_facets_pose(row);
-    const clod_vec3 q = clod_wall_to_frame(&pose, clod_vec3_of(p));
-    return clod_surface_patch_box(at->surface, (uint32_t)at->patch, q) < half + reach;
+    return form_row_of(self, w, shape)->apart(self, w, shape, p) < half + reach;
 }
 
 void clod_wall_rows_box(const clod_wall_rows *self, int32_t w, int32_t shape, double low[3],
                         double high[3])
 {
-    const double(*row)[4] =
-        (const double(*)[4])self->shape + clod_wall_rows_shape(self, w, shape);
+    const form_row *form = form_row_of(self, w, shape);
     for (int a = 0; a < 3; a++) {
-        const double at = row[0][a];
-        double below = INFINITY, above = INFINITY; // of a plane
-        if (row[0][3] == CLOD_WALL_MESH) {
-            box_of_patch(self, w, shape, a, &low[a], &high[a]);
-            continue;
-        }
-        if (row[0][3] == CLOD_WALL_BOX) {
-            below = above = fabs(row[1][a]) * row[1][3] + fabs(row[2][a]) * row[2][3] +
-                            fabs(row[3][a]) * row[3][3];
-        } else if (row[0][3] != CLOD_WALL_PLANE) { // between the circles at both ends
-            const double across = sqrt(fmax(1.0 - row[2][a] * row[2][a], 0.0));
-            const double rise = row[2][a] * row[3][2] * row[3][3];
-            const double foot = across * row[3][0];
-            const double top = across * fabs(row[3][0] + row[3][1] * row[3][3]);
-            below = fmax(foot, top - rise);
-            above = fmax(foot, top + rise);
-        }
-        low[a] = at - below;
-        high[a] = at + above;
+        form->box(self, w, shape, a, &low[a], &high[a]);
     }
 }
 

@@ -170,23 +170,24 @@ static void draw_facets(clod_mesh_pen *pen)
     }
 }
 
-/** How a shape is drawn, and with how many triangles at most. */
-typedef struct drawing {
-    size_t triangles;
+/** How shapes of a form are drawn, and with how many triangles at most; one row each. */
+static const struct {
+    size_t triangles; ///< 0: those of its facets
     void (*draw)(clod_mesh_pen *pen);
-} drawing;
+} DRAWING[CLOD_FORMS] = {[CLOD_FORM_PLANE] = {2, draw_plane},
+                         [CLOD_FORM_BOX] = {12, draw_box},
+                         [CLOD_FORM_SHELL] = {2 * SEGMENTS, draw_round},
+                         [CLOD_FORM_MESH] = {0, draw_facets}};
 
-static drawing drawing_of(const clod_shape *shape)
+static clod_wall_form form_of(const clod_shape *shape)
 {
-    const clod_shape_kind_row *kind = clod_shape_kinds_row(shape->kind);
-    if (kind->faceted) { // the first patch has all
-        const bool first = clod_shape_begins_mesh(shape);
-        return (drawing){first ? shape->surface->facet_count : 0, draw_facets};
-    }
-    if (kind->endless) {
-        return (drawing){2, draw_plane};
-    }
-    return kind->solid ? (drawing){12, draw_box} : (drawing){2 * SEGMENTS, draw_round};
+    return clod_shape_kinds_row(shape->kind)->form;
+}
+
+static size_t triangles_of(const clod_shape *shape)
+{
+    return clod_shape_begins_mesh(shape) ? shape->surface->facet_count // of all its patches
+                                         : DRAWING[form_of(shape)].triangles;
 }
 
 static bool wears(const clod_state *state)
@@ -204,7 +205,7 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
     for (int32_t w = 0; w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
-            triangles += drawing_of(&wall->shapes[s]).triangles;
+            triangles += triangles_of(&wall->shapes[s]);
         }
     }
     *self = (clod_wall_mesh){
@@ -227,7 +228,7 @@ bool clod_wall_mesh_make(clod_wall_mesh *self, const clod_state *state, clod_sta
         for (int32_t s = 0; s < wall->shape_count; s++) {
             const clod_shape *shape = &wall->shapes[s];
             clod_mesh_pen pen = {self, wall, shape, w, &state->domain, state, shape->place};
-            drawing_of(shape).draw(&pen);
+            DRAWING[form_of(shape)].draw(&pen);
         }
     }
     return true;

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "clod/case_walls.h"
+#include "state/shape_kinds.h"
 
 static const double STILL[3] = {0.84, 0.87, 0.91};  ///< steel
 static const double MOVING[3] = {0.53, 0.53, 0.55}; ///< belts are black
@@ -52,6 +53,13 @@ static bool load_grains(const clod_stage *self, const clod_vtkhdf *file, clod_sc
     return good;
 }
 
+/** Whether a number in the file says an endless shape. */
+static bool is_plane(double kind)
+{
+    return kind >= 0.0 && kind < CLOD_SHAPE_KINDS &&
+           clod_shape_kinds_row((clod_shape_kind)kind)->endless;
+}
+
 /** Note which triangles show planes: two each. */
 static bool find_planes(clod_stage_walls *self, const clod_vtkhdf *file, clod_status *status)
 {
@@ -61,7 +69,7 @@ static bool find_planes(clod_stage_walls *self, const clod_vtkhdf *file, clod_st
     }
     const bool good = clod_field_read(&shape, file, CLOD_VTKHDF_CELLS, "shape", status);
     for (size_t t = 0; good && t + 1 < self->count; t++) {
-        if (shape.value[t] == CLOD_SHAPE_PLANE && shape.value[t + 1] == CLOD_SHAPE_PLANE) {
+        if (is_plane(shape.value[t]) && is_plane(shape.value[t + 1])) {
             self->plane[t++] = true;
         }
     }

@@ -91,10 +91,7 @@ static bool stand_for_inlet(clod_case_grains *group, clod_status *status)
         const double largest = cbrt(clod_sizes_largest_volume(&sizes));
         r->depth =
             clod_region_is_face(r) ? 3.0 * largest : 0.0; // some grains, one behind the other
-        const double height = r->kind == CLOD_REGION_BOX       ? r->max[2] - r->min[2]
-                              : r->kind == CLOD_REGION_ANNULUS ? r->height
-                                                               : r->depth;
-        const double room = LOOSE * clod_region_area(r) * height;
+        const double room = LOOSE * clod_region_area(r) * clod_region_height(r);
         const double most = fmax(1.0, floor(room / clod_sizes_mean_volume(&sizes)));
         group->count = (int64_t)fmin((double)group->count, most);
         group->comes = false;

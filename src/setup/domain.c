@@ -67,12 +67,11 @@ clod_outlet clod_setup_domain_region(const clod_case_region *from)
 {
     clod_outlet self = {0};
     clod_region_bounds(from, self.low, self.high);
-    if (from->kind == CLOD_REGION_BOX) {
-        return self;
+    if (clod_region_row(from)->upright) {
+        memcpy(self.middle, from->center, sizeof self.middle);
+        self.inner = from->inner_radius;
+        self.outer = from->outer_radius;
     }
-    memcpy(self.middle, from->center, sizeof self.middle);
-    self.inner = from->inner_radius;
-    self.outer = from->outer_radius;
     return self;
 }
 

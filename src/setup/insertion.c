@@ -204,6 +204,14 @@ static bool layer_annulus(clod_insertion_batch *batch, clod_insertion_space *spa
     return true;
 }
 
+/** How a layer is put into regions of a kind; NULL: there are none before a face. */
+static bool (*const LAYER[])(clod_insertion_batch *batch, clod_insertion_space *space, double z,
+                             double height, clod_status *status) = {
+    [CLOD_REGION_BOX] = layer_box,
+    [CLOD_REGION_ANNULUS] = layer_annulus,
+    [CLOD_REGION_RECTANGLE] = NULL, // and discs
+};
+
 /** Loose layers from the bottom up. */
 static bool fill_layers(clod_insertion_batch *batch, clod_insertion_space *space,
                         clod_status *status)
@@ -213,16 +221,12 @@ static bool fill_layers(clod_insertion_batch *batch, clod_insertion_space *space
     const double pitch = height / (double)layers;
     for (int64_t l = 0; l < layers && batch->reached < batch->what->count; l++) {
         const double z = space->low[2] + ((double)l + 0.5) * pitch;
-        const bool box = space->region->kind == CLOD_REGION_BOX;
-        if (!(box ? layer_box(batch, space, z, pitch, status)
-                  : layer_annulus(batch, space, z, pitch, status))) {
+        if (!LAYER[space->region->kind](batch, space, z, pitch, status)) {
             return false;
         }
     }
     return true;
 }
-
-static const char *const KIND[] = {"box", "annulus", "disc", "rectangle"};
 
 static bool no_room(const clod_insertion_batch *batch, const clod_insertion_space *space,
                     clod_status *status)
@@ -237,8 +241,8 @@ static bool no_room(const clod_insertion_batch *batch, const clod_insertion_spac
         "may be "
         "higher than the settled bed), or ask for fewer or smaller grains",
         what->name, batch->reached, what->count, clod_plural((double)what->count),
-        what->count == 1 ? "s" : "", KIND[space->region->kind], space->low[0], space->high[0],
-        space->low[1], space->high[1], space->low[2], space->high[2],
+        what->count == 1 ? "s" : "", clod_region_row(space->region)->name, space->low[0],
+        space->high[0], space->low[1], space->high[1], space->low[2], space->high[2],
         batch->volume / clod_insertion_space_volume(space));
 }
 
@@ -247,14 +251,13 @@ static bool fill(clod_insertion_batch *batch, const clod_state *state, bool rand
                  clod_status *status)
 {
     const clod_case_region *region = batch->what->region;
-    const double top =
-        region->kind == CLOD_REGION_BOX ? region->max[2] : region->center[2] + region->height;
+    const double top = clod_region_row(region)->top(region);
     clod_insertion_space space;
     bool good = clod_insertion_space_init(&space, region, top, state, batch->largest,
                                           batch->what->count, status);
     batch->reached = 0;
-    if (good && !random && clod_region_is_face(region)) {
-        good = no_room(batch, &space, status); // there are no layers before a face
+    if (good && !random && LAYER[region->kind] == NULL) {
+        good = no_room(batch, &space, status);
     } else if (good && random) {
         const double fraction = batch->volume / clod_insertion_space_volume(&space);
         good = fraction > RANDOM_LIMIT || fill_random(batch, &space, status);

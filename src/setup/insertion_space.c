@@ -8,6 +8,155 @@
 /** Of a place that was turned into a face, as a fraction of its extent. */
 #define ROUNDING 1e-12
 
+// ---- what differs between kinds of regions: one row each
+
+typedef struct space_row {
+    bool repeats; ///< goes through the sides of a period that it fills
+    /** Whether a sphere is in the region; in a direction that is all of a period it always is;
+     *  of a face: whether it comes whole through. */
+    bool (*inside)(const clod_insertion_space *self, const double place[4]);
+    /** A position in it between two heights, before a face at any; false: the sphere is too
+     *  large for it. */
+    bool (*draw)(const clod_insertion_space *self, double place[4], const double range[2],
+                 const double u[3]);
+} space_row;
+
+static bool inside_box(const clod_insertion_space *self, const double place[4])
+{
+    const double r = place[3];
+    for (int a = 0; a < 3; a++) {
+        if (!self->through[a] &&
+            (place[a] - r < self->low[a] || place[a] + r > self->high[a])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool inside_annulus(const clod_insertion_space *self, const double place[4])
+{
+    if (!inside_box(self, place)) {
+        return false;
+    }
+    const double r = place[3];
+    const double rho =
+        hypot(place[0] - self->region->center[0], place[1] - self->region->center[1]);
+    const double inner = self->region->inner_radius;
+    return rho + r <= self->region->outer_radius && (inner == 0.0 || rho - r >= inner);
+}
+
+/** Coordinates of a place along the axes of a face. */
+static void in_face(const clod_insertion_space *self, const double place[4], double in[3])
+{
+    for (int a = 0; a < 3; a++) {
+        in[a] = 0.0;
+        for (int k = 0; k < 3; k++) {
+            in[a] += (place[k] - self->region->center[k]) * self->axis[a][k];
+        }
+    }
+}
+
+static bool inside_disc(const clod_insertion_space *self, const double place[4])
+{
+    double in[3];
+    in_face(self, place, in);
+    return hypot(in[0], in[1]) + place[3] <= self->half[0] * (1.0 + ROUNDING);
+}
+
+static bool inside_rectangle(const clod_insertion_space *self, const double place[4])
+{
+    double in[3];
+    in_face(self, place, in);
+    return fabs(in[0]) + place[3] <= self->half[0] * (1.0 + ROUNDING) &&
+           fabs(in[1]) + place[3] <= self->half[1] * (1.0 + ROUNDING);
+}
+
+/** Uniform between two ends; false when they are in the wrong order. */
+static bool draw_between(double from, double to, double u, double *x)
+{
+    *x = from + u * (to - from);
+    return from <= to;
+}
+
+static bool draw_height(const clod_insertion_space *self, double place[4],
+                        const double range[2], const double u[3])
+{
+    const double r = self->through[2] ? 0.0 : place[3];
+    return draw_between(range[0] + r, range[1] - r, u[2], &place[2]);
+}
+
+static bool draw_box(const clod_insertion_space *self, double place[4], const double range[2],
+                     const double u[3])
+{
+    const double x = self->through[0] ? 0.0 : place[3];
+    const double y = self->through[1] ? 0.0 : place[3];
+    return draw_height(self, place, range, u) &&
+           draw_between(self->low[0] + x, self->high[0] - x, u[0], &place[0]) &&
+           draw_between(self->low[1] + y, self->high[1] - y, u[1], &place[1]);
+}
+
+static bool draw_annulus(const clod_insertion_space *self, double place[4],
+                         const double range[2], const double u[3])
+{
+    const double r = place[3];
+    const double outer = self->region->outer_radius - r;
+    const double inner =
+        self->region->inner_radius > 0.0 ? self->region->inner_radius + r : 0.0;
+    double square = 0.0; // the square of the distance from the axis is uniform
+    if (!draw_height(self, place, range, u) || outer < 0.0 ||
+        !draw_between(inner * inner, outer * outer, u[0], &square)) {
+        return false;
+    }
+    const double angle = 2.0 * M_PI * u[1];
+    place[0] = self->region->center[0] + sqrt(square) * cos(angle);
+    place[1] = self->region->center[1] + sqrt(square) * sin(angle);
+    return true;
+}
+
+/** A position before a face from where it is in it; whether the sphere fits through. */
+static bool put_before(const clod_insertion_space *self, double place[4], double x, double y,
+                       double u)
+{
+    const double r = place[3];
+    const double in[3] = {x, y, r + u * self->region->depth}; // along the axes
+    for (int k = 0; k < 3; k++) {
+        place[k] = self->region->center[k];
+        for (int a = 0; a < 3; a++) {
+            place[k] += in[a] * self->axis[a][k];
+        }
+    }
+    return self->half[0] >= r && self->half[1] >= r;
+}
+
+static bool draw_disc(const clod_insertion_space *self, double place[4], const double range[2],
+                      const double u[3])
+{
+    (void)range;
+    const double rho = (self->half[0] - place[3]) * sqrt(u[0]), angle = 2.0 * M_PI * u[1];
+    return put_before(self, place, rho * cos(angle), rho * sin(angle), u[2]);
+}
+
+static bool draw_rectangle(const clod_insertion_space *self, double place[4],
+                           const double range[2], const double u[3])
+{
+    (void)range;
+    const double x = (2.0 * u[0] - 1.0) * (self->half[0] - place[3]);
+    const double y = (2.0 * u[1] - 1.0) * (self->half[1] - place[3]);
+    return put_before(self, place, x, y, u[2]);
+}
+
+static const space_row SPACES[] = {
+    [CLOD_REGION_BOX] = {.repeats = true, .inside = inside_box, .draw = draw_box},
+    [CLOD_REGION_ANNULUS] = {.inside = inside_annulus, .draw = draw_annulus},
+    [CLOD_REGION_DISC] = {.inside = inside_disc, .draw = draw_disc},
+    [CLOD_REGION_RECTANGLE] = {.inside = inside_rectangle, .draw = draw_rectangle},
+};
+
+static const space_row *space_row_of(const clod_insertion_space *self)
+{
+    return &SPACES[self->region->kind];
+}
+
 /** Whole grains before a face, the largest of this radius. */
 static void set_face(clod_insertion_space *self, double largest)
 {
@@ -22,12 +171,12 @@ static void set_face(clod_insertion_space *self, double largest)
 static void set_bounds(clod_insertion_space *self, double top, double largest)
 {
     const clod_case_region *region = self->region;
-    const bool box = region->kind == CLOD_REGION_BOX;
+    const bool repeats = space_row_of(self)->repeats;
     clod_region_bounds(region, self->low, self->high);
     for (int a = 0; a < 3; a++) {
         const clod_domain *domain = &self->state->domain;
         const double period = domain->max[a] - domain->min[a];
-        self->through[a] = box && domain->periodic[a] &&
+        self->through[a] = repeats && domain->periodic[a] &&
                            self->high[a] - self->low[a] >= period * (1.0 - 1e-12);
     }
     self->high[2] = top;
@@ -72,55 +221,8 @@ bool clod_insertion_space_init(clod_insertion_space *self, const clod_case_regio
 
 double clod_insertion_space_volume(const clod_insertion_space *self)
 {
-    if (self->face) {
-        return clod_region_area(self->region) * self->region->depth;
-    }
-    const clod_case_region *region = self->region;
-    const double height = self->high[2] - self->low[2];
-    if (region->kind == CLOD_REGION_BOX) {
-        return (self->high[0] - self->low[0]) * (self->high[1] - self->low[1]) * height;
-    }
-    const double outer = region->outer_radius;
-    const double inner = region->inner_radius;
-    return M_PI * (outer * outer - inner * inner) * height;
-}
-
-/** Whether the sphere comes whole through a face. */
-static bool inside_face(const clod_insertion_space *self, const double place[4])
-{
-    double in[3] = {0.0, 0.0, 0.0}; // of the centre, along the axes
-    for (int a = 0; a < 3; a++) {
-        for (int k = 0; k < 3; k++) {
-            in[a] += (place[k] - self->region->center[k]) * self->axis[a][k];
-        }
-    }
-    if (self->region->kind == CLOD_REGION_DISC) {
-        return hypot(in[0], in[1]) + place[3] <= self->half[0] * (1.0 + ROUNDING);
-    }
-    return fabs(in[0]) + place[3] <= self->half[0] * (1.0 + ROUNDING) &&
-           fabs(in[1]) + place[3] <= self->half[1] * (1.0 + ROUNDING);
-}
-
-/** Whether the sphere is in the region; in a direction that is all of a period it always is. */
-static bool inside(const clod_insertion_space *self, const double place[4])
-{
-    const double r = place[3];
-    if (self->face) {
-        return inside_face(self, place);
-    }
-    for (int a = 0; a < 3; a++) {
-        if (!self->through[a] &&
-            (place[a] - r < self->low[a] || place[a] + r > self->high[a])) {
-            return false;
-        }
-    }
-    if (self->region->kind == CLOD_REGION_BOX) {
-        return true;
-    }
-    const double rho =
-        hypot(place[0] - self->region->center[0], place[1] - self->region->center[1]);
-    const double inner = self->region->inner_radius;
-    return rho + r <= self->region->outer_radius && (inner == 0.0 || rho - r >= inner);
+    const double height = self->face ? self->region->depth : self->high[2] - self->low[2];
+    return clod_region_area(self->region) * height;
 }
 
 /** Whether a point beside a shell is on the side where the grains belong. */
@@ -172,8 +274,8 @@ static bool clear_of_walls(const clod_insertion_space *self, const double place[
 
 bool clod_insertion_space_clear(const clod_insertion_space *self, const double place[4])
 {
-    return inside(self, place) && clod_insertion_grid_clear(&self->grid, place) &&
-           clear_of_walls(self, place);
+    return space_row_of(self)->inside(self, place) &&
+           clod_insertion_grid_clear(&self->grid, place) && clear_of_walls(self, place);
 }
 
 bool clod_insertion_space_take(clod_insertion_space *self, const double place[4],
@@ -182,64 +284,10 @@ bool clod_insertion_space_take(clod_insertion_space *self, const double place[4]
     return clod_insertion_grid_add(&self->grid, place, status);
 }
 
-/** Uniform between two ends; false when they are in the wrong order. */
-static bool draw_between(double from, double to, double u, double *x)
-{
-    *x = from + u * (to - from);
-    return from <= to;
-}
-
-/** A position before a face; false: the sphere is too large for it. */
-static bool draw_face(const clod_insertion_space *self, double place[4], const double u[3])
-{
-    const clod_case_region *region = self->region;
-    const double r = place[3];
-    double in[3] = {0.0, 0.0, r + u[2] * region->depth}; // along the axes
-    if (region->kind == CLOD_REGION_DISC) {
-        const double rho = (self->half[0] - r) * sqrt(u[0]), angle = 2.0 * M_PI * u[1];
-        in[0] = rho * cos(angle);
-        in[1] = rho * sin(angle);
-    } else {
-        in[0] = (2.0 * u[0] - 1.0) * (self->half[0] - r);
-        in[1] = (2.0 * u[1] - 1.0) * (self->half[1] - r);
-    }
-    for (int k = 0; k < 3; k++) {
-        place[k] = region->center[k];
-        for (int a = 0; a < 3; a++) {
-            place[k] += in[a] * self->axis[a][k];
-        }
-    }
-    return self->half[0] >= r && self->half[1] >= r;
-}
-
 bool clod_insertion_space_draw(const clod_insertion_space *self, double place[4], double bottom,
                                double top, const double u[3])
 {
-    const double r = place[3];
-    if (self->face) {
-        return draw_face(self, place, u);
-    }
-    const double vertical = self->through[2] ? 0.0 : r;
-    if (!draw_between(bottom + vertical, top - vertical, u[2], &place[2])) {
-        return false;
-    }
-    if (self->region->kind == CLOD_REGION_BOX) {
-        const double x = self->through[0] ? 0.0 : r;
-        const double y = self->through[1] ? 0.0 : r;
-        return draw_between(self->low[0] + x, self->high[0] - x, u[0], &place[0]) &&
-               draw_between(self->low[1] + y, self->high[1] - y, u[1], &place[1]);
-    }
-    const double outer = self->region->outer_radius - r;
-    const double inner =
-        self->region->inner_radius > 0.0 ? self->region->inner_radius + r : 0.0;
-    double square = 0.0; // the square of the distance from the axis is uniform
-    if (outer < 0.0 || !draw_between(inner * inner, outer * outer, u[0], &square)) {
-        return false;
-    }
-    const double angle = 2.0 * M_PI * u[1];
-    place[0] = self->region->center[0] + sqrt(square) * cos(angle);
-    place[1] = self->region->center[1] + sqrt(square) * sin(angle);
-    return true;
+    return space_row_of(self)->draw(self, place, (const double[2]){bottom, top}, u);
 }
 
 void clod_insertion_space_fini(clod_insertion_space *self)

@@ -9,6 +9,7 @@
 #include "geometry/wall_rows.h"
 #include "law/law_forms.h"
 #include "law/law_kinds.h"
+#include "law/law_springs.h"
 
 #define FREEDOMS 6  ///< of a grain: it moves and turns
 #define AT_ONCE 256 ///< contacts
@@ -111,18 +112,18 @@ static void multiply(const void *matrix, const double *x, double *y)
 static void set_springs(bond *b, const clod_law *law, const meeting *m, double memory)
 {
     const double loading = clod_law_tangent(law, m->overlap, m->r_star);
-    const bool literal = law->tangential == CLOD_TANGENTIAL_LITERAL;
-    const double tangential = literal ? law->literal_stiffness : law->tangent_ratio * loading;
+    const double tangential = clod_law_springs_tangential(law, loading);
     b->push.stiffness =
         clod_law_kinds_row(law->kind)->unloading(law, m->overlap, m->r_star, memory);
     b->push.dash_pot = law->damping * sqrt(m->m_star * loading);
     if (law->friction > 0.0) {
         b->slip = (spring){tangential, law->damping * sqrt(m->m_star * tangential)};
     }
-    if (law->rolling_friction > 0.0 && law->rolling == CLOD_ROLLING_EPSD2) {
-        b->roll.stiffness = tangential * m->r_star * m->r_star;
-    } else if (law->rolling_friction > 0.0 && law->rolling == CLOD_ROLLING_EPSD) {
-        b->roll.stiffness = law->epsd_ratio * loading * m->r_star * m->r_star;
+    if (law->rolling_friction > 0.0) {
+        b->roll.stiffness = clod_law_springs_rolling(law, loading) * m->r_star * m->r_star;
+    }
+    if (law->rolling_friction > 0.0 &&
+        clod_law_springs_rolling_row_of((int)law->rolling)->dash_pot) {
         b->roll.dash_pot =
             2.0 * law->rolling_damping * sqrt(m->roll_inertia * b->roll.stiffness);
     }

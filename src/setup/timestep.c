@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "law/law_kinds.h"
+#include "law/law_springs.h"
 #include "setup/collision.h"
 
 /** Overlap assumed at least, as a fraction of the radius: a bed without load is not soft. */
@@ -148,16 +149,9 @@ static clod_timestep_spring stiffest_spring(const clod_timestep_pair *pair)
 {
     const clod_law *law = &pair->law;
     const double loading = clod_law_tangent(law, pair->overlap, pair->r_star);
-    const double tangential = law->tangential == CLOD_TANGENTIAL_LITERAL
-                                  ? law->literal_stiffness
-                                  : law->tangent_ratio * loading;
+    const double tangential = clod_law_springs_tangential(law, loading);
+    const double rolling = clod_law_springs_rolling(law, loading);
     const double unloading = clod_timestep_unloading(law, pair->r_star, pair->overlap);
-    double rolling = 0.0; // cdt has no spring
-    if (law->rolling == CLOD_ROLLING_EPSD) {
-        rolling = law->epsd_ratio * loading;
-    } else if (law->rolling == CLOD_ROLLING_EPSD2) {
-        rolling = tangential;
-    }
     const double turning = turning_ratio(pair) * pair->m_star;
     clod_timestep_spring s = {CLOD_TIMESTEP_UNLOADING, unloading, pair->m_star};
     if (law->friction > 0.0) {

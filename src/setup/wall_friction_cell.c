@@ -4,35 +4,19 @@
 #include <string.h>
 
 #include "base/assert.h"
+#include "config/wall_cells.h"
 #include "setup/cell_part.h"
 #include "setup/walls.h"
 
-static bool is_ring(const clod_case_wall_friction *cell)
-{
-    return cell->cell == CLOD_CASE_CELL_RING;
-}
-
-/** Inner radius of the specimen [m]. */
-static double inner_of(const clod_case_wall_friction *cell)
-{
-    return is_ring(cell) ? cell->inner_radius : 0.0;
-}
-
-/** Bars of the lid; a straight cell has none. */
+/** Bars of the lid. */
 static clod_cell_part_bars bars_of(const clod_case_wall_friction *cell)
 {
-    return (clod_cell_part_bars){.inner = inner_of(cell),
+    return (clod_cell_part_bars){.inner = clod_wall_cell_inner(cell),
                                  .outer = cell->outer_radius,
                                  .radius_min = cell->radius_min,
-                                 .count = is_ring(cell) ? cell->bar_count : 0,
+                                 .count = clod_wall_cell_bars(cell),
                                  .height = cell->bar_height,
                                  .width = cell->bar_width};
-}
-
-double clod_wall_friction_cell_area(const clod_case_wall_friction *cell)
-{
-    const double inner = inner_of(cell);
-    return M_PI * (cell->outer_radius * cell->outer_radius - inner * inner);
 }
 
 static bool cell_sizes(const clod_case_wall_friction *cell, clod_sizes *sizes,
@@ -50,7 +34,7 @@ bool clod_wall_friction_cell_amount(const clod_case *from, clod_sizes *sizes,
     CLOD_ASSERT(material >= 0); // checked at load
     const clod_cell_part_bars bars = bars_of(cell);
     const double room =
-        clod_wall_friction_cell_area(cell) * cell->depth - clod_cell_part_bars_volume(&bars);
+        clod_wall_cell_area(cell) * cell->depth - clod_cell_part_bars_volume(&bars);
     *amount = (clod_amount){.key = "wall_friction",
                             .sizes = sizes,
                             .count = cell->grain_count,
@@ -59,11 +43,12 @@ bool clod_wall_friction_cell_amount(const clod_case *from, clod_sizes *sizes,
     return cell_sizes(cell, sizes, status);
 }
 
-/** The plate: of a ring as wide as it; of a straight cell endless, for it moves on and on. */
+/** The plate: as wide as the specimen where it turns; else endless, for it moves on and on. */
 static void make_plate(const clod_case_wall_friction *cell, clod_wall *plate)
 {
-    plate->shapes[0] = clod_cell_part_ring(inner_of(cell), cell->outer_radius, 0.0, 1.0);
-    if (!is_ring(cell)) {
+    plate->shapes[0] =
+        clod_cell_part_ring(clod_wall_cell_inner(cell), cell->outer_radius, 0.0, 1.0);
+    if (!clod_wall_cell_of(cell)->turns) {
         plate->shapes[0].kind = CLOD_SHAPE_PLANE;
     }
     clod_wall_find_symmetry(plate);
@@ -73,7 +58,7 @@ static void make_plate(const clod_case_wall_friction *cell, clod_wall *plate)
 static void make_sides(const clod_case_wall_friction *cell, double height, clod_wall *sides)
 {
     sides->shapes[0] = clod_cell_part_side(cell->outer_radius, height, CLOD_SIDE_INSIDE);
-    if (is_ring(cell)) {
+    if (clod_wall_cell_of(cell)->annulus) {
         sides->shapes[1] = clod_cell_part_side(cell->inner_radius, height, CLOD_SIDE_OUTSIDE);
     }
     clod_wall_find_symmetry(sides);
@@ -86,12 +71,12 @@ static bool make_walls(const clod_case *from, clod_state *state, clod_status *st
     if (!clod_cell_part_walls(state, CLOD_WALL_FRICTION_CELL_WALLS, status)) {
         return false;
     }
+    const int64_t faces = clod_wall_cell_of(cell)->annulus ? 2 : 1; // of the side walls
     clod_wall *plate = &state->walls.wall[CLOD_WALL_FRICTION_CELL_PLATE];
     clod_wall *sides = &state->walls.wall[CLOD_WALL_FRICTION_CELL_SIDES];
     clod_wall *lid = &state->walls.wall[CLOD_WALL_FRICTION_CELL_LID];
     if (!clod_cell_part_wall(from, "plate", cell->plate_material, 1, plate, status) ||
-        !clod_cell_part_wall(from, "sides", cell->side_material, is_ring(cell) ? 2 : 1, sides,
-                             status) ||
+        !clod_cell_part_wall(from, "sides", cell->side_material, faces, sides, status) ||
         !clod_cell_part_wall(from, "lid", cell->lid_material, bars_of(cell).count + 1, lid,
                              status)) {
         return false;
@@ -113,7 +98,7 @@ static void close_cell(const clod_case_wall_friction *cell, double height, clod_
     clod_cell_part_barred_ring(&bars, lid_height, -1.0, lid);
     lid->load = CLOD_LOAD_STRESS;
     lid->mass = cell->lid_mass;
-    lid->area = clod_wall_friction_cell_area(cell);
+    lid->area = clod_wall_cell_area(cell);
     make_sides(cell, lid_height, &state->walls.wall[CLOD_WALL_FRICTION_CELL_SIDES]);
     const double margin = 4.0 * cell->radius_max;
     const double wide = cell->outer_radius + margin;
@@ -137,7 +122,7 @@ static bool fill_cell(const clod_case *from, int64_t seed, clod_state *state, do
         .sizes = &sizes,
         .seed = seed,
         .count = clod_amount_count(&amount, (uint64_t)seed, 1, status),
-        .inner = inner_of(cell),
+        .inner = clod_wall_cell_inner(cell),
         .outer = cell->outer_radius};
     return what.count > 0 && clod_cell_part_fill(from, &what, state, height, status);
 }

@@ -17,9 +17,6 @@ typedef enum clod_wall_friction_cell_wall {
     CLOD_WALL_FRICTION_CELL_WALLS,
 } clod_wall_friction_cell_wall;
 
-/** Area of the specimen [m2]. */
-double clod_wall_friction_cell_area(const clod_case_wall_friction *cell);
-
 /**
  * What the case asks for: a number of grains, or the solid volume that fills the cell.
  * @param sizes  [out] of the grains, borrowed by the amount; owns no memory

@@ -1,28 +1,21 @@
 #include <math.h>
 
-#include "setup/wall_friction_cell.h"
+#include "config/wall_cells.h"
 #include "sim/check_testers.h"
 #include "sim/wall_shear_warnings.h"
 #include "tester/limits.h"
 
 #define BAR_LIMIT 0.98 ///< grain diameters, as good as one
 
-static double width_of(const clod_case_wall_friction *test)
-{
-    return test->cell == CLOD_CASE_CELL_RING ? test->outer_radius - test->inner_radius
-                                             : 2.0 * test->outer_radius;
-}
-
 bool clod_check_wall_look(const clod_check_subject *subject, clod_check_report *report,
                           clod_status *status)
 {
     const clod_case_wall_friction *test = &subject->from->wall_friction;
-    const double area = clod_wall_friction_cell_area(test);
+    const double area = clod_wall_cell_area(test);
     if (!clod_check_heights(subject, test->depth, area, report, status)) {
         return false;
     }
     const double diameter = 2.0 * report->radius_mean;
-    const bool bars = test->cell == CLOD_CASE_CELL_RING && test->bar_count > 0;
     double lowest = report->stress;
     for (size_t s = 0; s < test->wall_stress_count; s++) {
         lowest = fmin(lowest, test->wall_stresses[s]);
@@ -31,8 +24,8 @@ bool clod_check_wall_look(const clod_check_subject *subject, clod_check_report *
     report->lowest_speed = test->speed * sqrt(lowest / report->stress);
     report->inertial_preshear = clod_check_inertia(
         subject, diameter, test->speed / report->height_aimed, report->stress);
-    report->across_width = width_of(test) / diameter;
-    report->bar_diameters = bars ? test->bar_height / diameter : 0.0;
+    report->across_width = clod_wall_cell_width(test) / diameter;
+    report->bar_diameters = clod_wall_cell_bars(test) > 0 ? test->bar_height / diameter : 0.0;
     return true;
 }
 
@@ -114,7 +107,7 @@ void clod_check_wall_warn(const clod_check_subject *subject, clod_check_report *
             across, r->across_width < r->across_depth ? "width" : "depth",
             CLOD_LIMITS_WALL_GRAINS);
     }
-    if (test->cell == CLOD_CASE_CELL_RING && r->bar_diameters < BAR_LIMIT) {
+    if (clod_wall_cell_of(test)->bars && r->bar_diameters < BAR_LIMIT) {
         clod_check_warning(
             r,
             "the bars of the lid are %.2f grain diameters high: the solid may slip along the "

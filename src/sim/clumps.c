@@ -178,6 +178,11 @@ static bool clumps_picture(void *memory, const clod_free_moment *now, const clod
     return good;
 }
 
+static bool clumps_picture_needs_all(const clod_case *from)
+{
+    return from->clumps.present;
+}
+
 const clod_free_measure CLOD_MEASURE_CLUMPS = {.key = "clumps",
                                                .size = clumps_size,
                                                .begin = clumps_begin,
@@ -185,6 +190,7 @@ const clod_free_measure CLOD_MEASURE_CLUMPS = {.key = "clumps",
                                                .act = clumps_act,
                                                .look = clumps_sample,
                                                .picture = clumps_picture,
+                                               .picture_needs_all = clumps_picture_needs_all,
                                                .columns = clod_clumps_report_columns,
                                                .column = clod_clumps_report_column,
                                                .row = clod_clumps_report_row,

@@ -81,8 +81,9 @@ void clod_job_table_names(const char *name, char series[CLOD_JOB_STEM],
 
 bool clod_job_picture_needs_all(const clod_job *self)
 {
-    const clod_case *from = self->sim->from;
-    return from->output.contacts || from->clumps.present;
+    const clod_procedure *p = &self->procedure;
+    return self->sim->from->output.contacts ||
+           (p->picture_needs_all != NULL && p->picture_needs_all(p->context));
 }
 
 bool clod_job_picture(clod_job *self, const clod_survey *survey, const clod_bed_source *bed,

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "clod/mesh.h"
+#include "state/shape_kinds.h"
 
 /** What of the doctor's findings a run should hear of; the others change nothing. */
 static const struct {
@@ -19,11 +20,6 @@ static const struct {
     {CLOD_MESH_NEEDLE, "needles"},
     {CLOD_MESH_SLIVER, "slivers"},
 };
-
-static bool is_file(const clod_case_shape *shape)
-{
-    return shape->kind == CLOD_SHAPE_MESH;
-}
 
 /** The last part of a path. */
 static const char *name_of(const char *path)
@@ -80,7 +76,7 @@ bool clod_mesh_doubts(const clod_case *from, double radius, clod_mesh_doubts_tel
     for (size_t w = 0; w < from->wall_count; w++) {
         const clod_case_wall *wall = &from->walls[w];
         for (size_t s = 0; s < wall->shape_count; s++) {
-            if (is_file(&wall->shapes[s]) &&
+            if (clod_shape_kinds_row((clod_shape_kind)wall->shapes[s].kind)->file &&
                 !look(wall, &wall->shapes[s], radius, tell, context, status)) {
                 return false;
             }

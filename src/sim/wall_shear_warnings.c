@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "config/wall_cells.h"
 #include "sim/warning_box.h"
 #include "tester/limits.h"
 #include "tester/wall_shear.h"
@@ -62,7 +63,7 @@ bool clod_wall_shear_lever(const clod_case *from, char *text, size_t size)
         "four grains wide, which no error bar of one specimen shows and which can look like "
         "adhesion. Raise wall_friction.seeds, or use cell: straight",
         plate, grains);
-    return test->cell == CLOD_CASE_CELL_RING && test->seeds == 1 && plate < grains;
+    return clod_wall_cell_of(test)->turns && test->seeds == 1 && plate < grains;
 }
 
 /** What one specimen in a ring cannot know, once it was sheared. */

@@ -1,5 +1,7 @@
 #include "state/shape_kinds.h"
 
+#include <math.h>
+
 #include "base/assert.h"
 #include "base/vec3.h"
 #include "state/walls.h"
@@ -97,16 +99,62 @@ static void make_cone(const clod_case_shape *from, clod_shape *shape)
     shape->inner = from->top_radius;
 }
 
+// ---- areas
+
+static double area_of_ring(const clod_shape *shape)
+{
+    return M_PI * (shape->outer * shape->outer - shape->inner * shape->inner);
+}
+
+static double area_of_shell(const clod_shape *shape)
+{
+    const double end = clod_shape_end_radius(shape);
+    return M_PI * (shape->outer + end) * hypot(2.0 * shape->half[2], shape->outer - end);
+}
+
+static double area_of_box(const clod_shape *shape)
+{
+    const double *half = shape->half;
+    return 8.0 * (half[0] * half[1] + half[1] * half[2] + half[2] * half[0]);
+}
+
 static const clod_shape_kind_row SHAPES[CLOD_SHAPE_KINDS] = {
-    [CLOD_SHAPE_PLANE] = {.endless = true, .make = make_disc},
-    [CLOD_SHAPE_DISC] = {.flat = true, .make = make_disc},
-    [CLOD_SHAPE_ANNULUS] = {.flat = true, .make = make_annulus, .fault = fault_of_annulus},
-    [CLOD_SHAPE_CYLINDER] = {.shell = true, .straight = true, .make = make_cylinder},
-    [CLOD_SHAPE_CONE] = {.shell = true, .make = make_cone, .fault = fault_of_cone},
-    [CLOD_SHAPE_BOX] = {.solid = true, .boxed = true, .make = make_box},
-    [CLOD_SHAPE_BAR] = {.solid = true, .boxed = true, .make = make_bar, .fault = fault_of_bar},
-    [CLOD_SHAPE_MESH] = {.faceted = true, .boxed = true},
-    [CLOD_SHAPE_CONVEYOR] = {.faceted = true, .boxed = true, .conveyor = true},
+    [CLOD_SHAPE_PLANE] = {.form = CLOD_FORM_PLANE, .endless = true, .make = make_disc},
+    [CLOD_SHAPE_DISC] = {.form = CLOD_FORM_SHELL,
+                         .flat = true,
+                         .make = make_disc,
+                         .area = area_of_ring},
+    [CLOD_SHAPE_ANNULUS] = {.form = CLOD_FORM_SHELL,
+                            .flat = true,
+                            .make = make_annulus,
+                            .area = area_of_ring,
+                            .fault = fault_of_annulus},
+    [CLOD_SHAPE_CYLINDER] = {.form = CLOD_FORM_SHELL,
+                             .shell = true,
+                             .straight = true,
+                             .make = make_cylinder,
+                             .area = area_of_shell},
+    [CLOD_SHAPE_CONE] = {.form = CLOD_FORM_SHELL,
+                         .shell = true,
+                         .make = make_cone,
+                         .area = area_of_shell,
+                         .fault = fault_of_cone},
+    [CLOD_SHAPE_BOX] = {.form = CLOD_FORM_BOX,
+                        .solid = true,
+                        .boxed = true,
+                        .make = make_box,
+                        .area = area_of_box},
+    [CLOD_SHAPE_BAR] = {.form = CLOD_FORM_BOX,
+                        .solid = true,
+                        .boxed = true,
+                        .make = make_bar,
+                        .area = area_of_box,
+                        .fault = fault_of_bar},
+    [CLOD_SHAPE_MESH] = {.form = CLOD_FORM_MESH, .faceted = true, .boxed = true, .file = true},
+    [CLOD_SHAPE_CONVEYOR] = {.form = CLOD_FORM_MESH,
+                             .faceted = true,
+                             .boxed = true,
+                             .conveyor = true},
 };
 
 const clod_shape_kind_row *clod_shape_kinds_row(clod_shape_kind kind)

@@ -128,21 +128,10 @@ double clod_wear_area(const clod_wall *wall, int32_t shape, int32_t place)
 {
     const clod_shape *self = &wall->shapes[shape];
     const clod_shape_kind_row *row = clod_shape_kinds_row(self->kind);
-    const double slant = hypot(2.0 * self->half[2], self->outer - clod_shape_end_radius(self));
     if (row->faceted) {
         return facet_area(self->surface, place - self->place);
     }
-    if (row->flat) {
-        return M_PI * (self->outer * self->outer - self->inner * self->inner);
-    }
-    if (row->shell) {
-        return M_PI * (self->outer + clod_shape_end_radius(self)) * slant;
-    }
-    if (row->solid) {
-        return 8.0 * (self->half[0] * self->half[1] + self->half[1] * self->half[2] +
-                      self->half[2] * self->half[0]);
-    }
-    return 0.0; // an endless plane
+    return row->area != NULL ? row->area(self) : 0.0;
 }
 
 double clod_wear_finnie(double normal, double along)

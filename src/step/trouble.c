@@ -5,6 +5,7 @@
 
 #include "clod/case.h"
 #include "law/law_kinds.h"
+#include "law/law_springs.h"
 
 #define LARGE_STEP 0.25 ///< of the critical step: six steps for half a swing
 #define GOOD_STEP 0.1   ///< as time.safety
@@ -167,9 +168,7 @@ static double critical_step(const deep_contact *deep)
 {
     const clod_law *law = deep->law;
     const double loading = clod_law_tangent(law, deep->overlap, deep->r_star);
-    const double tangential = law->tangential == CLOD_TANGENTIAL_LITERAL
-                                  ? law->literal_stiffness
-                                  : law->tangent_ratio * loading;
+    const double tangential = clod_law_springs_tangential(law, loading);
     const double slip = law->friction > 0.0 ? 3.5 * tangential : 0.0; // on 2/7 of the mass
     const double press = clod_law_stiffest(law, deep->overlap, deep->r_star);
     return 2.0 * sqrt(deep->m_star / fmax(press, slip));

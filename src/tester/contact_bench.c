@@ -8,6 +8,7 @@
 #include "base/given.h"
 #include "law/law_contact.h"
 #include "law/law_kinds.h"
+#include "law/law_springs.h"
 
 /** Steps of an impact that last one radian of the contact's oscillation. */
 #define IMPACT_STEPS 20000
@@ -49,7 +50,9 @@ static double rim_inertia(double mass, double radius)
 static bool check_density(const bench *self, const clod_case_material *material,
                           clod_status *status)
 {
-    const bool rolls = self->law.rolling == CLOD_ROLLING_EPSD && self->law.rolling_damping > 0;
+    const clod_law *law = &self->law;
+    const bool rolls = clod_law_springs_rolling_row_of((int)law->rolling)->dash_pot &&
+                       law->rolling_damping > 0.0;
     if (material->density > 0.0 || (!rolls && self->law.damping == 0.0)) {
         return true;
     }

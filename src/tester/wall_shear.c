@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "config/wall_cells.h"
 #include "tester/bed.h"
 #include "tester/limits.h"
 
@@ -53,35 +54,73 @@ static double bulk_density(const clod_wall_shear *self, double height)
     return self->grain_mass / (self->area * height - self->bars_volume);
 }
 
-static bool is_ring(const clod_wall_shear *self)
+/** How the plate moves: one row for each way. */
+typedef struct plate_drive {
+    double *(*motion)(clod_wall *plate);          ///< spin [rad/s], or velocity [m/s]
+    double (*resistance)(const clod_wall *wall);  ///< torque [N m], or force [N], times steps
+    double (*lever)(const clod_wall_shear *self); ///< m; 1 where motion is the speed itself
+} plate_drive;
+
+static double *spin(clod_wall *plate)
 {
-    return self->mean_radius > 0.0;
+    return &plate->spin;
+}
+
+static double torque(const clod_wall *wall)
+{
+    return wall->sum_torque.z;
+}
+
+static double mean_lever(const clod_wall_shear *self)
+{
+    return self->mean_radius;
+}
+
+static double *velocity(clod_wall *plate)
+{
+    return &plate->velocity.x;
+}
+
+static double force(const clod_wall *wall)
+{
+    return wall->sum_force.x;
+}
+
+static double no_lever(const clod_wall_shear *self)
+{
+    (void)self;
+    return 1.0;
+}
+
+static const plate_drive TURNS = {spin, torque, mean_lever};
+static const plate_drive SLIDES = {velocity, force, no_lever};
+
+static const plate_drive *drive_of(const clod_wall_shear *self)
+{
+    return self->mean_radius > 0.0 ? &TURNS : &SLIDES;
+}
+
+/** Spin or velocity of the plate. */
+static double *motion_of(const clod_wall_shear *self, const clod_state *state)
+{
+    return drive_of(self)->motion(clod_bed_wall(state, "plate"));
 }
 
 /** Speed of the plate, in a ring at r_m [m/s]. */
 static double speed_of(const clod_wall_shear *self, const clod_state *state)
 {
-    const clod_wall *plate = clod_bed_wall(state, "plate");
-    return is_ring(self) ? plate->spin * self->mean_radius : plate->velocity.x;
-}
-
-/** What the plate's speed is told as: spin or velocity. */
-static double drive(const clod_wall_shear *self, double speed)
-{
-    return is_ring(self) ? speed / self->mean_radius : speed;
+    return *motion_of(self, state) * drive_of(self)->lever(self);
 }
 
 static void set_speed(const clod_wall_shear *self, clod_state *state, double speed)
 {
-    clod_wall *plate = clod_bed_wall(state, "plate");
-    *(is_ring(self) ? &plate->spin : &plate->velocity.x) = drive(self, speed);
+    *motion_of(self, state) = speed / drive_of(self)->lever(self);
 }
 
 /** Whether the speed is the target, to the last bit. */
 static bool is_at_speed(const clod_wall_shear *self, const clod_state *state)
 {
-    const clod_wall *plate = clod_bed_wall(state, "plate");
-    return (is_ring(self) ? plate->spin : plate->velocity.x) == drive(self, self->target_speed);
+    return *motion_of(self, state) == self->target_speed / drive_of(self)->lever(self);
 }
 
 /** Load of the lid that gives a normal stress on the plate, as long as the sides carry none. */
@@ -94,8 +133,8 @@ static void set_stress(const clod_wall_shear *self, clod_state *state, double st
 /** Shear stress that the drive of a wall, or its bearing, feels, times steps [Pa]. */
 static double sheared(const clod_wall_shear *self, const clod_wall *wall)
 {
-    return is_ring(self) ? wall->sum_torque.z / (self->area * self->mean_radius)
-                         : wall->sum_force.x / self->area;
+    const plate_drive *drive = drive_of(self);
+    return drive->resistance(wall) / (self->area * drive->lever(self));
 }
 
 /** Mean of what the walls felt since the last look. */
@@ -156,12 +195,12 @@ void clod_wall_shear_programme(clod_wall_shear *self, const clod_case *from)
     self->settle_max = test->settle_max;
 }
 
-/** Radius at which a uniform shear stress has its torque [m]; 0 for a straight cell. */
+/** Radius at which a uniform shear stress has its torque [m]; 0: the plate does not turn. */
 static double mean_radius(const clod_case_wall_friction *cell)
 {
     const double ri = cell->inner_radius;
     const double ro = cell->outer_radius;
-    return cell->cell == CLOD_CASE_CELL_RING
+    return clod_wall_cell_of(cell)->turns
                ? 2.0 / 3.0 * (ro * ro * ro - ri * ri * ri) / (ro * ro - ri * ri)
                : 0.0;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/assert.h"
+#include "law/law_springs.h"
 
 #define RADIUS CLOD_VERIFY_PASSIVE_RADIUS
 #define DEGREE (M_PI / 180.0)
@@ -122,17 +123,6 @@ static double spring_energy(const double spring[3][CLOD_LANES], int lane, double
     return 0.5 * stiffness * square;
 }
 
-/** k_r [N m/rad] of the springs of rolling resistance (docs/theory/rolling.md); 0: none. */
-static double rolling_stiffness(const clod_law *law, double tangent, double r_star)
-{
-    const double area = r_star * r_star;
-    if (law->rolling == CLOD_ROLLING_EPSD2) {
-        return law->tangent_ratio * tangent * area;
-    }
-    const double mu = law->rolling_friction;
-    return law->rolling == CLOD_ROLLING_EPSD ? 2.25 * mu * mu * tangent * area : 0.0;
-}
-
 /** End force and end torque of the step against what the springs have gained. */
 static void see_ends(const clod_verify_play *now, impact *self, const place *contact)
 {
@@ -152,9 +142,10 @@ static void see_ends(const clod_verify_play *now, impact *self, const place *con
     const clod_law *law = &now->laws.law[clod_laws_index(&now->laws, 0, pair ? 0 : 1)];
     const double tangent = contact->history->tangent[contact->lane];
     self->touching |= tangent > 0.0;
-    const double k_r = rolling_stiffness(law, tangent, pair ? 0.5 * RADIUS : RADIUS);
-    const double held =
-        spring_energy(contact->history->spring, contact->lane, law->tangent_ratio * tangent);
+    const double r_star = pair ? 0.5 * RADIUS : RADIUS;
+    const double k_t = clod_law_springs_tangential(law, tangent);
+    const double k_r = clod_law_springs_rolling(law, tangent) * (r_star * r_star);
+    const double held = spring_energy(contact->history->spring, contact->lane, k_t);
     const double turned = spring_energy(contact->history->roll, contact->lane, k_r);
     const double dt = now->state.dt;
     offer(&self->made[CLOD_VERIFY_MADE_BY_FORCE],

@@ -105,6 +105,45 @@ static void the_box_around_a_rectangle(void **unused)
     }
 }
 
+/** Every kind has what others ask of it: what is put into has sizes, a face has axes. */
+static void every_kind_has_its_row(void **unused)
+{
+    (void)unused;
+    static const char *const NAMES[] = {[CLOD_REGION_BOX] = "box",
+                                        [CLOD_REGION_ANNULUS] = "annulus",
+                                        [CLOD_REGION_DISC] = "disc",
+                                        [CLOD_REGION_RECTANGLE] = "rectangle"};
+    for (int k = CLOD_REGION_BOX; k <= CLOD_REGION_RECTANGLE; k++) {
+        const clod_case_region region = {.kind = k};
+        const clod_region_kind_row *row = clod_region_row(&region);
+        assert_string_equal(row->name, NAMES[k]);
+        assert_true(row->face == (k == CLOD_REGION_DISC || k == CLOD_REGION_RECTANGLE));
+        assert_true(row->upright == (k == CLOD_REGION_ANNULUS));
+        assert_non_null(row->area);
+        assert_non_null(row->top);
+        assert_non_null(row->bounds);
+        assert_true((row->size == NULL) == row->face);
+        assert_true((row->axis != NULL) == row->face);
+        assert_true((row->half != NULL) == row->face);
+    }
+}
+
+/** A box from 1 to 4 and an annulus from 1 on, 3 high; 0.25 before a face at a height of 1. */
+static void heights_by_hand(void **unused)
+{
+    (void)unused;
+    const clod_case_region box = {.max = {1.0, 1.0, 4.0}, .min = {0.0, 0.0, 1.0}};
+    const clod_case_region ring = {.kind = CLOD_REGION_ANNULUS,
+                                   .center = {0.0, 0.0, 1.0},
+                                   .outer_radius = 2.0,
+                                   .height = 3.0};
+    const clod_case_region disc = {
+        .kind = CLOD_REGION_DISC, .center = {0.0, 0.0, 1.0}, .depth = 0.25};
+    assert_true(clod_region_height(&box) == 3.0 && clod_region_row(&box)->top(&box) == 4.0);
+    assert_true(clod_region_height(&ring) == 3.0 && clod_region_row(&ring)->top(&ring) == 4.0);
+    assert_true(clod_region_height(&disc) == 0.25 && clod_region_row(&disc)->top(&disc) == 1.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -113,6 +152,8 @@ int main(void)
         cmocka_unit_test(a_box_and_an_annulus),
         cmocka_unit_test(the_box_around_a_disc),
         cmocka_unit_test(the_box_around_a_rectangle),
+        cmocka_unit_test(every_kind_has_its_row),
+        cmocka_unit_test(heights_by_hand),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -22,6 +22,12 @@ static void every_shape_is_of_one_sort(void **state)
         assert_true(row->shell || !row->straight);
         assert_true(row->faceted || !row->conveyor);
         assert_true((row->make == NULL) == row->faceted);
+        assert_true(row->faceted == (row->file + row->conveyor == 1));
+        assert_true((row->area == NULL) == (row->endless || row->faceted));
+        assert_true((row->form == CLOD_FORM_PLANE) == row->endless);
+        assert_true((row->form == CLOD_FORM_BOX) == row->solid);
+        assert_true((row->form == CLOD_FORM_MESH) == row->faceted);
+        assert_true((row->form == CLOD_FORM_SHELL) == (row->flat || row->shell));
     }
 }
 
