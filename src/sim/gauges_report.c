@@ -186,6 +186,9 @@ static void put_alarm(json_t *object, const clod_gauge_alarm *alarm, double dt)
     json_object_set_new(object, "blocked_since_s",
                         alarm->first < 0 ? json_null() : json_real((double)alarm->first * dt));
     json_object_set_new(object, "blocked_at_end", json_boolean(alarm->on != 0));
+    json_object_set_new(object, "blocked_at_end_since_s",
+                        alarm->on == 0 ? json_null()
+                                       : json_real((double)alarm->slow_since * dt));
 }
 
 json_t *clod_gauges_json(const void *memory, const clod_free_moment *now)
