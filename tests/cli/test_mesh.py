@@ -143,7 +143,7 @@ class Mesh(clod.Case):
                    "element vertex 2000000000\nproperty float x\nproperty float y\n"
                    "property float z\nelement face 2000000000\n"
                    "property list uchar int vertex_indices\nend_header\n")
-        for name, text in (("huge.stl", "the file has 5 GB; 2 GB are read at most"),
+        for name, text in (("huge.stl", "the file has 5 GB; 2 GB are read at most: take a coarser one, or split it"),
                            ("endless.stl", "it is no regular file"),
                            ("pipe.obj", "it is no regular file"),
                            ("promise.ply", "this cannot be how many there are")):
