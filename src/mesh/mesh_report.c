@@ -179,10 +179,10 @@ static double longest_side(const clod_mesh_report *report)
     return size;
 }
 
-/** Three digits, and large numbers without a power of ten: "0.02", "1012". */
+/** Three digits, from 1000 to 99999 all: "0.02", "1012". */
 static const char *short_text(double value, char text[24])
 {
-    snprintf(text, 24, value >= 1000.0 && value < 1e7 ? "%.0f" : "%.3g", value);
+    snprintf(text, 24, value >= 1000.0 && value < 1e5 ? "%.0f" : "%.3g", value);
     return text;
 }
 
