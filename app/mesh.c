@@ -16,11 +16,14 @@
 #include "picture/picture.h"
 #include "picture_arguments.h"
 
-enum { KEY_JSON = 256, KEY_UNIT, KEY_RADIUS, KEY_PICTURE, KEY_SIZE, KEY_VIEW };
+enum { KEY_JSON = 256, KEY_UNIT, KEY_RADIUS, KEY_PICTURE, KEY_SIZE, KEY_VIEW, KEY_HIDE };
+
+#define HIDDEN 64 ///< parts at most
 
 typedef struct request {
     const char *path, *unit, *radius, *picture;
     clod_picture_mesh drawn;
+    const char *hidden[HIDDEN];
     char *(*write)(const clod_mesh *mesh, const clod_mesh_report *report);
 } request;
 
@@ -34,6 +37,7 @@ static const struct argp_option OPTIONS[] = {
      "draw the mesh as PNG, each facet in the colour of what is done about it", 0},
     {"view", KEY_VIEW, "NAME", 0, "of the picture: oblique (default), front, side or top", 0},
     {"size", KEY_SIZE, "WIDTHxHEIGHT", 0, "of the picture, in pixels (1600x1000)", 0},
+    {"hide", KEY_HIDE, "PART", 0, "of the picture: leave out a part; may be repeated", 0},
     {"json", KEY_JSON, NULL, 0, "print everything as JSON", 0},
     {0},
 };
@@ -59,6 +63,12 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         return 0;
     case KEY_VIEW:
         clod_app_picture_view(state, argument, &self->drawn.view);
+        return 0;
+    case KEY_HIDE:
+        if (self->drawn.hidden_count == HIDDEN) {
+            argp_error(state, "--hide %s: at most %d parts", argument, HIDDEN);
+        }
+        self->hidden[self->drawn.hidden_count++] = argument;
         return 0;
     case ARGP_KEY_ARG:
         if (self->path != NULL) {
@@ -107,6 +117,7 @@ static bool run(const request *self, clod_status *status)
     clod_mesh *mesh = clod_mesh_read(self->path, &placing, status);
     clod_picture_mesh drawn = self->drawn;
     const char *slash = strrchr(self->path, '/');
+    drawn.hidden = self->hidden;
     drawn.title = slash != NULL ? slash + 1 : self->path;
     const bool done = mesh != NULL &&
                       (self->picture == NULL ||

@@ -44,7 +44,7 @@ static const template TEMPLATES[] = {
      CLOD_TEMPLATE_UNIAXIAL,
      {{0}}},
     {"wall-friction",
-     "virtual wall friction test: wall yield locus of the same ore on a plate",
+     "virtual wall friction test of the same ore: wall yield locus",
      CLOD_TEMPLATE_WALL_FRICTION,
      {{0}}},
     {"free-run",
@@ -61,11 +61,11 @@ static const template TEMPLATES[] = {
      {{"flow-function.csv", CLOD_TEMPLATE_HOPPER_FLOW_FUNCTION},
       {"wall.csv", CLOD_TEMPLATE_HOPPER_WALL}}},
     {"calibrate",
-     "calibration of an ore's adhesion against a measured angle, for clod calibrate",
+     "calibration of an ore's adhesion, for clod calibrate",
      CLOD_TEMPLATE_CALIBRATE,
      {{"ring.yaml", CLOD_TEMPLATE_CALIBRATE_RING}}},
     {"lab-to-outlet",
-     "from a laboratory's tables to an outlet: design, calibration, outlet, chute",
+     "a laboratory's tables to hopper, calibration, outlet, chute",
      CLOD_TEMPLATE_LAB_TO_OUTLET,
      {{"shear.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_SHEAR},
       {"wall.csv", CLOD_TEMPLATE_LAB_TO_OUTLET_WALL},
@@ -75,6 +75,13 @@ static const template TEMPLATES[] = {
       {"side.obj", CLOD_TEMPLATE_LAB_TO_OUTLET_SIDE},
       {"chute.yaml", CLOD_TEMPLATE_LAB_TO_OUTLET_CHUTE},
       {"chute.obj", CLOD_TEMPLATE_LAB_TO_OUTLET_CHUTE_MESH}}},
+    {"transfer-chute",
+     "moist ore over a transfer chute: belts, hood and spoon",
+     CLOD_TEMPLATE_TRANSFER_CHUTE,
+     {{"dry.yaml", CLOD_TEMPLATE_TRANSFER_CHUTE_DRY},
+      {"chute.yaml", CLOD_TEMPLATE_TRANSFER_CHUTE_LAYOUT},
+      {"chute.obj", CLOD_TEMPLATE_TRANSFER_CHUTE_MESH},
+      {"geometry", CLOD_TEMPLATE_TRANSFER_CHUTE_GEOMETRY}}},
 };
 
 #define TEMPLATE_COUNT (sizeof TEMPLATES / sizeof TEMPLATES[0])
@@ -188,14 +195,29 @@ static int write_case(const template *chosen, const char *path)
     return result;
 }
 
+/** Text of --help, with the templates at its end. */
+static void write_help(char *text, size_t size)
+{
+    size_t used = (size_t)snprintf(
+        text, size,
+        "Write an example case to start from; FILE is TEMPLATE.yaml unless given, - is "
+        "standard output. Further files of a template are written beside it. Without "
+        "arguments the templates are listed. A file that exists is never overwritten.\v"
+        "Templates:\n\n");
+    for (size_t i = 0; i < TEMPLATE_COUNT && used < size; i++) {
+        used += (size_t)snprintf(text + used, size - used, "  %-14s %s\n", TEMPLATES[i].name,
+                                 TEMPLATES[i].help);
+    }
+}
+
 int clod_app_new(int argc, char **argv)
 {
+    char help[2048];
+    write_help(help, sizeof help);
     const struct argp argp = {
         .parser = parse,
         .args_doc = "[TEMPLATE [FILE]]",
-        .doc = "Write an example case to start from; FILE is TEMPLATE.yaml unless given, - is "
-               "standard output. Further files of a template are written beside it. Without "
-               "arguments the templates are listed. A file that exists is never overwritten.",
+        .doc = help,
     };
     request self = {NULL, NULL};
     if (!clod_arguments_parse(&argp, argc, argv, 0, &self)) {

@@ -103,8 +103,9 @@ static bool is_readable(const char *path, const struct stat *about, size_t most,
     }
     if (S_ISREG(about->st_mode) && (uintmax_t)about->st_size > most) {
         return clod_status_fail(status, CLOD_USAGE,
-                                "%s: the file has %.3g GB; %.3g GB are read at most", path,
-                                (double)about->st_size * 1e-9, (double)most * 1e-9);
+                                "%s: the file has %.3g GB; %.3g GB are read at most: take "
+                                "a coarser one, or split it into several files",
+                                path, (double)about->st_size * 1e-9, (double)most * 1e-9);
     }
     return true;
 }

@@ -21,6 +21,39 @@ void clod_check_fail(clod_loader *loader, const char *path, const char *format, 
                     message);
 }
 
+bool clod_check_has_belt(const clod_case_wall *wall)
+{
+    bool found = false;
+    for (size_t s = 0; s < wall->shape_count; s++) {
+        found = found || wall->shapes[s].belt.run_count > 0;
+    }
+    return found;
+}
+
+const char *clod_check_walls_text(const clod_case *self, const char *name, bool belts,
+                                  char *text, size_t size)
+{
+    const char *kind = belts ? "walls with a belt" : "walls";
+    clod_suggest near = clod_suggest_start(name);
+    char list[200] = "";
+    for (size_t w = 0; w < self->wall_count; w++) {
+        if (!belts || clod_check_has_belt(&self->walls[w])) {
+            const size_t used = strlen(list);
+            clod_suggest_offer(&near, self->walls[w].name);
+            snprintf(list + used, sizeof list - used, "%s%s", used > 0 ? ", " : "",
+                     self->walls[w].name);
+        }
+    }
+    if (clod_suggest_text(&near, text, size)[0] == '\0') {
+        if (list[0] != '\0') {
+            snprintf(text, size, "; %s are %s", kind, list);
+        } else {
+            snprintf(text, size, "; the case has no %s: remove this key", kind);
+        }
+    }
+    return text;
+}
+
 bool clod_check_has(const clod_loader *loader, const char *path)
 {
     return clod_tree_at(loader->root, path) != NULL;

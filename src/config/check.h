@@ -90,6 +90,19 @@ bool clod_check_pair_needed(const clod_case *self, int a, int b);
 void clod_check_fail(clod_loader *loader, const char *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/**
+ * "; did you mean feed?" when a wall's name is near to `name`, else "; walls are feed, chute".
+ *
+ * @param belts  only walls that have a belt
+ * @param text   [size] [out]
+ * @return       text
+ */
+const char *clod_check_walls_text(const clod_case *self, const char *name, bool belts,
+                                  char *text, size_t size);
+
+/** Whether a shape of the wall is a belt. */
+bool clod_check_has_belt(const clod_case_wall *wall);
+
 /** Whether a path was written in the case. */
 bool clod_check_has(const clod_loader *loader, const char *path);
 

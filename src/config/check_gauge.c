@@ -7,7 +7,6 @@
 #include "base/vec3.h"
 #include "config/check.h"
 #include "config/region.h"
-#include "config/suggest.h"
 
 /** Cosine of the angle between two directions below which they are at right angles. */
 #define ACROSS 1e-6
@@ -60,34 +59,20 @@ static void check_directions(clod_loader *loader, const clod_case *self,
     }
 }
 
-static bool has_belt(const clod_case_wall *wall)
-{
-    bool found = false;
-    for (size_t s = 0; s < wall->shape_count; s++) {
-        found = found || wall->shapes[s].belt.run_count > 0;
-    }
-    return found;
-}
-
 static void check_belt(clod_loader *loader, const clod_case *self, const clod_case_gauge *gauge)
 {
     if (gauge->belt == NULL) {
         return;
     }
-    char text[160], hint[64];
-    clod_suggest near = clod_suggest_start(gauge->belt);
     for (size_t w = 0; w < self->wall_count; w++) {
-        const bool belt = has_belt(&self->walls[w]);
-        if (belt && strcmp(self->walls[w].name, gauge->belt) == 0) {
+        if (clod_check_has_belt(&self->walls[w]) &&
+            strcmp(self->walls[w].name, gauge->belt) == 0) {
             return;
         }
-        if (belt) {
-            clod_suggest_offer(&near, self->walls[w].name);
-        }
     }
-    const char *found = clod_suggest_text(&near, hint, sizeof hint);
-    snprintf(text, sizeof text, "there is no wall %s with a belt among its shapes%s",
-             gauge->belt, found[0] != '\0' ? found : "; name one that has, or remove this key");
+    char text[480], names[280];
+    snprintf(text, sizeof text, "there is no wall %.100s with a belt among its shapes%s",
+             gauge->belt, clod_check_walls_text(self, gauge->belt, true, names, sizeof names));
     fail(loader, gauge, "belt", text);
 }
 

@@ -68,7 +68,9 @@ static void check_wall(clod_loader *loader, const char *path, const clod_case *s
     const clod_case_wall *wall = find_wall(self, outlet->wall);
     snprintf(key, sizeof key, "%s.wall", path);
     if (wall == NULL) {
-        clod_check_fail(loader, key, "'%s' is not the name of a wall", outlet->wall);
+        char names[280];
+        clod_check_fail(loader, key, "'%s' is not the name of a wall%s", outlet->wall,
+                        clod_check_walls_text(self, outlet->wall, false, names, sizeof names));
     } else if (wall->load != CLOD_LOAD_NONE) {
         clod_check_fail(loader, key,
                         "walls.%s has a load, but grains do not push a wall that removes "

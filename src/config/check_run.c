@@ -4,7 +4,6 @@
 
 #include "config/check.h"
 #include "config/region.h"
-#include "config/suggest.h"
 #include "state/shape_kinds.h"
 
 #define PATH_SIZE 320
@@ -327,13 +326,9 @@ static void check_change(clod_loader *loader, const clod_case *self, const char 
 {
     const clod_case_wall *wall = find_wall(self, change->name);
     if (wall == NULL) {
-        char hint[64];
-        clod_suggest near = clod_suggest_start(change->name);
-        for (size_t i = 0; i < self->wall_count; i++) {
-            clod_suggest_offer(&near, self->walls[i].name);
-        }
+        char names[280];
         clod_check_fail(loader, path, "there is no wall %s%s", change->name,
-                        clod_suggest_text(&near, hint, sizeof hint));
+                        clod_check_walls_text(self, change->name, false, names, sizeof names));
         return;
     }
     char wall_path[PATH_SIZE];

@@ -8,7 +8,9 @@
 
 typedef struct clod_mesh_words {
     const char *key;    ///< in JSON
-    const char *noun;   ///< behind a number
+    const char *one;    ///< noun behind 1
+    const char *many;   ///< noun behind other numbers
+    const char *what;   ///< behind the noun
     const char *action; ///< what clod does about it
     const char *advice; ///< for the user; "" = none
 } clod_mesh_words;

@@ -24,24 +24,27 @@
 #define ROUGH_BOX 1e-5     ///< step of a float over the size of the box
 
 const clod_mesh_words CLOD_MESH_FINDINGS[CLOD_MESH_KINDS] = {
-    [CLOD_MESH_WELDED] = {"welded_vertices", "vertices that differ by rounding", "joined", ""},
-    [CLOD_MESH_DEGENERATE] = {"degenerate_facets", "facets without area", "dropped", ""},
-    [CLOD_MESH_DUPLICATE] = {"duplicate_facets", "facets with the corners of another",
-                             "dropped", ""},
-    [CLOD_MESH_TURNED] = {"flipped_facets", "facets whose normal disagrees with the neighbours",
-                          "turned", ""},
-    [CLOD_MESH_TWISTED] = {"twisted_edges", "edges where no turning makes normals agree",
-                           "kept", "Is the surface twisted like a Moebius strip?"},
-    [CLOD_MESH_OPEN] = {"open_edges", "open edges", "kept",
+    [CLOD_MESH_WELDED] = {"welded_vertices", "vertex", "vertices",
+                          " that only rounding tells from another", "joined", ""},
+    [CLOD_MESH_DEGENERATE] = {"degenerate_facets", "facet", "facets", " without area",
+                              "dropped", ""},
+    [CLOD_MESH_DUPLICATE] = {"duplicate_facets", "facet", "facets",
+                             " with the corners of another", "dropped", ""},
+    [CLOD_MESH_TURNED] = {"flipped_facets", "facet", "facets",
+                          " whose normal disagrees with the neighbours", "turned", ""},
+    [CLOD_MESH_TWISTED] = {"twisted_edges", "edge", "edges",
+                           " where no turning makes normals agree", "kept",
+                           "Is the surface twisted like a Moebius strip?"},
+    [CLOD_MESH_OPEN] = {"open_edges", "open edge", "open edges", "", "kept",
                         "A sheet ends there. If the wall should be closed, close it in CAD."},
-    [CLOD_MESH_T] = {"t_edges", "edges with a vertex of another facet inside", "kept",
-                     "The facets on both sides are neighbours."},
-    [CLOD_MESH_NONMANIFOLD] = {"nonmanifold_edges", "edges of three or more facets", "kept",
-                               "Sheets meet there."},
-    [CLOD_MESH_NEEDLE] = {"needle_facets", "needles, one edge below 1/100 of the longest",
-                          "kept", ""},
-    [CLOD_MESH_SLIVER] = {"sliver_facets", "slivers, height below 1/100 of the longest edge",
-                          "kept", ""},
+    [CLOD_MESH_T] = {"t_edges", "edge", "edges", " with a vertex of another facet inside",
+                     "kept", "The facets on both sides are neighbours."},
+    [CLOD_MESH_NONMANIFOLD] = {"nonmanifold_edges", "edge", "edges", " of three or more facets",
+                               "kept", "Sheets meet there."},
+    [CLOD_MESH_NEEDLE] = {"needle_facets", "needle", "needles",
+                          ", one edge below 1/100 of the longest", "kept", ""},
+    [CLOD_MESH_SLIVER] = {"sliver_facets", "sliver", "slivers",
+                          ", height below 1/100 of the longest edge", "kept", ""},
 };
 
 const char *const CLOD_MESH_EDGES[CLOD_MESH_EDGE_KINDS] = {
@@ -176,24 +179,31 @@ static double longest_side(const clod_mesh_report *report)
     return size;
 }
 
+/** Three digits, from 1000 to 99999 all: "0.02", "1012". */
+static const char *short_text(double value, char text[24])
+{
+    snprintf(text, 24, value >= 1000.0 && value < 1e5 ? "%.0f" : "%.3g", value);
+    return text;
+}
+
 /** Warn of a size that no plant has; whether it did. */
 static bool doubt_size(const clod_mesh *self, clod_mesh_report *report)
 {
     const double diameter = 2.0 * report->grain_radius;
     const double size = longest_side(report);
-    char units[64];
+    char units[64], length[24], ratio[24];
     list_units(self, size, diameter, units, sizeof units);
     const double grains = diameter > 0.0 ? size / diameter : GRAINS_LEAST;
     if (size > SIZE_MOST || size < SIZE_LEAST) {
         warn(report,
-             "The mesh is %.3g m long; a plant has from 1 mm to 1 km. Is the unit right? "
+             "The mesh is %s m long; a plant has from 1 mm to 1 km. Is the unit right? "
              "The size would be plausible in: %s.",
-             size, units);
+             short_text(size, length), units);
     } else if (grains > GRAINS_MOST || grains < GRAINS_LEAST) {
         warn(report,
-             "The mesh is %.3g m long, %.3g grain diameters; from 10 to 1000 are usual. "
+             "The mesh is %s m long, %s grain diameters; from 10 to 1000 are usual. "
              "Is the unit right? The size would be plausible in: %s.",
-             size, grains, units);
+             short_text(size, length), short_text(grains, ratio), units);
     } else {
         return false;
     }
@@ -219,9 +229,10 @@ static void doubt_facets(const clod_mesh *self, clod_mesh_report *report)
     const double count = (double)self->view.facet_count;
     if ((double)report->small_facets > FINE_SHARE * count) {
         warn(report,
-             "%zu of %zu facets are smaller than the radius of a grain, which feels none "
+             "%zu of %zu facets %s smaller than the radius of a grain, which feels none "
              "of them singly but takes time for each. Export a coarser mesh.",
-             report->small_facets, self->view.facet_count);
+             report->small_facets, self->view.facet_count,
+             report->small_facets == 1 ? "is" : "are");
     }
     if (report->volume < 0.0) {
         warn(report, "The normals of the closed mesh point inwards. That is right for a room "

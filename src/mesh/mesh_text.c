@@ -25,9 +25,9 @@ static void put_size(FILE *out, const clod_mesh *self, const clod_mesh_report *r
     if (view->facet_count != report->read_facets) {
         fprintf(out, ", %zu kept", view->facet_count);
     }
-    fprintf(out, ", %zu vertices, %zu unconnected piece%s, %s\n\n", view->vertex_count,
-            view->shell_count, clod_plural((double)view->shell_count),
-            report->closed ? "closed" : "open");
+    fprintf(out, ", %zu %s, %zu unconnected piece%s, %s\n\n", view->vertex_count,
+            view->vertex_count == 1 ? "vertex" : "vertices", view->shell_count,
+            clod_plural((double)view->shell_count), report->closed ? "closed" : "open");
     fprintf(out, "  box%15s%14s%14s%16s\n", "from [m]", "to [m]", "size [m]", "size [mm]");
     for (int k = 0; k < 3; k++) {
         const double low = report->box[0][k], high = report->box[1][k];
@@ -95,7 +95,8 @@ static void put_findings(FILE *out, const clod_mesh *self, const clod_mesh_repor
             continue;
         }
         kinds++;
-        fprintf(out, "  - %zu %s: %s.%s%s\n", finding->count, words->noun, words->action,
+        fprintf(out, "  - %zu %s%s: %s.%s%s\n", finding->count,
+                finding->count == 1 ? words->one : words->many, words->what, words->action,
                 words->advice[0] != '\0' ? " " : "", words->advice);
         put_places(out, self, finding);
     }

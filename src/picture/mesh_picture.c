@@ -78,7 +78,61 @@ typedef struct drawing {
     uint8_t *image;
 } drawing;
 
-static bool fill_scene(clod_scene *scene, const clod_mesh_view *view, size_t *count)
+static bool is_named(const clod_mesh_view *view, size_t facet, const char *name)
+{
+    return strcmp(view->parts[view->part[facet]].name, name) == 0;
+}
+
+static bool is_hidden(const clod_mesh_view *view, size_t facet,
+                      const clod_picture_mesh *options)
+{
+    for (size_t h = 0; h < options->hidden_count; h++) {
+        if (is_named(view, facet, options->hidden[h])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/** That a part to hide is not there, and which are. */
+static bool fail_hidden(const clod_mesh_view *view, const char *name, clod_status *status)
+{
+    char names[600] = "";
+    for (size_t p = 0; p < view->part_count; p++) {
+        const size_t used = strlen(names);
+        snprintf(names + used, sizeof names - used, "%s%s", used > 0 ? ", " : "",
+                 view->parts[p].name);
+    }
+    return clod_status_fail(status, CLOD_USAGE, "--hide %s: the mesh has no such part. %s%s.",
+                            name, names[0] != '\0' ? "Parts: " : "Its parts have no names",
+                            names);
+}
+
+/** Whether every part to hide is there, and something is left. */
+static bool check_hidden(const clod_mesh_view *view, const clod_picture_mesh *options,
+                         clod_status *status)
+{
+    for (size_t h = 0; h < options->hidden_count; h++) {
+        size_t f = 0;
+        while (f < view->facet_count && !is_named(view, f, options->hidden[h])) {
+            f++;
+        }
+        if (f == view->facet_count) {
+            return fail_hidden(view, options->hidden[h], status);
+        }
+    }
+    size_t shown = 0;
+    for (size_t f = 0; f < view->facet_count; f++) {
+        shown += !is_hidden(view, f, options);
+    }
+    return shown > 0 ||
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "--hide: every part is hidden, nothing is left to draw; hide less.");
+}
+
+static bool fill_scene(clod_scene *scene, const clod_mesh_view *view,
+                       const clod_picture_mesh *options, size_t *count)
 {
     const size_t n = view->facet_count;
     scene->corner = clod_memory_alloc(n, sizeof *scene->corner);
@@ -89,14 +143,17 @@ static bool fill_scene(clod_scene *scene, const clod_mesh_view *view, size_t *co
         scene->veiled == NULL) {
         return false;
     }
-    scene->triangles = n;
     for (size_t f = 0; f < n; f++) {
+        if (is_hidden(view, f, options)) {
+            continue;
+        }
+        const size_t at = scene->triangles++;
         const clod_mesh_fault fault = clod_mesh_picture_fault(view, f);
         for (int c = 0; c < 3; c++) {
-            memcpy(scene->corner[f][c], view->vertices[view->facets[f][c]],
-                   sizeof scene->corner[f][c]);
+            memcpy(scene->corner[at][c], view->vertices[view->facets[f][c]],
+                   sizeof scene->corner[at][c]);
         }
-        scene->paint[f] = (uint16_t)(CLOD_SCENE_WALL + fault);
+        scene->paint[at] = (uint16_t)(CLOD_SCENE_WALL + fault);
         count[fault]++;
     }
     for (int k = 0; k < CLOD_MESH_FAULTS; k++) {
@@ -163,7 +220,10 @@ static bool draw(drawing *self, const clod_mesh *mesh, const clod_picture_mesh *
     if (!clod_mesh_examine(mesh, 0.0, &report, status)) {
         return false;
     }
-    if (!fill_scene(&self->scene, view, count)) {
+    if (!check_hidden(view, options, status)) {
+        return false;
+    }
+    if (!fill_scene(&self->scene, view, options, count)) {
         return clod_status_fail(status, CLOD_FAILED, "No memory for a picture of the mesh.");
     }
     make_legend(self, count, &report);
@@ -181,9 +241,10 @@ static bool draw(drawing *self, const clod_mesh *mesh, const clod_picture_mesh *
         return clod_status_fail(status, CLOD_FAILED, "No memory for a picture of the mesh.");
     }
     char under[160];
-    snprintf(under, sizeof under, "%zu facet%s, %.4g m x %.4g m x %.4g m", view->facet_count,
-             clod_plural((double)view->facet_count), report.box[1][0] - report.box[0][0],
-             report.box[1][1] - report.box[0][1], report.box[1][2] - report.box[0][2]);
+    snprintf(under, sizeof under, "%zu facet%s, %.4g m x %.4g m x %.4g m",
+             self->scene.triangles, clod_plural((double)self->scene.triangles),
+             report.box[1][0] - report.box[0][0], report.box[1][1] - report.box[0][1],
+             report.box[1][2] - report.box[0][2]);
     if (!clod_tracer_draw(&self->scene, &camera, &order, self->image, status)) {
         return false;
     }

@@ -55,6 +55,8 @@ typedef struct clod_picture_options {
 /** How a mesh is drawn. */
 typedef struct clod_picture_mesh {
     const char *title;
+    const char *const *hidden; ///< [hidden_count] names of parts to leave out
+    size_t hidden_count;
     int view;          ///< clod_picture_view
     int width, height; ///< pixels
     int quality;       ///< clod_picture_quality
@@ -65,7 +67,8 @@ typedef struct clod_picture_mesh {
  * Draw a mesh into a PNG file, which is replaced at one stroke: each facet in the colour of what
  * was found about it and is done, with a legend.
  *
- * Errors  CLOD_FAILED: disk, memory.   Threads  one at a time.   Test  tests/cli/test_mesh.py
+ * Errors  CLOD_USAGE: a hidden part that the mesh has not, or nothing left; CLOD_FAILED: disk,
+ *         memory.   Threads  one at a time.   Test  tests/cli/test_mesh.py
  */
 bool clod_picture_draw_mesh(const clod_mesh *mesh, const clod_picture_mesh *options,
                             const char *path, clod_status *status);

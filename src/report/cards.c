@@ -12,24 +12,54 @@ typedef struct card {
     double factor;
 } card;
 
+/** Of every free run. */
 static const card FREE[] = {
     {"time_s", "simulated time", "%.4g s", 1.0},
     {"grains", "grains", "%.0f", 1.0},
-    {"coordination", "contacts of a grain, mean", "%.2f", 1.0},
     {"max_overlap", "largest overlap, of a radius", "%.2g %%", 100.0},
+};
+/** Of a bed through which nothing streams. */
+static const card BED[] = {
+    {"coordination", "contacts of a grain, mean", "%.2f", 1.0},
     {"kinetic_energy_J", "kinetic energy", "%.4g J", 1.0},
 };
 
-static void put_card(FILE *out, const card *of, const json_t *from)
+static void put_value(FILE *out, const char *format, double value, const char *caption)
 {
-    const double value = clod_shear_number(from, of->key);
     char text[64];
     if (isfinite(value)) {
-        snprintf(text, sizeof text, of->format, of->factor * value);
+        snprintf(text, sizeof text, format, value);
         fputs("<div class=\"card\"><b>", out);
         clod_html_text(out, text);
-        fprintf(out, "</b><span>%s</span></div>\n", of->text);
+        fprintf(out, "</b><span>%s</span></div>\n", caption);
     }
+}
+
+static void put_card(FILE *out, const card *of, const json_t *from)
+{
+    put_value(out, of->format, of->factor * clod_shear_number(from, of->key), of->text);
+}
+
+static double mass_of(const json_t *balance, const char *part)
+{
+    return clod_shear_number(json_object_get(balance, part), "mass_kg");
+}
+
+/** What came, went and is there, of a run with inlets or outlets. */
+static void put_balance(FILE *out, const json_t *balance)
+{
+    double went = 0.0;
+    const char *name;
+    json_t *way;
+    json_object_foreach(json_object_get(balance, "out"), name, way)
+    {
+        went += clod_shear_number(way, "mass_kg");
+    }
+    put_value(out, "%.4g kg", mass_of(balance, "in"), "came in");
+    put_value(out, "%.4g kg", went, "went out");
+    put_value(out, "%.4g kg", mass_of(balance, "inside"), "inside at the end");
+    put_value(out, "%.0f", clod_shear_number(json_object_get(balance, "lost"), "grains"),
+              "grains lost");
 }
 
 /** Results of one yield locus. */
@@ -88,6 +118,15 @@ void clod_cards_free(FILE *out, const clod_run_files *run)
 {
     for (size_t k = 0; k < sizeof FREE / sizeof *FREE; k++) {
         put_card(out, &FREE[k], run->summary);
+    }
+    const json_t *balance = json_object_get(run->summary, "balance");
+    if (balance != NULL && (json_object_get(run->summary, "inlets") != NULL ||
+                            json_object_get(run->summary, "outlets") != NULL)) {
+        put_balance(out, balance);
+        return;
+    }
+    for (size_t k = 0; k < sizeof BED / sizeof *BED; k++) {
+        put_card(out, &BED[k], run->summary);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "report/head.h"
 
+#include "report/free_warnings.h"
 #include "report/html.h"
 #include "report/run_kinds.h"
 #include "report/shear.h"
@@ -31,50 +32,15 @@ static size_t count_warnings(const json_t *study)
     return count;
 }
 
-static json_int_t alarms_of(const json_t *gauge)
-{
-    return json_integer_value(json_object_get(gauge, "alarms"));
-}
-
-static size_t count_alarms(const json_t *summary)
-{
-    size_t count = 0;
-    const char *name;
-    json_t *gauge;
-    json_object_foreach(json_object_get(summary, "gauges"), name, gauge)
-    {
-        count += alarms_of(gauge) > 0;
-    }
-    return count;
-}
-
-static void put_alarms(FILE *out, const json_t *summary)
-{
-    const char *name;
-    json_t *gauge;
-    json_object_foreach(json_object_get(summary, "gauges"), name, gauge)
-    {
-        if (alarms_of(gauge) > 0) {
-            char text[256];
-            snprintf(text, sizeof text, "Gauge %.100s gave alarm of blocking %lld times%s.",
-                     name, (long long)alarms_of(gauge),
-                     json_is_true(json_object_get(gauge, "blocked_at_end"))
-                         ? ", and is blocked at the end"
-                         : "");
-            clod_html_cell(out, "li", text);
-        }
-    }
-}
-
 void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
 {
     const json_t *study = json_object_get(run->summary, "locus");
     const json_t *own = json_object_get(run->summary, "warnings");
     const char *incomplete = json_string_value(json_object_get(run->summary, "incomplete"));
-    const size_t count =
-        count_warnings(study) + json_array_size(own) + count_alarms(run->summary);
+    const size_t count = count_warnings(study) + json_array_size(own) +
+                         clod_free_warnings_put(NULL, run->summary);
     if (count + count_warnings(lab) == 0 && incomplete == NULL && run->report != NULL) {
-        // free runs have no checks that could warn, but for the alarms of their gauges
+        // free runs have no checks that could warn, but for their streams
         fputs(run->kind->checked ? "<p class=\"good\">No warnings.</p>\n" : "", out);
         return;
     }
@@ -94,7 +60,7 @@ void clod_head_warnings(FILE *out, const clod_run_files *run, const json_t *lab)
         const char *words = json_string_value(text);
         clod_html_cell(out, "li", words != NULL ? words : "");
     }
-    put_alarms(out, run->summary);
+    clod_free_warnings_put(out, run->summary);
     fputs("</ul>", out);
     if (count_warnings(lab) > 0) {
         fputs("<h3>Laboratory points</h3><ul>", out);

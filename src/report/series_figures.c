@@ -40,22 +40,32 @@ static void name_figure(const clod_series_groups *groups, size_t g, char name[16
     snprintf(name, 160, "%s%s%s", group->quantity, taken ? "-" : "", taken ? group->unit : "");
 }
 
+/** Title of a group's figure: "Mass flow: gauges". */
+static void name_title(const clod_series_group *group, const clod_table *series,
+                       char title[200])
+{
+    char words[96], whose[96];
+    clod_series_groups_words(group->quantity, words);
+    clod_series_groups_whose(group, series, whose);
+    if (words[0] >= 'a' && words[0] <= 'z') {
+        words[0] = (char)(words[0] - 'a' + 'A');
+    }
+    snprintf(title, 200, "%s%s%s", words, whose[0] != '\0' ? ": " : "", whose);
+}
+
 /** One figure with the columns of a group. */
 static void put_group(clod_sheet *sheet, const clod_table *series, const double *time,
                       const clod_series_groups *groups, size_t g)
 {
     const clod_series_group *group = &groups->group[g];
-    char name[160], title[96];
-    clod_series_groups_words(group->quantity, title);
+    char name[160], title[200], words[96];
     name_figure(groups, g, name);
+    name_title(group, series, title);
     clod_figure figure;
-    if (title[0] >= 'a' && title[0] <= 'z') {
-        title[0] = (char)(title[0] - 'a' + 'A');
-    }
     clod_figure_init(&figure, name, title);
     clod_figure_axis_set(&figure.x, "time", "s", 1.0);
-    clod_series_groups_words(group->quantity, title);
-    clod_figure_axis_set(&figure.y, title, group->unit, 1.0);
+    clod_series_groups_words(group->quantity, words);
+    clod_figure_axis_set(&figure.y, words, group->unit, 1.0);
     for (size_t k = 0; k < group->count; k++) {
         char of[96];
         clod_series_groups_object(series->names[group->column[k]], of);

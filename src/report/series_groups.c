@@ -101,3 +101,35 @@ void clod_series_groups_object(const char *name, char words[96])
     char *dot = strrchr(words, '.');
     words[dot != NULL ? dot - words : 0] = '\0';
 }
+
+/** The kind of object whose columns begin like this one, NULL: none that is known. */
+static const char *kind_of(const char *name)
+{
+    static const char *const KINDS[][2] = {
+        {"inlet_", "inlets"},     {"outlet_", "outlets"},           {"gauge_", "gauges"},
+        {"surface_", "surfaces"}, {"left_", "sides of the domain"}, {"balance", "balance"},
+        {"clumps", "clumps"}};
+    for (size_t k = 0; k < sizeof KINDS / sizeof *KINDS; k++) {
+        if (strncmp(name, KINDS[k][0], strlen(KINDS[k][0])) == 0) {
+            return KINDS[k][1];
+        }
+    }
+    return NULL;
+}
+
+void clod_series_groups_whose(const clod_series_group *group, const clod_table *series,
+                              char words[96])
+{
+    words[0] = '\0';
+    if (group->count == 1) {
+        clod_series_groups_object(series->names[group->column[0]], words);
+        return;
+    }
+    const char *kind = group->count > 0 ? kind_of(series->names[group->column[0]]) : NULL;
+    for (size_t k = 1; kind != NULL && k < group->count; k++) {
+        kind = kind_of(series->names[group->column[k]]) == kind ? kind : NULL;
+    }
+    if (kind != NULL) {
+        snprintf(words, 96, "%s", kind);
+    }
+}

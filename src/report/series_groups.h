@@ -38,3 +38,12 @@ void clod_series_groups_object(const char *name, char words[96]);
 
 /** A name with blanks for underscores. */
 void clod_series_groups_words(const char *name, char words[96]);
+
+/**
+ * Whose all columns of a group are: "inlet 1" of a single one, "gauges" of those of several gauges;
+ * "" when they are of several kinds, or of none.
+ *
+ * Test  tests/report/test_table.c
+ */
+void clod_series_groups_whose(const clod_series_group *group, const clod_table *series,
+                              char words[96]);

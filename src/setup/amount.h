@@ -10,7 +10,7 @@
 
 /** Grains asked for: a number of them, or as many as have a solid volume. */
 typedef struct clod_amount {
-    const char *key; ///< of the case, for messages, for instance "grains[0].mass"
+    const char *key; ///< of the case, for messages, for instance "grains.0.mass"
     const clod_sizes *sizes;
     int64_t count;  ///< 0: as many as have the volume
     double volume;  ///< m3, of solid

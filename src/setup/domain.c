@@ -26,12 +26,14 @@ static void include(double x, double reach, double *low, double *high)
     *high = fmax(*high, x + reach);
 }
 
-static void include_wall(const clod_wall *wall, double low[3], double high[3])
+bool clod_setup_domain_add_wall(const clod_wall *wall, double low[3], double high[3])
 {
+    bool bounded = true;
     for (int32_t s = 0; s < wall->shape_count; s++) {
         const clod_shape *shape = &wall->shapes[s];
         const clod_shape_kind_row *kind = clod_shape_kinds_row(shape->kind);
         if (kind->endless) {
+            bounded = false;
             continue;
         }
         clod_vec3 middle = shape->center;
@@ -43,6 +45,7 @@ static void include_wall(const clod_wall *wall, double low[3], double high[3])
             include(at[a], half_extent(shape, a), &low[a], &high[a]);
         }
     }
+    return bounded;
 }
 
 bool clod_setup_bounds(const clod_state *state, double low[3], double high[3])
@@ -58,7 +61,7 @@ bool clod_setup_bounds(const clod_state *state, double low[3], double high[3])
         }
     }
     for (int32_t w = 0; w < state->walls.count; w++) {
-        include_wall(&state->walls.wall[w], low, high);
+        (void)clod_setup_domain_add_wall(&state->walls.wall[w], low, high);
     }
     return low[0] <= high[0];
 }

@@ -8,6 +8,13 @@
 #include "state/state.h"
 
 /**
+ * Add a wall's bounded shapes to a box, as they are before it has moved.
+ * @param low, high  [3] m, of the box so far; +-HUGE_VAL: nothing yet
+ * @return           false when a shape of it is endless
+ */
+bool clod_setup_domain_add_wall(const clod_wall *wall, double low[3], double high[3]);
+
+/**
  * Box around all grains and all bounded shapes; planes do not count.
  * @return  false when there is nothing
  */

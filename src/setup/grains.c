@@ -26,7 +26,7 @@ static clod_amount group_amount(const clod_case *from, size_t k, const clod_size
     CLOD_ASSERT(material >= 0); // checked at load
     const double density = from->materials[material].density;
     const char *word = group->count > 0 ? "count" : group->mass > 0.0 ? "mass" : "fill_height";
-    snprintf(key, KEY_TEXT, "grains[%zu].%s", k, word);
+    snprintf(key, KEY_TEXT, "grains.%zu.%s", k, word);
     return (clod_amount){.key = key,
                          .sizes = sizes,
                          .count = group->count,
@@ -135,7 +135,7 @@ static bool insert_group(const clod_case *from, size_t k, int64_t seed, uint64_t
     bool good = clod_sizes_init(&sizes, group, status);
     if (good) {
         const clod_amount amount = group_amount(from, k, &sizes, key);
-        snprintf(name, sizeof name, "grains[%zu]", k);
+        snprintf(name, sizeof name, "grains.%zu", k);
         const clod_insertion what = {
             .name = name,
             .region = &group->region,

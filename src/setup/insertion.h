@@ -10,7 +10,7 @@
 
 /** A group of grains to put. */
 typedef struct clod_insertion {
-    const char *name; ///< of the group in messages, for instance "grains[0]"
+    const char *name; ///< of the group in messages, for instance "grains.0"
     const clod_case_region *region;
     const clod_sizes *sizes;
     uint64_t seed;

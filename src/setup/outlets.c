@@ -1,5 +1,6 @@
 #include "setup/outlets.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /** Whether a shape is of a part of a mesh; names of parts are cut to fit. */
@@ -26,6 +27,46 @@ static int32_t note(clod_wall *wall, const char *part, int32_t number, bool *twi
     return count;
 }
 
+/** "feed has the parts run 1, pulley": those of all meshes and belts of a wall. */
+static void say_parts(const clod_walls *walls, const char *name, char *text, size_t size)
+{
+    const clod_surface *last = NULL; // shapes of one mesh follow each other
+    size_t used = 0;
+    text[0] = '\0';
+    for (int32_t w = 0; w < walls->count; w++) {
+        const clod_wall *wall = &walls->wall[w];
+        for (int32_t s = 0; strcmp(wall->name, name) == 0 && s < wall->shape_count; s++) {
+            const clod_surface *surface = wall->shapes[s].surface;
+            for (size_t p = 0; surface != NULL && surface != last && p < surface->part_count;
+                 p++) {
+                if (surface->part_name[p][0] != '\0' && used < size) {
+                    used += (size_t)snprintf(text + used, size - used, "%s%s",
+                                             used > 0 ? ", " : "", surface->part_name[p]);
+                }
+            }
+            last = surface;
+        }
+    }
+}
+
+/** That a wall has no such part, and which it has. */
+static bool fail_part(const clod_walls *walls, const clod_case_outlet *outlet,
+                      clod_status *status)
+{
+    char parts[600];
+    say_parts(walls, outlet->wall, parts, sizeof parts);
+    if (parts[0] == '\0') {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "outlets.%s.part: walls.%s has no part '%s', and no named part "
+            "at all; remove the key part, and all of the wall is the outlet",
+            outlet->name, outlet->wall, outlet->part);
+    }
+    return clod_status_fail(status, CLOD_USAGE,
+                            "outlets.%s.part: walls.%s has no part '%s'; its parts are %s",
+                            outlet->name, outlet->wall, outlet->part, parts);
+}
+
 bool clod_setup_outlets(const clod_case *from, clod_walls *walls, clod_status *status)
 {
     for (size_t k = 0; k < from->outlet_count; k++) {
@@ -43,12 +84,8 @@ bool clod_setup_outlets(const clod_case *from, clod_walls *walls, clod_status *s
                                     "outlet already; each can be one of them only",
                                     outlet->name, outlet->wall);
         }
-        if (outlet->wall != NULL && found == 0) {
-            return clod_status_fail(
-                status, CLOD_USAGE,
-                "outlets.%s.part: no mesh of walls.%s has a part '%s'; clod "
-                "mesh FILE lists the parts of a file",
-                outlet->name, outlet->wall, outlet->part != NULL ? outlet->part : "");
+        if (outlet->wall != NULL && outlet->part != NULL && found == 0) {
+            return fail_part(walls, outlet, status);
         }
     }
     return true;

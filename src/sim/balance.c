@@ -266,7 +266,7 @@ static void balance_report(FILE *out, const void *memory, const clod_free_moment
     int64_t grains;
     fprintf(out, "  balance                     grains             kg");
     if (self->edges > 1) {
-        fprintf(out, "         kg/s, %.4g to %.4g s", self->edge[0].time,
+        fprintf(out, "         kg/s, %.4g to %.4g s, +- of ten blocks", self->edge[0].time,
                 self->edge[self->edges - 1].time);
     }
     fprintf(out, "\n");

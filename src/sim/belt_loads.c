@@ -241,9 +241,11 @@ static void belts_report(FILE *out, const void *memory, const clod_free_moment *
         spread(mine->work, mine->time, power);
         spread(mine->work, mine->travel, pull);
         if (!isnan(power[0])) {
-            fprintf(out, "  belt %-16s power %.4g +- %.2g W, pull of the load %.4g +- %.2g N\n",
-                    now->from->walls[wall_of(now->from, k)].name, power[0], power[1], pull[0],
-                    pull[1]);
+            fprintf(
+                out,
+                "  belt %-16s power %.4g +- %.2g W, pull of the load %.4g +- %.2g N, +- of ten blocks\n",
+                now->from->walls[wall_of(now->from, k)].name, power[0], power[1], pull[0],
+                pull[1]);
         }
     }
 }

@@ -66,6 +66,9 @@ bool clod_check_heights(const clod_check_subject *subject, double depth, double 
 /** Fields, mixing indices and angles of repose that will say little (check_measures.c). */
 void clod_check_measures_warn(const clod_check_subject *subject, clod_check_report *r);
 
+/** Streams too fast for the step, outlets over inlets, walls beyond the domain (check_streams.c). */
+void clod_check_streams_warn(const clod_check_subject *subject, clod_check_report *r);
+
 /** Batches of a free run: its stages. */
 int clod_check_free_batches(const clod_case *from, bool most,
                             clod_check_batch all[CLOD_CHECK_BATCHES]);

@@ -163,7 +163,8 @@ static void write_rate(clod_check_page *to, const clod_check_report *r)
                         clock_words(r->clock_likely, a), clock_words(r->clock_most, b),
                         r->side_by_side, clod_plural(r->side_by_side));
     } else {
-        clod_check_line(to, "wall-clock", "%s at most", clock_words(r->clock_most, a));
+        clod_check_line(to, "wall-clock", "%s at most, at this rate",
+                        clock_words(r->clock_most, a));
     }
     clod_check_line(to, "memory", "%s", byte_words(r->memory, a));
     if (r->facets > 0) {

@@ -2,6 +2,7 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <string.h>
 
 #include "base/json.h"
 #include "base/plural.h"
@@ -88,19 +89,57 @@ static clod_gauge_section section_of(const clod_case_gauge *from, const clod_gau
     return clod_gauge_bins_section(&memory->profile, &axis);
 }
 
-static void report_extras(FILE *out, const clod_case_gauge *from, const clod_gauge *gauge,
-                          const clod_gauge_memory *memory, const means *self)
+/** Speed of the first belt of a wall [m/s]. */
+static double belt_speed(const clod_case *from, const char *name)
+{
+    for (size_t w = 0; w < from->wall_count; w++) {
+        for (size_t s = 0;
+             strcmp(from->walls[w].name, name) == 0 && s < from->walls[w].shape_count; s++) {
+            if (from->walls[w].shapes[s].belt.run_count > 0) {
+                return from->walls[w].shapes[s].belt.speed;
+            }
+        }
+    }
+    return (double)NAN; // checked at load
+}
+
+/** How the stream meets the belt that takes it: along the gauge's direction, and across it downwards. */
+static void report_landing(FILE *out, const clod_case *from, const clod_case_gauge *asked,
+                           const clod_gauge *gauge, const means *self)
+{
+    const clod_vec3 velocity = {self->mean[CLOD_GAUGE_OF_VELOCITY],
+                                self->mean[CLOD_GAUGE_OF_VELOCITY + 1],
+                                self->mean[CLOD_GAUGE_OF_VELOCITY + 2]};
+    const double along = clod_vec3_dot(velocity, gauge->direction);
+    const double speed = belt_speed(from, asked->belt);
+    if (isnan(along) || clod_vec3_length(gauge->up) == 0.0) {
+        return;
+    }
+    fprintf(out,
+            "  %-21s %.4g m/s along its direction, %.4g m/s into the belt; along less the "
+            "belt's %.4g m/s: %.4g m/s\n",
+            "", along, -clod_vec3_dot(velocity, gauge->up), speed, along - speed);
+}
+
+static void report_extras(FILE *out, const clod_case *whole, const clod_case_gauge *from,
+                          const clod_gauge *gauge, const clod_gauge_memory *memory,
+                          const means *self)
 {
     if (from->profile_bins > 0) {
         const clod_gauge_section section = section_of(from, gauge, memory);
-        fprintf(out, "  %-21s cross-section %.4g m2, %.4g m wide", "", section.area,
-                section.width);
+        fprintf(out, "  %-21s cross-section %.4g m2, ", "", section.area);
+        if (section.width > 0.0) {
+            fprintf(out, "%.4g m wide", section.width);
+        } else { // no bin had grains in half of the samples
+            fputs("width -", out);
+        }
         if (!isnan(section.surcharge)) {
             fprintf(out, ", surcharge angle %.3g deg", section.surcharge * DEGREE);
         }
         fprintf(out, "\n");
     }
     if (from->belt != NULL) {
+        report_landing(out, whole, from, gauge, self);
         fprintf(
             out, "  %-21s belt %s %.4g W: lifting %.4g W, acceleration %.4g W, heat %.4g W\n",
             "", from->belt, self->mean[CLOD_GAUGE_OF_POWER], self->mean[CLOD_GAUGE_OF_LIFTING],
@@ -125,13 +164,19 @@ void clod_gauges_report(FILE *out, const void *memory, const clod_free_moment *n
 {
     const clod_gauges *all = memory;
     const clod_case *from = now->from;
+    if (from->gauge_count > 0) {
+        fprintf(out,
+                "  gauges                means from %.4g s on; +- is the standard deviation of "
+                "those of %d blocks\n",
+                now->steady.since, CLOD_STEADY_BLOCKS);
+    }
     for (size_t k = 0; k < from->gauge_count; k++) {
         const clod_case_gauge *mine = &from->gauges[k];
         const clod_gauge gauge = clod_gauges_make(from, mine);
         const means found = means_of(&gauge, &all->gauge[k]);
         if (found.samples > 0) {
             report_stream(out, from, mine, &found);
-            report_extras(out, mine, &gauge, &all->gauge[k], &found);
+            report_extras(out, from, mine, &gauge, &all->gauge[k], &found);
         } else {
             fprintf(out, "  gauge %-15s no means: the run ended before %.6g s\n", mine->name,
                     now->steady.since);
@@ -186,6 +231,9 @@ static void put_alarm(json_t *object, const clod_gauge_alarm *alarm, double dt)
     json_object_set_new(object, "blocked_since_s",
                         alarm->first < 0 ? json_null() : json_real((double)alarm->first * dt));
     json_object_set_new(object, "blocked_at_end", json_boolean(alarm->on != 0));
+    json_object_set_new(object, "blocked_at_end_since_s",
+                        alarm->on == 0 ? json_null()
+                                       : json_real((double)alarm->slow_since * dt));
 }
 
 json_t *clod_gauges_json(const void *memory, const clod_free_moment *now)

@@ -186,7 +186,7 @@ static void inlets_report(FILE *out, const void *memory, const clod_free_moment 
                 inlet->count, clod_plural((double)inlet->count), inlet->mass);
         if (inlet->blocked > 0) {
             fprintf(out,
-                    "  WARNING               inlet %zu (grains[%zu]) was blocked at %" PRId64
+                    "  WARNING               inlet %zu (grains.%zu) was blocked at %" PRId64
                     " of its insertions, one a ms: up to %.4g %s waited for a place, %.4g "
                     "still do\n",
                     number, k, inlet->blocked, inlet->most, unit_of(&from->grains[k]),

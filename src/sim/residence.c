@@ -41,8 +41,8 @@ static void residence_report(FILE *out, const void *memory, const clod_free_mome
     if (r.grains > 0) {
         fprintf(out,
                 "  residence             %" PRId64
-                " grain%s that came in left from %.4g s on, after %.4g +- %.4g s (10, 50, 90 "
-                "%%: %.4g, %.4g, %.4g s)\n",
+                " grain%s that came in left from %.4g s on, after %.4g s, standard deviation "
+                "%.4g s (10, 50, 90 %%: %.4g, %.4g, %.4g s)\n",
                 r.grains, clod_plural((double)r.grains), exchange->residence_since, r.mean,
                 r.deviation, r.tenth, r.median, r.ninth);
     }

@@ -76,8 +76,8 @@ void clod_surface_impacts_report(FILE *out, const clod_walls *walls)
         }
     }
     if (number > 0.0) {
-        fprintf(out, "  %-22s %9s %14s %22s %22s\n", "impacts", "number", "angle [deg]",
-                "speed [m/s]", "normal energy [J]");
+        fprintf(out, "  %-22s %9s %14s %22s %22s  +- of the impacts\n", "impacts", "number",
+                "angle [deg]", "speed [m/s]", "normal energy [J]");
     }
     for (int32_t w = 0; w < walls->count; w++) {
         for (int32_t f = 0; f < clod_wear_summed(&walls->wall[w]); f++) {

@@ -109,6 +109,9 @@ class Cases(clod.Case):
 
     def test_a_chute_that_cannot_be_is_refused(self):
         for words, text in ((["--hood-to", "50"], "--hood-to: 50 degrees"),
+                            # acos(cos 10 deg - 6 mm / sqrt 2 / 400 mm) - 10 deg = 3.04 deg, by hand
+                            (["--hood-to", "56"], "the lower side meets it 3.04 degrees behind"),
+                            (["--stream", "400"], "a stream of 283 mm is too thick for the hood"),
                             (["--lip", "700"], "no room below the hood"),
                             (["--friction", "3"], "too slow to follow the hood"),
                             (["--spoon-behind", "300"], "the stream has 14.5 where it meets the spoon"),
@@ -121,6 +124,41 @@ class Cases(clod.Case):
             self.assertEqual(done.returncode, 2)
             self.assertIn(text, done.stderr)
             self.assertEqual(os.listdir(self.folder), [])
+
+    def test_the_chute_is_a_template(self):
+        """clod new writes the case, the dry one, and all that they include, as they are in cases/."""
+        self.assertEqual(clod.run("new", "transfer-chute", cwd=self.folder).returncode, 0)
+        names = {"transfer-chute.yaml": "case.yaml", "dry.yaml": "dry.yaml", "chute.yaml": "chute.yaml",
+                 "chute.obj": "chute.obj", "geometry": "geometry"}
+        self.assertEqual(sorted(os.listdir(self.folder)), sorted(names))
+        for name, kept in names.items():
+            self.assertTrue(clod.read(self.path(name)) == clod.read(os.path.join(CASES, "transfer-chute", kept)), name)
+        told = clod.run("new").stdout
+        help_text = clod.run("new", "--help").stdout
+        for line in told.splitlines():
+            self.assertIn(line, help_text)
+
+    def test_sides_of_the_chute_in_facets(self):
+        """The same area, in facets no longer than the diagonal of 50 mm squares."""
+        whole, cut = (subprocess.run([sys.executable, os.path.join(CASES, "transfer-chute/geometry"), *words],
+                                     cwd=self.folder, check=True, capture_output=True)
+                      and json.loads(clod.run("mesh", "chute.obj", "--unit", "mm", "--json", cwd=self.folder).stdout)
+                      for words in ([], ["--side-facet", "50"]))
+        self.assertAlmostEqual(whole["area_m2"], cut["area_m2"], delta=1e-6)
+        self.assertGreater(cut["facets"], whole["facets"] + 500)
+        self.assertLess(cut["edge_length_m"]["longest"], 0.0708)
+
+    def test_a_chute_that_may_fail_is_warned_of(self):
+        """A hood as long as one that missed in a simulation, a stream that is not that of the flow."""
+        for words, text in ((["--hood-to", "75"], ""), (["--hood-to", "90"], ""), (["--stream", "25", "--flow", "40"], ""),
+                            (["--hood-to", "60"], "1.6 times as long as it takes"),
+                            # 3 t/h / (1.8 m/s x 120 mm x 1500 kg/m3) = 2.6 mm
+                            (["--stream", "25"], "are 2.6 mm thick")):
+            done = subprocess.run([sys.executable, os.path.join(CASES, "transfer-chute/geometry"), *words],
+                                  cwd=self.folder, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0)
+            self.assertIn(text, done.stderr)
+            self.assertEqual(done.stderr == "", text == "")
 
     def test_screw_feeder_begins(self):
         """50 ms: mass by the inlet's flow to half a grain, angle by the speed of the screw."""

@@ -64,6 +64,39 @@ class Check(clod.Case):
             for verb in ("check", "run"):
                 self.refused(verb, case, change, f"grain 1 is outside the domain: {allowed}")
 
+    def test_streams_that_cannot_be_meant(self):
+        """Too fast for the step; removed where they come in; a wall that no grain reaches."""
+        base = ("grains=[{material: ore, radius: {distribution: uniform, min: 1 mm, max: 1 mm}, velocity: [SPEED, 0 m/s, 0 m/s], "
+                "inlet: {mass_flow: 1 kg/s}, region: {box: {min: [0 mm, 0 mm, 0 mm], max: [20 mm, 20 mm, 20 mm]}}}]")
+        with open(self.path("case.yaml"), "w") as file:
+            file.write("""\
+materials: {ore: {density: 2500 kg/m3}}
+contacts: {default: {law: hooke, k1: 1e4 N/m, restitution: 0.5, friction: 0.5}}
+gravity: [0 m/s2, 0 m/s2, -9.81 m/s2]
+domain: {min: [-0.1 m, -0.1 m, -0.1 m], max: [0.1 m, 0.1 m, 0.1 m], open: delete}
+time: {step: 1e-5 s, design_stress: 100 Pa}
+grains: []
+walls:
+  near: {material: ore, shapes: [{box: {center: [0 m, 0 m, -0.05 m], size: [50 mm, 50 mm, 10 mm]}}]}
+  floor: {material: ore, shapes: [{plane: {point: [0 m, 0 m, -5 m], normal: [0, 0, 1]}}]}
+  far: {material: ore, shapes: [{box: {center: [0 m, 0 m, -50 m], size: [50 mm, 50 mm, 10 mm]}}]}
+  comes: {material: ore, velocity: [0 m/s, 0 m/s, 1 m/s], shapes: [{box: {center: [0 m, 0 m, -1 m], size: [50 mm, 50 mm, 10 mm]}}]}
+outlets:
+  below: {region: {box: {min: [-0.1 m, -0.1 m, -0.1 m], max: [0.1 m, 0.1 m, -0.05 m]}}}
+  there: {region: {box: {min: [-0.1 m, -0.1 m, 0.01 m], max: [0.1 m, 0.1 m, 0.05 m]}}}
+stages: [{name: run, duration: 0.1 s}]
+""")
+        # 1 mm in a step of 1e-5 s are 100 m/s
+        for speed, fast in (("99 m/s", False), ("101 m/s", True)):
+            done = clod.run("check", "case.yaml", "--threads", "1", "--set", base.replace("SPEED", speed), cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            told = [line.split(None, 1)[1] for line in done.stdout.splitlines() if line.startswith("WARNING")]
+            self.assertEqual([text[:33] for text in told if text.startswith("grains.0.velocity")],
+                             ["grains.0.velocity: 101 m/s are 1."] * fast)
+            self.assertEqual([text.split(" and ")[0] for text in told if text.startswith("outlets.")], ["outlets.there.region"])
+            self.assertEqual([text[:42] for text in told if text.startswith("walls.")],
+                             ["walls.far: nothing of it lies in the domai"])
+
     def test_ore_case_has_no_warning_of_its_inertia(self):
         done = clod.run("check", ORE, "--threads", "1", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -173,6 +173,11 @@ class Gauges(clod.Case):
         self.assertAlmostEqual(belt["speed_m_per_s"], v, delta=1e-9)
         gauge = summary["gauges"]["all"]
         self.assertAlmostEqual(gauge["belt_power_W"]["mean"], belt["power_W"]["mean"], delta=2e-3)
+        # the report: along the belt, into it, and along less the belt's speed
+        along, upward = (gauge[f"velocity_{axis}_m_per_s"]["mean"] for axis in "xz")
+        self.assertIn(f"{along:.4g} m/s along its direction, {-upward:.4g} m/s into the belt; along less the belt's "
+                      f"2 m/s: {along - v:.4g} m/s", done.stdout)
+        self.assertIn("+- is the standard deviation of those of 10 blocks", done.stdout)
         gained = 0.5 * q * (v * v - v0 * v0 - down * down)
         heat = 0.5 * q * ((v - v0)**2 + down * down) + q * G * height
         # a grain is not seen in the millisecond in which it comes: 1 ms of 0.5 s

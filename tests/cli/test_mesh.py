@@ -56,7 +56,7 @@ class Mesh(clod.Case):
         self.write("box.stl", stl([*FACETS, FACETS[2]]))
         said = self.mesh("box.stl", "--unit=mm", "--picture=box.png", "--view=top",
                          "--size=500x300")
-        self.assertIn("1 facets with the corners of another", said)
+        self.assertIn("1 facet with the corners of another", said)
         image = Image(self.path("box.png"))
         self.assertEqual((image.width, image.height), (500, 300))
         top = int(3.6 * min(image.height / 40, image.width / 52)) # below title and size
@@ -74,6 +74,31 @@ class Mesh(clod.Case):
             self.assertIn(word, self.mesh("box.stl", "--unit=mm", option, code=2))
         self.assertIn("nowhere/box.png", self.mesh("box.stl", "--unit=mm",
                                                    "--picture=nowhere/box.png", code=1))
+
+    def test_parts_left_out_of_a_picture(self):
+        """Two squares side by side from above; without the right one the left one fills the picture."""
+        self.write("two.obj", "o left\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"
+                              "o right\nv 3 0 0\nv 4 0 0\nv 4 1 0\nv 3 1 0\nf 5 6 7\nf 5 7 8\n")
+        drawn = ("two.obj", "--unit=m", "--picture=out.png", "--view=top", "--size=500x300")
+
+        def height():
+            image = Image(self.path("out.png"))
+            rows = [y for y in range(40, 260) if any(image.pixel(x, y) != (255, 255, 255) for x in range(20, 300, 5))]
+            return len(rows)
+        self.mesh(*drawn)
+        both = height()
+        self.mesh(*drawn, "--hide=right")
+        self.assertGreater(height(), 1.5 * both)
+        self.assertIn("--hide middle: the mesh has no such part. Parts: left, right.",
+                      self.mesh(*drawn, "--hide=middle", code=2))
+        self.assertIn("nothing is left to draw", self.mesh(*drawn, "--hide=left", "--hide=right", code=2))
+
+    def test_one_is_not_many(self):
+        """A needle of 1.012 km: one facet of each kind, and a length without a power of ten."""
+        self.write("one.obj", "v 0 0 0\nv 1012 0 0\nv 1012 1 0\nf 1 2 3\n")
+        said = self.mesh("one.obj", "--unit=m")
+        for text in ("1 facet, 3 vertices", "1 needle, one edge", "The mesh is 1012 m long"):
+            self.assertIn(text, said)
 
     def test_json(self):
         """The second side is missing, a facet comes twice."""
@@ -93,7 +118,7 @@ class Mesh(clod.Case):
         self.assertEqual(told["parts"], [{"name": "box", "facets": 10}])
         self.assertEqual(len(told["warnings"]), 1)
         # 25.4 m; diameters of 10 mm: 10 to 1000 of them are 0.1 to 10 m
-        self.assertIn("2.54e+03 grain diameters", told["warnings"][0])
+        self.assertIn("2540 grain diameters", told["warnings"][0])
         self.assertIn("plausible in: cm, mm.", told["warnings"][0])
 
     def test_facets_against_grains(self):
@@ -143,7 +168,7 @@ class Mesh(clod.Case):
                    "element vertex 2000000000\nproperty float x\nproperty float y\n"
                    "property float z\nelement face 2000000000\n"
                    "property list uchar int vertex_indices\nend_header\n")
-        for name, text in (("huge.stl", "the file has 5 GB; 2 GB are read at most"),
+        for name, text in (("huge.stl", "the file has 5 GB; 2 GB are read at most: take a coarser one, or split it"),
                            ("endless.stl", "it is no regular file"),
                            ("pipe.obj", "it is no regular file"),
                            ("promise.ply", "this cannot be how many there are")):

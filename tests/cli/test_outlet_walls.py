@@ -50,6 +50,14 @@ f 5 7 8
 SHEET = """\
   sheet: {material: ore, shapes: [{mesh: {file: sheet.obj, unit: 1 mm}}]}
 """
+BELT = """\
+  feed:
+    material: ore
+    shapes:
+      - belt: {from: [-0.15 m, 0 m, -0.2 m], runs: [{length: 0.15 m}], width: 0.1 m, speed: 1 m/s,
+               pulley: {radius: 30 mm, wrap: 200 deg, return: 50 mm},
+               skirts: {to: 0.1 m, distance: 80 mm, height: 20 mm, gap: 2 mm}}
+"""
 SIDES = ("x_min", "x_max", "y_min", "y_max", "z_min", "z_max")
 
 
@@ -181,11 +189,14 @@ class OutletWalls(clod.Case):
         loaded = PLATE.replace("material: ore,", "material: ore, load: {axis: [0, 0, -1], "
                                "force: 1 N, mass: 1 kg},")
         for walls, outlets, words in (
-                (PLATE, "{o: {wall: late}}", "'late' is not the name of a wall"),
+                (PLATE, "{o: {wall: late}}", "'late' is not the name of a wall; did you mean plate?"),
+                (PLATE, "{o: {wall: hopper}}", "'hopper' is not the name of a wall; walls are plate"),
+                (BELT, "{o: {wall: feed, part: top}}",
+                 "walls.feed has no part 'top'; its parts are run 1, pulley, return, skirts"),
                 (PLATE, "{o: {}}", "must have exactly one of region, wall"),
                 (PLATE, "{o: {spillage: true}}", "must have exactly one of region, wall"),
-                (PLATE, "{o: {wall: plate, part: left}}", "no mesh of walls.plate has a part 'left'"),
-                (SHEET, "{o: {wall: sheet, part: up}}", "no mesh of walls.sheet has a part 'up'"),
+                (PLATE, "{o: {wall: plate, part: left}}", "walls.plate has no part 'left', and no named part at all"),
+                (SHEET, "{o: {wall: sheet, part: up}}", "walls.sheet has no part 'up'; its parts are left, right"),
                 (SHEET, "{a: {wall: sheet}, o: {wall: sheet, part: left}}",
                  "belongs to another outlet already"),
                 (loaded, "{o: {wall: plate}}", "has a load")):

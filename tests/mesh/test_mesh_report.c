@@ -37,7 +37,7 @@ static void sizes_are_doubted(void **state)
     check_warning(0.0f, 1000.0f, 1e-3, 0.0, NULL);
     check_warning(0.0f, 1000.0f, 1e-3, 0.003, NULL);   // 167 diameters
     check_warning(0.0f, 1000.0f, 1e-3, 0.00051, NULL); // 980
-    check_warning(0.0f, 1000.0f, 1e-3, 0.00049, "1.02e+03 grain diameters");
+    check_warning(0.0f, 1000.0f, 1e-3, 0.00049, "1020 grain diameters");
     check_warning(0.0f, 1000.0f, 1e-3, 0.049, NULL); // 10.2
     check_warning(0.0f, 1000.0f, 1e-3, 0.051, "9.8 grain diameters");
     check_warning(0.0f, 1000.0f, 1.0, 0.003, "1.67e+05 grain"); // numbers of mm

@@ -119,6 +119,53 @@ class Report(clod.Case):
         for text in ("2.5 s", "1.2 %", "61.5"):
             self.assertIn(text, page.words)
 
+    def plugged(self, **changes):
+        """The page of a run that comes to a stand: inlets, an alarm, spillage."""
+        inlets = [{"group": 0, "grains": 9, "mass_kg": 36.64, "owed_kg": 18.9055, "most_owed_kg": 18.9055,
+                   "blocked_insertions": 1757, "blocked_since_s": 3.247},
+                  {"group": 2, "grains": 9, "mass_kg": 4.0, "owed_grains": 0.0, "most_owed_grains": 12.0,
+                   "blocked_insertions": 3},
+                  {"group": 3, "grains": 9, "mass_kg": 4.0, "owed_kg": 0.0, "most_owed_kg": 0.0,
+                   "blocked_insertions": 0}]
+        gauges = {"chute": {"alarms": 2, "blocked_since_s": 1.18, "blocked_at_end": True, "blocked_at_end_since_s": 3.2},
+                  "head": {"alarms": 1, "blocked_since_s": 2.5, "blocked_at_end": False, "blocked_at_end_since_s": None},
+                  "exit": {"alarms": 0, "blocked_since_s": None, "blocked_at_end": False}}
+        balance = {"in": {"grains": 27, "mass_kg": 40.0}, "inside": {"grains": 9, "mass_kg": 24.25},
+                   "out": {"outlet_a": {"grains": 5, "mass_kg": 15.5}, "left_z_min": {"grains": 6, "mass_kg": 0.25}},
+                   "spillage": {"grains": 6, "mass_kg": 0.25}, "lost": {"grains": 0, "mass_kg": 1e-14}}
+        pages.free_run(self.path("run"), **{"inlets": inlets, "gauges": gauges, "balance": balance, **changes})
+        pages.write(self.path("run"), series__csv=(
+            "time [s],inlet_1.owed [kg],gauge_a.mass_flow [kg/s],gauge_b.mass_flow [kg/s],balance.in [1],"
+            "balance_in.mass_flow [kg s-1],balance_out.mass_flow [kg s-1],clumps.d10 [m],clumps_a.d10 [m],"
+            "feed.power [W],gauge_a.power [W]\n0,1,1,1,1,1,1,1,1,1,1\n1,2,2,2,2,2,2,2,2,2,2\n"))
+        self.made("report", "run")
+        return self.page("run/report.html")
+
+    def test_warnings_of_streams(self):
+        page = self.plugged()
+        self.assertEqual(page.items, [
+            "Inlet 1 has been blocked since 3.247 s: 18.91 kg wait for a place.",
+            "Inlet 2 was blocked for a time: up to 12 grains waited for a place; 0 wait at the end.",
+            "Gauge chute gave alarm of blocking 2 times, the first from 1.18 s on, and is blocked at the end, since 3.2 s.",
+            "Gauge head gave alarm of blocking 1 time from 2.5 s on.",
+            "6 grains were spilled: 0.25 kg, 0.62 % of what came in."])
+        self.assertLess(page.text.index('id="warnings"'), page.text.index('class="cards"'))
+        # in, out, inside and lost in place of what a bed at rest has
+        cards = re.findall(r'<div class="card"><b>([^<]*)</b><span>([^<]*)</span>', page.text)
+        self.assertEqual(cards[-4:], [("40 kg", "came in"), ("15.75 kg", "went out"), ("24.25 kg", "inside at the end"),
+                                      ("0", "grains lost")])
+        self.assertNotIn("kinetic energy", [caption for _, caption in cards])
+        free = {"alarms": 0}
+        page = self.plugged(inlets=[], gauges={"chute": free}, balance={})
+        self.assertEqual(page.items, [])
+        self.assertNotIn('id="warnings"', page.text)
+
+    def test_curves_are_named(self):
+        """A title says whose the curves are: of one object, or of several of one kind."""
+        titles = sorted(figure["title"] for figure in self.plugged().figures.values())
+        self.assertEqual(titles, ["D10: clumps", "In: balance", "Mass flow: balance", "Mass flow: gauges",
+                                  "Owed: inlet 1", "Power"])
+
     def test_names_of_figures_are_unique(self):
         """Two figures that ask for one name: each has its place in the page, its file and its curve."""
         gauges = {name: pages.FREE["gauges"]["head"] for name in ("a_b", "a-b")}

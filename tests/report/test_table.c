@@ -85,6 +85,8 @@ static void columns_of_one_quantity_make_a_group(void **state)
     assert_string_equal(words, "b c");
     clod_series_groups_object("speed", words);
     assert_string_equal(words, "");
+    clod_series_groups_whose(&groups.group[0], &table, words); // of walls that have no kind
+    assert_string_equal(words, "");
     clod_series_groups_fini(&groups);
     clod_table_fini(&table);
 }

@@ -1,0 +1,19 @@
+#pragma once
+/**
+ * @file free_warnings.h
+ * What is wrong with the streams of a free run: inlets without room, alarms of gauges, spillage.
+ */
+
+#include <jansson.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/**
+ * Write one list item for each warning.
+ *
+ * @param out      NULL: only count
+ * @param summary  of the run; NULL: none
+ * @return         number of warnings
+ * Test  tests/report/test_page.py
+ */
+size_t clod_free_warnings_put(FILE *out, const json_t *summary);

@@ -1,0 +1,102 @@
+// Streams that cannot be meant: too fast for the step, removed where they come in, walls out of reach.
+
+#include <math.h>
+#include <string.h>
+
+#include "config/region.h"
+#include "setup/domain.h"
+#include "sim/check_testers.h"
+
+static double length3(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/** Grains that pass more than a radius in a step go through each other and through walls. */
+static void warn_speed(const clod_check_subject *subject, clod_check_report *r)
+{
+    for (size_t k = 0; k < subject->from->grains_count; k++) {
+        const double speed = length3(subject->from->grains[k].velocity);
+        if (speed * r->step > r->radius_min) {
+            clod_check_warning(
+                r,
+                "grains.%zu.velocity: %.4g m/s are %.3g mm in a step, more than the radius of "
+                "the smallest grain, %.3g mm: grains would pass through each other and through "
+                "walls. Lower the velocity or time.step",
+                k, speed, 1e3 * speed * r->step, 1e3 * r->radius_min);
+        }
+    }
+}
+
+/** An outlet where grains come in removes them at once. */
+static void warn_outlets(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_case *from = subject->from;
+    for (size_t o = 0; o < from->outlet_count; o++) {
+        for (size_t k = 0; from->outlets[o].has_region && k < from->grains_count; k++) {
+            const clod_case_grains *grains = &from->grains[k];
+            if (grains->file == NULL &&
+                clod_region_overlap(&from->outlets[o].region, &grains->region)) {
+                clod_check_warning(r,
+                                   "outlets.%s.region and grains.%zu.region overlap: grains "
+                                   "are removed where they come in. Move one of them",
+                                   from->outlets[o].name, k);
+            }
+        }
+    }
+}
+
+/** Whether a wall stays where it is during all stages. */
+static bool stays(const clod_wall *wall)
+{
+    return wall->load == CLOD_LOAD_NONE &&
+           clod_vec3_dot(wall->velocity, wall->velocity) == 0.0 && wall->spin == 0.0 &&
+           !(wall->oscillation.frequency > 0.0);
+}
+
+/** Whether a stage changes a wall. */
+static bool is_changed(const clod_case *from, const char *name)
+{
+    for (size_t s = 0; s < from->stage_count; s++) {
+        for (size_t w = 0; w < from->stages[s].wall_count; w++) {
+            if (strcmp(from->stages[s].walls[w].name, name) == 0) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/** A wall that no grain of the domain can reach. */
+static void warn_walls(const clod_check_subject *subject, clod_check_report *r)
+{
+    const clod_case *from = subject->from;
+    for (int32_t w = 0; from->has_domain && w < subject->state.walls.count; w++) {
+        const clod_wall *wall = &subject->state.walls.wall[w];
+        double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+        double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+        if (!clod_setup_domain_add_wall(wall, low, high) || !stays(wall) ||
+            is_changed(from, wall->name)) {
+            continue;
+        }
+        for (int a = 0; a < 3; a++) {
+            const double reach = r->radius_max; // of a grain whose centre is on the side
+            if (low[a] > from->domain_max[a] + reach || high[a] < from->domain_min[a] - reach) {
+                clod_check_warning(r,
+                                   "walls.%s: nothing of it lies in the domain: its %c is %.4g "
+                                   "to %.4g m, that of the domain %.4g to %.4g m. Check its "
+                                   "place, the unit of a mesh, and domain",
+                                   wall->name, "xyz"[a], low[a], high[a], from -> domain_min[a],
+                                   from -> domain_max[a]);
+                break;
+            }
+        }
+    }
+}
+
+void clod_check_streams_warn(const clod_check_subject *subject, clod_check_report *r)
+{
+    warn_speed(subject, r);
+    warn_outlets(subject, r);
+    warn_walls(subject, r);
+}
