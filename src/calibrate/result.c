@@ -49,7 +49,7 @@ const char *clod_result_measured(const clod_plan_measure *measure, double value,
     return buffer;
 }
 
-/** Used target that is farthest from what the posterior foretells. */
+/** Used target that is farthest from what the posterior predicts. */
 static size_t farthest(const clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
@@ -84,7 +84,7 @@ static void warn_targets(clod_result *self)
         if (one->surrogate == NULL) {
             clod_warning_list_add(
                 &self->warnings,
-                "%s was held back and cannot be foretold: %zu of %zu runs have this number. %s",
+                "%s was held back and cannot be predicted: %zu of %zu runs have this number. %s",
                 self->plan->targets[t].name, one->runs, all, one->why);
             continue;
         }
@@ -98,14 +98,14 @@ static void warn_targets(clod_result *self)
         if (of->held_back && (of->value < one->low || of->value > one->high)) {
             clod_warning_list_add(
                 &self->warnings,
-                "%s was held back and is missed: measured %.4g, foretold %.4g to %.4g %s.",
+                "%s was held back and is missed: measured %.4g, predicted %.4g to %.4g %s.",
                 of->name, of->measure.factor * of->value, of->measure.factor * one->low,
                 of->measure.factor * one->high, of->measure.unit);
         }
         if (one->checked && one->check.q2 < LEAST_Q2) {
             clod_warning_list_add(
                 &self->warnings,
-                "%s: its surrogate foretells points that are left out hardly better than their mean "
+                "%s: its surrogate predicts points that are left out hardly better than their mean "
                 "(Q2 %.2f): the parameters do not move it much, or more points or seeds are needed.",
                 self->plan->targets[t].name, one->check.q2);
         }

@@ -112,7 +112,7 @@ static void put_surrogates(FILE *out, const clod_result *self)
 {
     fprintf(
         out,
-        "\nSurrogates, each point foretold by the others\n  %-34s %-16s %5s %10s %10s %7s %9s\n",
+        "\nSurrogates, each point predicted by the others\n  %-34s %-16s %5s %10s %10s %7s %9s\n",
         "", "kind", "runs", "packings", "error", "Q2", "in 2 dev.");
     for (size_t t = 0; t < self->plan->target_count; t++) {
         const clod_plan_target *of = &self->plan->targets[t];
@@ -163,7 +163,7 @@ char *clod_result_table(const clod_result *self)
     put_parameters(out, self);
     put_correlations(out, self);
     put_targets(out, self, false, "Targets that were used");
-    put_targets(out, self, true, "Targets that were held back, foretold");
+    put_targets(out, self, true, "Targets that were held back, predicted");
     fprintf(
         out,
         "  %.3g %% interval of what a laboratory would measure; off: (measured - model) over "
