@@ -15,14 +15,15 @@
 #define LEAST_Q2 0.5
 #define TIED 0.9
 
-const char *const CLOD_RESULT_TOLD_NAMES[] = {
-    [CLOD_RESULT_TOLD] = "yes", [CLOD_RESULT_WEAKLY] = "weakly", [CLOD_RESULT_UNTOLD] = "no"};
+const char *const CLOD_RESULT_IDENTIFIED_NAMES[] = {[CLOD_RESULT_IDENTIFIED] = "yes",
+                                                    [CLOD_RESULT_WEAKLY] = "weakly",
+                                                    [CLOD_RESULT_NOT_IDENTIFIED] = "no"};
 
-clod_result_told clod_result_told_of(const clod_posterior_parameter *self)
+clod_result_identified clod_result_identified_of(const clod_posterior_parameter *self)
 {
-    return self->width < 0.5   ? CLOD_RESULT_TOLD
+    return self->width < 0.5   ? CLOD_RESULT_IDENTIFIED
            : self->width < 0.8 ? CLOD_RESULT_WEAKLY
-                               : CLOD_RESULT_UNTOLD;
+                               : CLOD_RESULT_NOT_IDENTIFIED;
 }
 
 const char *clod_result_number(const clod_plan_parameter *self, double place, char *buffer,
@@ -126,7 +127,7 @@ static void warn_parameters(clod_result *self)
                 name, one->above > one->below ? "upper" : "lower",
                 100.0 * fmax(one->above, one->below));
         }
-        if (clod_result_told_of(one) == CLOD_RESULT_UNTOLD) {
+        if (clod_result_identified_of(one) == CLOD_RESULT_NOT_IDENTIFIED) {
             clod_warning_list_add(
                 &self->warnings,
                 "These targets do not tell %s: its interval is %.0f %% as wide as its range.",

@@ -29,7 +29,7 @@ static const column PARAMETERS[] = {{"mean", "mean"},
                                     {"to", "to"},
                                     {"scale", "scale"},
                                     {"relative_width", "width over the range's"},
-                                    {"told", "told by the targets"},
+                                    {"identified", "identified by the targets"},
                                     {"rhat", "R-hat"},
                                     {"effective_samples", "independent samples"}};
 static const column TARGETS[] = {{"measured", "measured"},

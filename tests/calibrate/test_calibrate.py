@@ -26,7 +26,7 @@ class Calibrate(bounce.Bounce):
         self.assertLess(e["low"], TRUTH)
         self.assertGreater(e["high"], TRUTH)
         self.assertEqual((found["points"], found["designed_points"], found["failed_runs"]), (9, 6, 0))
-        self.assertEqual(e["told"], "yes")
+        self.assertEqual(e["identified"], "yes")
         self.assertGreater(found["p_value"], 0.05)
         self.assertIn(f"{e['mean']:.4g}", told)
         with open(self.path("out/report.txt")) as file:
