@@ -102,7 +102,7 @@ static void merge(clod_step *self)
         clod_step_thread *thread = &self->thread[t];
         sums->max_speed2 = fmax(sums->max_speed2, thread->max_speed2);
         sums->finite &= thread->finite;
-        sums->excess |= thread->excess && spread->owed;
+        sums->excess |= thread->excess && spread->sums_due;
         if (self->near.ledger) {
             merge_spent(&sums->spent, &thread->spent);
             thread->spent = (clod_step_heat){0};
@@ -123,10 +123,10 @@ static void merge(clod_step *self)
 /** The end of the step before: every rank by itself, from the same numbers. */
 static void end_walls(clod_step *self)
 {
-    if (self->spread->owed) {
+    if (self->spread->sums_due) {
         clod_step_push_walls(self);
         clod_step_add_ledger(self);
-        self->spread->owed = false;
+        self->spread->sums_due = false;
     }
 }
 
@@ -149,7 +149,7 @@ void clod_step_ghosts(clod_step *self, int part)
 
 void clod_spread_settle(clod_step *self)
 {
-    if (self->spread->owed) {
+    if (self->spread->sums_due) {
         merge(self);
         end_walls(self);
     }

@@ -56,7 +56,7 @@ typedef struct clod_spread {
     clod_ghosts ghosts;
     clod_fixed *felt; ///< [walls] by each wall in a step, and behind it clod_spread_sums
     int32_t walls;
-    bool owed; ///< what the step before did to walls and ledger is still to be added up
+    bool sums_due; ///< what the step before did to walls and ledger is still to be added up
     // with the sums of surfaces
     clod_wear_record *wear; ///< [wear_count] of this step
     size_t wear_count, wear_room;

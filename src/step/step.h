@@ -67,7 +67,7 @@ typedef struct clod_step_thread {
     bool late;            ///< the same with any thread or rank in a step before
     bool noted;           ///< it has been, in this advance
     bool stop;            ///< physics went wrong, with any thread: this step is the last
-    bool owed;            ///< its grains' second half kick is still to be done
+    bool kick_due;        ///< its grains' second half kick is still to be done
     clod_step_heat spent; ///< by its contacts in this step, with the ledger
 } clod_step_thread;
 
