@@ -18,7 +18,7 @@ void clod_step_move_walls(clod_step *self)
     }
     first->max_speed2 = fmax(first->max_speed2, fastest * fastest);
     first->wall_speed = fastest;
-    first->finite = first->finite && self->felt_finite;
+    first->finite = first->finite && self->walls_finite;
 }
 
 /** A thread's share of the shapes that move and have grains near, where they are now. */
@@ -119,26 +119,26 @@ static double power_of(const clod_wall *wall)
            clod_wall_spin(wall) * clod_vec3_dot(wall->torque, wall->spin_axis);
 }
 
-/** What the wall feels: the sums of all parts, which begin anew. */
+/** Forces on the wall: the sums of all parts, which begin anew. */
 static void sum_wall(clod_step *self, int32_t w)
 {
     clod_wall *wall = &self->state->walls.wall[w];
     clod_fixed all = {0};
     if (self->spread != NULL) { // stage ghosts has added them up
-        all = self->spread->felt[w];
+        all = self->spread->wall_sum[w];
     }
     for (int32_t s = self->near.sum_start[w]; s < self->near.sum_start[w + 1]; s++) {
         clod_fixed_merge(&all, &self->near.wall_sum[s]);
         self->near.wall_sum[s] = (clod_fixed){0};
     }
-    double felt[CLOD_FIXED_COLUMNS];
-    clod_fixed_value(&all, felt);
-    wall->force = clod_vec3_of(&felt[CLOD_FELT_FORCE]);
-    wall->torque = clod_vec3_of(&felt[CLOD_FELT_TORQUE]);
-    wall->belt_power = felt[CLOD_FELT_BELT_POWER];
+    double wall_sum[CLOD_FIXED_COLUMNS];
+    clod_fixed_value(&all, wall_sum);
+    wall->force = clod_vec3_of(&wall_sum[CLOD_WALL_SUM_FORCE]);
+    wall->torque = clod_vec3_of(&wall_sum[CLOD_WALL_SUM_TORQUE]);
+    wall->belt_power = wall_sum[CLOD_WALL_SUM_BELT_POWER];
     wall->power = power_of(wall) + wall->belt_power;
-    self->felt_finite =
-        self->felt_finite && isfinite(felt[0] + felt[1] + felt[2] + wall->power);
+    self->walls_finite =
+        self->walls_finite && isfinite(wall_sum[0] + wall_sum[1] + wall_sum[2] + wall->power);
 }
 
 /**
