@@ -12,8 +12,11 @@ if(TARGET clod_shared)
 endif()
 install(DIRECTORY include/clod TYPE INCLUDE FILES_MATCHING PATTERN "*.h")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
-install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# documents lie to each other as in the source tree, for their links
+install(FILES README.md CHANGELOG.md ARCHITECTURE.md CONTRIBUTING.md CITATION.cff LICENSE
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(DIRECTORY bench/results DESTINATION ${CMAKE_INSTALL_DOCDIR}/bench)
 install(DIRECTORY cases examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # pkg-config and find_package(clod): both found from where the files lie, so the tree may be moved.

@@ -22,7 +22,7 @@ if(CLOD_SANITIZE)
   list(APPEND CLOD_TEST_ENVIRONMENT CLOD_SANITIZED=1)
   set(NO_MEMORY allocator_may_return_null=1) # a test asks for more than there is
   # LeakSanitizer 14 takes some blocks of thread-local storage for those of glibc 2.19, and then
-  # crashes on its way out (google/sanitizers issue 1322); without this it does not look there.
+  # crashes on its way out (google/sanitizers#1322); without this it does not look there.
   # It finds no fewer leaks: what only such a block points to would be one too many.
   list(APPEND CLOD_TEST_ENVIRONMENT ASAN_OPTIONS=intercept_tls_get_addr=0:${NO_MEMORY}
     LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/tests/support/leaks.txt:print_suppressions=0)

@@ -1,4 +1,4 @@
-"""What issue 4 asks of clod on this class of machine, and whether it is reached."""
+"""The targets set in advance for clod on this class of machine, and whether they are reached."""
 
 import plan
 import table

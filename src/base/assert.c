@@ -9,3 +9,9 @@ _Noreturn void clod_assert_fail(const char *condition, const char *file, int lin
             condition);
     abort();
 }
+
+_Noreturn void clod_assert_fail_null(const char *function, const char *name)
+{
+    fprintf(stderr, "%s: %s is NULL; the calling program must give one\n", function, name);
+    abort();
+}

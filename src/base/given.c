@@ -1,16 +1,13 @@
 #include "base/given.h"
 
 #include <stddef.h>
-#include <stdio.h>
 
 #include "base/assert.h"
 
 void clod_given_need(bool given, const char *function, const char *name)
 {
     if (!given) {
-        char text[160];
-        snprintf(text, sizeof text, "%s: %s != NULL", function, name);
-        clod_assert_fail(text, __FILE__, __LINE__);
+        clod_assert_fail_null(function, name);
     }
 }
 

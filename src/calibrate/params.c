@@ -87,7 +87,7 @@ static const clod_param WISH[] = {
      .need = CLOD_PARAM_OPTIONAL,
      .fallback = "false",
      CLOD_AT(W, held_back),
-     .help = "Not used to calibrate, but foretold and compared.",
+     .help = "Not used to calibrate, but predicted and compared.",
      .source = HOWTO},
 };
 static const clod_table WISH_TABLE = {

@@ -13,7 +13,7 @@
 
 #define CHAINS 4
 #define WARM_UP 2000
-#define LOOKED 2000 ///< samples at which the targets are foretold
+#define LOOKED 2000 ///< samples at which the targets are predicted
 #define EDGE 0.05
 #define DICE 1000 ///< stream of random numbers beside those of the chains
 
@@ -173,8 +173,8 @@ typedef struct sight {
     double *chi, *room; ///< [looked], of the surrogates
 } sight;
 
-/** What is foretold of one target at some samples: adds to the chi-square of each. False after a stop. */
-static bool foretell(const clod_plan *plan, clod_posterior *self, size_t t, const sight *at)
+/** What is predicted of one target at some samples: adds to the chi-square of each. False after a stop. */
+static bool predict(const clod_plan *plan, clod_posterior *self, size_t t, const sight *at)
 {
     const size_t looked = at->looked;
     const clod_plan_target *target = &plan->targets[t];
@@ -214,7 +214,7 @@ static bool look_at_all(const clod_plan *plan, clod_posterior *self, const sight
         look_at_parameter(plan, self, k, at->values);
     }
     for (size_t t = 0; t < self->target_count; t++) {
-        if (!foretell(plan, self, t, at)) {
+        if (!predict(plan, self, t, at)) {
             return clod_stop_fail(status);
         }
         self->used += plan->targets[t].held_back ? 0 : 1;

@@ -15,14 +15,15 @@
 #define LEAST_Q2 0.5
 #define TIED 0.9
 
-const char *const CLOD_RESULT_TOLD_NAMES[] = {
-    [CLOD_RESULT_TOLD] = "yes", [CLOD_RESULT_WEAKLY] = "weakly", [CLOD_RESULT_UNTOLD] = "no"};
+const char *const CLOD_RESULT_IDENTIFIED_NAMES[] = {[CLOD_RESULT_IDENTIFIED] = "yes",
+                                                    [CLOD_RESULT_WEAKLY] = "weakly",
+                                                    [CLOD_RESULT_NOT_IDENTIFIED] = "no"};
 
-clod_result_told clod_result_told_of(const clod_posterior_parameter *self)
+clod_result_identified clod_result_identified_of(const clod_posterior_parameter *self)
 {
-    return self->width < 0.5   ? CLOD_RESULT_TOLD
+    return self->width < 0.5   ? CLOD_RESULT_IDENTIFIED
            : self->width < 0.8 ? CLOD_RESULT_WEAKLY
-                               : CLOD_RESULT_UNTOLD;
+                               : CLOD_RESULT_NOT_IDENTIFIED;
 }
 
 const char *clod_result_number(const clod_plan_parameter *self, double place, char *buffer,
@@ -49,7 +50,7 @@ const char *clod_result_measured(const clod_plan_measure *measure, double value,
     return buffer;
 }
 
-/** Used target that is farthest from what the posterior foretells. */
+/** Used target that is farthest from what the posterior predicts. */
 static size_t farthest(const clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
@@ -84,7 +85,7 @@ static void warn_targets(clod_result *self)
         if (one->surrogate == NULL) {
             clod_warning_list_add(
                 &self->warnings,
-                "%s was held back and cannot be foretold: %zu of %zu runs have this number. %s",
+                "%s was held back and cannot be predicted: %zu of %zu runs have this number. %s",
                 self->plan->targets[t].name, one->runs, all, one->why);
             continue;
         }
@@ -98,14 +99,14 @@ static void warn_targets(clod_result *self)
         if (of->held_back && (of->value < one->low || of->value > one->high)) {
             clod_warning_list_add(
                 &self->warnings,
-                "%s was held back and is missed: measured %.4g, foretold %.4g to %.4g %s.",
+                "%s was held back and is missed: measured %.4g, predicted %.4g to %.4g %s.",
                 of->name, of->measure.factor * of->value, of->measure.factor * one->low,
                 of->measure.factor * one->high, of->measure.unit);
         }
         if (one->checked && one->check.q2 < LEAST_Q2) {
             clod_warning_list_add(
                 &self->warnings,
-                "%s: its surrogate foretells points that are left out hardly better than their mean "
+                "%s: its surrogate predicts points that are left out hardly better than their mean "
                 "(Q2 %.2f): the parameters do not move it much, or more points or seeds are needed.",
                 self->plan->targets[t].name, one->check.q2);
         }
@@ -126,7 +127,7 @@ static void warn_parameters(clod_result *self)
                 name, one->above > one->below ? "upper" : "lower",
                 100.0 * fmax(one->above, one->below));
         }
-        if (clod_result_told_of(one) == CLOD_RESULT_UNTOLD) {
+        if (clod_result_identified_of(one) == CLOD_RESULT_NOT_IDENTIFIED) {
             clod_warning_list_add(
                 &self->warnings,
                 "These targets do not tell %s: its interval is %.0f %% as wide as its range.",

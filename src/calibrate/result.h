@@ -17,13 +17,13 @@ typedef struct clod_result {
 } clod_result;
 
 /** What a posterior width says: 0.5 and 0.8 of the range's interval are the borders. */
-typedef enum clod_result_told {
-    CLOD_RESULT_TOLD,   ///< the targets tell the parameter
-    CLOD_RESULT_WEAKLY, ///< they narrow its range a little
-    CLOD_RESULT_UNTOLD, ///< they hardly do
-} clod_result_told;
-clod_result_told clod_result_told_of(const clod_posterior_parameter *self);
-extern const char *const CLOD_RESULT_TOLD_NAMES[];
+typedef enum clod_result_identified {
+    CLOD_RESULT_IDENTIFIED,     ///< the targets tell the parameter
+    CLOD_RESULT_WEAKLY,         ///< they narrow its range a little
+    CLOD_RESULT_NOT_IDENTIFIED, ///< they hardly do
+} clod_result_identified;
+clod_result_identified clod_result_identified_of(const clod_posterior_parameter *self);
+extern const char *const CLOD_RESULT_IDENTIFIED_NAMES[];
 
 /** Look for what is to be said: contradictions, ends of ranges, chains, surrogates, failed runs. */
 void clod_result_warn(clod_result *self);

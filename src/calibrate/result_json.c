@@ -23,16 +23,17 @@ static json_t *parameter(const clod_result *self, size_t k)
         json_object_set_new(tied, self->plan->parameters[m].name,
                             clod_json_number(from->correlation[k * from->dimensions + m]));
     }
-    return json_pack(
-        "{s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:s, s:o, s:o, s:o}", "key", of->key,
-        "unit", of->unit, "scale", of->scale == CLOD_PLAN_LOG ? "log" : "linear", "from",
-        clod_json_number(of->low), "to", clod_json_number(of->high), "mean",
-        clod_json_number(clod_plan_number(of, one->mean)), "low",
-        clod_json_number(clod_plan_number(of, one->low)), "high",
-        clod_json_number(clod_plan_number(of, one->high)), "relative_width",
-        clod_json_number(one->width), "told", CLOD_RESULT_TOLD_NAMES[clod_result_told_of(one)],
-        "rhat", clod_json_number(one->rhat), "effective_samples",
-        clod_json_number(one->effective), "correlations", tied);
+    return json_pack("{s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:s, s:o, s:o, s:o}", "key",
+                     of->key, "unit", of->unit, "scale",
+                     of->scale == CLOD_PLAN_LOG ? "log" : "linear", "from",
+                     clod_json_number(of->low), "to", clod_json_number(of->high), "mean",
+                     clod_json_number(clod_plan_number(of, one->mean)), "low",
+                     clod_json_number(clod_plan_number(of, one->low)), "high",
+                     clod_json_number(clod_plan_number(of, one->high)), "relative_width",
+                     clod_json_number(one->width), "identified",
+                     CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(one)], "rhat",
+                     clod_json_number(one->rhat), "effective_samples",
+                     clod_json_number(one->effective), "correlations", tied);
 }
 
 /** The surrogate along one parameter, the others at the posterior's means. */

@@ -33,15 +33,16 @@ static void put_parameters(FILE *out, const clod_result *self)
 {
     const clod_posterior *from = self->study->posterior;
     const double tail = 50.0 * (1.0 - self->plan->sampling.level);
-    fprintf(out, "\nParameters\n  %-16s %12s %11.3g %% %10.3g %%  %-10s %6s  %-7s %7s %8s\n",
-            "", "mean", tail, 100.0 - tail, "unit", "width", "told", "R-hat", "samples");
+    fprintf(out, "\nParameters\n  %-16s %12s %11.3g %% %10.3g %%  %-10s %6s  %-10s %7s %8s\n",
+            "", "mean", tail, 100.0 - tail, "unit", "width", "identified", "R-hat", "samples");
     for (size_t k = 0; k < from->dimensions; k++) {
         const clod_posterior_parameter *one = &from->parameters[k];
         const clod_plan_parameter *of = &self->plan->parameters[k];
-        fprintf(out, "  %-16s %12.4g %13.4g %12.4g  %-10s %6.2f  %-7s %7.3f %8.0f\n", of->name,
+        fprintf(out, "  %-16s %12.4g %13.4g %12.4g  %-10s %6.2f  %-10s %7.3f %8.0f\n", of->name,
                 clod_plan_number(of, one->mean), clod_plan_number(of, one->low),
                 clod_plan_number(of, one->high), of->unit, one->width,
-                CLOD_RESULT_TOLD_NAMES[clod_result_told_of(one)], one->rhat, one->effective);
+                CLOD_RESULT_IDENTIFIED_NAMES[clod_result_identified_of(one)], one->rhat,
+                one->effective);
     }
     fputs(
         "  width: of the interval over that of the range as given; 1: the targets tell nothing.\n"
@@ -112,7 +113,7 @@ static void put_surrogates(FILE *out, const clod_result *self)
 {
     fprintf(
         out,
-        "\nSurrogates, each point foretold by the others\n  %-34s %-16s %5s %10s %10s %7s %9s\n",
+        "\nSurrogates, each point predicted by the others\n  %-34s %-16s %5s %10s %10s %7s %9s\n",
         "", "kind", "runs", "packings", "error", "Q2", "in 2 dev.");
     for (size_t t = 0; t < self->plan->target_count; t++) {
         const clod_plan_target *of = &self->plan->targets[t];
@@ -163,7 +164,7 @@ char *clod_result_table(const clod_result *self)
     put_parameters(out, self);
     put_correlations(out, self);
     put_targets(out, self, false, "Targets that were used");
-    put_targets(out, self, true, "Targets that were held back, foretold");
+    put_targets(out, self, true, "Targets that were held back, predicted");
     fprintf(
         out,
         "  %.3g %% interval of what a laboratory would measure; off: (measured - model) over "

@@ -112,7 +112,7 @@ static void tell_undefined(const clod_plan *plan, const clod_study_source *sourc
                      "%s is not defined in the middle of all ranges; if so few points have it "
                      "that it gets no surrogate, %s",
                      plan->targets[t].name,
-                     plan->targets[t].held_back ? "it is not foretold"
+                     plan->targets[t].held_back ? "it is not predicted"
                                                 : "the calibration comes to no result");
             tell(source, text);
         }

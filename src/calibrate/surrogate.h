@@ -41,7 +41,7 @@ typedef struct clod_surrogate_value {
     double variance;
 } clod_surrogate_value;
 
-/** Leave one point out: how well the others foretell it. */
+/** Leave one point out: how well the others predict it. */
 typedef struct clod_surrogate_check {
     size_t points;
     double error;   ///< root of the mean square error of a point's mean

@@ -1,7 +1,7 @@
 /**
  * @file surrogate_out.c
  * A surrogate with a point more in thought, or one less: what a run would tell, and how well the others
- * foretell it.
+ * predict it.
  */
 
 #include <math.h>

@@ -15,13 +15,13 @@ typedef struct clod_law_stored {
 } clod_law_stored;
 
 /** What a contact lost in one step [J]: each loss >= 0 where the law makes no energy. */
-typedef struct clod_law_spent {
+typedef struct clod_law_dissipation {
     vreal plastic;  ///< plasticity and adhesion: what changing the history costs
     vreal dash_pot; ///< normal and tangential dash-pot
     vreal friction; ///< sliding; and what the spring loses when its stiffness changes
     vreal rolling;  ///< rolling resistance, with epsd's dash-pot
     vreal lag;      ///< work beyond that, of forces with an earlier velocity; either sign
-} clod_law_spent;
+} clod_law_dissipation;
 
 /** Overlap d0 at which the unloading branch has no force: its n-th power is P [m]. */
 static inline vreal clod_law_rest_overlap(const clod_law *law, vreal plastic)
@@ -363,11 +363,10 @@ static inline clod_law_taken clod_law_take(const clod_law_hold *before,
  * Errors  none.   Threads  pure.
  * Source  docs/theory/energy.md, eq. (5)-(11).   Test  tests/law/test_law_energy.c
  */
-static inline clod_law_spent clod_law_spend(const clod_law *law, const clod_law_motion *now,
-                                            const clod_law_result *result,
-                                            const clod_law_memory *after,
-                                            const clod_law_motion *before,
-                                            const clod_law_memory *memory, double dt)
+static inline clod_law_dissipation
+clod_law_dissipate(const clod_law *law, const clod_law_motion *now,
+                   const clod_law_result *result, const clod_law_memory *after,
+                   const clod_law_motion *before, const clod_law_memory *memory, double dt)
 {
     const clod_law_step step = clod_law_step_of(law, now, result, after, before, memory, dt);
     const clod_law_moment *a = &step.before, *b = &step.after;
@@ -382,13 +381,13 @@ static inline clod_law_spent clod_law_spend(const clod_law *law, const clod_law_
     const vreal v_before = vreal3_dot(before->velocity, now->normal);
     const vreal dash_pot = 0.5 * (a->dash_pot + b->dash_pot) * v_n * v_n * dt;
     const vreal late = 0.5 * a->dash_pot * (v_before - v_n) * v_n * dt;
-    const clod_law_spent spent = {clod_law_history_loss(law, a, b), dash_pot + sliding.viscous,
-                                  sliding.spring, rolling.viscous + rolling.spring,
-                                  late + sliding.lag + rolling.lag};
+    const clod_law_dissipation dissipated = {
+        clod_law_history_loss(law, a, b), dash_pot + sliding.viscous, sliding.spring,
+        rolling.viscous + rolling.spring, late + sliding.lag + rolling.lag};
     const vreal zero = vreal_set(0.0);
-    return (clod_law_spent){vreal_select(step.met, spent.plastic, zero),
-                            vreal_select(step.met, spent.dash_pot, zero),
-                            vreal_select(step.met, spent.friction, zero),
-                            vreal_select(step.met, spent.rolling, zero),
-                            vreal_select(step.met, spent.lag, zero)};
+    return (clod_law_dissipation){vreal_select(step.met, dissipated.plastic, zero),
+                                  vreal_select(step.met, dissipated.dash_pot, zero),
+                                  vreal_select(step.met, dissipated.friction, zero),
+                                  vreal_select(step.met, dissipated.rolling, zero),
+                                  vreal_select(step.met, dissipated.lag, zero)};
 }

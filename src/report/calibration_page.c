@@ -29,7 +29,7 @@ static const column PARAMETERS[] = {{"mean", "mean"},
                                     {"to", "to"},
                                     {"scale", "scale"},
                                     {"relative_width", "width over the range's"},
-                                    {"told", "told by the targets"},
+                                    {"identified", "identified by the targets"},
                                     {"rhat", "R-hat"},
                                     {"effective_samples", "independent samples"}};
 static const column TARGETS[] = {{"measured", "measured"},
@@ -138,14 +138,14 @@ static void put_tables(FILE *out, const json_t *result)
     }
     fputs("</tbody></table></div>\n", out);
     put_targets(out, result, false, "Targets that were used");
-    put_targets(out, result, true, "Targets that were held back, foretold");
+    put_targets(out, result, true, "Targets that were held back, predicted");
     fprintf(
         out,
         "<p class=\"note\">low and high: %.3g %% intervals; of a target, of what a laboratory "
         "would measure. Posterior predictive p = %.2g, chi-square %.3g.</p>\n",
         100.0 * clod_shear_number(result, "level"), clod_shear_number(result, "p_value"),
         clod_shear_number(result, "chi_square"));
-    fputs("<h3>Surrogates, each point foretold by the others</h3>\n", out);
+    fputs("<h3>Surrogates, each point predicted by the others</h3>\n", out);
     put_heads(out, "target", SURROGATES, COUNT(SURROGATES));
     json_array_foreach(json_object_get(result, "targets"), k, one)
     {

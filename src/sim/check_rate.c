@@ -92,10 +92,10 @@ static clod_check_bytes count_bytes(const clod_step *step)
                            (double)near->grain_capacity * 3 * sizeof(int32_t);
     const double blocks = (double)list->pairs.count * (double)sizeof(clod_contact_block) +
                           (double)list->between.share_capacity * 8 * sizeof(double);
-    const double ledger = list->ledger
-                              ? grains * (8 + 4) * sizeof(double) +
-                                    (double)list->pairs.count * (double)sizeof(clod_spent_block)
-                              : 0.0;
+    const double ledger =
+        list->ledger ? grains * (8 + 4) * sizeof(double) +
+                           (double)list->pairs.count * (double)sizeof(clod_dissipation_block)
+                     : 0.0;
     const double count = (double)state->grains.count;
     return (clod_check_bytes){contacts / count, blocks / count, sorting / count,
                               (rows + candidates + ledger) / count};

@@ -92,7 +92,7 @@ static const clod_case_grains *group_of(const clod_case *from, size_t number)
     }
 }
 
-/** Unit of what is owed at a group's inlet. */
+/** Unit of the backlog of a group's inlet. */
 static const char *unit_of(const clod_case_grains *group)
 {
     return group->inlet.mass_flow > 0.0 ? "kg" : "grains";
@@ -107,14 +107,14 @@ static void say(const clod_inlet *self, size_t number, const clod_case *from,
     news->event = self->said != 0 ? "inlet blocked begins" : "inlet blocked ends";
     news->fields = json_pack("{s:I, s:I, s:f, s:f}", "inlet", (json_int_t)number + 1, "step",
                              (json_int_t)state->step, "time_s", state->time,
-                             by_mass ? "owed_kg" : "owed_grains", self->owed);
+                             by_mass ? "backlog_kg" : "backlog_grains", self->backlog);
     if (self->said != 0) {
         const double since = (double)self->since * state->dt;
         json_object_set_new(news->fields, "since_s", json_real(since));
         snprintf(
             news->text, sizeof news->text,
             "warning: inlet %zu is blocked since %.6g s: at %.6g s %.4g %s wait for a place",
-            number + 1, since, state->time, self->owed, unit_of(group));
+            number + 1, since, state->time, self->backlog, unit_of(group));
     } else {
         snprintf(news->text, sizeof news->text,
                  "inlet %zu is not blocked any more: at %.6g s nothing waits for a place",
@@ -157,7 +157,7 @@ static void inlets_column(const clod_case *from, const clod_state *state, size_t
     (void)state;
     const bool by_mass = group_of(from, k / PER_INLET)->inlet.mass_flow > 0.0;
     const char *const name[PER_INLET] = {"grains [1]", "mass [kg]",
-                                         by_mass ? "owed [kg]" : "owed [1]"};
+                                         by_mass ? "backlog [kg]" : "backlog [1]"};
     snprintf(text, size, "inlet_%zu.%s", k / PER_INLET + 1, name[k % PER_INLET]);
 }
 
@@ -167,7 +167,7 @@ static void inlets_row(void *memory, const clod_free_moment *now, double *row)
     for (size_t k = 0; k < clod_setup_grains_coming(now->from); k++) {
         row[PER_INLET * k] = (double)self->inlet[k].count;
         row[PER_INLET * k + 1] = self->inlet[k].mass;
-        row[PER_INLET * k + 2] = self->inlet[k].owed;
+        row[PER_INLET * k + 2] = self->inlet[k].backlog;
     }
 }
 
@@ -190,7 +190,7 @@ static void inlets_report(FILE *out, const void *memory, const clod_free_moment 
                     " of its insertions, one a ms: up to %.4g %s waited for a place, %.4g "
                     "still do\n",
                     number, k, inlet->blocked, inlet->most, unit_of(&from->grains[k]),
-                    inlet->owed);
+                    inlet->backlog);
         }
         if (inlet->since >= 0) {
             fprintf(out, "  WARNING               it has been blocked since %.6g s\n",
@@ -217,9 +217,9 @@ static json_t *inlets_json(const void *memory, const clod_free_moment *now)
         const bool by_mass = from->grains[k].inlet.mass_flow > 0.0;
         json_t *one = json_pack("{s:I, s:I, s:f, s:f, s:f, s:I}", "group", (json_int_t)k,
                                 "grains", (json_int_t)inlet->count, "mass_kg", inlet->mass,
-                                by_mass ? "owed_kg" : "owed_grains", inlet->owed,
-                                by_mass ? "most_owed_kg" : "most_owed_grains", inlet->most,
-                                "blocked_insertions", (json_int_t)inlet->blocked);
+                                by_mass ? "backlog_kg" : "backlog_grains", inlet->backlog,
+                                by_mass ? "most_backlog_kg" : "most_backlog_grains",
+                                inlet->most, "blocked_insertions", (json_int_t)inlet->blocked);
         if (inlet->since >= 0) {
             json_object_set_new(one, "blocked_since_s", json_real((double)inlet->since * dt));
         }

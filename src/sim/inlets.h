@@ -15,7 +15,7 @@
 typedef struct clod_inlet {
     int64_t count;   ///< grains that have come
     double mass;     ///< kg, their mass
-    double owed;     ///< kg (mass_flow) or grains (number_flow) that are due and had no place
+    double backlog;  ///< kg (mass_flow) or grains (number_flow) that are due and had no place
     double most;     ///< the largest of it
     int64_t blocked; ///< insertions at which not everything that was due found a place
     int64_t since;   ///< step of the first of those in a row; -1: not blocked

@@ -216,7 +216,7 @@ static bool put_all(filling *self, clod_status *status)
 }
 
 /** What is due and has not come: kg or grains. */
-static double owed_by(const filling *self, const inflow *source)
+static double backlog_of(const filling *self, const inflow *source)
 {
     const double end = source->group->inlet.end;
     const double time = end > 0.0 ? fmin(self->time, end) : self->time;
@@ -228,8 +228,8 @@ static void note(const filling *self, const inflow *source)
 {
     clod_inlet *told = source->told;
     const bool waits = source->due <= self->time;
-    told->owed = waits ? owed_by(self, source) : 0.0;
-    told->most = fmax(told->most, told->owed);
+    told->backlog = waits ? backlog_of(self, source) : 0.0;
+    told->most = fmax(told->most, told->backlog);
     told->blocked += waits;
     told->since = !waits ? -1 : told->since < 0 ? self->state->step : told->since;
 }

@@ -33,8 +33,8 @@ static bool run_group(clod_step *self, size_t group, int32_t law, size_t end,
     clod_contact_block *blocks = pairs->block;
     const size_t begin = pairs->group_start[group];
     for (size_t b = begin; self->near.ledger && b < pairs->group_start[group + 1]; b++) {
-        self->kernel->contact_spend(&self->view, &self->laws->law[law], &blocks[b],
-                                    &pairs->spent[b]);
+        self->kernel->contact_dissipate(&self->view, &self->laws->law[law], &blocks[b],
+                                        &pairs->dissipated[b]);
     }
     return self->kernel->contact(&self->view, &self->laws->law[law], &blocks[begin], contacts,
                                  end, apart);
@@ -93,7 +93,7 @@ void clod_step_contact(clod_step *self, int part)
     self->thread[part].excess = excess;
 }
 
-/** Carry what walls feel by a part's grains, where one may have more contacts than fit. */
+/** Carry in the sums of forces on walls by a part's grains, where one may have more contacts than fit. */
 static void carry_sums(clod_step *self, int part)
 {
     const int32_t walls = self->state->walls.count;
@@ -119,7 +119,8 @@ static bool run_walls(clod_step *self, int part, int32_t l, clod_wall_form form)
     clod_wall_block *blocks = (clod_wall_block *)walls->block + begin;
     bool excess = false;
     for (size_t b = begin; self->near.ledger && b < walls->group_start[group + 1]; b++) {
-        self->kernel->wall_spend(&self->view, law, form, &blocks[b - begin], &walls->spent[b]);
+        self->kernel->wall_dissipate(&self->view, law, form, &blocks[b - begin],
+                                     &walls->dissipated[b]);
     }
     for (size_t first = 0; first < contacts; first += CLOD_FIXED_ADDENDS) {
         const size_t left = contacts - first, block = first / CLOD_LANES;

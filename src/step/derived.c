@@ -63,7 +63,7 @@ bool clod_step_derive(clod_step *self, clod_status *status)
     self->summed = clod_memory_alloc(walls + 1, sizeof *self->summed);
     self->placed = clod_memory_alloc(shapes + 1, sizeof *self->placed);
     self->is_near = clod_memory_alloc(shapes + 1, sizeof *self->is_near);
-    self->felt_finite = true;
+    self->walls_finite = true;
     if (self->moving == NULL || self->summed == NULL || self->placed == NULL ||
         self->is_near == NULL || !clod_wall_rows_init(&self->walls, &self->state->walls) ||
         !clod_outlet_shapes_list(&self->outlets, &self->state->walls)) {

@@ -50,8 +50,8 @@ void clod_spread_refresh(const clod_spread *self, clod_state *state)
     unpack(self, &state->grains, numbers);
 }
 
-/** What the contacts of a thread spent, onto those of another. */
-static void merge_spent(clod_step_heat *into, const clod_step_heat *from)
+/** What the contacts of a thread dissipated, onto those of another. */
+static void merge_dissipated(clod_step_heat *into, const clod_step_heat *from)
 {
     clod_exact_merge(&into->plastic, &from->plastic);
     clod_exact_merge(&into->dash_pot, &from->dash_pot);
@@ -60,12 +60,12 @@ static void merge_spent(clod_step_heat *into, const clod_step_heat *from)
     clod_exact_merge(&into->lag, &from->lag);
 }
 
-/** What the parts of a wall felt, which begin anew. */
-static void sum_felt(clod_step *self, clod_fixed *felt, int32_t w)
+/** Forces of all parts on a wall, whose sums begin anew. */
+static void sum_wall(clod_step *self, clod_fixed *wall_sum, int32_t w)
 {
-    *felt = (clod_fixed){0};
+    *wall_sum = (clod_fixed){0};
     for (int32_t s = self->near.sum_start[w]; s < self->near.sum_start[w + 1]; s++) {
-        clod_fixed_merge(felt, &self->near.wall_sum[s]);
+        clod_fixed_merge(wall_sum, &self->near.wall_sum[s]);
         self->near.wall_sum[s] = (clod_fixed){0};
     }
 }
@@ -73,18 +73,18 @@ static void sum_felt(clod_step *self, clod_fixed *felt, int32_t w)
 static void merge_sums(const void *context, void *into, const void *from)
 {
     const clod_step *self = context;
-    clod_fixed *felt = into;
+    clod_fixed *wall_sum = into;
     const clod_fixed *other = from;
     for (int32_t w = 0; w < self->spread->walls; w++) {
-        clod_fixed_merge(&felt[w], &other[w]);
+        clod_fixed_merge(&wall_sum[w], &other[w]);
     }
-    clod_spread_sums *sums = (clod_spread_sums *)(felt + self->spread->walls);
+    clod_spread_sums *sums = (clod_spread_sums *)(wall_sum + self->spread->walls);
     const clod_spread_sums *others = (const clod_spread_sums *)(other + self->spread->walls);
     sums->max_speed2 = fmax(sums->max_speed2, others->max_speed2);
     sums->finite &= others->finite;
     sums->excess |= others->excess;
     if (self->near.ledger) {
-        merge_spent(&sums->spent, &others->spent);
+        merge_dissipated(&sums->dissipated, &others->dissipated);
     }
 }
 
@@ -93,28 +93,28 @@ static void merge_sums(const void *context, void *into, const void *from)
 static void merge(clod_step *self)
 {
     const clod_spread *spread = self->spread;
-    clod_spread_sums *sums = (clod_spread_sums *)(spread->felt + spread->walls);
+    clod_spread_sums *sums = (clod_spread_sums *)(spread->wall_sum + spread->walls);
     for (int32_t w = 0; w < spread->walls; w++) {
-        sum_felt(self, &spread->felt[w], w);
+        sum_wall(self, &spread->wall_sum[w], w);
     }
     *sums = (clod_spread_sums){.finite = 1};
     for (int t = 0; t < self->threads; t++) {
         clod_step_thread *thread = &self->thread[t];
         sums->max_speed2 = fmax(sums->max_speed2, thread->max_speed2);
         sums->finite &= thread->finite;
-        sums->excess |= thread->excess && spread->owed;
+        sums->excess |= thread->excess && spread->sums_due;
         if (self->near.ledger) {
-            merge_spent(&sums->spent, &thread->spent);
-            thread->spent = (clod_step_heat){0};
+            merge_dissipated(&sums->dissipated, &thread->dissipated);
+            thread->dissipated = (clod_step_heat){0};
         }
     }
-    const size_t felt = (size_t)spread->walls * sizeof *spread->felt;
+    const size_t wall_sum = (size_t)spread->walls * sizeof *spread->wall_sum;
     const size_t bytes =
-        felt + (self->near.ledger ? sizeof *sums : offsetof(clod_spread_sums, spent));
-    clod_ranks_merge(spread->ranks, spread->felt, bytes, merge_sums, self);
+        wall_sum + (self->near.ledger ? sizeof *sums : offsetof(clod_spread_sums, dissipated));
+    clod_ranks_merge(spread->ranks, spread->wall_sum, bytes, merge_sums, self);
     self->thread[0].max_speed2 = sums->max_speed2;
     self->thread[0].finite = sums->finite != 0;
-    self->thread[0].spent = sums->spent;
+    self->thread[0].dissipated = sums->dissipated;
     for (int t = 0; t < self->threads && sums->excess != 0; t++) {
         self->thread[t].late = true;
     }
@@ -123,10 +123,10 @@ static void merge(clod_step *self)
 /** The end of the step before: every rank by itself, from the same numbers. */
 static void end_walls(clod_step *self)
 {
-    if (self->spread->owed) {
+    if (self->spread->sums_due) {
         clod_step_push_walls(self);
         clod_step_add_ledger(self);
-        self->spread->owed = false;
+        self->spread->sums_due = false;
     }
 }
 
@@ -149,7 +149,7 @@ void clod_step_ghosts(clod_step *self, int part)
 
 void clod_spread_settle(clod_step *self)
 {
-    if (self->spread->owed) {
+    if (self->spread->sums_due) {
         merge(self);
         end_walls(self);
     }

@@ -20,7 +20,7 @@ typedef struct clod_kernel_view {
     const double (*angular_velocity)[4];
     const double (*before)[8]; ///< loads of the last step, with the ledger
     double (*load)[8];         ///< where contacts add their force and torque on each grain
-    clod_fixed *wall_sum;      ///< of what walls feel: columns below
+    clod_fixed *wall_sum;      ///< of forces on walls: columns below
     const double (*shape)[4];  ///< rows of the walls' shapes (geometry/wall_rows.h)
     const double (*touch)[4];  ///< direction and distance of contacts with meshes (touch.h)
     size_t lead;               ///< rows by which memory is prefetched
@@ -30,18 +30,18 @@ typedef struct clod_kernel_view {
     double inverse_period[3];  ///< 1/m
 } clod_kernel_view;
 
-/** Columns of what a wall feels by each of its contacts. */
+/** Columns of what each contact of a wall does to it. */
 enum {
-    CLOD_FELT_FORCE = 0,      ///< N, [3]: of the grain on the wall
-    CLOD_FELT_BELT_POWER = 3, ///< W, of the belt on the grain
-    CLOD_FELT_TORQUE = 4,     ///< N m, [3]: of the grain on the wall, about its origin
+    CLOD_WALL_SUM_FORCE = 0,      ///< N, [3]: of the grain on the wall
+    CLOD_WALL_SUM_BELT_POWER = 3, ///< W, of the belt on the grain
+    CLOD_WALL_SUM_TORQUE = 4,     ///< N m, [3]: of the grain on the wall, about its origin
 };
 
 /** What the contacts of a block turned into heat in one step [J]. */
-typedef struct clod_spent_block {
+typedef struct clod_dissipation_block {
     double plastic[CLOD_LANES], dash_pot[CLOD_LANES], friction[CLOD_LANES], rolling[CLOD_LANES];
     double lag[CLOD_LANES]; ///< work beyond that, either sign (docs/theory/energy.md)
-} clod_spent_block;
+} clod_dissipation_block;
 
 /** How the grains of a block rub and hit the surfaces of walls, and with what force. */
 typedef struct clod_rub_block {
@@ -99,11 +99,12 @@ typedef struct clod_kernel {
      */
     bool (*wall)(const clod_kernel_view *view, const clod_law *law, clod_wall_form form,
                  clod_wall_block *blocks, clod_rub_block *rub, size_t contacts);
-    /** For the ledger, just before `contact` or `wall`: what the block spends in this step. */
-    void (*contact_spend)(const clod_kernel_view *view, const clod_law *law,
-                          clod_contact_block *block, clod_spent_block *spent);
-    void (*wall_spend)(const clod_kernel_view *view, const clod_law *law, clod_wall_form form,
-                       clod_wall_block *block, clod_spent_block *spent);
+    /** For the ledger, just before `contact` or `wall`: what the block dissipates in this step. */
+    void (*contact_dissipate)(const clod_kernel_view *view, const clod_law *law,
+                              clod_contact_block *block, clod_dissipation_block *dissipated);
+    void (*wall_dissipate)(const clod_kernel_view *view, const clod_law *law,
+                           clod_wall_form form, clod_wall_block *block,
+                           clod_dissipation_block *dissipated);
     /** Between steps: what the block stores. */
     void (*contact_stored)(const clod_kernel_view *view, const clod_law *law,
                            clod_contact_block *block, clod_stored_block *stored);

@@ -50,18 +50,20 @@ static inline clod_law_motion kernel_wall_before(const clod_law_motion *now, dou
     return before;
 }
 
-static inline void kernel_store_spent(clod_spent_block *spent, int lane, clod_law_spent s)
+static inline void kernel_store_dissipated(clod_dissipation_block *dissipated, int lane,
+                                           clod_law_dissipation s)
 {
-    vreal_store(&spent->plastic[lane], s.plastic);
-    vreal_store(&spent->dash_pot[lane], s.dash_pot);
-    vreal_store(&spent->friction[lane], s.friction);
-    vreal_store(&spent->rolling[lane], s.rolling);
-    vreal_store(&spent->lag[lane], s.lag);
+    vreal_store(&dissipated->plastic[lane], s.plastic);
+    vreal_store(&dissipated->dash_pot[lane], s.dash_pot);
+    vreal_store(&dissipated->friction[lane], s.friction);
+    vreal_store(&dissipated->rolling[lane], s.rolling);
+    vreal_store(&dissipated->lag[lane], s.lag);
 }
 
-/** What a block of grain-grain contacts spends in this step, before its history moves on. */
-static void kernel_contact_spend(const clod_kernel_view *view, const clod_law *law,
-                                 clod_contact_block *block, clod_spent_block *spent)
+/** What a block of grain-grain contacts dissipates in this step, before its history moves on. */
+static void kernel_contact_dissipate(const clod_kernel_view *view, const clod_law *law,
+                                     clod_contact_block *block,
+                                     clod_dissipation_block *dissipated)
 {
     for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
         const int32_t *i = &block->i[lane];
@@ -76,16 +78,16 @@ static void kernel_contact_spend(const clod_kernel_view *view, const clod_law *l
         const clod_law_memory memory = clod_law_memory_load(&block->history, lane);
         clod_law_memory after = memory;
         const clod_law_result result = clod_law_contact(law, &now, view->dt, &after);
-        kernel_store_spent(
-            spent, lane,
-            clod_law_spend(law, &now, &result, &after, &before, &memory, view->dt));
+        kernel_store_dissipated(
+            dissipated, lane,
+            clod_law_dissipate(law, &now, &result, &after, &before, &memory, view->dt));
     }
 }
 
 /** The same for a block of wall contacts; a wall keeps its velocity over the step. */
-static void kernel_wall_spend(const clod_kernel_view *view, const clod_law *law,
-                              clod_wall_form form, clod_wall_block *block,
-                              clod_spent_block *spent)
+static void kernel_wall_dissipate(const clod_kernel_view *view, const clod_law *law,
+                                  clod_wall_form form, clod_wall_block *block,
+                                  clod_dissipation_block *dissipated)
 {
     for (int lane = 0; lane < CLOD_LANES; lane += CLOD_WIDTH) {
         const int32_t *i = &block->i[lane];
@@ -98,9 +100,9 @@ static void kernel_wall_spend(const clod_kernel_view *view, const clod_law *law,
         const clod_law_memory memory = clod_law_memory_load(&block->history, lane);
         clod_law_memory after = memory;
         const clod_law_result result = clod_law_contact(law, &now, view->dt, &after);
-        kernel_store_spent(
-            spent, lane,
-            clod_law_spend(law, &now, &result, &after, &before, &memory, view->dt));
+        kernel_store_dissipated(
+            dissipated, lane,
+            clod_law_dissipate(law, &now, &result, &after, &before, &memory, view->dt));
     }
 }
 

@@ -136,7 +136,7 @@ CLOD_LAW_PASS void kernel_wall_move(const clod_kernel_view *view, const clod_law
     }
 }
 
-/** The grain's share, and the wall's (CLOD_FELT_FORCE and so on). */
+/** The grain's share, and the wall's (CLOD_WALL_SUM_FORCE and so on). */
 static inline void kernel_wall_store(const clod_kernel_view *view, vreal arm,
                                      const kernel_wall_side *side, clod_law_result r,
                                      const clod_wall_block *block, int lane, int lanes)
@@ -153,10 +153,10 @@ static inline void kernel_wall_store(const clod_kernel_view *view, vreal arm,
     const vreal on_wall[8] = {
         -r.force.x, -r.force.y, -r.force.z, vreal_select(r.closed, power, zero),
         -kept.x,    -kept.y,    -kept.z,    zero};
-    _Alignas(64) double felt[CLOD_WIDTH][CLOD_FIXED_COLUMNS];
-    vreal_store_rows(felt, FOLLOWING, on_wall);
+    _Alignas(64) double wall_sum[CLOD_WIDTH][CLOD_FIXED_COLUMNS];
+    vreal_store_rows(wall_sum, FOLLOWING, on_wall);
     for (int l = 0; l < lanes; l++) {
-        clod_fixed_add(&view->wall_sum[block->sum[lane + l]], felt[l]);
+        clod_fixed_add(&view->wall_sum[block->sum[lane + l]], wall_sum[l]);
     }
 }
 

@@ -1,4 +1,4 @@
-// Stages spent and ledger, and the energies of a moment. Sums are exact: they do not depend on the order
+// Stages dissipate and ledger, and the energies of a moment. Sums are exact: they do not depend on the order
 // of grains and contacts, nor on how these are cut into parts.
 #include <math.h>
 
@@ -42,39 +42,39 @@ static const int32_t *first_grains(const clod_near *near, const clod_near_blocks
                                 : ((const clod_wall_block *)list->block)[block].i;
 }
 
-/** Add what each contact of a group spent in this step. */
-static void add_spent(const clod_step *self, const clod_near_blocks *list, size_t q,
-                      clod_step_heat *sums)
+/** Add what each contact of a group dissipated in this step. */
+static void add_dissipated(const clod_step *self, const clod_near_blocks *list, size_t q,
+                           clod_step_heat *sums)
 {
     for (size_t b = list->group_start[q]; b < list->group_start[q + 1]; b++) {
-        const clod_spent_block *spent = &list->spent[b];
+        const clod_dissipation_block *dissipated = &list->dissipated[b];
         const unsigned lanes =
             lanes_of(self, first_grains(&self->near, list, b), contacts_of(list, q, b));
-        add_lanes(&sums->plastic, spent->plastic, lanes);
-        add_lanes(&sums->dash_pot, spent->dash_pot, lanes);
-        add_lanes(&sums->friction, spent->friction, lanes);
-        add_lanes(&sums->rolling, spent->rolling, lanes);
-        add_lanes(&sums->lag, spent->lag, lanes);
+        add_lanes(&sums->plastic, dissipated->plastic, lanes);
+        add_lanes(&sums->dash_pot, dissipated->dash_pot, lanes);
+        add_lanes(&sums->friction, dissipated->friction, lanes);
+        add_lanes(&sums->rolling, dissipated->rolling, lanes);
+        add_lanes(&sums->lag, dissipated->lag, lanes);
     }
 }
 
-/** What the contacts spent that a thread has computed. */
-void clod_step_spent(clod_step *self, int part)
+/** What the contacts dissipated that a thread has computed. */
+void clod_step_dissipate(clod_step *self, int part)
 {
     const clod_near *near = &self->near;
     if (!near->ledger) {
         return;
     }
-    clod_step_heat *sums = &self->thread[part].spent;
+    clod_step_heat *sums = &self->thread[part].dissipated;
     *sums = (clod_step_heat){0};
     const clod_chunk mine = clod_threads_chunk((size_t)near->parts, part, self->threads);
     for (int p = (int)mine.begin; p < (int)mine.end; p++) {
         for (int32_t l = 0; l < near->laws; l++) {
-            add_spent(self, &near->pairs, clod_near_group(near, p, l), sums);
-            add_spent(self, &near->pairs, clod_near_group_between(near, p, l), sums);
+            add_dissipated(self, &near->pairs, clod_near_group(near, p, l), sums);
+            add_dissipated(self, &near->pairs, clod_near_group_between(near, p, l), sums);
             for (int form = 0; form < CLOD_FORMS; form++) {
-                add_spent(self, &near->walls,
-                          clod_near_wall_group(near, p, l, (clod_wall_form)form), sums);
+                add_dissipated(self, &near->walls,
+                               clod_near_wall_group(near, p, l, (clod_wall_form)form), sums);
             }
         }
     }
@@ -87,7 +87,7 @@ void clod_step_add_ledger(clod_step *self)
     }
     clod_step_heat all = {0};
     for (int t = 0; t < self->threads; t++) {
-        const clod_step_heat *some = &self->thread[t].spent;
+        const clod_step_heat *some = &self->thread[t].dissipated;
         clod_exact_merge(&all.plastic, &some->plastic);
         clod_exact_merge(&all.dash_pot, &some->dash_pot);
         clod_exact_merge(&all.friction, &some->friction);
@@ -224,7 +224,7 @@ bool clod_step_keep_ledger(clod_step *self, clod_status *status)
     }
     self->view.before = (const double(*)[8])self->state->grains.before;
     self->near.ledger = true;
-    if (!clod_near_reserve_spent(&self->near)) {
+    if (!clod_near_reserve_dissipated(&self->near)) {
         self->near.ledger = false;
         return clod_status_fail(status, CLOD_FAILED, "no memory for the energy ledger");
     }

@@ -133,11 +133,12 @@ bool clod_migrate(clod_spread *self, const clod_state *from, clod_state *to,
         clod_spread_cut(self, from);
         pack_contacts(self, from, contacts.out); // while the rows are there
         const double wide = skin(context, &self->bed);
-        good = swap(self, &contacts, status) && // while nothing is lost by a failure
-               move_grains(self, from, to, wide, &grains, status) &&
-               clod_ranks_agree(
-                   self->ranks,
-                   clod_records_get_contacts(&contacts.in, to, &self->torn, status), status);
+        good =
+            swap(self, &contacts, status) && // while nothing is lost by a failure
+            move_grains(self, from, to, wide, &grains, status) &&
+            clod_ranks_agree(
+                self->ranks,
+                clod_records_get_contacts(&contacts.in, to, &self->separated, status), status);
     }
     parcels_fini(&grains);
     parcels_fini(&contacts);
@@ -210,10 +211,10 @@ bool clod_migrate_gather(clod_spread *self, clod_state *state, clod_state *whole
         clod_memory_give_back(state->contacts, state->contact_count * sizeof *state->contacts,
                               state->contact_capacity * sizeof *state->contacts);
         state->contact_count = state->wall_contact_count = 0;
-        clod_torn torn = {0}; // all grains are there
+        clod_separated separated = {0}; // all grains are there
         const bool mine =
-            whole == NULL || clod_records_get_contacts(&way.in, whole, &torn, status);
-        CLOD_ASSERT(!torn.any);
+            whole == NULL || clod_records_get_contacts(&way.in, whole, &separated, status);
+        CLOD_ASSERT(!separated.any);
         good = clod_ranks_agree(self->ranks, mine, status) &&
                gather_gone(self, state, whole, &way, status);
     } else {

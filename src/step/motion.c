@@ -18,7 +18,7 @@ void clod_step_move_walls(clod_step *self)
     }
     first->max_speed2 = fmax(first->max_speed2, fastest * fastest);
     first->wall_speed = fastest;
-    first->finite = first->finite && self->felt_finite;
+    first->finite = first->finite && self->walls_finite;
 }
 
 /** A thread's share of the shapes that move and have grains near, where they are now. */
@@ -43,23 +43,23 @@ static clod_chunk my_grains(const clod_step *self, int part)
     return (clod_chunk){self->near.part_start[c.begin], self->near.part_start[c.end]};
 }
 
-/** Drift of rows; `owed` is the second half kick of the step before. */
-static clod_kernel_speed drift_rows(clod_step *self, clod_chunk rows, bool owed)
+/** Drift of rows; `kick_due` is the second half kick of the step before. */
+static clod_kernel_speed drift_rows(clod_step *self, clod_chunk rows, bool kick_due)
 {
     clod_grains *grains = &self->state->grains;
     return self->kernel->drift(grains->position, grains->velocity, grains->angular_velocity,
-                               grains->load, owed ? self->state->gravity : NULL,
+                               grains->load, kick_due ? self->state->gravity : NULL,
                                self->state->dt, rows.begin, rows.end);
 }
 
 /** The same of the own rows among them. */
-static clod_kernel_speed drift_own(clod_step *self, clod_chunk rows, bool owed)
+static clod_kernel_speed drift_own(clod_step *self, clod_chunk rows, bool kick_due)
 {
     clod_kernel_speed seen = {0.0, true};
     for (size_t k = 0; k < self->spread->runs; k++) {
         const clod_chunk run = clod_spread_run(self->spread, k, rows);
         if (run.begin < run.end) {
-            const clod_kernel_speed some = drift_rows(self, run, owed);
+            const clod_kernel_speed some = drift_rows(self, run, kick_due);
             seen.max_speed2 = fmax(seen.max_speed2, some.max_speed2);
             seen.finite = seen.finite && some.finite;
         }
@@ -77,9 +77,9 @@ void clod_step_drift(clod_step *self, int part)
         memcpy(grains->before[c.begin], grains->load[c.begin],
                (c.end - c.begin) * sizeof *grains->load);
     }
-    const clod_kernel_speed seen =
-        self->spread == NULL ? drift_rows(self, c, mine->owed) : drift_own(self, c, mine->owed);
-    mine->owed = true; // this step's second half kick, when its forces are there
+    const clod_kernel_speed seen = self->spread == NULL ? drift_rows(self, c, mine->kick_due)
+                                                        : drift_own(self, c, mine->kick_due);
+    mine->kick_due = true; // this step's second half kick, when its forces are there
     mine->max_speed2 = seen.max_speed2;
     mine->finite = seen.finite;
     if (part == 0 &&
@@ -98,9 +98,9 @@ static void kick_rows(clod_step *self, clod_chunk rows)
 void clod_step_settle(clod_step *self, int part)
 {
     const clod_chunk c = my_grains(self, part);
-    if (self->thread[part].owed && self->spread == NULL) {
+    if (self->thread[part].kick_due && self->spread == NULL) {
         kick_rows(self, c);
-    } else if (self->thread[part].owed) {
+    } else if (self->thread[part].kick_due) {
         for (size_t k = 0; k < self->spread->runs; k++) {
             const clod_chunk run = clod_spread_run(self->spread, k, c);
             if (run.begin < run.end) {
@@ -108,7 +108,7 @@ void clod_step_settle(clod_step *self, int part)
             }
         }
     }
-    self->thread[part].owed = false;
+    self->thread[part].kick_due = false;
 }
 
 /** What the wall does to the grains with its force and torque and its velocity of now, without
@@ -119,26 +119,26 @@ static double power_of(const clod_wall *wall)
            clod_wall_spin(wall) * clod_vec3_dot(wall->torque, wall->spin_axis);
 }
 
-/** What the wall feels: the sums of all parts, which begin anew. */
+/** Forces on the wall: the sums of all parts, which begin anew. */
 static void sum_wall(clod_step *self, int32_t w)
 {
     clod_wall *wall = &self->state->walls.wall[w];
     clod_fixed all = {0};
     if (self->spread != NULL) { // stage ghosts has added them up
-        all = self->spread->felt[w];
+        all = self->spread->wall_sum[w];
     }
     for (int32_t s = self->near.sum_start[w]; s < self->near.sum_start[w + 1]; s++) {
         clod_fixed_merge(&all, &self->near.wall_sum[s]);
         self->near.wall_sum[s] = (clod_fixed){0};
     }
-    double felt[CLOD_FIXED_COLUMNS];
-    clod_fixed_value(&all, felt);
-    wall->force = clod_vec3_of(&felt[CLOD_FELT_FORCE]);
-    wall->torque = clod_vec3_of(&felt[CLOD_FELT_TORQUE]);
-    wall->belt_power = felt[CLOD_FELT_BELT_POWER];
+    double wall_sum[CLOD_FIXED_COLUMNS];
+    clod_fixed_value(&all, wall_sum);
+    wall->force = clod_vec3_of(&wall_sum[CLOD_WALL_SUM_FORCE]);
+    wall->torque = clod_vec3_of(&wall_sum[CLOD_WALL_SUM_TORQUE]);
+    wall->belt_power = wall_sum[CLOD_WALL_SUM_BELT_POWER];
     wall->power = power_of(wall) + wall->belt_power;
-    self->felt_finite =
-        self->felt_finite && isfinite(felt[0] + felt[1] + felt[2] + wall->power);
+    self->walls_finite =
+        self->walls_finite && isfinite(wall_sum[0] + wall_sum[1] + wall_sum[2] + wall->power);
 }
 
 /**
@@ -182,6 +182,6 @@ void clod_step_servo(clod_step *self, int part)
     if (part == 0 && self->spread == NULL) {
         clod_step_push_walls(self);
     } else if (part == 0) { // with what other ranks' contacts did, in the next step
-        self->spread->owed = true;
+        self->spread->sums_due = true;
     }
 }

@@ -187,7 +187,7 @@ bool clod_near_layout(const clod_near_job *job, clod_status *status)
     sum_groups(self);
     if (clod_near_reserve_blocks(&self->pairs, clod_near_groups(self),
                                  sizeof(clod_contact_block)) &&
-        clod_near_walls_layout(job) && clod_near_reserve_spent(self) &&
+        clod_near_walls_layout(job) && clod_near_reserve_dissipated(self) &&
         clod_near_between_reserve(self)) {
         return true;
     }
@@ -328,16 +328,17 @@ void clod_near_end(const clod_near_job *job)
     job->near->made = true;
 }
 
-bool clod_near_reserve_spent(clod_near *self)
+bool clod_near_reserve_dissipated(clod_near *self)
 {
     if (self->wear && !clod_room_for(&self->walls.rub, &self->walls.rub_capacity,
                                      self->walls.count, sizeof *self->walls.rub)) {
         return false;
     }
-    return !self->ledger || (clod_room_for(&self->pairs.spent, &self->pairs.spent_capacity,
-                                           self->pairs.count, sizeof *self->pairs.spent) &&
-                             clod_room_for(&self->walls.spent, &self->walls.spent_capacity,
-                                           self->walls.count, sizeof *self->walls.spent));
+    return !self->ledger ||
+           (clod_room_for(&self->pairs.dissipated, &self->pairs.dissipated_capacity,
+                          self->pairs.count, sizeof *self->pairs.dissipated) &&
+            clod_room_for(&self->walls.dissipated, &self->walls.dissipated_capacity,
+                          self->walls.count, sizeof *self->walls.dissipated));
 }
 
 void clod_near_give_skins_back(clod_near *self)
@@ -382,8 +383,8 @@ void clod_near_fini(clod_near *self)
     clod_memory_free(self->pairs.block);
     clod_memory_free(self->pairs.group_start);
     clod_memory_free(self->pairs.group_count);
-    clod_memory_free(self->pairs.spent);
-    clod_memory_free(self->walls.spent);
+    clod_memory_free(self->pairs.dissipated);
+    clod_memory_free(self->walls.dissipated);
     clod_memory_free(self->walls.rub);
     clod_memory_free(self->walls.block);
     clod_memory_free(self->walls.group_start);

@@ -19,10 +19,10 @@
 typedef struct clod_near_blocks {
     void *block; ///< clod_contact_block or clod_wall_block
     size_t count, capacity;
-    size_t *group_start;     ///< [groups + 1] first block of each group
-    size_t *group_count;     ///< [groups] contacts of each group; behind them scratch [groups]
-    clod_spent_block *spent; ///< [count] with the ledger, else NULL
-    size_t spent_capacity;
+    size_t *group_start; ///< [groups + 1] first block of each group
+    size_t *group_count; ///< [groups] contacts of each group; behind them scratch [groups]
+    clod_dissipation_block *dissipated; ///< [count] with the ledger, else NULL
+    size_t dissipated_capacity;
     clod_rub_block *rub; ///< [count] of walls with the sums of surfaces, else NULL
     size_t rub_capacity;
 } clod_near_blocks;
@@ -70,7 +70,7 @@ typedef struct clod_near {
     int32_t *weight; ///< scratch [grains]: work of each grain
     size_t weight_capacity;
     clod_touch touch;     ///< contacts with meshes
-    clod_fixed *wall_sum; ///< [sum_start[walls]] what a wall feels by the grains of a part
+    clod_fixed *wall_sum; ///< [sum_start[walls]] forces of the grains of a part on a wall
     int32_t *sum_start;   ///< [walls + 1] first sum of each wall; one for each part that it has
     int32_t *part_sum;    ///< [parts][walls] number of a part's sum of a wall, or -1
     bool crowded;         ///< a sum may get more than CLOD_FIXED_ADDENDS in a step
@@ -79,7 +79,7 @@ typedef struct clod_near {
     size_t *part_fill;         ///< scratch [parts][groups]: where a part's next pair goes
     clod_near_range *gathered; ///< scratch [parts]: contacts of each part
     bool made;                 ///< the list stands; false: the histories are in the state
-    bool ledger;               ///< keep room for what the contacts spend
+    bool ledger;               ///< keep room for what the contacts dissipate
     bool wear;                 ///< keep room for how grains rub walls
 } clod_near;
 
@@ -170,8 +170,8 @@ void clod_near_give_skins_back(clod_near *self);
 /** All of that by one thread. */
 bool clod_near_make(const clod_near_job *job, clod_status *status);
 
-/** Room for what each contact of the list spends, when `ledger` is set, and for how it rubs. */
-bool clod_near_reserve_spent(clod_near *self);
+/** Room for what each contact of the list dissipates, when `ledger` is set, and for how it rubs. */
+bool clod_near_reserve_dissipated(clod_near *self);
 
 /**
  * Copy every contact with its history into state->contacts (emptied first): pairs ascending by

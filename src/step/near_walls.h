@@ -15,7 +15,7 @@ bool clod_near_reserve_blocks(clod_near_blocks *self, size_t groups, size_t size
 /** Count the grains of a part that are near walls. */
 void clod_near_walls_count(const clod_near_job *job, int part);
 
-/** Room for the blocks of all parts and for what walls feel; false without memory. */
+/** Room for the blocks of all parts and for forces on walls; false without memory. */
 bool clod_near_walls_layout(const clod_near_job *job);
 
 /** A part's contacts with walls into blocks, with the histories of those that touch. */

@@ -324,7 +324,7 @@ static bool find_all_pairs(clod_neighbour *self, const clod_state *state)
     return true;
 }
 
-bool clod_neighbour_fail_torn(const clod_state *state, uint64_t id, clod_status *status)
+bool clod_neighbour_fail_separated(const clod_state *state, uint64_t id, clod_status *status)
 {
     return clod_status_fail(status, CLOD_FAILED,
                             "step %lld: grain %llu is far away from a grain or wall that "
@@ -345,8 +345,8 @@ bool clod_neighbour_build_end(clod_neighbour *self, const clod_state *state,
         left = find_wall_pairs(&self->walls, state->contacts, pairs, state->contact_count);
     }
     if (left < state->contact_count) {
-        return clod_neighbour_fail_torn(state, state->grains.id[state->contacts[left].i],
-                                        status);
+        return clod_neighbour_fail_separated(state, state->grains.id[state->contacts[left].i],
+                                             status);
     }
     clod_neighbour_give_back(self);
     return true;

@@ -235,7 +235,7 @@ bool clod_neighbour_reserve(clod_neighbour *self, const clod_state *state, clod_
 bool clod_neighbour_add(clod_pairs *self, size_t j);
 
 /** Say that a grain is far from what it touched one step before; false. */
-bool clod_neighbour_fail_torn(const clod_state *state, uint64_t id, clod_status *status);
+bool clod_neighbour_fail_separated(const clod_state *state, uint64_t id, clod_status *status);
 
 /** Say why no more candidates could be added: beyond a limit, or without memory; false. */
 bool clod_neighbour_fail_to_add(const clod_neighbour *self, size_t grains, clod_status *status);

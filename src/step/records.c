@@ -112,7 +112,7 @@ void clod_records_get_contact(const char *at, clod_contact *contact, uint64_t pa
 
 /** Records of pairs, or of walls, behind the contacts that are there. */
 static void get_list(const clod_bytes *from, bool walls, const clod_ids *rows,
-                     clod_state *state, clod_torn *torn)
+                     clod_state *state, clod_separated *separated)
 {
     for (size_t at = 0; at < from->count; at += sizeof(contact_record)) {
         contact_record record;
@@ -123,7 +123,7 @@ static void get_list(const clod_bytes *from, bool walls, const clod_ids *rows,
         const int64_t i = clod_ids_row(rows, record.id[0]);
         const int64_t j = walls ? (int64_t)record.id[1] : clod_ids_row(rows, record.id[1]);
         if (i < 0 || j < 0) {
-            *torn = (clod_torn){true, record.id[0]};
+            *separated = (clod_separated){true, record.id[0]};
             continue;
         }
         clod_contact *contact = &state->contacts[state->contact_count++];
@@ -133,13 +133,13 @@ static void get_list(const clod_bytes *from, bool walls, const clod_ids *rows,
     }
 }
 
-bool clod_records_get_contacts(const clod_bytes *from, clod_state *state, clod_torn *torn,
-                               clod_status *status)
+bool clod_records_get_contacts(const clod_bytes *from, clod_state *state,
+                               clod_separated *separated, clod_status *status)
 {
     const size_t count = from->count / sizeof(contact_record);
     CLOD_ASSERT(count * sizeof(contact_record) == from->count);
     clod_ids rows = {0};
-    *torn = (clod_torn){0};
+    *separated = (clod_separated){0};
     state->contact_count = state->wall_contact_count = 0;
     if (!clod_limits_contacts(count, status) ||
         !clod_ids_init(&rows, state->grains.id, state->grains.count, status)) {
@@ -148,8 +148,8 @@ bool clod_records_get_contacts(const clod_bytes *from, clod_state *state, clod_t
     const bool room = clod_room_for(&state->contacts, &state->contact_capacity, count,
                                     sizeof *state->contacts);
     if (room) {
-        get_list(from, false, &rows, state, torn);
-        get_list(from, true, &rows, state, torn);
+        get_list(from, false, &rows, state, separated);
+        get_list(from, true, &rows, state, separated);
     } else {
         clod_status_fail(status, CLOD_FAILED, "no memory for %zu contacts", count);
     }

@@ -35,17 +35,17 @@ const char *clod_records_get_grain(const char *at, clod_state *state, size_t row
 void clod_records_get_contact(const char *at, clod_contact *contact, uint64_t partners[2]);
 
 /** Whether a contact has come without one of its grains: then these are far from each other. */
-typedef struct clod_torn {
+typedef struct clod_separated {
     bool any;
     uint64_t id; ///< of its first grain
-} clod_torn;
+} clod_separated;
 
 /**
  * Contacts in place of those that the state has, with its rows; pairs before walls, otherwise in
  * the order of the records, each met as its first grain meets its second.
  *
- * @param torn  [out] contacts without one of their grains are left out
+ * @param separated  [out] contacts without one of their grains are left out
  * @return      false without memory
  */
-bool clod_records_get_contacts(const clod_bytes *from, clod_state *state, clod_torn *torn,
-                               clod_status *status);
+bool clod_records_get_contacts(const clod_bytes *from, clod_state *state,
+                               clod_separated *separated, clod_status *status);

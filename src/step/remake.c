@@ -240,8 +240,8 @@ static bool find_candidates(clod_step *self)
         return false;
     }
     const clod_spread *spread = self->spread;
-    return spread == NULL || !spread->torn.any ||
-           clod_neighbour_fail_torn(self->state, spread->torn.id, &self->status);
+    return spread == NULL || !spread->separated.any ||
+           clod_neighbour_fail_separated(self->state, spread->separated.id, &self->status);
 }
 
 static void join(clod_step *self, int part)

@@ -15,8 +15,8 @@ bool clod_spread_init(clod_spread *self, clod_ranks *ranks, int32_t walls, clod_
     const size_t size = (size_t)ranks->size;
     clod_ghosts *ghosts = &self->ghosts;
     self->walls = walls;
-    const size_t sums = (size_t)walls * sizeof *self->felt + sizeof(clod_spread_sums);
-    self->felt = clod_memory_alloc(1, sums);
+    const size_t sums = (size_t)walls * sizeof *self->wall_sum + sizeof(clod_spread_sums);
+    self->wall_sum = clod_memory_alloc(1, sums);
     ghosts->out_start = clod_memory_alloc(size + 1, sizeof *ghosts->out_start);
     ghosts->in_start = clod_memory_alloc(size + 1, sizeof *ghosts->in_start);
     ghosts->message = clod_memory_alloc(2 * size, sizeof *ghosts->message);
@@ -24,7 +24,7 @@ bool clod_spread_init(clod_spread *self, clod_ranks *ranks, int32_t walls, clod_
     self->wear_out = clod_memory_alloc(size, sizeof *self->wear_out);
     self->wear_begin = clod_memory_alloc(size + 1, sizeof *self->wear_begin);
     const bool good =
-        (self->felt != NULL && self->reached != NULL && self->wear_out != NULL &&
+        (self->wall_sum != NULL && self->reached != NULL && self->wear_out != NULL &&
          self->wear_begin != NULL && ghosts->out_start != NULL && ghosts->in_start != NULL &&
          ghosts->message != NULL) ||
         clod_status_fail(status, CLOD_FAILED, "no memory for %d ranks", ranks->size);
@@ -232,7 +232,7 @@ void clod_spread_fini(clod_spread *self)
     clod_memory_free(ghosts->message);
     clod_memory_free(self->owner);
     clod_memory_free(self->run);
-    clod_memory_free(self->felt);
+    clod_memory_free(self->wall_sum);
     clod_memory_free(self->reached);
     clod_memory_free(self->wear);
     clod_memory_free(self->wear_begin);

@@ -27,12 +27,12 @@ typedef struct clod_ghosts {
     size_t out_room, in_room, sent_room, got_room;
 } clod_ghosts;
 
-/** What ranks tell each other in a step, behind what each wall felt in the step before. */
+/** What ranks tell each other in a step, behind the force on each wall in the step before. */
 typedef struct clod_spread_sums {
     _Alignas(64) double max_speed2; ///< m2/s2, of the grains as they drift
     int64_t finite;                 ///< whether their numbers are
     int64_t excess;                 ///< an overlap beyond the laws' range, in the step before
-    clod_step_heat spent;           ///< in the step before; sent with the ledger only
+    clod_step_heat dissipated;      ///< in the step before; sent with the ledger only
 } clod_spread_sums;
 
 /** What a contact did to a surface in a step (spread_wear.h). */
@@ -50,13 +50,13 @@ typedef struct clod_spread {
     int32_t *owner;  ///< [rows] rank of each grain; NULL: all are this rank's
     clod_chunk *run; ///< [runs] rows that are this rank's
     size_t runs, owner_room, run_room;
-    int *reached;   ///< [ranks] scratch
-    clod_torn torn; ///< at the last rebuild
-    bool adrift;    ///< on all ranks: rows have moved, and whose they are is not listed
+    int *reached;             ///< [ranks] scratch
+    clod_separated separated; ///< at the last rebuild
+    bool adrift; ///< on all ranks: rows have moved, and whose they are is not listed
     clod_ghosts ghosts;
-    clod_fixed *felt; ///< [walls] by each wall in a step, and behind it clod_spread_sums
+    clod_fixed *wall_sum; ///< [walls] of each wall in a step, and behind it clod_spread_sums
     int32_t walls;
-    bool owed; ///< what the step before did to walls and ledger is still to be added up
+    bool sums_due; ///< what the step before did to walls and ledger is still to be added up
     // with the sums of surfaces
     clod_wear_record *wear; ///< [wear_count] of this step
     size_t wear_count, wear_room;
@@ -66,7 +66,7 @@ typedef struct clod_spread {
     bool wear_lost;     ///< some could not be added
 } clod_spread;
 
-/** Empty, with room for what so many walls feel; on failure on any rank false on all. */
+/** Empty, with room for the forces on so many walls; on failure on any rank false on all. */
 bool clod_spread_init(clod_spread *self, clod_ranks *ranks, int32_t walls, clod_status *status);
 
 /**

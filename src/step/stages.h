@@ -14,12 +14,12 @@ enum {
     CLOD_STAGE_LISTS = 1 << 2,
     CLOD_STAGE_SHARE = 1 << 3, ///< of contacts between two threads' grains
     CLOD_STAGE_HISTORY = 1 << 4,
-    CLOD_STAGE_FORCE = 1 << 5,       ///< of this step, and with the ledger of the one before
-    CLOD_STAGE_FELT = 1 << 6,        ///< what walls feel, by parts
-    CLOD_STAGE_WALLS = 1 << 7,       ///< where they are and how they move
-    CLOD_STAGE_SURFACES = 1 << 8,    ///< rows of their shapes
-    CLOD_STAGE_SPENT = 1 << 9,       ///< by each contact, with the energy ledger
-    CLOD_STAGE_SPENT_SUMS = 1 << 10, ///< of them, by threads
+    CLOD_STAGE_FORCE = 1 << 5,      ///< of this step, and with the ledger of the one before
+    CLOD_STAGE_WALL_SUM = 1 << 6,   ///< forces on walls, by parts
+    CLOD_STAGE_WALLS = 1 << 7,      ///< where they are and how they move
+    CLOD_STAGE_SURFACES = 1 << 8,   ///< rows of their shapes
+    CLOD_STAGE_DISSIPATED = 1 << 9, ///< by each contact, with the energy ledger
+    CLOD_STAGE_DISSIPATED_SUMS = 1 << 10, ///< of them, by threads
     CLOD_STAGE_LEDGER = 1 << 11,
     CLOD_STAGE_SEEN = 1 << 12,   ///< by drift: the fastest, and whether numbers are finite
     CLOD_STAGE_EXCESS = 1 << 13, ///< an overlap beyond the laws' range
@@ -33,7 +33,7 @@ enum {
 
 /** Of these, every thread touches its own grains' and contacts' alone. */
 #define CLOD_STAGE_OWN                                                                         \
-    (CLOD_STAGE_FORCE | CLOD_STAGE_HISTORY | CLOD_STAGE_SPENT | CLOD_STAGE_TOUCH)
+    (CLOD_STAGE_FORCE | CLOD_STAGE_HISTORY | CLOD_STAGE_DISSIPATED | CLOD_STAGE_TOUCH)
 
 /** Of these, every thread writes its own; another stage reads those of all. */
 #define CLOD_STAGE_EACH (CLOD_STAGE_SEEN | CLOD_STAGE_EXCESS)

@@ -17,19 +17,19 @@
 #define SHARE CLOD_STAGE_SHARE
 #define HISTORY CLOD_STAGE_HISTORY
 #define FORCE CLOD_STAGE_FORCE
-#define FELT CLOD_STAGE_FELT
+#define WALL_SUM CLOD_STAGE_WALL_SUM
 #define WALLS CLOD_STAGE_WALLS
 #define SURFACES CLOD_STAGE_SURFACES
-#define SPENT CLOD_STAGE_SPENT
-#define SUMS CLOD_STAGE_SPENT_SUMS
+#define DISSIPATED CLOD_STAGE_DISSIPATED
+#define SUMS CLOD_STAGE_DISSIPATED_SUMS
 #define LEDGER CLOD_STAGE_LEDGER
 #define TOUCH CLOD_STAGE_TOUCH
 #define SEEN CLOD_STAGE_SEEN
 #define EXCESS CLOD_STAGE_EXCESS
 #define RUB CLOD_STAGE_RUB
 #define WEAR CLOD_STAGE_WEAR
-#define ENDS (FELT | SUMS | EXCESS | WALLS | LEDGER) // with ranks: of the step before
-#define ROWS (POSITION | VELOCITY | FORCE | HISTORY) // a rebuild puts them into a new order
+#define ENDS (WALL_SUM | SUMS | EXCESS | WALLS | LEDGER) // with ranks: of the step before
+#define ROWS (POSITION | VELOCITY | FORCE | HISTORY)     // a rebuild puts them into a new order
 
 /** An overlap beyond the laws' range in this step, from flags that stay until all threads have seen
  *  them. */
@@ -86,19 +86,19 @@ static void merge_last(clod_step *self, int part)
 // drift completes the half kick of the step before; settle does after the last step
 const clod_stage CLOD_STAGE[CLOD_STAGES] = {
     // clang-format off
-    //name,      function,          reads,                                  writes,                                     by thread 0,           barrier
-    {"drift",   clod_step_drift,   ROWS | LISTS | WALLS,                   POSITION | VELOCITY | FORCE | WALLS | SEEN, WALLS,                 CLOD_BARRIER_AFTER},
-    {"ghosts",  clod_step_ghosts,  POSITION | VELOCITY | SEEN | LISTS | ENDS, POSITION | VELOCITY | FORCE | SEEN | ENDS, POSITION | VELOCITY | SEEN | ENDS, CLOD_BARRIER_RANKS},
-    {"place",   clod_step_place,   WALLS | LISTS,                          SURFACES,                                   0,                     CLOD_BARRIER_NONE},
-    {"near",    clod_step_near,    ROWS | WALLS | SEEN,                    ROWS | LISTS | SURFACES,                    0,                     CLOD_BARRIER_WITHIN},
-    {"contact", clod_step_contact, POSITION | VELOCITY | LISTS,            FORCE | HISTORY | SHARE | SPENT | EXCESS,   0,                     CLOD_BARRIER_NONE},
-    {"touch",   clod_step_touch,   POSITION | LISTS | SURFACES,            HISTORY | TOUCH,                            0,                     CLOD_BARRIER_NONE},
-    {"wall",    clod_step_wall,    POSITION | VELOCITY | LISTS | SURFACES | TOUCH, FORCE | HISTORY | FELT | SPENT | RUB | EXCESS, 0,                     CLOD_BARRIER_NONE},
-    {"spent",   clod_step_spent,   LISTS | SPENT,                          SUMS,                                       0,                     CLOD_BARRIER_AFTER},
-    {"wear",    clod_step_wear,    LISTS | RUB | TOUCH | WEAR,             WEAR,                                       0,                     CLOD_BARRIER_NONE},
-    {"servo",   clod_step_servo,   FELT | WALLS | LISTS,                   FELT | WALLS | LEDGER,                      FELT | WALLS | LEDGER, CLOD_BARRIER_NONE},
-    {"ledger",  clod_step_ledger,  SUMS | LEDGER,                          LEDGER,                                     SUMS | LEDGER,         CLOD_BARRIER_NONE},
-    {"check",   check,             EXCESS,                                 0,                                          0,                     CLOD_BARRIER_NONE}, // within, at the first excess
+    //name,       function,             reads,                                      writes,                                      by thread 0,                        barrier
+    {"drift",     clod_step_drift,     ROWS | LISTS | WALLS,                      POSITION | VELOCITY | FORCE | WALLS | SEEN, WALLS,                             CLOD_BARRIER_AFTER},
+    {"ghosts",    clod_step_ghosts,    POSITION | VELOCITY | SEEN | LISTS | ENDS, POSITION | VELOCITY | FORCE | SEEN | ENDS,  POSITION | VELOCITY | SEEN | ENDS, CLOD_BARRIER_RANKS},
+    {"place",     clod_step_place,     WALLS | LISTS,                             SURFACES,                                   0,                                 CLOD_BARRIER_NONE},
+    {"near",      clod_step_near,      ROWS | WALLS | SEEN,                       ROWS | LISTS | SURFACES,                    0,                                 CLOD_BARRIER_WITHIN},
+    {"contact",   clod_step_contact,   POSITION | VELOCITY | LISTS,               FORCE | HISTORY | SHARE | DISSIPATED | EXCESS, 0,                                 CLOD_BARRIER_NONE},
+    {"touch",     clod_step_touch,     POSITION | LISTS | SURFACES,               HISTORY | TOUCH,                            0,                                 CLOD_BARRIER_NONE},
+    {"wall",      clod_step_wall,      POSITION | VELOCITY | LISTS | SURFACES | TOUCH, FORCE | HISTORY | WALL_SUM | DISSIPATED | RUB | EXCESS, 0,                                 CLOD_BARRIER_NONE},
+    {"dissipate", clod_step_dissipate, LISTS | DISSIPATED,                        SUMS,                                       0,                                 CLOD_BARRIER_AFTER},
+    {"wear",      clod_step_wear,      LISTS | RUB | TOUCH | WEAR,                WEAR,                                       0,                                 CLOD_BARRIER_NONE},
+    {"servo",     clod_step_servo,     WALL_SUM | WALLS | LISTS,                  WALL_SUM | WALLS | LEDGER,                  WALL_SUM | WALLS | LEDGER,         CLOD_BARRIER_NONE},
+    {"ledger",    clod_step_ledger,    SUMS | LEDGER,                             LEDGER,                                     SUMS | LEDGER,                     CLOD_BARRIER_NONE},
+    {"check",     check,               EXCESS,                                    0,                                          0,                                 CLOD_BARRIER_NONE}, // within, at the first excess
     // clang-format on
 };
 

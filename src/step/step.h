@@ -56,19 +56,19 @@ typedef struct clod_step_stored {
 typedef struct clod_step_thread {
     _Alignas(64) double max_speed2; ///< m2/s2, of its grains (and of the walls: thread 0)
     double build_motion;            ///< m, bound of any motion since the last rebuild
-    double near_motion;   ///< m, the same since the grains' own skins were last checked
-    double near_slack;    ///< m, least left of any of them then
-    double wall_motion;   ///< m, bound of walls' motion since the last near list
-    double wall_speed;    ///< m/s, fastest of walls in this step (thread 0)
-    double slack;         ///< m, least left of the own skins of its grains now
-    bool finite;          ///< its grains' numbers
-    bool all_finite;      ///< those of all threads in this step
-    bool excess;          ///< an overlap beyond the laws' range, with its contacts in this step
-    bool late;            ///< the same with any thread or rank in a step before
-    bool noted;           ///< it has been, in this advance
-    bool stop;            ///< physics went wrong, with any thread: this step is the last
-    bool owed;            ///< its grains' second half kick is still to be done
-    clod_step_heat spent; ///< by its contacts in this step, with the ledger
+    double near_motion; ///< m, the same since the grains' own skins were last checked
+    double near_slack;  ///< m, least left of any of them then
+    double wall_motion; ///< m, bound of walls' motion since the last near list
+    double wall_speed;  ///< m/s, fastest of walls in this step (thread 0)
+    double slack;       ///< m, least left of the own skins of its grains now
+    bool finite;        ///< its grains' numbers
+    bool all_finite;    ///< those of all threads in this step
+    bool excess;        ///< an overlap beyond the laws' range, with its contacts in this step
+    bool late;          ///< the same with any thread or rank in a step before
+    bool noted;         ///< it has been, in this advance
+    bool stop;          ///< physics went wrong, with any thread: this step is the last
+    bool kick_due;      ///< its grains' second half kick is still to be done
+    clod_step_heat dissipated; ///< by its contacts in this step, with the ledger
 } clod_step_thread;
 
 /** What goes through the making of lists (remake.h). */
@@ -118,7 +118,7 @@ typedef struct clod_step {
     size_t placed_count;
     clod_outlet_shapes outlets; ///< surfaces that remove grains
     uint8_t *is_near;           ///< scratch [shapes]: whether grains are near
-    bool felt_finite;           ///< what walls felt in the last step
+    bool walls_finite;          ///< forces on walls in the last step
     clod_kernel_view view; ///< what the contact loops read; dt is 0 for a fresh state's forces
     clod_step_remake remake;
     int64_t begin; ///< step of the state when it was taken
@@ -178,7 +178,7 @@ bool clod_step_take(clod_step *self, clod_status *status);
 
 /**
  * Open the energy ledger of the state at this moment: from now on every step records what
- * contacts spend and walls do. It stays open in copies and checkpoints of the state.
+ * contacts dissipate and walls do. It stays open in copies and checkpoints of the state.
  *
  * @return false without memory.   Threads  one per state.   Source  docs/theory/energy.md
  */
@@ -334,7 +334,7 @@ void clod_step_near(clod_step *self, int part);
 void clod_step_contact(clod_step *self, int part);
 void clod_step_touch(clod_step *self, int part);
 void clod_step_wall(clod_step *self, int part);
-void clod_step_spent(clod_step *self, int part);
+void clod_step_dissipate(clod_step *self, int part);
 void clod_step_wear(clod_step *self, int thread);
 void clod_step_servo(clod_step *self, int part);
 void clod_step_ledger(clod_step *self, int part);
@@ -347,7 +347,7 @@ void clod_step_move_walls(clod_step *self);
 /** What the contacts of a step did to walls, and to those that are loaded. */
 void clod_step_push_walls(clod_step *self);
 
-/** What they spent, onto the ledger if there is one. */
+/** What they dissipated, onto the ledger if there is one. */
 void clod_step_add_ledger(clod_step *self);
 
 /** The half kick that the last drift has left: in the next one, or after the last step. */

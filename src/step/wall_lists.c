@@ -1,4 +1,4 @@
-// Which walls a step has to do with: those that can move, and those that feel something. All
+// Which walls a step has to do with: those that can move, and those that a force acts on. All
 // others cost nothing, however many there are.
 #include <string.h>
 
@@ -11,7 +11,7 @@ static bool can_move(const clod_wall *wall)
            wall->servo_velocity != 0.0 || wall->load != CLOD_LOAD_NONE || wall->belt_lag > 0.0;
 }
 
-static bool has_felt(const clod_wall *wall)
+static bool has_force(const clod_wall *wall)
 {
     const clod_vec3 f = wall->force, t = wall->torque;
     return f.x != 0.0 || f.y != 0.0 || f.z != 0.0 || t.x != 0.0 || t.y != 0.0 || t.z != 0.0;
@@ -65,7 +65,7 @@ void clod_step_list_summed(clod_step *self)
         const clod_wall *wall = &walls->wall[w];
         // where grains are spread over ranks, any wall may have contacts on another one
         if (sums[w] < sums[w + 1] || self->spread != NULL || wall->load != CLOD_LOAD_NONE ||
-            has_felt(wall)) {
+            has_force(wall)) {
             self->summed[self->summed_count++] = w;
         }
     }

@@ -63,7 +63,7 @@ double clod_shear_tester_lid_height(const clod_ring_shear *self, const clod_stat
 double clod_shear_tester_solid_above(const clod_ring_shear *self, const clod_state *state);
 
 /**
- * Mean of what the walls felt since the last look: row [CLOD_RING_SHEAR_COLUMNS].
+ * Mean forces on the walls since the last look: row [CLOD_RING_SHEAR_COLUMNS].
  *
  * The normal stress is sigma = F_z(lid)/A + solid above the shear plane, with the force of the
  * grains on the lid and the cell's area A.

@@ -103,7 +103,7 @@ int64_t clod_uniaxial_plan(const clod_uniaxial *self, const clod_state *state)
     }
 }
 
-/** Mean of what the walls felt since the last look. */
+/** Mean forces on the walls since the last look. */
 static void measure(const clod_uniaxial *self, const clod_state *state, double *row)
 {
     const clod_wall *lid = clod_bed_wall(state, "lid");

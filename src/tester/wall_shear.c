@@ -137,7 +137,7 @@ static double sheared(const clod_wall_shear *self, const clod_wall *wall)
     return drive->resistance(wall) / (self->area * drive->lever(self));
 }
 
-/** Mean of what the walls felt since the last look. */
+/** Mean forces on the walls since the last look. */
 static void measure(const clod_wall_shear *self, const clod_state *state, double *row)
 {
     const clod_wall *lid = clod_bed_wall(state, "lid");

@@ -39,19 +39,19 @@ static void offer(double *most, double made)
     *most = clod_verify_larger(*most, made);
 }
 
-static void see_spent(impact *self, const clod_spent_block *spent, int lane)
+static void see_dissipated(impact *self, const clod_dissipation_block *dissipated, int lane)
 {
-    self->lag += spent->lag[lane];
-    offer(&self->made[CLOD_VERIFY_MADE_PLASTIC], -spent->plastic[lane]);
-    offer(&self->made[CLOD_VERIFY_MADE_DASH_POT], -spent->dash_pot[lane]);
-    offer(&self->made[CLOD_VERIFY_MADE_FRICTION], -spent->friction[lane]);
-    offer(&self->made[CLOD_VERIFY_MADE_ROLLING], -spent->rolling[lane]);
+    self->lag += dissipated->lag[lane];
+    offer(&self->made[CLOD_VERIFY_MADE_PLASTIC], -dissipated->plastic[lane]);
+    offer(&self->made[CLOD_VERIFY_MADE_DASH_POT], -dissipated->dash_pot[lane]);
+    offer(&self->made[CLOD_VERIFY_MADE_FRICTION], -dissipated->friction[lane]);
+    offer(&self->made[CLOD_VERIFY_MADE_ROLLING], -dissipated->rolling[lane]);
 }
 
 /** Where a contact lies in the near list. */
 typedef struct place {
     const clod_history *history; ///< NULL: not near
-    const clod_spent_block *spent;
+    const clod_dissipation_block *dissipated;
     int lane;
 } place;
 
@@ -69,12 +69,12 @@ static place find_contact(const clod_verify_play *now, const impact *self)
                 const clod_contact_block *block = (const clod_contact_block *)list->block + at;
                 if ((block->i[lane] == a && block->j[lane] == b) ||
                     (block->i[lane] == b && block->j[lane] == a)) {
-                    return (place){&block->history, &list->spent[at], lane};
+                    return (place){&block->history, &list->dissipated[at], lane};
                 }
             } else {
                 const clod_wall_block *block = (const clod_wall_block *)list->block + at;
                 if (block->i[lane] == a) {
-                    return (place){&block->history, &list->spent[at], lane};
+                    return (place){&block->history, &list->dissipated[at], lane};
                 }
             }
         }
@@ -188,7 +188,7 @@ static bool look(void *context, const clod_verify_play *now, clod_status *status
         }
         const place contact = find_contact(now, seen);
         if (contact.history != NULL) {
-            see_spent(seen, contact.spent, contact.lane);
+            see_dissipated(seen, contact.dissipated, contact.lane);
             see_ends(now, seen, &contact);
         }
     }

@@ -2,8 +2,8 @@
 /**
  * @file silo.h
  * A column of grains in a cylinder of stacked shells, on a floor that sinks slowly, so that the
- * grains slip down the wall everywhere and the wall carries what it can; and what its walls
- * felt.
+ * grains slip down the wall everywhere and the wall carries what it can; and the forces
+ * on its walls.
  */
 
 #include "verify/bench.h"

@@ -26,7 +26,7 @@ class Calibrate(bounce.Bounce):
         self.assertLess(e["low"], TRUTH)
         self.assertGreater(e["high"], TRUTH)
         self.assertEqual((found["points"], found["designed_points"], found["failed_runs"]), (9, 6, 0))
-        self.assertEqual(e["told"], "yes")
+        self.assertEqual(e["identified"], "yes")
         self.assertGreater(found["p_value"], 0.05)
         self.assertIn(f"{e['mean']:.4g}", told)
         with open(self.path("out/report.txt")) as file:
@@ -122,8 +122,8 @@ class Calibrate(bounce.Bounce):
         self.assertEqual(os.stat(self.path("out/runs/p008-2-bounce.json")).st_mtime_ns, before)
         held = self.found()["targets"][1]
         self.assertTrue(held["held_back"])
-        self.assertIn("held back, foretold\n", told.stdout)
-        self.assertIn("bounce: grains was held back and is missed: measured 13, foretold 11.",
+        self.assertIn("held back, predicted\n", told.stdout)
+        self.assertIn("bounce: grains was held back and is missed: measured 13, predicted 11.",
                       " ".join(told.stdout.split()))
 
     def test_runs_that_fail_are_told_and_not_used(self):

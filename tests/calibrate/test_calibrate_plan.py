@@ -239,8 +239,8 @@ sampling: {samples: 1000}
         held = "  - {test: bounce, number: coordination, value: 4, error: 1, held_back: true}\n"
         done = self.calibrate(plan.replace("sampling:", held + "sampling:"), "-o", "out")
         self.assertIn("bounce: coordination is not defined in the middle of all ranges", done.stderr)
-        self.assertIn("it is not foretold", done.stderr)
-        self.assertIn("bounce: coordination was held back and cannot be foretold: 0 of 6 runs have this number",
+        self.assertIn("it is not predicted", done.stderr)
+        self.assertIn("bounce: coordination was held back and cannot be predicted: 0 of 6 runs have this number",
                       " ".join(done.stdout.split()))
         self.assertEqual(self.table(done.stdout)["bounce: coordination"], ["4", "1", "0", "-", "-", "-", "-", "-"])
         with open(self.path("out/calibration.json")) as file:

@@ -31,7 +31,7 @@ static clod_posterior *make(plan_made *made)
     return self;
 }
 
-/** One target of 18 +- 1: u = 0.4 +- 0.05; 90 % within 1.645 deviations. The other one is foretold as
+/** One target of 18 +- 1: u = 0.4 +- 0.05; 90 % within 1.645 deviations. The other one is predicted as
  *  5 - 4 u = 3.4 +- 0.2, and measured with an error of 0.3: 90 % within 1.645 hypot(0.2, 0.3). */
 static void a_line_gives_a_normal_posterior(void **state)
 {

@@ -88,8 +88,8 @@ static void stop_is_heard_wherever_it_comes(void **state)
 }
 
 // Of the target that is held back the chains do not know: its asks are those of the 2000 samples at which
-// it is foretold, and a few of its surrogate.
-static void stop_is_asked_for_at_every_sample_that_is_foretold(void **state)
+// it is predicted, and a few of its surrogate.
+static void stop_is_asked_for_at_every_sample_that_is_predicted(void **state)
 {
     (void)state;
     size_t asks[2];
@@ -223,7 +223,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(stop_is_heard_wherever_it_comes),
-        cmocka_unit_test(stop_is_asked_for_at_every_sample_that_is_foretold),
+        cmocka_unit_test(stop_is_asked_for_at_every_sample_that_is_predicted),
         cmocka_unit_test(stop_is_asked_for_at_every_likelihood_and_every_point_left_out),
         cmocka_unit_test(chain_asks_before_every_density),
         cmocka_unit_test(further_points_ask_at_every_candidate),

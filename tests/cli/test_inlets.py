@@ -112,7 +112,7 @@ class Inlets(clod.Case):
         self.assertGreater(inlet["blocked_since_s"], 0.05)
         last = self.rows("out")[-1]
         # what is due at the last insertion, at most 1 ms before
-        self.assertLess(abs(last["inlet_1.mass"] + last["inlet_1.owed"] - 4.0 * 0.5), 4.1e-3)
+        self.assertLess(abs(last["inlet_1.mass"] + last["inlet_1.backlog"] - 4.0 * 0.5), 4.1e-3)
 
     def write_lid(self, step="1e-4 s"):
         """A solid lid where grains are to come, which is lifted after 0.1 s."""
@@ -146,8 +146,8 @@ walls: {lid: {material: ore, shapes: [{box: {center: [0 m, 0 m, 0 m], size: [0.1
             self.assertAlmostEqual(event["time_s"], event["step"] * 1e-4, 9)
         self.assertLess(abs(begins["since_s"] - 0.005), 1.01e-3)
         self.assertLess(abs(begins["time_s"] - 0.015), 2.01e-3)
-        self.assertLess(abs(begins["owed_grains"] - 1.5), 0.21)
-        self.assertEqual(ends["owed_grains"], 0.0)
+        self.assertLess(abs(begins["backlog_grains"] - 1.5), 0.21)
+        self.assertEqual(ends["backlog_grains"], 0.0)
         self.assertGreater(ends["time_s"], 0.107)
         self.assertLess(ends["time_s"], 0.125)
         self.assertEqual(done.stderr.count("inlet 1 is blocked since 0.00"), 1)

@@ -46,7 +46,7 @@ class Face(clod.Case):
         self.assertLess(abs(at[1.2]["inlet_1.mass"] - at[0.2]["inlet_1.mass"] - flow),
                         1e-3 * flow)
         for row in rows:
-            self.assertEqual(row["inlet_1.owed"], 0.0)
+            self.assertEqual(row["inlet_1.backlog"], 0.0)
             inside = row["inlet_1.mass"] - sum(row[f"left_{side}.mass"] for side in
                                                ("x_min", "x_max", "y_min", "y_max", "z_min",
                                                 "z_max"))
@@ -86,7 +86,7 @@ class Face(clod.Case):
         inlet = self.summary("out")["inlets"][0]
         self.assertGreater(inlet["blocked_since_s"], 0.03)
         last = self.rows("out")[-1]
-        self.assertLess(abs(last["inlet_1.mass"] + last["inlet_1.owed"] - 2.0), 5.1e-3)
+        self.assertLess(abs(last["inlet_1.mass"] + last["inlet_1.backlog"] - 2.0), 5.1e-3)
 
     def test_wrong_faces_are_explained(self):
         for region, inlet, velocity, words in (

@@ -74,7 +74,7 @@ class Mix(clod.Case):
             came = at[1.2][f"inlet_{k + 1}.mass"] - at[0.2][f"inlet_{k + 1}.mass"]
             self.assertLess(abs(came - flow), max(1e-3 * flow, heavy))
             for row in at.values():
-                self.assertEqual(row[f"inlet_{k + 1}.owed"], 0.0)
+                self.assertEqual(row[f"inlet_{k + 1}.backlog"], 0.0)
         # radii are uniform, so their numbers follow from the mean of r^3
         mean = ball("steel", 1.0) * (4.0**4 - 3.0**4) / 4.0
         count = at[1.2]["inlet_2.grains"]
@@ -91,7 +91,7 @@ class Mix(clod.Case):
         done = self.go("out")
         self.assertIn("was blocked at ", done.stdout)
         rows = self.rows("out")
-        self.assertGreater(rows[-1]["inlet_2.owed"], 0.3)
+        self.assertGreater(rows[-1]["inlet_2.backlog"], 0.3)
         heavy = ball("steel", 3.5)
         for row in rows:
             # one of them may be half a grain ahead of its flow, the other one behind
@@ -118,9 +118,9 @@ class Mix(clod.Case):
         self.go("out")
         last = self.rows("out")[-1]
         self.assertLess(abs(last["inlet_1.mass"] - 0.1), ball("ore", 3.5) + 1e-3)
-        self.assertEqual(last["inlet_1.owed"], 0.0)
+        self.assertEqual(last["inlet_1.backlog"], 0.0)
         self.assertEqual(last["inlet_2.grains"], 0)
-        self.assertLess(abs(last["inlet_2.owed"] - 0.1), 1.1e-3)
+        self.assertLess(abs(last["inlet_2.backlog"] - 0.1), 1.1e-3)
 
     @clod.quick_only
     def test_the_same_bytes_on_threads_and_when_interrupted(self):

@@ -55,7 +55,7 @@ static void the_history_force_is_the_other_derivative(void **state)
 }
 
 /** Move to an overlap in one step along the normal; what it cost. */
-static clod_law_spent spend_to(law_probe *probe, double from, double to)
+static clod_law_dissipation dissipate_to(law_probe *probe, double from, double to)
 {
     clod_law_motion now = probe_motion(to);
     now.velocity.x = (from - to) / DT; // i leaves j as the overlap falls
@@ -71,7 +71,7 @@ static double lose(law_probe *probe, double from, double to, int steps)
     for (int s = 0; s < steps; s++) {
         const double a = from + (to - from) * s / steps;
         const double b = from + (to - from) * (s + 1) / steps;
-        sum += spend_to(probe, a, b).plastic;
+        sum += dissipate_to(probe, a, b).plastic;
     }
     return sum;
 }
@@ -128,7 +128,7 @@ static void linear_loading_loses_the_triangle(void **state)
 }
 
 /** One step of the probe at a motion that does not change; what it cost. */
-static clod_law_spent spend_still(law_probe *probe, const clod_law_motion *m)
+static clod_law_dissipation dissipate_still(law_probe *probe, const clod_law_motion *m)
 {
     return ledger_step(probe, m, m);
 }
@@ -146,7 +146,7 @@ static void sliding_loses_friction_times_way(void **state)
     double lost = 0.0;
     m.velocity.y = 0.1;
     for (int s = 0; s < 1000; s++) {
-        const double step = spend_still(&probe, &m).friction;
+        const double step = dissipate_still(&probe, &m).friction;
         if (0.1 * DT * (s + 1) < stick) {
             check_close(step, 0.0, 1e-9 * limit * stick);
         }
@@ -167,11 +167,11 @@ static void dash_pots_lose_gamma_v_squared(void **state)
     m.velocity = (vreal3){0.01, 0.02, 0.0};
     probe.history.tangent[0] = 1e6;
     const double gamma = probe.law.damping * sqrt(m.m_star * 1e6); // k_t = k_n here
-    const clod_law_spent spent = spend_still(&probe, &m);
-    check_relative(spent.dash_pot, gamma * (1e-4 + 4e-4) * DT, 1e-9);
-    check_close(spent.plastic, 0.0, 0.0);
-    check_close(spent.friction, 0.0, 1e-9 * spent.dash_pot);
-    check_close(spent.rolling, 0.0, 0.0);
+    const clod_law_dissipation dissipated = dissipate_still(&probe, &m);
+    check_relative(dissipated.dash_pot, gamma * (1e-4 + 4e-4) * DT, 1e-9);
+    check_close(dissipated.plastic, 0.0, 0.0);
+    check_close(dissipated.friction, 0.0, 1e-9 * dissipated.dash_pot);
+    check_close(dissipated.rolling, 0.0, 0.0);
 }
 
 /** Rolling with the constant torque: cap times angle. */
@@ -184,9 +184,9 @@ static void rolling_loses_cap_times_angle(void **state)
     clod_law_motion m = probe_motion(4e-6);
     m.spin_i.y = 5.0;
     m.spin_j.y = -5.0;
-    spend_still(&probe, &m); // closed from now on
-    const clod_law_spent spent = spend_still(&probe, &m);
-    check_relative(spent.rolling, 0.3 * (3.8 + 2.848) * 1.5e-3 * 10.0 * DT, 1e-9);
+    dissipate_still(&probe, &m); // closed from now on
+    const clod_law_dissipation dissipated = dissipate_still(&probe, &m);
+    check_relative(dissipated.rolling, 0.3 * (3.8 + 2.848) * 1.5e-3 * 10.0 * DT, 1e-9);
 }
 
 /** Slip made of spins alone: the same loss as slip made of velocity. */
@@ -200,10 +200,10 @@ static void spins_slide_as_well(void **state)
     m.spin_i.z = m.spin_j.z = 20.0;
     const double slip = 20.0 * (m.arm_i + m.arm_j) * DT;
     for (int s = 0; s < 300; s++) {
-        spend_still(&probe, &m); // until it slides
+        dissipate_still(&probe, &m); // until it slides
     }
-    const clod_law_spent spent = spend_still(&probe, &m);
-    check_relative(spent.friction, 0.35 * (3.8 + 2.848) * slip, 1e-9);
+    const clod_law_dissipation dissipated = dissipate_still(&probe, &m);
+    check_relative(dissipated.friction, 0.35 * (3.8 + 2.848) * slip, 1e-9);
 }
 
 /** Springs of rolling: nothing is lost below the cap, cap times angle beyond it. */
@@ -224,7 +224,7 @@ static void rolling_springs_lose_beyond_the_cap(void **state)
         m.spin_j.y = -0.5 * rate;
         double lost = 0.0;
         for (int s = 0; s < 200; s++) {
-            const double step = spend_still(&probe, &m).rolling;
+            const double step = dissipate_still(&probe, &m).rolling;
             if (0.013 * (s + 1) < 1.0) {
                 check_close(step, 0.0, 1e-3 * cap * 0.013 * give);
             }
@@ -254,14 +254,14 @@ static void the_dash_pot_of_epsd_is_a_rolling_loss(void **state)
     m.spin_i.y = 0.5 * rate;
     m.spin_j.y = -0.5 * rate;
     const double dash_pot = 2.0 * 0.02 * sqrt(m.roll_inertia * stiffness) * rate;
-    spend_still(&probe, &m);
-    check_relative(spend_still(&probe, &m).rolling, dash_pot * rate * DT, 1e-3);
+    dissipate_still(&probe, &m);
+    check_relative(dissipate_still(&probe, &m).rolling, dash_pot * rate * DT, 1e-3);
     for (int s = 0; s < 100; s++) {
-        spend_still(&probe, &m);
+        dissipate_still(&probe, &m);
     }
     for (int s = 0; s < 100; s++) { // whichever way the last bit of the spring was rounded
         m.overlap = 4e-6 * (1.0 + 1e-7 * s);
-        check_relative(spend_still(&probe, &m).rolling, cap * rate * DT, 1e-3);
+        check_relative(dissipate_still(&probe, &m).rolling, cap * rate * DT, 1e-3);
     }
 }
 
@@ -295,7 +295,7 @@ static void opening_loses_what_was_held(void **state)
     probe_press(&probe, d);
     const double p = probe.history.plastic[0];
     const double pull = 2.37e9 * (d - pow(p, 2.0 / 3.0));
-    check_relative(spend_to(&probe, d, -1e-6).plastic, -0.5 * pull * p, 1e-9);
+    check_relative(dissipate_to(&probe, d, -1e-6).plastic, -0.5 * pull * p, 1e-9);
 }
 
 /** The overlap of the step before comes from the history, where that depends on it. */
@@ -326,11 +326,11 @@ static void a_bad_guess_of_the_overlap_does_no_harm(void **state)
     law_probe probe = probe_make(&c);
     probe_press(&probe, 4e-6);
     law_probe same = probe;
-    const double right = spend_to(&probe, 4e-6, 5e-6).plastic;
+    const double right = dissipate_to(&probe, 4e-6, 5e-6).plastic;
     clod_law_motion now = probe_motion(5e-6);
     clod_law_motion before = probe_motion(4.5e-6);
-    const clod_law_spent spent = ledger_step(&same, &before, &now);
-    check_relative(spent.plastic, right, 1e-9);
+    const clod_law_dissipation dissipated = ledger_step(&same, &before, &now);
+    check_relative(dissipated.plastic, right, 1e-9);
 }
 
 /** Neither friction nor lag of a contact that slips depends on that guess. */
@@ -350,10 +350,10 @@ static void a_bad_guess_does_no_harm_to_friction(void **state)
     double lag[2], friction[2];
     for (int k = 0; k < 2; k++) {
         before.overlap = k == 0 ? 4e-6 : 2e-6;
-        const clod_law_spent spent =
-            clod_law_spend(&probe.law, &now, &result, &after, &before, &memory, DT);
-        lag[k] = spent.lag;
-        friction[k] = spent.friction;
+        const clod_law_dissipation dissipated =
+            clod_law_dissipate(&probe.law, &now, &result, &after, &before, &memory, DT);
+        lag[k] = dissipated.lag;
+        friction[k] = dissipated.friction;
     }
     assert_true(fabs(lag[0]) > 0.0);
     check_relative(lag[1], lag[0], 1e-9);
@@ -366,11 +366,11 @@ static void open_contacts_lose_nothing(void **state)
     (void)state;
     const clod_case_contact c = contact_ore();
     law_probe probe = probe_make(&c);
-    const clod_law_spent spent = spend_to(&probe, -3e-6, -2e-6);
-    check_close(spent.plastic, 0.0, 0.0);
-    check_close(spent.dash_pot, 0.0, 0.0);
-    check_close(spent.friction, 0.0, 0.0);
-    check_close(spent.rolling, 0.0, 0.0);
+    const clod_law_dissipation dissipated = dissipate_to(&probe, -3e-6, -2e-6);
+    check_close(dissipated.plastic, 0.0, 0.0);
+    check_close(dissipated.dash_pot, 0.0, 0.0);
+    check_close(dissipated.friction, 0.0, 0.0);
+    check_close(dissipated.rolling, 0.0, 0.0);
 }
 
 int main(void)

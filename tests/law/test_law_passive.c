@@ -62,14 +62,14 @@ static clod_law_motion next_motion(walk *w)
 }
 
 /** @param scale  J, an energy of the size of those in the contact */
-static void check_losses(clod_law_spent spent, double scale)
+static void check_losses(clod_law_dissipation dissipated, double scale)
 {
     const double rounding = 1e-13 * scale;
-    check_at_most(-spent.plastic, rounding);
-    check_at_most(-spent.dash_pot, rounding);
-    check_at_most(-spent.friction, rounding);
-    check_at_most(-spent.rolling, rounding);
-    assert_true(isfinite(spent.lag));
+    check_at_most(-dissipated.plastic, rounding);
+    check_at_most(-dissipated.dash_pot, rounding);
+    check_at_most(-dissipated.friction, rounding);
+    check_at_most(-dissipated.rolling, rounding);
+    assert_true(isfinite(dissipated.lag));
 }
 
 static void walk_about(const clod_case_contact *c, uint64_t seed, int steps)
@@ -110,7 +110,7 @@ static void no_loss_is_below_zero_in_any_step(void **state)
 // ---- the history, in steps as large as they like
 
 /** One step along the normal; what it cost. */
-static clod_law_spent press(law_probe *probe, double from, double to)
+static clod_law_dissipation press(law_probe *probe, double from, double to)
 {
     clod_law_motion now = probe_motion(to);
     now.velocity.x = (from - to) / DT;
@@ -235,10 +235,10 @@ static void a_growing_stiffness_loses_half_when_it_doubles(void **state)
     (void)state;
     law_probe probe = stretched(2e-6, 1e-7, CLOD_ROLLING_EPSD2);
     const double stored = 0.5 * 1.5 * 4.75e8 * sqrt(2e-6) * 1e-14;
-    const clod_law_spent spent = press(&probe, 2e-6, 8e-6);
-    check_relative(spent.friction, 0.5 * stored, 1e-9);
-    check_relative(spent.rolling, 0.5 * stored, 1e-9); // k_r = k_t R*^2
-    check_close(spent.lag, 0.0, 1e-12 * stored);
+    const clod_law_dissipation dissipated = press(&probe, 2e-6, 8e-6);
+    check_relative(dissipated.friction, 0.5 * stored, 1e-9);
+    check_relative(dissipated.rolling, 0.5 * stored, 1e-9); // k_r = k_t R*^2
+    check_close(dissipated.lag, 0.0, 1e-12 * stored);
 }
 
 /** The spring stays and the stiffness halves: so does its energy. */
@@ -247,10 +247,10 @@ static void a_shrinking_stiffness_loses_half_when_it_halves(void **state)
     (void)state;
     law_probe probe = stretched(8e-6, 1e-7, CLOD_ROLLING_EPSD2);
     const double stored = 0.5 * 1.5 * 4.75e8 * sqrt(8e-6) * 1e-14;
-    const clod_law_spent spent = press(&probe, 8e-6, 2e-6);
-    check_relative(spent.friction, 0.5 * stored, 1e-9);
-    check_relative(spent.rolling, 0.5 * stored, 1e-9);
-    check_close(spent.lag, 0.0, 1e-12 * stored);
+    const clod_law_dissipation dissipated = press(&probe, 8e-6, 2e-6);
+    check_relative(dissipated.friction, 0.5 * stored, 1e-9);
+    check_relative(dissipated.rolling, 0.5 * stored, 1e-9);
+    check_close(dissipated.lag, 0.0, 1e-12 * stored);
 }
 
 /** What springs hold when their contact opens is lost. */
@@ -259,9 +259,9 @@ static void an_opening_contact_loses_its_springs(void **state)
     (void)state;
     law_probe probe = stretched(8e-6, 1e-7, CLOD_ROLLING_EPSD2);
     const double stored = 0.5 * 1.5 * 4.75e8 * sqrt(8e-6) * 1e-14;
-    const clod_law_spent spent = press(&probe, 8e-6, -1e-6);
-    check_relative(spent.friction, stored, 1e-9);
-    check_relative(spent.rolling, stored, 1e-9);
+    const clod_law_dissipation dissipated = press(&probe, 8e-6, -1e-6);
+    check_relative(dissipated.friction, stored, 1e-9);
+    check_relative(dissipated.rolling, stored, 1e-9);
 }
 
 /** hooke: the limit halves with the overlap while nothing slips, and with the spring at its
@@ -276,9 +276,9 @@ static void a_falling_limit_loses_three_quarters_when_it_halves(void **state)
     press(&probe, 8e-6, 8e-6);
     probe.history.spring[1][0] = 0.5 * 8e-6; // mu N/k_t
     const double stored = 0.5 * 1e6 * 16e-12;
-    const clod_law_spent spent = press(&probe, 8e-6, 4e-6);
-    check_relative(spent.friction, 0.75 * stored, 1e-9);
-    check_close(spent.lag, 0.0, 1e-12 * stored);
+    const clod_law_dissipation dissipated = press(&probe, 8e-6, 4e-6);
+    check_relative(dissipated.friction, 0.75 * stored, 1e-9);
+    check_close(dissipated.lag, 0.0, 1e-12 * stored);
 }
 
 /** Slip turned by a right angle: k (1 + cos) (|xi + s| - |xi|) |xi|/2 is taken and k |xi| times
@@ -297,10 +297,10 @@ static void a_turning_slide_loses_what_the_spring_is_shortened_by(void **state)
     clod_law_motion m = probe_motion(8e-6);
     m.velocity.z = slip / DT;
     const double beyond = hypot(spring, slip) - spring;
-    const clod_law_spent spent = ledger_step(&probe, &m, &m);
-    check_relative(spent.friction, 1e6 * spring * beyond, 1e-9);
+    const clod_law_dissipation dissipated = ledger_step(&probe, &m, &m);
+    check_relative(dissipated.friction, 1e6 * spring * beyond, 1e-9);
     const double cosine = spring / hypot(spring, slip);
-    check_relative(spent.lag, -0.5 * (1.0 - cosine) * 1e6 * spring * beyond, 1e-6);
+    check_relative(dissipated.lag, -0.5 * (1.0 - cosine) * 1e6 * spring * beyond, 1e-6);
 }
 
 // ---- dash-pots
@@ -320,10 +320,10 @@ static void a_reversal_loses_by_the_velocity_of_the_step(void **state)
     before.velocity = (vreal3){-0.03, -0.05, 0.0};
     now.velocity = (vreal3){0.01, 0.02, 0.0};
     const double gamma = probe.law.damping * sqrt(now.m_star * 1e6); // k_t = k_n here
-    const clod_law_spent spent = ledger_step(&probe, &before, &now);
-    check_relative(spent.dash_pot, gamma * (1e-4 + 4e-4) * DT, 1e-9);
-    check_relative(spent.lag, 0.5 * gamma * (-0.04 * 0.01 - 0.07 * 0.02) * DT, 1e-6);
-    check_close(spent.friction, 0.0, 1e-9 * spent.dash_pot);
+    const clod_law_dissipation dissipated = ledger_step(&probe, &before, &now);
+    check_relative(dissipated.dash_pot, gamma * (1e-4 + 4e-4) * DT, 1e-9);
+    check_relative(dissipated.lag, 0.5 * gamma * (-0.04 * 0.01 - 0.07 * 0.02) * DT, 1e-6);
+    check_close(dissipated.friction, 0.0, 1e-9 * dissipated.dash_pot);
 }
 
 /** At the limit spring and dash-pot share the cut force: what is not the spring's is lost by
@@ -342,9 +342,9 @@ static void a_cut_force_is_shared_by_spring_and_dash_pot(void **state)
     m.velocity.y = 1.0;
     assert_true(probe.law.damping * sqrt(m.m_star * 1e6) > limit); // gamma v is beyond it
     const double way = DT;
-    const clod_law_spent spent = ledger_step(&probe, &m, &m);
-    check_relative(spent.dash_pot, 0.5 * (limit + limit - 1e6 * way) * way, 1e-9);
-    check_close(spent.friction, 0.0, 1e-12 * limit * way);
+    const clod_law_dissipation dissipated = ledger_step(&probe, &m, &m);
+    check_relative(dissipated.dash_pot, 0.5 * (limit + limit - 1e6 * way) * way, 1e-9);
+    check_close(dissipated.friction, 0.0, 1e-12 * limit * way);
     check_relative(probe.history.spring[1][0], way, 1e-12);
 }
 
@@ -361,9 +361,9 @@ static void cdt_loses_by_the_rolling_of_the_step(void **state)
     before.spin_i.y = -5.0;
     now.spin_i.y = 5.0;
     const double taken = 0.3 * (3.8 + 2.848) * 1.5e-3 * 5.0 * DT; // as in test_law_energy.c
-    const clod_law_spent spent = ledger_step(&probe, &before, &now);
-    check_relative(spent.rolling, taken, 1e-9);
-    check_relative(spent.lag, -taken, 1e-6); // the torque of then pushed
+    const clod_law_dissipation dissipated = ledger_step(&probe, &before, &now);
+    check_relative(dissipated.rolling, taken, 1e-9);
+    check_relative(dissipated.lag, -taken, 1e-6); // the torque of then pushed
 }
 
 int main(void)

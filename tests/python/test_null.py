@@ -179,7 +179,7 @@ class Nulls(unittest.TestCase):
                 else:
                     self.assertTrue(os.WIFSIGNALED(ended) and answer is None, answer)
                     self.assertEqual(os.WTERMSIG(ended), signal.SIGABRT, told)
-                    self.assertIn(f"{name}: {argument} != NULL does not hold", told)
+                    self.assertIn(f"{name}: {argument} is NULL; the calling program must give one", told)
 
 
 if __name__ == "__main__":

@@ -47,14 +47,14 @@ static void places_at_the_rebuild_are_in_the_order_of_grains(void **state)
     }
 }
 
-typedef struct torn_bed {
+typedef struct separated_bed {
     double dt;
     scene *into;
-} torn_bed;
+} separated_bed;
 
 static void tear_rank(clod_ranks *ranks, void *context)
 {
-    const torn_bed *how = context;
+    const separated_bed *how = context;
     if (ranks->rank > 0) {
         clod_crew_serve(ranks);
         return;
@@ -64,13 +64,13 @@ static void tear_rank(clod_ranks *ranks, void *context)
     clod_crew_dismiss(ranks);
 }
 
-/** Contacts that are torn apart over ranks are no more; all else is the same. */
+/** Contacts that are separated over ranks are no more; all else is the same. */
 static void ranks_leave_what_one_leaves(void **state)
 {
     (void)state;
     for (int far = 0; far < 2; far++) {
         scene one, several;
-        torn_bed how = {far ? FAR : NEAR, &several};
+        separated_bed how = {far ? FAR : NEAR, &several};
         tear(&one, how.dt, (clod_step_options){.threads = 1});
         ranks_run(2, tear_rank, &how);
         check_places(&several.state);

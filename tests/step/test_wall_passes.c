@@ -94,12 +94,12 @@ static int check_contact(bench *self, const clod_law *law, int g)
     for (int c = 0; c < 8; c++) {
         assert_true(self->load[g][c] == load[c]);
     }
-    double felt[CLOD_FIXED_COLUMNS];
-    clod_fixed_value(&self->sum[g], felt);
-    check_close(felt[CLOD_FELT_FORCE], -r.force.x, 0x1p-81);
-    check_close(felt[CLOD_FELT_FORCE + 1], -r.force.y, 0x1p-81);
-    check_close(felt[CLOD_FELT_FORCE + 2], -r.force.z, 0x1p-81);
-    assert_true(felt[CLOD_FELT_BELT_POWER] == 0.0); // the plane is at rest
+    double wall_sum[CLOD_FIXED_COLUMNS];
+    clod_fixed_value(&self->sum[g], wall_sum);
+    check_close(wall_sum[CLOD_WALL_SUM_FORCE], -r.force.x, 0x1p-81);
+    check_close(wall_sum[CLOD_WALL_SUM_FORCE + 1], -r.force.y, 0x1p-81);
+    check_close(wall_sum[CLOD_WALL_SUM_FORCE + 2], -r.force.z, 0x1p-81);
+    assert_true(wall_sum[CLOD_WALL_SUM_BELT_POWER] == 0.0); // the plane is at rest
     const clod_history *got = &self->block[g / CLOD_LANES].history;
     assert_true(got->plastic[lane] == history->plastic[lane]);
     assert_true(got->tangent[lane] == history->tangent[lane]);

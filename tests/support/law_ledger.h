@@ -60,14 +60,14 @@ static inline clod_case_contact ledger_law(int k)
 }
 
 /** One step of the probe from one motion to another; what it cost. */
-static inline clod_law_spent ledger_step(law_probe *probe, const clod_law_motion *before,
-                                         const clod_law_motion *now)
+static inline clod_law_dissipation ledger_step(law_probe *probe, const clod_law_motion *before,
+                                               const clod_law_motion *now)
 {
     const clod_law_memory memory = clod_law_memory_load(&probe->history, 0);
     clod_law_memory after = memory;
     const clod_law_result result = clod_law_contact(&probe->law, now, LEDGER_DT, &after);
-    const clod_law_spent spent =
-        clod_law_spend(&probe->law, now, &result, &after, before, &memory, LEDGER_DT);
+    const clod_law_dissipation dissipated =
+        clod_law_dissipate(&probe->law, now, &result, &after, before, &memory, LEDGER_DT);
     clod_law_memory_store(&probe->history, 0, result.closed, after);
-    return spent;
+    return dissipated;
 }
