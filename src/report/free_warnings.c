@@ -19,9 +19,7 @@ static bool find_backlog(const json_t *inlet, double *now, double *most, const c
     static const struct {
         const char *now, *most, *unit;
     } KEYS[] = {{"backlog_kg", "most_backlog_kg", "kg"},
-                {"backlog_grains", "most_backlog_grains", "grains"},
-                {"owed_kg", "most_owed_kg", "kg"}, // in folders of earlier versions
-                {"owed_grains", "most_owed_grains", "grains"}};
+                {"backlog_grains", "most_backlog_grains", "grains"}};
     for (size_t k = 0; k < sizeof KEYS / sizeof *KEYS; k++) {
         if (json_is_number(json_object_get(inlet, KEYS[k].now))) {
             *now = clod_shear_number(inlet, KEYS[k].now);

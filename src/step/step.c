@@ -75,7 +75,7 @@ static void check(clod_step *self, int part)
     mine->late = mine->late || (self->spread == NULL && has_excess(self));
 }
 
-/** Ranks merge what walls felt in the last step; ghosts does so for the step before. */
+/** Ranks merge the sums of walls of the last step; ghosts does so for the step before. */
 static void merge_last(clod_step *self, int part)
 {
     if (part == 0 && self->spread != NULL) {

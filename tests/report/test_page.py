@@ -121,11 +121,11 @@ class Report(clod.Case):
 
     def plugged(self, **changes):
         """The page of a run that comes to a stand: inlets, an alarm, spillage."""
-        inlets = [{"group": 0, "grains": 9, "mass_kg": 36.64, "owed_kg": 18.9055, "most_owed_kg": 18.9055,
+        inlets = [{"group": 0, "grains": 9, "mass_kg": 36.64, "backlog_kg": 18.9055, "most_backlog_kg": 18.9055,
                    "blocked_insertions": 1757, "blocked_since_s": 3.247},
-                  {"group": 2, "grains": 9, "mass_kg": 4.0, "owed_grains": 0.0, "most_owed_grains": 12.0,
+                  {"group": 2, "grains": 9, "mass_kg": 4.0, "backlog_grains": 0.0, "most_backlog_grains": 12.0,
                    "blocked_insertions": 3},
-                  {"group": 3, "grains": 9, "mass_kg": 4.0, "owed_kg": 0.0, "most_owed_kg": 0.0,
+                  {"group": 3, "grains": 9, "mass_kg": 4.0, "backlog_kg": 0.0, "most_backlog_kg": 0.0,
                    "blocked_insertions": 0}]
         gauges = {"chute": {"alarms": 2, "blocked_since_s": 1.18, "blocked_at_end": True, "blocked_at_end_since_s": 3.2},
                   "head": {"alarms": 1, "blocked_since_s": 2.5, "blocked_at_end": False, "blocked_at_end_since_s": None},
@@ -135,7 +135,7 @@ class Report(clod.Case):
                    "spillage": {"grains": 6, "mass_kg": 0.25}, "lost": {"grains": 0, "mass_kg": 1e-14}}
         pages.free_run(self.path("run"), **{"inlets": inlets, "gauges": gauges, "balance": balance, **changes})
         pages.write(self.path("run"), series__csv=(
-            "time [s],inlet_1.owed [kg],gauge_a.mass_flow [kg/s],gauge_b.mass_flow [kg/s],balance.in [1],"
+            "time [s],inlet_1.backlog [kg],gauge_a.mass_flow [kg/s],gauge_b.mass_flow [kg/s],balance.in [1],"
             "balance_in.mass_flow [kg s-1],balance_out.mass_flow [kg s-1],clumps.d10 [m],clumps_a.d10 [m],"
             "feed.power [W],gauge_a.power [W]\n0,1,1,1,1,1,1,1,1,1,1\n1,2,2,2,2,2,2,2,2,2,2\n"))
         self.made("report", "run")
@@ -164,7 +164,7 @@ class Report(clod.Case):
         """A title says whose the curves are: of one object, or of several of one kind."""
         titles = sorted(figure["title"] for figure in self.plugged().figures.values())
         self.assertEqual(titles, ["D10: clumps", "In: balance", "Mass flow: balance", "Mass flow: gauges",
-                                  "Owed: inlet 1", "Power"])
+                                  "Backlog: inlet 1", "Power"])
 
     def test_names_of_figures_are_unique(self):
         """Two figures that ask for one name: each has its place in the page, its file and its curve."""
