@@ -163,8 +163,8 @@ class Report(clod.Case):
     def test_curves_are_named(self):
         """A title says whose the curves are: of one object, or of several of one kind."""
         titles = sorted(figure["title"] for figure in self.plugged().figures.values())
-        self.assertEqual(titles, ["D10: clumps", "In: balance", "Mass flow: balance", "Mass flow: gauges",
-                                  "Backlog: inlet 1", "Power"])
+        self.assertEqual(titles, ["Backlog: inlet 1", "D10: clumps", "In: balance", "Mass flow: balance",
+                                  "Mass flow: gauges", "Power"])
 
     def test_names_of_figures_are_unique(self):
         """Two figures that ask for one name: each has its place in the page, its file and its curve."""
