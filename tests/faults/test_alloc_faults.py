@@ -211,8 +211,8 @@ class AllocFaults(clod.Case):
         return at
 
     def numbers(self, verb, calls):
-        """Of some calls: the first ones, and about ten of the rest, never the same distance."""
-        first, parts = (1, 4) if verb in LONG else (4, 8)
+        """Of some calls: the first ones, and about five of the rest, never the same distance."""
+        first, parts = (1, 3) if verb in LONG else (2, 5)
         step = max(1, calls // parts)
         return sorted({*range(1, min(calls, first) + 1), *range(first + 1, calls + 1, step),
                        calls} - {0})
