@@ -124,6 +124,17 @@ static int print_case(const template *chosen)
     return EXIT_SUCCESS;
 }
 
+/** A script may be run by whoever may read it. */
+static bool make_executable(FILE *out, const char *text)
+{
+    struct stat about;
+    if (strncmp(text, "#!", 2) != 0) {
+        return true;
+    }
+    return fstat(fileno(out), &about) == 0 &&
+           fchmod(fileno(out), about.st_mode | (about.st_mode & 0444) >> 2) == 0;
+}
+
 static int write_text(const char *text, const char *path)
 {
     FILE *out = fopen(path, "wx"); // never over a file that is there
@@ -131,7 +142,7 @@ static int write_text(const char *text, const char *path)
         fprintf(stderr, "clod new: %s: %s\n", path, strerror(errno));
         return errno == EEXIST ? CLOD_USAGE : CLOD_FAILED;
     }
-    const bool written = fputs(text, out) >= 0;
+    const bool written = fputs(text, out) >= 0 && make_executable(out, text);
     if (fclose(out) != 0 || !written) {
         fprintf(stderr, "clod new: %s: cannot be written: %s\n", path, strerror(errno));
         remove(path); // half a case is none, and would be in the way of the next try

@@ -133,6 +133,7 @@ class Cases(clod.Case):
         self.assertEqual(sorted(os.listdir(self.folder)), sorted(names))
         for name, kept in names.items():
             self.assertTrue(clod.read(self.path(name)) == clod.read(os.path.join(CASES, "transfer-chute", kept)), name)
+            self.assertEqual(os.access(self.path(name), os.X_OK), name == "geometry", name)
         told = clod.run("new").stdout
         help_text = clod.run("new", "--help").stdout
         for line in told.splitlines():
