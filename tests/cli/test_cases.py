@@ -107,6 +107,10 @@ class Cases(clod.Case):
         self.assertLess(nearest, 0.5 * 0.4 * math.radians(3.0) + 1e-6)
         self.assertAlmostEqual(points[-1][1], 0.25, places=6)
 
+    def geometry(self, words):
+        return subprocess.run([sys.executable, os.path.join(CASES, "transfer-chute/geometry"), *words],
+                              cwd=self.folder, capture_output=True, text=True)
+
     def test_a_chute_that_cannot_be_is_refused(self):
         for words, text in ((["--hood-to", "50"], "--hood-to: 50 degrees"),
                             # acos(cos 10 deg - 6 mm / sqrt 2 / 400 mm) - 10 deg = 3.04 deg, by hand
@@ -119,8 +123,7 @@ class Cases(clod.Case):
                             (["--lip", "90"], "--receiving: 100 mm must be below"),
                             (["--output", "nowhere"], "there is no folder nowhere"),
                             (["--width", "0"], "--width: 0 must be more than 0")):
-            done = subprocess.run([sys.executable, os.path.join(CASES, "transfer-chute/geometry"), *words],
-                                  cwd=self.folder, capture_output=True, text=True)
+            done = self.geometry(words)
             self.assertEqual(done.returncode, 2)
             self.assertIn(text, done.stderr)
             self.assertEqual(os.listdir(self.folder), [])
@@ -141,10 +144,12 @@ class Cases(clod.Case):
 
     def test_sides_of_the_chute_in_facets(self):
         """The same area, in facets no longer than the diagonal of 50 mm squares."""
-        whole, cut = (subprocess.run([sys.executable, os.path.join(CASES, "transfer-chute/geometry"), *words],
-                                     cwd=self.folder, check=True, capture_output=True)
-                      and json.loads(clod.run("mesh", "chute.obj", "--unit", "mm", "--json", cwd=self.folder).stdout)
-                      for words in ([], ["--side-facet", "50"]))
+        meshes = []
+        for words in ([], ["--side-facet", "50"]):
+            self.assertEqual(self.geometry(words).returncode, 0)
+            told = clod.run("mesh", "chute.obj", "--unit", "mm", "--json", cwd=self.folder).stdout
+            meshes.append(json.loads(told))
+        whole, cut = meshes
         self.assertAlmostEqual(whole["area_m2"], cut["area_m2"], delta=1e-6)
         self.assertGreater(cut["facets"], whole["facets"] + 500)
         self.assertLess(cut["edge_length_m"]["longest"], 0.0708)
@@ -155,8 +160,7 @@ class Cases(clod.Case):
                             (["--hood-to", "60"], "1.6 times as long as it takes"),
                             # 3 t/h / (1.8 m/s x 120 mm x 1500 kg/m3) = 2.6 mm
                             (["--stream", "25"], "are 2.6 mm thick")):
-            done = subprocess.run([sys.executable, os.path.join(CASES, "transfer-chute/geometry"), *words],
-                                  cwd=self.folder, capture_output=True, text=True)
+            done = self.geometry(words)
             self.assertEqual(done.returncode, 0)
             self.assertIn(text, done.stderr)
             self.assertEqual(done.stderr == "", text == "")

@@ -22,15 +22,25 @@ static inline void contact_forces_undo_kick(clod_state *state)
     }
 }
 
+/** How many contacts were compared. */
+typedef struct contact_forces_count {
+    size_t pairs, walls;
+} contact_forces_count;
+
 /** Sums over all contacts on grains, and on walls. */
-static inline void contact_forces_add(const clod_state *state, const clod_contact_source *from,
-                                      bool turn, double (*grain)[3], double (*wall)[3])
+static inline contact_forces_count contact_forces_add(const clod_state *state,
+                                                      const clod_contact_source *from,
+                                                      bool turn, double (*grain)[3],
+                                                      double (*wall)[3])
 {
     clod_contact contact;
+    contact_forces_count met = {0};
     size_t pairs, walls;
     from->begin(from->context, &pairs, &walls);
     while (from->next(from->context, &contact, 1) == 1) {
         const bool pair = contact.shape < 0;
+        met.pairs += pair;
+        met.walls += !pair;
         if (pair && turn) {
             clod_contact_turn(&contact);
         }
@@ -49,18 +59,19 @@ static inline void contact_forces_add(const clod_state *state, const clod_contac
         const double reach = pair ? p[3] + state->grains.position[contact.j][3] : p[3];
         assert_true(square < reach * reach && square > 0.25 * reach * reach);
     }
+    return met;
 }
 
 /** Forces that are told again are the loads of the grains and those on the walls.
  *  @param turn  see pairs from their other grain */
-static inline void contact_forces_compare(clod_step *step, bool turn)
+static inline contact_forces_count contact_forces_compare(clod_step *step, bool turn)
 {
     const clod_state *state = step->state;
     const size_t n = state->grains.count;
     double(*grain)[3] = clod_memory_alloc(n, sizeof *grain), wall[4][3] = {{0.0}};
     clod_step_reader reader;
     const clod_contact_source from = clod_step_contacts(step, &reader);
-    contact_forces_add(state, &from, turn, grain, wall);
+    const contact_forces_count met = contact_forces_add(state, &from, turn, grain, wall);
     double largest = 0.0;
     for (size_t g = 0; g < n; g++) {
         for (int a = 0; a < 3; a++) {
@@ -80,4 +91,5 @@ static inline void contact_forces_compare(clod_step *step, bool turn)
         check_close(wall[w][2], state->walls.wall[w].force.z, 1e-8 * largest);
     }
     clod_memory_free(grain);
+    return met;
 }
