@@ -6,7 +6,7 @@
 # tests/FOLDER/test_NAME.py runs the program as a user does, labelled FOLDER; _slow as above.
 # tests/FOLDER/fuzz_NAME.c  is a libFuzzer target, labelled fuzz; built in the asan tree, started
 #                           from the files in tests/FOLDER/seeds and from cases/.
-# tests/faults/NAME.c       is a library NAME.so that a test of tests/faults preloads to make calls
+# tests/support/preload/NAME.c is a library NAME.so that a test of tests/faults preloads to make calls
 #                           fail; it lies beside the program (folder of CLOD_BINARY).
 pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
 
@@ -94,10 +94,10 @@ foreach(source IN LISTS CLOD_EXAMPLES)
     ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
 endforeach()
 
-# tests/simd/vocabulary.c once per instruction set, with the flags of the kernels.
+# tests/support/vocabulary.c once per instruction set, with the flags of the kernels.
 foreach(set IN LISTS CLOD_SETS)
   string(TOUPPER ${set} SET_UPPER)
-  add_library(clod_vocabulary_${set} OBJECT tests/simd/vocabulary.c)
+  add_library(clod_vocabulary_${set} OBJECT tests/support/vocabulary.c)
   target_compile_options(clod_vocabulary_${set} PRIVATE ${CLOD_SCALAR} ${CLOD_${SET_UPPER}})
   target_compile_definitions(clod_vocabulary_${set} PRIVATE CLOD_SIMD_${SET_UPPER}=1
     CLOD_SIMD_SUFFIX=${set})
@@ -106,8 +106,7 @@ foreach(set IN LISTS CLOD_SETS)
 endforeach()
 
 # Preloaded into the program, so without the sanitizers, which would have to come first.
-file(GLOB CLOD_FAULT_SOURCES CONFIGURE_DEPENDS tests/faults/*.c)
-list(FILTER CLOD_FAULT_SOURCES EXCLUDE REGEX "/test_[^/]*\\.c$")
+file(GLOB CLOD_FAULT_SOURCES CONFIGURE_DEPENDS tests/support/preload/*.c)
 foreach(source IN LISTS CLOD_FAULT_SOURCES)
   cmake_path(GET source STEM name)
   add_library(${name} MODULE ${source})

@@ -8,7 +8,7 @@
 #include "step/kernel.h"
 #include "support/check.h"
 #include "support/dice.h"
-#include "vocabulary.h"
+#include "support/vocabulary.h"
 
 static const double SPECIAL[] = {0.0,     -0.0,     1.0,     -1.0,       0.5,        -0.5,
                                  1.5,     -2.5,     2.5,     INFINITY,   -INFINITY,  NAN,
