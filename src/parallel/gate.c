@@ -1,12 +1,15 @@
 #include "parallel/gate.h"
 
+#include <sched.h>
+
 #include "parallel/threads.h"
 
 #define SPINS 2000 ///< about 20 microseconds
+#define YIELDS 30  ///< enough for 16 threads on two processors (docs/adr/0008)
 
 void clod_gate_init(clod_gate *self, int threads)
 {
-    self->spins = threads > clod_threads_available() ? 0 : SPINS;
+    self->crowded = threads > clod_threads_available();
     atomic_init(&self->opened, 0);
     atomic_init(&self->sleepers, 0);
     self->lock = (pthread_mutex_t)PTHREAD_MUTEX_INITIALIZER;
@@ -51,13 +54,34 @@ static void sleep_until(clod_gate *self, uint64_t times)
     pthread_mutex_unlock(&self->lock);
 }
 
-void clod_gate_wait(clod_gate *self, uint64_t times)
+static bool opened_while_spinning(const clod_gate *self, uint64_t times)
 {
-    for (int spins = 0; spins < self->spins; spins++) {
+    for (int spins = 0; spins < SPINS; spins++) {
         if (clod_gate_opened(self) >= times) {
-            return;
+            return true;
         }
         relax();
     }
-    sleep_until(self, times);
+    return false;
+}
+
+/** Those that are waited for may have no processor: it is theirs at once, without the sleep and the
+ * waking of whoever waits. */
+static bool opened_while_yielding(const clod_gate *self, uint64_t times)
+{
+    for (int yields = 0; yields < YIELDS; yields++) {
+        if (clod_gate_opened(self) >= times) {
+            return true;
+        }
+        sched_yield();
+    }
+    return false;
+}
+
+void clod_gate_wait(clod_gate *self, uint64_t times)
+{
+    if (!(self->crowded ? opened_while_yielding(self, times)
+                        : opened_while_spinning(self, times))) {
+        sleep_until(self, times);
+    }
 }

@@ -8,6 +8,7 @@
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 typedef struct clod_gate {
@@ -15,10 +16,10 @@ typedef struct clod_gate {
     atomic_int sleepers;
     pthread_mutex_t lock; ///< of the sleepers only
     pthread_cond_t woken;
-    int spins; ///< looks before a waiting thread falls asleep; 0: more threads than processors
+    bool crowded; ///< more threads than processors
 } clod_gate;
 
-/** @param threads  of the team; more than there are processors fall asleep at once: whoever
+/** @param threads  of the team; more than there are processors yield in place of spinning: whoever
  * spins keeps the one that is waited for from its processor */
 void clod_gate_init(clod_gate *self, int threads);
 

@@ -10,16 +10,16 @@
 
 #include "base/assert.h"
 #include "base/memory.h"
-#include "parallel/barrier.h"
+#include "parallel/gate.h"
 #include "parallel/ranks.h"
 
 #define RANKS_MOST 64
 
-/** What a rank shows the others until the next barrier. */
-typedef struct ranks_post {
-    const clod_message *out;
-    int outs;
-} ranks_post;
+/** What one rank has for another, and in which of its exchanges it said so. */
+typedef struct ranks_box {
+    const clod_message *sent;
+    uint64_t exchange;
+} ranks_box;
 
 /** Messages that a rank repeats. */
 typedef struct ranks_kept {
@@ -27,43 +27,50 @@ typedef struct ranks_kept {
     int outs, ins;
 } ranks_kept;
 
+/** Ranks wait for those alone that they send to or get from, as MPI's do. */
 typedef struct ranks_team {
-    clod_barrier barrier;
+    clod_gate sent[RANKS_MOST]; ///< opened by a rank in each exchange when all is in the boxes,
+    clod_gate taken[RANKS_MOST];           ///< and when it has what others sent
+    ranks_box box[RANKS_MOST][RANKS_MOST]; ///< [to][from]
     ranks_kept kept[RANKS_MOST];
-    ranks_post post[RANKS_MOST];
     clod_ranks rank[RANKS_MOST];
     void (*run)(clod_ranks *ranks, void *context);
     void *context;
 } ranks_team;
 
-/** What rank `from` has for this one; both must have said how much. */
-static inline const clod_message *ranks_find(const clod_ranks *self, int from)
+/** Take a message; its sender must have said as many bytes. */
+static inline void ranks_take(const clod_ranks *self, uint64_t exchange, const clod_message *in)
 {
-    const ranks_team *team = self->group;
-    for (int k = 0; k < team->post[from].outs; k++) {
-        if (team->post[from].out[k].peer == self->rank) {
-            return &team->post[from].out[k];
-        }
-    }
-    return NULL;
+    ranks_team *team = self->group;
+    clod_gate_wait(&team->sent[in->peer], exchange);
+    const ranks_box *box = &team->box[self->rank][in->peer];
+    CLOD_ASSERT(box->exchange == exchange); // cmocka fails in the first thread alone
+    CLOD_ASSERT(box->sent->bytes == in->bytes);
+    memcpy(in->data, box->sent->data, in->bytes);
 }
 
 static inline void ranks_exchange(clod_ranks *self, const clod_message *out, int outs,
                                   const clod_message *in, int ins)
 {
     ranks_team *team = self->group;
-    team->post[self->rank].out = out;
-    team->post[self->rank].outs = outs;
-    clod_barrier_wait(&team->barrier);
-    for (int k = 0; k < ins; k++) {
-        const clod_message *sent = ranks_find(self, in[k].peer);
-        const size_t bytes = sent != NULL ? sent->bytes : 0;
-        CLOD_ASSERT(bytes == in[k].bytes); // cmocka fails in the first thread alone
-        if (bytes > 0) {
-            memcpy(in[k].data, sent->data, bytes);
+    const uint64_t exchange = clod_gate_opened(&team->sent[self->rank]) + 1;
+    for (int k = 0; k < outs; k++) {
+        if (out[k].bytes > 0) {
+            team->box[out[k].peer][self->rank] = (ranks_box){&out[k], exchange};
         }
     }
-    clod_barrier_wait(&team->barrier);
+    clod_gate_open(&team->sent[self->rank]);
+    for (int k = 0; k < ins; k++) {
+        if (in[k].bytes > 0) {
+            ranks_take(self, exchange, &in[k]);
+        }
+    }
+    clod_gate_open(&team->taken[self->rank]);
+    for (int k = 0; k < outs; k++) { // until then the bytes must stay
+        if (out[k].bytes > 0) {
+            clod_gate_wait(&team->taken[out[k].peer], exchange);
+        }
+    }
 }
 
 static inline bool ranks_keep(clod_ranks *self, const clod_message *out, int outs,
@@ -105,8 +112,10 @@ static inline void ranks_run(int size, void (*run)(clod_ranks *ranks, void *cont
     CLOD_ASSERT(size <= RANKS_MOST);
     team.run = run;
     team.context = context;
-    clod_barrier_init(&team.barrier, size);
+    memset(team.box, 0, sizeof team.box);
     for (int r = 0; r < size; r++) {
+        clod_gate_init(&team.sent[r], size);
+        clod_gate_init(&team.taken[r], size);
         team.rank[r] = (clod_ranks){.rank = r,
                                     .size = size,
                                     .exchange = ranks_exchange,
