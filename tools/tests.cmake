@@ -39,7 +39,7 @@ function(clod_add_program name source)
   target_include_directories(${name} PRIVATE tests)
   target_compile_definitions(${name} PRIVATE CLOD_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   # a test takes longer to compile than to run; the library in it is optimised as users have it
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Debug>:-O0> $<$<CONFIG:Release>:-O1>)
   if(CLOD_LLD)
     target_link_options(${name} PRIVATE -fuse-ld=lld)
   endif()
