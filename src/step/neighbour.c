@@ -410,5 +410,7 @@ void clod_neighbour_fini(clod_neighbour *self)
     clod_memory_free(self->sort);
     clod_memory_free(self->sort_scratch);
     clod_memory_free(self->rank);
+    clod_memory_free(self->order_part);
+    clod_memory_free(self->sort_part);
     *self = (clod_neighbour){0};
 }
