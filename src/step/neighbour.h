@@ -83,6 +83,7 @@ typedef struct clod_neighbour_found {
     clod_pairs pairs;           ///< in the part's share of the room for all
     clod_wall_candidates walls; ///< of the part's grains
     bool walls_fit;             ///< there was memory for them, and they are not too many
+    size_t separated; ///< first contact of its grains that is no candidate; or their number
 } clod_neighbour_found;
 
 typedef struct clod_layer_order_part clod_layer_order_part; // layer_order.h
