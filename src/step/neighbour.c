@@ -9,6 +9,7 @@
 #include "state/limits.h"
 #include "step/cells.h"
 #include "step/layers.h"
+#include "step/separated.h"
 #include "step/wall_cells.h"
 
 /** Wide skin as a fraction of the largest radius, at least: few candidates in slow beds. */
@@ -115,33 +116,6 @@ static size_t lead_of(const clod_neighbour *self, const clod_state *state)
     return (size_t)((reach + 0.0625) * (double)fullest) + 64;
 }
 
-/** Both lists ascend: one walk sees that contacts [0, end) are candidates; the first that is
- *  none, or end. */
-static size_t find_pairs(const clod_pairs *self, size_t grains, const clod_contact *contacts,
-                         size_t end)
-{
-    size_t k = 0;
-    for (size_t i = 0; i < grains; i++) {
-        for (size_t p = self->start[i]; p < self->start[i + 1] && k < end; p++) {
-            k += (size_t)contacts[k].i == i && (uint32_t)contacts[k].j == self->item[p].j;
-        }
-    }
-    return k;
-}
-
-/** The same for contacts [begin, end) with walls. */
-static size_t find_wall_pairs(const clod_wall_candidates *self, const clod_contact *contacts,
-                              size_t begin, size_t end)
-{
-    size_t k = begin;
-    for (size_t c = 0; c < self->count && k < end; c++) {
-        const clod_wall_candidate *at = &self->item[c];
-        k += at->i == contacts[k].i && at->wall == contacts[k].j &&
-             at->shape == contacts[k].shape;
-    }
-    return k;
-}
-
 bool clod_neighbour_fail_to_add(const clod_neighbour *self, size_t grains, clod_status *status)
 {
     return clod_limits_pairs(self->pairs.count + 1, status) &&
@@ -234,6 +208,8 @@ void clod_neighbour_build_part(clod_neighbour *self, const clod_state *state,
                           .fixed = true};
     if (!clod_cells_find_pairs(self, state, grains.begin, grains.end, pairs)) {
         pairs->item = NULL; // too little room
+    } else if (found->walls_fit) {
+        found->separated = clod_separated_first(pairs, &found->walls, state, grains);
     }
 }
 
@@ -256,6 +232,7 @@ static bool join_pairs(clod_neighbour *self, const clod_state *state)
         memmove(pairs->item + pairs->count, found->item, found->count * sizeof *found->item);
         pairs->count += found->count;
     }
+    pairs->start[state->grains.count] = (uint32_t)pairs->count;
     const size_t size = sizeof *pairs->item;
     if (all) { // the parts' room was wider than what is left
         clod_memory_give_back(pairs->item + pairs->count,
@@ -310,14 +287,13 @@ static bool join_walls(clod_neighbour *self)
     return true;
 }
 
-/** All pairs there are, in ascending order; false without memory. */
+/** All pairs there are, in ascending order, found by one thread; false without memory. */
 static bool find_all_pairs(clod_neighbour *self, const clod_state *state)
 {
     if (self->brute_force) {
         return clod_cells_all_pairs(self, state);
     }
-    if (!join_pairs(self, state) &&
-        !clod_cells_find_pairs(self, state, 0, state->grains.count, &self->pairs)) {
+    if (!clod_cells_find_pairs(self, state, 0, state->grains.count, &self->pairs)) {
         return false;
     }
     self->pairs.start[state->grains.count] = (uint32_t)self->pairs.count;
@@ -336,13 +312,17 @@ bool clod_neighbour_fail_separated(const clod_state *state, uint64_t id, clod_st
 bool clod_neighbour_build_end(clod_neighbour *self, const clod_state *state,
                               clod_status *status)
 {
-    if (!join_walls(self) || !find_all_pairs(self, state)) {
+    const bool joined = !self->brute_force && join_pairs(self, state);
+    if (!join_walls(self) || (!joined && !find_all_pairs(self, state))) {
         return clod_neighbour_fail_to_add(self, state->grains.count, status);
     }
-    const size_t pairs = state->contact_count - state->wall_contact_count;
-    size_t left = find_pairs(&self->pairs, state->grains.count, state->contacts, pairs);
-    if (left == pairs) {
-        left = find_wall_pairs(&self->walls, state->contacts, pairs, state->contact_count);
+    const clod_chunk all = {0, state->grains.count};
+    size_t left = state->contact_count;
+    if (!joined) {
+        left = clod_separated_first(&self->pairs, &self->walls, state, all);
+    }
+    for (int p = 0; joined && p < self->parts; p++) {
+        left = self->found[p].separated < left ? self->found[p].separated : left;
     }
     if (left < state->contact_count) {
         return clod_neighbour_fail_separated(state, state->grains.id[state->contacts[left].i],
@@ -410,5 +390,7 @@ void clod_neighbour_fini(clod_neighbour *self)
     clod_memory_free(self->sort);
     clod_memory_free(self->sort_scratch);
     clod_memory_free(self->rank);
+    clod_memory_free(self->order_part);
+    clod_memory_free(self->sort_part);
     *self = (clod_neighbour){0};
 }

@@ -83,7 +83,10 @@ typedef struct clod_neighbour_found {
     clod_pairs pairs;           ///< in the part's share of the room for all
     clod_wall_candidates walls; ///< of the part's grains
     bool walls_fit;             ///< there was memory for them, and they are not too many
+    size_t separated; ///< first contact of its grains that is no candidate; or their number
 } clod_neighbour_found;
+
+typedef struct clod_layer_order_part clod_layer_order_part; // layer_order.h
 
 typedef struct clod_neighbour {
     double skin; ///< m
@@ -110,10 +113,19 @@ typedef struct clod_neighbour {
     clod_sort_item *sort, *sort_scratch; ///< [sort_capacity]; sort also has places of contacts
     size_t sort_capacity;
     int32_t *rank; ///< [grains] new row of each old one, or CLOD_NEIGHBOUR_GOES
+    clod_layer_order_part *order_part; ///< [order_capacity]: what each part finds of an order
+    clod_sort_part *sort_part;         ///< [order_capacity]: and what it counts in the sort
+    size_t order_capacity;
 } clod_neighbour;
 
 /** Rank of a grain that goes at this rebuild. */
 #define CLOD_NEIGHBOUR_GOES (-1)
+
+/** Whether a row is one of the `going` that go at this rebuild. */
+static inline bool clod_neighbour_goes(const clod_neighbour *self, size_t going, size_t row)
+{
+    return going > 0 && self->rank[row] < 0;
+}
 
 /** Items of sort_scratch that a row of four numbers takes. */
 #define CLOD_NEIGHBOUR_ROW_ITEMS (4 * sizeof(double) / sizeof(clod_sort_item))
@@ -164,17 +176,19 @@ bool clod_neighbour_periods_fit(const clod_domain *domain, double radius_max,
 bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status);
 
 /**
- * The same in steps (reorder.h): the order alone, in `sort` and `rank`, after the wrap that is
- * also here alone; and the note of when and where the rebuild is, without the positions of the
- * grains: until each thread notes its chunk of these, when the lists have been made and there is
- * room again, or have failed, `now` is set and the grains have not moved.
+ * The same in steps, with those of layer_order.h and reorder.h between them. Wrap rows: false when
+ * a grain of these has left the domain; inside then says which, the first of all. Give back what
+ * the last rebuild left. Note when and where the rebuild is, without the positions of the grains:
+ * until each thread notes its chunk of these, when the lists have been made and there is room
+ * again, or have failed, `now` is set and the grains have not moved.
  *
- * @param going  so many grains go: their `rank` is CLOD_NEIGHBOUR_GOES before and after
+ * @param going  so many grains go, wherever they are: their `rank` is CLOD_NEIGHBOUR_GOES
  */
-bool clod_neighbour_order(clod_neighbour *self, clod_state *state, size_t going,
-                          clod_status *status);
 bool clod_neighbour_wrap(const clod_neighbour *self, clod_state *state, size_t going,
-                         clod_status *status);
+                         clod_chunk rows);
+bool clod_neighbour_inside(const clod_neighbour *self, const clod_state *state, size_t going,
+                           clod_status *status);
+void clod_neighbour_give_old_back(const clod_neighbour *self, const clod_state *state);
 bool clod_neighbour_note(clod_neighbour *self, clod_state *state, clod_status *status);
 void clod_neighbour_note_positions(clod_state *state, clod_chunk grains);
 

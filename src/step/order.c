@@ -1,10 +1,9 @@
-// The one total order of grains: by layers (layers.h), then by id. Sums run in this order.
+// Grains and contacts into the one total order (layer_order.h). Sums run in this order.
 #include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
-#include "step/layers.h"
-#include "step/neighbour.h"
+#include "step/layer_order.h"
 
 /** Places of contacts that one item of the scratch for sorting has room for. */
 #define PLACES_PER_ITEM (sizeof(clod_sort_item) / sizeof(int32_t))
@@ -41,7 +40,7 @@ static bool reserve(clod_neighbour *self, const clod_state *state)
         self->grain_capacity = grains;
     }
     return self->pairs.start != NULL && self->cell_of != NULL && self->cell_item != NULL &&
-           self->rank != NULL && reserve_sort(self, items);
+           self->rank != NULL && clod_layer_order_reserve(self, 1) && reserve_sort(self, items);
 }
 
 bool clod_neighbour_reserve(clod_neighbour *self, const clod_state *state, clod_status *status)
@@ -51,85 +50,50 @@ bool clod_neighbour_reserve(clod_neighbour *self, const clod_state *state, clod_
                             state->grains.count);
 }
 
-/** Whether a row goes at this rebuild; `going` rows do. */
-static bool goes(const clod_neighbour *self, size_t going, size_t row)
+/** Whether a coordinate is one that a grain of the domain may have, once it is wrapped. */
+static bool is_inside(const clod_domain *domain, int a, double x)
 {
-    return going > 0 && self->rank[row] < 0;
+    return domain->periodic[a] ? isfinite(x) : x >= domain->min[a] && x <= domain->max[a];
 }
 
-/** Wrap periodic directions; a grain beyond an open side that does not go is an error. */
 bool clod_neighbour_wrap(const clod_neighbour *self, clod_state *state, size_t going,
-                         clod_status *status)
+                         clod_chunk rows)
 {
-    static const char AXIS[] = "xyz";
-    for (size_t g = 0; g < state->grains.count; g++) {
-        for (int a = 0; a < 3 && !goes(self, going, g); a++) {
+    const clod_domain *domain = &state->domain;
+    bool inside = true;
+    for (size_t g = rows.begin; g < rows.end; g++) {
+        for (int a = 0; a < 3 && !clod_neighbour_goes(self, going, g); a++) {
             double *x = &state->grains.position[g][a];
-            const double min = state->domain.min[a];
-            const double max = state->domain.max[a];
-            if (state->domain.periodic[a]) {
+            const double min = domain->min[a];
+            const double max = domain->max[a];
+            if (domain->periodic[a]) {
                 *x -= (max - min) * floor((*x - min) / (max - min));
             }
-            if (state->domain.periodic[a] ? !isfinite(*x) : !(*x >= min && *x <= max)) {
+            inside &= is_inside(domain, a, *x);
+        }
+    }
+    return inside;
+}
+
+bool clod_neighbour_inside(const clod_neighbour *self, const clod_state *state, size_t going,
+                           clod_status *status)
+{
+    const clod_domain *domain = &state->domain;
+    for (size_t g = 0; g < state->grains.count; g++) {
+        for (int a = 0; a < 3 && !clod_neighbour_goes(self, going, g); a++) {
+            const double x = state->grains.position[g][a];
+            if (!is_inside(domain, a, x)) {
                 return clod_status_fail(
                     status, CLOD_FAILED,
                     "step %lld: grain %llu has left the domain: %c = %g m, allowed %g to %g m; "
                     "enlarge domain, close the gap in the walls, take a smaller time step, or "
                     "set domain.open: delete",
-                    (long long)state->step, (unsigned long long)state->grains.id[g], AXIS[a],
-                    *x, min, max);
+                    (long long)state->step, (unsigned long long)state->grains.id[g], "xyz"[a],
+                    x, domain -> min[a], domain -> max[a]);
             }
         }
     }
     return true;
-}
-
-/** Layers of the grains that stay. */
-static clod_layers layers_of(const clod_neighbour *self, const double (*position)[4],
-                             size_t count, size_t going)
-{
-    if (self->layers != NULL) {
-        return *self->layers;
-    }
-    if (going == 0) {
-        return clod_layers_of(position, count);
-    }
-    double(*staying)[4] = clod_neighbour_rows(self);
-    size_t stay = 0;
-    for (size_t g = 0; g < count; g++) {
-        if (!goes(self, going, g)) {
-            memcpy(staying[stay++], position[g], sizeof *staying);
-        }
-    }
-    return clod_layers_of((const double(*)[4])staying, stay);
-}
-
-/** The order of grains that are, or were, at these places; `going` of them are left out. */
-static void sort_by_layers(clod_neighbour *self, const clod_grains *grains,
-                           const double (*position)[4], size_t going)
-{
-    const clod_layers layers = layers_of(self, position, grains->count, going);
-    const size_t stay = grains->count - going;
-    size_t items = 0;
-    for (size_t g = 0; g < grains->count; g++) {
-        if (!goes(self, going, g)) {
-            self->sort[items++] = (clod_sort_item){clod_layers_key(&layers, position[g]), g};
-        }
-    }
-    clod_sort(self->sort, self->sort_scratch, stay);
-    for (size_t k = 1; k < stay; k++) { // equal keys are rare: by id
-        const clod_sort_item moving = self->sort[k];
-        size_t at = k;
-        while (at > 0 && self->sort[at - 1].key == moving.key &&
-               grains->id[self->sort[at - 1].index] > grains->id[moving.index]) {
-            self->sort[at] = self->sort[at - 1];
-            at--;
-        }
-        self->sort[at] = moving;
-    }
-    for (size_t g = 0; g < stay; g++) {
-        self->rank[self->sort[g].index] = (int32_t)g;
-    }
 }
 
 void clod_neighbour_rows_out(const clod_neighbour *self, const clod_row_column *column,
@@ -282,7 +246,10 @@ bool clod_neighbour_sort_as_built(clod_neighbour *self, clod_state *state, clod_
         return false;
     }
     const size_t count = state->grains.count;
-    sort_by_layers(self, &state->grains, (const double(*)[4])state->build_position, 0);
+    clod_layer_order order = {.neighbour = self,
+                              .grains = &state->grains,
+                              .place = (const double(*)[4])state->build_position};
+    clod_layer_order_find(&order);
     bool sorted = true;
     for (size_t g = 0; g < count; g++) {
         sorted = sorted && self->sort[g].index == g;
@@ -322,8 +289,7 @@ void clod_neighbour_note_positions(clod_state *state, clod_chunk grains)
            (grains.end - grains.begin) * sizeof *state->build_position);
 }
 
-/** What the last rebuild left and this one makes anew, back to the system: large beds. */
-static void give_back_old(const clod_neighbour *self, const clod_state *state)
+void clod_neighbour_give_old_back(const clod_neighbour *self, const clod_state *state)
 {
     const size_t pairs = self->pairs.capacity * sizeof *self->pairs.item;
     clod_memory_give_back(self->pairs.item, pairs, pairs);
@@ -331,18 +297,6 @@ static void give_back_old(const clod_neighbour *self, const clod_state *state)
         const size_t places = state->build_capacity * sizeof *state->build_position;
         clod_memory_give_back(state->build_position, places, places);
     }
-}
-
-bool clod_neighbour_order(clod_neighbour *self, clod_state *state, size_t going,
-                          clod_status *status)
-{
-    if (!clod_neighbour_reserve(self, state, status) ||
-        !clod_neighbour_wrap(self, state, going, status)) {
-        return false;
-    }
-    give_back_old(self, state);
-    sort_by_layers(self, &state->grains, (const double(*)[4])state->grains.position, going);
-    return true;
 }
 
 bool clod_neighbour_note(clod_neighbour *self, clod_state *state, clod_status *status)
@@ -354,14 +308,22 @@ bool clod_neighbour_note(clod_neighbour *self, clod_state *state, clod_status *s
 
 bool clod_neighbour_sort(clod_neighbour *self, clod_state *state, clod_status *status)
 {
-    if (!clod_neighbour_order(self, state, 0, status)) {
+    const clod_chunk all = {0, state->grains.count};
+    if (!clod_neighbour_reserve(self, state, status) ||
+        (!clod_neighbour_wrap(self, state, 0, all) &&
+         !clod_neighbour_inside(self, state, 0, status))) {
         return false;
     }
+    clod_neighbour_give_old_back(self, state);
+    clod_layer_order order = {.neighbour = self,
+                              .grains = &state->grains,
+                              .place = (const double(*)[4])state->grains.position};
+    clod_layer_order_find(&order);
     apply_order(self, state);
     if (!sort_lists(self, state, status) || !clod_neighbour_note(self, state, status)) {
         return false;
     }
-    clod_neighbour_note_positions(state, (clod_chunk){0, state->grains.count});
+    clod_neighbour_note_positions(state, all);
     self->now = false;
     return true;
 }

@@ -7,15 +7,8 @@
 #include "parallel/threads.h"
 #include "state/alter.h"
 #include "step/derived.h"
-#include "step/leavers.h"
-#include "step/migrate.h"
-
-/** Whether grains get a new order among themselves: where they are spread over ranks they
- *  migrate instead. */
-static bool reorders(const clod_step *self)
-{
-    return self->remake.again && self->spread == NULL;
-}
+#include "step/remake_order.h"
+#include "step/spread.h"
 
 /** The list that is being made. */
 static clod_near_job job_of(clod_step *self)
@@ -30,65 +23,9 @@ static clod_near_job job_of(clod_step *self)
 
 // ---- the phases, in the order of the table below
 
-/** Grains that leave at this rebuild are marked, counted and, on all ranks, told. */
-static void mark_leavers(clod_step *self)
-{
-    clod_step_remake *remake = &self->remake;
-    clod_state *state = self->state;
-    if (!state->domain.removes && state->domain.outlets == 0) {
-        return;
-    }
-    if (!remake->changes) {
-        memset(self->neighbour.rank, 0, state->grains.count * sizeof(int32_t));
-    }
-    clod_leavers leavers = {0};
-    const clod_leavers_outlets outlets = {&self->outlets, &self->walls};
-    clod_outlet_shapes_place(&self->outlets, &self->walls, &state->walls);
-    const double half_kick = remake->changes ? 0.0 : 0.5 * state->dt;
-    if (self->spread != NULL) {
-        clod_spread_mark_leavers(self, &outlets, half_kick, &leavers);
-    } else {
-        remake->going +=
-            clod_leavers_mark(&leavers, state, &outlets, half_kick, self->neighbour.rank);
-    }
-    clod_leavers_book(&leavers, state);
-    if (leavers.grains > 0 && !remake->changes) {
-        remake->left = true;
-        remake->before = clod_step_balance(self);
-    }
-}
-
-/** At a rebuild: which grains go, and the new order of the others. */
-static void begin(clod_step *self, int part)
-{
-    (void)part;
-    clod_near_give_skins_back(&self->near);
-    clod_step_remake *remake = &self->remake;
-    clod_state *state = self->state;
-    if (!remake->again) {
-        return;
-    }
-    mark_leavers(self);
-    if (self->spread != NULL) { // before anything is taken apart
-        self->failed = !clod_spread_wrap(self, &self->status);
-        return;
-    }
-    self->failed = !clod_neighbour_order(&self->neighbour, state, remake->going, &self->status);
-    remake->reorder = (clod_reorder){.neighbour = &self->neighbour,
-                                     .near = &self->near,
-                                     .state = state,
-                                     .walls = &self->walls,
-                                     .grains = state->grains.count - remake->going,
-                                     .wall_rank = remake->wall_rank,
-                                     .moved = remake->changes && state->changes.moved};
-    if (!self->failed) {
-        clod_reorder_begin(&remake->reorder);
-    }
-}
-
 static void count_old(clod_step *self, int part)
 {
-    if (reorders(self)) {
+    if (clod_remake_order_is_new(self)) {
         clod_reorder_count(&self->remake.reorder, part);
     } else {
         clod_near_gather_count(&self->near, part);
@@ -98,7 +35,7 @@ static void count_old(clod_step *self, int part)
 static void make_room(clod_step *self, int part)
 {
     (void)part;
-    self->failed = reorders(self)
+    self->failed = clod_remake_order_is_new(self)
                        ? !clod_reorder_room(&self->remake.reorder, &self->status)
                        : !clod_near_gather_room(&self->near, self->state, &self->status);
 }
@@ -106,44 +43,10 @@ static void make_room(clod_step *self, int part)
 /** Histories into the state. */
 static void copy_old(clod_step *self, int part)
 {
-    if (reorders(self)) {
+    if (clod_remake_order_is_new(self)) {
         clod_reorder_copy(&self->remake.reorder, part);
     } else {
         clod_near_gather_copy(&self->near, self->state, &self->walls, part, true);
-    }
-}
-
-static void ascend(clod_step *self, int part)
-{
-    if (reorders(self)) {
-        clod_reorder_ascend(&self->remake.reorder, part);
-    }
-}
-
-/** Rows of grains into the new order, column by column. */
-static void reorder_rows(clod_step *self, clod_chunk parts)
-{
-    if (!reorders(self)) {
-        return;
-    }
-    const int all = self->near.parts;
-    const size_t grains = self->remake.reorder.grains;
-    if (parts.begin == 0) { // the contacts are in order: nobody needs it any more
-        clod_neighbour_give_ranks_back(&self->neighbour);
-    }
-    clod_row_column columns[CLOD_ROW_COLUMNS];
-    const int count = clod_neighbour_columns(&self->state->grains, columns);
-    for (int k = 0; k < count; k++) {
-        for (size_t p = parts.begin; p < parts.end; p++) {
-            clod_neighbour_rows_out(&self->neighbour, &columns[k],
-                                    clod_threads_chunk(grains, (int)p, all));
-        }
-        clod_barrier_wait(&self->barrier);
-        for (size_t p = parts.begin; p < parts.end; p++) {
-            clod_neighbour_rows_back(&self->neighbour, &columns[k],
-                                     clod_threads_chunk(grains, (int)p, all));
-        }
-        clod_barrier_wait(&self->barrier);
     }
 }
 
@@ -151,7 +54,7 @@ static void reorder_rows(clod_step *self, clod_chunk parts)
 static void migrate(clod_step *self, int part)
 {
     (void)part;
-    if (self->remake.again && self->spread != NULL) {
+    if (self->spread != NULL) {
         if (self->remake.changes) {
             self->remake.speed = clod_spread_fastest(self);
         }
@@ -190,7 +93,7 @@ static void begin_search(clod_step *self, int part)
     if (!self->remake.again) {
         return;
     }
-    if (reorders(self)) {
+    if (clod_remake_order_is_new(self)) {
         state->grains.count = self->remake.reorder.grains;
     }
     bool good = true;
@@ -213,24 +116,18 @@ static void begin_search(clod_step *self, int part)
 static void add_cells(clod_step *self, int part)
 {
     (void)part;
-    if (self->remake.again) {
-        clod_neighbour_build_add(&self->neighbour, self->state);
-    }
+    clod_neighbour_build_add(&self->neighbour, self->state);
 }
 
 static void enter_cells(clod_step *self, int part)
 {
-    if (self->remake.again) {
-        clod_neighbour_build_enter(&self->neighbour, self->state, part);
-    }
+    clod_neighbour_build_enter(&self->neighbour, self->state, part);
 }
 
-/** At a rebuild the candidates are found anew. */
+/** The candidates are found anew. */
 static void search(clod_step *self, int part)
 {
-    if (self->remake.again) {
-        clod_neighbour_build_part(&self->neighbour, self->state, self->laws, part);
-    }
+    clod_neighbour_build_part(&self->neighbour, self->state, self->laws, part);
 }
 
 /** The candidates of all parts; every contact must be among them. */
@@ -343,23 +240,28 @@ static void end(clod_step *self, int part)
 
 typedef struct list_phase {
     void (*run)(clod_step *self, int part);
-    bool all; ///< by every thread for its parts; else by thread 0 alone
+    bool all;     ///< by every thread for its parts; else by thread 0 alone
+    bool rebuild; ///< only at a rebuild
     void (*together)(clod_step *self, clod_chunk parts); ///< in place of run, with barriers
 } list_phase;
 
 static const list_phase PHASES[] = {
-    {.run = begin},
+    {.run = clod_remake_order_begin},
+    {.run = clod_remake_order_measure, .all = true, .rebuild = true},
+    {.run = clod_remake_order_layers, .rebuild = true},
+    {.run = clod_remake_order_find_keys, .all = true, .rebuild = true},
+    {.together = clod_remake_order_sort, .rebuild = true},
     {.run = count_old, .all = true},
     {.run = make_room},
     {.run = copy_old, .all = true},
-    {.run = ascend, .all = true},
-    {.together = reorder_rows},
-    {.run = migrate},
+    {.run = clod_remake_order_ascend, .all = true, .rebuild = true},
+    {.together = clod_remake_order_move_rows, .rebuild = true},
+    {.run = migrate, .rebuild = true},
     {.run = begin_search},
     {.run = place_walls, .all = true},
-    {.run = add_cells},
-    {.run = enter_cells, .all = true},
-    {.run = search, .all = true},
+    {.run = add_cells, .rebuild = true},
+    {.run = enter_cells, .all = true, .rebuild = true},
+    {.run = search, .all = true, .rebuild = true},
     {.run = join},
     {.run = allow, .all = true},
     {.run = mark, .all = true},
@@ -402,6 +304,9 @@ void clod_remake_lists(clod_step *self, int part)
 {
     const clod_chunk mine = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
     for (int k = 0; k < PHASE_COUNT && atomic_load(&self->remake.failed) >= k; k++) {
+        if (PHASES[k].rebuild && !self->remake.again) {
+            continue;
+        }
         for (size_t p = mine.begin; PHASES[k].all && p < mine.end; p++) {
             PHASES[k].run(self, (int)p);
         }

@@ -11,10 +11,12 @@ static int32_t *next_of(const clod_reorder *self, bool pairs)
     return pairs ? self->neighbour->cell_of : self->neighbour->cell_item;
 }
 
-void clod_reorder_begin(const clod_reorder *self)
+void clod_reorder_begin(const clod_reorder *self, int part)
 {
-    memset(next_of(self, true), 0, self->grains * sizeof(int32_t));
-    memset(next_of(self, false), 0, self->grains * sizeof(int32_t));
+    const clod_chunk mine = clod_threads_chunk(self->grains, part, self->near->parts);
+    const size_t bytes = (mine.end - mine.begin) * sizeof(int32_t);
+    memset(next_of(self, true) + mine.begin, 0, bytes);
+    memset(next_of(self, false) + mine.begin, 0, bytes);
 }
 
 /** Whether a contact, by its old rows, touches where its grains and walls are now. */

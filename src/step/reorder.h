@@ -5,8 +5,8 @@
  * near list straight to where they belong in the new order. Those of grains and walls that go
  * are left behind.
  *
- * After clod_neighbour_order: begin by one thread, count by all parts, room by one, copy by
- * all, ascend by all; each when the one before is done by all.
+ * With the order that layer_order.h finds: begin by all parts, count by all, room by one thread,
+ * copy by all, ascend by all; each when the one before is done by all.
  *
  * Threads  parts at the same time.   Test  tests/step/test_reorder.c, test_same_bits.c
  */
@@ -23,8 +23,8 @@ typedef struct clod_reorder {
     bool moved; ///< grains or walls were put elsewhere: what does not touch now is forgotten
 } clod_reorder;
 
-/** No contacts counted yet. */
-void clod_reorder_begin(const clod_reorder *self);
+/** No contacts counted yet of a part's grains. */
+void clod_reorder_begin(const clod_reorder *self, int part);
 
 /** Count a part's contacts by their earlier grain in the new order. */
 void clod_reorder_count(const clod_reorder *self, int part);

@@ -119,9 +119,8 @@ double clod_spread_fastest(const clod_step *step);
 void clod_spread_mark_leavers(clod_step *step, const clod_leavers_outlets *outlets,
                               double half_kick, clod_leavers *sums);
 
-/** Wrap the rows, ghosts too; those that leave have no owner from now on. False on this
- *  rank alone: a grain is beyond an open side that stops the run. */
-bool clod_spread_wrap(clod_step *step, clod_status *status);
+/** Those that are marked have no owner from now on. */
+void clod_spread_disown(clod_step *step);
 
 /**
  * A rebuild, up to the search: grains, which are in the domain, migrate with their contacts in

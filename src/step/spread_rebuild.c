@@ -48,17 +48,13 @@ void clod_spread_mark_leavers(clod_step *step, const clod_leavers_outlets *outle
     clod_ranks_merge(step->spread->ranks, sums, sizeof *sums, merge_leavers, NULL);
 }
 
-bool clod_spread_wrap(clod_step *step, clod_status *status)
+void clod_spread_disown(clod_step *step)
 {
-    clod_state *state = step->state;
-    const bool some_go = state->domain.removes || state->domain.outlets > 0;
-    const bool inside = clod_neighbour_wrap(&step->neighbour, state, some_go ? 1 : 0, status);
-    for (size_t g = 0; some_go && g < state->grains.count; g++) {
+    for (size_t g = 0; g < step->state->grains.count; g++) {
         if (step->neighbour.rank[g] == CLOD_NEIGHBOUR_GOES) {
             step->spread->owner[g] = CLOD_SPREAD_NOBODY;
         }
     }
-    return inside;
 }
 
 bool clod_spread_sorted(clod_step *step, clod_status *status)

@@ -197,7 +197,8 @@ static bool allocate(clod_step *self)
     self->thread = clod_memory_alloc((size_t)self->threads, sizeof *self->thread);
     self->gate = clod_memory_alloc((size_t)self->threads, sizeof *self->gate);
     self->placed_gate = clod_memory_alloc((size_t)self->threads, sizeof *self->placed_gate);
-    if (self->thread == NULL || self->gate == NULL || self->placed_gate == NULL) {
+    if (self->thread == NULL || self->gate == NULL || self->placed_gate == NULL ||
+        !clod_layer_order_reserve(&self->neighbour, self->near.parts)) {
         return false;
     }
     for (int t = 0; t < self->threads; t++) {

@@ -18,6 +18,7 @@
 #include "state/state.h"
 #include "step/balance.h"
 #include "step/kernel.h"
+#include "step/layer_order.h"
 #include "step/near.h"
 #include "step/near_reader.h"
 #include "step/outlet_shapes.h"
@@ -81,6 +82,7 @@ typedef struct clod_step_remake {
     const int32_t *wall_rank; ///< [walls] new numbers, -1: it goes; NULL: all stay; borrowed
     double before;            ///< J, energy before anything came or went
     _Atomic int failed;       ///< the phase that did, or one behind the last
+    clod_layer_order order;
     clod_reorder reorder;
     clod_near_job job;
 } clod_step_remake;

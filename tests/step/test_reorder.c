@@ -28,6 +28,31 @@ static void one_after_the_other(scene *s)
     assert_true(clod_neighbour_sort(&step->neighbour, &s->state, &step->status));
 }
 
+/** The order of the grains, by all parts, but by one thread. */
+static void find_order(clod_step *step)
+{
+    clod_state *state = step->state;
+    clod_neighbour *neighbour = &step->neighbour;
+    const int parts = step->near.parts;
+    clod_layer_order order = {.neighbour = neighbour,
+                              .grains = &state->grains,
+                              .place = (const double(*)[4])state->grains.position,
+                              .parts = parts};
+    clod_barrier alone;
+    clod_barrier_init(&alone, 1);
+    assert_true(clod_neighbour_reserve(neighbour, state, &step->status));
+    for (int p = parts; p-- > 0;) {
+        assert_true(clod_neighbour_wrap(neighbour, state, 0,
+                                        clod_threads_chunk(state->grains.count, p, parts)));
+        clod_layer_order_measure(&order, p);
+    }
+    clod_layer_order_begin(&order);
+    for (int p = parts; p-- > 0;) {
+        clod_layer_order_find_keys(&order, p);
+    }
+    clod_layer_order_sort(&order, (clod_chunk){0, (size_t)parts}, &alone);
+}
+
 static void by_parts(scene *s)
 {
     clod_step *step = &s->step;
@@ -39,9 +64,11 @@ static void by_parts(scene *s)
                               .walls = &step->walls,
                               .grains = s->state.grains.count};
     clod_row_column columns[CLOD_ROW_COLUMNS];
-    assert_true(clod_neighbour_order(neighbour, &s->state, 0, &step->status));
-    clod_reorder_begin(&job);
+    find_order(step);
     for (int p = parts; p-- > 0;) { // in any order
+        clod_reorder_begin(&job, p);
+    }
+    for (int p = parts; p-- > 0;) {
         clod_reorder_count(&job, p);
     }
     assert_true(clod_reorder_room(&job, &step->status));

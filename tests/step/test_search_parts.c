@@ -1,5 +1,6 @@
 // The candidates of a search by several parts are those of one part, and of all pairs looked
-// at; also where a part has too little room for what it finds. So are those with walls.
+// at; also where a part has too little room for what it finds. So are those with walls, and the
+// first contact that is none of them.
 
 #include "step/cells.h"
 #include "support/bed.h"
@@ -36,7 +37,8 @@ static void check_same(const clod_neighbour *one, const clod_neighbour *other)
 }
 
 /** Search by parts, with room for so many pairs at first; 0: as much as is usual. */
-static void search(clod_neighbour *self, scene *s, int parts, size_t room)
+static bool search_contacts(clod_neighbour *self, scene *s, int parts, size_t room,
+                            clod_status *failed)
 {
     clod_status status = {0};
     clod_neighbour_init(self, &s->state, false);
@@ -56,7 +58,13 @@ static void search(clod_neighbour *self, scene *s, int parts, size_t room)
     for (int p = parts; p-- > 0;) {
         clod_neighbour_build_part(self, &s->state, &s->laws, p);
     }
-    assert_true(clod_neighbour_build_end(self, &s->state, &status));
+    return clod_neighbour_build_end(self, &s->state, failed);
+}
+
+static void search(clod_neighbour *self, scene *s, int parts, size_t room)
+{
+    clod_status status = {0};
+    assert_true(search_contacts(self, s, parts, room, &status));
 }
 
 static void parts_find_what_one_finds(void **state)
@@ -95,10 +103,81 @@ static void parts_find_what_one_finds(void **state)
     }
 }
 
+/** A contact of every grain that has a partner, and with every wall that is near. */
+static void touch_candidates(clod_state *state, const clod_neighbour *self)
+{
+    const clod_wall_candidates *walls = &self->walls;
+    state->contacts = clod_memory_alloc(GRAINS + walls->count, sizeof *state->contacts);
+    state->contact_count = 0;
+    for (int32_t i = 0; i < GRAINS; i++) {
+        if (self->pairs.start[i] < self->pairs.start[i + 1]) {
+            state->contacts[state->contact_count++] = (clod_contact){
+                .i = i, .j = (int32_t)self->pairs.item[self->pairs.start[i]].j, .shape = -1};
+        }
+    }
+    for (size_t k = 0; k < walls->count; k++) {
+        const clod_wall_candidate *at = &walls->item[k];
+        state->contacts[state->contact_count++] =
+            (clod_contact){.i = at->i, .j = at->wall, .shape = at->shape};
+    }
+    state->wall_contact_count = walls->count;
+}
+
+/** However many parts there are, and whether their room is enough or not. */
+static void expect_separated(scene *s, const clod_contact *contact)
+{
+    char expected[48];
+    snprintf(expected, sizeof expected, "step 0: grain %llu is far away",
+             (unsigned long long)s->state.grains.id[contact->i]);
+    for (int parts = 1; parts <= 9; parts++) {
+        for (size_t room = 0; room < 2; room++) {
+            clod_neighbour other;
+            clod_status status = {0};
+            assert_false(search_contacts(&other, s, parts, room, &status));
+            assert_non_null(strstr(status.text, expected));
+            clod_neighbour_fini(&other);
+        }
+    }
+}
+
+static void the_first_contact_that_is_no_candidate_is_named(void **state)
+{
+    (void)state;
+    scene s;
+    clod_neighbour first, other;
+    clod_status status = {0};
+    make_cloud(&s, 1.1, 3);
+    clod_neighbour_init(&first, &s.state, false);
+    assert_true(clod_neighbour_sort(&first, &s.state, &status));
+    assert_true(clod_neighbour_build(&first, &s.state, &s.laws, &status));
+    touch_candidates(&s.state, &first);
+    for (int parts = 1; parts <= 9; parts++) {
+        search(&other, &s, parts, 0);
+        clod_neighbour_fini(&other);
+        search(&other, &s, parts, 1);
+        clod_neighbour_fini(&other);
+    }
+    clod_contact *contacts = s.state.contacts;
+    const size_t pairs = s.state.contact_count - s.state.wall_contact_count;
+    contacts[s.state.contact_count - 1].shape = 7;
+    expect_separated(&s, &contacts[s.state.contact_count - 1]);
+    contacts[pairs].shape = 7;
+    expect_separated(&s, &contacts[pairs]);
+    contacts[pairs - 1].j = contacts[pairs - 1].i; // no grain is its own partner
+    expect_separated(&s, &contacts[pairs - 1]);
+    contacts[pairs / 2].j = contacts[pairs / 2].i;
+    expect_separated(&s, &contacts[pairs / 2]);
+    contacts[0].j = contacts[0].i;
+    expect_separated(&s, &contacts[0]);
+    clod_neighbour_fini(&first);
+    clod_state_fini(&s.state);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(parts_find_what_one_finds),
+        cmocka_unit_test(the_first_contact_that_is_no_candidate_is_named),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
