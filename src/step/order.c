@@ -78,6 +78,7 @@ bool clod_neighbour_wrap(const clod_neighbour *self, clod_state *state, size_t g
 bool clod_neighbour_inside(const clod_neighbour *self, const clod_state *state, size_t going,
                            clod_status *status)
 {
+    static const char AXIS[] = "xyz";
     const clod_domain *domain = &state->domain;
     for (size_t g = 0; g < state->grains.count; g++) {
         for (int a = 0; a < 3 && !clod_neighbour_goes(self, going, g); a++) {
@@ -88,8 +89,8 @@ bool clod_neighbour_inside(const clod_neighbour *self, const clod_state *state, 
                     "step %lld: grain %llu has left the domain: %c = %g m, allowed %g to %g m; "
                     "enlarge domain, close the gap in the walls, take a smaller time step, or "
                     "set domain.open: delete",
-                    (long long)state->step, (unsigned long long)state->grains.id[g], "xyz"[a],
-                    x, domain -> min[a], domain -> max[a]);
+                    (long long)state->step, (unsigned long long)state->grains.id[g], AXIS[a], x,
+                    domain->min[a], domain->max[a]);
             }
         }
     }
