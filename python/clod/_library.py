@@ -180,7 +180,7 @@ class Wall:
 
     @property
     def load(self):
-        """N that the load of the case aims at; may be set."""
+        """N that its load aims at; may be set."""
         return self._look().load
 
     @load.setter
