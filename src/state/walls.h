@@ -259,6 +259,8 @@ void clod_wall_start(clod_wall *self);
 /**
  * Put a wall that comes after `step` steps where it would be by its oscillation and its start-up
  * if it had been there from the start.
+ *
+ * Errors  none.   Threads  pure.   Test  tests/sim/test_sim_wall_loads.c
  */
 void clod_wall_join(clod_wall *self, double dt, int64_t step);
 
