@@ -29,8 +29,14 @@ typedef struct clod_sim_column {
  * grains come, with ids that count up from the largest at the start. It goes through
  * checkpoints, also those that `clod run` wrote.
  *
- * Means of the whole run (output.steady_since) count from now on. While it is open no wall can
- * come or go.
+ * Means of the whole run (output.steady_since) count from now on.
+ *
+ * Its columns are those of the walls that there are now. While it is open walls may come and go: a wall
+ * that is gone has no values (not a number) until one of its name comes, and one of another name has no
+ * column (clod_sim_wall_look tells its forces). Three kinds of walls of the case can neither go nor come,
+ * for what is measured hangs on them: one with a belt that has a column `pull`, the belt of a gauge, and with
+ * build_up one with a mesh. An outlet whose wall is gone keeps its counts. A wall that comes is no outlet,
+ * and its surfaces have no sums.
  *
  * Errors  a request that is wrong, as clod_sim_change; CLOD_FAILED: memory.
  * Test    tests/sim/test_sim_series.c
@@ -40,8 +46,8 @@ bool clod_sim_open_series(clod_sim *self, clod_status *status);
 /**
  * Take a row: the columns of series.csv (docs/results-folder.md) behind its first four. Rates
  * and means are those since the row before, or since the series was opened (of surfaces, since
- * the simulation began); the means of walls (clod_sim_wall) begin anew. When rows are taken at the times of `clod run` the values have the
- * same bits.
+ * the simulation began); the means of walls (clod_sim_wall) begin anew. When rows are taken at the times of
+ * `clod run` the values have the same bits.
  *
  * @param columns  [out] [count], owned by the simulation; names and units stay until the series
  *                 is opened anew, values until the next row

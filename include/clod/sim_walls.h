@@ -38,7 +38,7 @@ typedef struct clod_sim_wall {
     double mean_torque[3];       ///< N m, likewise
     double mean_power;           ///< W, likewise
     int64_t mean_steps;          ///< so many steps; 0: the means are 0
-    bool loaded;                 ///< a load moves it (force or stress in the case)
+    bool loaded;                 ///< a load moves it (force or stress)
     double load;                 ///< N that it aims at; 0 without
 } clod_sim_wall;
 
@@ -63,7 +63,7 @@ bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
  * These are velocity, surface_velocity, spin and load of clod_sim_wall.
  *
  * Errors  CLOD_USAGE: no such wall, a number that is not finite, a plane that would turn out of
- *         itself, a load on a wall that has none in the case.   Test tests/sim/test_sim.c
+ *         itself, a load on a wall that came without one.   Test tests/sim/test_sim.c
  */
 bool clod_sim_set_wall_velocity(clod_sim *self, int32_t wall, const double velocity[3],
                                 clod_status *status);
@@ -138,13 +138,20 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
                                 clod_status *status);
 
 /**
- * Ask for a wall to come, as clod_sim_add_grain.
+ * Ask for a wall to come, as clod_sim_add_grain. It begins as a wall of a case does that starts at this
+ * moment: where its shapes are given, its load servo at rest. The damping of a load follows from the
+ * bed that is there once all requests are done, without those grains that go; on no grains there
+ * is none. Phase of an oscillation and start-up of belts are those of the simulation's time, as in
+ * the case: the wall comes to a sin(2 pi f t + phase), t from the start of the simulation.
  *
- * @param wall  as in a case (clod/case.h), with a name of its own and without a load; borrowed
- * Errors  CLOD_USAGE: an unknown material; a load, an oscillation, a plane that would turn out
- *         of itself. By what does the changes: a name that is taken or unknown, a material
- *         without a contact law for the grains, a time step beyond the critical one with it.
- * Test    tests/sim/test_sim_change.c
+ * @param wall  as in a case (clod/case.h), with a name of its own; spin_axis, load_axis and direction
+ *              of the oscillation are those of a case that does not say, where they are zero; borrowed
+ * Errors  CLOD_USAGE: an unknown material; a plane that would turn out of itself; a load or an
+ *         oscillation with numbers that no case may have, a period shorter than 50 steps, a name
+ *         that a measure of an open series needs (clod_sim_open_series). By what does the changes:
+ *         a name that is taken or unknown, a material without a contact law for the grains, a time
+ *         step beyond the critical one with it, under its load.
+ * Test    tests/sim/test_sim_change.c, tests/sim/test_sim_wall_loads.c
  */
 bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *status);
 
@@ -160,7 +167,12 @@ bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *
 bool clod_sim_add_wall_from_text(clod_sim *self, const char *name, const char *text,
                                  clod_status *status);
 
-/** Ask for a wall to go, as clod_sim_remove_grain; indices of the others change. */
+/**
+ * Ask for a wall to go, as clod_sim_remove_grain; indices of the others change.
+ *
+ * Errors  as clod_sim_remove_grain; CLOD_USAGE: a measure of an open series needs it
+ *         (clod_sim_open_series).   Test  tests/sim/test_sim_change.c, tests/sim/test_sim_series.c
+ */
 bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status);
 
 /** Begin the means of force, torque and power of all walls anew. */

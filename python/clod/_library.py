@@ -180,7 +180,7 @@ class Wall:
 
     @property
     def load(self):
-        """N that the load of the case aims at; may be set."""
+        """N that its load aims at; may be set."""
         return self._look().load
 
     @load.setter
@@ -311,6 +311,8 @@ class Simulation:
 
             sim.add_wall("chute", {"material": "steel", "shapes": [
                 {"box": {"center": "0 0 -5 mm", "size": "100 20 10 mm"}}]})
+
+        It may have a load or an oscillation.
         """
         text = wall if isinstance(wall, str) else json.dumps(wall)
         self._call(lib.clod_sim_add_wall_from_text, name.encode(), text.encode())
@@ -414,7 +416,8 @@ class Simulation:
     def open_series(self):
         """Measure what the case asks for from now on: gauges, clumps, surfaces, belts, balance.
 
-        It is open from the start when the case has inlets.
+        It is open from the start when the case has inlets. Its columns are those of the walls of this
+        moment; those of a wall that is removed have nan from then on.
         """
         self._call(lib.clod_sim_open_series)
 

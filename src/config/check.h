@@ -80,6 +80,10 @@ void clod_check_belt(clod_loader *loader, const char *path, const clod_case_shap
 /** Checks of the walls alone (check_run.c). */
 void clod_check_walls(clod_loader *loader, const clod_case *self);
 
+/** Whether a wall oscillates across the axis of its load, if it has both: the servo moves it along
+ *  that axis, and nothing else may do so at will (check_run.c). */
+bool clod_check_sways_across(const clod_case_wall *wall);
+
 /** Complain about keys that the table says have no effect in this case (check_unused.c). */
 void clod_check_unused(clod_loader *loader, const clod_case *self);
 

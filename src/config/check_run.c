@@ -217,21 +217,26 @@ static void check_load(clod_loader *loader, const char *path, clod_case_wall *wa
     }
 }
 
-/** The servo of a load moves the wall along its axis; nothing else may do so at will. */
-static void check_oscillation(clod_loader *loader, const char *path, const clod_case_wall *wall)
+bool clod_check_sways_across(const clod_case_wall *wall)
 {
     const clod_case_oscillation *o = &wall->oscillation;
-    if (o->amplitude == 0.0 && o->angle == 0.0) {
-        fail(loader, path, "oscillation", "needs an amplitude, an angle or both");
-    }
     double along = 0.0, direction = 0.0, axis = 0.0;
     for (int a = 0; a < 3; a++) {
         along += o->direction[a] * wall->load_axis[a];
         direction += o->direction[a] * o->direction[a];
         axis += wall->load_axis[a] * wall->load_axis[a];
     }
-    const bool across = fabs(along) <= ACROSS * sqrt(direction * axis);
-    if (o->amplitude > 0.0 && wall->load != CLOD_LOAD_NONE && !across) {
+    return !(o->amplitude > 0.0) || wall->load == CLOD_LOAD_NONE ||
+           fabs(along) <= ACROSS * sqrt(direction * axis);
+}
+
+static void check_oscillation(clod_loader *loader, const char *path, const clod_case_wall *wall)
+{
+    const clod_case_oscillation *o = &wall->oscillation;
+    if (o->amplitude == 0.0 && o->angle == 0.0) {
+        fail(loader, path, "oscillation", "needs an amplitude, an angle or both");
+    }
+    if (!clod_check_sways_across(wall)) {
         fail(loader, path, "oscillation.direction",
              "is not across the axis of the load, along which the load alone moves the wall");
     }

@@ -6,6 +6,7 @@
 #include "config/sizes.h"
 #include "config/testers.h"
 #include "measure/stock.h"
+#include "setup/arrival.h"
 #include "setup/bed.h"
 
 /** The sizes of grains that are to come: two each of the smallest and of the median, which can
@@ -218,20 +219,48 @@ static void name_queue(const clod_changes *queue, char *text, size_t size)
     }
 }
 
+/** Whether laws and time step suit the queue, which the bound has. */
+static bool suits(const clod_setup_bound *self, const clod_case *from, const clod_state *state,
+                  clod_status *status)
+{
+    char what[64];
+    name_queue(&state->changes, what, sizeof what);
+    return queue_has_laws(self, from, &state->changes, status) &&
+           is_stable(self, from, state->dt, what, status);
+}
+
+/** The same with loaded walls, which press on the bed and are damped against it. */
+static bool suits_with_loads(const clod_case *from, const clod_state *state,
+                             clod_status *status)
+{
+    clod_setup_bound bound = {0};
+    clod_state after;
+    const bool good = clod_setup_arrival_init(&after, from, state, status) &&
+                      clod_setup_bound_init(&bound, from, &after, status) &&
+                      suits(&bound, from, state, status);
+    if (good) {
+        const clod_timestep timestep = clod_setup_bound_timestep(&bound, from);
+        clod_setup_arrival_damp(&after, &timestep, &state->changes);
+    }
+    clod_setup_bound_fini(&bound);
+    clod_setup_arrival_fini(&after);
+    return good;
+}
+
 bool clod_setup_bound_accepts(const void *from, const clod_state *state, clod_status *status)
 {
     const clod_changes *queue = &state->changes;
     if (queue->new_grains + queue->new_walls == 0) {
         return true;
     }
-    char what[64];
+    if (clod_setup_arrival_loads(queue)) {
+        return suits_with_loads(from, state, status);
+    }
     clod_setup_bound bound;
-    name_queue(queue, what, sizeof what);
     bool good = clod_setup_bound_init(&bound, from, state, status);
     if (good) {
         add_queue(&bound, queue);
-        good = queue_has_laws(&bound, from, queue, status) &&
-               is_stable(&bound, from, state->dt, what, status);
+        good = suits(&bound, from, state, status);
     }
     clod_setup_bound_fini(&bound);
     return good;

@@ -52,7 +52,8 @@ bool clod_setup_bound_streams(const clod_case *from, const clod_survey *survey,
 
 /**
  * Whether the case has laws for all that grains and walls in state->changes can meet, and the
- * time step is stable with them: clod_step_options.accepts.
+ * time step is stable with them: clod_step_options.accepts. Loaded walls in the queue get their
+ * damping.
  *
  * @param from  clod_case of the state
  * Errors  CLOD_USAGE, CLOD_FAILED without memory.   Threads  pure.

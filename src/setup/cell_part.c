@@ -5,6 +5,7 @@
 
 #include "base/assert.h"
 #include "base/memory.h"
+#include "config/testers.h"
 #include "setup/insertion.h"
 #include "setup/state.h"
 
@@ -119,7 +120,10 @@ bool clod_cell_part_finish(const clod_case *from, clod_state *state, clod_status
     if (!clod_setup_timestep(from, state, &timestep, status)) {
         return false;
     }
-    clod_setup_damping(from, state, &timestep);
+    for (int32_t w = 0; w < state->walls.count; w++) {
+        state->walls.wall[w].damping_fraction = clod_config_tester_of(from)->lid_damping(from);
+    }
+    clod_setup_damping(state, &timestep);
     state->dt = timestep.step;
     return true;
 }

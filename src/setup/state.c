@@ -26,30 +26,19 @@ bool clod_setup_timestep(const clod_case *from, const clod_state *state, clod_ti
     return good && clod_timestep_accept(result, status);
 }
 
-/** Fraction of critical that the case asks for a wall's damping. */
-static double damping_fraction(const clod_case *from, const clod_wall *wall)
-{
-    for (size_t w = 0; w < from->wall_count; w++) {
-        if (strcmp(from->walls[w].name, wall->name) == 0) {
-            return from->walls[w].damping;
-        }
-    }
-    return clod_config_tester_of(from)->lid_damping(from); // no other wall has a load
-}
-
-void clod_setup_damping(const clod_case *from, clod_state *state, const clod_timestep *timestep)
+void clod_setup_damping(clod_state *state, const clod_timestep *timestep)
 {
     const clod_setup_bed bed = clod_setup_bed_of(state);
     for (int32_t w = 0; w < state->walls.count; w++) {
         clod_wall *wall = &state->walls.wall[w];
         const double area = clod_setup_bed_pressed_area(wall, &bed);
-        if (wall->load == CLOD_LOAD_NONE || !(area > 0.0)) {
-            continue;
+        if (wall->load == CLOD_LOAD_NONE || !(area > 0.0) || !(bed.volume > 0.0)) {
+            continue; // on no bed it stays without damping
         }
         const double height = bed.volume / (BED_FRACTION * area);
         const double k =
             clod_setup_bed_stiffness(timestep->unloading, area, height, bed.radius_mean);
-        clod_setup_wall_damping(wall, damping_fraction(from, wall), k);
+        clod_setup_wall_damping(wall, k);
     }
 }
 
@@ -75,7 +64,7 @@ bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
         return clod_status_fail(status, CLOD_USAGE, "grains: the case has no grains");
     }
     clod_setup_domain(from, state);
-    clod_setup_damping(from, state, &timestep);
+    clod_setup_damping(state, &timestep);
     state->dt = timestep.step;
     return clod_setup_wall_pace(&state->walls, state->dt, status);
 }

@@ -32,6 +32,6 @@ bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
 bool clod_setup_timestep(const clod_case *from, const clod_state *state, clod_timestep *result,
                          clod_status *status);
 
-/** Damping of all loaded walls from their fraction of critical and the bed's stiffness. */
-void clod_setup_damping(const clod_case *from, clod_state *state,
-                        const clod_timestep *timestep);
+/** Damping of all loaded walls from their fraction of critical and the bed's stiffness; where
+ *  there are no grains they keep what they have. */
+void clod_setup_damping(clod_state *state, const clod_timestep *timestep);

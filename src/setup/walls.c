@@ -74,6 +74,7 @@ static void make_load(const clod_case_wall *from, clod_wall *wall)
     }
     wall->load_axis = clod_vec3_unit(clod_vec3_of(from->load_axis));
     wall->mass = from->mass;
+    wall->damping_fraction = from->damping;
     wall->area = from->area > 0.0 ? from->area : facing_area(wall);
     wall->load_force = wall->load == CLOD_LOAD_STRESS ? from->stress * wall->area : from->force;
 }
@@ -331,9 +332,9 @@ bool clod_setup_wall_pace(const clod_walls *walls, double dt, clod_status *statu
     return true;
 }
 
-void clod_setup_wall_damping(clod_wall *wall, double fraction, double stiffness)
+void clod_setup_wall_damping(clod_wall *wall, double stiffness)
 {
-    wall->damping = 2.0 * fraction * sqrt(stiffness * wall->mass);
+    wall->damping = 2.0 * wall->damping_fraction * sqrt(stiffness * wall->mass);
 }
 
 double clod_setup_bed_stiffness(double tangent, double area, double height, double radius)

@@ -34,11 +34,10 @@ bool clod_setup_wall_pace(const clod_walls *walls, double dt, clod_status *statu
 /**
  * Damping of a loaded wall: 2 z sqrt(k m), z as a fraction of critical.
  *
- * @param wall       [in,out] its mass is read, its damping is set
- * @param fraction   z
+ * @param wall       [in,out] its mass and z are read, its damping is set
  * @param stiffness  k of the bed under the wall [N/m] (clod_setup_bed_stiffness)
  */
-void clod_setup_wall_damping(clod_wall *wall, double fraction, double stiffness);
+void clod_setup_wall_damping(clod_wall *wall, double stiffness);
 
 /**
  * Estimated stiffness of a bed of grains: area/(2R)^2 columns side by side, each of

@@ -146,8 +146,12 @@ static void take(belts *self, const clod_free_moment *now, size_t k)
         fabs(speed_of(from, wall)) *
         (running_time(&wall->start_up, state->time) - running_time(&wall->start_up, since));
     const int block = clod_steady_time_block(&now->steady, since);
+    const int32_t number = clod_walls_find(&state->walls, wall->name);
+    if (number < 0) { // a program has removed it before
+        return;
+    }
     const clod_belt_portion portion =
-        clod_belt_work_take(&mine->taken, &state->walls.wall[w], state);
+        clod_belt_work_take(&mine->taken, &state->walls.wall[number], state);
     mine->row_work += portion.work;
     mine->row_travel += travel;
     mine->row_time += portion.time;
@@ -171,6 +175,17 @@ static bool belts_act(void *memory, const clod_free_moment *now, clod_status *st
         take(self, now, k);
     }
     return true;
+}
+
+static bool belts_need(const clod_case *from, const char *wall, char *text, size_t size)
+{
+    for (size_t k = 0; k < count_of(from); k++) {
+        if (strcmp(from->walls[wall_of(from, k)].name, wall) == 0) {
+            snprintf(text, size, "the column %s.pull", wall);
+            return true;
+        }
+    }
+    return false;
 }
 
 // ---- series, report, summary
@@ -278,6 +293,7 @@ const clod_free_measure CLOD_MEASURE_BELT_LOADS = {.key = "belts",
                                                    .begin = belts_begin,
                                                    .act = belts_act,
                                                    .plan = belts_plan,
+                                                   .needs = belts_need,
                                                    .columns = belts_columns,
                                                    .column = belts_column,
                                                    .row = belts_row,

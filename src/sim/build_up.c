@@ -10,8 +10,9 @@
 
 /** One of what grains rest on: a wall, or a part of a mesh. */
 typedef struct target {
-    int32_t wall, first; ///< first shape of the mesh
+    int32_t wall, first; ///< number among the walls of now; first shape of the mesh
     int32_t part;        ///< -1: all of the wall
+    size_t past;         ///< number of its past
 } target;
 
 #define NAME 72 ///< bytes of a target's
@@ -23,7 +24,8 @@ typedef struct past {
     double mass[CLOD_BUILD_UP_POINTS];
 } past;
 
-/** The past of all; `of` goes on over all targets that may be. */
+/** The past of all; `of` goes on over all targets that may be: the walls of the case, whether they are
+ *  there or not, then parts. */
 typedef struct build_up {
     double sampled, steady; ///< s, time of the last sample; of the steady time until then
     int64_t samples, points, every; ///< in the steady time; a point at every so many
@@ -56,32 +58,61 @@ static void build_up_begin(void *memory, const clod_case *from, const clod_state
 typedef void (*target_visit)(void *context, size_t number, const target *self,
                              const clod_state *state);
 
-static int32_t walls_of(const clod_case *from, const clod_state *state)
+/** Number of a wall of the case among those of now, or -1: a program may have removed it. */
+static int32_t number_of(const clod_case *from, const clod_state *state, size_t w)
 {
-    const int32_t walls = (int32_t)from->wall_count;
-    return state->walls.count < walls ? state->walls.count : walls;
+    const char *name = from->walls[w].name;
+    const bool there =
+        w < (size_t)state->walls.count && strcmp(state->walls.wall[w].name, name) == 0;
+    return there ? (int32_t)w : clod_walls_find(&state->walls, name);
 }
 
-/** All walls, then their meshes' parts that have names, where there are several: one order. How
- *  many there are. */
+/** Whether a wall of the case has a mesh, which has parts. */
+static bool has_mesh(const clod_case_wall *wall)
+{
+    bool any = false;
+    for (size_t s = 0; s < wall->shape_count; s++) {
+        any |= clod_shape_kinds_row((clod_shape_kind)wall->shapes[s].kind)->faceted;
+    }
+    return any;
+}
+
+/** Meshes have their pasts one behind the other: none of them may go. */
+static bool build_up_needs(const clod_case *from, const char *wall, char *text, size_t size)
+{
+    for (size_t w = 0; from->build_up.present && w < from->wall_count; w++) {
+        if (strcmp(from->walls[w].name, wall) == 0 && has_mesh(&from->walls[w])) {
+            snprintf(text, size, "build_up, of the parts of its mesh");
+            return true;
+        }
+    }
+    return false;
+}
+
+/** All walls of the case, then their meshes' parts that have names, where there are several: one
+ *  order. How many there are. */
 static size_t visit_targets(const clod_case *from, const clod_state *state, target_visit visit,
                             void *context)
 {
-    size_t count = 0;
-    const int32_t walls = from->build_up.present ? walls_of(from, state) : 0;
-    for (int32_t w = 0; w < walls; w++) {
-        visit(context, count++, &(target){w, 0, -1}, state);
+    size_t count = 0, slot = from->wall_count;
+    const size_t walls = from->build_up.present ? from->wall_count : 0;
+    for (size_t w = 0; w < walls; w++) {
+        const int32_t number = number_of(from, state, w);
+        if (number >= 0) {
+            visit(context, count++, &(target){number, 0, -1, w}, state);
+        }
     }
-    for (int32_t w = 0; w < walls; w++) {
-        const clod_wall *wall = &state->walls.wall[w];
-        for (int32_t s = 0; s < wall->shape_count; s++) {
+    for (size_t w = 0; w < walls; w++) {
+        const int32_t number = has_mesh(&from->walls[w]) ? number_of(from, state, w) : -1;
+        const clod_wall *wall = number >= 0 ? &state->walls.wall[number] : NULL;
+        for (int32_t s = 0; wall != NULL && s < wall->shape_count; s++) {
             const clod_surface *surface = wall->shapes[s].surface;
             if (!clod_shape_begins_mesh(&wall->shapes[s]) || surface->part_count < 2) {
                 continue;
             }
-            for (size_t p = 0; p < surface->part_count && count < most_targets(from); p++) {
+            for (size_t p = 0; p < surface->part_count && slot < most_targets(from); p++) {
                 if (surface->part_name[p][0] != '\0') {
-                    visit(context, count++, &(target){w, s, (int32_t)p}, state);
+                    visit(context, count++, &(target){number, s, (int32_t)p, slot++}, state);
                 }
             }
         }
@@ -181,7 +212,7 @@ static void weigh(clod_exact *mass, const target *targets, size_t count,
     for (size_t g = 0; g < state->grains.count; g++) {
         for (size_t t = 0; on[g].wall >= 0 && t < count; t++) {
             if (is_of(&targets[t], state, &on[g])) {
-                clod_exact_add(&mass[t], state->grains.velocity[g][3]);
+                clod_exact_add(&mass[targets[t].past], state->grains.velocity[g][3]);
             }
         }
     }
@@ -214,7 +245,7 @@ static bool build_up_sample(void *memory, const clod_free_moment *now, clod_stat
     if (good) {
         const size_t count = visit_targets(now->from, now->state, note_target, targets);
         weigh(mass, targets, count, now->state, on);
-        note(self, mass, count, now->state->time,
+        note(self, mass, most, now->state->time,
              clod_steady_time_within(&now->steady, self->sampled, now->state->time));
         self->sampled = now->state->time;
     }
@@ -277,13 +308,22 @@ static void build_up_column(const clod_case *from, const clod_state *state, size
     visit_targets(from, state, put_header, &(header){k, text, size});
 }
 
+/** Where the values of a row go. */
+typedef struct row_pen {
+    double *row;
+    const build_up *self;
+} row_pen;
+
+static void put_value(void *context, size_t number, const target *of, const clod_state *state)
+{
+    (void)state;
+    const row_pen *pen = context;
+    pen->row[number] = pen->self->of[of->past].now;
+}
+
 static void build_up_row(void *memory, const clod_free_moment *now, double *row)
 {
-    const build_up *self = memory;
-    const size_t count = build_up_columns(now->from, now->state);
-    for (size_t t = 0; t < count; t++) {
-        row[t] = self->of[t].now;
-    }
+    visit_targets(now->from, now->state, put_value, &(row_pen){row, memory});
 }
 
 /** Where lines of the report go. */
@@ -294,8 +334,9 @@ typedef struct line_pen {
 
 static void put_line(void *context, size_t number, const target *of, const clod_state *state)
 {
+    (void)number;
     const line_pen *pen = context;
-    const past *mass = &pen->self->of[number];
+    const past *mass = &pen->self->of[of->past];
     const double rate = clod_build_up_rate(pen->self->time, mass->mass, pen->self->points);
     char name[NAME];
     name_target(of, state, name, sizeof name);
@@ -324,8 +365,9 @@ typedef struct json_pen {
 
 static void put_object(void *context, size_t number, const target *of, const clod_state *state)
 {
+    (void)number;
     const json_pen *pen = context;
-    const past *mass = &pen->self->of[number];
+    const past *mass = &pen->self->of[of->past];
     const double rate = clod_build_up_rate(pen->self->time, mass->mass, pen->self->points);
     char name[NAME];
     name_target(of, state, name, sizeof name);
@@ -351,6 +393,7 @@ static json_t *build_up_json(const void *memory, const clod_free_moment *now)
 const clod_free_measure CLOD_MEASURE_BUILD_UP = {.key = "build_up",
                                                  .size = build_up_size,
                                                  .begin = build_up_begin,
+                                                 .needs = build_up_needs,
                                                  .sight = build_up_sight,
                                                  .look = build_up_sample,
                                                  .columns = build_up_columns,

@@ -113,6 +113,15 @@ int64_t clod_free_measures_plan(const void *memory, const clod_case *from,
     return first;
 }
 
+bool clod_free_measures_need(const clod_case *from, const char *wall, char *text, size_t size)
+{
+    bool needed = false;
+    for (int k = 0; !needed && k < COUNT; k++) {
+        needed = MEASURES[k]->needs != NULL && MEASURES[k]->needs(from, wall, text, size);
+    }
+    return needed;
+}
+
 bool clod_free_measures_news(void *memory, const clod_case *from, const clod_state *state,
                              clod_news *news)
 {

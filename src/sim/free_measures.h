@@ -46,6 +46,9 @@ typedef struct clod_free_measure {
     /** Steps until it must act; 1 or more. */
     int64_t (*plan)(const void *memory, const clod_case *from, const clod_state *state,
                     const clod_steady_time *steady);
+    /** Whether what it remembers hangs on the wall of this name, which can neither go nor come while
+     *  it measures; what needs it, into `text`. NULL: it goes on with the walls that there are. */
+    bool (*needs)(const clod_case *from, const char *wall, char *text, size_t size);
     /** After every act: something that is to be said at once; false when there is nothing more.
      *  What was said is remembered. */
     bool (*news)(void *memory, const clod_case *from, const clod_state *state, clod_news *news);
@@ -77,6 +80,9 @@ typedef struct clod_free_measure {
 
 /** Bytes that all measures of a case remember, with the time at which the run began. */
 size_t clod_free_measures_size(const clod_case *from);
+
+/** Whether a measure of the case needs the wall of this name: what does, into `text` [size]. */
+bool clod_free_measures_need(const clod_case *from, const char *wall, char *text, size_t size);
 
 /** The run begins. `memory` is [clod_free_measures_size], zero. */
 void clod_free_measures_begin(void *memory, const clod_case *from, const clod_state *state);

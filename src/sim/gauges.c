@@ -68,23 +68,14 @@ static void add_sums(double *to, const double *sums)
     }
 }
 
-static const clod_wall *find_wall(const clod_state *state, const char *name)
-{
-    for (int32_t w = 0; name != NULL && w < state->walls.count; w++) {
-        if (strcmp(state->walls.wall[w].name, name) == 0) {
-            return &state->walls.wall[w];
-        }
-    }
-    return NULL;
-}
-
 /** What the belt has done since this was asked last. */
 static void take_work(clod_gauge_memory *self, const clod_case_gauge *gauge,
                       const clod_state *state, double *sums)
 {
-    const clod_wall *wall = find_wall(state, gauge->belt);
-    if (wall != NULL) {
-        const clod_belt_portion portion = clod_belt_work_take(&self->work, wall, state);
+    const int32_t w = gauge->belt != NULL ? clod_walls_find(&state->walls, gauge->belt) : -1;
+    if (w >= 0) { // a program may have removed it before
+        const clod_belt_portion portion =
+            clod_belt_work_take(&self->work, &state->walls.wall[w], state);
         sums[CLOD_GAUGE_WORK] = portion.work;
         sums[CLOD_GAUGE_TIME] = portion.time;
     }
@@ -156,6 +147,19 @@ static bool gauges_sample(void *memory, const clod_free_moment *now, clod_status
         add_sums(mine->row, sums[k]);
     }
     return true;
+}
+
+/** The belt of a gauge. */
+static bool gauges_need(const clod_case *from, const char *wall, char *text, size_t size)
+{
+    for (size_t k = 0; k < from->gauge_count; k++) {
+        const char *belt = from->gauges[k].belt;
+        if (belt != NULL && strcmp(belt, wall) == 0) {
+            snprintf(text, size, "gauges.%s.belt", from->gauges[k].name);
+            return true;
+        }
+    }
+    return false;
 }
 
 // ---- the series
@@ -242,6 +246,7 @@ const clod_free_measure CLOD_MEASURE_GAUGES = {.key = "gauges",
                                                .begin = gauges_begin,
                                                .act = gauges_act,
                                                .plan = gauges_plan,
+                                               .needs = gauges_need,
                                                .news = clod_gauges_news,
                                                .look = gauges_sample,
                                                .columns = gauges_columns,

@@ -315,7 +315,7 @@ static bool set_step(moving *self, clod_status *status)
     if (!clod_setup_timestep(self->from, state, &timestep, status)) {
         return false;
     }
-    clod_setup_damping(self->from, state, &timestep);
+    clod_setup_damping(state, &timestep);
     const bool same = self->origin->same_law && other->dt <= timestep.step;
     state->dt = same ? other->dt : timestep.step;
     state->step = state->dt == other->dt ? other->step : llround(other->time / state->dt);

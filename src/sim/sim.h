@@ -28,8 +28,11 @@ struct clod_sim {
     size_t measures_size;
     clod_sim_column *columns;                  ///< [column_count] lent by clod_sim_series_row
     char (*column_text)[CLOD_SIM_COLUMN_TEXT]; ///< names and units of them
-    double *row;                               ///< [column_count]
     size_t column_count;
+    double *row;    ///< [row_count] values of the walls that there are now
+    size_t *row_to; ///< [row_count] their columns; column_count: that of none
+    size_t row_count;
+    bool row_is_old; ///< walls may have come or gone since row was made
 };
 
 /** Cases, and walls from a text, are read one at a time. */
@@ -51,11 +54,12 @@ bool clod_sim_has_shape(const clod_sim *self, int32_t wall, int32_t shape, const
 bool clod_sim_hold(clod_sim *self, clod_status *status);
 
 /**
- * Whether walls may come and go: the measures of an open series know those of the case only.
+ * Whether a wall of this name may come or go: no measure of an open series needs it.
  *
- * Errors  CLOD_USAGE.
+ * Errors  CLOD_USAGE: what needs it.
  */
-bool clod_sim_walls_are_free(const clod_sim *self, const char *function, clod_status *status);
+bool clod_sim_wall_is_free(const clod_sim *self, const char *name, const char *function,
+                           clod_status *status);
 
 /** Steps with the measures of the open series, which act between them. */
 bool clod_sim_advance_measured(clod_sim *self, int64_t steps, clod_status *status);

@@ -5,6 +5,7 @@
 #include "config/wall_text.h"
 #include "setup/walls.h"
 #include "sim/sim.h"
+#include "sim/wall_given.h"
 
 bool clod_sim_change(clod_sim *self, clod_status *status)
 {
@@ -80,6 +81,16 @@ static bool has_materials(const clod_sim *self, const clod_case_wall *wall,
     return good;
 }
 
+/** A stress needs an area, which may be that of discs. */
+static bool has_area(const clod_wall *wall, const char *function, clod_status *status)
+{
+    return wall->load != CLOD_LOAD_STRESS || wall->area > 0.0 ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "%s: '%s' has a stress as its load, which needs an area; give one "
+                            "in m2",
+                            function, wall->name);
+}
+
 bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *status)
 {
     if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(wall, status) ||
@@ -87,25 +98,20 @@ bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *
         !has_materials(self, wall, __func__, status)) {
         return false;
     }
-    if (!clod_sim_walls_are_free(self, __func__, status)) {
+    if (!clod_sim_wall_is_free(self, wall->name, __func__, status)) {
         return false;
     }
-    if (wall->load != CLOD_LOAD_NONE || wall->oscillation.frequency != 0.0) {
-        return clod_status_fail(
-            status, CLOD_USAGE,
-            "%s: '%s' has a load or oscillates; such a wall must be part of "
-            "the case",
-            __func__, wall->name);
-    }
-    clod_case_wall given = *wall;
-    const double *axis = given.spin_axis;
-    if (axis[0] == 0.0 && axis[1] == 0.0 && axis[2] == 0.0) {
-        given.spin_axis[2] = 1.0; // as in a case that does not say
-    }
+    const clod_case_wall given = clod_wall_given_directions(wall);
     clod_wall made = {0};
-    bool good = clod_setup_wall(self->from, &given, &made, status);
+    bool good = clod_wall_given_load(&given, __func__, status) &&
+                clod_wall_given_oscillation(&given, __func__, status) &&
+                clod_setup_wall(self->from, &given, &made, status) &&
+                clod_setup_wall_pace(&(clod_walls){1, &made}, self->state.dt, status) &&
+                has_area(&made, __func__, status);
     if (good) {
+        clod_wall_join(&made, self->state.dt, self->state.step);
         clod_changes_add_wall(&self->state.changes, &made);
+        self->row_is_old = true;
         good = is_queued(self, __func__, status);
     }
     clod_wall_fini(&made);
@@ -129,7 +135,7 @@ bool clod_sim_add_wall_from_text(clod_sim *self, const char *name, const char *t
 bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status)
 {
     if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(name, status) ||
-        !clod_sim_walls_are_free(self, __func__, status)) {
+        !clod_sim_wall_is_free(self, name, __func__, status)) {
         return false;
     }
     if (strlen(name) >= sizeof self->state.walls.wall->name) {
@@ -138,5 +144,6 @@ bool clod_sim_remove_wall(clod_sim *self, const char *name, clod_status *status)
                                 name);
     }
     clod_changes_remove_wall(&self->state.changes, name);
+    self->row_is_old = true;
     return is_queued(self, __func__, status);
 }

@@ -104,6 +104,7 @@ bool clod_sim_read_checkpoint(clod_sim *self, const char *folder, const char *pa
     clod_step_fini(&self->step);
     clod_state_fini(&self->state);
     self->state = state;
+    self->row_is_old = true; // it may have other walls
     return clod_sim_take_up(self, status);
 }
 

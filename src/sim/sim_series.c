@@ -1,4 +1,5 @@
 // The series of a simulation: what the case measures beside walls and grains, and its inlets.
+#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -11,14 +12,16 @@ static clod_free_moment moment_of(clod_sim *self, const clod_survey *survey)
     return clod_free_measures_moment(self->measures, self->from, &self->state, survey);
 }
 
-bool clod_sim_walls_are_free(const clod_sim *self, const char *function, clod_status *status)
+bool clod_sim_wall_is_free(const clod_sim *self, const char *name, const char *function,
+                           clod_status *status)
 {
+    char text[96];
     return self->measures == NULL ||
-           clod_status_fail(
-               status, CLOD_USAGE,
-               "%s: the series is open, and its measures know the walls of the case "
-               "only; add and remove walls in a simulation without it",
-               function);
+           !clod_free_measures_need(self->from, name, text, sizeof text) ||
+           clod_status_fail(status, CLOD_USAGE,
+                            "%s: the series is open, and %s needs the wall '%s'; remove or add "
+                            "it in a simulation without the series, or before it is opened",
+                            function, text, name);
 }
 
 void clod_sim_close_series(clod_sim *self)
@@ -27,10 +30,12 @@ void clod_sim_close_series(clod_sim *self)
     clod_memory_free(self->columns);
     clod_memory_free(self->column_text);
     clod_memory_free(self->row);
+    clod_memory_free(self->row_to);
     self->measures = NULL;
     self->columns = NULL;
     self->column_text = NULL;
     self->row = NULL;
+    self->row_to = NULL;
 }
 
 /** Names and units from the headers of the columns: "gauge_chute.flow [kg/s]". */
@@ -49,6 +54,62 @@ static void name_columns(clod_sim *self)
     }
 }
 
+/** Number of the column of this header; most often it is the next one. */
+static size_t find_column(const clod_sim *self, const char *header, size_t next)
+{
+    const char *unit = strstr(header, " [");
+    const size_t length = unit != NULL ? (size_t)(unit - header) : strlen(header);
+    for (size_t k = 0; k < self->column_count; k++) {
+        const size_t at = (next + k) % self->column_count;
+        const char *name = self->columns[at].name;
+        if (strncmp(name, header, length) == 0 && name[length] == '\0') {
+            return at;
+        }
+    }
+    return self->column_count;
+}
+
+/** Room for the values of the walls that there are now, and the columns that these have. */
+static bool make_row(clod_sim *self, clod_status *status)
+{
+    const size_t count = clod_free_measures_columns(self->from, &self->state);
+    double *row = clod_memory_alloc(count + 1, sizeof *row);
+    size_t *to = clod_memory_alloc(count + 1, sizeof *to);
+    if (row == NULL || to == NULL) {
+        clod_memory_free(row);
+        clod_memory_free(to);
+        return clod_status_fail(status, CLOD_FAILED, "no memory for a row of %zu columns",
+                                count);
+    }
+    size_t next = 0;
+    for (size_t k = 0; k < count; k++) {
+        char header[CLOD_SIM_COLUMN_TEXT];
+        clod_free_measures_column(self->from, &self->state, k, header, sizeof header);
+        to[k] = find_column(self, header, next);
+        next = to[k] < self->column_count ? to[k] + 1 : next;
+    }
+    clod_memory_free(self->row);
+    clod_memory_free(self->row_to);
+    self->row = row;
+    self->row_to = to;
+    self->row_count = count;
+    self->row_is_old = false;
+    return true;
+}
+
+/** Values into their columns; those of walls that are gone have none. */
+static void fill_columns(clod_sim *self)
+{
+    for (size_t k = 0; k < self->column_count; k++) {
+        self->columns[k].value = (double)NAN;
+    }
+    for (size_t k = 0; k < self->row_count; k++) {
+        if (self->row_to[k] < self->column_count) {
+            self->columns[self->row_to[k]].value = self->row[k];
+        }
+    }
+}
+
 bool clod_sim_open_series(clod_sim *self, clod_status *status)
 {
     if (!CLOD_GIVEN(self, status) || !clod_step_change(&self->step, status)) {
@@ -60,9 +121,7 @@ bool clod_sim_open_series(clod_sim *self, clod_status *status)
     self->measures = clod_memory_alloc(1, self->measures_size);
     self->columns = clod_memory_alloc(self->column_count + 1, sizeof *self->columns);
     self->column_text = clod_memory_alloc(self->column_count + 1, sizeof *self->column_text);
-    self->row = clod_memory_alloc(self->column_count + 1, sizeof *self->row);
-    if (self->measures == NULL || self->columns == NULL || self->column_text == NULL ||
-        self->row == NULL) {
+    if (self->measures == NULL || self->columns == NULL || self->column_text == NULL) {
         clod_sim_close_series(self);
         return clod_status_fail(status, CLOD_FAILED, "no memory for a series of %zu columns",
                                 self->column_count);
@@ -70,6 +129,7 @@ bool clod_sim_open_series(clod_sim *self, clod_status *status)
     clod_free_measures_begin(self->measures, self->from, &self->state);
     self->state.exchange.residence_since = moment_of(self, NULL).steady.since;
     name_columns(self);
+    self->row_is_old = true;
     clod_walls_reset_sums(&self->state.walls);
     return true;
 }
@@ -112,7 +172,8 @@ bool clod_sim_series_row(clod_sim *self, const clod_sim_column **columns, size_t
                                 "%s: the series is not open; call clod_sim_open_series",
                                 __func__);
     }
-    if (!clod_step_change(&self->step, status)) {
+    if (!clod_step_change(&self->step, status) ||
+        (self->row_is_old && !make_row(self, status))) {
         return false;
     }
     clod_step_reader reader;
@@ -126,9 +187,7 @@ bool clod_sim_series_row(clod_sim *self, const clod_sim_column **columns, size_t
     now.motion = &motion;
     clod_free_measures_row(self->measures, &now, self->row);
     clod_walls_reset_sums(&self->state.walls);
-    for (size_t k = 0; k < self->column_count; k++) {
-        self->columns[k].value = self->row[k];
-    }
+    fill_columns(self);
     *columns = self->columns;
     *count = self->column_count;
     return true;

@@ -14,12 +14,7 @@ int32_t clod_sim_wall_index(const clod_sim *self, const char *name)
 {
     CLOD_NEED(self);
     CLOD_NEED(name);
-    for (int32_t w = 0; w < self->state.walls.count; w++) {
-        if (strcmp(self->state.walls.wall[w].name, name) == 0) {
-            return w;
-        }
-    }
-    return -1;
+    return clod_walls_find(&self->state.walls, name);
 }
 
 bool clod_sim_has_wall(const clod_sim *self, int32_t wall, const char *function,
@@ -209,8 +204,8 @@ bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_sta
     if (to->load == CLOD_LOAD_NONE || !isfinite(force)) {
         return clod_status_fail(status, CLOD_USAGE,
                                 isfinite(force)
-                                    ? "%s: the wall '%s' has no load in the case, which also "
-                                      "gives its mass and damping"
+                                    ? "%s: the wall '%s' has no load; one that comes with a "
+                                      "load also has its mass and damping"
                                     : "%s: the load of '%s' must be finite",
                                 __func__, to->name);
     }

@@ -210,21 +210,46 @@ void clod_wall_start(clod_wall *self)
     displace(self, sin(o->phase), 2.0 * M_PI * o->frequency * cos(o->phase));
 }
 
-void clod_wall_move(clod_wall *self, double dt, int64_t step)
+/** The oscillation at the end of a step: sin b - sin a = 2 sin((b - a)/2) cos((b + a)/2). */
+static void sway(clod_wall *self, double dt, int64_t step)
 {
     const clod_oscillation *o = &self->oscillation;
-    const bool sways = o->frequency > 0.0;
+    const double end = 2.0 * M_PI * cycles_after(o, dt, (double)step) + o->phase;
+    const double middle = 2.0 * M_PI * cycles_after(o, dt, (double)step - 0.5) + o->phase;
+    displace(self, sin(end), 2.0 / dt * sin(M_PI * o->frequency * dt) * cos(middle));
+}
+
+void clod_wall_join(clod_wall *self, double dt, int64_t step)
+{
+    clod_wall_start(self);
+    self->belt_lag = lag_at(&self->start_up, dt * (double)step);
+    if (step > 0 && self->oscillation.frequency > 0.0) {
+        sway(self, dt, step);
+    }
+}
+
+void clod_wall_move(clod_wall *self, double dt, int64_t step)
+{
+    const bool sways = self->oscillation.frequency > 0.0;
     self->belt_lag = lag_at(&self->start_up, dt * (double)step);
     clod_vec3 *moved = sways ? &self->travel : &self->shift;
     double *turned = sways ? &self->turned : &self->angle;
     *moved = clod_vec3_axpy(*moved, dt, self->velocity);
     *moved = clod_vec3_axpy(*moved, dt * self->servo_velocity, self->load_axis);
     *turned += dt * self->spin;
-    if (sways) { // sin b - sin a = 2 sin((b - a)/2) cos((b + a)/2)
-        const double end = 2.0 * M_PI * cycles_after(o, dt, (double)step) + o->phase;
-        const double middle = 2.0 * M_PI * cycles_after(o, dt, (double)step - 0.5) + o->phase;
-        displace(self, sin(end), 2.0 / dt * sin(M_PI * o->frequency * dt) * cos(middle));
+    if (sways) {
+        sway(self, dt, step);
     }
+}
+
+int32_t clod_walls_find(const clod_walls *self, const char *name)
+{
+    for (int32_t w = 0; w < self->count; w++) {
+        if (strcmp(self->wall[w].name, name) == 0) {
+            return w;
+        }
+    }
+    return -1;
 }
 
 bool clod_walls_remove(const clod_walls *self)

@@ -119,12 +119,13 @@ typedef struct clod_wall {
     double belt_lag;         ///< 1 - fraction of their speed that these have; 0: all of it
     // load
     clod_load_kind load;
-    clod_vec3 load_axis;   ///< unit; the load pushes along it
-    double load_force;     ///< N, aimed at
-    double area;           ///< m2
-    double mass;           ///< kg
-    double damping;        ///< N s/m
-    double servo_velocity; ///< m/s along load_axis
+    clod_vec3 load_axis;     ///< unit; the load pushes along it
+    double load_force;       ///< N, aimed at
+    double area;             ///< m2
+    double mass;             ///< kg
+    double damping_fraction; ///< of critical, from which damping was made
+    double damping;          ///< N s/m
+    double servo_velocity;   ///< m/s along load_axis
     // result of the last step
     clod_vec3 force;   ///< N, of the grains on the wall
     clod_vec3 torque;  ///< N m, of the grains on the wall, about spin_point + shift
@@ -256,6 +257,14 @@ int32_t clod_wall_plane_across(const clod_wall *self);
 void clod_wall_start(clod_wall *self);
 
 /**
+ * Put a wall that comes after `step` steps where it would be by its oscillation and its start-up
+ * if it had been there from the start.
+ *
+ * Errors  none.   Threads  pure.   Test  tests/sim/test_sim_wall_loads.c
+ */
+void clod_wall_join(clod_wall *self, double dt, int64_t step);
+
+/**
  * Move a wall through one step: by its velocity, servo, spin and oscillation.
  *
  * The displacement of the oscillation is a function of the step's number alone, so it does not
@@ -280,6 +289,9 @@ double clod_wall_speed_within(const clod_wall *self, double reach);
 
 /** The same where nobody has kept the reach. */
 double clod_wall_speed_bound(const clod_wall *self);
+
+/** Number of the wall of this name, or -1. */
+int32_t clod_walls_find(const clod_walls *self, const char *name);
 
 /** Whether any shape removes grains that touch it. */
 bool clod_walls_remove(const clod_walls *self);

@@ -32,8 +32,8 @@ typedef struct clod_step_options {
     const char *simd;     ///< instruction set, NULL = best
     bool brute_force;     ///< neighbour search over all pairs (tests)
     double overlap_limit; ///< of the smaller radius, at which to stop; 0 = CLOD_STEP_OVERLAP
-    /** Whether laws and time step suit what state->changes brings, before it is done
-     *  (clod_setup_bound_accepts); NULL: nobody asks. */
+    /** Whether laws and time step suit what state->changes brings, before it is done; its loaded
+     *  walls get their damping (clod_setup_bound_accepts); NULL: nobody asks. */
     bool (*accepts)(const void *context, const clod_state *state, clod_status *status);
     const void *context;          ///< of accepts; borrowed until clod_step_fini
     clod_balance_options balance; ///< of several ranks

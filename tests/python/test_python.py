@@ -274,6 +274,32 @@ class Python(program.Case):
             self.assertGreater(row["surface_floor.impact_angle"], 0.0)
             self.assertEqual([name for name in row if name.startswith("surface_lower")], [])
 
+    def test_a_lid_comes_with_its_load_while_the_series_is_open(self):
+        """At rest the grains carry the load; the floor's columns end when it goes."""
+        with make() as sim:
+            sim.open_series()
+            sim.advance(60000)
+            columns = list(sim.series_row())
+            top = (sim.position[:, 2] + sim.radius).max()
+            sim.add_wall("lid", {"material": "ore", "load": {"force": "0.5 N", "mass": "50 g", "damping": 0.02},
+                                 "shapes": [
+                {"plane": {"point": ["0 mm", "0 mm", f"{1e3 * top + 0.1:.6f} mm"], "normal": [0, 0, -1]}}]})
+            sim.advance(60000)
+            lid = sim.walls["lid"]
+            self.assertEqual(lid.load, 0.5)
+            self.assertAlmostEqual(lid.force[2], 0.5, delta=0.01)
+            row = sim.series_row()
+            self.assertEqual(list(row), columns)
+            self.assertLess(row["floor.force_z"], 0)
+            sim.remove_wall("floor")
+            sim.advance(10)
+            row = sim.series_row()
+            self.assertEqual(list(row), columns)
+            self.assertTrue(numpy.isnan(row["floor.force_z"]))
+            with self.assertRaisesRegex(clod.Error, "walls.b.load: must have exactly one of force, stress"):
+                sim.add_wall("b", {"material": "ore", "load": {"mass": "1 kg"}, "shapes": [
+                    {"plane": {"point": "0 0 -1 mm"}}]})
+
     def test_a_belt_carries_what_lies_on_it(self):
         with make() as sim:
             floor = sim.walls["floor"]

@@ -171,8 +171,8 @@ static void loads_become_newtons(void **state)
 static void damping_and_bed_stiffness_by_hand(void **state)
 {
     (void)state;
-    clod_wall wall = {.mass = 2.0};
-    clod_setup_wall_damping(&wall, 0.5, 8.0);
+    clod_wall wall = {.mass = 2.0, .damping_fraction = 0.5};
+    clod_setup_wall_damping(&wall, 8.0);
     check_close(wall.damping, 4.0, 1e-15);
     check_close(clod_setup_bed_stiffness(3.0, 1.0, 2.0, 0.05), 15.0, 1e-13);
 }

@@ -228,9 +228,6 @@ static void wrong_requests_are_refused(void **state)
         .name = "lower", .material = "wood", .shapes = &plane, .shape_count = 1};
     expect_refused(clod_sim_add_wall(sim, &wall, &status), "no material 'wood'");
     wall.material = "ore";
-    wall.load = CLOD_LOAD_FORCE;
-    expect_refused(clod_sim_add_wall(sim, &wall, &status), "has a load");
-    wall.load = CLOD_LOAD_NONE;
     wall.name = "floor";
     CHECK(clod_sim_add_wall(sim, &wall, &status));
     expect_refused(clod_sim_change(sim, &status), "another one has this name");

@@ -107,7 +107,8 @@ static bool add_wall(void)
     return clod_sim_add_wall_from_text(
         sim, "post",
         "{material: ore, shapes: [{bar: {from: [-9 mm, 14 mm, 1 mm], to: [9 mm, 14 mm, 1 mm], "
-        "width: 1 mm, height: 2 mm, up: [0, 0, 1]}}]}",
+        "width: 1 mm, height: 2 mm, up: [0, 0, 1]}}], load: {axis: [0, 1, 0], force: 1 N, mass: "
+        "1 kg}}",
         &status);
 }
 
@@ -174,6 +175,18 @@ static bool measure(void)
     return clod_sim_measure(sim, &bed, &status);
 }
 
+static bool open_series(void)
+{
+    return clod_sim_open_series(sim, &status);
+}
+
+static bool take_row(void)
+{
+    const clod_sim_column *columns;
+    size_t count;
+    return clod_sim_series_row(sim, &columns, &count, &status);
+}
+
 typedef struct part {
     bool (*call)(void);
     bool request; ///< done by the next call that is none
@@ -199,8 +212,11 @@ static const part LIFE[] = {
     {measure, false},
     {open_ledger, false},
     {read_checkpoint, false},
+    {open_series, false},
+    {take_row, false},
     {remove_wall, true},
     {fall, false},
+    {take_row, false},
 };
 #define PARTS ((int)(sizeof LIFE / sizeof *LIFE))
 

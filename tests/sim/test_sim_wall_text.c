@@ -44,6 +44,11 @@ static const char *const WALLS[] = {
     "-1 mm]}",
     "material: ore\nshapes:\n  - bar: {from: [-30 mm, 0 mm, 20 mm], to: [30 mm, 1 mm, 20 mm], "
     "width: 20 mm, height: 3 mm}\n",
+    "{material: ore, load: {axis: [0, 0, 1], force: 0.5 N, mass: 100 g}, shapes: [{disc: "
+    "{center: [0 mm, 0 mm, 20 mm], radius: 30 mm}}]}",
+    "{material: ore, oscillation: {direction: [1, 0, 1], amplitude: 2 mm, angle: 5 deg, "
+    "frequency: 80 Hz, phase: 1 rad}, shapes: [{box: {center: [0 mm, 0 mm, 20 mm], size: [40 "
+    "mm, 40 mm, 3 mm]}}]}",
     "{\"material\": \"rubber\", \"shapes\": [{\"box\": {\"center\": \"0 0 20 mm\", \"size\": "
     "[\"40 mm\", \"40 mm\", \"3 mm\"]}}]}", // JSON
 };
@@ -116,8 +121,16 @@ static const struct {
     {"a b", "{material: ore, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm]}}]}", "is not a name"},
     {"a",
      "{material: ore, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm]}}], load: {axis: [0, 0, -1], "
-     "force: 1 N, mass: 1 kg}}",
-     "has a load or oscillates"},
+     "mass: 1 kg}}",
+     "wall 'a':1:65: walls.a.load: must have exactly one of force, stress"},
+    {"a",
+     "{material: ore, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm]}}], load: {force: 1 N, mass: 1 "
+     "kg}, oscillation: {amplitude: 1 mm, frequency: 50 Hz}}",
+     "is not across the axis of the load"},
+    {"a",
+     "{material: ore, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm]}}], oscillation: {amplitude: "
+     "1 mm, frequency: 2.1 kHz}}",
+     "walls.a.oscillation.frequency: 2100 Hz is too fast for the time step"},
     {"a", "{material: wood, shapes: [{plane: {point: [0 mm, 0 mm, 0 mm]}}]}",
      "no contact law for grains of 'ore' with a wall of 'wood'; add the section ore-wood"},
     {"a",
