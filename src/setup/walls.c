@@ -170,20 +170,16 @@ static bool make_plain(const clod_case_wall *given, const clod_case_shape *from,
     return true;
 }
 
-/** Put where a mesh stands in the case before what is wrong with it. */
-static void tell_where(const clod_case *whole, const clod_case_wall *given,
-                       const clod_case_shape *from, clod_status *status)
+/** Put the key of a mesh in the case before what is wrong with it. */
+static void tell_key(const clod_case_wall *given, const clod_case_shape *from,
+                     clod_status *status)
 {
     const clod_status said = *status;
     const bool lost = strstr(said.text, "cannot be opened") != NULL;
-    char line[24] = "";
-    if (from->line > 0) {
-        snprintf(line, sizeof line, "%d: ", from->line);
-    }
+    const char *below = strncmp(said.text, "parts.", 6) == 0 ? "." : ".file: ";
     if (from->file != NULL) {
-        clod_status_fail(status, said.code, "%s:%swalls.%s.shapes.%d.mesh: %s%s",
-                         whole->path != NULL ? whole->path : "case", line, given->name,
-                         (int)(from - given->shapes), said.text,
+        clod_status_fail(status, said.code, "walls.%s.shapes.%d.mesh%s%s%s", given->name,
+                         (int)(from - given->shapes), below, said.text,
                          lost ? "; its path is taken from the folder of the case file" : "");
     }
 }
@@ -196,7 +192,7 @@ static bool make_patches(const clod_case *whole, const clod_case_wall *given,
     clod_setup_mesh mesh = clod_setup_mesh_read(given, from, status);
     clod_surface *surface = mesh.surface;
     if (surface == NULL) {
-        tell_where(whole, given, from, status);
+        tell_key(given, from, status);
     }
     clod_shape *shape =
         surface == NULL ? NULL
@@ -246,7 +242,7 @@ static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod
     const int32_t plane = clod_wall_plane_across(wall);
     return plane < 0 || !ever_turns(from, given) ||
            clod_status_fail(status, CLOD_USAGE,
-                            "walls.%s.shapes[%d]: an endless plane can turn only about "
+                            "walls.%s.shapes.%d: an endless plane can turn only about "
                             "its own normal; use a box or a disc",
                             given->name, (int)plane);
 }
