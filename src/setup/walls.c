@@ -310,6 +310,19 @@ bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *sta
     return clod_setup_outlets(from, walls, status);
 }
 
+bool clod_setup_wall_stays(const clod_case *from, const clod_wall *wall)
+{
+    bool stays = wall->load == CLOD_LOAD_NONE &&
+                 clod_vec3_dot(wall->velocity, wall->velocity) == 0.0 && wall->spin == 0.0 &&
+                 !(wall->oscillation.frequency > 0.0);
+    for (size_t s = 0; s < from->stage_count; s++) {
+        for (size_t w = 0; w < from->stages[s].wall_count; w++) {
+            stays = stays && strcmp(from->stages[s].walls[w].name, wall->name) != 0;
+        }
+    }
+    return stays;
+}
+
 bool clod_setup_wall_pace(const clod_walls *walls, double dt, clod_status *status)
 {
     for (int32_t w = 0; w < walls->count; w++) {

@@ -1,10 +1,12 @@
-// Streams that cannot be meant: too fast for the step, removed where they come in, walls out of reach.
+// Streams that cannot be meant: too fast for the step, removed where they come in, walls out of reach or
+// through the regions of grains.
 
 #include <math.h>
-#include <string.h>
 
 #include "config/region.h"
 #include "setup/domain.h"
+#include "setup/region_walls.h"
+#include "setup/walls.h"
 #include "sim/check_testers.h"
 
 static double length3(const double v[3])
@@ -46,27 +48,6 @@ static void warn_outlets(const clod_check_subject *subject, clod_check_report *r
     }
 }
 
-/** Whether a wall stays where it is during all stages. */
-static bool stays(const clod_wall *wall)
-{
-    return wall->load == CLOD_LOAD_NONE &&
-           clod_vec3_dot(wall->velocity, wall->velocity) == 0.0 && wall->spin == 0.0 &&
-           !(wall->oscillation.frequency > 0.0);
-}
-
-/** Whether a stage changes a wall. */
-static bool is_changed(const clod_case *from, const char *name)
-{
-    for (size_t s = 0; s < from->stage_count; s++) {
-        for (size_t w = 0; w < from->stages[s].wall_count; w++) {
-            if (strcmp(from->stages[s].walls[w].name, name) == 0) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
 /** A wall that no grain of the domain can reach. */
 static void warn_walls(const clod_check_subject *subject, clod_check_report *r)
 {
@@ -75,8 +56,8 @@ static void warn_walls(const clod_check_subject *subject, clod_check_report *r)
         const clod_wall *wall = &subject->state.walls.wall[w];
         double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
         double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-        if (!clod_setup_domain_add_wall(wall, low, high) || !stays(wall) ||
-            is_changed(from, wall->name)) {
+        if (!clod_setup_domain_add_wall(wall, low, high) ||
+            !clod_setup_wall_stays(from, wall)) {
             continue;
         }
         for (int a = 0; a < 3; a++) {
@@ -94,9 +75,16 @@ static void warn_walls(const clod_check_subject *subject, clod_check_report *r)
     }
 }
 
+/** A wall that cuts a region of grains. */
+static void tell(void *report, const char *text)
+{
+    clod_check_warning(report, "%s", text);
+}
+
 void clod_check_streams_warn(const clod_check_subject *subject, clod_check_report *r)
 {
     warn_speed(subject, r);
     warn_outlets(subject, r);
     warn_walls(subject, r);
+    clod_setup_regions_doubts(subject->from, &subject->state.walls, true, tell, r);
 }
