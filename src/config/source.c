@@ -1,5 +1,6 @@
 #include "config/source.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -82,4 +83,22 @@ bool clod_source_tell(const clod_case *self, clod_status *status)
     memcpy(path, said.text, length);
     return clod_report_one(&source->report, place_of(source->root, path), path,
                            said.text + length + 2, said.code, status);
+}
+
+const char *clod_source_where(const clod_case *self, const char *path, char *where)
+{
+    where[0] = '\0';
+    if (self->source == NULL) {
+        return where;
+    }
+    const clod_report *files = &self->source->report;
+    const clod_place place = place_of(self->source->root, path);
+    const char *name = place.source == CLOD_PLACE_INCLUDED ? files->included_name : files->name;
+    const int length = place.source > 0 ? 0
+                                        : snprintf(where, CLOD_SOURCE_WHERE, "%s:%d:%d: ", name,
+                                                   place.line, place.column);
+    if (length >= CLOD_SOURCE_WHERE) {
+        where[0] = '\0';
+    }
+    return where;
 }

@@ -35,3 +35,16 @@ void clod_source_destroy(clod_case_source **self);
  * Errors  none.   Threads  pure.   Test  tests/config/test_source.c
  */
 bool clod_source_tell(const clod_case *self, clod_status *status);
+
+/** Bytes of where a key stands. */
+#define CLOD_SOURCE_WHERE 128
+
+/**
+ * Where a key was written, for warnings: "case.yaml:8:3: ", or "" if that is not known, from --set, or too long.
+ *
+ * @param path   of the key, "walls.feed"
+ * @param where  [CLOD_SOURCE_WHERE] [out]
+ * @return       where
+ * Threads  pure.   Test  tests/config/test_source.c
+ */
+const char *clod_source_where(const clod_case *self, const char *path, char *where);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "config/source.h"
 #include "geometry/wall_pose.h"
 #include "setup/region_prism.h"
 #include "setup/walls.h"
@@ -154,20 +155,20 @@ static bool begins(const clod_shape *shape)
     return shape->surface == NULL || clod_shape_begins_mesh(shape);
 }
 
-static void tell_cut(const pair *self, const char *shape, size_t group,
+static void tell_cut(const pair *self, const char *shape, const char *key, const char *where,
                      clod_setup_regions_tell tell, void *context)
 {
     const clod_shape_kind_row *kind = clod_shape_kinds_row(self->shape->kind);
     const bool named = self->part[0] != '\0';
-    char text[320];
-    snprintf(
-        text, sizeof text,
-        "grains.%zu.region: %s%s%s reaches through it, at (%.4g, %.4g, %.4g) m: %s. Move or "
-        "shorten the region, or the wall",
-        group, shape, named ? ", part " : "", self->part, self->at.x, self->at.y, self->at.z,
-        kind->endless ? "no grain comes behind this plane"
-        : kind->solid ? "no grain comes in this solid"
-                      : "grains come on both sides of it");
+    char text[512];
+    snprintf(text, sizeof text,
+             "%s%s: %s%s%s reaches through it, at (%.4g, %.4g, %.4g) m: %s. Move or "
+             "shorten the region, or the wall",
+             where, key, shape, named ? ", part " : "", self->part, self->at.x, self->at.y,
+             self->at.z,
+             kind->endless ? "no grain comes behind this plane"
+             : kind->solid ? "no grain comes in this solid"
+                           : "grains come on both sides of it");
     tell(context, text);
 }
 
@@ -198,9 +199,11 @@ void clod_setup_regions_doubts(const clod_case *from, const clod_walls *walls, b
                 one.shape = &wall->shapes[s];
                 one.part = "";
                 if (begins(one.shape) && cuts(&one)) {
-                    char shape[80];
+                    char shape[80], key[64], where[CLOD_SOURCE_WHERE];
                     name_shape(wall, number, shape, sizeof shape);
-                    tell_cut(&one, shape, k, tell, context);
+                    snprintf(key, sizeof key, "grains.%zu.region", k);
+                    tell_cut(&one, shape, key, clod_source_where(from, key, where), tell,
+                             context);
                 }
                 number += begins(one.shape);
             }

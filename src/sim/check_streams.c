@@ -2,8 +2,10 @@
 // through the regions of grains.
 
 #include <math.h>
+#include <stdio.h>
 
 #include "config/region.h"
+#include "config/source.h"
 #include "setup/domain.h"
 #include "setup/region_walls.h"
 #include "setup/walls.h"
@@ -63,12 +65,14 @@ static void warn_walls(const clod_check_subject *subject, clod_check_report *r)
         for (int a = 0; a < 3; a++) {
             const double reach = r->radius_max; // of a grain whose centre is on the side
             if (low[a] > from->domain_max[a] + reach || high[a] < from->domain_min[a] - reach) {
+                char key[64], where[CLOD_SOURCE_WHERE];
+                snprintf(key, sizeof key, "walls.%s", wall->name);
                 clod_check_warning(r,
-                                   "walls.%s: nothing of it lies in the domain: its %c is %.4g "
+                                   "%s%s: nothing of it lies in the domain: its %c is %.4g "
                                    "to %.4g m, that of the domain %.4g to %.4g m. Check its "
                                    "place, the unit of a mesh, and domain",
-                                   wall->name, "xyz"[a], low[a], high[a], from -> domain_min[a],
-                                   from -> domain_max[a]);
+                                   clod_source_where(from, key, where), key, "xyz"[a], low[a],
+                                   high[a], from -> domain_min[a], from -> domain_max[a]);
                 break;
             }
         }

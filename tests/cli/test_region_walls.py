@@ -31,7 +31,7 @@ stages: [{name: run, duration: 2 ms}]
 time: {step: 1e-5 s, design_stress: 1 kPa}
 output: {series_interval: 1 ms, snapshot_interval: 1 ms}
 """
-TOLD = "grains.0.region: walls.hood.shapes.1, part plate reaches through it, at "
+TOLD = "case.yaml:14:5: grains.0.region: walls.hood.shapes.1, part plate reaches through it, at "
 
 
 class RegionWalls(clod.Case):

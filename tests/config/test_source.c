@@ -139,6 +139,21 @@ static void an_included_file_is_named_itself(void **state)
     clod_case_destroy(&self);
 }
 
+/** Warnings have the place only. */
+static void where_a_key_stands(void **state)
+{
+    (void)state;
+    const char *const overrides[] = {"grains.0.count=7"};
+    char where[CLOD_SOURCE_WHERE], expected[CLOD_SOURCE_WHERE];
+    clod_case *self = load("", overrides, 1);
+    snprintf(expected, sizeof expected, "%s/case.yaml:10:3: ", folder);
+    assert_string_equal(clod_source_where(self, "walls.floor", where), expected);
+    assert_string_equal(clod_source_where(self, "grains.0.count", where), "");
+    const clod_case bare = {.path = self->path, .text = self->text};
+    assert_string_equal(clod_source_where(&bare, "walls.floor", where), "");
+    clod_case_destroy(&self);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -147,6 +162,7 @@ int main(void)
         cmocka_unit_test(other_texts_stay),
         cmocka_unit_test(an_override_is_named_itself),
         cmocka_unit_test(an_included_file_is_named_itself),
+        cmocka_unit_test(where_a_key_stands),
     };
     if (mkdtemp(folder) == NULL) {
         return EXIT_FAILURE;

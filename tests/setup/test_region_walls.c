@@ -86,7 +86,7 @@ static void planes(void **state)
     expect(BOX, "plane: {point: [0 m, 0 m, -41 mm], normal: [0, 0, 1]}", NULL);
     expect(
         BOX, "plane: {point: [0 m, 0 m, -39 mm], normal: [0, 0, 1]}",
-        "grains.0.region: walls.w.shapes.0 reaches through it, at (0, 0, -0.039) m: no grain comes "
+        ":5:81: grains.0.region: walls.w.shapes.0 reaches through it, at (0, 0, -0.039) m: no grain comes "
         "behind this plane. Move or shorten the region, or the wall\n");
     // the edge at x = y = 40 mm is 56.57 mm away along (1, 1, 0); 57 mm and 56 mm are 40.305 and 39.598 mm in x
     expect(BOX, "plane: {point: [40.305 mm, 40.305 mm, 0 m], normal: [-1, -1, 0]}", NULL);
