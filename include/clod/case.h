@@ -315,7 +315,8 @@ typedef enum clod_open {
 } clod_open;
 
 typedef struct clod_case {
-    char *path; ///< file it came from
+    char *path;                      ///< file it came from
+    struct clod_case_source *source; ///< where its keys were written (src/config/source.h)
     char *text; ///< its whole text, for the copy in the results folder and the checkpoint
     char *title;
     char *include; ///< file whose keys were taken over (in all fields); NULL: none

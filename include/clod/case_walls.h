@@ -99,7 +99,6 @@ typedef struct clod_case_shape {
     double width, height;              ///< bar: across, and along `up`
     double up[3];                      ///< bar: direction of its height
     char *file;                        ///< mesh: path, resolved against the case
-    int line;                          ///< mesh: where it stands in the case; 0: not known
     double unit;                       ///< mesh: m, one unit of the file
     double scale;                      ///< mesh: of its numbers
     clod_case_rotation rotate;         ///< mesh: of the scaled mesh

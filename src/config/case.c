@@ -18,6 +18,7 @@
 #include "config/override.h"
 #include "config/param.h"
 #include "config/report.h"
+#include "config/source.h"
 #include "config/yaml.h"
 
 /** Absolute folder of the case file, so that an echo that moves elsewhere still finds files. */
@@ -123,6 +124,9 @@ clod_case *clod_case_parse(const char *path, const char *text, size_t length,
             build(&loader, self);
         }
     }
+    if (self != NULL && report.count == 0 && !report.lost) {
+        clod_source_keep(self, &loader, override_count);
+    }
     if (!clod_report_finish(&report, status)) {
         clod_case_destroy(&self);
     }
@@ -154,6 +158,7 @@ void clod_case_destroy(clod_case **self)
         return;
     }
     clod_load_free(&CLOD_TABLE_CASE, *self);
+    clod_source_destroy(&(*self)->source);
     clod_memory_free((*self)->path);
     clod_memory_free((*self)->text);
     clod_memory_free(*self);

@@ -176,15 +176,6 @@ static void check_grains(clod_loader *loader, const clod_case *self, size_t inde
     }
 }
 
-/** Note where a mesh stands, for messages about its file. */
-static void note_line(clod_loader *loader, const char *path, clod_case_shape *shape)
-{
-    char whole[PATH_SIZE + 96];
-    snprintf(whole, sizeof whole, "%s.mesh.file", path);
-    const clod_node *file = clod_tree_at(loader->root, whole);
-    shape->line = file != NULL && file->place.source == 0 ? file->place.line : 0;
-}
-
 /** Rules between the keys of a shape. */
 static void check_keys(clod_loader *loader, const char *path, const clod_case_shape *shape)
 {
@@ -279,7 +270,6 @@ static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
     for (size_t i = 0; i < wall->shape_count; i++) {
         snprintf(key, sizeof key, "%s.shapes.%zu", path, i);
         if (clod_shape_kinds_row((clod_shape_kind)wall->shapes[i].kind)->file) {
-            note_line(loader, key, &wall->shapes[i]);
         }
         check_keys(loader, key, &wall->shapes[i]);
         check_surface(loader, self, key, &wall->shapes[i]);

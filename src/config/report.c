@@ -227,6 +227,19 @@ static bool print_all(const clod_report *self, clod_status *status)
     return true;
 }
 
+bool clod_report_one(const clod_report *self, clod_place place, const char *path,
+                     const char *message, clod_code code, clod_status *status)
+{
+    clod_report_item item = {.place = place, .path = path, .message = message};
+    clod_report one = *self;
+    one.items = &item;
+    one.count = 1;
+    status->code = code;
+    return print_all(&one, status)
+               ? false
+               : clod_status_fail(status, CLOD_FAILED, "%s: out of memory", self->name);
+}
+
 bool clod_report_finish(clod_report *self, clod_status *status)
 {
     if (self->lost) {

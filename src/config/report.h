@@ -41,6 +41,10 @@ void clod_report_add(clod_report *self, clod_place place, const char *path, cons
 /** True when no error was found at `path` or below it. */
 bool clod_report_clean(const clod_report *self, const char *path);
 
+/** Write one error into the status, whatever was recorded; false, always. `path` may be "". */
+bool clod_report_one(const clod_report *self, clod_place place, const char *path,
+                     const char *message, clod_code code, clod_status *status);
+
 /** Write all errors into the status; false when there are any. */
 bool clod_report_finish(clod_report *self, clod_status *status);
 

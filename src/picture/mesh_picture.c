@@ -1,4 +1,5 @@
-// A mesh as the mesh doctor sees it: each facet in the colour of what is done about it.
+// A mesh as the mesh doctor sees it: each facet in the colour of what is done about it, and over them the edges
+// at which surfaces do not join.
 
 #include "picture/mesh_picture.h"
 
@@ -36,6 +37,17 @@ static const struct {
 
 static const double LINE[3] = {0.30, 0.34, 0.40};
 
+/** Edges that are drawn over the facets, by colours that no facet has. */
+#define MARKS 2
+static const struct {
+    uint8_t edge; ///< clod_mesh_edge
+    const char *text;
+    double colour[3];
+} EDGES[MARKS] = {
+    {CLOD_MESH_EDGE_OPEN, "open", {0.00, 0.80, 0.90}},
+    {CLOD_MESH_EDGE_T, "on a T", {0.85, 0.00, 0.85}},
+};
+
 static bool has_edge(const uint8_t edges[3], int kind)
 {
     return edges[0] == kind || edges[1] == kind || edges[2] == kind;
@@ -66,15 +78,20 @@ clod_mesh_fault clod_mesh_picture_fault(const clod_mesh_view *view, size_t facet
     return CLOD_MESH_FAULT_NONE;
 }
 
+/** Of facets, dropped ones too, and edges. */
+#define KINDS (CLOD_MESH_FAULTS + 1 + MARKS)
+
 /** All that is drawn; owned content. */
 typedef struct drawing {
     clod_scene scene;
     clod_faces faces;
     clod_page page;
-    clod_page_bar bar;
-    char text[CLOD_MESH_FAULTS + 1][KIND_TEXT];
-    const char *name[CLOD_MESH_FAULTS + 1];
-    double colour[CLOD_MESH_FAULTS + 1][3];
+    clod_page_bar bar[2]; ///< of facets, of edges
+    size_t bars;
+    size_t kinds;
+    char text[KINDS][KIND_TEXT]; ///< of both, one after the other
+    const char *name[KINDS];
+    double colour[KINDS][3];
     uint8_t *image;
 } drawing;
 
@@ -163,22 +180,60 @@ static bool fill_scene(clod_scene *scene, const clod_mesh_view *view,
     return true;
 }
 
-static void add_kind(drawing *self, const double colour[3], const char *text, size_t facets)
+/** Mark the edges of the facets that are shown; count[m]: so many of each kind. */
+static bool mark_edges(clod_scene *scene, const clod_mesh_view *view,
+                       const clod_picture_mesh *options, size_t count[MARKS])
 {
-    const size_t k = self->bar.kinds++;
-    snprintf(self->text[k], KIND_TEXT, "%s (%zu)", text, facets);
+    scene->mark = clod_memory_alloc(3 * view->facet_count, sizeof *scene->mark);
+    scene->ink = clod_memory_alloc(3 * view->facet_count, sizeof *scene->ink);
+    if (scene->mark == NULL || scene->ink == NULL) {
+        return false;
+    }
+    for (size_t e = 0; e < 3 * view->facet_count; e++) {
+        const size_t f = e / 3, c = e % 3;
+        for (int m = 0; m < MARKS && !is_hidden(view, f, options); m++) {
+            if (view->edges[f][c] == EDGES[m].edge) {
+                const size_t at = scene->marks++;
+                memcpy(scene->mark[at][0], view->vertices[view->facets[f][c]],
+                       sizeof scene->mark[at][0]);
+                memcpy(scene->mark[at][1], view->vertices[view->facets[f][(c + 1) % 3]],
+                       sizeof scene->mark[at][1]);
+                scene->ink[at] = (uint16_t)(CLOD_SCENE_MARK + m);
+                count[m]++;
+            }
+        }
+    }
+    for (int m = 0; m < MARKS; m++) {
+        memcpy(scene->colour[CLOD_SCENE_MARK + m], EDGES[m].colour, sizeof EDGES[m].colour);
+    }
+    return true;
+}
+
+/** Begin a list of kinds. */
+static void begin_bar(drawing *self, const char *title)
+{
+    clod_page_bar *bar = &self->bar[self->bars++];
+    snprintf(bar->axis.title, sizeof bar->axis.title, "%s", title);
+    bar->name = self->name + self->kinds;
+    bar->colour = self->colour + self->kinds;
+}
+
+static void add_kind(drawing *self, const double colour[3], const char *text, size_t number)
+{
+    const size_t k = self->kinds++;
+    self->bar[self->bars - 1].kinds++;
+    snprintf(self->text[k], KIND_TEXT, "%s (%zu)", text, number);
     self->name[k] = self->text[k];
     memcpy(self->colour[k], colour, sizeof self->colour[k]);
 }
 
-/** The legend: faults that occur, and facets that are not there any more. */
-static void make_legend(drawing *self, const size_t *count, const clod_mesh_report *report)
+/** The legend: faults that occur, facets that are not there any more, and edges that are marked. */
+static void make_legend(drawing *self, const size_t *count, const size_t *marks,
+                        const clod_mesh_report *report)
 {
     static const double WHITE[3] = {1.0, 1.0, 1.0};
     const size_t dropped = report->findings[CLOD_MESH_DEGENERATE].count;
-    snprintf(self->bar.axis.title, sizeof self->bar.axis.title, "facets");
-    self->bar.name = self->name;
-    self->bar.colour = self->colour;
+    begin_bar(self, "facets");
     for (int k = 0; k < CLOD_MESH_FAULTS; k++) {
         if (count[k] > 0) {
             add_kind(self, FAULTS[k].colour, FAULTS[k].text, count[k]);
@@ -186,6 +241,14 @@ static void make_legend(drawing *self, const size_t *count, const clod_mesh_repo
     }
     if (dropped > 0) {
         add_kind(self, WHITE, "no area: dropped", dropped);
+    }
+    if (self->scene.marks > 0) {
+        begin_bar(self, "edges");
+    }
+    for (int m = 0; m < MARKS; m++) {
+        if (marks[m] > 0) {
+            add_kind(self, EDGES[m].colour, EDGES[m].text, marks[m]);
+        }
     }
 }
 
@@ -214,7 +277,7 @@ static clod_camera make_camera(const drawing *self, const clod_mesh_report *repo
 static bool draw(drawing *self, const clod_mesh *mesh, const clod_picture_mesh *options,
                  clod_status *status)
 {
-    size_t count[CLOD_MESH_FAULTS] = {0};
+    size_t count[CLOD_MESH_FAULTS] = {0}, marks[MARKS] = {0};
     const clod_mesh_view *view = clod_mesh_look(mesh);
     clod_mesh_report report;
     if (!clod_mesh_examine(mesh, 0.0, &report, status)) {
@@ -223,12 +286,13 @@ static bool draw(drawing *self, const clod_mesh *mesh, const clod_picture_mesh *
     if (!check_hidden(view, options, status)) {
         return false;
     }
-    if (!fill_scene(&self->scene, view, options, count)) {
+    if (!fill_scene(&self->scene, view, options, count) ||
+        !mark_edges(&self->scene, view, options, marks)) {
         return clod_status_fail(status, CLOD_FAILED, "No memory for a picture of the mesh.");
     }
-    make_legend(self, count, &report);
+    make_legend(self, count, marks, &report);
     if (!clod_faces_make(&self->faces, &self->scene, status) ||
-        !clod_page_begin(&self->page, options->width, options->height, 1, &self->bar, 1,
+        !clod_page_begin(&self->page, options->width, options->height, 1, self->bar, self->bars,
                          status)) {
         return false;
     }
@@ -253,7 +317,7 @@ static bool draw(drawing *self, const clod_mesh *mesh, const clod_picture_mesh *
         &self->page, 0, &camera,
         clod_vec3_scale(clod_vec3_add(clod_vec3_of(report.box[0]), clod_vec3_of(report.box[1])),
                         0.5));
-    clod_page_put_bars(&self->page, &self->bar, 1);
+    clod_page_put_bars(&self->page, self->bar, self->bars);
     return true;
 }
 

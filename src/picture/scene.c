@@ -13,5 +13,7 @@ void clod_scene_fini(clod_scene *self)
     clod_memory_free(self->wall);
     clod_memory_free(self->veiled);
     clod_memory_free(self->end);
+    clod_memory_free(self->mark);
+    clod_memory_free(self->ink);
     *self = (clod_scene){0};
 }

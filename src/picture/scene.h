@@ -17,7 +17,8 @@ enum {
     CLOD_SCENE_STILL,                           ///< walls that stay
     CLOD_SCENE_MOVING,                          ///< walls whose surface moves
     CLOD_SCENE_LINE,                            ///< edges
-    CLOD_SCENE_COLOURS,
+    CLOD_SCENE_MARK,                            ///< first of two kinds of marked edges
+    CLOD_SCENE_COLOURS = CLOD_SCENE_MARK + 2,
 };
 
 /** Everything owned (clod_scene_fini). */
@@ -34,6 +35,9 @@ typedef struct clod_scene {
     uint8_t *veiled;        ///< shown as a veil, so that the grains behind are seen
     size_t lines;
     double (*end)[2][3]; ///< m
+    size_t marks;
+    double (*mark)[2][3]; ///< m; broader lines, in exactly their colour
+    uint16_t *ink;        ///< number of the colour
     double colour[CLOD_SCENE_COLOURS][3];
 } clod_scene;
 

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 
 #define LINE_WIDTH 0.0014 ///< of an edge, over the height of the picture
+#define MARK_WIDTH 0.0050 ///< of a marked edge
 #define VEIL_OPACITY 0.15 ///< opacity of a wall that is in the way
 #define AMBIENT 0.45      ///< light from everywhere
 #define LARGE 1.6e7       ///< pixels; from there on fewer rays for each
@@ -71,19 +72,28 @@ static void add_triangles(SceneHandle scene, const clod_scene *from, void *const
     }
 }
 
-/** Lines as thin rods, equally wide in the picture wherever they are. */
+/** A line as a thin rod, equally wide in the picture wherever it is. */
+static void add_line(SceneHandle scene, double (*const end)[3], const clod_camera *camera,
+                     double width, void *texture)
+{
+    const clod_vec3 a = clod_vec3_of(end[0]);
+    const clod_vec3 b = clod_vec3_of(end[1]);
+    const clod_vec3 middle = clod_vec3_scale(clod_vec3_add(a, b), 0.5);
+    const double depth = clod_vec3_dot(clod_vec3_sub(middle, camera->eye), camera->ahead);
+    if (depth > 0.0) {
+        rt_fcylinder(scene, texture, vector(a), vector(clod_vec3_sub(b, a)),
+                     width * depth * camera->half_height);
+    }
+}
+
 static void add_lines(SceneHandle scene, const clod_scene *from, const clod_camera *camera,
-                      void *texture)
+                      void *const *textures)
 {
     for (size_t k = 0; k < from->lines; k++) {
-        const clod_vec3 a = clod_vec3_of(from->end[k][0]);
-        const clod_vec3 b = clod_vec3_of(from->end[k][1]);
-        const clod_vec3 middle = clod_vec3_scale(clod_vec3_add(a, b), 0.5);
-        const double depth = clod_vec3_dot(clod_vec3_sub(middle, camera->eye), camera->ahead);
-        if (depth > 0.0) {
-            rt_fcylinder(scene, texture, vector(a), vector(clod_vec3_sub(b, a)),
-                         LINE_WIDTH * depth * camera->half_height);
-        }
+        add_line(scene, from->end[k], camera, LINE_WIDTH, textures[CLOD_SCENE_LINE]);
+    }
+    for (size_t k = 0; k < from->marks; k++) {
+        add_line(scene, from->mark[k], camera, MARK_WIDTH, textures[from->ink[k]]);
     }
 }
 
@@ -179,13 +189,14 @@ bool clod_tracer_draw(const clod_scene *scene, const clod_camera *camera,
     void *textures[CLOD_SCENE_COLOURS], *veils[CLOD_SCENE_COLOURS];
     const double ambient = quality == CLOD_TRACER_HIGH ? 0.25 : AMBIENT;
     for (int k = 0; k < CLOD_SCENE_COLOURS; k++) {
-        textures[k] =
-            make_texture(to, scene->colour[k], ambient, k == CLOD_SCENE_LINE ? THIN : SOLID);
+        const bool mark = k >= CLOD_SCENE_MARK;
+        textures[k] = make_texture(to, scene->colour[k], mark ? 1.0 : ambient,
+                                   mark || k == CLOD_SCENE_LINE ? THIN : SOLID);
         veils[k] = make_texture(to, scene->colour[k], ambient, VEIL);
     }
     add_spheres(to, scene, textures);
     add_triangles(to, scene, textures, veils);
-    add_lines(to, scene, camera, textures[CLOD_SCENE_LINE]);
+    add_lines(to, scene, camera, textures);
     rt_renderscene(to);
     rt_deletescene(to);
     reduce(rays, fine, order->width, order->height, image);

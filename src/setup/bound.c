@@ -115,7 +115,7 @@ static bool is_stable(const clod_setup_bound *self, const clod_case *from, doubl
     return !(t.limit > 0.0) || dt <= t.limit ||
            clod_status_fail(
                status, CLOD_USAGE,
-               "with %s the time step of %.4g s is beyond the critical one, %.4g s under %.4g N "
+               "time.step: with %s the time step of %.4g s is beyond the critical one, %.4g s under %.4g N "
                "between %s and %s: the run would blow up. Give time.step in the case, %.4g s "
                "or less",
                what, dt, t.limit, t.limit_force, t.limit_a, t.limit_b, t.automatic);
@@ -152,10 +152,11 @@ static bool has_law(const clod_case *from, int a, int b, bool wall, clod_status 
 {
     const char *first = from->materials[a].name, *second = from->materials[b].name;
     return clod_case_pair(from, b, a)->exponent > 0.0 ||
-           clod_status_fail(status, CLOD_USAGE,
-                            "the case has no contact law for grains of '%s' with %s of '%s'; "
-                            "add the section %s-%s to its contacts",
-                            first, wall ? "a wall" : "grains", second, first, second);
+           clod_status_fail(
+               status, CLOD_USAGE,
+               "contacts: there is no contact law for grains of '%s' with %s of '%s'; "
+               "add the section %s-%s",
+               first, wall ? "a wall" : "grains", second, first, second);
 }
 
 /** A grain of this material that comes has a law for all that it can meet. */

@@ -8,6 +8,7 @@
 #include "setup/bound.h"
 #include "setup/domain.h"
 #include "setup/grains.h"
+#include "setup/region_walls.h"
 #include "setup/walls.h"
 
 /** Solid fraction assumed of a settled bed. */
@@ -48,7 +49,8 @@ bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
     *state = (clod_state){.build_motion = -1.0,
                           .adhesion = from->stage_count > 0 ? from->stages[0].adhesion : 1.0};
     memcpy(state->gravity, from->gravity, sizeof state->gravity);
-    if (!clod_setup_walls(from, &state->walls, status)) {
+    if (!clod_setup_walls(from, &state->walls, status) ||
+        !clod_setup_regions_reached(from, &state->walls, status)) {
         return false;
     }
     if (from->has_domain) {

@@ -171,20 +171,16 @@ static bool make_plain(const clod_case_wall *given, const clod_case_shape *from,
     return true;
 }
 
-/** Put where a mesh stands in the case before what is wrong with it. */
-static void tell_where(const clod_case *whole, const clod_case_wall *given,
-                       const clod_case_shape *from, clod_status *status)
+/** Put the key of a mesh in the case before what is wrong with it. */
+static void tell_key(const clod_case_wall *given, const clod_case_shape *from,
+                     clod_status *status)
 {
     const clod_status said = *status;
     const bool lost = strstr(said.text, "cannot be opened") != NULL;
-    char line[24] = "";
-    if (from->line > 0) {
-        snprintf(line, sizeof line, "%d: ", from->line);
-    }
+    const char *below = strncmp(said.text, "parts.", 6) == 0 ? "." : ".file: ";
     if (from->file != NULL) {
-        clod_status_fail(status, said.code, "%s:%swalls.%s.shapes.%d.mesh: %s%s",
-                         whole->path != NULL ? whole->path : "case", line, given->name,
-                         (int)(from - given->shapes), said.text,
+        clod_status_fail(status, said.code, "walls.%s.shapes.%d.mesh%s%s%s", given->name,
+                         (int)(from - given->shapes), below, said.text,
                          lost ? "; its path is taken from the folder of the case file" : "");
     }
 }
@@ -197,7 +193,7 @@ static bool make_patches(const clod_case *whole, const clod_case_wall *given,
     clod_setup_mesh mesh = clod_setup_mesh_read(given, from, status);
     clod_surface *surface = mesh.surface;
     if (surface == NULL) {
-        tell_where(whole, given, from, status);
+        tell_key(given, from, status);
     }
     clod_shape *shape =
         surface == NULL ? NULL
@@ -247,7 +243,7 @@ static bool make_shapes(const clod_case *from, const clod_case_wall *given, clod
     const int32_t plane = clod_wall_plane_across(wall);
     return plane < 0 || !ever_turns(from, given) ||
            clod_status_fail(status, CLOD_USAGE,
-                            "walls.%s.shapes[%d]: an endless plane can turn only about "
+                            "walls.%s.shapes.%d: an endless plane can turn only about "
                             "its own normal; use a box or a disc",
                             given->name, (int)plane);
 }
@@ -313,6 +309,19 @@ bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *sta
         }
     }
     return clod_setup_outlets(from, walls, status);
+}
+
+bool clod_setup_wall_stays(const clod_case *from, const clod_wall *wall)
+{
+    bool stays = wall->load == CLOD_LOAD_NONE &&
+                 clod_vec3_dot(wall->velocity, wall->velocity) == 0.0 && wall->spin == 0.0 &&
+                 !(wall->oscillation.frequency > 0.0);
+    for (size_t s = 0; s < from->stage_count; s++) {
+        for (size_t w = 0; w < from->stages[s].wall_count; w++) {
+            stays = stays && strcmp(from->stages[s].walls[w].name, wall->name) != 0;
+        }
+    }
+    return stays;
 }
 
 bool clod_setup_wall_pace(const clod_walls *walls, double dt, clod_status *status)

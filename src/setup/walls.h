@@ -22,6 +22,9 @@ bool clod_setup_walls(const clod_case *from, clod_walls *walls, clod_status *sta
 bool clod_setup_wall(const clod_case *from, const clod_case_wall *given, clod_wall *wall,
                      clod_status *status);
 
+/** Whether a wall stays where it is during all stages. Threads: pure. */
+bool clod_setup_wall_stays(const clod_case *from, const clod_wall *wall);
+
 /**
  * Check that the time step resolves every oscillation.
  *

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "base/given.h"
+#include "config/source.h"
 #include "law/law_cycle.h"
 #include "setup/begin.h"
 #include "setup/collision.h"
@@ -201,5 +202,5 @@ bool clod_check_report_make(const clod_case *from, const clod_check_options *opt
         good = clod_mesh_doubts(from, report->radius_mean, tell, report, status);
     }
     clod_state_fini(&subject.state);
-    return good;
+    return good || clod_source_tell(from, status);
 }

@@ -1,10 +1,14 @@
-// Streams that cannot be meant: too fast for the step, removed where they come in, walls out of reach.
+// Streams that cannot be meant: too fast for the step, removed where they come in, walls out of reach or
+// through the regions of grains.
 
 #include <math.h>
-#include <string.h>
+#include <stdio.h>
 
 #include "config/region.h"
+#include "config/source.h"
 #include "setup/domain.h"
+#include "setup/region_walls.h"
+#include "setup/walls.h"
 #include "sim/check_testers.h"
 
 static double length3(const double v[3])
@@ -46,27 +50,6 @@ static void warn_outlets(const clod_check_subject *subject, clod_check_report *r
     }
 }
 
-/** Whether a wall stays where it is during all stages. */
-static bool stays(const clod_wall *wall)
-{
-    return wall->load == CLOD_LOAD_NONE &&
-           clod_vec3_dot(wall->velocity, wall->velocity) == 0.0 && wall->spin == 0.0 &&
-           !(wall->oscillation.frequency > 0.0);
-}
-
-/** Whether a stage changes a wall. */
-static bool is_changed(const clod_case *from, const char *name)
-{
-    for (size_t s = 0; s < from->stage_count; s++) {
-        for (size_t w = 0; w < from->stages[s].wall_count; w++) {
-            if (strcmp(from->stages[s].walls[w].name, name) == 0) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
 /** A wall that no grain of the domain can reach. */
 static void warn_walls(const clod_check_subject *subject, clod_check_report *r)
 {
@@ -75,23 +58,31 @@ static void warn_walls(const clod_check_subject *subject, clod_check_report *r)
         const clod_wall *wall = &subject->state.walls.wall[w];
         double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
         double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-        if (!clod_setup_domain_add_wall(wall, low, high) || !stays(wall) ||
-            is_changed(from, wall->name)) {
+        if (!clod_setup_domain_add_wall(wall, low, high) ||
+            !clod_setup_wall_stays(from, wall)) {
             continue;
         }
         for (int a = 0; a < 3; a++) {
             const double reach = r->radius_max; // of a grain whose centre is on the side
             if (low[a] > from->domain_max[a] + reach || high[a] < from->domain_min[a] - reach) {
+                char key[64], where[CLOD_SOURCE_WHERE];
+                snprintf(key, sizeof key, "walls.%s", wall->name);
                 clod_check_warning(r,
-                                   "walls.%s: nothing of it lies in the domain: its %c is %.4g "
+                                   "%s%s: nothing of it lies in the domain: its %c is %.4g "
                                    "to %.4g m, that of the domain %.4g to %.4g m. Check its "
                                    "place, the unit of a mesh, and domain",
-                                   wall->name, "xyz"[a], low[a], high[a], from -> domain_min[a],
-                                   from -> domain_max[a]);
+                                   clod_source_where(from, key, where), key, "xyz"[a], low[a],
+                                   high[a], from -> domain_min[a], from -> domain_max[a]);
                 break;
             }
         }
     }
+}
+
+/** A wall that cuts a region of grains. */
+static void tell(void *report, const char *text)
+{
+    clod_check_warning(report, "%s", text);
 }
 
 void clod_check_streams_warn(const clod_check_subject *subject, clod_check_report *r)
@@ -99,4 +90,5 @@ void clod_check_streams_warn(const clod_check_subject *subject, clod_check_repor
     warn_speed(subject, r);
     warn_outlets(subject, r);
     warn_walls(subject, r);
+    clod_setup_regions_doubts(subject->from, &subject->state.walls, true, tell, r);
 }

@@ -11,6 +11,7 @@
 #include "output/checkpoint.h"
 #include "output/folder_files.h"
 #include "setup/grains.h"
+#include "setup/region_walls.h"
 #include "setup/state.h"
 #include "setup/walls.h"
 #include "sim/free_measures.h"
@@ -314,6 +315,12 @@ static void doubt(void *job, bool wrong, const char *text)
     clod_job_tell(job, line);
 }
 
+/** A wall that cuts a region of grains. */
+static void doubt_region(void *job, const char *text)
+{
+    doubt(job, true, text);
+}
+
 /** What is doubtful about meshes, beside the grains that there are. */
 static bool doubt_meshes(clod_job *job, clod_status *status)
 {
@@ -332,6 +339,8 @@ static bool run_stages(clod_job *job, clod_status *status)
         return false;
     }
     if (!job->resumed) {
+        clod_setup_regions_doubts(job->sim->from, &job->state.walls, job->sim->origin == NULL,
+                                  doubt_region, job);
         free_data *data = job->procedure.data;
         clod_free_stages_begin(&data->at, job->sim->from, &job->state);
         clod_free_measures_begin(measures_of(data, job->sim->from), job->sim->from,

@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "clod/ranks.h"
 #include "clod/version.h"
+#include "config/source.h"
 #include "config/testers.h"
 #include "output/folder_files.h"
 #include "output/folder_names.h"
@@ -150,7 +151,7 @@ bool clod_run(const clod_case *self, const clod_run_options *options, char **rep
     *report = NULL;
     if (!check_request(self, &fitted, status) ||
         (fitted.fresh && fitted.from == NULL && !clod_trial_run(self, &fitted, 0, status))) {
-        return false;
+        return clod_source_tell(self, status);
     }
     char *complete = clod_identity_complete(self, status);
     if (complete == NULL) {
@@ -177,7 +178,7 @@ bool clod_run(const clod_case *self, const clod_run_options *options, char **rep
     clod_memory_free(standard);
     clod_memory_free(identity);
     clod_memory_free(complete);
-    return ok;
+    return ok || clod_source_tell(self, status);
 }
 
 void clod_run_free(char *report)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "config/source.h"
 #include "measure/contacts.h"
 #include "parallel/ranks_mpi.h"
 #include "parallel/threads.h"
@@ -96,6 +97,7 @@ clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options
     self->from = from;
     if (!begin(self, options, status)) {
         clod_sim_destroy(&self);
+        clod_source_tell(from, status);
     }
     return self;
 }

@@ -84,18 +84,18 @@ class CheckMesh(clod.Case):
         self.case(1)
         with open(self.path("sheet.obj"), "a") as file:
             file.write("o lip\nf 1 2 3\n")
-        for old, new, said in (
-                ("sheet.obj", "none.obj", "none.obj: cannot be opened: No such file or directory; "
+        for old, new, key, said in (
+                ("sheet.obj", "none.obj", "55: walls.sheet.shapes.0.mesh.file: ", "none.obj: cannot be opened: No such file or directory; "
                                           "its path is taken from the folder of the case file"),
-                ("sheet.obj", "grains.csv", "grains.csv: the name must end in .stl, .obj or .ply"),
+                ("sheet.obj", "grains.csv", "55: walls.sheet.shapes.0.mesh.file: ", "grains.csv: the name must end in .stl, .obj or .ply"),
                 ("unit: 1 m", "unit: 1 m, parts: {hood: {material: ore}}",
-                 "parts.hood: the mesh " + self.path("sheet.obj") + " has no part of this name; "
+                 "85: walls.sheet.shapes.0.mesh.parts.hood: ", "the mesh " + self.path("sheet.obj") + " has no part of this name; "
                  "its parts are lip")):
             with open(self.path("case.yaml"), "w") as file:
                 file.write(CASE.format(unit="1 m", more="").replace(old, new))
             done = clod.run("check", "case.yaml", cwd=self.folder)
             self.assertEqual(done.returncode, 2)
-            self.assertIn("clod check: case.yaml:6: walls.sheet.shapes.0.mesh: ", done.stderr)
+            self.assertIn("clod check: case.yaml:6:" + key, done.stderr)
             self.assertIn(said, done.stderr)
 
 

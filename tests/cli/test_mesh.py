@@ -93,6 +93,50 @@ class Mesh(clod.Case):
                       self.mesh(*drawn, "--hide=middle", code=2))
         self.assertIn("nothing is left to draw", self.mesh(*drawn, "--hide=left", "--hide=right", code=2))
 
+    def test_marked_edges_of_a_picture(self):
+        """Open edges as cyan lines, those on a T as magenta ones (docs/meshes.md).
+
+        A square of 1 m in two triangles, from above: a frame of open edges, nothing on the diagonal. A triangle
+        whose lower edge has a vertex of the two below inside: that edge is on a T.
+        """
+        def drawn(name, text, *options):
+            """Cyan and magenta pixels of the image, and then of the legend."""
+            self.write(name, text)
+            self.mesh(name, "--unit=m", "--picture=out.png", "--view=top", "--size=500x300", *options)
+            image = Image(self.path("out.png"))
+            cyan, magenta = [], []
+            for x in range(500):
+                for y in range(300):
+                    r, g, b = image.pixel(x, y)
+                    cyan += [(x, y)] if min(g, b) > r + 50 else []
+                    magenta += [(x, y)] if min(r, b) > g + 60 else []
+            return [[p for p in of if (p[0] < 350) == shown] for shown in (True, False) for of in (cyan, magenta)]
+
+        square = "o a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"
+        frame, line, legend, t_legend = drawn("square.obj", square)
+        self.assertTrue(legend)
+        self.assertEqual((line, t_legend), ([], []))
+        left, right = min(x for x, _ in frame), max(x for x, _ in frame)
+        upper, lower = min(y for _, y in frame), max(y for _, y in frame)
+        self.assertLessEqual(abs((right - left) - (lower - upper)), 3)
+        self.assertGreater(right - left, 100)
+        for x, y in frame: # every marked pixel is on the frame
+            self.assertLessEqual(min(x - left, right - x, y - upper, lower - y), 3)
+        for x in range(left, right + 1): # and the frame has no gap
+            self.assertTrue(any((x, upper + d) in frame for d in range(4)), x)
+        # the second square is hidden, and its edges with it
+        two = square + "o b\nv 2 0 0\nv 3 0 0\nv 3 1 0\nv 2 1 0\nf 5 6 7\nf 5 7 8\n"
+        self.assertEqual(drawn("two.obj", two, "--hide=b")[0], frame)
+        # vertex 4 lies inside the edge from 1 to 2; the other edges are open
+        outline, line, legend, t_legend = drawn("t.obj", "v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 0 0\nv 0.5 -1 0\n"
+                                                "v 1.5 -1 0\nf 1 2 3\nf 1 5 4\nf 4 6 2\nf 4 5 6\n")
+        self.assertTrue(legend and t_legend)
+        self.assertLessEqual(max(y for _, y in line) - min(y for _, y in line), 4)
+        width = max(x for x, _ in outline) - min(x for x, _ in outline)
+        self.assertLessEqual(abs(max(x for x, _ in line) - min(x for x, _ in line) - width), 6)
+        # a closed box has none
+        self.assertEqual(drawn("box.stl", stl(FACETS)), [[], [], [], []])
+
     def test_one_is_not_many(self):
         """A needle of 1.012 km: one facet of each kind, and a length without a power of ten."""
         self.write("one.obj", "v 0 0 0\nv 1012 0 0\nv 1012 1 0\nf 1 2 3\n")

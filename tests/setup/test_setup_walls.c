@@ -191,7 +191,7 @@ static void plane_that_would_leave_itself_is_refused(void **state)
     clod_status status = {0};
     assert_false(clod_setup_walls(&from, &walls, &status));
     assert_int_equal(status.code, CLOD_USAGE);
-    assert_non_null(strstr(status.text, "walls.w.shapes[0]: an endless plane can turn only"));
+    assert_non_null(strstr(status.text, "walls.w.shapes.0: an endless plane can turn only"));
     clod_walls_fini(&walls);
     change.spin = 0.0;
     assert_true(clod_setup_walls(&from, &walls, &status));
@@ -263,7 +263,7 @@ static void plane_that_would_swing_out_of_itself_is_refused(void **state)
     clod_walls walls;
     clod_status status = {0};
     assert_false(clod_setup_walls(&from, &walls, &status));
-    assert_non_null(strstr(status.text, "walls.w.shapes[0]: an endless plane can turn only"));
+    assert_non_null(strstr(status.text, "walls.w.shapes.0: an endless plane can turn only"));
     clod_walls_fini(&walls);
     plane.normal[0] = 0.0;
     plane.normal[2] = 1.0;

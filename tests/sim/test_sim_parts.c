@@ -136,7 +136,7 @@ static void a_part_that_is_not_there_is_refused(void **temporary)
              path);
     const clod_sim_options options = {.threads = 1};
     clod_sim *sim = clod_sim_create_from_text("case.yaml", case_of(mesh), &options, &status);
-    expect_refused(sim != NULL, "walls.floor.shapes.0.mesh: parts.lip: the mesh ");
+    expect_refused(sim != NULL, "walls.floor.shapes.0.mesh.parts.lip: the mesh ");
     expect_refused(sim != NULL, "has no part of this name; its parts are left, right");
 }
 
