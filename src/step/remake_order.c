@@ -54,6 +54,13 @@ void clod_remake_order_begin(clod_step *self, int part)
         return;
     }
     mark_leavers(self);
+    if (!clod_layer_order_reserve(&self->neighbour,
+                                  self->near.parts)) { // a crew begins without
+        self->failed = true;
+        clod_status_fail(&self->status, CLOD_FAILED, "no memory to sort %zu grains",
+                         state->grains.count);
+        return;
+    }
     if (self->spread != NULL) {
         return;
     }

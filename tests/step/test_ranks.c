@@ -219,6 +219,7 @@ static void grains_that_come_and_go_have_the_bits_of_one_rank(void **state)
     (void)state;
     compare((rank_bed){.kind = BED_SLIT, .ledger = true, .open = true, .options.threads = 1});
     compare((rank_bed){.kind = BED_CLUSTER, .open = true, .options.threads = 1});
+    compare((rank_bed){.kind = BED_CLUSTER, .open = true, .options.threads = 3});
 }
 
 static void grains_that_come_are_dealt_to_their_ranks(void **state)

@@ -15,10 +15,11 @@
 
 #define RANKS_MOST 64
 
-/** What one rank has for another, and in which of its exchanges it said so. */
+/** What one rank has for another, in which of its exchanges it said so, and in which of the
+ * other's it was taken. */
 typedef struct ranks_box {
     const clod_message *sent;
-    uint64_t exchange;
+    uint64_t exchange, taken;
 } ranks_box;
 
 /** Messages that a rank repeats. */
@@ -43,10 +44,11 @@ static inline void ranks_take(const clod_ranks *self, uint64_t exchange, const c
 {
     ranks_team *team = self->group;
     clod_gate_wait(&team->sent[in->peer], exchange);
-    const ranks_box *box = &team->box[self->rank][in->peer];
+    ranks_box *box = &team->box[self->rank][in->peer];
     CLOD_ASSERT(box->exchange == exchange); // cmocka fails in the first thread alone
     CLOD_ASSERT(box->sent->bytes == in->bytes);
     memcpy(in->data, box->sent->data, in->bytes);
+    box->taken = exchange;
 }
 
 static inline void ranks_exchange(clod_ranks *self, const clod_message *out, int outs,
@@ -56,7 +58,10 @@ static inline void ranks_exchange(clod_ranks *self, const clod_message *out, int
     const uint64_t exchange = clod_gate_opened(&team->sent[self->rank]) + 1;
     for (int k = 0; k < outs; k++) {
         if (out[k].bytes > 0) {
-            team->box[out[k].peer][self->rank] = (ranks_box){&out[k], exchange};
+            ranks_box *box = &team->box[out[k].peer][self->rank];
+            CLOD_ASSERT(box->exchange < exchange); // at most one message from each to each
+            box->sent = &out[k];
+            box->exchange = exchange;
         }
     }
     clod_gate_open(&team->sent[self->rank]);
@@ -69,6 +74,7 @@ static inline void ranks_exchange(clod_ranks *self, const clod_message *out, int
     for (int k = 0; k < outs; k++) { // until then the bytes must stay
         if (out[k].bytes > 0) {
             clod_gate_wait(&team->taken[out[k].peer], exchange);
+            CLOD_ASSERT(team->box[out[k].peer][self->rank].taken == exchange);
         }
     }
 }
