@@ -54,34 +54,20 @@ static void sleep_until(clod_gate *self, uint64_t times)
     pthread_mutex_unlock(&self->lock);
 }
 
-static bool opened_while_spinning(const clod_gate *self, uint64_t times)
-{
-    for (int spins = 0; spins < SPINS; spins++) {
-        if (clod_gate_opened(self) >= times) {
-            return true;
-        }
-        relax();
-    }
-    return false;
-}
-
-/** Those that are waited for may have no processor: it is theirs at once, without the sleep and the
- * waking of whoever waits. */
-static bool opened_while_yielding(const clod_gate *self, uint64_t times)
-{
-    for (int yields = 0; yields < YIELDS; yields++) {
-        if (clod_gate_opened(self) >= times) {
-            return true;
-        }
-        sched_yield();
-    }
-    return false;
-}
-
+/** Where there are more threads than processors, those that are waited for may have none: it is
+ * theirs at once, without the sleep and the waking of whoever waits. */
 void clod_gate_wait(clod_gate *self, uint64_t times)
 {
-    if (!(self->crowded ? opened_while_yielding(self, times)
-                        : opened_while_spinning(self, times))) {
-        sleep_until(self, times);
+    const int turns = self->crowded ? YIELDS : SPINS;
+    for (int turn = 0; turn < turns; turn++) {
+        if (clod_gate_opened(self) >= times) {
+            return;
+        }
+        if (self->crowded) {
+            sched_yield();
+        } else {
+            relax();
+        }
     }
+    sleep_until(self, times);
 }

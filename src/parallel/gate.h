@@ -2,7 +2,7 @@
 /**
  * @file gate.h
  * A count that one thread raises and others wait for: they spin for the few microseconds that
- * threads differ, then sleep, so that a run shares a busy machine with others instead of
+ * threads differ, or yield where there are more of them than processors, then sleep, so that a run shares a busy machine with others instead of
  * fighting them (docs/adr/0008).
  */
 

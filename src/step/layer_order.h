@@ -8,7 +8,7 @@
  * find_keys by all parts, sort by all threads. The neighbour's `sort` then has the old row of each
  * new one, and its `rank` the new row of each old one.
  *
- * Test  tests/step/test_reorder.c, test_same_bits.c
+ * Test  tests/step/test_layer_order.c, test_reorder.c, test_same_bits.c, test_ranks.c
  */
 
 #include "parallel/barrier.h"

@@ -79,11 +79,11 @@ void clod_remake_order_begin(clod_step *self, int part)
                                      .moved = remake->changes && state->changes.moved};
 }
 
-/** How many grains are marked as those that go; where they are spread over ranks, whether any may
- *  be. */
+/** How many grains are marked as those that go; where they are spread over ranks 1 if any may be:
+ *  nobody asks for more there than whether it is 0. */
 static size_t marked(const clod_step *self)
 {
-    return self->spread != NULL ? some_leave(self->state) : self->remake.going;
+    return self->spread == NULL ? self->remake.going : some_leave(self->state) ? 1 : 0;
 }
 
 void clod_remake_order_measure(clod_step *self, int part)

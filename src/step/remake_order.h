@@ -5,6 +5,8 @@
  * order among themselves. Where grains are spread over ranks they migrate in place of that: then
  * they are wrapped here, and that is all.
  *
+ * `layers` also refuses grains outside the domain and, on ranks, disowns those that leave.
+ *
  * @param part  `begin` and `layers`: thread 0; the others: each of the parts
  *
  * Threads  all of the step.   Test  tests/step/test_same_bits.c, test_leave.c, test_ranks.c

@@ -166,8 +166,8 @@ static void *pass_on(void *argument)
     return NULL;
 }
 
-/** A gate of more threads than processors never spins. */
-static void a_gate_spins_where_each_thread_has_a_processor(void **state)
+/** A gate of more threads than processors yields in place of spinning. */
+static void a_gate_knows_whether_each_thread_has_a_processor(void **state)
 {
     (void)state;
     clod_gate own, shared;
@@ -212,7 +212,7 @@ int main(void)
         cmocka_unit_test(every_job_runs_once),
         cmocka_unit_test(a_barrier_separates_rounds),
         cmocka_unit_test(a_gate_lets_pass_what_it_has_opened_for),
-        cmocka_unit_test(a_gate_spins_where_each_thread_has_a_processor),
+        cmocka_unit_test(a_gate_knows_whether_each_thread_has_a_processor),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
