@@ -31,12 +31,18 @@ typedef struct clod_sim_column {
  *
  * Means of the whole run (output.steady_since) count from now on.
  *
- * Its columns are those of the walls that there are now. While it is open walls may come and go: a wall
- * that is gone has no values (not a number) until one of its name comes, and one of another name has no
- * column (clod_sim_wall_look tells its forces). Three kinds of walls of the case can neither go nor come,
- * for what is measured hangs on them: one with a belt that has a column `pull`, the belt of a gauge, and with
- * build_up one with a mesh. An outlet whose wall is gone keeps its counts. A wall that comes is no outlet,
- * and its surfaces have no sums.
+ * Its columns are those of the walls that there are now. While it is open walls may come and go:
+ *
+ * - A wall that is gone has no values (not a number) until one of its name comes.
+ * - A wall of another name has no column; clod_sim_wall_look tells its forces.
+ * - The surfaces of a wall that comes have no sums, and so no values.
+ * - A wall that comes is no outlet. An outlet whose wall is gone keeps its counts.
+ *
+ * Some walls of the case can neither go nor come while it is open, because a measure needs them:
+ *
+ * - a wall with a belt that has a column `pull`;
+ * - a wall that is the belt of a gauge (gauges.NAME.belt);
+ * - with build_up, a wall with a mesh, or with a belt, which is one.
  *
  * Errors  a request that is wrong, as clod_sim_change; CLOD_FAILED: memory.
  * Test    tests/sim/test_sim_series.c

@@ -62,8 +62,13 @@ bool clod_sim_wall_look(const clod_sim *self, int32_t wall, clod_sim_wall *view,
  * motion of the wall (belt) [m/s], rotation about its spin axis [rad/s], force of its load [N].
  * These are velocity, surface_velocity, spin and load of clod_sim_wall.
  *
+ * A load that rises is held to the critical time step, as that of a wall that comes: this looks
+ * once at all grains. One that falls costs nothing.
+ *
  * Errors  CLOD_USAGE: no such wall, a number that is not finite, a plane that would turn out of
- *         itself, a load on a wall that came without one.   Test tests/sim/test_sim.c
+ *         itself, a load below 0, a load on a wall that came without one, a time step beyond the
+ *         critical one under the load; CLOD_FAILED: memory; nothing is changed.
+ * Test    tests/sim/test_sim.c, tests/sim/test_sim_wall_loads.c
  */
 bool clod_sim_set_wall_velocity(clod_sim *self, int32_t wall, const double velocity[3],
                                 clod_status *status);
@@ -146,8 +151,10 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
  *
  * @param wall  as in a case (clod/case.h), with a name of its own; spin_axis, load_axis and direction
  *              of the oscillation are those of a case that does not say, where they are zero; borrowed
- * Errors  CLOD_USAGE: an unknown material; a plane that would turn out of itself; a load or an
- *         oscillation with numbers that no case may have, a period shorter than 50 steps, a name
+ * Errors  CLOD_USAGE: an unknown material; a plane that would turn out of itself; a number of its
+ *         motion, load or oscillation out of the range that its key has in a case (clod explain
+ *         walls); an oscillation that moves nothing, or along its load; a stress without an
+ *         area; a period shorter than 50 steps, a name
  *         that a measure of an open series needs (clod_sim_open_series). By what does the changes:
  *         a name that is taken or unknown, a material without a contact law for the grains, a time
  *         step beyond the critical one with it, under its load.

@@ -180,7 +180,7 @@ class Wall:
 
     @property
     def load(self):
-        """N that its load aims at; may be set."""
+        """N that its load aims at; may be set to 0 or more that the time step bears."""
         return self._look().load
 
     @load.setter

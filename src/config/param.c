@@ -87,6 +87,12 @@ const char *clod_param_kind_text(const clod_param *param, char *buffer, size_t s
     return buffer;
 }
 
+bool clod_param_allows(const clod_param *param, double number)
+{
+    const bool low = param->above_min ? number > param->min : number >= param->min;
+    return low && number <= param->max;
+}
+
 const char *clod_param_range_text(const clod_param *param, char *buffer, size_t size)
 {
     const bool numeric = param->kind == CLOD_PARAM_REAL || param->kind == CLOD_PARAM_INTEGER ||

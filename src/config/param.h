@@ -129,6 +129,9 @@ const char *clod_param_kind_text(const clod_param *param, char *buffer, size_t s
 /** Default of a row, or that it must be given or may be left out. */
 const char *clod_param_default_text(const clod_param *param);
 
+/** Whether a number is in the range of a row; one that is not a number never is. */
+bool clod_param_allows(const clod_param *param, double number);
+
 /** Allowed range of a row, for instance "above 0 m and at most 1 m"; "" when anything goes. */
 const char *clod_param_range_text(const clod_param *param, char *buffer, size_t size);
 

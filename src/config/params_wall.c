@@ -69,7 +69,9 @@ static const clod_param LOAD[] = {
      CLOD_ABOVE(0, 1e6),
      .example = "1 kg",
      CLOD_AT(W, mass),
-     .help = "Mass of the loaded wall; its weight counts besides the load.",
+     .help =
+         "Mass of the loaded wall. Its weight does not act: the force on the bed is the load "
+         "alone; only the critical time step counts it with the load.",
      .source = "convention"},
     {.key = "damping",
      .kind = CLOD_PARAM_REAL,
@@ -93,7 +95,7 @@ static bool has_load(const clod_case *whole, const void *self)
 static bool has_oscillation(const clod_case *whole, const void *self)
 {
     (void)whole;
-    return ((const W *)self)->oscillation.frequency > 0.0;
+    return ((const W *)self)->oscillation.frequency != 0.0;
 }
 
 static bool has_start_up(const clod_case *whole, const void *self)

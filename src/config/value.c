@@ -55,8 +55,7 @@ static void fail_kind(clod_loader *self, const clod_param *param, const clod_nod
 static bool check_range(clod_loader *self, const clod_param *param, clod_place place,
                         const char *text, double value)
 {
-    const bool low = param->above_min ? value > param->min : value >= param->min;
-    if (low && value <= param->max) {
+    if (clod_param_allows(param, value)) {
         return true;
     }
     char range[128];

@@ -206,10 +206,8 @@ static void share_surfaces(const clod_walls *before, clod_walls *walls)
 {
     for (int32_t w = 0; w < walls->count; w++) {
         clod_wall *wall = &walls->wall[w];
-        const clod_wall *was = NULL;
-        for (int32_t b = 0; b < before->count; b++) {
-            was = strcmp(before->wall[b].name, wall->name) == 0 ? &before->wall[b] : was;
-        }
+        const int32_t b = clod_walls_find(before, wall->name);
+        const clod_wall *was = b >= 0 ? &before->wall[b] : NULL;
         for (int32_t s = 0; was != NULL && s < wall->shape_count && s < was->shape_count; s++) {
             clod_shape *shape = &wall->shapes[s];
             const clod_shape *other = &was->shapes[s];

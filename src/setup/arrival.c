@@ -43,12 +43,6 @@ static bool add_old(clod_grains *to, const clod_case *from, const clod_grains *g
                            grains->material[row], grains->id[row], status);
 }
 
-static bool add_new(clod_grains *to, const clod_new_grain *grain, clod_status *status)
-{
-    return clod_grains_add(to, grain->position, grain->velocity, grain->angular_velocity,
-                           grain->density, grain->material, grain->id, status);
-}
-
 /** Grains in the order of their ids, so that no sum depends on where the search put them. */
 static bool add_grains(clod_state *after, const clod_case *from, const clod_state *state,
                        clod_status *status)
@@ -63,7 +57,7 @@ static bool add_grains(clod_state *after, const clod_case *from, const clod_stat
     for (size_t k = 0; good && k < all; k++) { // the lost ids ascend too
         const size_t row = order.item[k].index;
         if (row >= old) {
-            good = add_new(&after->grains, &queue->new_grain[row - old], status);
+            good = clod_new_grain_join(&queue->new_grain[row - old], &after->grains, status);
         } else if (lost < queue->lost_grains && queue->lost_grain[lost] == id[row]) {
             lost++;
         } else {

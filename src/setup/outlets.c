@@ -71,13 +71,10 @@ bool clod_setup_outlets(const clod_case *from, clod_walls *walls, clod_status *s
 {
     for (size_t k = 0; k < from->outlet_count; k++) {
         const clod_case_outlet *outlet = &from->outlets[k];
-        int32_t found = 0;
         bool twice = false;
-        for (int32_t w = 0; outlet->wall != NULL && w < walls->count; w++) {
-            if (strcmp(walls->wall[w].name, outlet->wall) == 0) {
-                found += note(&walls->wall[w], outlet->part, (int32_t)k + 1, &twice);
-            }
-        }
+        const int32_t w = outlet->wall != NULL ? clod_walls_find(walls, outlet->wall) : -1;
+        const int32_t found =
+            w >= 0 ? note(&walls->wall[w], outlet->part, (int32_t)k + 1, &twice) : 0;
         if (twice) {
             return clod_status_fail(status, CLOD_USAGE,
                                     "outlets.%s: a surface of walls.%s belongs to another "

@@ -177,14 +177,26 @@ size_t clod_free_measures_columns(const clod_case *from, const clod_state *state
     return columns;
 }
 
+/** The measure that has column k of all; k becomes the number among its own. */
+static int find_owner(const clod_case *from, const clod_state *state, size_t *k)
+{
+    int m = 0;
+    for (size_t columns; *k >= (columns = columns_of(m, from, state)); m++) {
+        *k -= columns;
+    }
+    return m;
+}
+
 void clod_free_measures_column(const clod_case *from, const clod_state *state, size_t k,
                                char *text, size_t size)
 {
-    int m = 0;
-    for (size_t columns; k >= (columns = columns_of(m, from, state)); m++) {
-        k -= columns;
-    }
+    const int m = find_owner(from, state, &k);
     MEASURES[m]->column(from, state, k, text, size);
+}
+
+int clod_free_measures_owner(const clod_case *from, const clod_state *state, size_t k)
+{
+    return find_owner(from, state, &k);
 }
 
 void clod_free_measures_row(void *memory, const clod_free_moment *now, double *row)

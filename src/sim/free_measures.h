@@ -118,6 +118,9 @@ size_t clod_free_measures_columns(const clod_case *from, const clod_state *state
 void clod_free_measures_column(const clod_case *from, const clod_state *state, size_t k,
                                char *text, size_t size);
 
+/** Number of the measure that has column k of all: two measures may name a column alike. */
+int clod_free_measures_owner(const clod_case *from, const clod_state *state, size_t k);
+
 /** Values of all columns. */
 void clod_free_measures_row(void *memory, const clod_free_moment *now, double *row);
 

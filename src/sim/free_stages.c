@@ -1,7 +1,6 @@
 #include "sim/free_stages.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "measure/contacts.h"
 #include "sim/outputs.h"
@@ -54,10 +53,9 @@ static void begin_stage(const clod_case *from, int64_t stage, clod_state *state)
     const clod_case_stage *s = &from->stages[stage];
     state->adhesion = s->adhesion;
     for (size_t c = 0; c < s->wall_count; c++) {
-        for (int32_t w = 0; w < state->walls.count; w++) {
-            if (strcmp(state->walls.wall[w].name, s->walls[c].name) == 0) {
-                change_wall(&s->walls[c], &state->walls.wall[w]);
-            }
+        const int32_t w = clod_walls_find(&state->walls, s->walls[c].name);
+        if (w >= 0) {
+            change_wall(&s->walls[c], &state->walls.wall[w]);
         }
     }
     clod_walls_reset_sums(&state->walls);

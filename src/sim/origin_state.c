@@ -133,19 +133,16 @@ static bool map_walls(moving *self, clod_status *status)
     for (int32_t w = 0; w < there->count; w++) {
         const clod_wall *before = &there->wall[w];
         self->wall[w] = -1;
-        bool named = false;
-        for (int32_t n = 0; n < here->count; n++) {
-            named = named || strcmp(here->wall[n].name, before->name) == 0;
-            if (strcmp(here->wall[n].name, before->name) == 0 &&
-                same_wall(before, &here->wall[n])) {
-                self->wall[w] = n;
-                put_wall(self, before, &here->wall[n]);
-            }
+        const int32_t named = clod_walls_find(here, before->name);
+        if (named >= 0 && same_wall(before, &here->wall[named])) {
+            self->wall[w] = named;
+            put_wall(self, before, &here->wall[named]);
         }
         self->same_walls = self->same_walls && self->wall[w] == w;
         if (self->wall[w] < 0) {
             fprintf(self->told, "  wall %s %s: what grains remember of it is dropped\n",
-                    before->name, named ? "has other shapes or another axis here" : "is gone");
+                    before->name,
+                    named >= 0 ? "has other shapes or another axis here" : "is gone");
         }
     }
     for (int32_t n = 0; n < here->count; n++) {

@@ -15,6 +15,12 @@
 
 #define CLOD_SIM_COLUMN_TEXT 128
 
+/** What a column of the series is known by. */
+typedef struct clod_sim_heading {
+    int owner;                       ///< its measure
+    char text[CLOD_SIM_COLUMN_TEXT]; ///< name and, behind a zero byte, unit
+} clod_sim_heading;
+
 struct clod_sim {
     clod_case *owned;      ///< NULL: the case is borrowed
     const clod_case *from; ///< the case
@@ -26,8 +32,8 @@ struct clod_sim {
     size_t contact_capacity;
     void *measures; ///< [measures_size] what the series remembers; NULL: it is not open
     size_t measures_size;
-    clod_sim_column *columns;                  ///< [column_count] lent by clod_sim_series_row
-    char (*column_text)[CLOD_SIM_COLUMN_TEXT]; ///< names and units of them
+    clod_sim_column *columns;   ///< [column_count] lent by clod_sim_series_row
+    clod_sim_heading *headings; ///< [column_count] of them
     size_t column_count;
     double *row;    ///< [row_count] values of the walls that there are now
     size_t *row_to; ///< [row_count] their columns; column_count: that of none

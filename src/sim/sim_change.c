@@ -103,8 +103,7 @@ bool clod_sim_add_wall(clod_sim *self, const clod_case_wall *wall, clod_status *
     }
     const clod_case_wall given = clod_wall_given_directions(wall);
     clod_wall made = {0};
-    bool good = clod_wall_given_load(&given, __func__, status) &&
-                clod_wall_given_oscillation(&given, __func__, status) &&
+    bool good = clod_wall_given_holds(&given, __func__, status) &&
                 clod_setup_wall(self->from, &given, &made, status) &&
                 clod_setup_wall_pace(&(clod_walls){1, &made}, self->state.dt, status) &&
                 has_area(&made, __func__, status);

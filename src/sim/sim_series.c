@@ -28,22 +28,30 @@ void clod_sim_close_series(clod_sim *self)
 {
     clod_memory_free(self->measures);
     clod_memory_free(self->columns);
-    clod_memory_free(self->column_text);
+    clod_memory_free(self->headings);
     clod_memory_free(self->row);
     clod_memory_free(self->row_to);
     self->measures = NULL;
     self->columns = NULL;
-    self->column_text = NULL;
+    self->headings = NULL;
     self->row = NULL;
     self->row_to = NULL;
 }
 
-/** Names and units from the headers of the columns: "gauge_chute.flow [kg/s]". */
+/** Column k of the walls that there are now: "gauge_chute.flow [kg/s]". */
+static clod_sim_heading heading_of(const clod_sim *self, size_t k)
+{
+    clod_sim_heading heading = {.owner = clod_free_measures_owner(self->from, &self->state, k)};
+    clod_free_measures_column(self->from, &self->state, k, heading.text, sizeof heading.text);
+    return heading;
+}
+
+/** Names and units of the columns. */
 static void name_columns(clod_sim *self)
 {
     for (size_t k = 0; k < self->column_count; k++) {
-        char *text = self->column_text[k];
-        clod_free_measures_column(self->from, &self->state, k, text, CLOD_SIM_COLUMN_TEXT);
+        self->headings[k] = heading_of(self, k);
+        char *text = self->headings[k].text;
         char *unit = strstr(text, " [");
         self->columns[k] = (clod_sim_column){.name = text, .unit = ""};
         if (unit != NULL) {
@@ -54,15 +62,17 @@ static void name_columns(clod_sim *self)
     }
 }
 
-/** Number of the column of this header; most often it is the next one. */
-static size_t find_column(const clod_sim *self, const char *header, size_t next)
+/** Number of the column with this heading; most often it is the next one. The name alone is not
+ *  enough: force_z of a wall `surface_a` is named as that of the surface of a wall `a`. */
+static size_t find_column(const clod_sim *self, const clod_sim_heading *heading, size_t next)
 {
-    const char *unit = strstr(header, " [");
-    const size_t length = unit != NULL ? (size_t)(unit - header) : strlen(header);
+    const char *unit = strstr(heading->text, " [");
+    const size_t length = unit != NULL ? (size_t)(unit - heading->text) : strlen(heading->text);
     for (size_t k = 0; k < self->column_count; k++) {
         const size_t at = (next + k) % self->column_count;
         const char *name = self->columns[at].name;
-        if (strncmp(name, header, length) == 0 && name[length] == '\0') {
+        if (self->headings[at].owner == heading->owner &&
+            strncmp(name, heading->text, length) == 0 && name[length] == '\0') {
             return at;
         }
     }
@@ -83,9 +93,8 @@ static bool make_row(clod_sim *self, clod_status *status)
     }
     size_t next = 0;
     for (size_t k = 0; k < count; k++) {
-        char header[CLOD_SIM_COLUMN_TEXT];
-        clod_free_measures_column(self->from, &self->state, k, header, sizeof header);
-        to[k] = find_column(self, header, next);
+        const clod_sim_heading heading = heading_of(self, k);
+        to[k] = find_column(self, &heading, next);
         next = to[k] < self->column_count ? to[k] + 1 : next;
     }
     clod_memory_free(self->row);
@@ -120,8 +129,8 @@ bool clod_sim_open_series(clod_sim *self, clod_status *status)
     self->column_count = clod_free_measures_columns(self->from, &self->state);
     self->measures = clod_memory_alloc(1, self->measures_size);
     self->columns = clod_memory_alloc(self->column_count + 1, sizeof *self->columns);
-    self->column_text = clod_memory_alloc(self->column_count + 1, sizeof *self->column_text);
-    if (self->measures == NULL || self->columns == NULL || self->column_text == NULL) {
+    self->headings = clod_memory_alloc(self->column_count + 1, sizeof *self->headings);
+    if (self->measures == NULL || self->columns == NULL || self->headings == NULL) {
         clod_sim_close_series(self);
         return clod_status_fail(status, CLOD_FAILED, "no memory for a series of %zu columns",
                                 self->column_count);

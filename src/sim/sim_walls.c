@@ -1,7 +1,9 @@
 // Walls of a simulation driven by its owner.
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
+#include "setup/bound.h"
 #include "sim/sim.h"
 
 int32_t clod_sim_wall_count(const clod_sim *self)
@@ -201,15 +203,27 @@ bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_sta
         return false;
     }
     clod_wall *to = &self->state.walls.wall[wall];
-    if (to->load == CLOD_LOAD_NONE || !isfinite(force)) {
-        return clod_status_fail(status, CLOD_USAGE,
-                                isfinite(force)
-                                    ? "%s: the wall '%s' has no load; one that comes with a "
-                                      "load also has its mass and damping"
-                                    : "%s: the load of '%s' must be finite",
-                                __func__, to->name);
+    if (to->load == CLOD_LOAD_NONE) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "%s: the wall '%s' has no load; one that comes with a load also "
+            "has its mass and damping",
+            __func__, to->name);
     }
+    if (!(force >= 0.0 && isfinite(force))) {
+        return clod_status_fail(
+            status, CLOD_USAGE,
+            "%s: the load of '%s' is %g N; give a finite number, 0 or above", __func__,
+            to->name, force);
+    }
+    const double before = to->load_force;
+    char what[128];
+    snprintf(what, sizeof what, "a load of %g N on '%s'", force, to->name);
     to->load_force = force;
+    if (force > before && !clod_setup_bound_fits(self->from, &self->state, what, status)) {
+        to->load_force = before;
+        return false;
+    }
     return true;
 }
 

@@ -1,8 +1,9 @@
 #include "sim/wall_given.h"
 
-#include <math.h>
+#include <stdio.h>
 
 #include "config/check.h"
+#include "config/range.h"
 
 /** Along z where there is none. */
 static void default_direction(double direction[3], double z)
@@ -21,62 +22,29 @@ clod_case_wall clod_wall_given_directions(const clod_case_wall *wall)
     return given;
 }
 
-static bool is_from_zero(double number)
+bool clod_wall_given_holds(const clod_case_wall *wall, const char *function,
+                           clod_status *status)
 {
-    return number >= 0.0 && isfinite(number);
-}
-
-static bool is_finite(const double v[3])
-{
-    return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
-}
-
-bool clod_wall_given_load(const clod_case_wall *wall, const char *function, clod_status *status)
-{
-    if (wall->load == CLOD_LOAD_NONE) {
-        return true;
-    }
-    if (wall->load != CLOD_LOAD_FORCE && wall->load != CLOD_LOAD_STRESS) {
+    if (wall->load != CLOD_LOAD_NONE && wall->load != CLOD_LOAD_FORCE &&
+        wall->load != CLOD_LOAD_STRESS) {
         return clod_status_fail(status, CLOD_USAGE,
                                 "%s: '%s' has a load of kind %d; give CLOD_LOAD_NONE, "
                                 "CLOD_LOAD_FORCE or CLOD_LOAD_STRESS",
                                 function, wall->name, wall->load);
     }
-    const bool is_force = wall->load == CLOD_LOAD_FORCE;
-    const double push = is_force ? wall->force : wall->stress;
-    const bool good = is_from_zero(push) && is_from_zero(wall->area) &&
-                      is_from_zero(wall->damping) && is_from_zero(wall->mass) &&
-                      wall->mass > 0.0 && is_finite(wall->load_axis);
-    return good ||
-           clod_status_fail(status, CLOD_USAGE,
-                            "%s: '%s' has a load of %g %s along (%g, %g, %g), area %g m2, "
-                            "damping %g, mass %g kg; give finite numbers, none below 0, and a "
-                            "mass above 0",
-                            function, wall->name, push, is_force ? "N" : "Pa",
-                            wall->load_axis[0], wall->load_axis[1], wall->load_axis[2],
-                            wall->area, wall->damping, wall->mass);
-}
-
-bool clod_wall_given_oscillation(const clod_case_wall *wall, const char *function,
-                                 clod_status *status)
-{
+    char what[160];
+    snprintf(what, sizeof what, "%s: the wall '%s'", function, wall->name);
+    if (!clod_range_holds(&CLOD_TABLE_WALL, wall, what, status)) {
+        return false;
+    }
     const clod_case_oscillation *o = &wall->oscillation;
-    if (o->frequency == 0.0) {
-        return true;
+    if (o->frequency != 0.0 && o->amplitude == 0.0 && o->angle == 0.0) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "%s: '%s' oscillates with %g Hz, but has neither an amplitude "
+                                "nor an angle; give one of them or both",
+                                function, wall->name, o->frequency);
     }
-    const bool good = is_from_zero(o->frequency) && is_from_zero(o->amplitude) &&
-                      is_from_zero(o->angle) && o->amplitude + o->angle > 0.0 &&
-                      isfinite(o->phase) && is_finite(o->direction);
-    if (!good) {
-        return clod_status_fail(
-            status, CLOD_USAGE,
-            "%s: '%s' oscillates with %g Hz, amplitude %g m along (%g, %g, %g), angle %g rad, "
-            "phase %g rad; give finite numbers, frequency, amplitude and angle not below 0, and "
-            "not both of the last 0",
-            function, wall->name, o->frequency, o->amplitude, o->direction[0], o->direction[1],
-            o->direction[2], o->angle, o->phase);
-    }
-    return clod_check_sways_across(wall) ||
+    return o->frequency == 0.0 || clod_check_sways_across(wall) ||
            clod_status_fail(status, CLOD_USAGE,
                             "%s: '%s' oscillates along the axis of its load, along which the "
                             "load alone moves the wall; give a direction across it",

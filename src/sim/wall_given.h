@@ -13,14 +13,13 @@
 clod_case_wall clod_wall_given_directions(const clod_case_wall *wall);
 
 /**
- * Whether the numbers of its load, if it has one, are those of a load.
+ * Whether a case could have its numbers: those of its motion, its load if it has one, and its
+ * oscillation if it has one, in the ranges of their keys; an oscillation that moves the wall, and
+ * across the axis of its load.
  *
+ * @param wall      with its directions
  * @param function  for the message
  * Errors  CLOD_USAGE.   Threads  pure.   Test  tests/sim/test_sim_wall_loads.c
  */
-bool clod_wall_given_load(const clod_case_wall *wall, const char *function,
-                          clod_status *status);
-
-/** The same of its oscillation. */
-bool clod_wall_given_oscillation(const clod_case_wall *wall, const char *function,
-                                 clod_status *status);
+bool clod_wall_given_holds(const clod_case_wall *wall, const char *function,
+                           clod_status *status);

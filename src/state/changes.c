@@ -6,6 +6,12 @@
 #include "base/memory.h"
 #include "base/room.h"
 
+bool clod_new_grain_join(const clod_new_grain *self, clod_grains *to, clod_status *status)
+{
+    return clod_grains_add(to, self->position, self->velocity, self->angular_velocity,
+                           self->density, self->material, self->id, status);
+}
+
 void clod_changes_add_grain(clod_changes *self, const clod_new_grain *grain)
 {
     if (!clod_room_for_one(&self->new_grain, &self->new_grain_room, self->new_grains,

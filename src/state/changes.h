@@ -12,6 +12,7 @@
 #include "clod/status.h"
 #include "state/clump_class.h"
 #include "state/domain.h"
+#include "state/grains.h"
 #include "state/time_class.h"
 #include "state/walls.h"
 
@@ -74,6 +75,9 @@ void clod_changes_remove_grain(clod_changes *self, uint64_t id);
 /** Its shapes are taken over: `wall` has none then. */
 void clod_changes_add_wall(clod_changes *self, clod_wall *wall);
 void clod_changes_remove_wall(clod_changes *self, const char *name);
+
+/** Append a new grain to those that there are; mass and inertia as clod_grains_add. */
+bool clod_new_grain_join(const clod_new_grain *self, clod_grains *to, clod_status *status);
 
 /** Grains or walls were put elsewhere: contacts that are open now are forgotten. */
 static inline void clod_changes_moved(clod_changes *self)

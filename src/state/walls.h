@@ -123,7 +123,7 @@ typedef struct clod_wall {
     double load_force;       ///< N, aimed at
     double area;             ///< m2
     double mass;             ///< kg
-    double damping_fraction; ///< of critical, from which damping was made
+    double damping_fraction; ///< of critical, to make damping; 0 after a checkpoint is read
     double damping;          ///< N s/m
     double servo_velocity;   ///< m/s along load_axis
     // result of the last step

@@ -28,9 +28,7 @@ static bool add_grains(clod_state *state, clod_status *status)
     clod_exact added = {0};
     for (size_t k = 0; k < state->changes.new_grains; k++) {
         const clod_new_grain *grain = &state->changes.new_grain[k];
-        if (!clod_grains_add(&state->grains, grain->position, grain->velocity,
-                             grain->angular_velocity, grain->density, grain->material,
-                             grain->id, status)) {
+        if (!clod_new_grain_join(grain, &state->grains, status)) {
             return false;
         }
         const size_t row = state->grains.count - 1;

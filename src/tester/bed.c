@@ -1,7 +1,6 @@
 #include "tester/bed.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "parallel/exact.h"
 #include "tester/limits.h"
@@ -15,12 +14,8 @@
 
 clod_wall *clod_bed_wall(const clod_state *state, const char *name)
 {
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        if (strcmp(state->walls.wall[w].name, name) == 0) {
-            return &state->walls.wall[w];
-        }
-    }
-    return NULL;
+    const int32_t w = clod_walls_find(&state->walls, name);
+    return w >= 0 ? &state->walls.wall[w] : NULL;
 }
 
 double clod_bed_mass(const clod_state *state)

@@ -69,6 +69,24 @@ static const char PILE[] =
     "output: {surfaces: true}\n"
     "stages: [{name: run, duration: 1 s}]\n";
 
+/** Grains in two layers above a plate at which they leave. */
+static const char PLATE[] =
+    "materials: {ore: {density: 2500 kg/m3}}\n"
+    "contacts: {default: {law: hooke, k1: 1e4 N/m, restitution: 0.2, friction: 0.5}}\n"
+    "time: {step: 1e-4 s, design_stress: 100 Pa}\n"
+    "domain: {min: [-0.1 m, -0.1 m, -0.1 m], max: [0.1 m, 0.1 m, 0.3 m]}\n"
+    "grains:\n"
+    "  - {material: ore, count: 12, radius: {distribution: uniform, min: 5 mm, max: 5 mm},\n"
+    "     region: {box: {min: [-60 mm, -60 mm, 10 mm], max: [60 mm, 60 mm, 30 mm]}}}\n"
+    "  - {material: ore, count: 7, radius: {distribution: uniform, min: 5 mm, max: 5 mm},\n"
+    "     region: {box: {min: [-60 mm, -60 mm, 200 mm], max: [60 mm, 60 mm, 220 mm]}}}\n"
+    "walls:\n"
+    "  plate: {material: ore, shapes: [{box: {center: [0 m, 0 m, -5 mm], size: [0.2 m, 0.2 m, "
+    "10 mm]}}]}\n"
+    "  floor: {material: ore, shapes: [{plane: {point: [0 m, 0 m, -50 mm]}}]}\n"
+    "outlets: {plate: {wall: plate}}\n"
+    "stages: [{name: run, duration: 1 s}]\n";
+
 /** A wall below all grains. */
 static const char LOW[] = "{material: ore, shapes: [{plane: {point: [0 m, 0 m, -50 mm]}}]}";
 
@@ -239,6 +257,66 @@ static void columns_stay_when_walls_go(void **unused)
     clod_sim_destroy(&calm);
 }
 
+/** A wall whose column has the name of another wall's surface puts nothing there. */
+static void a_name_of_another_measure_is_no_match(void **unused)
+{
+    (void)unused;
+    const clod_sim_column *columns;
+    size_t count;
+    clod_sim *sim = sim_made(PILE, 1);
+    CHECK(clod_sim_open_series(sim, &status));
+    CHECK(clod_sim_advance(sim, 1500, &status));
+    CHECK(clod_sim_series_row(sim, &columns, &count, &status));
+    assert_true(value_of(columns, count, "surface_floor.force_z", "N") < -0.1);
+    CHECK(clod_sim_remove_wall(sim, "floor", &status));
+    CHECK(clod_sim_add_wall_from_text(
+        sim, "surface_floor", "{material: ore, shapes: [{plane: {point: [0 m, 0 m, 0 m]}}]}",
+        &status));
+    CHECK(clod_sim_advance(sim, 1500, &status));
+    CHECK(clod_sim_series_row(sim, &columns, &count, &status));
+    clod_sim_wall wall;
+    CHECK(clod_sim_wall_look(sim, clod_sim_wall_index(sim, "surface_floor"), &wall, &status));
+    assert_true(wall.force[2] < -0.1); // it carries the grains
+    assert_true(isnan(value_of(columns, count, "surface_floor.force_z", "N")));
+    assert_true(isnan(value_of(columns, count, "floor.force_z", "N")));
+    clod_sim_destroy(&sim);
+}
+
+/** The lower grains reach the plate within sqrt(2 h/g) = 71 ms of a fall of 25 mm, the upper ones not
+ *  before 195 mm and 199 ms. An outlet whose wall is gone keeps what it counted, and a wall that comes,
+ *  of whatever name, is no outlet. */
+static void an_outlet_keeps_its_counts(void **unused)
+{
+    (void)unused;
+    static const char BOX[] =
+        "{material: ore, shapes: [{box: {center: [0 m, 0 m, -5 mm], size: "
+        "[0.2 m, 0.2 m, 10 mm]}}]}";
+    const char *const names[] = {"plate", "other"};
+    const double grain = 2500.0 * 4.0 / 3.0 * M_PI * 125e-9;
+    for (int k = 0; k < 2; k++) {
+        const clod_sim_column *columns;
+        size_t count;
+        clod_sim *sim = sim_made(PLATE, 1);
+        CHECK(clod_sim_open_series(sim, &status));
+        CHECK(clod_sim_advance(sim, 1500, &status));
+        CHECK(clod_sim_series_row(sim, &columns, &count, &status));
+        check_close(value_of(columns, count, "outlet_plate.grains", "1"), 12.0, 0.0);
+        CHECK(clod_sim_remove_wall(sim, "plate", &status));
+        CHECK(clod_sim_advance(sim, 100, &status));
+        CHECK(clod_sim_add_wall_from_text(sim, names[k], BOX, &status));
+        CHECK(clod_sim_advance(sim, 1400, &status));
+        clod_sim_wall wall;
+        CHECK(clod_sim_wall_look(sim, clod_sim_wall_index(sim, names[k]), &wall, &status));
+        assert_true(wall.mean_force[2] < 0.0); // they met it
+        CHECK(clod_sim_series_row(sim, &columns, &count, &status));
+        check_close(value_of(columns, count, "outlet_plate.grains", "1"), 12.0, 0.0);
+        check_relative(value_of(columns, count, "outlet_plate.mass", "kg"), 12.0 * grain,
+                       1e-12);
+        assert_int_equal(clod_sim_grain_count(sim), 7);
+        clod_sim_destroy(&sim);
+    }
+}
+
 /** A checkpoint of a simulation with other walls: its columns are those that this one opened with. */
 static void rows_go_on_through_checkpoints(void **temporary)
 {
@@ -304,6 +382,8 @@ int main(void)
         cmocka_unit_test(walls_that_are_measured_stay),
         cmocka_unit_test(a_belt_that_is_gone_has_no_pull),
         cmocka_unit_test(columns_stay_when_walls_go),
+        cmocka_unit_test(an_outlet_keeps_its_counts),
+        cmocka_unit_test(a_name_of_another_measure_is_no_match),
         cmocka_unit_test_setup_teardown(rows_go_on_through_checkpoints, temp_folder_make,
                                         temp_folder_remove),
         cmocka_unit_test(build_up_needs_its_meshes),

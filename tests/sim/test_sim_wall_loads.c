@@ -294,6 +294,15 @@ static void a_load_is_held_to_the_critical_step(void **unused)
     CHECK(clod_sim_advance(sim, 10, &status));
     put_lid(sim, "force: 1 N");
     CHECK(clod_sim_change(sim, &status));
+    const int32_t lid = clod_sim_wall_index(sim, "lid");
+    expect_refused(clod_sim_set_wall_load(sim, lid, 1e6, &status),
+                   "with a load of 1e+06 N on 'lid' the time step of 2e-05 s is beyond");
+    expect_refused(
+        clod_sim_set_wall_load(sim, lid, -1e-3, &status),
+        "clod_sim_set_wall_load: the load of 'lid' is -0.001 N; give a finite number");
+    assert_true(look(sim, "lid").load == 1.0);
+    CHECK(clod_sim_set_wall_load(sim, lid, 2.0, &status));
+    CHECK(clod_sim_set_wall_load(sim, lid, 0.0, &status));
     CHECK(clod_sim_remove_wall(sim, "lid", &status));
     CHECK(clod_sim_change(sim, &status));
     put_lid(sim, "force: 1e6 N");
@@ -325,22 +334,26 @@ static void wrong_structs_are_refused(void **unused)
                                  .damping = 1.0};
     clod_case_wall wall = good;
     wall.mass = 0.0;
-    expect_refused(clod_sim_add_wall(sim, &wall, &status), "mass 0 kg; give finite numbers");
+    expect_refused(
+        clod_sim_add_wall(sim, &wall, &status),
+        "clod_sim_add_wall: the wall 'lid': load.mass has 0 kg, which is out of range; "
+        "allowed is above 0 kg and at most 1e+06 kg");
     wall = good;
     wall.stress = (double)NAN;
-    expect_refused(clod_sim_add_wall(sim, &wall, &status), "'lid' has a load of nan Pa");
+    expect_refused(clod_sim_add_wall(sim, &wall, &status), "load.stress has nan Pa");
     wall = good;
     wall.load = 7;
     expect_refused(clod_sim_add_wall(sim, &wall, &status), "a load of kind 7");
     wall = good;
     wall.load_axis[1] = (double)INFINITY;
-    expect_refused(clod_sim_add_wall(sim, &wall, &status), "along (0, inf, 0)");
+    expect_refused(clod_sim_add_wall(sim, &wall, &status), "load.axis has inf, which");
     wall = good;
     wall.shapes = &box;
     expect_refused(clod_sim_add_wall(sim, &wall, &status), "a stress as its load, which needs");
     wall = good;
     wall.oscillation.frequency = 50.0;
-    expect_refused(clod_sim_add_wall(sim, &wall, &status), "with 50 Hz, amplitude 0 m");
+    expect_refused(clod_sim_add_wall(sim, &wall, &status),
+                   "'lid' oscillates with 50 Hz, but has neither");
     wall.oscillation.amplitude = 1e-3; // along z, as the load
     expect_refused(clod_sim_add_wall(sim, &wall, &status), "along the axis of its load");
     wall.oscillation.direction[0] = 1.0;
@@ -352,6 +365,64 @@ static void wrong_structs_are_refused(void **unused)
     CHECK(clod_sim_add_wall(sim, &wall, &status));
     CHECK(clod_sim_change(sim, &status));
     check_relative(look(sim, "lid").load, 1000.0 * M_PI * 1e-4, 1e-12); // of its disc
+    clod_sim_destroy(&sim);
+}
+
+/** Each number of a wall has the limits that docs/manual.md gives its key, and not more. */
+static void numbers_beyond_the_limits_of_a_case_are_refused(void **unused)
+{
+    (void)unused;
+    clod_sim *sim = sim_made(HEAD, 1);
+    clod_case_shape disc = {.kind = CLOD_SHAPE_DISC,
+                            .point = {0.0, 0.0, 0.1},
+                            .normal = {0.0, 0.0, -1.0},
+                            .radius = 0.01};
+    clod_case_wall wall = {
+        .name = "lid",
+        .material = "ore",
+        .shapes = &disc,
+        .shape_count = 1,
+        .load = CLOD_LOAD_STRESS,
+        .stress = 1000.0,
+        .area = 1e-3,
+        .mass = 0.1,
+        .oscillation = {.direction = {1.0, 0.0, 0.0}, .amplitude = 1e-3, .frequency = 50.0}};
+    const struct {
+        double *number;
+        double most;
+        const char *key;
+    } limits[] = {
+        {&wall.mass, 1e6, "load.mass"},
+        {&wall.damping, 100.0, "load.damping"},
+        {&wall.stress, 1e9, "load.stress"},
+        {&wall.area, 1e6, "load.area"},
+        {&wall.oscillation.amplitude, 1e4, "oscillation.amplitude"},
+        {&wall.oscillation.angle, 2.0 * M_PI, "oscillation.angle"},
+        {&wall.oscillation.phase, 2.0 * M_PI, "oscillation.phase"},
+        {&wall.velocity[2], 1e3, "velocity"},
+        {&wall.spin_point[1], 1e4, "spin_point"},
+    };
+    for (size_t k = 0; k < sizeof limits / sizeof *limits; k++) {
+        const double good = *limits[k].number;
+        *limits[k].number = limits[k].most * (1.0 + 1e-9);
+        expect_refused(clod_sim_add_wall(sim, &wall, &status), limits[k].key);
+        *limits[k].number = -1.1 * limits[k].most;
+        expect_refused(clod_sim_add_wall(sim, &wall, &status), limits[k].key);
+        *limits[k].number = limits[k].most;
+        CHECK(clod_sim_add_wall(sim, &wall, &status));
+        *limits[k].number = good;
+    }
+    wall.oscillation.frequency = -1.0;
+    expect_refused(clod_sim_add_wall(sim, &wall, &status), "oscillation.frequency has -1 Hz");
+    wall.oscillation.frequency = 1.1e6;
+    expect_refused(clod_sim_add_wall(sim, &wall, &status), "at most 1e+06 Hz");
+    wall.oscillation.frequency = 50.0;
+    wall.load = CLOD_LOAD_FORCE; // its stress is not looked at
+    wall.stress = -1.0;
+    wall.force = 1.1e9;
+    expect_refused(clod_sim_add_wall(sim, &wall, &status), "load.force has 1.1e+09 N");
+    wall.force = 0.0; // a load may come later
+    CHECK(clod_sim_add_wall(sim, &wall, &status));
     clod_sim_destroy(&sim);
 }
 
@@ -368,6 +439,7 @@ int main(void)
         cmocka_unit_test(their_work_is_in_the_ledger),
         cmocka_unit_test(a_load_is_held_to_the_critical_step),
         cmocka_unit_test(wrong_structs_are_refused),
+        cmocka_unit_test(numbers_beyond_the_limits_of_a_case_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
