@@ -269,8 +269,6 @@ static void check_wall(clod_loader *loader, const clod_case *self, size_t index)
     }
     for (size_t i = 0; i < wall->shape_count; i++) {
         snprintf(key, sizeof key, "%s.shapes.%zu", path, i);
-        if (clod_shape_kinds_row((clod_shape_kind)wall->shapes[i].kind)->file) {
-        }
         check_keys(loader, key, &wall->shapes[i]);
         check_surface(loader, self, key, &wall->shapes[i]);
     }
