@@ -6,17 +6,7 @@
 #include "base/sort.h"
 #include "support/check.h"
 #include "support/dice.h"
-
-/** By key, then by the place in the input: what a stable sort does. */
-static int compare(const void *a, const void *b)
-{
-    const clod_sort_item *x = a;
-    const clod_sort_item *y = b;
-    if (x->key != y->key) {
-        return x->key < y->key ? -1 : 1;
-    }
-    return (x->index > y->index) - (x->index < y->index);
-}
+#include "support/sort_reference.h"
 
 static void check_sort(size_t count, uint64_t mask, uint64_t seed)
 {
@@ -28,7 +18,7 @@ static void check_sort(size_t count, uint64_t mask, uint64_t seed)
         found[k] = expected[k] = (clod_sort_item){dice_bits(&roll) & mask, k};
     }
     found[count] = scratch[count] = (clod_sort_item){77, 78}; // not to be touched
-    qsort(expected, count, sizeof *expected, compare);
+    qsort(expected, count, sizeof *expected, sort_compare);
     clod_sort(found, scratch, count);
     assert_memory_equal(found, expected, count * sizeof *found);
     assert_true(found[count].key == 77 && found[count].index == 78);

@@ -8,20 +8,10 @@
 #include "parallel/parallel_sort.h"
 #include "support/check.h"
 #include "support/dice.h"
+#include "support/sort_reference.h"
 
 #define MOST_THREADS 4
 #define MOST_PARTS 9
-
-/** By key, then by the place in the input: what a stable sort does. */
-static int compare(const void *a, const void *b)
-{
-    const clod_sort_item *x = a;
-    const clod_sort_item *y = b;
-    if (x->key != y->key) {
-        return x->key < y->key ? -1 : 1;
-    }
-    return (x->index > y->index) - (x->index < y->index);
-}
 
 typedef struct member {
     const clod_parallel_sort *job;
@@ -76,7 +66,7 @@ static sample sample_of(size_t count, uint64_t mask)
         self.items[k] = (clod_sort_item){dice_bits(&roll) & mask, k};
     }
     memcpy(self.expected, self.items, count * sizeof *self.items);
-    qsort(self.expected, count, sizeof *self.expected, compare);
+    qsort(self.expected, count, sizeof *self.expected, sort_compare);
     return self;
 }
 

@@ -313,15 +313,17 @@ static void a_load_is_held_to_the_critical_step(void **unused)
     clod_sim_destroy(&sim);
 }
 
+/** Shape of the walls that programs add below. */
+static clod_case_shape disc = {.kind = CLOD_SHAPE_DISC,
+                               .point = {0.0, 0.0, 0.1},
+                               .normal = {0.0, 0.0, -1.0},
+                               .radius = 0.01};
+
 /** A struct that would not be a case is refused, by what is wrong. */
 static void wrong_structs_are_refused(void **unused)
 {
     (void)unused;
     clod_sim *sim = sim_made(HEAD, 1);
-    clod_case_shape disc = {.kind = CLOD_SHAPE_DISC,
-                            .point = {0.0, 0.0, 0.1},
-                            .normal = {0.0, 0.0, -1.0},
-                            .radius = 0.01};
     clod_case_shape box = {
         .kind = CLOD_SHAPE_BOX, .point = {0.0, 0.0, 0.1}, .size = {0.01, 0.01, 0.01}};
     const clod_case_wall good = {.name = "lid",
@@ -373,10 +375,6 @@ static void numbers_beyond_the_limits_of_a_case_are_refused(void **unused)
 {
     (void)unused;
     clod_sim *sim = sim_made(HEAD, 1);
-    clod_case_shape disc = {.kind = CLOD_SHAPE_DISC,
-                            .point = {0.0, 0.0, 0.1},
-                            .normal = {0.0, 0.0, -1.0},
-                            .radius = 0.01};
     clod_case_wall wall = {
         .name = "lid",
         .material = "ore",
