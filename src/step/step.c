@@ -165,6 +165,7 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
         self->thread[t].near_motion = self->thread[0].near_motion;
         self->thread[t].near_slack = self->thread[0].near_slack;
         self->thread[t].wall_motion = self->thread[0].wall_motion;
+        self->thread[t].look = self->thread[0].look;
         self->thread[t].late = self->thread[t].noted = false;
     }
     self->trouble.any = false;

@@ -62,6 +62,7 @@ typedef struct clod_step_thread {
     double wall_motion; ///< m, bound of walls' motion since the last near list
     double wall_speed;  ///< m/s, fastest of walls in this step (thread 0)
     double slack;       ///< m, least left of the own skins of its grains now
+    bool look;          ///< with ranks: these are checked in the next step, see stage drift
     bool finite;        ///< its grains' numbers
     bool all_finite;    ///< those of all threads in this step
     bool excess;        ///< an overlap beyond the laws' range, with its contacts in this step
