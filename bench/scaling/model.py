@@ -1,0 +1,152 @@
+"""The closed model: time of a step as a sum of parts, and the job around the steps."""
+
+import math
+import statistics
+from dataclasses import dataclass
+
+import geometry
+
+NANO = 1e-9
+SMALL = 64  # ranks, for which every box is looked at
+
+
+def row_time(c, rows, ranks):
+    """Seconds of an own row: the processor's, or those of its share of the memory of a full node, for the part
+    of the rows that does not stay in the cache."""
+    missed = max(0.0, 1.0 - c.cache / (rows * c.row_footprint)) if rows > 0 else 0.0
+    share = c.memory / min(ranks, c.cores)
+    return max(c.row * NANO, missed * c.row_bytes / share)
+
+
+def merge_time(c, ranks, count):
+    """A merge of so many bytes: its rounds, of which those between ranks of a node are faster."""
+    if ranks < 2:
+        return 0.0
+    power = 1 << (ranks.bit_length() - 1)
+    spare = 0 if power == ranks else 2
+    inside = 1.0 / c.bandwidth_node * count + c.latency_node + 2 * c.overhead
+    outside = c.latency + count / c.bandwidth + 2 * c.overhead
+    near = min(int(math.log2(min(ranks, c.cores))), int(math.log2(power)))
+    return (near + spare) * inside + (int(math.log2(power)) - near) * outside
+
+
+def message_time(c, ranks, count):
+    """A message on its way; a long one asks first."""
+    latency = c.latency if ranks > c.cores else c.latency_node
+    bandwidth = c.bandwidth if ranks > c.cores else c.bandwidth_node
+    return latency * (3 if count > c.eager else 1) + count / bandwidth
+
+
+@dataclass
+class Shape:
+    """Numbers of the bed on the ranks that the closed model needs."""
+
+    ranks: int
+    own: float
+    ghosts: float       # of the rank that has most
+    neighbours: float   # of the rank that has most
+    node_ghosts: float  # that come from other nodes, of the node that gets most
+    node_messages: float
+
+
+def shape_of(c, bed):
+    """Of a bed of geometry.py."""
+    rows, messages = bed.between_nodes(c.cores)
+    return Shape(bed.ranks, bed.own, bed.most_ghosts(), bed.most_neighbours(), rows, messages)
+
+
+def regular_shape(c, grains, ranks):
+    """The same without a look at each rank: all are cubes with others on all sides, nodes too."""
+    own, node = grains / ranks, min(ranks, c.cores)
+    edge, reach, across = own ** (1.0 / 3.0), c.ghost_layers, node ** (1.0 / 3.0)
+    ghosts = (edge + 2.0 * reach) ** 3 - own
+    within = (across * edge + 2.0 * reach * (across - 1.0)) ** 3  # own rows and ghosts of the node
+    outside = max(0.0, node * (own + ghosts) - within)
+    messages = 26.0 * node - ((3.0 * across - 2.0) ** 3 - node)
+    if ranks <= c.cores:
+        outside = messages = 0.0
+    return Shape(ranks, own, ghosts, 26, outside, messages)
+
+
+def shape_for(c, grains, ranks):
+    """An even cube of grains on some ranks."""
+    if ranks <= SMALL:
+        return shape_of(c, geometry.Bed(grains, ranks, c.ghost_layers))
+    return regular_shape(c, grains, ranks)
+
+
+def most_of(ranks):
+    """The largest of so many normal numbers, in standard deviations: the median of the largest is at the root of
+    1/2; 0.5264 in place of it is near the mean (Chen and Tyler 1999, doi:10.1080/03610919908813542)."""
+    return statistics.NormalDist().inv_cdf(0.5264 ** (1.0 / ranks)) if ranks > 1 else 0.0
+
+
+def step_parts(c, shape):
+    """Seconds of the parts of a mean step of the slowest rank."""
+    own, ghosts, ranks = shape.own, shape.ghosts, shape.ranks
+    row = row_time(c, own + ghosts, ranks)
+    each = row * c.ghost / c.row  # a ghost: pack, unpack, and the contacts that both owners compute
+    compute = own * row
+    parts = {"own rows": compute, "ghosts": ghosts * each}
+    busy = compute + ghosts * each * (1.0 - c.pack_share)
+    parts["imbalance"] = 0.0 if ranks == 1 else (compute + ghosts * each) * (c.imbalance - 1.0)
+    parts["noise"] = busy * c.noise * most_of(ranks)
+    merge = merge_time(c, ranks, c.code_merge)
+    start = shape.neighbours * c.overhead
+    largest = ghosts * c.code_ghost / max(shape.neighbours, 1) * 3.0  # of a face: a few of 26 have most
+    pair = message_time(c, ranks, largest) if shape.neighbours else 0.0
+    adapter = shape.node_ghosts * c.code_ghost / c.bandwidth + shape.node_messages * c.gap
+    parts["merge"] = merge
+    parts["messages"] = 2 * start + max(0.0, max(pair, adapter) - merge)
+    parts["skins"] = c.code_skin_merges * merge_time(c, ranks, c.code_skin_merge)
+    parts["rebuilds"] = rebuild_time(c, shape) / c.rebuild_steps
+    return parts
+
+
+def rebuild_time(c, shape):
+    """Seconds of a rebuild, and its share of cuts."""
+    ranks = shape.ranks
+    rows = shape.own * c.rebuild * NANO
+    if ranks == 1:
+        return rows
+    merges = c.code_rebuild_merges * merge_time(c, ranks, c.code_skin_merge)
+    swaps = c.code_rebuild_swaps * merge_time(c, ranks, 4 * ranks)
+    moved = shape.ghosts * c.code_grain_record / c.bandwidth_node \
+        + shape.node_ghosts * c.code_grain_record / c.bandwidth + 2 * shape.neighbours * c.overhead
+    return rows + merges + swaps + moved + c.cuts * merge_time(c, ranks, c.code_cut_bytes)
+
+
+def step_time(c, shape):
+    return sum(step_parts(c, shape).values())
+
+
+def efficiency(c, shape):
+    """Of a rank: what its own rows take when all cores of the node work on as many, over the step."""
+    return (shape.own * row_time(c, shape.own, shape.ranks)
+            + shape.own * c.rebuild * NANO / c.rebuild_steps) / step_time(c, shape)
+
+
+def checkpoint_time(c, grains, ranks):
+    """Seconds of a checkpoint: bytes through rank 0, numbers of each slab from each rank, merges."""
+    slabs = grains / c.code_slab
+    return grains * c.code_checkpoint / c.write + slabs * (
+        c.code_slab_messages * (ranks - 1) * c.overhead
+        + c.code_slab_merges * merge_time(c, ranks, 8))
+
+
+def deal_time(c, grains, ranks):
+    """Seconds of dealing the bed: records of all grains leave rank 0."""
+    if ranks == 1:
+        return 0.0
+    bandwidth = c.bandwidth if ranks > c.cores else c.bandwidth_node
+    return grains * c.code_grain_record / bandwidth + ranks * c.overhead
+
+
+def grains_for(c, ranks, wanted):
+    """Least grains a rank for an efficiency, by bisection."""
+    low, high = 1.0, 1e7
+    for _ in range(60):
+        middle = math.sqrt(low * high)
+        good = efficiency(c, shape_for(c, middle * ranks, ranks)) >= wanted
+        low, high = (low, middle) if good else (middle, high)
+    return high
