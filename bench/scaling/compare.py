@@ -16,22 +16,34 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import plan  # noqa: E402
 
 MICRO, NANO = 1e6, 1e9
-FITTED = 8  # ranks of a run, at most, that constants are fitted to
+FITTED = 2       # ranks of a run, at most, that constants are fitted to: more are predicted
+CACHED = 40000   # grains of such a run, at most
+STREAMED = 1e6   # grains of a bed, at least, that does not stay in a cache
 
 
-def read(path):
-    """All JSON values of a file, one behind the other; other text between them is left out."""
-    with open(path) as file:
-        text = file.read()
+def values_of(text):
+    """All JSON objects in a text, one behind the other; other text between them is left out. Of an object that
+    holds the output of a program (`rows` as objects, `text`) come those of that output."""
     decoder, at, found = json.JSONDecoder(), text.find("{"), []
     while at >= 0:
         try:
             value, at = decoder.raw_decode(text, at)
-            found.append(value)
         except json.JSONDecodeError:
             at += 1
+            value = {}
+        if "rows" in value:
+            found += value["rows"]
+        elif "text" in value:
+            found += values_of(value["text"])
+        else:
+            found.append(value)
         at = text.find("{", at)
     return found
+
+
+def read(path):
+    with open(path) as file:
+        return values_of(file.read())
 
 
 def counts(values, c):
@@ -65,25 +77,23 @@ class Run:
         self.ranks, self.threads = said["ranks"], said["threads"]
         self.grains, self.step = said["grains"], said["seconds"] / said["steps"]
         self.own = said.get("own_rows", [self.grains])
-        self.watched = [said["watched"]] if "watched" in said else []
+        self.watched = []
 
     def each(self, name):
         return [some[name] / some["steps"] for some in self.watched]
 
 
 def runs_of(values):
-    """Runs of bench_step in a file, in order: lines of other ranks come behind or before the first's."""
+    """Runs of bench_step in a file, in order. Lines of other ranks come before or behind that of rank 0."""
     runs, loose = [], []
     for said in values:
         if "grain_steps_per_s" in said:
             runs.append(Run(said))
-            while loose and len(runs[-1].watched) < runs[-1].ranks:
-                runs[-1].watched.append(loose.pop(0))
+            runs[-1].watched = loose
             loose = []
-        elif "watched" in said and runs and len(runs[-1].watched) < runs[-1].ranks:
-            runs[-1].watched.append(said["watched"])
-        elif "watched" in said:
-            loose.append(said["watched"])
+        if "watched" in said:
+            full = not runs or len(runs[-1].watched) >= runs[-1].ranks
+            (loose if full else runs[-1].watched).append({"rank": said["rank"], **said["watched"]})
     return [run for run in runs if run.ranks == 1 or len(run.watched) == run.ranks]
 
 
@@ -99,15 +109,14 @@ def lengths_of(grains):
 def predict(c, run):
     """Closed model and simulation of a run: us a step, us of work, ghosts of the rank that has most."""
     bed = geometry.Bed(run.grains, run.ranks, c.ghost_layers, lengths=lengths_of(run.grains))
-    threads = max(run.threads, 1)
-    workers = run.ranks * threads
-    c = c.but(row=c.row / threads, ghost=c.ghost / threads, rebuild_steps=float("inf"),
-              code_skin_merges=0.0, cores=c.cores)
+    workers = run.ranks * run.threads
     crowd = max(1.0, workers / c.cores)  # they take turns
+    c = c.but(row=c.row / run.threads, ghost=c.ghost / run.threads, threads=run.threads,
+              rebuild_steps=float("inf"), code_skin_merges=0.0)
     shared = c.but(row=c.row * crowd, ghost=c.ghost * crowd)
     shape = model.shape_of(shared, bed)
     step = model.step_time(shared, shape)
-    row = model.row_time(c, shape.own + shape.ghosts, workers)
+    row = model.row_time(c, shape.own + shape.ghosts, run.ranks)
     work = shape.own * row + bed.mean_ghosts() * row * c.ghost / c.row
     return step, simulate.run(shared, bed, 10), work, bed
 
@@ -158,35 +167,62 @@ def spread_of(said):
 
 def message_guess(c, said):
     """Seconds of a call on one node; None: the model says nothing of it."""
-    one = c.latency_node + said["bytes"] / c.bandwidth_node
+    size, peers, ranks = said["bytes"], said["peers"], said["ranks"]
+    asks = 3 if size > c.eager else 1
     if said["test"] == "pingpong":
-        return one
-    if said["test"] == "kept":
-        return one + 2 * c.overhead
+        return asks * c.latency_node + size / c.bandwidth_node
     if said["test"] == "merge":
-        return model.merge_time(c, said["ranks"], said["bytes"])
-    if said["test"] in ("halo", "meeting"):
-        halo = one + 2 * said["peers"] * c.overhead
-        merge = model.merge_time(c, said["ranks"], c.code_merge)
-        return halo if said["test"] == "halo" else max(halo, merge + 2 * said["peers"] * c.overhead)
-    return None
+        return model.merge_time(c, ranks, size)
+    if said["test"] not in ("kept", "halo", "meeting"):
+        return None
+    calls = model.call_time(c, peers, size) + c.meeting
+    flight = asks * c.latency_node + peers * size / c.bandwidth_node
+    merge = model.merge_time(c, ranks, c.code_merge) if said["test"] == "meeting" else 0.0
+    return calls + max(flight, merge)
 
 
-def fit(values):
+def work_points(runs):
+    """Own rows, ghosts and seconds of work a step, of ranks of one thread in beds that stay in the cache."""
+    points = []
+    for run in runs:
+        if run.threads > 1 or run.ranks > FITTED or run.grains > CACHED:
+            continue
+        if run.ranks == 1:
+            points.append((run.grains, 0.0, run.said.get("processor_s", run.said["seconds"])
+                           / run.said["steps"]))
+        points += [(run.own[w["rank"]], w["ghost_bytes_in"] / 72.0, w["worked_s"] / w["steps"])
+                   for w in run.watched]
+    return points
+
+
+def fit(values, c):
     """Constants of a machine from runs of bench_step on a few ranks, and bench_messages on 2."""
-    runs = [run for run in runs_of(values) if run.ranks <= FITTED and run.threads == 1]
+    runs = runs_of(values)
+    points = work_points(runs)
     found = {}
-    points = [(own, w["ghost_bytes_in"] / 72.0, w["worked_s"] / w["steps"])
-              for run in runs for own, w in zip(run.own, run.watched)]
-    if len(points) >= 2:
+    if len(points) >= 2 and len({ghosts / own for own, ghosts, _ in points}) > 1:
         found["row"], found["ghost"] = (NANO * x for x in least_squares(points))
+    streamed = [run for run in runs if run.ranks == 1 and run.grains >= STREAMED]
+    rates = {run.threads: run.grains / run.step * c.row_bytes for run in streamed}
+    if rates:
+        found["memory"] = max(rates.values())
+        found["memory_core"] = rates.get(1, found["memory"])
     tests = {(s["test"], s["pairs"], s["bytes"]): s["median"] * 1e-6
              for s in values if s.get("ranks") == 2 and "median" in s}
     small, large = ("pingpong", "near", 8), ("pingpong", "near", 1 << 20)
     if small in tests and large in tests:
         found["latency_node"] = tests[small]
-        found["bandwidth_node"] = large[2] / (tests[large] - tests[small])
-        found["overhead"] = max(0.0, tests["kept", "near", 8] - tests[small]) / 2.0
+        found["meeting"] = max(0.0, tests["kept", "near", 8] - tests[small])
+    halos = {(s["ranks"], s["bytes"]): (s["median"] * 1e-6, s["peers"]) for s in values
+             if s.get("test") == "halo"}
+    most = max((ranks for ranks, _ in halos), default=0)
+    if most > 2:  # the slope over peers; longer ones ask first, and are copied
+        short, peers = halos[most, 1 << 10]
+        middle, long = halos[most, 1 << 13][0], halos[most, 1 << 16][0]
+        found["overhead"] = (short - found["latency_node"] - found["meeting"]) / (2.0 * (peers - 1))
+        found["bandwidth_node"] = peers * ((1 << 16) - (1 << 13)) / (long - middle)
+        copy = peers * ((1 << 13) - (1 << 10)) / found["bandwidth_node"]
+        found["overhead_long"] = max(0.0, middle - short - copy) / (2.0 * peers)
     noise = [(s["upper"] - s["lower"]) / s["median"] / 1.349 for s in values
              if s.get("test") == "work" and s["ranks"] == 2]
     if noise:
@@ -204,10 +240,12 @@ def least_squares(points):
     return (sat * sbb - sbt * sab) / det, (saa * sbt - sab * sat) / det
 
 
-def report(path, machine):
-    """All tables that a file has lines for."""
+def report(path, machine, fitted):
+    """All tables that a file has lines for; `fitted`: with the constants that it gives itself."""
     values = read(path)
     c = constants.load(machine)
+    if fitted:
+        c = c.but(**fit(values, c))
     parts = [("Counts of bench_ranks", counts([v for v in values if "ghosts_a_grain" in v], c)),
              ("bench_step", steps(runs_of(values), c)),
              ("bench_messages", messages([v for v in values if "median" in v], c))]

@@ -5,9 +5,10 @@ A rank is a generator (program.py). It yields
   ("start", outs, ins)            messages (rank, bytes) to others, and those that it is ready for
   ("finish", key)                 it waits until those of the start with that key are in
 and gets its time back. start yields the key. A message of at most `eager` bytes leaves at once; a longer one
-when its receiver has said that it is ready, two latencies later. A message costs its sender `overhead` of
-processor time, and its receiver the same. Between nodes it passes the adapter of its node and that of the other,
-each a queue: bytes / bandwidth + gap a message. Within a node it takes latency_node + bytes / bandwidth_node."""
+when its receiver has said that it is ready, two latencies later. Each message of a start but the first costs its
+sender `overhead` of processor time, and its receiver as much when it has waited; a longer one `overhead_long`
+more. Between nodes a message passes the adapter of its node and that of the other, each a queue of bytes / bandwidth
++ gap a message. Within a node its receiver copies it, one after the other: bytes / bandwidth_node."""
 
 import heapq
 
@@ -25,7 +26,8 @@ class Rank:
         self.ready = {}     # from whom: how many it has been ready for
         self.missing = {}   # key: messages that have not come
         self.last = {}      # key: when the last of those that have came
-        self.count = {}     # key: messages of it
+        self.cost = {}      # key: s of processor time when they are in
+        self.copied = 0.0   # when the last copy within its node ends
         self.blocked = None  # key
 
 
@@ -84,7 +86,8 @@ class Simulation:
     def _start(self, rank, outs, ins):
         self.number += 1
         key = self.number
-        rank.missing[key], rank.last[key], rank.count[key] = 0, 0.0, len(ins)
+        rank.missing[key], rank.last[key] = 0, 0.0
+        rank.cost[key] = self._cost(ins)
         for peer, _ in ins:
             which = rank.ready.get(peer, 0)
             rank.ready[peer] = which + 1
@@ -97,8 +100,8 @@ class Simulation:
             self.ready_at[name] = rank.time
             if name in self.asked:
                 self._send_long(name, *self.asked.pop(name))
-        for peer, size in outs:
-            rank.time += self.c.overhead
+        for k, (peer, size) in enumerate(outs):
+            rank.time += (self.c.overhead if k > 0 else 0.0) + self._long(size)
             which = rank.sent.get(peer, 0)
             rank.sent[peer] = which + 1
             name = (rank.number, peer, which)
@@ -112,18 +115,24 @@ class Simulation:
                 self.asked[name] = (rank.time, size)
         return key
 
-    def _latency(self, name):
-        same = name[0] // self.c.cores == name[1] // self.c.cores
-        return self.c.latency_node if same else self.c.latency
+    def _long(self, size):
+        return self.c.overhead_long if size > self.c.eager else 0.0
+
+    def _cost(self, messages):
+        return max(len(messages) - 1, 0) * self.c.overhead + sum(self._long(size)
+                                                                 for _, size in messages)
+
+    def _same_node(self, name):
+        return name[0] // self.c.cores == name[1] // self.c.cores
 
     def _send_long(self, name, time, size):
         """Its receiver is ready: the question goes there and the answer back."""
-        latency = self._latency(name)
+        latency = self.c.latency_node if self._same_node(name) else self.c.latency
         self._send(name, max(time + latency, self.ready_at[name]) + latency, size)
 
     def _send(self, name, time, size):
-        if name[0] // self.c.cores == name[1] // self.c.cores:
-            self._deliver(name, time + self.c.latency_node + size / self.c.bandwidth_node)
+        if self._same_node(name):
+            self._push(time + self.c.latency_node, ARRIVES, (name, size))
         else:
             self._push(time, LEAVES, (name, size))
 
@@ -134,9 +143,13 @@ class Simulation:
         self._push(begin + self.c.latency, ARRIVES, (name, size))
 
     def _arrive(self, time, name, size):
+        if self._same_node(name):
+            rank = self.ranks[name[1]]
+            rank.copied = max(time, rank.copied) + size / self.c.bandwidth_node
+            self._deliver(name, rank.copied)
+            return
         node = name[1] // self.c.cores
-        begin = max(time, self.in_free[node])
-        end = begin + size / self.c.bandwidth
+        end = max(time, self.in_free[node]) + size / self.c.bandwidth
         self.in_free[node] = end + self.c.gap
         self._deliver(name, end)
 
@@ -164,6 +177,6 @@ class Simulation:
     def _end_wait(self, rank, key):
         wait = max(rank.last.pop(key) - rank.time, 0.0)
         rank.waited += wait
-        rank.time += wait + rank.count.pop(key) * self.c.overhead
+        rank.time += wait + rank.cost.pop(key)
         rank.blocked = None
         del rank.missing[key]

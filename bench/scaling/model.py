@@ -12,9 +12,10 @@ SMALL = 64  # ranks, for which every box is looked at
 
 def row_time(c, rows, ranks):
     """Seconds of an own row: the processor's, or those of its share of the memory of a full node, for the part
-    of the rows that does not stay in the cache."""
-    missed = max(0.0, 1.0 - c.cache / (rows * c.row_footprint)) if rows > 0 else 0.0
-    share = c.memory / min(ranks, c.cores)
+    of the rows that does not stay in the cache. `row` and `ghost` are of all threads of a rank together."""
+    threads = getattr(c, "threads", 1)
+    missed = max(0.0, 1.0 - threads * c.cache / (rows * c.row_footprint)) if rows > 0 else 0.0
+    share = min(c.memory / min(ranks, max(c.cores // threads, 1)), c.memory_core * threads)
     return max(c.row * NANO, missed * c.row_bytes / share)
 
 
@@ -24,17 +25,31 @@ def merge_time(c, ranks, count):
         return 0.0
     power = 1 << (ranks.bit_length() - 1)
     spare = 0 if power == ranks else 2
-    inside = 1.0 / c.bandwidth_node * count + c.latency_node + 2 * c.overhead
-    outside = c.latency + count / c.bandwidth + 2 * c.overhead
+    long = 2 * (c.overhead_long + c.latency_node) if count > c.eager else 0.0
+    inside = c.latency_node + count / c.bandwidth_node + long
+    outside = c.latency + count / c.bandwidth + long
     near = min(int(math.log2(min(ranks, c.cores))), int(math.log2(power)))
     return (near + spare) * inside + (int(math.log2(power)) - near) * outside
 
 
-def message_time(c, ranks, count):
-    """A message on its way; a long one asks first."""
-    latency = c.latency if ranks > c.cores else c.latency_node
-    bandwidth = c.bandwidth if ranks > c.cores else c.bandwidth_node
-    return latency * (3 if count > c.eager else 1) + count / bandwidth
+def call_time(c, neighbours, count):
+    """Processor time of the calls for messages to neighbours, and from as many, of so many bytes each."""
+    if neighbours < 1:
+        return 0.0
+    long = neighbours * c.overhead_long if count > c.eager else 0.0
+    return 2.0 * ((neighbours - 1) * c.overhead + long)
+
+
+def flight_time(c, shape, count):
+    """From the last call until ghosts of so many bytes each are there: copies within the node, one after the
+    other, and all that comes to the node through its adapter."""
+    if shape.neighbours < 1:
+        return 0.0
+    latency = c.latency if shape.node_ghosts > 0.0 else c.latency_node
+    inside = max(0.0, shape.ghosts - shape.node_ghosts / min(shape.ranks, c.cores))
+    adapter = shape.node_ghosts * count / c.bandwidth + shape.node_messages * c.gap
+    asks = 3 if shape.ghosts * count / shape.neighbours > c.eager else 1
+    return asks * latency + max(inside * count / c.bandwidth_node, adapter)
 
 
 @dataclass
@@ -92,12 +107,10 @@ def step_parts(c, shape):
     parts["imbalance"] = 0.0 if ranks == 1 else (compute + ghosts * each) * (c.imbalance - 1.0)
     parts["noise"] = busy * c.noise * most_of(ranks)
     merge = merge_time(c, ranks, c.code_merge)
-    start = shape.neighbours * c.overhead
-    largest = ghosts * c.code_ghost / max(shape.neighbours, 1) * 3.0  # of a face: a few of 26 have most
-    pair = message_time(c, ranks, largest) if shape.neighbours else 0.0
-    adapter = shape.node_ghosts * c.code_ghost / c.bandwidth + shape.node_messages * c.gap
     parts["merge"] = merge
-    parts["messages"] = 2 * start + max(0.0, max(pair, adapter) - merge)
+    calls = call_time(c, shape.neighbours, ghosts * c.code_ghost / max(shape.neighbours, 1))
+    parts["messages"] = calls + max(0.0, flight_time(c, shape, c.code_ghost) - merge) \
+        + (c.meeting if ranks > 1 else 0.0)
     parts["skins"] = c.code_skin_merges * merge_time(c, ranks, c.code_skin_merge)
     parts["rebuilds"] = rebuild_time(c, shape) / c.rebuild_steps
     return parts
@@ -111,8 +124,8 @@ def rebuild_time(c, shape):
         return rows
     merges = c.code_rebuild_merges * merge_time(c, ranks, c.code_skin_merge)
     swaps = c.code_rebuild_swaps * merge_time(c, ranks, 4 * ranks)
-    moved = shape.ghosts * c.code_grain_record / c.bandwidth_node \
-        + shape.node_ghosts * c.code_grain_record / c.bandwidth + 2 * shape.neighbours * c.overhead
+    moved = flight_time(c, shape, c.code_grain_record) + call_time(
+        c, shape.neighbours, shape.ghosts * c.code_grain_record / max(shape.neighbours, 1))
     return rows + merges + swaps + moved + c.cuts * merge_time(c, ranks, c.code_cut_bytes)
 
 

@@ -56,7 +56,7 @@ class Work:
 def step(rank, size, c, work):
     """A step from ghosts to ghosts."""
     factor = work.noise()
-    yield ("work", work.pack)
+    yield ("work", work.pack + (c.meeting if size > 1 else 0.0))
     key = yield ("start", [(peer, count * c.code_ghost) for peer, count in work.outs],
                  [(peer, count * c.code_ghost) for peer, count in work.ins])
     if size > 1:

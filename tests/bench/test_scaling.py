@@ -23,8 +23,10 @@ BENCH_RANKS = os.path.join(BINARY, "bench", "bench_ranks")
 
 def machine(**numbers):
     """Constants that are easy to compute with; everything that is not given costs nothing."""
-    free = {"row": 1000.0, "ghost": 0.0, "pack_share": 0.0, "noise": 0.0, "imbalance": 1.0,
-            "latency": 0.0, "latency_node": 0.0, "overhead": 0.0, "gap": 0.0, "cores": 10 ** 9,
+    free = {"row": 1000.0, "ghost": 0.0, "pack_share": 0.0, "memory_core": math.inf,
+            "noise": 0.0, "imbalance": 1.0,
+            "latency": 0.0, "latency_node": 0.0, "overhead": 0.0, "overhead_long": 0.0,
+            "meeting": 0.0, "gap": 0.0, "cores": 10 ** 9,
             "bandwidth": math.inf, "bandwidth_node": math.inf, "eager": math.inf,
             "code_skin_merges": 0.0, "rebuild_steps": math.inf, "memory": math.inf}
     return constants.load("epyc-hdr").but(**{**free, **numbers})
@@ -103,21 +105,21 @@ class Simulation(unittest.TestCase):
         self.assertAlmostEqual(result.waited, 0.0, places=12)
 
     def test_rounds_of_a_merge_come_one_behind_the_other(self):
-        c = machine(latency_node=3e-6, overhead=1e-6, bandwidth_node=1e6)
+        c = machine(latency_node=3e-6, bandwidth_node=1e6)
         for ranks, rounds in ((2, 1), (8, 3), (64, 6)):
             ends, simulation = run(c, [program.merge(r, ranks, 10) for r in range(ranks)])
-            self.assertAlmostEqual(max(ends), rounds * (3e-6 + 2e-6 + 1e-5), places=12)
+            self.assertAlmostEqual(max(ends), rounds * (3e-6 + 1e-5), places=12)
             self.assertAlmostEqual(min(ends), max(ends), places=12)
             self.assertEqual(simulation.messages, lattice.merge_messages(ranks))
 
     def test_ranks_that_are_no_power_of_two_take_two_rounds_more(self):
-        c = machine(latency_node=3e-6, overhead=1e-6)
+        c = machine(latency_node=5e-6)
         ends, simulation = run(c, [program.merge(r, 7, 10) for r in range(7)])
         self.assertAlmostEqual(max(ends), 4 * 5e-6, places=12)
         self.assertEqual(simulation.messages, lattice.merge_messages(7))
         # of six, the two that nobody joins are a round ahead: their second message is there in time
         ends, _ = run(c, [program.merge(r, 6, 10) for r in range(6)])
-        self.assertAlmostEqual(max(ends), 3 * 5e-6 + 2e-6, places=12)
+        self.assertAlmostEqual(max(ends), 3 * 5e-6, places=12)
 
     def test_numbers_of_bytes_go_in_as_many_rounds_as_ranks_have_bits(self):
         c = machine(latency_node=3e-6)
@@ -168,6 +170,21 @@ class Simulation(unittest.TestCase):
         ends, _ = run(c, [one_way(r) for r in range(8)])
         self.assertAlmostEqual(min(ends[4:]), 2e-6 + 1e-6, places=12)
         self.assertAlmostEqual(max(ends), 2e-6 + 4 * 1e-6 + 3 * 1e-7, places=12)
+
+    def test_calls_cost_processor_time_by_messages_and_copies_queue(self):
+        c = machine(latency_node=5e-6, bandwidth_node=1e9, overhead=1e-6, eager=5000,
+                    overhead_long=7e-6)
+
+        def star(rank, size):
+            if rank == 0:
+                yield from program.exchange([], [(1, size), (2, size), (3, size)])
+            else:
+                yield from program.exchange([(0, size)], [])
+
+        ends, _ = run(c, [star(r, 1000) for r in range(4)])
+        self.assertAlmostEqual(ends[0], 5e-6 + 3 * 1e-6 + 2 * 1e-6, places=12)
+        ends, _ = run(c, [star(r, 10000) for r in range(4)])
+        self.assertAlmostEqual(ends[0], 7e-6 + 3 * 5e-6 + 3 * 1e-5 + 2 * 1e-6 + 3 * 7e-6, places=12)
 
     def test_a_long_message_waits_until_its_receiver_is_ready(self):
         c = machine(latency_node=2e-6, bandwidth_node=1e9, eager=100)
@@ -259,7 +276,7 @@ class Compare(unittest.TestCase):
             for rank in (1, 0):
                 time = 40e-9 * own[rank] + 25e-9 * ghosts[rank]
                 lines.append(self.step_line(rank, own, ghosts[rank], time))
-        found = compare.fit(lines)
+        found = compare.fit(lines, constants.load("here"))
         self.assertAlmostEqual(found["row"], 40.0, places=6)
         self.assertAlmostEqual(found["ghost"], 25.0, places=6)
 
@@ -267,10 +284,17 @@ class Compare(unittest.TestCase):
         lines = [{"test": test, "pairs": "near", "ranks": 2, "bytes": size, "median": time}
                  for test, size, time in (("pingpong", 8, 1.0), ("pingpong", 1 << 20, 101.0),
                                           ("kept", 8, 1.5))]
-        found = compare.fit(lines)
+        for size, time in ((1 << 10, 1e-6 + 0.5e-6 + 3 * 2 * 0.2e-6),
+                           (1 << 13, 0.0), (1 << 16, 0.0)):  # 4 peers; 1e9 B/s, 3 us each more beyond 1 kB
+            time += 0.0 if size == 1 << 10 else 2.7e-6 + 4 * (size - (1 << 10)) * 1e-9 + 4 * 2 * 3e-6
+            lines.append({"test": "halo", "pairs": "all", "ranks": 5, "peers": 4, "bytes": size,
+                          "median": 1e6 * time})
+        found = compare.fit(lines, constants.load("here"))
         self.assertAlmostEqual(found["latency_node"], 1e-6, places=12)
-        self.assertAlmostEqual(found["bandwidth_node"], (1 << 20) / 1e-4, delta=1.0)
-        self.assertAlmostEqual(found["overhead"], 0.25e-6, places=12)
+        self.assertAlmostEqual(found["meeting"], 0.5e-6, places=12)
+        self.assertAlmostEqual(found["overhead"], 0.2e-6, places=12)
+        self.assertAlmostEqual(found["overhead_long"], 3e-6, places=12)
+        self.assertAlmostEqual(found["bandwidth_node"] / 1e9, 1.0, places=9)
 
     def test_a_packing_has_its_box(self):
         lengths = compare.lengths_of(3750 * 8)
