@@ -17,8 +17,8 @@ import plan  # noqa: E402
 
 MICRO, NANO = 1e6, 1e9
 FITTED = 2       # ranks of a run, at most, that constants are fitted to: more are predicted
-CACHED = 40000   # grains of such a run, at most
-STREAMED = 1e6   # grains of a bed, at least, that does not stay in a cache
+CACHED = 4000    # grains of such a run, at most: in a core's own cache
+LAW = "mepa"     # of the runs that are looked at
 
 
 def values_of(text):
@@ -84,7 +84,7 @@ class Run:
 
 
 def runs_of(values):
-    """Runs of bench_step in a file, in order. Lines of other ranks come before or behind that of rank 0."""
+    """Runs of bench_step with ranks of one thread in a file, in order. Lines of other ranks come before or behind that of rank 0."""
     runs, loose = [], []
     for said in values:
         if "grain_steps_per_s" in said:
@@ -94,7 +94,8 @@ def runs_of(values):
         if "watched" in said:
             full = not runs or len(runs[-1].watched) >= runs[-1].ranks
             (loose if full else runs[-1].watched).append({"rank": said["rank"], **said["watched"]})
-    return [run for run in runs if run.ranks == 1 or len(run.watched) == run.ranks]
+    return [run for run in runs if run.said["law"] == LAW and run.threads == 1 and
+            (run.ranks == 1 or len(run.watched) == run.ranks)]
 
 
 def lengths_of(grains):
@@ -109,42 +110,36 @@ def lengths_of(grains):
 def predict(c, run):
     """Closed model and simulation of a run: us a step, us of work, ghosts of the rank that has most."""
     bed = geometry.Bed(run.grains, run.ranks, c.ghost_layers, lengths=lengths_of(run.grains))
-    workers = run.ranks * run.threads
-    crowd = max(1.0, workers / c.cores)  # they take turns
-    c = c.but(row=c.row / run.threads, ghost=c.ghost / run.threads, threads=run.threads,
-              rebuild_steps=float("inf"), code_skin_merges=0.0)
-    shared = c.but(row=c.row * crowd, ghost=c.ghost * crowd)
+    crowd = max(1.0, run.ranks / c.cores)  # they take turns
+    c = c.but(rebuild_steps=float("inf"), code_skin_merges=0.0)
+    shared = c.but(row=c.row * crowd, far=c.far * crowd, ghost=c.ghost * crowd)
     shape = model.shape_of(shared, bed)
     step = model.step_time(shared, shape)
     row = model.row_time(c, shape.own + shape.ghosts, run.ranks)
-    work = shape.own * row + bed.mean_ghosts() * row * c.ghost / c.row
+    work = shape.own * row + bed.mean_ghosts() * model.ghost_time(c, row)
     return step, simulate.run(shared, bed, 10), work, bed
 
 
 def steps(runs, c):
     """Those of bench_step."""
-    out = tables.head(["grains", "ranks", "threads", "", "us a step", "simulation",
-                       "work of a rank, us", "most over mean", "waiting, %", "ghosts of a rank, most",
-                       "us without waiting and work"])
+    out = tables.head(["grains", "ranks", "", "us a step", "simulation", "work of a rank, us",
+                       "most over mean", "in messages, %", "ghosts of a rank, most"])
     for run in runs:
         step, simulation, work, bed = predict(c, run)
-        cells = [tables.number(MICRO * run.step), "", "", "", "", "", ""]
+        cells = [tables.number(MICRO * run.step), "", "", "", "", ""]
         if run.watched:
             worked = run.each("worked_s")
             waited = statistics.mean(w["waited_s"] / w["wall_s"] for w in run.watched)
-            left = statistics.mean((w["wall_s"] - w["waited_s"] - w["worked_s"]) / w["steps"]
-                                   for w in run.watched)
             cells = [tables.number(MICRO * run.step), "",
                      tables.number(MICRO * statistics.mean(worked)),
                      f"{max(worked) / statistics.mean(worked):.3f}", f"{100 * waited:.0f}",
-                     max(round(w["ghost_bytes_in"] / c.code_ghost) for w in run.watched),
-                     tables.number(MICRO * left)]
-        out.append(tables.line([run.grains, run.ranks, run.threads, "measured", *cells]))
-        out.append(tables.line(["", "", "", "predicted", tables.number(MICRO * step),
+                     max(round(w["ghost_bytes_in"] / c.code_ghost) for w in run.watched)]
+        out.append(tables.line([run.grains, run.ranks, "measured", *cells]))
+        out.append(tables.line(["", "", "predicted", tables.number(MICRO * step),
                                 tables.number(MICRO * simulation.step), tables.number(MICRO * work),
                                 f"{c.imbalance:.3f}" if run.ranks > 1 else "",
-                                f"{100 * simulation.waited / simulation.step:.0f}",
-                                round(bed.most_ghosts()), ""]))
+                                f"{100 * simulation.inside / simulation.step:.0f}",
+                                round(bed.most_ghosts())]))
     return out
 
 
@@ -162,7 +157,7 @@ def messages(values, c):
 
 
 def spread_of(said):
-    return tables.spread([said["lower"], said["median"], said["upper"]])
+    return tables.spread([said["median"], said["lower"], said["upper"]])
 
 
 def message_guess(c, said):
@@ -185,7 +180,7 @@ def work_points(runs):
     """Own rows, ghosts and seconds of work a step, of ranks of one thread in beds that stay in the cache."""
     points = []
     for run in runs:
-        if run.threads > 1 or run.ranks > FITTED or run.grains > CACHED:
+        if run.ranks > FITTED or run.grains > CACHED:
             continue
         if run.ranks == 1:
             points.append((run.grains, 0.0, run.said.get("processor_s", run.said["seconds"])
@@ -202,11 +197,6 @@ def fit(values, c):
     found = {}
     if len(points) >= 2 and len({ghosts / own for own, ghosts, _ in points}) > 1:
         found["row"], found["ghost"] = (NANO * x for x in least_squares(points))
-    streamed = [run for run in runs if run.ranks == 1 and run.grains >= STREAMED]
-    rates = {run.threads: run.grains / run.step * c.row_bytes for run in streamed}
-    if rates:
-        found["memory"] = max(rates.values())
-        found["memory_core"] = rates.get(1, found["memory"])
     tests = {(s["test"], s["pairs"], s["bytes"]): s["median"] * 1e-6
              for s in values if s.get("ranks") == 2 and "median" in s}
     small, large = ("pingpong", "near", 8), ("pingpong", "near", 1 << 20)

@@ -5,6 +5,7 @@ import os
 
 FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "constants.json")
 CASES = ("low", "value", "high")  # best, likely and worst
+COMPUTE = ("row", "far", "ghost", "row_bytes", "memory", "memory_core", "cache", "cache_all")
 
 
 class Constants:
@@ -36,3 +37,9 @@ def load(machine, case="value"):
         for name, entry in part.items():
             numbers[prefix + name] = entry.get(case, entry["value"])
     return Constants(numbers)
+
+
+def mixed(machine, compute, rest):
+    """Constants of computing of one case, and all others of another."""
+    some = load(machine, compute)
+    return load(machine, rest).but(**{name: getattr(some, name) for name in COMPUTE})

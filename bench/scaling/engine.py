@@ -22,6 +22,7 @@ class Rank:
         self.began = False
         self.time = 0.0
         self.waited = 0.0   # s in finish, without the overhead
+        self.worked = 0.0   # s outside of messages
         self.sent = {}      # to whom: how many messages, so which one is next
         self.ready = {}     # from whom: how many it has been ready for
         self.missing = {}   # key: messages that have not come
@@ -75,6 +76,7 @@ class Simulation:
                 return
             if order[0] == "work":
                 rank.time += order[1]
+                rank.worked += order[1]
                 answer = rank.time
             elif order[0] == "start":
                 answer = self._start(rank, order[1], order[2])

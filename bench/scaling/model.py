@@ -7,16 +7,28 @@ from dataclasses import dataclass
 import geometry
 
 NANO = 1e-9
+MOST = 1e6   # grains a rank
 SMALL = 64  # ranks, for which every box is looked at
 
 
+def missed(rows, bytes_of_row, cache):
+    """The part of some rows that does not stay in a cache."""
+    return max(0.0, 1.0 - cache / (rows * bytes_of_row)) if rows > 0 else 0.0
+
+
 def row_time(c, rows, ranks):
-    """Seconds of an own row: the processor's, or those of its share of the memory of a full node, for the part
-    of the rows that does not stay in the cache. `row` and `ghost` are of all threads of a rank together."""
-    threads = getattr(c, "threads", 1)
-    missed = max(0.0, 1.0 - threads * c.cache / (rows * c.row_footprint)) if rows > 0 else 0.0
-    share = min(c.memory / min(ranks, max(c.cores // threads, 1)), c.memory_core * threads)
-    return max(c.row * NANO, missed * c.row_bytes / share)
+    """Seconds of an own row: the processor's, more beyond its own cache, and more from memory, at most as fast as
+    memory serves all cores of the node that work."""
+    workers = min(ranks, c.cores)
+    near = missed(rows, c.row_footprint, c.cache)
+    others = max(c.cores // workers, 1)  # where few work, they have the caches of all
+    deep = missed(rows, c.row_footprint, others * c.cache_all) * c.row_bytes
+    return max((c.row + near * c.far) * NANO + deep / c.memory_core, deep * workers / c.memory)
+
+
+def ghost_time(c, row):
+    """Seconds of a ghost, dearer by as much as rows are."""
+    return row * c.ghost / c.row
 
 
 def merge_time(c, ranks, count):
@@ -100,7 +112,7 @@ def step_parts(c, shape):
     """Seconds of the parts of a mean step of the slowest rank."""
     own, ghosts, ranks = shape.own, shape.ghosts, shape.ranks
     row = row_time(c, own + ghosts, ranks)
-    each = row * c.ghost / c.row  # a ghost: pack, unpack, and the contacts that both owners compute
+    each = ghost_time(c, row)  # a ghost: pack, unpack, and the contacts that both owners compute
     compute = own * row
     parts = {"own rows": compute, "ghosts": ghosts * each}
     busy = compute + ghosts * each * (1.0 - c.pack_share)
@@ -109,8 +121,8 @@ def step_parts(c, shape):
     merge = merge_time(c, ranks, c.code_merge)
     parts["merge"] = merge
     calls = call_time(c, shape.neighbours, ghosts * c.code_ghost / max(shape.neighbours, 1))
-    parts["messages"] = calls + max(0.0, flight_time(c, shape, c.code_ghost) - merge) \
-        + (c.meeting if ranks > 1 else 0.0)
+    parts["calls"] = calls + (c.meeting if ranks > 1 else 0.0)
+    parts["on their way"] = max(0.0, flight_time(c, shape, c.code_ghost) - merge)
     parts["skins"] = c.code_skin_merges * merge_time(c, ranks, c.code_skin_merge)
     parts["rebuilds"] = rebuild_time(c, shape) / c.rebuild_steps
     return parts
@@ -156,10 +168,11 @@ def deal_time(c, grains, ranks):
 
 
 def grains_for(c, ranks, wanted):
-    """Least grains a rank for an efficiency, by bisection."""
-    low, high = 1.0, 1e7
-    for _ in range(60):
-        middle = math.sqrt(low * high)
-        good = efficiency(c, shape_for(c, middle * ranks, ranks)) >= wanted
-        low, high = (low, middle) if good else (middle, high)
-    return high
+    """Least grains a rank for an efficiency, to 3 %; infinite where more than MOST do not have it. It does not
+    only rise: rows leave the cache."""
+    grains = 10.0
+    while grains < MOST:
+        if efficiency(c, shape_for(c, grains * ranks, ranks)) >= wanted:
+            return grains
+        grains *= 1.03
+    return math.inf

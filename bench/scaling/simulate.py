@@ -34,7 +34,7 @@ def works(c, bed, seed):
     for rank, some in enumerate(bed.ghosts):
         ghosts = sum(some.values())
         row = model.row_time(c, bed.own + ghosts, bed.ranks)
-        each = row * c.ghost / c.row
+        each = model.ghost_time(c, row)
         factor = 1.0 + roll.uniform(-spread, spread) if bed.ranks > 1 else 1.0
         noise = random.Random(roll.random())
         found.append(program.Work(
@@ -53,6 +53,8 @@ class Result:
         lengths = [b - a for a, b in zip(times, times[1:])]
         self.median = statistics.median(lengths)
         self.waited = statistics.mean(rank.waited for rank in simulation.ranks) / steps
+        self.inside = statistics.mean(end - rank.worked  # s in calls, waiting and all
+                                      for end, rank in zip(ends, simulation.ranks)) / steps
         self.messages = simulation.messages / len(ends) / steps
         self.bytes = simulation.bytes / len(ends) / steps
 

@@ -1,6 +1,7 @@
 """The tables of docs/scaling.md, in Markdown."""
 
 import constants
+import evenness
 import model
 import simulate
 
@@ -14,18 +15,22 @@ MICRO = 1e6
 
 def number(value):
     """Three digits, without an exponent where it is short."""
+    if value == float("inf"):
+        return "never"
     text = f"{value:.3g}"
     return f"{value:.0f}" if "e" in text and value < 1e6 else text
 
 
 def spread(values):
-    """Likely (least - most)."""
-    low, likely, high = values
-    return f"{number(likely)} ({number(min(low, likely, high))} - {number(max(low, likely, high))})"
+    """The first (least - most)."""
+    low, high = min(values), max(values)
+    return f"{number(values[0])} ({number(low)} - {number(high)})"
 
 
 def cases(machine):
-    return [constants.load(machine, case) for case in constants.CASES]
+    """Constants: the likely ones, and all pairs of best and worst of computing and of the rest."""
+    return [constants.load(machine)] + [constants.mixed(machine, compute, rest)
+                                        for compute in ("low", "high") for rest in ("low", "high")]
 
 
 def largest(parts):
@@ -41,7 +46,7 @@ def row(machine, grains, ranks):
     times = [MICRO * model.step_time(c, s) for c, s in zip(many, shapes)]
     shares = [100 * model.efficiency(c, s) for c, s in zip(many, shapes)]
     return [number(grains / ranks), spread(times), spread(shares),
-            largest(model.step_parts(many[1], shapes[1]))]
+            largest(model.step_parts(many[0], shapes[0]))]
 
 
 def line(cells):
@@ -95,7 +100,7 @@ def grains_a_core(machine):
 def job(machine):
     """What happens beside the steps."""
     many = cases(machine)
-    c = many[1]
+    c = many[0]
     out = head(["grains", "cores", "GB on rank 0, dealing", "of its node", "s to deal",
                 "s a checkpoint", "of the run, one an hour, %"])
     for grains in GRAINS:
@@ -103,7 +108,7 @@ def job(machine):
             if grains / ranks < LEAST:
                 continue
             writes = [model.checkpoint_time(some, grains, ranks) for some in many]
-            share = 100 * writes[1] / (writes[1] + c.checkpoint_every)
+            share = 100 * writes[0] / (writes[0] + c.checkpoint_every)
             held = grains * c.code_deal
             out.append(line([f"{grains:.0e}".replace("e+0", "e"), ranks, number(held / 1e9),
                              f"{100 * held / c.memory_node:.0f} %",
@@ -124,6 +129,15 @@ def simulated(machine, each, many_ranks, steps=10, seeds=(1, 2, 3)):
         out.append(line([ranks, each,
                          number(MICRO * model.step_time(c, model.shape_for(c, each * ranks, ranks))),
                          number(MICRO * model.step_time(c, model.shape_of(c, bed))),
-                         spread([MICRO * step[0], MICRO * step[len(step) // 2], MICRO * step[-1]]),
+                         spread([MICRO * step[len(step) // 2], MICRO * step[0], MICRO * step[-1]]),
                          f"{100 * runs[0].waited / runs[0].step:.0f} %"]))
+    return out
+
+
+def heap(count, many_ranks):
+    points = evenness.heap(count)
+    out = head(["ranks", "points a rank", "most over mean"])
+    for ranks in many_ranks:
+        out.append(line([ranks, number(len(points) / ranks),
+                         f"{evenness.most_over_mean(points, ranks):.2f}"]))
     return out
