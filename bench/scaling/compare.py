@@ -41,9 +41,12 @@ def values_of(text):
     return found
 
 
-def read(path):
-    with open(path) as file:
-        return values_of(file.read())
+def read(paths):
+    values = []
+    for path in paths:
+        with open(path) as file:
+            values += values_of(file.read())
+    return values
 
 
 def counts(values, c):
@@ -120,24 +123,35 @@ def predict(c, run):
     return step, simulate.run(shared, bed, 10), work, bed
 
 
+def measured(runs, c):
+    """Medians of runs of one bed on as many ranks, with least and most: cells of a line."""
+    def middle(values):
+        return tables.spread([statistics.median(values), min(values), max(values)])
+
+    cells = [f"measured, {len(runs)}", middle([MICRO * run.step for run in runs]), "", "", "", "", ""]
+    if runs[0].watched:
+        work = [statistics.mean(run.each("worked_s")) for run in runs]
+        most = [max(run.each("worked_s")) / mean for run, mean in zip(runs, work)]
+        inside = [statistics.mean(w["waited_s"] / w["wall_s"] for w in run.watched) for run in runs]
+        cells[3:] = [middle([MICRO * mean for mean in work]), middle(most),
+                     middle([100 * share for share in inside]),
+                     max(round(w["ghost_bytes_in"] / c.code_ghost) for w in runs[0].watched)]
+    return cells
+
+
 def steps(runs, c):
     """Those of bench_step."""
     out = tables.head(["grains", "ranks", "", "us a step", "simulation", "work of a rank, us",
                        "most over mean", "in messages, %", "ghosts of a rank, most"])
+    groups = {}
     for run in runs:
-        step, simulation, work, bed = predict(c, run)
-        cells = [tables.number(MICRO * run.step), "", "", "", "", ""]
-        if run.watched:
-            worked = run.each("worked_s")
-            waited = statistics.mean(w["waited_s"] / w["wall_s"] for w in run.watched)
-            cells = [tables.number(MICRO * run.step), "",
-                     tables.number(MICRO * statistics.mean(worked)),
-                     f"{max(worked) / statistics.mean(worked):.3f}", f"{100 * waited:.0f}",
-                     max(round(w["ghost_bytes_in"] / c.code_ghost) for w in run.watched)]
-        out.append(tables.line([run.grains, run.ranks, "measured", *cells]))
+        groups.setdefault((run.grains, run.ranks), []).append(run)
+    for (grains, ranks), some in sorted(groups.items()):
+        step, simulation, work, bed = predict(c, some[0])
+        out.append(tables.line([grains, ranks, *measured(some, c)]))
         out.append(tables.line(["", "", "predicted", tables.number(MICRO * step),
                                 tables.number(MICRO * simulation.step), tables.number(MICRO * work),
-                                f"{c.imbalance:.3f}" if run.ranks > 1 else "",
+                                f"{c.imbalance:.2f}" if ranks > 1 else "",
                                 f"{100 * simulation.inside / simulation.step:.0f}",
                                 round(bed.most_ghosts())]))
     return out
@@ -230,9 +244,9 @@ def least_squares(points):
     return (sat * sbb - sbt * sab) / det, (saa * sbt - sab * sat) / det
 
 
-def report(path, machine, fitted):
-    """All tables that a file has lines for; `fitted`: with the constants that it gives itself."""
-    values = read(path)
+def report(paths, machine, fitted):
+    """All tables that files have lines for; `fitted`: with the constants that they give themselves."""
+    values = read(paths)
     c = constants.load(machine)
     if fitted:
         c = c.but(**fit(values, c))

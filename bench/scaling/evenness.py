@@ -1,9 +1,11 @@
 """How evenly a bed of uneven shape is cut: blocks are few, and taken to be even inside (src/step/partition.c).
 
-The bed is a heap, a cone in its box of 2 x 2 x 1, of points on a cubic lattice. Ranks that get more than the mean
+The bed is a heap, a cone in its box of 2 x 2 x 1, of one point somewhere in each cell of a cubic lattice: no layers,
+within which nothing can be cut. Ranks that get more than the mean
 make all others wait."""
 
 import math
+import random
 
 ACROSS, BLOCKS, GROWTH = 64, 16384, 1.26  # partition.h, partition.c
 
@@ -11,25 +13,25 @@ ACROSS, BLOCKS, GROWTH = 64, 16384, 1.26  # partition.h, partition.c
 def heap(count):
     """Some `count` points of a cone on its base."""
     edge = (math.pi / 3.0 / count) ** (1.0 / 3.0)
-    steps = int(1.0 / edge)
+    steps = int(1.0 / edge) + 1
+    roll = random.Random(1)
     points = []
     for k in range(steps):
-        z = (k + 0.5) * edge
         for i in range(-steps, steps):
             for j in range(-steps, steps):
-                x, y = (i + 0.5) * edge, (j + 0.5) * edge
+                x, y, z = ((n + roll.random()) * edge for n in (i, j, k))
                 if math.hypot(x, y) <= 1.0 - z:
                     points.append((x, y, z))
     return points
 
 
-def grid(low, high):
-    """Blocks along each axis of a box, and their widths."""
+def grid(low, high, finer):
+    """Blocks along each axis of a box, and their widths; `finer` times as many along each as in the code."""
     length = [b - a for a, b in zip(low, high)]
-    width = max(length) / ACROSS
+    width = max(length) / (finer * ACROSS)
     while True:
-        count = [min(max(int(x / width), 1), ACROSS) for x in length]
-        if math.prod(count) <= BLOCKS:
+        count = [min(max(int(x / width), 1), finer * ACROSS) for x in length]
+        if math.prod(count) <= finer ** 3 * BLOCKS:
             return count, [x / n if x > 0.0 else 1.0 for x, n in zip(length, count)]
         width *= GROWTH
 
@@ -59,11 +61,11 @@ def _cut(slices, low, high, share):
     return high
 
 
-def most_over_mean(points, ranks):
+def most_over_mean(points, ranks, finer=1):
     """The most points of a rank over the mean."""
     low = [min(p[a] for p in points) for a in range(3)]
     high = [max(p[a] for p in points) for a in range(3)]
-    count, width = grid(low, high)
+    count, width = grid(low, high, finer)
     places = [[(p[a] - low[a]) / width[a] for a in range(3)] for p in points]
     weights = [0.0] * math.prod(count)
     for place in places:

@@ -10,6 +10,7 @@ RANKS = (128, 512, 2048, 8192)
 WEAK = (1000, 10000, 100000)  # grains a core
 LEAST = 100                   # grains a core, below which nobody runs
 WANTED = (0.8, 0.5)           # efficiencies
+SEEDS, MANY = (1, 2, 3), 1024  # of simulations; ranks, of more of which one is enough
 MICRO = 1e6
 
 
@@ -24,6 +25,8 @@ def number(value):
 def spread(values):
     """The first (least - most)."""
     low, high = min(values), max(values)
+    if low == high:
+        return number(low)
     return f"{number(values[0])} ({number(low)} - {number(high)})"
 
 
@@ -117,13 +120,14 @@ def job(machine):
     return out
 
 
-def simulated(machine, each, many_ranks, steps=10, seeds=(1, 2, 3)):
+def simulated(machine, each, many_ranks, steps=5):
     """Closed model beside the simulation, without rebuilds."""
     c = constants.load(machine).but(rebuild_steps=float("inf"))
     out = head(["cores", "grains a core", "us a step, model", "with boxes as cut", "simulation",
                 "of it waiting"])
     for ranks in many_ranks:
         bed = simulate.bed_of(c, each * ranks, ranks)
+        seeds = SEEDS if ranks <= MANY else SEEDS[:1]
         runs = [simulate.run(c, bed, steps, seed=seed) for seed in seeds]
         step = sorted(run.step for run in runs)
         out.append(line([ranks, each,
@@ -136,8 +140,9 @@ def simulated(machine, each, many_ranks, steps=10, seeds=(1, 2, 3)):
 
 def heap(count, many_ranks):
     points = evenness.heap(count)
-    out = head(["ranks", "points a rank", "most over mean"])
+    out = head(["ranks", "points a rank", "most over mean", "with 64 times as many blocks"])
     for ranks in many_ranks:
         out.append(line([ranks, number(len(points) / ranks),
-                         f"{evenness.most_over_mean(points, ranks):.2f}"]))
+                         *(f"{evenness.most_over_mean(points, ranks, finer):.2f}"
+                           for finer in (1, 4))]))
     return out
