@@ -44,8 +44,11 @@ def values_of(text):
 def read(paths):
     values = []
     for path in paths:
-        with open(path) as file:
-            values += values_of(file.read())
+        try:
+            with open(path) as file:
+                values += values_of(file.read())
+        except OSError as error:
+            sys.exit(f"scaling-model: {path}: {error.strerror}")
     return values
 
 

@@ -104,12 +104,6 @@ def merge_messages(ranks):
     return power * (power.bit_length() - 1) + 2 * (ranks - power)
 
 
-def rounds(ranks):
-    """Rounds of a merge, one behind the other."""
-    power = 1 << (ranks.bit_length() - 1)
-    return power.bit_length() - 1 + (2 if power != ranks else 0)
-
-
 def predict(edge, ranks, bytes_of):
     """What bench_ranks prints: of a rank and step where not said otherwise."""
     own, ghosts = pairs(edge, ranks)

@@ -78,16 +78,11 @@ def rebuild(rank, size, c, work):
     yield ("work", work.rebuild)
 
 
-def run(rank, size, c, work, plan, times):
-    """Steps of a plan: a word for each, of `step`, `skins` (and a check of skins) and `rebuild`. When each
-    begins goes to `times`."""
+def run(rank, size, c, work, plan):
+    """Steps of a plan: a word for each, of `step`, `skins` (and a check of skins) and `rebuild`."""
     for word in plan:
-        now = yield ("work", 0.0)
-        times.append(now)
         yield from step(rank, size, c, work)
         if word == "skins" and size > 1:
             yield from merge(rank, size, c.code_skin_merge)
         elif word == "rebuild":
             yield from rebuild(rank, size, c, work)
-    now = yield ("work", 0.0)
-    times.append(now)

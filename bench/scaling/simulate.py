@@ -48,10 +48,8 @@ def works(c, bed, seed):
 
 
 class Result:
-    def __init__(self, simulation, ends, times, steps):
+    def __init__(self, simulation, ends, steps):
         self.step = max(ends) / steps  # s, mean
-        lengths = [b - a for a, b in zip(times, times[1:])]
-        self.median = statistics.median(lengths)
         self.waited = statistics.mean(rank.waited for rank in simulation.ranks) / steps
         self.inside = statistics.mean(end - rank.worked  # s in calls, waiting and all
                                       for end, rank in zip(ends, simulation.ranks)) / steps
@@ -62,12 +60,11 @@ class Result:
 def run(c, bed, steps=20, rebuilds=0, seed=1):
     """Seconds of a step and more, of a bed of geometry.py."""
     plan = plan_of(c, steps, rebuilds)
-    times = [[] for _ in range(bed.ranks)]
-    programs = [program.run(rank, bed.ranks, c, work, plan, times[rank])
+    programs = [program.run(rank, bed.ranks, c, work, plan)
                 for rank, work in enumerate(works(c, bed, seed))]
     simulation = engine.Simulation(c, programs)
     ends = simulation.run()
-    return Result(simulation, ends, times[0], steps)
+    return Result(simulation, ends, steps)
 
 
 def bed_of(c, grains, ranks, lengths=None):

@@ -87,7 +87,7 @@ def parts(machine, each=10000):
     out = head(["us of a step", *names])
     for ranks in (1, *RANKS):
         some = model.step_parts(c, model.shape_for(c, each * ranks, ranks))
-        out.append(line([f"{ranks} cores, {each} grains each",
+        out.append(line([f"{ranks} core{'s' if ranks > 1 else ''}, {each} grains each",
                          *(number(MICRO * some[name]) for name in names)]))
     return out
 
