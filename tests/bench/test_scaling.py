@@ -229,6 +229,15 @@ class ClosedModel(unittest.TestCase):
             closed = model.step_time(c, model.shape_of(c, bed))
             self.assertAlmostEqual(simulate.run(c, bed, steps=3).step / closed, 1.0, places=9)
 
+    def test_a_rebuild_has_its_merges_numbers_and_grains(self):
+        c = machine(latency_node=1e-6, rebuild=500.0, cuts=0.0, code_rebuild_merges=22,
+                    code_rebuild_swaps=2)
+        bed = geometry.Bed(8000.0, 8, 1.0)
+        seconds = 22 * 3e-6 + 2 * 3e-6 + 1e-6 + 1000 * 500e-9
+        self.assertAlmostEqual(model.rebuild_time(c, model.shape_of(c, bed)), seconds, places=12)
+        steps = [simulate.run(c, bed, 4, rebuilds).step * 4 for rebuilds in (0, 1)]
+        self.assertAlmostEqual(steps[1] - steps[0], seconds, places=12)
+
     def test_the_adapter_takes_longest_once_or_where_both_ends_queue_twice(self):
         c = machine(cores=8, bandwidth=1e9, latency=1e-6, ghost_layers=1.0)
         bed = geometry.Bed(64 * 8000.0, 64, 1.0)
