@@ -117,7 +117,7 @@ def predict(c, run):
     """Closed model and simulation of a run: us a step, us of work, ghosts of the rank that has most."""
     bed = geometry.Bed(run.grains, run.ranks, c.ghost_layers, lengths=lengths_of(run.grains))
     crowd = max(1.0, run.ranks / c.cores)  # they take turns
-    c = c.but(rebuild_steps=float("inf"), code_skin_merges=0.0)
+    c = c.but(rebuild_steps=float("inf"))
     shared = c.but(row=c.row * crowd, far=c.far * crowd, ghost=c.ghost * crowd)
     shape = model.shape_of(shared, bed)
     step = model.step_time(shared, shape)

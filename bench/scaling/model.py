@@ -123,7 +123,6 @@ def step_parts(c, shape):
     calls = call_time(c, shape.neighbours, ghosts * c.code_ghost / max(shape.neighbours, 1))
     parts["calls"] = calls + (c.meeting if ranks > 1 else 0.0)
     parts["on their way"] = max(0.0, flight_time(c, shape, c.code_ghost) - merge)
-    parts["skins"] = c.code_skin_merges * merge_time(c, ranks, c.code_skin_merge)
     parts["rebuilds"] = rebuild_time(c, shape) / c.rebuild_steps
     return parts
 
@@ -134,7 +133,7 @@ def rebuild_time(c, shape):
     rows = shape.own * c.rebuild * NANO
     if ranks == 1:
         return rows
-    merges = c.code_rebuild_merges * merge_time(c, ranks, c.code_skin_merge)
+    merges = c.code_rebuild_merges * merge_time(c, ranks, c.code_small_merge)
     swaps = c.code_rebuild_swaps * merge_time(c, ranks, 4 * ranks)
     moved = flight_time(c, shape, c.code_grain_record) + call_time(
         c, shape.neighbours, shape.ghosts * c.code_grain_record / max(shape.neighbours, 1))

@@ -69,7 +69,7 @@ def rebuild(rank, size, c, work):
     """Lists made anew: merges, numbers and grains. Contacts are few, and go with the grains here."""
     if size > 1:
         for _ in range(round(c.code_rebuild_merges)):
-            yield from merge(rank, size, c.code_skin_merge)
+            yield from merge(rank, size, c.code_small_merge)
         for k in range(c.code_rebuild_swaps):
             yield from numbers(rank, size)
             if k == 0:
@@ -79,10 +79,8 @@ def rebuild(rank, size, c, work):
 
 
 def run(rank, size, c, work, plan):
-    """Steps of a plan: a word for each, of `step`, `skins` (and a check of skins) and `rebuild`."""
+    """Steps of a plan: a word for each, `step` or `rebuild`."""
     for word in plan:
         yield from step(rank, size, c, work)
-        if word == "skins" and size > 1:
-            yield from merge(rank, size, c.code_skin_merge)
-        elif word == "rebuild":
+        if word == "rebuild":
             yield from rebuild(rank, size, c, work)

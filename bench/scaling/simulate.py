@@ -11,12 +11,9 @@ import program
 NANO = 1e-9
 
 
-def plan_of(c, steps, rebuilds):
-    """Words for the steps of program.run; checks of skins are spread evenly."""
-    words = []
-    for k in range(steps):
-        skins = int((k + 1) * c.code_skin_merges) > int(k * c.code_skin_merges)
-        words.append("skins" if skins else "step")
+def plan_of(steps, rebuilds):
+    """Words for the steps of program.run."""
+    words = ["step"] * steps
     for k in range(rebuilds):
         words[(k + 1) * steps // (rebuilds + 1)] = "rebuild"
     return words
@@ -59,7 +56,7 @@ class Result:
 
 def run(c, bed, steps=20, rebuilds=0, seed=1):
     """Seconds of a step and more, of a bed of geometry.py."""
-    plan = plan_of(c, steps, rebuilds)
+    plan = plan_of(steps, rebuilds)
     programs = [program.run(rank, bed.ranks, c, work, plan)
                 for rank, work in enumerate(works(c, bed, seed))]
     simulation = engine.Simulation(c, programs)

@@ -29,7 +29,7 @@ def machine(**numbers):
             "latency": 0.0, "latency_node": 0.0, "overhead": 0.0, "overhead_long": 0.0,
             "meeting": 0.0, "gap": 0.0, "cores": 10 ** 9,
             "bandwidth": math.inf, "bandwidth_node": math.inf, "eager": math.inf,
-            "code_skin_merges": 0.0, "rebuild_steps": math.inf, "memory": math.inf}
+            "rebuild_steps": math.inf, "memory": math.inf}
     return constants.load("epyc-hdr").but(**{**free, **numbers})
 
 
