@@ -7,7 +7,7 @@ make all others wait."""
 import math
 import random
 
-ACROSS, BLOCKS, GROWTH = 64, 16384, 1.26  # partition.h, partition.c
+EACH, LEAST, MOST, ACROSS, GROWTH = 64, 16384, 1 << 20, 64, 1.26  # partition.h, partition.c
 
 
 def heap(count):
@@ -25,13 +25,19 @@ def heap(count):
     return points
 
 
-def grid(low, high, finer):
-    """Blocks along each axis of a box, and their widths; `finer` times as many along each as in the code."""
+def blocks_for(ranks):
+    """Most blocks of a cut."""
+    return min(max(EACH * ranks, LEAST), MOST)
+
+
+def grid(low, high, most):
+    """Blocks along each axis of a box, `most` of them at most, and their widths."""
     length = [b - a for a, b in zip(low, high)]
-    width = max(length) / (finer * ACROSS)
+    across = int(ACROSS * (most / LEAST) ** (1.0 / 3.0) + 1e-9)
+    width = max(length) / across
     while True:
-        count = [min(max(int(x / width), 1), finer * ACROSS) for x in length]
-        if math.prod(count) <= finer ** 3 * BLOCKS:
+        count = [min(max(int(x / width), 1), across) for x in length]
+        if math.prod(count) <= most:
             return count, [x / n if x > 0.0 else 1.0 for x, n in zip(length, count)]
         width *= GROWTH
 
@@ -61,11 +67,11 @@ def _cut(slices, low, high, share):
     return high
 
 
-def most_over_mean(points, ranks, finer=1):
-    """The most points of a rank over the mean."""
+def most_over_mean(points, ranks, blocks=None):
+    """The most points of a rank over the mean; None: with the blocks that clod takes."""
     low = [min(p[a] for p in points) for a in range(3)]
     high = [max(p[a] for p in points) for a in range(3)]
-    count, width = grid(low, high, finer)
+    count, width = grid(low, high, blocks or blocks_for(ranks))
     places = [[(p[a] - low[a]) / width[a] for a in range(3)] for p in points]
     weights = [0.0] * math.prod(count)
     for place in places:

@@ -4,6 +4,7 @@ import math
 import statistics
 from dataclasses import dataclass
 
+import evenness
 import geometry
 
 NANO = 1e-9
@@ -137,7 +138,8 @@ def rebuild_time(c, shape):
     swaps = c.code_rebuild_swaps * merge_time(c, ranks, 4 * ranks)
     moved = flight_time(c, shape, c.code_grain_record) + call_time(
         c, shape.neighbours, shape.ghosts * c.code_grain_record / max(shape.neighbours, 1))
-    return rows + merges + swaps + moved + c.cuts * merge_time(c, ranks, c.code_cut_bytes)
+    return rows + merges + swaps + moved + c.cuts * merge_time(
+        c, ranks, evenness.blocks_for(ranks) * c.code_cut_block)
 
 
 def step_time(c, shape):

@@ -140,9 +140,9 @@ def simulated(machine, each, many_ranks, steps=5):
 
 def heap(count, many_ranks):
     points = evenness.heap(count)
-    out = head(["ranks", "points a rank", "most over mean", "with 64 times as many blocks"])
+    out = head(["ranks", "points a rank", "most over mean", "with 16 384 blocks"])
     for ranks in many_ranks:
         out.append(line([ranks, number(len(points) / ranks),
-                         *(f"{evenness.most_over_mean(points, ranks, finer):.2f}"
-                           for finer in (1, 4))]))
+                         *(f"{evenness.most_over_mean(points, ranks, blocks):.2f}"
+                           for blocks in (None, evenness.LEAST))]))
     return out
