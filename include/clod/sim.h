@@ -17,6 +17,7 @@
 #include <stdint.h>
 
 #include "clod/case.h"
+#include "clod/ranks.h"
 #include "clod/sim_series.h"
 #include "clod/sim_walls.h"
 #include "clod/status.h"
@@ -26,10 +27,12 @@ extern "C" {
 #endif
 
 typedef struct clod_sim_options {
-    int threads;       ///< 0 = as many of all processors as pay
+    int threads; ///< 0 = as many of all processors as pay, and one in each of several ranks
     const char *simd;  ///< instruction set: scalar, avx2, avx512, neon; NULL = the best
     bool each_process; ///< where mpirun started several processes: this one has a simulation of
                        ///< its own, as the others may; otherwise that is refused
+    clod_ranks *ranks; ///< that compute it together, one simulation at a time; this process is
+                       ///< number 0 of them. Borrowed until clod_sim_destroy; NULL: none
 } clod_sim_options;
 
 /**
@@ -151,7 +154,7 @@ static inline double *clod_sim_row(const clod_sim_view *view, size_t row)
  *
  * @return  row, or SIZE_MAX when there is no grain with this id
  */
-size_t clod_sim_row_of_id(const clod_sim *self, uint64_t id);
+size_t clod_sim_row_of_id(clod_sim *self, uint64_t id);
 
 /** A grain that is to come. */
 typedef struct clod_sim_grain {

@@ -60,10 +60,12 @@ struct clod_ranks {
     clod_ranks_evenness evenness;
     int64_t kept_messages, kept_bytes; ///< of a start
     void *group;                       ///< what these need
-    char *room;                        ///< scratch of the functions below; owned
-    size_t room_bytes;                 ///< of it
-    clod_message *message;             ///< [2 * size] scratch; owned
-    size_t *number;                    ///< [3 * size] scratch; owned
+    void *user;            ///< of rank 0: the simulation that they step; NULL: they are free
+    bool dismissed;        ///< rank 0 has no more orders
+    char *room;            ///< scratch of the functions below; owned
+    size_t room_bytes;     ///< of it
+    clod_message *message; ///< [2 * size] scratch; owned
+    size_t *number;        ///< [3 * size] scratch; owned
 };
 
 /** As the call of the same name, and counted. */

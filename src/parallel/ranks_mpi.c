@@ -61,6 +61,8 @@ static bool check_alone(const char *cause, clod_status *status)
 enum { ONCE, KEPT };
 
 typedef struct mpi_group {
+    MPI_Comm all;         ///< of these ranks alone: nobody else's messages come between
+    bool began;           ///< MPI, for these ranks: it ends with them
     MPI_Request *request; ///< of the pieces of an exchange
     size_t room;
     MPI_Request *kept; ///< [kept_count] of those that are repeated
@@ -77,16 +79,17 @@ static size_t pieces_of(const clod_message *message, int count)
 }
 
 /** Begin with the pieces of a message, which arrive in their order. */
-static MPI_Request *begin(const clod_message *message, bool out, MPI_Request *request)
+static MPI_Request *begin(MPI_Comm all, const clod_message *message, bool out,
+                          MPI_Request *request)
 {
     for (size_t at = 0; at < message->bytes; at += PIECE) {
         const size_t left = message->bytes - at;
         const int bytes = (int)(left < PIECE ? left : PIECE);
         char *data = (char *)message->data + at;
         if (out) {
-            MPI_Isend(data, bytes, MPI_BYTE, message->peer, ONCE, MPI_COMM_WORLD, request++);
+            MPI_Isend(data, bytes, MPI_BYTE, message->peer, ONCE, all, request++);
         } else {
-            MPI_Irecv(data, bytes, MPI_BYTE, message->peer, ONCE, MPI_COMM_WORLD, request++);
+            MPI_Irecv(data, bytes, MPI_BYTE, message->peer, ONCE, all, request++);
         }
     }
     return request;
@@ -102,10 +105,10 @@ static void exchange(clod_ranks *self, const clod_message *out, int outs,
     }
     MPI_Request *next = group->request;
     for (int k = 0; k < ins; k++) {
-        next = begin(&in[k], false, next);
+        next = begin(group->all, &in[k], false, next);
     }
     for (int k = 0; k < outs; k++) {
-        next = begin(&out[k], true, next);
+        next = begin(group->all, &out[k], true, next);
     }
     MPI_Waitall((int)pieces, group->request, MPI_STATUSES_IGNORE);
 }
@@ -127,9 +130,9 @@ static void keep_message(mpi_group *group, const clod_message *message, bool out
         char *data = (char *)message->data + at;
         MPI_Request *request = &group->kept[group->kept_count++];
         if (out) {
-            MPI_Send_init(data, bytes, MPI_BYTE, message->peer, KEPT, MPI_COMM_WORLD, request);
+            MPI_Send_init(data, bytes, MPI_BYTE, message->peer, KEPT, group->all, request);
         } else {
-            MPI_Recv_init(data, bytes, MPI_BYTE, message->peer, KEPT, MPI_COMM_WORLD, request);
+            MPI_Recv_init(data, bytes, MPI_BYTE, message->peer, KEPT, group->all, request);
         }
     }
 }
@@ -168,28 +171,89 @@ static void finish(clod_ranks *self)
     }
 }
 
-bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
+/** MPI has begun, by others or now; and not ended. */
+static bool begin_mpi(mpi_group *group, clod_status *status)
 {
-    int thread_level;
+    int begun, ended, level;
+    MPI_Initialized(&begun);
+    MPI_Finalized(&ended);
+    if (ended) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "MPI has ended in this process, and cannot begin again: open "
+                                "ranks once, for all simulations, or begin MPI yourself "
+                                "before (MPI_Init_thread, mpi4py)");
+    }
+    if (begun) {
+        MPI_Query_thread(&level);
+    } else {
+        MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &level);
+        group->began = true;
+    }
+    return level >= MPI_THREAD_FUNNELED ||
+           clod_status_fail(status, CLOD_FAILED,
+                            "this MPI allows no threads: it gives level %d, "
+                            "MPI_THREAD_FUNNELED is needed",
+                            level);
+}
+
+/** A communicator that MPI knows by this number, and that can be one of ranks. */
+static bool find_communicator(int number, MPI_Comm *from, clod_status *status)
+{
+    int begun, ended, between = 0;
+    MPI_Initialized(&begun);
+    MPI_Finalized(&ended);
+    if (!begun || ended) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "a communicator was given, but MPI does not run in this "
+                                "process: it has not begun, has ended, or is another MPI than "
+                                "that which clod was built with");
+    }
+    *from = MPI_Comm_f2c(number);
+    if (*from != MPI_COMM_NULL) {
+        MPI_Comm_test_inter(*from, &between);
+    }
+    return (*from != MPI_COMM_NULL && !between) ||
+           clod_status_fail(status, CLOD_USAGE,
+                            *from == MPI_COMM_NULL
+                                ? "the communicator is MPI_COMM_NULL: this process is not in "
+                                  "the group; only those that are may ask for its ranks"
+                                : "the communicator lies between two groups; ranks need one "
+                                  "group");
+}
+
+/** Ranks of a communicator, which gets a copy of its own. */
+static void join(clod_ranks *self, MPI_Comm from, mpi_group *group)
+{
+    *self = (clod_ranks){
+        .exchange = exchange, .keep = keep, .start = start, .finish = finish, .group = group};
+    MPI_Comm_dup(from, &group->all);
+    MPI_Comm_set_errhandler(group->all, MPI_ERRORS_ARE_FATAL);
+    MPI_Comm_rank(group->all, &self->rank);
+    MPI_Comm_size(group->all, &self->size);
+}
+
+bool clod_ranks_mpi_open(clod_ranks *self, const int *communicator, clod_status *status)
+{
     mpi_group *group = clod_memory_alloc(1, sizeof *group);
     if (group == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for MPI");
     }
-    MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &thread_level);
-    *self = (clod_ranks){
-        .exchange = exchange, .keep = keep, .start = start, .finish = finish, .group = group};
-    MPI_Comm_rank(MPI_COMM_WORLD, &self->rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &self->size);
-    const bool good = (thread_level >= MPI_THREAD_FUNNELED ||
-                       clod_status_fail(status, CLOD_FAILED,
-                                        "this MPI allows no threads: it gives level %d, "
-                                        "MPI_THREAD_FUNNELED is needed",
-                                        thread_level)) &&
-                      (self->size > 1 ||
-                       check_alone("start them with the mpirun of the MPI that clod was built "
-                                   "with, or one alone without mpirun",
-                                   status)) &&
-                      clod_ranks_init(self, status);
+    MPI_Comm from = MPI_COMM_WORLD;
+    if ((communicator != NULL && !find_communicator(*communicator, &from, status)) ||
+        !begin_mpi(group, status)) {
+        if (group->began) {
+            MPI_Finalize();
+        }
+        clod_memory_free(group);
+        return false;
+    }
+    join(self, from, group);
+    const bool good =
+        (communicator != NULL || self->size > 1 ||
+         check_alone("start them with the mpirun of the MPI that clod was built with, or one "
+                     "alone without mpirun",
+                     status)) &&
+        clod_ranks_init(self, status);
     if (!good) {
         clod_ranks_mpi_close(self);
     }
@@ -199,8 +263,15 @@ bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
 void clod_ranks_mpi_close(clod_ranks *self)
 {
     mpi_group *group = self->group;
-    drop_kept(group);
-    MPI_Finalize();
+    int ended;
+    MPI_Finalized(&ended);
+    if (!ended) {
+        drop_kept(group);
+        MPI_Comm_free(&group->all);
+        if (group->began) {
+            MPI_Finalize();
+        }
+    }
     clod_memory_free(group->kept);
     clod_memory_free(group->request);
     clod_memory_free(group);
@@ -209,9 +280,14 @@ void clod_ranks_mpi_close(clod_ranks *self)
 
 #else
 
-bool clod_ranks_mpi_open(clod_ranks *self, clod_status *status)
+bool clod_ranks_mpi_open(clod_ranks *self, const int *communicator, clod_status *status)
 {
     *self = (clod_ranks){.size = 1};
+    if (communicator != NULL) {
+        return clod_status_fail(status, CLOD_USAGE,
+                                "a communicator was given, but this clod was built without "
+                                "MPI: build it where libopenmpi-dev is installed");
+    }
     return check_alone("this clod was built without MPI: run it without mpirun, or build it "
                        "where libopenmpi-dev is installed",
                        status);
