@@ -21,6 +21,9 @@ bool clod_ranks_mpi_started(void)
     return started;
 }
 
+/** How many processes MPI knows of, if it runs in this one; else 0. */
+static int known_processes(void);
+
 int clod_ranks_mpi_processes(void)
 {
     // of srun there are numbers of tasks in a plain batch script too
@@ -29,7 +32,11 @@ int clod_ranks_mpi_processes(void)
     text = text != NULL || getenv("PMIX_RANK") == NULL ? text : getenv("SLURM_STEP_NUM_TASKS");
     const long processes = text != NULL ? strtol(text, NULL, 10) : 0;
     const bool said = processes >= 1 && processes <= INT_MAX;
-    return said ? (int)processes : clod_ranks_mpi_started() ? 0 : 1;
+    if (!said &&
+        clod_ranks_mpi_started()) { // MPI itself says so too, where it runs in one alone
+        return known_processes();
+    }
+    return said ? (int)processes : 1;
 }
 
 /** Whether a process that sees no other one is alone; `cause` may be why it sees none. */
@@ -171,6 +178,17 @@ static void finish(clod_ranks *self)
     }
 }
 
+static int known_processes(void)
+{
+    int begun, ended, processes = 0;
+    MPI_Initialized(&begun);
+    MPI_Finalized(&ended);
+    if (begun && !ended) {
+        MPI_Comm_size(MPI_COMM_WORLD, &processes);
+    }
+    return processes;
+}
+
 /** MPI has begun, by others or now; and not ended. */
 static bool begin_mpi(mpi_group *group, clod_status *status)
 {
@@ -199,10 +217,8 @@ static bool begin_mpi(mpi_group *group, clod_status *status)
 /** A communicator that MPI knows by this number, and that can be one of ranks. */
 static bool find_communicator(int number, MPI_Comm *from, clod_status *status)
 {
-    int begun, ended, between = 0;
-    MPI_Initialized(&begun);
-    MPI_Finalized(&ended);
-    if (!begun || ended) {
+    int between = 0;
+    if (known_processes() == 0) {
         return clod_status_fail(status, CLOD_USAGE,
                                 "a communicator was given, but MPI does not run in this "
                                 "process: it has not begun, has ended, or is another MPI than "
@@ -279,6 +295,11 @@ void clod_ranks_mpi_close(clod_ranks *self)
 }
 
 #else
+
+static int known_processes(void)
+{
+    return 0;
+}
 
 bool clod_ranks_mpi_open(clod_ranks *self, const int *communicator, clod_status *status)
 {

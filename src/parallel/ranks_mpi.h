@@ -9,7 +9,8 @@
 /** Whether mpirun, or srun with PMIx or PMI, has started this process. */
 bool clod_ranks_mpi_started(void);
 
-/** How many processes it has started with this one: 1 where nobody has; 0: it does not say. */
+/** How many processes it has started with this one: 1 where nobody has; 0: neither it nor MPI, if that
+ *  runs in this process, says. */
 int clod_ranks_mpi_processes(void);
 
 /**
