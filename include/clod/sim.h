@@ -47,9 +47,11 @@ typedef struct clod_sim_options {
  * @param from     checked case, borrowed until clod_sim_destroy
  * @param options  NULL = all defaults
  * @return         owned (clod_sim_destroy), or NULL
- * Errors  CLOD_USAGE: the case cannot be built, or several processes were started (each_process);
+ * Errors  CLOD_USAGE: the case cannot be built; several processes were started, and neither ranks nor
+ *         each_process is given; another rank than number 0, or ranks that have a simulation already.
  *         CLOD_FAILED: memory.
- * Threads safe.   Test  tests/sim/test_sim.c, tests/sim/test_sim_processes.c
+ * Threads safe; with ranks the one that opened them, here and in every call of this simulation.
+ * Test    tests/sim/test_sim.c, test_sim_processes.c, test_sim_ranks.c
  */
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
                           clod_status *status);
@@ -127,7 +129,10 @@ size_t clod_sim_grain_count(const clod_sim *self);
  *
  * A view and the numbers of the rows are valid until the next clod_sim_advance, change,
  * energies, contacts, contact_of, ledger, measure, file or destruction: the neighbour search
- * sorts the rows. A grain is told by its id. Positions may lie outside a periodic domain by less
+ * sorts the rows. On several ranks (clod_sim_options) the bed is gathered, once between two steps; the
+ * view is one of a copy, and what was written into it goes to the ranks before the next step. When its
+ * rows are no more what they were, it has NaN, and ids and materials that nobody has. A grain is told
+ * by its id. Positions may lie outside a periodic domain by less
  * than a period.
  *
  * Velocities count from the next step on, without more ado. After writing positions call
@@ -150,9 +155,9 @@ static inline double *clod_sim_row(const clod_sim_view *view, size_t row)
 }
 
 /**
- * Row of a grain now; a walk over all rows.
+ * Row of a grain now; a walk over all rows, which several ranks gather.
  *
- * @return  row, or SIZE_MAX when there is no grain with this id
+ * @return  row, or SIZE_MAX when there is no grain with this id, or no memory to gather the bed
  */
 size_t clod_sim_row_of_id(clod_sim *self, uint64_t id);
 

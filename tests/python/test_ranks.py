@@ -111,6 +111,16 @@ def program(ranks):
 clod.on_ranks(program)
 """, status=7)
 
+    def test_a_process_that_dies(self):
+        self.assert_ends("""
+import os
+ranks = clod.ranks()
+if ranks.number == 0:
+    sim = make(ranks)
+    sim.advance(10)
+    os._exit(3)
+""", status=3)
+
     def test_a_process_that_forgets_which_one_it_is(self):
         self.assert_ends("""
 with clod.ranks() as ranks:

@@ -5,43 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "output/temp_folder.h"
-#include "support/ranks_crew.h"
-#include "support/sim_trace.h"
+#include "support/sim_ranks.h"
 
-/** Cohesive grains fall into a trough with a loaded lid, and out of it. */
-#define HEAD(time)                                                                             \
-    "materials: {ore: {density: 2500 kg/m3}, clay: {density: 1500 kg/m3}}\n"                   \
-    "contacts: {default: {law: mepa, k1: 4.75e4 N/m^1.5, k2: 2.37e5 N/m^1.5, "                 \
-    "k_adh: 1e4 N/m^1.5, restitution: 0.3, friction: 0.35, rolling: epsd2, "                   \
-    "rolling_friction: 0.1}}\n"                                                                \
-    "gravity: [1 m/s2, 0 m/s2, -9.81 m/s2]\n"                                                  \
-    "time: {step: 1e-5 s, overlap_limit: 0.6" time "}\n"                                       \
-    "domain: {min: [-25 mm, -12 mm, -5 mm], max: [25 mm, 12 mm, 80 mm], "                      \
-    "periodic: [false, true, false], open: delete}\n"                                          \
-    "stages: [{name: fall, duration: 1 s}]\n"                                                  \
-    "walls:\n"                                                                                 \
-    "  floor: {material: ore, shapes: [{box: {center: [0 mm, 0 mm, -1 mm], "                   \
-    "size: [44 mm, 30 mm, 2 mm]}}]}\n"                                                         \
-    "  side: {material: ore, shapes: [{plane: {point: [-22 mm, 0 mm, 0 mm], "                  \
-    "normal: [1, 0, 0]}}]}\n"                                                                  \
-    "  post: {material: clay, shapes: [{bar: {from: [9 mm, -9 mm, 5 mm], "                     \
-    "to: [9 mm, 9 mm, 5 mm], width: 4 mm, height: 4 mm, up: [0, 0, 1]}}]}\n"
-
-#define BED_HEAD HEAD("")
-static const char BED[] =
-    BED_HEAD "  lid: {material: ore, load: {axis: [0, 0, -1], force: 0.2 N, mass: 10 g}, "
-             "shapes: [{box: {center: [0 mm, 0 mm, 35 mm], size: [30 mm, 30 mm, 2 mm]}}]}\n"
-             "grains:\n"
-             "  - {material: ore, count: 240, radius: {distribution: uniform, min: 1.4 mm, "
-             "max: 1.6 mm}, region: {box: {min: [-20 mm, -12 mm, 2 mm], max: [20 mm, 12 mm, "
-             "30 mm]}}, velocity: [0.2 m/s, 0 m/s, -0.8 m/s]}\n"
-             "gauges: {low: {region: {box: {min: [-20 mm, -12 mm, 0 mm], max: [20 mm, 12 mm, "
-             "9 mm]}}, direction: [1, 0, 0]}}\n"
-             "clumps: {}\n"
-             "output: {surfaces: true}\n";
-
-#define STREAM_HEAD HEAD(", design_stress: 1 kPa")
+#define STREAM_HEAD SIM_HEAD(", design_stress: 1 kPa")
 static const char STREAM[] =
     STREAM_HEAD "grains:\n"
                 "  - {material: ore, radius: {distribution: uniform, min: 1.4 mm, max: 1.6 "
@@ -50,53 +16,6 @@ static const char STREAM[] =
                 "gauges: {low: {region: {box: {min: [-20 mm, -12 mm, 0 mm], max: [20 mm, 12 "
                 "mm, 9 mm]}}, direction: [0, 0, -1]}}\n"
                 "output: {energy: true}\n";
-
-/** A life of a simulation, told line by line. */
-typedef struct life {
-    void (*live)(sim_trace *trace, clod_sim *sim, const char *folder);
-    const char *text;
-    int threads;
-    sim_trace trace;
-} life;
-
-static clod_sim *made_on(const char *text, int threads, clod_ranks *ranks)
-{
-    const clod_sim_options options = {.ranks = ranks, .threads = threads};
-    clod_sim *sim = clod_sim_create_from_text("case.yaml", text, &options, &status);
-    CHECK(sim != NULL);
-    return sim;
-}
-
-static void run_life(void *context, clod_ranks *ranks)
-{
-    life *self = context;
-    void *folder;
-    assert_int_equal(temp_folder_make(&folder), 0);
-    clod_sim *sim = made_on(self->text, self->threads, ranks);
-    trace_open(&self->trace);
-    self->live(&self->trace, sim, folder);
-    trace_close(&self->trace);
-    clod_sim_destroy(&sim);
-    temp_folder_remove(&folder);
-}
-
-static void same_on_ranks(life lived)
-{
-    life alone = lived;
-    run_life(&alone, NULL);
-    for (int ranks = 1; ranks <= 3; ranks++) {
-        life together = lived;
-        ranks_crew_run(ranks, run_life, &together);
-        trace_same(&alone.trace, &together.trace, ranks);
-        free(together.trace.text);
-    }
-    free(alone.trace.text);
-}
-
-static void advance(clod_sim *sim, int64_t steps)
-{
-    CHECK(clod_sim_advance(sim, steps, &status));
-}
 
 // ---- looking
 
@@ -115,8 +34,8 @@ static void look(sim_trace *trace, clod_sim *sim, const char *folder)
 static void all_that_is_seen_is_the_same(void **state)
 {
     (void)state;
-    same_on_ranks((life){.live = look, .text = BED, .threads = 1});
-    same_on_ranks((life){.live = look, .text = BED, .threads = 2});
+    same_on_ranks((sim_life){.live = look, .text = SIM_BED, .threads = 1});
+    same_on_ranks((sim_life){.live = look, .text = SIM_BED, .threads = 2});
 }
 
 // ---- writing
@@ -159,14 +78,14 @@ static void push(sim_trace *trace, clod_sim *sim, const char *folder)
 static void what_is_written_counts(void **state)
 {
     (void)state;
-    same_on_ranks((life){.live = push, .text = BED, .threads = 1});
+    same_on_ranks((sim_life){.live = push, .text = SIM_BED, .threads = 1});
 }
 
 /** Numbers of views that are not valid any more are none; of those that are, what they were. */
 static void stale(void *context, clod_ranks *ranks)
 {
     (void)context;
-    clod_sim *sim = made_on(BED, 1, ranks);
+    clod_sim *sim = made_on(SIM_BED, 1, ranks);
     advance(sim, 10);
     const clod_sim_view position = sim_view(sim, "position"), id = sim_view(sim, "id");
     clod_sim_energy energy;
@@ -255,7 +174,7 @@ static void change(sim_trace *trace, clod_sim *sim, const char *folder)
 static void grains_and_walls_come_and_go(void **state)
 {
     (void)state;
-    same_on_ranks((life){.live = change, .text = BED, .threads = 1});
+    same_on_ranks((sim_life){.live = change, .text = SIM_BED, .threads = 1});
 }
 
 static void drive(sim_trace *trace, clod_sim *sim, const char *folder)
@@ -295,7 +214,7 @@ static void drive(sim_trace *trace, clod_sim *sim, const char *folder)
 static void walls_are_driven(void **state)
 {
     (void)state;
-    same_on_ranks((life){.live = drive, .text = BED, .threads = 1});
+    same_on_ranks((sim_life){.live = drive, .text = SIM_BED, .threads = 1});
 }
 
 // ---- files and series
@@ -325,7 +244,7 @@ static void store(sim_trace *trace, clod_sim *sim, const char *folder)
 static void files_and_series_are_the_same(void **state)
 {
     (void)state;
-    same_on_ranks((life){.live = store, .text = BED, .threads = 1});
+    same_on_ranks((sim_life){.live = store, .text = SIM_BED, .threads = 1});
 }
 
 static void pour(sim_trace *trace, clod_sim *sim, const char *folder)
@@ -345,93 +264,7 @@ static void pour(sim_trace *trace, clod_sim *sim, const char *folder)
 static void grains_come_from_inlets(void **state)
 {
     (void)state;
-    same_on_ranks((life){.live = pour, .text = STREAM, .threads = 1});
-}
-
-// ---- mistakes
-
-static void break_down(sim_trace *trace, clod_sim *sim, const char *folder)
-{
-    CHECK(clod_sim_write_checkpoint(sim, folder, &status));
-    clod_sim_view velocity = sim_view(sim, "velocity");
-    clod_sim_row(&velocity, 11)[2] = -400.0; // through everything
-    assert_false(clod_sim_advance(sim, 200, &status));
-    fprintf(trace->out, "%d %s\n", status.code, status.text);
-    if (clod_sim_advance(sim, 1, &status)) {
-        fputs("it goes on\n", trace->out);
-    }
-    CHECK(clod_sim_read_checkpoint(sim, folder, NULL, &status));
-    advance(sim, 100);
-    trace_all(trace, sim, "from the checkpoint before");
-}
-
-static void what_went_wrong_is_told(void **state)
-{
-    (void)state;
-    same_on_ranks((life){.live = break_down, .text = BED, .threads = 1});
-}
-
-static void one_at_a_time(void *context, clod_ranks *ranks)
-{
-    (void)context;
-    const clod_sim_options options = {.ranks = ranks};
-    for (int k = 0; k < 2; k++) { // one after the other
-        clod_sim *sim = made_on(BED, 1, ranks);
-        expect_refused(clod_sim_create_from_text("b.yaml", BED, &options, &status) != NULL,
-                       "one at a time");
-        advance(sim, 10);
-        clod_sim_destroy(&sim);
-    }
-    clod_sim *sim = clod_sim_create_from_text("b.yaml", "title: nothing\n", &options, &status);
-    assert_null(sim); // the ranks are free after it
-    sim = made_on(BED, 1, ranks);
-    clod_sim_destroy(&sim);
-}
-
-static void ranks_have_one_simulation_at_a_time(void **state)
-{
-    (void)state;
-    ranks_crew_run(1, one_at_a_time, NULL);
-    ranks_crew_run(2, one_at_a_time, NULL);
-}
-
-static void another_rank(clod_ranks *ranks, void *context)
-{
-    (void)context;
-    const clod_sim_options options = {.ranks = ranks};
-    if (ranks->rank == 1) { // nobody waits
-        clod_status mine = {0};
-        assert_null(clod_sim_create_from_text("b.yaml", BED, &options, &mine));
-        assert_int_equal(mine.code, CLOD_USAGE);
-        assert_non_null(strstr(mine.text, "this is rank 1 of 2"));
-    }
-}
-
-static void rank_0_alone_drives(void **state)
-{
-    (void)state;
-    ranks_run(2, another_rank, NULL);
-}
-
-/** Ranks of one process that are closed under a simulation. */
-static void closed_ranks_leave_it_to_read(void **state)
-{
-    (void)state;
-    void *folder;
-    assert_int_equal(temp_folder_make(&folder), 0);
-    clod_ranks *ranks = clod_ranks_open(&status);
-    assert_non_null(ranks);
-    clod_sim *sim = made_on(BED, 1, ranks);
-    advance(sim, 100);
-    CHECK(clod_sim_write_checkpoint(sim, folder, &status));
-    clod_ranks_close(&ranks);
-    assert_null(ranks);
-    assert_int_equal(sim_view(sim, "position").rows, 240);
-    expect_refused(clod_sim_advance(sim, 1, &status), "ranks of this simulation were closed");
-    CHECK(clod_sim_read_checkpoint(sim, folder, NULL, &status));
-    advance(sim, 1);
-    clod_sim_destroy(&sim);
-    temp_folder_remove(&folder);
+    same_on_ranks((sim_life){.live = pour, .text = STREAM, .threads = 1});
 }
 
 int main(void)
@@ -444,10 +277,6 @@ int main(void)
         cmocka_unit_test(walls_are_driven),
         cmocka_unit_test(files_and_series_are_the_same),
         cmocka_unit_test(grains_come_from_inlets),
-        cmocka_unit_test(what_went_wrong_is_told),
-        cmocka_unit_test(ranks_have_one_simulation_at_a_time),
-        cmocka_unit_test(rank_0_alone_drives),
-        cmocka_unit_test(closed_ranks_leave_it_to_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
