@@ -233,6 +233,11 @@ static void store(sim_trace *trace, clod_sim *sim, const char *folder)
     advance(sim, 300);
     trace_row(trace, sim);
     CHECK(clod_sim_write_snapshot(sim, folder, true, &status));
+    static const char *const PICTURES[] = {"snap", "contacts", "walls"};
+    for (int k = 0; k < 3; k++) {
+        snprintf(path, sizeof path, "%s/%s_001500.hdf", folder, PICTURES[k]);
+        trace_file(trace, path);
+    }
     trace_all(trace, sim, "after the checkpoint");
     CHECK(clod_sim_read_checkpoint(sim, folder, NULL, &status));
     trace_all(trace, sim, "back");

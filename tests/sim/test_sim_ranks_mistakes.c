@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "sim/sim.h"
 #include "support/sim_ranks.h"
 
 static void break_down(sim_trace *trace, clod_sim *sim, const char *folder)
@@ -23,6 +24,27 @@ static void what_went_wrong_is_told(void **state)
 {
     (void)state;
     same_on_ranks((sim_life){.live = break_down, .text = SIM_BED, .threads = 1});
+}
+
+/** After a request that is refused the ranks go on, and not this process alone. */
+static void refused(void *context, clod_ranks *ranks)
+{
+    (void)context;
+    clod_sim *sim = made_on(SIM_BED, 1, ranks);
+    advance(sim, 10);
+    CHECK(clod_sim_remove_grain(sim, 77777, &status));
+    expect_refused(clod_sim_advance(sim, 10, &status), "77777");
+    assert_non_null(sim->step.crew);
+    advance(sim, 10);
+    assert_non_null(sim->step.crew);
+    assert_int_equal(clod_sim_step(sim), 20);
+    clod_sim_destroy(&sim);
+}
+
+static void a_refused_request_leaves_the_bed_with_the_ranks(void **state)
+{
+    (void)state;
+    ranks_crew_run(2, refused, NULL);
 }
 
 static void one_at_a_time(void *context, clod_ranks *ranks)
@@ -92,6 +114,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_went_wrong_is_told),
+        cmocka_unit_test(a_refused_request_leaves_the_bed_with_the_ranks),
         cmocka_unit_test(ranks_have_one_simulation_at_a_time),
         cmocka_unit_test(rank_0_alone_drives),
         cmocka_unit_test(closed_ranks_leave_it_to_read),
