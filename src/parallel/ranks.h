@@ -55,6 +55,14 @@ struct clod_ranks {
                  int ins);
     void (*start)(clod_ranks *self);
     void (*finish)(clod_ranks *self);
+    /** Groups of ranks: those with the same colour, in their order. NULL: these ranks are not
+     *  split. */
+    bool (*split)(clod_ranks *self, int colour, clod_ranks *part, clod_status *status);
+    void (*part)(clod_ranks *part); ///< close a group
+    /** A word to another rank, which finds it when it looks; 0 to 7. Words from one rank to
+     *  another come in their order. */
+    void (*post)(clod_ranks *self, int to, int word);
+    bool (*look)(clod_ranks *self, int from, int *word); ///< whether one is there; it is taken
     clod_rank_place *place; ///< [size] where they run; NULL: not known; owned
     clod_ranks_count count;
     clod_ranks_evenness evenness;

@@ -64,8 +64,8 @@ static bool check_alone(const char *cause, clod_status *status)
 /** Bytes of one piece of a message: MPI counts in int. */
 #define PIECE ((size_t)1 << 30)
 
-/** Tags of messages that are exchanged once, and again and again. */
-enum { ONCE, KEPT };
+/** Tags of messages that are exchanged once, again and again, and of words. */
+enum { ONCE, KEPT, POSTED };
 
 typedef struct mpi_group {
     MPI_Comm all;         ///< of these ranks alone: nobody else's messages come between
@@ -237,15 +237,63 @@ static bool find_communicator(int number, MPI_Comm *from, clod_status *status)
                                   "group");
 }
 
-/** Ranks of a communicator, which gets a copy of its own. */
-static void join(clod_ranks *self, MPI_Comm from, mpi_group *group)
+static void post(clod_ranks *self, int to, int word)
 {
-    *self = (clod_ranks){
-        .exchange = exchange, .keep = keep, .start = start, .finish = finish, .group = group};
-    MPI_Comm_dup(from, &group->all);
+    static const int WORDS[] = {0, 1, 2, 3, 4, 5, 6, 7}; // they stay until they are sent
+    const mpi_group *group = self->group;
+    MPI_Request request;
+    CLOD_ASSERT(word >= 0 && word < (int)(sizeof WORDS / sizeof *WORDS));
+    MPI_Isend(&WORDS[word], 1, MPI_INT, to, POSTED, group->all, &request);
+    MPI_Request_free(&request);
+}
+
+static bool look(clod_ranks *self, int from, int *word)
+{
+    const mpi_group *group = self->group;
+    int there;
+    MPI_Iprobe(from, POSTED, group->all, &there, MPI_STATUS_IGNORE);
+    if (there) {
+        MPI_Recv(word, 1, MPI_INT, from, POSTED, group->all, MPI_STATUS_IGNORE);
+    }
+    return there;
+}
+
+static bool split(clod_ranks *self, int colour, clod_ranks *part, clod_status *status);
+
+/** Ranks of a communicator of their own. */
+static void join(clod_ranks *self, mpi_group *group)
+{
+    *self = (clod_ranks){.exchange = exchange,
+                         .keep = keep,
+                         .start = start,
+                         .finish = finish,
+                         .split = split,
+                         .part = clod_ranks_mpi_close,
+                         .post = post,
+                         .look = look,
+                         .group = group};
     MPI_Comm_set_errhandler(group->all, MPI_ERRORS_ARE_FATAL);
     MPI_Comm_rank(group->all, &self->rank);
     MPI_Comm_size(group->all, &self->size);
+}
+
+static bool split(clod_ranks *self, int colour, clod_ranks *part, clod_status *status)
+{
+    const mpi_group *from = self->group;
+    mpi_group *group = clod_memory_alloc(1, sizeof *group);
+    bool good = group != NULL || clod_status_fail(status, CLOD_FAILED, "no memory for MPI");
+    if (!clod_ranks_agree(self, good, status)) {
+        clod_memory_free(group);
+        return false;
+    }
+    MPI_Comm_split(from->all, colour, self->rank, &group->all);
+    join(part, group);
+    good = clod_ranks_init(part, status);
+    if (!clod_ranks_agree(self, good, status)) {
+        clod_ranks_mpi_close(part);
+        return false;
+    }
+    return true;
 }
 
 bool clod_ranks_mpi_open(clod_ranks *self, const int *communicator, clod_status *status)
@@ -263,7 +311,8 @@ bool clod_ranks_mpi_open(clod_ranks *self, const int *communicator, clod_status 
         clod_memory_free(group);
         return false;
     }
-    join(self, from, group);
+    MPI_Comm_dup(from, &group->all);
+    join(self, group);
     const bool good =
         (communicator != NULL || self->size > 1 ||
          check_alone("start them with the mpirun of the MPI that clod was built with, or one "

@@ -1,9 +1,10 @@
 // Ranks as a program sees them: clod/ranks.h.
-#include "clod/ranks.h"
+#include "sim/ranks.h"
 
 #include "base/given.h"
 #include "base/memory.h"
 #include "parallel/ranks_mpi.h"
+#include "sim/group.h"
 #include "sim/sim.h"
 #include "step/crew.h"
 
@@ -70,12 +71,22 @@ int clod_ranks_size(const clod_ranks *self)
     return self->size;
 }
 
+void clod_ranks_word(clod_ranks *self, clod_ranks_next next)
+{
+    clod_ranks_tell(self, &next, sizeof next);
+}
+
 void clod_ranks_serve(clod_ranks *self)
 {
     CLOD_NEED(self);
-    if (self->rank > 0 && !self->dismissed) {
+    while (self->rank > 0 && !self->dismissed) {
+        clod_ranks_next next;
         clod_crew_serve(self);
-        self->dismissed = true;
+        clod_ranks_tell(self, &next, sizeof next);
+        if (next == CLOD_RANKS_PARTS) {
+            clod_group_serve(self);
+        }
+        self->dismissed = next == CLOD_RANKS_LEAVE;
     }
 }
 
@@ -90,6 +101,7 @@ void clod_ranks_close(clod_ranks **self)
     clod_ranks_serve(ranks);
     if (ranks->size > 1 && ranks->rank == 0) {
         clod_crew_dismiss(ranks);
+        clod_ranks_word(ranks, CLOD_RANKS_LEAVE);
     }
     if (ranks->group != NULL) {
         clod_ranks_mpi_close(ranks);

@@ -16,6 +16,12 @@ def run(ranks, *command, **more):
                           stderr=subprocess.PIPE, **more)
 
 
+def start(ranks, *command):
+    """Start a command on so many ranks and return at once."""
+    return subprocess.Popen([*MPIRUN, str(ranks), *command], text=True, stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE)
+
+
 def python(ranks, *arguments):
     """Run Python, where the package clod of this build and tests/python can be imported."""
     here = os.path.dirname(os.path.abspath(__file__))
