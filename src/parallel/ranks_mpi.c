@@ -2,6 +2,7 @@
 #include "parallel/ranks_mpi.h"
 
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,6 +25,25 @@ bool clod_ranks_mpi_started(void)
 /** How many processes MPI knows of, if it runs in this one; else 0. */
 static int known_processes(void);
 
+/** Whether this process began with a variable that it has now: MPI in a process alone sets PMIX_RANK
+ *  itself. Where the system does not tell, it did. */
+static bool began_with(const char *name)
+{
+    FILE *in = fopen("/proc/self/environ", "re");
+    char *entry = NULL;
+    size_t room = 0;
+    const size_t length = strlen(name);
+    bool found = in == NULL;
+    while (!found && getdelim(&entry, &room, '\0', in) > 0) {
+        found = strncmp(entry, name, length) == 0 && entry[length] == '=';
+    }
+    free(entry); // getdelim's own
+    if (in != NULL) {
+        fclose(in);
+    }
+    return found;
+}
+
 int clod_ranks_mpi_processes(void)
 {
     // of srun there are numbers of tasks in a plain batch script too
@@ -31,12 +51,13 @@ int clod_ranks_mpi_processes(void)
     text = text != NULL ? text : getenv("PMI_SIZE");
     text = text != NULL || getenv("PMIX_RANK") == NULL ? text : getenv("SLURM_STEP_NUM_TASKS");
     const long processes = text != NULL ? strtol(text, NULL, 10) : 0;
-    const bool said = processes >= 1 && processes <= INT_MAX;
-    if (!said &&
-        clod_ranks_mpi_started()) { // MPI itself says so too, where it runs in one alone
-        return known_processes();
+    if (processes >= 1 && processes <= INT_MAX) {
+        return (int)processes;
     }
-    return said ? (int)processes : 1;
+    if (!clod_ranks_mpi_started()) {
+        return 1;
+    }
+    return began_with("PMIX_RANK") ? 0 : known_processes();
 }
 
 /** Whether a process that sees no other one is alone; `cause` may be why it sees none. */
