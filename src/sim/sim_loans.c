@@ -98,7 +98,7 @@ bool clod_sim_take(clod_sim *self, clod_status *status)
         return true;
     }
     self->written = false;
-    return clod_step_deal(&self->step, status);
+    return clod_step_renew(&self->step, status);
 }
 
 void clod_sim_renew_loans(clod_sim *self)

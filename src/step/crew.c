@@ -208,7 +208,7 @@ static bool take_back(clod_step *whole, clod_status *status)
 }
 
 /** Ranks step it again. */
-static bool deal(clod_step *whole, const clod_step_options *options, clod_status *status)
+static bool deal_anew(clod_step *whole, const clod_step_options *options, clod_status *status)
 {
     return clod_crew_begin(whole, options, status) || fail(whole, status);
 }
@@ -224,18 +224,18 @@ bool clod_crew_change(clod_step *whole, clod_status *status)
         return false;
     }
     const bool changed = clod_step_change(whole, status); // what is refused changes nothing
-    if (whole->failed || deal(whole, &options, &of_ranks)) {
+    if (whole->failed || deal_anew(whole, &options, &of_ranks)) {
         return changed;
     }
     *status = of_ranks;
     return false;
 }
 
-bool clod_crew_deal(clod_step *whole, clod_status *status)
+bool clod_crew_renew(clod_step *whole, clod_status *status)
 {
     const clod_step_options options = whole->crew->options;
     return clod_crew_see(whole->crew, status) && take_back(whole, status) &&
-           deal(whole, &options, status);
+           deal_anew(whole, &options, status);
 }
 
 void clod_crew_store(clod_crew *self, clod_step_stored *sums)

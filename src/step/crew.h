@@ -55,8 +55,8 @@ size_t clod_crew_grains(const clod_crew *self);
  */
 bool clod_crew_change(clod_step *whole, clod_status *status);
 
-/** As clod_step_deal, of a step with a crew; after a failure as clod_crew_change. Threads: rank 0. */
-bool clod_crew_deal(clod_step *whole, clod_status *status);
+/** As clod_step_renew, of a step with a crew; after a failure as clod_crew_change. Threads: rank 0. */
+bool clod_crew_renew(clod_step *whole, clod_status *status);
 
 /** As clod_step_store, of the whole bed. Threads: rank 0. */
 void clod_crew_store(clod_crew *self, clod_step_stored *sums);

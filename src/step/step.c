@@ -297,9 +297,9 @@ bool clod_step_see_gone(clod_step *self, clod_status *status)
     return self->crew == NULL || clod_crew_see_gone(self->crew, status);
 }
 
-bool clod_step_deal(clod_step *self, clod_status *status)
+bool clod_step_renew(clod_step *self, clod_status *status)
 {
-    return self->crew == NULL || clod_crew_deal(self, status);
+    return self->crew == NULL || clod_crew_renew(self, status);
 }
 
 size_t clod_step_grains(const clod_step *self)

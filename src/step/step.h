@@ -246,7 +246,7 @@ bool clod_step_see_gone(clod_step *self, clod_status *status);
  * @return  false: no memory; then the step has failed for good
  * Errors  CLOD_FAILED.   Threads  one per state.   Test  tests/sim/test_sim_ranks.c
  */
-bool clod_step_deal(clod_step *self, clod_status *status);
+bool clod_step_renew(clod_step *self, clod_status *status);
 
 /**
  * The bed as one that can be asked for sums at this moment, wherever its grains are.
