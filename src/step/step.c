@@ -298,6 +298,11 @@ bool clod_step_see_gone(clod_step *self, clod_status *status)
     return self->crew == NULL || clod_crew_see_gone(self->crew, status);
 }
 
+bool clod_step_renew(clod_step *self, clod_status *status)
+{
+    return self->crew == NULL || clod_crew_renew(self, status);
+}
+
 size_t clod_step_grains(const clod_step *self)
 {
     return self->crew == NULL ? self->state->grains.count : clod_crew_grains(self->crew);

@@ -241,6 +241,15 @@ bool clod_step_see_near(clod_step *self, const clod_domain_box *box, int count,
 bool clod_step_see_gone(clod_step *self, clod_status *status);
 
 /**
+ * Somebody has changed grains or shapes of walls in the state, which was seen: ranks get the bed
+ * anew, with its lists of neighbours as of the last rebuild; one process has nothing to do.
+ *
+ * @return  false: no memory; then the step has failed for good
+ * Errors  CLOD_FAILED.   Threads  one per state.   Test  tests/sim/test_sim_ranks.c
+ */
+bool clod_step_renew(clod_step *self, clod_status *status);
+
+/**
  * The bed as one that can be asked for sums at this moment, wherever its grains are.
  *
  * @param contacts  of this step (clod_step_contacts), borrowed; NULL: nothing asks for them
