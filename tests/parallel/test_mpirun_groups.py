@@ -121,7 +121,8 @@ class Groups(clod.Case):
     def test_a_time_limit(self):
         out = self.path("limited")
         done = run(2, RING, "-o", out, *SEEDS, "--time-limit", "2 s",
-                   "--set", "ring_shear.preshear_min=1 m", "--set", "ring_shear.preshear_max=2 m")
+                   "--set", "ring_shear.preshear_min=1 m", "--set", "ring_shear.preshear_max=2 m",
+                   "--set", "time.overlap_limit=90 %")  # so long a test presses grains deep
         self.assertEqual(done.returncode, 143, done.stderr)
         stopped = [event["part"] for event in clod.log(out) if event["event"] == "stopped"]
         self.assertEqual(sorted(stopped), ["seed-7-preshear", "seed-8-preshear"])
