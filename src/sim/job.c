@@ -400,7 +400,9 @@ bool clod_job_run(clod_job *job, clod_status *status)
     }
     job_loop loop = {.job = job, .slice = FIRST_SLICE};
     // a first checkpoint before the first row: a table with rows always has one beside it
-    bool ok = open_loop(&loop, status) && (job->resumed || write_checkpoint(&loop, "", status));
+    bool ok = open_loop(&loop, status) &&
+              (job->resumed || write_checkpoint(&loop, "", status)) &&
+              (job->memory.planned > 0 || clod_job_see(job, &loop.step, status)); // to act
     if (ok) {
         ok = loop_to_end(&loop, status);
         ok = clod_job_measure_bed(job, &loop.step, status) && ok;

@@ -5,6 +5,7 @@
 
 #include "base/assert.h"
 #include "base/memory.h"
+#include "step/crew_deal.h"
 #include "step/crew_part.h"
 #include "step/crew_state.h"
 #include "step/crew_survey.h"
@@ -40,11 +41,31 @@ static void drop_lists(clod_step *whole, const clod_step_options *options)
     whole->neighbour.kernel = whole->kernel;
 }
 
-bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_status *status)
+/** Whether nobody has stepped the bed: each rank makes its first lists and forces. */
+static bool is_fresh(const clod_state *state)
 {
-    if (!clod_step_export(whole, status)) {
-        return false;
-    }
+    return state->build_motion < 0.0 || state->build_position == NULL;
+}
+
+/** As an order to the others: the bed of a step, as its options want it. */
+static clod_crew_order order_to_begin(const clod_step *whole, const clod_step_options *options,
+                                      bool first)
+{
+    clod_crew_order what = {.what = CLOD_CREW_BEGIN,
+                            .dealt = first && options->dealt,
+                            .fresh = first && is_fresh(whole->state),
+                            .clumps = whole->state->grains.clump != NULL,
+                            .threads = whole->threads,
+                            .brute_force = options->brute_force,
+                            .overlap_limit = options->overlap_limit,
+                            .balance = options->balance};
+    snprintf(what.simd, sizeof what.simd, "%s", options->simd != NULL ? options->simd : "");
+    return what;
+}
+
+bool clod_crew_begin(clod_step *whole, const clod_step_options *options, bool first,
+                     clod_status *status)
+{
     clod_crew *self = clod_memory_alloc(1, sizeof *self);
     if (self == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %d ranks",
@@ -55,19 +76,17 @@ bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_st
     self->options = *options;
     self->rebuilds = whole->rebuilds;
     self->refreshes = whole->refreshes;
-    clod_crew_order what = {.what = CLOD_CREW_BEGIN,
-                            .clumps = whole->state->grains.clump != NULL,
-                            .threads = whole->threads,
-                            .brute_force = options->brute_force,
-                            .overlap_limit = options->overlap_limit,
-                            .balance = options->balance};
-    snprintf(what.simd, sizeof what.simd, "%s", options->simd != NULL ? options->simd : "");
+    self->stale = first; // it has not been in the order of one process
+    const clod_crew_order what = order_to_begin(whole, options, first);
     drop_lists(whole, options);
     give_order(self, what);
     if (!clod_crew_part_begin(self, &what, status)) {
         clod_crew_part_end(self);
         clod_memory_free(self);
         return false;
+    }
+    if (first) {
+        clod_crew_state_copy(whole->state, &self->state);
     }
     whole->crew = self;
     return true;
@@ -214,7 +233,9 @@ bool clod_crew_change(clod_step *whole, clod_status *status)
         return fail(whole, status);
     }
     return clod_step_change(whole, status) &&
-           (clod_crew_begin(whole, &options, status) || fail(whole, status));
+           ((clod_step_export(whole, status) &&
+             clod_crew_begin(whole, &options, false, status)) ||
+            fail(whole, status));
 }
 
 void clod_crew_store(clod_crew *self, clod_step_stored *sums)
@@ -250,6 +271,15 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
     clod_bed_counts all;
     clod_domain_box box[CLOD_STEP_BOXES];
     switch (what->what) {
+    case CLOD_CREW_DEAL_BEGIN:
+        clod_crew_part_deal_begin(ranks, &self->state, &status);
+        break;
+    case CLOD_CREW_DEAL:
+        clod_crew_part_deal(ranks, &self->state, &status);
+        break;
+    case CLOD_CREW_DEAL_NEAR:
+        clod_crew_part_deal_near(ranks, &self->state, &status);
+        break;
     case CLOD_CREW_BEGIN:
         self->ranks = ranks;
         if (!clod_crew_part_begin(self, what, &status)) {
@@ -302,4 +332,5 @@ void clod_crew_serve(clod_ranks *ranks)
         clod_ranks_tell(ranks, &what, sizeof what);
         obey(&self, ranks, &what);
     } while (what.what != CLOD_CREW_DISMISS);
+    clod_crew_part_end(&self); // a bed that was dealt and never stepped
 }

@@ -29,6 +29,9 @@ struct clod_crew {
 
 /** What rank 0 can order. */
 typedef enum clod_crew_order_kind {
+    CLOD_CREW_DEAL_BEGIN,
+    CLOD_CREW_DEAL,
+    CLOD_CREW_DEAL_NEAR,
     CLOD_CREW_BEGIN,
     CLOD_CREW_ADVANCE,
     CLOD_CREW_SEE,
@@ -51,6 +54,8 @@ typedef struct clod_crew_order {
     int boxes;     ///< of a look at some places; they follow
     bool clumps;   ///< somebody may have found other clumps, or any at a beginning
     // of a beginning
+    bool dealt;    ///< every rank has its share of the rows (crew_deal.h); else rank 0 has all
+    bool fresh;    ///< nobody has stepped them
     int threads;
     bool brute_force;
     double overlap_limit;
@@ -58,7 +63,8 @@ typedef struct clod_crew_order {
     char simd[16];
 } clod_crew_order;
 
-/** Make the part of this rank, of a bed that rank 0 deals. False on all alike. */
+/** Make the part of this rank, of a bed that rank 0 has or ranks were dealt (crew_begin.c). False on
+ *  all alike. */
 bool clod_crew_part_begin(clod_crew *self, const clod_crew_order *what, clod_status *status);
 
 /** As clod_step_advance. */

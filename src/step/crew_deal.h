@@ -1,0 +1,53 @@
+#pragma once
+/**
+ * @file crew_deal.h
+ * A bed that is dealt while it is made: rank 0 makes grains piece by piece, and every rank, rank 0
+ * too, gets an equal share of each piece, wherever its grains are. So no rank ever has a list of all.
+ * clod_step_init with options.dealt begins with what all have.
+ *
+ * Test  tests/step/test_ranks_deal.c
+ */
+
+#include "base/bytes.h"
+#include "parallel/ranks.h"
+#include "state/domain.h"
+#include "state/state.h"
+
+/** Grains that are made before they are dealt. */
+#define CLOD_CREW_PIECE 65536
+
+/**
+ * Begin: what was dealt before, and nobody has stepped, is dropped.
+ *
+ * @param rows  that will be dealt in all: every rank makes room for its share of them
+ * @return      false without memory on any rank.   Threads  rank 0; the others serve.
+ */
+bool clod_crew_deal_begin(clod_ranks *ranks, clod_state *state, size_t rows,
+                          clod_status *status);
+
+/**
+ * Deal the rows of a state from `kept` on; those that stay here follow the ones before.
+ *
+ * @param state  [in,out] its grains only, none of which has been stepped
+ * @return       false without memory on any rank.   Threads  rank 0; the others serve.
+ */
+bool clod_crew_deal(clod_ranks *ranks, clod_state *state, size_t kept, clod_status *status);
+
+/**
+ * Places of the dealt grains of all other ranks that reach into a box.
+ *
+ * @param domain  whose periodic images count
+ * @param places  [out] x, y, z, radius of each [m]; emptied first, owned
+ * @return        false without memory on any rank.   Threads  rank 0; the others serve.
+ */
+bool clod_crew_deal_near(clod_ranks *ranks, const clod_domain *domain,
+                         const clod_domain_box *box, clod_bytes *places, clod_status *status);
+
+// ---- what the others do then
+
+bool clod_crew_part_deal_begin(clod_ranks *ranks, clod_state *state, clod_status *status);
+bool clod_crew_part_deal(clod_ranks *ranks, clod_state *state, clod_status *status);
+bool clod_crew_part_deal_near(clod_ranks *ranks, const clod_state *state, clod_status *status);
+
+/** No row is left. */
+void clod_crew_deal_drop(clod_state *state);
