@@ -17,22 +17,24 @@ double clod_amount_expect(const clod_amount *self)
                            : fmax(1.0, self->volume / clod_sizes_mean_volume(self->sizes));
 }
 
-bool clod_amount_fits(const char *key, double grains, clod_status *status)
+bool clod_amount_fits(const char *key, double grains, double share, clod_status *status)
 {
-    const double needed = grains * GRAIN_BYTES;
+    const double needed = grains * share * GRAIN_BYTES;
     const double memory = clod_memory_machine();
     return !(memory > 0.0) || needed <= memory ||
            clod_status_fail(status, CLOD_USAGE,
                             "%s: %.3g grains need at least %.3g GB of memory, and this machine "
                             "has %.3g GB (room for at most %.2g grains); take fewer or larger "
                             "grains",
-                            key, grains, 1e-9 * needed, 1e-9 * memory, memory / GRAIN_BYTES);
+                            key, grains, 1e-9 * needed, 1e-9 * memory,
+                            memory / (share * GRAIN_BYTES));
 }
 
 size_t clod_amount_count(const clod_amount *self, uint64_t seed, uint64_t first_id,
                          clod_status *status)
 {
-    if (!clod_amount_fits(self->key, clod_amount_expect(self), status)) {
+    if (!clod_amount_fits(self->key, clod_amount_expect(self),
+                          self->share > 0.0 ? self->share : 1.0, status)) {
         return 0;
     }
     if (self->count > 0) {

@@ -362,6 +362,7 @@ static bool open_loop(job_loop *loop, clod_status *status)
     }
     const clod_step_options options = {.threads = clod_job_threads(job),
                                        .ranks = job->sim->options->ranks,
+                                       .dealt = job->dealt,
                                        .simd = job->sim->options->simd,
                                        .overlap_limit = job->sim->from->time.overlap_limit,
                                        .accepts = clod_setup_bound_accepts,

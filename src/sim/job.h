@@ -96,7 +96,8 @@ typedef struct clod_job {
     clod_state state; ///< owned; made by the caller before clod_job_run
     clod_procedure procedure;
     clod_job_memory memory;
-    bool resumed;              ///< state and procedure come from a checkpoint
+    bool dealt;   ///< of several ranks: each has its share of the grains (sim/deal.h)
+    bool resumed; ///< state and procedure come from a checkpoint
     clod_measure_contacts bed; ///< at the end of the steps, as the next
     clod_measure_motion motion;
     double stable_step; ///< s, measured last (clod_job_stable_step) ...

@@ -92,14 +92,27 @@ bool clod_crew_begin(clod_step *whole, const clod_step_options *options, bool fi
     return true;
 }
 
+/** Before an order that looks at the bed or changes it: what of the whole state ranks are to know. */
+static clod_crew_order prepare(clod_crew *self, clod_crew_order_kind what, int64_t steps)
+{
+    const clod_state *state = self->whole->state;
+    const bool lack_clumps = self->state.grains.clump == NULL;
+    clod_crew_state_copy(&self->state, state);
+    return (clod_crew_order){.what = what,
+                             .steps = steps,
+                             .clumps =
+                                 state->grains.clump != NULL && (!self->stale || lack_clumps)};
+}
+
 bool clod_crew_see(clod_crew *self, clod_status *status)
 {
     if (!self->stale) {
         return true;
     }
     clod_step *whole = self->whole;
-    give_order(self, (clod_crew_order){.what = CLOD_CREW_SEE});
-    if (!clod_crew_part_see(self, status) ||
+    const clod_crew_order what = prepare(self, CLOD_CREW_SEE, 0);
+    give_order(self, what);
+    if (!clod_crew_part_see(self, &what, status) ||
         !clod_neighbour_sort_as_built(&whole->neighbour, whole->state, status)) {
         return false;
     }
@@ -117,7 +130,8 @@ bool clod_crew_see_near(clod_crew *self, const clod_domain_box *box, int count,
     clod_domain_box copy[CLOD_STEP_BOXES];
     CLOD_ASSERT(count <= CLOD_STEP_BOXES);
     memcpy(copy, box, (size_t)count * sizeof *copy);
-    const clod_crew_order what = {.what = CLOD_CREW_SEE_NEAR, .boxes = count};
+    clod_crew_order what = prepare(self, CLOD_CREW_SEE_NEAR, 0);
+    what.boxes = count;
     give_order(self, what);
     return clod_crew_part_see_near(self, &what, copy, status);
 }
@@ -158,15 +172,6 @@ static bool report_trouble(clod_crew *self, clod_status *status)
     clod_wall_rows_update(&whole->walls, &whole->state->walls);
     return clod_neighbour_build(neighbour, whole->state, whole->laws, status) &&
            clod_trouble_report(whole, status);
-}
-
-/** Before an order that changes the bed: what of the whole state ranks are to know. */
-static clod_crew_order prepare(clod_crew *self, clod_crew_order_kind what, int64_t steps)
-{
-    const clod_state *state = self->whole->state;
-    clod_crew_state_copy(&self->state, state);
-    return (clod_crew_order){
-        .what = what, .steps = steps, .clumps = !self->stale && state->grains.clump != NULL};
 }
 
 /** After it: what the whole state is to know of the ranks. */
@@ -290,7 +295,7 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
         clod_crew_part_advance(self, what, &status);
         break;
     case CLOD_CREW_SEE:
-        clod_crew_part_see(self, &status);
+        clod_crew_part_see(self, what, &status);
         break;
     case CLOD_CREW_SEE_NEAR:
         clod_crew_part_see_near(self, what, box, &status);

@@ -55,9 +55,12 @@ static bool make_first(clod_crew *self, const clod_crew_order *what, clod_status
     clod_state *whole = self->whole->state;
     clod_state_fini(&self->state);
     self->laws = *self->whole->laws; // borrowed
-    return (!what->fresh || note_walls(whole, status)) &&
-           copy_without_rows(&self->state, whole, status) &&
-           (!what->dealt || move_rows(&self->state, whole, status));
+    if ((what->fresh && !note_walls(whole, status)) ||
+        !copy_without_rows(&self->state, whole, status)) {
+        return false;
+    }
+    clod_crew_state_copy(&self->state, whole); // what a copy of a state does not have
+    return !what->dealt || move_rows(&self->state, whole, status);
 }
 
 /** All that is this rank's but grains and contacts that come now. */

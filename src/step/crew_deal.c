@@ -136,8 +136,8 @@ static bool collect_near(clod_ranks *ranks, const clod_state *state, const deal_
             clod_bytes_put(&mine, place, sizeof *state->grains.position);
         }
     }
-    bool good = begin != NULL || clod_status_fail(status, CLOD_FAILED,
-                                                  "no memory for %d ranks", ranks->size);
+    bool good = begin != NULL ||
+                clod_status_fail(status, CLOD_FAILED, "no memory for %d ranks", ranks->size);
     good = clod_ranks_agree(ranks, good, status) &&
            clod_ranks_collect(ranks, &mine, all, begin, status);
     clod_memory_free(begin);

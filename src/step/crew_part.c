@@ -39,7 +39,7 @@ bool clod_crew_part_update(clod_crew *self, clod_status *status)
     return true;
 }
 
-/** What comes before steps and changes; on all ranks alike. */
+/** What comes before looks, steps and changes; on all ranks alike. */
 static bool prepare(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
     const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
@@ -72,9 +72,9 @@ bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_s
     return agree_on_rows(self, good, status);
 }
 
-bool clod_crew_part_see(clod_crew *self, clod_status *status)
+bool clod_crew_part_see(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
-    if (!clod_crew_part_is_whole(self, status)) {
+    if (!prepare(self, what, status)) {
         return false;
     }
     const bool listed = clod_step_export(&self->step, status);
@@ -87,7 +87,7 @@ bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_
                              clod_status *status)
 {
     clod_ranks_tell(self->ranks, box, (size_t)what->boxes * sizeof *box);
-    return clod_crew_part_is_whole(self, status) &&
+    return prepare(self, what, status) &&
            clod_migrate_near(&self->spread, &self->state, box, what->boxes,
                              self->whole != NULL ? self->whole->state : NULL, status);
 }

@@ -54,8 +54,8 @@ typedef struct clod_crew_order {
     int boxes;     ///< of a look at some places; they follow
     bool clumps;   ///< somebody may have found other clumps, or any at a beginning
     // of a beginning
-    bool dealt;    ///< every rank has its share of the rows (crew_deal.h); else rank 0 has all
-    bool fresh;    ///< nobody has stepped them
+    bool dealt; ///< every rank has its share of the rows (crew_deal.h); else rank 0 has all
+    bool fresh; ///< nobody has stepped them
     int threads;
     bool brute_force;
     double overlap_limit;
@@ -71,7 +71,7 @@ bool clod_crew_part_begin(clod_crew *self, const clod_crew_order *what, clod_sta
 bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_status *status);
 
 /** Gather the whole state on rank 0. */
-bool clod_crew_part_see(clod_crew *self, clod_status *status);
+bool clod_crew_part_see(clod_crew *self, const clod_crew_order *what, clod_status *status);
 
 /** Gather the grains that reach into the boxes, which rank 0 tells. */
 bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_domain_box *box,
