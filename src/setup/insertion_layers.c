@@ -12,7 +12,7 @@
 /** First draw of the layers' random numbers, beyond all tries. */
 #define LAYER_DRAWS (UINT64_C(1) << 32)
 /** Sites that a band has at least. */
-#define BAND_SITES 65536.0
+#define BAND_SITES 16384.0
 
 /** The grains of a layer. */
 typedef struct layer {

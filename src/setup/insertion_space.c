@@ -186,13 +186,24 @@ static void set_bounds(clod_insertion_space *self, double top, double largest)
     }
 }
 
+/** Whether a grain is as high as the grid, or an image of it is, and may be in the way there. */
+static bool is_in_height(const clod_insertion_space *self, const double place[4])
+{
+    const double half = 0.5 * (self->grid.high[2] - self->grid.low[2]);
+    const double middle = self->grid.low[2] + half;
+    const double off = clod_domain_separation(&self->state->domain, 2, place[2], middle);
+    return fabs(off) <= half + self->largest + place[3];
+}
+
 /** Note the grains that reach into the grid: of the state, and of those who took some. */
 static bool note_grains(clod_insertion_space *self, clod_status *status)
 {
     const clod_grains *grains = &self->state->grains;
     bool good = true;
     for (size_t g = 0; good && g < self->before; g++) {
-        good = clod_insertion_grid_add(&self->grid, grains->position[g], status);
+        const double *place = grains->position[g];
+        good =
+            !is_in_height(self, place) || clod_insertion_grid_add(&self->grid, place, status);
     }
     if (!good || self->pieces == NULL) {
         return good;

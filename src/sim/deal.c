@@ -8,7 +8,7 @@
 static bool begin(void *context, clod_state *state, size_t grains, clod_status *status)
 {
     const clod_deal *self = context;
-    return clod_crew_deal_begin(self->ranks, state, grains, status);
+    return clod_crew_deal_begin(self->ranks, state, grains, self->taker.piece, status);
 }
 
 static bool take(void *context, clod_state *state, size_t kept, clod_status *status)
@@ -26,6 +26,9 @@ static bool near(void *context, const clod_domain *domain, const clod_domain_box
                                  .count = good ? self->places.count / sizeof *found->place : 0};
     return good;
 }
+
+/** Grains that are made before they are dealt. */
+#define PIECE 65536
 
 /** What of a bed is on the host of rank 0, which has as many ranks as any when hosts are alike. */
 static double share_of(const clod_ranks *ranks)
@@ -46,7 +49,7 @@ const clod_setup_taker *clod_deal_begin(clod_deal *self, clod_ranks *ranks,
         return NULL;
     }
     self->taker = (clod_setup_taker){.context = self,
-                                     .piece = CLOD_CREW_PIECE,
+                                     .piece = PIECE,
                                      .share = share_of(ranks),
                                      .begin = begin,
                                      .take = take,

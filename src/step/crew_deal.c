@@ -69,14 +69,14 @@ bool clod_crew_part_deal_begin(clod_ranks *ranks, clod_state *state, clod_status
     return clod_ranks_agree(ranks, clod_records_reserve(state, what.rows, status), status);
 }
 
-bool clod_crew_deal_begin(clod_ranks *ranks, clod_state *state, size_t rows,
+bool clod_crew_deal_begin(clod_ranks *ranks, clod_state *state, size_t rows, size_t piece,
                           clod_status *status)
 {
     const size_t size = (size_t)ranks->size;
     deal_begin what = {rows / size + 1};
     order(ranks, CLOD_CREW_DEAL_BEGIN);
     clod_ranks_tell(ranks, &what, sizeof what);
-    const size_t mine = what.rows + CLOD_CREW_PIECE;
+    const size_t mine = what.rows + piece;
     return clod_ranks_agree(
         ranks, clod_records_reserve(state, mine < rows ? mine : rows, status), status);
 }

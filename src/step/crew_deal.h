@@ -13,16 +13,14 @@
 #include "state/domain.h"
 #include "state/state.h"
 
-/** Grains that are made before they are dealt. */
-#define CLOD_CREW_PIECE 65536
-
 /**
  * Begin: what was dealt before, and nobody has stepped, is dropped.
  *
- * @param rows  that will be dealt in all: every rank makes room for its share of them
+ * @param rows   that will be dealt in all: every rank makes room for its share of them
+ * @param piece  of them at a time, for which rank 0 has room too
  * @return      false without memory on any rank.   Threads  rank 0; the others serve.
  */
-bool clod_crew_deal_begin(clod_ranks *ranks, clod_state *state, size_t rows,
+bool clod_crew_deal_begin(clod_ranks *ranks, clod_state *state, size_t rows, size_t piece,
                           clod_status *status);
 
 /**
