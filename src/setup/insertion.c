@@ -205,7 +205,7 @@ bool clod_insert_region(clod_state *state, const clod_insertion *what, clod_stat
 {
     clod_insertion_batch batch;
     const bool good = batch_init(&batch, state, what, status) && fill(&batch, status);
-    if (!good && what->pieces == NULL) {
+    if (!good && what->pieces == NULL && state->grains.count > batch.before) {
         state->grains.count = batch.before;
         clod_grains_pad(&state->grains);
     }
