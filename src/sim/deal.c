@@ -3,7 +3,9 @@
 #include <string.h>
 
 #include "setup/grains.h"
-#include "step/crew_deal.h"
+
+/** Grains that are made before they are dealt. */
+#define PIECE 65536
 
 static bool begin(void *context, clod_state *state, size_t grains, clod_status *status)
 {
@@ -27,8 +29,33 @@ static bool near(void *context, const clod_domain *domain, const clod_domain_box
     return good;
 }
 
-/** Grains that are made before they are dealt. */
-#define PIECE 65536
+// ---- of a checkpoint
+
+static bool begin_again(void *context, clod_state *state, size_t grains, bool *takes,
+                        clod_status *status)
+{
+    const clod_deal *self = context;
+    *takes = *self->finished == 0;
+    return !*takes || clod_crew_deal_begin(self->ranks, state, grains, PIECE, status);
+}
+
+static bool take_contacts(void *context, const clod_contact *contacts,
+                          const uint64_t (*partners)[2], size_t count, clod_status *status)
+{
+    const clod_deal *self = context;
+    return clod_crew_deal_contacts(self->ranks, self->share, contacts, partners, count, status);
+}
+
+const clod_bed_taker *clod_deal_again(clod_deal *self, clod_ranks *ranks,
+                                      clod_crew_share *share, const int64_t *finished)
+{
+    *self = (clod_deal){.ranks = ranks, .share = share, .finished = finished};
+    self->again = (clod_bed_taker){
+        .context = self, .begin = begin_again, .grains = take, .contacts = take_contacts};
+    return ranks != NULL && ranks->size > 1 ? &self->again : NULL;
+}
+
+// ---- of a case
 
 /** What of a bed is on the host of rank 0, which has as many ranks as any when hosts are alike. */
 static double share_of(const clod_ranks *ranks)

@@ -362,7 +362,7 @@ static bool open_loop(job_loop *loop, clod_status *status)
     }
     const clod_step_options options = {.threads = clod_job_threads(job),
                                        .ranks = job->sim->options->ranks,
-                                       .dealt = job->dealt,
+                                       .dealt = job->dealt ? &job->share : NULL,
                                        .simd = job->sim->options->simd,
                                        .overlap_limit = job->sim->from->time.overlap_limit,
                                        .accepts = clod_setup_bound_accepts,
@@ -419,4 +419,5 @@ bool clod_job_run(clod_job *job, clod_status *status)
 void clod_job_fini(clod_job *job)
 {
     clod_state_fini(&job->state);
+    clod_crew_share_fini(&job->share);
 }

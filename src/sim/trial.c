@@ -18,6 +18,7 @@ typedef struct trial {
     clod_laws laws;
     clod_step step;
     bool dealt; ///< each rank has its share of the grains
+    clod_crew_share share;
 } trial;
 
 /** After the planned steps: the procedure looks; *finished when that was its last time. */
@@ -94,12 +95,13 @@ static bool try_seed(const clod_case *from, int64_t seed, const clod_run_options
                              .overlap_limit = from->time.overlap_limit};
     trial self = {.from = from};
     bool good = make(&self, seed, options->ranks, status);
-    how.dealt = self.dealt;
+    how.dealt = self.dealt ? &self.share : NULL;
     good = good && clod_step_init(&self.step, &self.state, &self.laws, &how, status) &&
            advance(&self, steps, status);
     clod_step_fini(&self.step);
     clod_laws_fini(&self.laws);
     clod_state_fini(&self.state);
+    clod_crew_share_fini(&self.share);
     clod_memory_free(self.row);
     clod_memory_free(self.data);
     return good;

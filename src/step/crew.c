@@ -52,7 +52,7 @@ static clod_crew_order order_to_begin(const clod_step *whole, const clod_step_op
                                       bool first)
 {
     clod_crew_order what = {.what = CLOD_CREW_BEGIN,
-                            .dealt = first && options->dealt,
+                            .dealt = first && options->dealt != NULL,
                             .fresh = first && is_fresh(whole->state),
                             .clumps = whole->state->grains.clump != NULL,
                             .threads = whole->threads,
@@ -78,6 +78,10 @@ bool clod_crew_begin(clod_step *whole, const clod_step_options *options, bool fi
     self->refreshes = whole->refreshes;
     self->stale = first; // it has not been in the order of one process
     const clod_crew_order what = order_to_begin(whole, options, first);
+    if (what.dealt) {
+        self->share = *options->dealt;
+        *options->dealt = (clod_crew_share){0};
+    }
     drop_lists(whole, options);
     give_order(self, what);
     if (!clod_crew_part_begin(self, &what, status)) {
@@ -277,6 +281,7 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
     clod_domain_box box[CLOD_STEP_BOXES];
     switch (what->what) {
     case CLOD_CREW_DEAL_BEGIN:
+        clod_crew_share_fini(&self->share);
         clod_crew_part_deal_begin(ranks, &self->state, &status);
         break;
     case CLOD_CREW_DEAL:
@@ -284,6 +289,9 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
         break;
     case CLOD_CREW_DEAL_NEAR:
         clod_crew_part_deal_near(ranks, &self->state, &status);
+        break;
+    case CLOD_CREW_DEAL_CONTACTS:
+        clod_crew_part_deal_contacts(ranks, &self->share, &status);
         break;
     case CLOD_CREW_BEGIN:
         self->ranks = ranks;

@@ -31,7 +31,9 @@ static bool move_rows(clod_state *to, clod_state *from, clod_status *status)
     from->grains = (clod_grains){0};
     from->build_position = NULL;
     from->build_capacity = 0;
-    return clod_grains_reserve(&from->grains, 0, status); // the padding
+    return clod_grains_reserve(&from->grains, 0, status) && // the padding, and the same columns
+           (to->grains.before == NULL || clod_grains_keep_before(&from->grains, status)) &&
+           (to->grains.clump == NULL || clod_grains_keep_clumps(&from->grains, status));
 }
 
 /** Walls of a bed that nobody has stepped are noted where they are. */
@@ -68,6 +70,7 @@ static bool make_part(clod_crew *self, const clod_crew_order *what, clod_status 
 {
     if (self->whole == NULL && !what->dealt) {
         clod_crew_deal_drop(&self->state);
+        clod_crew_share_fini(&self->share);
     }
     bool good = clod_grains_reserve(&self->state.grains, 0, status) &&
                 (self->whole == NULL || make_first(self, what, status));
@@ -136,7 +139,8 @@ static bool deal(clod_crew *self, const clod_crew_order *what, clod_status *stat
         const double fastest = fmax(clod_step_fastest(from), clod_step_fastest(state));
         choice.speed = -clod_spread_least(spread, -fastest);
     }
-    if (!clod_migrate(spread, from, state, choose_skin, &choice, status)) {
+    if (!clod_migrate(spread, from, state, choose_skin, &choice, status) ||
+        (what->dealt && !what->fresh && !clod_crew_part_route(self, status))) {
         return false;
     }
     spread->balance.moved = 0; // nobody had them

@@ -11,6 +11,7 @@
 /** How rank 0 begins to deal. */
 typedef struct deal_begin {
     size_t rows; ///< of each rank at most, unless there are more than were told
+    bool clumps; ///< grains have them
 } deal_begin;
 
 /** Where rank 0 looks. */
@@ -66,14 +67,16 @@ bool clod_crew_part_deal_begin(clod_ranks *ranks, clod_state *state, clod_status
     deal_begin what = {0};
     clod_ranks_tell(ranks, &what, sizeof what);
     clod_crew_deal_drop(state);
-    return clod_ranks_agree(ranks, clod_records_reserve(state, what.rows, status), status);
+    const bool good = clod_records_reserve(state, what.rows, status) &&
+                      (!what.clumps || clod_grains_keep_clumps(&state->grains, status));
+    return clod_ranks_agree(ranks, good, status);
 }
 
 bool clod_crew_deal_begin(clod_ranks *ranks, clod_state *state, size_t rows, size_t piece,
                           clod_status *status)
 {
     const size_t size = (size_t)ranks->size;
-    deal_begin what = {rows / size + 1};
+    deal_begin what = {rows / size + 1, state->grains.clump != NULL};
     order(ranks, CLOD_CREW_DEAL_BEGIN);
     clod_ranks_tell(ranks, &what, sizeof what);
     const size_t mine = what.rows + piece;
@@ -120,6 +123,52 @@ bool clod_crew_deal(clod_ranks *ranks, clod_state *state, size_t kept, clod_stat
         state->grains.count = rows;
         clod_grains_pad(&state->grains);
     }
+    shares_fini(&all, ranks);
+    return good;
+}
+
+void clod_crew_share_fini(clod_crew_share *self)
+{
+    clod_bytes_fini(&self->contacts);
+}
+
+/** Contacts that came, behind those that are there. */
+static bool keep_contacts(clod_ranks *ranks, clod_crew_share *share, const shares *all,
+                          clod_status *status)
+{
+    clod_bytes_put(&share->contacts, all->in.data, all->in.count);
+    const bool good =
+        !share->contacts.lacks_memory ||
+        clod_status_fail(status, CLOD_FAILED, "no memory for the contacts of a rank");
+    return clod_ranks_agree(ranks, good, status);
+}
+
+bool clod_crew_part_deal_contacts(clod_ranks *ranks, clod_crew_share *share,
+                                  clod_status *status)
+{
+    shares all;
+    const bool good = shares_init(&all, ranks, status) &&
+                      clod_ranks_swap(ranks, all.out, &all.in, all.begin, status) &&
+                      keep_contacts(ranks, share, &all, status);
+    shares_fini(&all, ranks);
+    return good;
+}
+
+bool clod_crew_deal_contacts(clod_ranks *ranks, clod_crew_share *share,
+                             const clod_contact *contacts, const uint64_t (*partners)[2],
+                             size_t count, clod_status *status)
+{
+    shares all;
+    const size_t size = (size_t)ranks->size;
+    order(ranks, CLOD_CREW_DEAL_CONTACTS);
+    bool good = shares_init(&all, ranks, status);
+    for (size_t r = 0; good && r < size; r++) {
+        for (size_t c = count * r / size; c < count * (r + 1) / size; c++) {
+            clod_records_put_known(&all.out[r], &contacts[c], partners[c]);
+        }
+    }
+    good = good && clod_ranks_swap(ranks, all.out, &all.in, all.begin, status) &&
+           keep_contacts(ranks, share, &all, status);
     shares_fini(&all, ranks);
     return good;
 }

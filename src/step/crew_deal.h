@@ -13,9 +13,19 @@
 #include "state/domain.h"
 #include "state/state.h"
 
+typedef struct clod_crew_share clod_crew_share;
+
+/** What a rank has been dealt beside rows of a state. */
+struct clod_crew_share {
+    clod_bytes contacts; ///< as records, anybody's; owned
+};
+
+void clod_crew_share_fini(clod_crew_share *self);
+
 /**
  * Begin: what was dealt before, and nobody has stepped, is dropped.
  *
+ * @param state  of rank 0, with the columns that grains have
  * @param rows   that will be dealt in all: every rank makes room for its share of them
  * @param piece  of them at a time, for which rank 0 has room too
  * @return      false without memory on any rank.   Threads  rank 0; the others serve.
@@ -32,6 +42,17 @@ bool clod_crew_deal_begin(clod_ranks *ranks, clod_state *state, size_t rows, siz
 bool clod_crew_deal(clod_ranks *ranks, clod_state *state, size_t kept, clod_status *status);
 
 /**
+ * Deal contacts, those of a bed that has been stepped, when all grains have been dealt.
+ *
+ * @param share     [in,out] those that stay with rank 0
+ * @param partners  [count] ids of both grains; id of the grain and number of the wall
+ * @return          false without memory on any rank.   Threads  rank 0; the others serve.
+ */
+bool clod_crew_deal_contacts(clod_ranks *ranks, clod_crew_share *share,
+                             const clod_contact *contacts, const uint64_t (*partners)[2],
+                             size_t count, clod_status *status);
+
+/**
  * Places of the dealt grains of all other ranks that reach into a box.
  *
  * @param domain  whose periodic images count
@@ -45,6 +66,8 @@ bool clod_crew_deal_near(clod_ranks *ranks, const clod_domain *domain,
 
 bool clod_crew_part_deal_begin(clod_ranks *ranks, clod_state *state, clod_status *status);
 bool clod_crew_part_deal(clod_ranks *ranks, clod_state *state, clod_status *status);
+bool clod_crew_part_deal_contacts(clod_ranks *ranks, clod_crew_share *share,
+                                  clod_status *status);
 bool clod_crew_part_deal_near(clod_ranks *ranks, const clod_state *state, clod_status *status);
 
 /** No row is left. */

@@ -38,7 +38,9 @@ typedef struct clod_step_options {
     const void *context;          ///< of accepts; borrowed until clod_step_fini
     clod_balance_options balance; ///< of several ranks
     clod_ranks *ranks; ///< that step the bed together; borrowed; NULL: this process alone
-    bool dealt;        ///< the state has rank 0's share alone (step/crew_deal.h)
+    /** The state has rank 0's share of the rows alone, here is what else it was dealt (crew_deal.h), which
+     *  is taken; NULL: the state has all. */
+    struct clod_crew_share *dealt;
     struct clod_spread *spread; ///< the state is this rank's part of a bed (crew.h); borrowed
 } clod_step_options;
 

@@ -187,7 +187,8 @@ static void run_rank(clod_ranks *ranks, void *context)
         return;
     }
     clod_status status = {0};
-    const clod_step_options options = {.ranks = ranks, .dealt = true};
+    clod_crew_share share = {0};
+    const clod_step_options options = {.ranks = ranks, .dealt = &share};
     *how->into = (made_bed){0};
     if (!give(how, ranks, &status)) {
         fail_msg("%s", status.text);
