@@ -5,8 +5,8 @@
 #include "base/memory.h"
 #include "base/plural.h"
 
-/** Bytes that a grain takes at the very least: its rows in state and step (about 200), and
- *  while it is put its place and the cells that it touches (about 300). */
+/** Bytes that a grain takes, at the very least: its rows in state and step (about 200), and its lists
+ *  with histories (about 300; bench/results/memory.md). */
 #define GRAIN_BYTES 500.0
 /** Largest difference between the volume asked for and that of the grains, as a fraction. */
 #define VOLUME_TOLERANCE 0.5

@@ -92,6 +92,9 @@ void clod_setup_bed_add(clod_setup_bed *self, const clod_state *state, size_t fi
         self->radius_mean += r / self->all;
         self->radius_sum += r;
         self->mass += state->grains.velocity[g][3];
+        clod_exact_add(&self->mass_sum, state->grains.velocity[g][3]);
+        self->last_id =
+            state->grains.id[g] > self->last_id ? state->grains.id[g] : self->last_id;
         self->volume += 4.0 / 3.0 * M_PI * r * r * r;
         self->speed = fmax(self->speed, length3(state->grains.velocity[g]));
     }

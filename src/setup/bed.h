@@ -5,6 +5,7 @@
  */
 
 #include "clod/case.h"
+#include "parallel/exact.h"
 #include "state/state.h"
 
 /** Totals of the grains of a state. */
@@ -18,6 +19,8 @@ typedef struct clod_setup_bed {
     double area;            ///< m2, of the grains' bounding box seen along gravity
     double gravity;         ///< m/s2
     double low[3], high[3]; ///< m, around the grains; +-HUGE_VAL: there are none
+    clod_exact mass_sum;    ///< kg, the same mass without rounding, as measures have it
+    uint64_t last_id;       ///< the largest; 0: there is none
     double above;           ///< m, highest above a plane that it can fall on
 } clod_setup_bed;
 

@@ -240,7 +240,7 @@ bool clod_setup_grains_in_pieces(const clod_case *from)
 {
     bool good = from->grains_count > 0;
     for (size_t k = 0; k < from->grains_count; k++) {
-        good = good && from->grains[k].file == NULL && !from->grains[k].comes;
+        good = good && from->grains[k].file == NULL;
     }
     return good;
 }
@@ -252,6 +252,9 @@ static bool plan_all(const clod_case *from, int64_t seed, clod_setup_pieces *pie
     uint64_t next_id = 1;
     bool good = true;
     for (size_t k = 0; good && k < from->grains_count; k++) {
+        if (from->grains[k].comes) {
+            continue;
+        }
         group_plan group;
         good = plan_group(&group, from, k, seed, pieces->taker->share, &next_id, status);
         const clod_insertion *what = &group.what;
@@ -273,6 +276,9 @@ static bool give_groups(const clod_case *from, int64_t seed, clod_setup_pieces *
     uint64_t next_id = 1;
     bool good = true;
     for (size_t k = 0; good && k < from->grains_count; k++) {
+        if (from->grains[k].comes) {
+            continue;
+        }
         group_plan group;
         pieces->some = next_id > 1;
         good = plan_group(&group, from, k, seed, pieces->taker->share, &next_id, status);

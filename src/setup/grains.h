@@ -46,8 +46,7 @@ bool clod_setup_grains_say_off(const clod_case *from, const clod_setup_bed *bed,
 bool clod_setup_grains(const clod_case *from, int64_t seed, clod_state *state,
                        clod_setup_tally *tally, clod_status *status);
 
-/** Whether the grains of a case can be made piece by piece: none is read from a file, and none comes
- *  through an inlet, which asks for the ids of all. Threads: pure. */
+/** Whether the grains of a case can be made piece by piece: none is read from a file. Threads: pure. */
 bool clod_setup_grains_in_pieces(const clod_case *from);
 
 /**

@@ -350,8 +350,11 @@ static bool run_stages(clod_job *job, const clod_setup_bed *bed, clod_status *st
                                   doubt_region, job);
         free_data *data = job->procedure.data;
         clod_free_stages_begin(&data->at, job->sim->from, &job->state);
-        clod_free_measures_begin(measures_of(data, job->sim->from), job->sim->from,
-                                 &job->state);
+        const clod_free_start start = {.grains = (int64_t)bed->grains,
+                                       .mass = clod_exact_value(&bed->mass_sum),
+                                       .last_id = bed->last_id};
+        clod_free_measures_begin_with(measures_of(data, job->sim->from), job->sim->from,
+                                      &job->state, &start);
     }
     const clod_free_moment now =
         moment_of(job->procedure.data, job->sim->from, &job->state, NULL);

@@ -97,16 +97,15 @@ bool clod_crew_part_deal(clod_ranks *ranks, clod_state *state, clod_status *stat
     return good;
 }
 
-/** Every rank but this one its share of some rows, which are in order; the first stay. */
-static size_t pack(const clod_state *state, size_t kept, int ranks, clod_bytes *out)
+/** Every rank its share of some rows, which are in order. */
+static void pack(const clod_state *state, size_t kept, int ranks, clod_bytes *out)
 {
     const size_t rows = state->grains.count - kept, size = (size_t)ranks;
-    for (size_t r = 1; r < size; r++) {
+    for (size_t r = 0; r < size; r++) {
         for (size_t g = rows * r / size; g < rows * (r + 1) / size; g++) {
             clod_records_put_grain(&out[r], state, kept + g);
         }
     }
-    return kept + rows / size;
 }
 
 bool clod_crew_deal(clod_ranks *ranks, clod_state *state, size_t kept, clod_status *status)
@@ -114,14 +113,17 @@ bool clod_crew_deal(clod_ranks *ranks, clod_state *state, size_t kept, clod_stat
     shares all;
     order(ranks, CLOD_CREW_DEAL);
     bool good = shares_init(&all, ranks, status);
-    if (good) { // a column that is sent must be there
-        const bool room = clod_records_reserve(state, state->grains.count, status);
-        const size_t rows = room ? pack(state, kept, ranks->size, all.out) : kept;
-        all.out[0].lacks_memory |= !room;
-        good = clod_ranks_swap(ranks, all.out, &all.in, all.begin, status);
-        good = good && clod_ranks_agree(ranks, room, status);
-        state->grains.count = rows;
+    if (good && clod_records_reserve(state, state->grains.count, status)) {
+        pack(state, kept, ranks->size, all.out); // every column is there
+    } else if (good) {
+        all.out[0].lacks_memory = true; // swap tells it to all
+    }
+    good = good && clod_ranks_swap(ranks, all.out, &all.in, all.begin, status);
+    state->grains.count = kept;
+    if (good) {
+        const bool mine = clod_records_get_grains(&all.in, state, status);
         clod_grains_pad(&state->grains);
+        good = clod_ranks_agree(ranks, mine, status);
     }
     shares_fini(&all, ranks);
     return good;

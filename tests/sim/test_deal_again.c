@@ -130,7 +130,7 @@ static void compare(bed_kind kind, void **folder)
     for (size_t k = 0; k < sizeof RANKS / sizeof *RANKS; k += sanitized() ? 2 : 1) {
         again_bed how = {.kind = kind, .folder = folder, .into = &several};
         ranks_run(RANKS[k], go_on, &how);
-        assert_int_equal(how.most_rows, one.state.grains.count / (size_t)RANKS[k]);
+        assert_in_range(how.most_rows, 1, one.state.grains.count / (size_t)RANKS[k] + 1);
         check_same_bits(&one.state, &several.state);
         check_same_clumps(&one.state.grains, &several.state.grains);
         scene_end(&several);
