@@ -69,8 +69,8 @@ static const char LAYERS[] = MATERIALS
     "  - material: ore\n    count: 1500\n    radius: {distribution: uniform, min: 0.9 mm, max: 1 mm}\n"
     "    region: {box: {min: [0 mm, 0 mm, 1 mm], max: [30 mm, 30 mm, 17 mm]}}\n"
     "    velocity: [0 m/s, 0.1 m/s, -1 m/s]\n"
-    "  - material: sand\n    mass: 14 g\n    radius: {distribution: uniform, min: 1.1 mm, max: 1.3 mm}\n"
-    "    region: {box: {min: [0 mm, 0 mm, 2 mm], max: [30 mm, 30 mm, 50 mm]}}\n" FLOOR
+    "  - material: sand\n    mass: 30 g\n    radius: {distribution: uniform, min: 1.28 mm, max: 1.3 mm}\n"
+    "    region: {box: {min: [0 mm, 0 mm, 12 mm], max: [30 mm, 30 mm, 50 mm]}}\n" FLOOR
     "  lid:\n    material: steel\n"
     "    load: {force: 2 N, axis: [0, 0, -1], mass: 50 g, damping: 0.5}\n"
     "    shapes: [{disc: {center: [15 mm, 15 mm, 80 mm], normal: [0, 0, -1], radius: 12 mm}}]\n" STAGES;
