@@ -35,6 +35,7 @@ typedef struct bench {
     counted begin, stepped, rebuilt; ///< before and after WINDOW steps, and after a rebuild
     int64_t steps;                   ///< of the last span
     double processor;                ///< s, of all ranks in it
+    double ghosts;                   ///< of all ranks, in a step before the rebuild
     size_t own[RANKS_MOST];          ///< grains of each rank
 } bench;
 
@@ -84,6 +85,17 @@ static void look(const clod_ranks *ranks, counted *all)
     }
 }
 
+/** What all ranks send in each step until the next rebuild. */
+static double count_ghosts(const clod_ranks *ranks)
+{
+    const ranks_team *team = ranks->group;
+    int64_t bytes = 0;
+    for (int r = 0; r < ranks->size; r++) {
+        bytes += team->rank[r].kept_bytes;
+    }
+    return (double)bytes / GHOST_BYTES;
+}
+
 static double processor_time(void)
 {
     struct timespec t;
@@ -127,6 +139,7 @@ static void run_first(bench *self, clod_ranks *ranks)
         advance(&step, WINDOW);
         look(ranks, &self->stepped);
     } while (step.rebuilds != rebuilds);
+    self->ghosts = count_ghosts(ranks);
     self->processor = -processor_time();
     for (; step.rebuilds == rebuilds; self->steps += WINDOW) {
         advance(&step, WINDOW);
@@ -188,7 +201,7 @@ static void write(const bench *self)
         " \"steps_to_rebuild\": %lld, \"collectives_a_step\": %.2f, "
         "\"messages_of_collectives_a_step\": %.2f, \"bytes_of_collectives_a_step\": %.0f, "
         "\"processor_s_a_step\": %.4g}\n",
-        self->ranks, grains, most * ranks / grains, step.bytes / WINDOW / GHOST_BYTES / grains,
+        self->ranks, grains, most * ranks / grains, self->ghosts / grains,
         step.messages / ranks / WINDOW, step.bytes / ranks / WINDOW, step.most_bytes / WINDOW,
         (rebuild.messages - windows * step.messages) / ranks,
         (rebuild.bytes - windows * step.bytes) / ranks, (long long)self->steps,

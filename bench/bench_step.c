@@ -8,7 +8,9 @@
  *   bench_step --version
  *
  * Under mpirun all ranks step the bed. Then the most memory of each phase is told: dealing the bed,
- * steps, and gathering it on rank 0; every other rank tells its own in a line at the end.
+ * steps, and gathering it on rank 0; every other rank tells its own in a line at the end. With that each
+ * tells, of all steps behind `warm` but the last, its processor time outside of messages, how long it
+ * waited in them and what it sent (rank_watch.h), and rank 0 the own rows of each.
  *
  * The packing and the laws (mepa, hertz, hertz-rolling) are those of bed.h. The clock runs over
  * `steps` after `warm` steps. --stages says what thread 0 spends in each stage, waiting for the
@@ -22,12 +24,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/clock.h"
+#include "base/memory.h"
 #include "bed.h"
 #include "clod/ranks.h"
 #include "clod/version.h"
 #include "output/checkpoint.h"
+#include "rank_watch.h"
 #include "resident.h"
 #include "stages.h"
+#include "step/crew_part.h"
 
 #define TIME_STEP 1e-7 // s, for all programs: bench/peers
 #define CHECKPOINTS 3  // from the third on two older ones are there to be looked at first
@@ -40,12 +46,13 @@ typedef struct options {
 } options;
 
 typedef struct measured {
-    double wall; ///< s
+    double wall;      ///< s
+    double processor; ///< s, of all threads of this process in it
     double stage[BENCH_STAGES];
     clod_energies energies;
     double contacts;
-    int64_t rebuilds;
-    double writing; ///< s, of the last checkpoint
+    int64_t rebuilds, rebuilds_warm; ///< in all, and before the clock ran
+    double writing;                  ///< s, of the last checkpoint
     long rss_empty, rss_dealt, rss_stepped, rss_peak, rss_gathered, rss_written; ///< kB
 } measured;
 
@@ -191,10 +198,12 @@ static bool measure(const options *o, clod_step *step, measured *m, clod_status 
         return false;
     }
     forget_ranks(step);
-    const double begin = bench_now();
+    m->rebuilds_warm = step->rebuilds;
+    const double worked = clod_clock_read(CLOCK_PROCESS_CPUTIME_ID), begin = bench_now();
     bool good = o->stages ? bench_stages_advance(step, o->steps, m->stage, status)
                           : clod_step_advance(step, o->steps, status);
     m->wall = bench_now() - begin;
+    m->processor = clod_clock_read(CLOCK_PROCESS_CPUTIME_ID) - worked;
     m->rss_stepped = bench_resident_most();
     m->rebuilds = step->rebuilds;
     good = good && (!o->peak || ((step->crew != NULL || remake_near(step, status)) &&
@@ -214,6 +223,31 @@ static bool measure(const options *o, clod_step *step, measured *m, clod_status 
     return true;
 }
 
+/** Own rows of each rank, and what this one did. */
+static void report_ranks(clod_step *step, const measured *m)
+{
+    if (step->crew == NULL) {
+        return;
+    }
+    const clod_ranks *ranks = step->crew->ranks;
+    size_t *own = clod_memory_alloc((size_t)ranks->size, sizeof *own);
+    for (size_t g = 0; own != NULL && g < step->state->grains.count; g++) {
+        const double *place = step->state->build_position[g];
+        own[clod_partition_owner(&step->crew->spread.partition, place)]++;
+    }
+    printf("\"rank\": 0, \"own_rows\": [");
+    for (int r = 0; own != NULL && r < ranks->size; r++) {
+        printf("%s%zu", r > 0 ? ", " : "", own[r]);
+    }
+    clod_memory_free(own);
+    const bench_rank_watched seen = bench_rank_seen();
+    printf("], \"timed_rebuilds\": %lld, \"looks\": %lld, \"cuts\": %lld, ",
+           (long long)(m->rebuilds - m->rebuilds_warm), (long long)ranks->evenness.looks,
+           (long long)ranks->evenness.cuts);
+    bench_rank_print(&seen);
+    printf(", ");
+}
+
 static void report(const options *o, clod_step *step, const measured *m)
 {
     const clod_state *state = step->state;
@@ -230,9 +264,10 @@ static void report(const options *o, clod_step *step, const measured *m)
     printf("\"warm\": %lld, \"steps\": %lld, \"rebuilds\": %lld, \"refreshes\": %lld, ",
            (long long)o->warm, (long long)o->steps, (long long)m->rebuilds,
            (long long)step->refreshes);
-    printf("\"seconds\": %.6g, \"grain_steps_per_s\": %.4g, \"ns_per_contact\": %.2f, ",
-           m->wall, grains * (double)o->steps / m->wall,
-           1e9 * m->wall / ((double)o->steps * contacts));
+    printf(
+        "\"processor_s\": %.6g, \"seconds\": %.6g, \"grain_steps_per_s\": %.4g, \"ns_per_contact\": %.2f, ",
+        m->processor, m->wall, grains * (double)o->steps / m->wall,
+        1e9 * m->wall / ((double)o->steps * contacts));
     if (o->stages) {
         printf("\"ns_per_grain_step\": {");
         for (int k = 0; k < BENCH_STAGES; k++) {
@@ -246,6 +281,7 @@ static void report(const options *o, clod_step *step, const measured *m)
     if (o->folder != NULL) {
         printf("\"checkpoint_s\": %.4g, \"rss_written_kB\": %ld, ", m->writing, m->rss_written);
     }
+    report_ranks(step, m);
     printf("\"ranks\": %d, \"rss_dealt_kB\": %ld, \"rss_gathered_kB\": %ld, ",
            clod_ranks_size(o->step.ranks), m->rss_dealt, m->rss_gathered);
     printf("\"rss_empty_kB\": %ld, \"rss_stepped_kB\": %ld, \"rss_peak_kB\": %ld}\n",
@@ -258,8 +294,11 @@ static void serve(clod_ranks *ranks)
     const long empty = bench_resident_most();
     clod_ranks_serve(ranks);
     const long most = bench_resident_most();
-    printf("{\"rank\": %d, \"rss_empty_kB\": %ld, \"rss_most_kB\": %ld}\n",
+    const bench_rank_watched seen = bench_rank_seen();
+    printf("{\"rank\": %d, \"rss_empty_kB\": %ld, \"rss_most_kB\": %ld, ",
            clod_ranks_number(ranks), empty, most);
+    bench_rank_print(&seen);
+    printf("}\n");
 }
 
 int main(int argc, char **argv)
@@ -269,12 +308,15 @@ int main(int argc, char **argv)
     if (ranks == NULL) {
         give_up(status.text);
     }
+    options o = read_options(argc, argv);
+    if (clod_ranks_size(ranks) > 1) {
+        bench_rank_watch(ranks, o.warm, o.steps - 1);
+    }
     if (clod_ranks_number(ranks) > 0) {
         serve(ranks);
         clod_ranks_close(&ranks);
         return 0;
     }
-    options o = read_options(argc, argv);
     o.step.ranks = ranks;
     if (o.stages && clod_ranks_size(ranks) > 1) {
         give_up("--stages tells those of one process; leave it out under mpirun");

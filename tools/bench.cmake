@@ -1,7 +1,7 @@
 # bench/bench_NAME.c is a program that measures; the other sources of bench are shared by them.
 # Built by `ninja bench` (make bench), and with the checks, which count the instructions of a step.
 file(GLOB CLOD_BENCHES CONFIGURE_DEPENDS bench/bench_*.c)
-add_library(clod_bench STATIC EXCLUDE_FROM_ALL bench/bed.c bench/resident.c bench/stages.c)
+add_library(clod_bench STATIC EXCLUDE_FROM_ALL bench/bed.c bench/rank_watch.c bench/resident.c bench/stages.c)
 target_link_libraries(clod_bench PUBLIC clod_core)
 add_custom_target(bench)
 foreach(source IN LISTS CLOD_BENCHES)

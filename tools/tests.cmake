@@ -133,12 +133,14 @@ endif()
 # library, which a tree with sanitizers does not have.
 list(FILTER CLOD_TEST_SCRIPTS EXCLUDE REGEX "tests/python/")
 if(TARGET clod_shared)
-  foreach(name IN ITEMS test_python test_null test_rising)
+  foreach(name IN ITEMS test_python test_null test_rising test_ranks test_mpi4py)
     add_test(NAME python/${name}
       COMMAND /usr/bin/python3 -B ${CMAKE_SOURCE_DIR}/tests/python/${name}.py)
     set_tests_properties(python/${name} PROPERTIES LABELS python TIMEOUT ${CLOD_TEST_SECONDS}
       ENVIRONMENT "${CLOD_TEST_ENVIRONMENT};CLOD_PYTHON=${CMAKE_BINARY_DIR}/python;CLOD_LIBRARY=$<TARGET_FILE:clod_shared>")
   endforeach()
+  set_tests_properties(python/test_ranks python/test_mpi4py PROPERTIES LABELS "python;mpi" PROCESSORS 2)
+  set_tests_properties(python/test_mpi4py PROPERTIES SKIP_RETURN_CODE 77)
   file(GLOB CLOD_PYTHON_EXAMPLES CONFIGURE_DEPENDS examples/*.py)
   foreach(script IN LISTS CLOD_PYTHON_EXAMPLES)
     cmake_path(GET script STEM name)
@@ -168,7 +170,8 @@ endforeach()
 set_tests_properties(report/test_browser PROPERTIES SKIP_REGULAR_EXPRESSION "OK \\(skipped=")
 
 # MPI's ranks look for messages without a rest: beside another test they take three to five times as long.
-set_tests_properties(parallel/test_mpirun parallel/test_mpirun_limits PROPERTIES PROCESSORS 2)
+set_tests_properties(parallel/test_mpirun parallel/test_mpirun_limits parallel/test_mpirun_library
+  parallel/test_mpirun_groups PROPERTIES PROCESSORS 2)
 
 # The verification suite as users run it; it fails when any quantity misses its tolerance. With sanitizers
 # without passivity, which takes three quarters of the time and runs what the others run.

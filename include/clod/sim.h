@@ -17,6 +17,7 @@
 #include <stdint.h>
 
 #include "clod/case.h"
+#include "clod/ranks.h"
 #include "clod/sim_series.h"
 #include "clod/sim_walls.h"
 #include "clod/status.h"
@@ -26,10 +27,12 @@ extern "C" {
 #endif
 
 typedef struct clod_sim_options {
-    int threads;       ///< 0 = as many of all processors as pay
+    int threads; ///< 0 = as many of all processors as pay, and one in each of several ranks
     const char *simd;  ///< instruction set: scalar, avx2, avx512, neon; NULL = the best
     bool each_process; ///< where mpirun started several processes: this one has a simulation of
                        ///< its own, as the others may; otherwise that is refused
+    clod_ranks *ranks; ///< that compute it together, one simulation at a time; this process is
+                       ///< number 0 of them. Borrowed until clod_sim_destroy; NULL: none
 } clod_sim_options;
 
 /**
@@ -44,9 +47,11 @@ typedef struct clod_sim_options {
  * @param from     checked case, borrowed until clod_sim_destroy
  * @param options  NULL = all defaults
  * @return         owned (clod_sim_destroy), or NULL
- * Errors  CLOD_USAGE: the case cannot be built, or several processes were started (each_process);
+ * Errors  CLOD_USAGE: the case cannot be built; several processes were started, and neither ranks nor
+ *         each_process is given; another rank than number 0, or ranks that have a simulation already.
  *         CLOD_FAILED: memory.
- * Threads safe.   Test  tests/sim/test_sim.c, tests/sim/test_sim_processes.c
+ * Threads safe; with ranks the one that opened them, here and in every call of this simulation.
+ * Test    tests/sim/test_sim.c, test_sim_processes.c, test_sim_ranks.c
  */
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
                           clod_status *status);
@@ -124,7 +129,10 @@ size_t clod_sim_grain_count(const clod_sim *self);
  *
  * A view and the numbers of the rows are valid until the next clod_sim_advance, change,
  * energies, contacts, contact_of, ledger, measure, file or destruction: the neighbour search
- * sorts the rows. A grain is told by its id. Positions may lie outside a periodic domain by less
+ * sorts the rows. On several ranks (clod_sim_options) the bed is gathered, once between two steps; the
+ * view is one of a copy, and what was written into it goes to the ranks before the next step. When its
+ * rows are no more what they were, it has NaN, and ids and materials that nobody has. A grain is told
+ * by its id. Positions may lie outside a periodic domain by less
  * than a period.
  *
  * Velocities count from the next step on, without more ado. After writing positions call
@@ -147,11 +155,11 @@ static inline double *clod_sim_row(const clod_sim_view *view, size_t row)
 }
 
 /**
- * Row of a grain now; a walk over all rows.
+ * Row of a grain now; a walk over all rows, which several ranks gather.
  *
- * @return  row, or SIZE_MAX when there is no grain with this id
+ * @return  row, or SIZE_MAX when there is no grain with this id, or no memory to gather the bed
  */
-size_t clod_sim_row_of_id(const clod_sim *self, uint64_t id);
+size_t clod_sim_row_of_id(clod_sim *self, uint64_t id);
 
 /** A grain that is to come. */
 typedef struct clod_sim_grain {

@@ -7,10 +7,14 @@
 
     run = clod.results("run/copper-ore-5")  # a results folder, into arrays
 
+    clod.on_ranks(program)                  # one simulation on all processes of mpirun
+
 SI units throughout. docs/python.md tells the rest.
 """
 
 from ._library import CONTACT_UNITS, Error, Simulation, Wall
+from ._ranks import Ranks, on_ranks, ranks
 from ._results import Results, results
 
-__all__ = ["CONTACT_UNITS", "Error", "Results", "Simulation", "Wall", "results"]
+__all__ = ["CONTACT_UNITS", "Error", "Ranks", "Results", "Simulation", "Wall", "on_ranks", "ranks",
+           "results"]

@@ -195,15 +195,19 @@ class Simulation:
     id, material) are views: they are valid until the next advance, change, energies, contacts,
     measure or file, which may sort the rows. Copy what is to be kept.
 
+    ranks: of clod.ranks or clod.on_ranks, that compute it together; this process is number 0 of them.
+    Then a view that is not valid any more has nan in it, or ids and materials that nobody has.
+
     Where mpirun started several processes, each_process=True gives this one a simulation of its own;
-    without it that is an error.
+    without that or ranks it is an error.
 
     series_units has the units of series_row() by name once a row was taken.
     """
 
     series_units = {}
 
-    def __init__(self, path=None, text=None, threads=0, simd=None, each_process=False):
+    def __init__(self, path=None, text=None, threads=0, simd=None, each_process=False,
+                 ranks=None):
         if (path is None) == (text is None):
             raise TypeError("give either the path of a case, or its text")
         self._status = ffi.new("clod_status *")
@@ -212,6 +216,8 @@ class Simulation:
         simd_text = ffi.new("char[]", simd.encode()) if simd is not None else ffi.NULL
         options.simd = simd_text
         options.each_process = each_process
+        options.ranks = ranks._pointer() if ranks is not None else ffi.NULL
+        self._ranks = ranks  # they stay as long as the simulation
         self._sim = ffi.new("clod_sim **")
         if path is not None:
             self._sim[0] = lib.clod_sim_create_from_file(os.fsencode(path), options,

@@ -6,6 +6,7 @@
 #include "measure/mixing_grid.h"
 #include "measure/repose.h"
 #include "measure/stock.h"
+#include "measure/strength_grid.h"
 
 const clod_survey_way *clod_survey_way_of(clod_survey_kind kind)
 {
@@ -16,6 +17,7 @@ const clod_survey_way *clod_survey_way_of(clod_survey_kind kind)
         [CLOD_SURVEY_CONTINUUM] = &CLOD_CONTINUUM_PASS_WAY,
         [CLOD_SURVEY_MIXING] = &CLOD_MIXING_GRID_WAY,
         [CLOD_SURVEY_STOCK] = &CLOD_STOCK_WAY,
+        [CLOD_SURVEY_STRENGTH] = &CLOD_STRENGTH_GRID_WAY,
         [CLOD_SURVEY_REPOSE] = &CLOD_REPOSE_WAY,
         [CLOD_SURVEY_REPOSE_CENTER] = &CLOD_REPOSE_CENTER_WAY,
     };

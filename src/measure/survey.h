@@ -35,6 +35,7 @@ typedef enum clod_survey_kind {
     CLOD_SURVEY_CONTINUUM,    ///< continuum_pass.c
     CLOD_SURVEY_MIXING,       ///< mixing_grid.c
     CLOD_SURVEY_STOCK,        ///< stock.c
+    CLOD_SURVEY_STRENGTH,     ///< strength_grid.c
     CLOD_SURVEY_REPOSE,       ///< repose.c: the surface
     CLOD_SURVEY_REPOSE_CENTER ///< repose.c
 } clod_survey_kind;

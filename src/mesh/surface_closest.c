@@ -72,6 +72,7 @@ static clod_surface_closest of_triangle(const clod_surface_facet *facet, clod_ve
             best.direction = distance > 0.0 ? clod_vec3_scale(away, 1.0 / distance) : side;
         }
     }
+    best.distance = fmax(best.distance, fabs(height)); // corners may be off their plane
     return best;
 }
 

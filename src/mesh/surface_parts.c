@@ -7,6 +7,8 @@
 #include "base/sort.h"
 
 #define NOBODY UINT32_MAX
+/** Times that a plane is fitted to its facets, at most: each finds several times as many as the one before. */
+#define FITS 16
 
 // ---- links
 
@@ -57,24 +59,26 @@ void clod_surface_links_fini(clod_surface_links *self)
 /** Whether a region that began with `seed` takes a facet next to one of its own. */
 typedef bool (*take)(const clod_surface *self, uint32_t seed, uint32_t from, uint32_t facet);
 
-/** Give number `region` to the seed and to all that it reaches. */
-static void grow(const clod_surface *self, const clod_surface_links *links, take takes,
-                 uint32_t seed, uint32_t region, uint32_t *region_of)
+/** Give number `region` to the seed and to all that it reaches: those are the first in links->work.
+ *  @return  how many */
+static size_t grow(const clod_surface *self, const clod_surface_links *links, take takes,
+                   uint32_t seed, uint32_t region, uint32_t *region_of)
 {
     uint32_t *work = links->work;
-    size_t waiting = 0;
-    work[waiting++] = seed;
+    size_t count = 0;
+    work[count++] = seed;
     region_of[seed] = region;
-    while (waiting > 0) {
-        const uint32_t from = work[--waiting];
+    for (size_t next = 0; next < count; next++) {
+        const uint32_t from = work[next];
         for (uint32_t k = links->start[from]; k < links->start[from + 1]; k++) {
             const uint32_t facet = links->item[k];
             if (region_of[facet] == NOBODY && takes(self, seed, from, facet)) {
                 region_of[facet] = region;
-                work[waiting++] = facet;
+                work[count++] = facet;
             }
         }
     }
+    return count;
 }
 
 static clod_vec3 corner(const clod_surface *self, uint32_t facet, int c)
@@ -139,6 +143,54 @@ static void sort_by_area(const clod_surface *self, clod_sort_item *items)
     clod_sort(items, items + self->facet_count, self->facet_count);
 }
 
+/** The plane of some facets, on the side of a normal: that of the sum of their areas, in which all edges but those
+ *  of the outline cancel, at their mean height. */
+static clod_surface_plane fit(const clod_surface *self, const uint32_t *facet, size_t count,
+                              clod_vec3 side)
+{
+    clod_vec3 sum = {0.0, 0.0, 0.0};
+    for (size_t k = 0; k < count; k++) {
+        const clod_vec3 area = area_of(self, facet[k]);
+        sum = clod_vec3_axpy(sum, clod_vec3_dot(area, side) < 0.0 ? -1.0 : 1.0, area);
+    }
+    const double all =
+        clod_vec3_length(sum); // divided by, so that an axis stays one to the bit
+    const clod_vec3 normal = {sum.x / all, sum.y / all, sum.z / all};
+    clod_surface_plane plane = {normal, corner(self, facet[0], 0), 0};
+    double height = 0.0, weight = 0.0;
+    for (size_t k = 0; k < count; k++) {
+        const double area = clod_vec3_length(area_of(self, facet[k]));
+        for (int c = 0; c < 3; c++) {
+            const clod_vec3 arm = clod_vec3_sub(corner(self, facet[k], c), plane.point);
+            height += area * clod_vec3_dot(arm, plane.normal);
+            weight += area;
+        }
+    }
+    plane.point = clod_vec3_axpy(plane.point, height / weight, plane.normal);
+    return plane;
+}
+
+/** Facets in one plane with the seed, by number of the newest plane. That of a sliver is not known well: the
+ *  plane of those that were found tells which more there are, until there are no more. */
+static void find_plane(clod_surface *self, const clod_surface_links *links, uint32_t seed)
+{
+    clod_surface_plane *plane = &self->planes[self->plane_count];
+    const clod_vec3 side = clod_vec3_unit(area_of(self, seed));
+    *plane = (clod_surface_plane){side, corner(self, seed, 0), 0};
+    size_t before = 0, count = 1;
+    for (int turn = 0; turn < FITS && count > before; turn++) {
+        before = count;
+        for (size_t k = 0; count > 1 && k < count; k++) {
+            self->plane[links->work[k]] = NOBODY;
+        }
+        count = grow(self, links, is_in_plane, seed, (uint32_t)self->plane_count, self->plane);
+        if (count > 1) {
+            *plane = fit(self, links->work, count, side);
+        }
+    }
+    self->plane_count++;
+}
+
 static bool find_planes(clod_surface *self, const clod_surface_links *links)
 {
     clod_sort_item *items = clod_memory_alloc(2 * self->facet_count + 1, sizeof *items);
@@ -149,10 +201,7 @@ static bool find_planes(clod_surface *self, const clod_surface_links *links)
     for (size_t k = 0; k < self->facet_count; k++) {
         const uint32_t seed = (uint32_t)items[k].index;
         if (self->plane[seed] == NOBODY) {
-            self->planes[self->plane_count] = (clod_surface_plane){
-                clod_vec3_unit(area_of(self, seed)), corner(self, seed, 0), 0};
-            grow(self, links, is_in_plane, seed, (uint32_t)self->plane_count, self->plane);
-            self->plane_count++;
+            find_plane(self, links, seed);
         }
     }
     clod_memory_free(items);

@@ -101,12 +101,14 @@ static int32_t root_of(const clod_surface_hit *hits, int32_t number, clod_vec3 p
     return number;
 }
 
-/** Surfaces are taken in the order of the list. */
+/** The nearest comes first; of equals one inside a face. Surfaces are taken in the order of the list. */
 static bool is_before(const clod_surface_hit *a, const clod_surface_hit *b)
 {
-    return a->at.distance < b->at.distance ||
-           (a->at.distance == b->at.distance && a->of->surface == b->of->surface &&
-            a->facet < b->facet);
+    if (a->at.distance != b->at.distance || a->of->surface != b->of->surface) {
+        return a->at.distance < b->at.distance;
+    }
+    const bool a_inside = a->at.edges == 0, b_inside = b->at.edges == 0;
+    return a_inside != b_inside ? a_inside : a->facet < b->facet;
 }
 
 /** The last hit to its place among the nearer ones. Most are in order: those are not copied. */

@@ -16,9 +16,10 @@
 
 struct clod_eventlog {
     const clod_folder *folder; ///< borrowed
-    int descriptor;
-    int error;  ///< errno of the first write that failed, or 0
-    char *name; ///< owned
+    int descriptor;            ///< of the file; -1: lines are collected
+    clod_bytes *lines;         ///< borrowed
+    int error;                 ///< errno of the first write that failed, or 0
+    char *name;                ///< owned
     pthread_mutex_t lock;
 };
 
@@ -65,6 +66,39 @@ clod_eventlog *clod_eventlog_open(const clod_folder *folder, const char *name,
     return self;
 }
 
+clod_eventlog *clod_eventlog_collect(clod_bytes *lines)
+{
+    clod_eventlog *self = clod_memory_alloc(1, sizeof *self);
+    if (self != NULL) {
+        self->descriptor = -1;
+        self->lines = lines;
+        pthread_mutex_init(&self->lock, NULL);
+    }
+    return self;
+}
+
+/** Whole lines, by one write. */
+static void put_lines(clod_eventlog *self, const char *text, size_t bytes)
+{
+    if (self->lines != NULL) {
+        clod_bytes_put(self->lines, text, bytes);
+    } else if (!clod_file_write_all(self->descriptor, text, bytes)) {
+        self->error = errno;
+    }
+}
+
+void clod_eventlog_append(clod_eventlog *self, const char *lines, size_t bytes)
+{
+    if (self == NULL || bytes == 0) {
+        return;
+    }
+    pthread_mutex_lock(&self->lock);
+    if (self->error == 0) {
+        put_lines(self, lines, bytes);
+    }
+    pthread_mutex_unlock(&self->lock);
+}
+
 /** Owned JSON text of the moment, UTC with milliseconds. */
 static json_t *now_text(void)
 {
@@ -97,9 +131,7 @@ void clod_eventlog_write_json(clod_eventlog *self, const char *event, json_t *fi
         self->error = ENOMEM;
     } else if (self->error == 0) {
         text[length] = '\n'; // one write per line, the end of the text included
-        if (!clod_file_write_all(self->descriptor, text, length + 1)) {
-            self->error = errno;
-        }
+        put_lines(self, text, length + 1);
     }
     pthread_mutex_unlock(&self->lock);
     clod_memory_free(text);
@@ -126,7 +158,8 @@ static bool has_line(const clod_eventlog *self, const char *event, const json_t 
     size_t size = 0;
     bool found = false;
     clod_status unused; // a log that cannot be read is told when it is written to
-    if (!clod_folder_read(self->folder, self->name, &bytes, &size, &unused)) {
+    if (self->lines != NULL ||
+        !clod_folder_read(self->folder, self->name, &bytes, &size, &unused)) {
         return false;
     }
     const char *text = bytes;
@@ -172,10 +205,10 @@ bool clod_eventlog_close(clod_eventlog **self, clod_status *status)
     if (log == NULL) {
         return true;
     }
-    const int closing = clod_file_close(log->descriptor);
+    const int closing = log->descriptor >= 0 ? clod_file_close(log->descriptor) : 0;
     const int error = log->error != 0 ? log->error : closing;
-    const bool good =
-        error == 0 || clod_folder_fail(log->folder, "write", log->name, error, status);
+    const bool good = log->lines != NULL || error == 0 ||
+                      clod_folder_fail(log->folder, "write", log->name, error, status);
     pthread_mutex_destroy(&log->lock);
     clod_memory_free(log->name);
     clod_memory_free(log);

@@ -9,6 +9,7 @@
 
 #include <jansson.h>
 
+#include "base/bytes.h"
 #include "output/folder.h"
 
 typedef struct clod_eventlog clod_eventlog;
@@ -22,6 +23,13 @@ typedef struct clod_eventlog clod_eventlog;
  */
 clod_eventlog *clod_eventlog_open(const clod_folder *folder, const char *name,
                                   clod_status *status);
+
+/** A log whose lines are collected, for that of another process; NULL without memory. The bytes are
+ *  borrowed. */
+clod_eventlog *clod_eventlog_collect(clod_bytes *lines);
+
+/** Lines that another log has collected. */
+void clod_eventlog_append(clod_eventlog *self, const char *lines, size_t bytes);
 
 /**
  * Write one line.

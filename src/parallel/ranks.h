@@ -55,15 +55,25 @@ struct clod_ranks {
                  int ins);
     void (*start)(clod_ranks *self);
     void (*finish)(clod_ranks *self);
+    /** Groups of ranks: those with the same colour, in their order. NULL: these ranks are not
+     *  split. */
+    bool (*split)(clod_ranks *self, int colour, clod_ranks *part, clod_status *status);
+    void (*part)(clod_ranks *part); ///< close a group
+    /** A word to another rank, which finds it when it looks; 0 to 7. Words from one rank to
+     *  another come in their order. */
+    void (*post)(clod_ranks *self, int to, int word);
+    bool (*look)(clod_ranks *self, int from, int *word); ///< whether one is there; it is taken
     clod_rank_place *place; ///< [size] where they run; NULL: not known; owned
     clod_ranks_count count;
     clod_ranks_evenness evenness;
     int64_t kept_messages, kept_bytes; ///< of a start
     void *group;                       ///< what these need
-    char *room;                        ///< scratch of the functions below; owned
-    size_t room_bytes;                 ///< of it
-    clod_message *message;             ///< [2 * size] scratch; owned
-    size_t *number;                    ///< [3 * size] scratch; owned
+    void *user;            ///< of rank 0: the simulation that they step; NULL: they are free
+    bool dismissed;        ///< rank 0 has no more orders
+    char *room;            ///< scratch of the functions below; owned
+    size_t room_bytes;     ///< of it
+    clod_message *message; ///< [2 * size] scratch; owned
+    size_t *number;        ///< [3 * size] scratch; owned
 };
 
 /** As the call of the same name, and counted. */

@@ -14,6 +14,7 @@
 #include "setup/bound.h"
 #include "setup/grains.h"
 #include "sim/energy_series.h"
+#include "sim/group.h"
 #include "sim/job_bed.h"
 #include "sim/job_steps.h"
 #include "sim/job_store.h"
@@ -268,6 +269,7 @@ static bool turn(job_loop *loop, clod_status *status)
 
 static bool is_stopped(const clod_job *job)
 {
+    clod_group_hear(job->sim->group);
     return job->sim->options->stop != NULL && atomic_load(job->sim->options->stop) != 0;
 }
 

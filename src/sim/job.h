@@ -69,6 +69,7 @@ typedef struct clod_job_shared {
     const char *identity;      ///< of the case (sim/identity.h): checkpoints belong to it
     clod_eventlog *log;
     struct clod_origin *origin; ///< run from whose grains this one begins; NULL: none
+    struct clod_group *group;   ///< of ranks, beside others (sim/group.h); NULL: there is one
     clod_time_limit limit;
     bool any_threads; ///< nobody asked for a number: no more than pay
 } clod_job_shared;

@@ -16,6 +16,7 @@
 #include "output/folder_files.h"
 #include "parallel/threads.h"
 #include "setup/begin.h"
+#include "sim/group.h"
 #include "sim/job_store.h"
 #include "sim/part_fields.h"
 #include "sim/warning_box.h"
@@ -85,7 +86,9 @@ static bool may_begin(part_batch *batch, clod_part *part)
     const bool stop = options->stop != NULL && atomic_load(options->stop) != 0;
     const bool late =
         clod_time_limit_is_near(&batch->sim->limit, &(clod_time_spent){0}, 1, clod_clock_now());
-    if (stop || late || atomic_load(&batch->failed)) {
+    const clod_group *group = batch->sim->group;
+    const bool failed = atomic_load(&batch->failed) || (group != NULL && group->failed);
+    if (stop || late || failed) {
         return clod_status_fail(&part->status, CLOD_INTERRUPTED,
                                 "%s was not begun; the same command goes on from here",
                                 part->name);
@@ -114,26 +117,51 @@ static void run_part(void *context, int number)
     clod_job_fini(&job);
 }
 
-bool clod_parts_run(const clod_parts_tester *tester, const clod_job_shared *sim,
-                    clod_part *part, int count, clod_status *status)
+void clod_parts_run_one(const clod_parts_tester *tester, const clod_job_shared *sim,
+                        clod_part *part)
+{
+    const int given = sim->options->threads;
+    part_batch batch = {.tester = tester,
+                        .sim = sim,
+                        .part = part,
+                        .threads = given > 0 ? given : clod_threads_available()};
+    if (clod_part_fields_init(&batch.fields, sim->from, &tester->procedure, &part->status)) {
+        run_part(&batch, 0);
+    }
+    clod_part_fields_fini(&batch.fields);
+}
+
+/** The parts of a batch in threads, as many as there are; ranks step one after the other. */
+static bool run_in_threads(const clod_parts_tester *tester, const clod_job_shared *sim,
+                           clod_part *part, int count, clod_status *status)
 {
     const int given = sim->options->threads;
     const int threads = given > 0 ? given : clod_threads_available();
     const clod_ranks *ranks = sim->options->ranks;
     const bool several = ranks != NULL && clod_ranks_size(ranks) > 1;
-    // several ranks step one part after the other
     const int workers = several ? 1 : count < threads ? count : threads;
     part_batch batch = {.tester = tester,
                         .sim = sim,
                         .part = part,
                         .threads = threads / workers > 0 ? threads / workers : 1};
-    bool ok = clod_part_fields_init(&batch.fields, sim->from, &tester->procedure, status);
-    if (!ok) {
-        return false;
+    const bool good =
+        clod_part_fields_init(&batch.fields, sim->from, &tester->procedure, status);
+    if (good) {
+        clod_threads_run(count, workers, run_part, &batch);
     }
-    clod_threads_run(count, workers, run_part, &batch);
     clod_part_fields_fini(&batch.fields);
-    for (int p = 0; p < count; p++) {
+    return good;
+}
+
+bool clod_parts_run(const clod_parts_tester *tester, const clod_job_shared *sim,
+                    clod_part *part, int count, clod_status *status)
+{
+    // groups know nothing of another run, whose preparations are only copied anyway
+    const int groups = sim->origin != NULL ? 1 : clod_group_count(sim->options->ranks, count);
+    bool ok = groups > 1 ? clod_group_run(tester, sim, part, count, groups, status)
+                         : run_in_threads(tester, sim, part, count, status);
+    const bool begun = ok;
+    for (int p = 0; begun && p < count; p++) {
         if (!part[p].ok && (ok || status->code == CLOD_INTERRUPTED)) {
             *status = part[p].status;
             ok = false;

@@ -52,12 +52,16 @@ void clod_parts_destroy(clod_part *self);
 void clod_parts_warn_end(json_t *list, const clod_part *part);
 
 /**
- * Run a batch of parts side by side.
+ * Run a batch of parts side by side: in threads, or on groups of ranks.
  *
  * @return  false: the first part that failed gives the status, an interruption last
  */
 bool clod_parts_run(const clod_parts_tester *tester, const clod_job_shared *sim,
                     clod_part *part, int count, clod_status *status);
+
+/** Run one part with the ranks of `sim`; its status says how. */
+void clod_parts_run_one(const clod_parts_tester *tester, const clod_job_shared *sim,
+                        clod_part *part);
 
 /** Whether every preparation of a batch can be taken over from another run; writes nothing. */
 bool clod_parts_try_origin(const clod_parts_tester *tester, const clod_job_shared *sim,

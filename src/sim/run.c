@@ -18,6 +18,7 @@
 #include "sim/identity.h"
 #include "sim/origin.h"
 #include "sim/ranks_log.h"
+#include "sim/sim.h"
 #include "sim/testers.h"
 #include "sim/trial.h"
 #include "step/kernel.h"
@@ -49,6 +50,10 @@ static bool run_case(const clod_job_shared *sim, char **report, clod_status *sta
 static bool check_request(const clod_case *from, const clod_run_options *options,
                           clod_status *status)
 {
+    if (options->ranks != NULL &&
+        !clod_sim_ranks_are_free(options->ranks, "clod_run", status)) {
+        return false;
+    }
     const bool stages = clod_case_tester(from) != NULL || from->stage_count > 0;
     if (clod_testers_of(from)->run == NULL || !stages) {
         char testers[CLOD_CONFIG_TESTER_KEYS];

@@ -23,14 +23,38 @@ bool clod_sim_finite(const double numbers[3], const char *function, const char *
                             function, name, numbers[0], numbers[1], numbers[2]);
 }
 
-bool clod_sim_hold(clod_sim *self, clod_status *status)
+bool clod_sim_settle(clod_sim *self, clod_status *status)
 {
-    return clod_step_change(&self->step, status) && clod_step_export(&self->step, status);
+    const bool change = clod_changes_any(&self->state.changes);
+    const bool good = clod_sim_take(self, status) && clod_step_change(&self->step, status);
+    if (change && (good || self->step.failed)) {
+        clod_sim_recall(self);
+        self->written = false; // a change deals all
+    }
+    return good;
 }
 
-void clod_sim_moved(clod_sim *self)
+bool clod_sim_hold(clod_sim *self, clod_status *status)
 {
-    clod_changes_moved(&self->state.changes);
+    return clod_sim_settle(self, status) && clod_step_export(&self->step, status);
+}
+
+bool clod_sim_balance(clod_sim *self, double *energy, clod_status *status)
+{
+    if (!clod_sim_take(self, status)) {
+        return false;
+    }
+    *energy = clod_step_balance(&self->step);
+    return true;
+}
+
+void clod_sim_moved(clod_sim *self, double before)
+{
+    const clod_changes *queue = &self->state.changes;
+    if (queue->moved && !queue->booked) { // after positions that the caller has written
+        clod_step_book(&self->step, before);
+    }
+    clod_changes_moved_from(&self->state.changes, before);
 }
 
 bool clod_sim_take_up(clod_sim *self, clod_status *status)
@@ -45,10 +69,21 @@ bool clod_sim_take_up(clod_sim *self, clod_status *status)
     return true;
 }
 
+/** Of several ranks each has one thread, unless the caller asks for more. */
+static int choose_threads(const clod_sim *self)
+{
+    const int threads = clod_threads_take(self->options.threads);
+    if (self->options.threads > 0) {
+        return threads;
+    }
+    return clod_sim_is_spread(self) ? 1 : clod_threads_worth(threads, self->state.grains.count);
+}
+
 static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *status)
 {
     self->options = (clod_step_options){.threads = options != NULL ? options->threads : 0,
                                         .simd = options != NULL ? options->simd : NULL,
+                                        .ranks = options != NULL ? options->ranks : NULL,
                                         .overlap_limit = self->from->time.overlap_limit,
                                         .accepts = clod_setup_bound_accepts,
                                         .context = self->from};
@@ -56,18 +91,19 @@ static bool begin(clod_sim *self, const clod_sim_options *options, clod_status *
         !clod_laws_init(&self->laws, self->from, status)) {
         return false;
     }
-    const int threads = clod_threads_take(self->options.threads);
-    self->options.threads = self->options.threads > 0
-                                ? threads
-                                : clod_threads_worth(threads, self->state.grains.count);
+    self->options.threads = choose_threads(self);
     return clod_sim_take_up(self, status) &&
            (!self->from->output.energy || clod_sim_open_ledger(self, status)) &&
            (clod_setup_grains_coming(self->from) == 0 || clod_sim_open_series(self, status));
 }
 
 /** Whether this process is alone, or knows that it is not. */
-static bool check_processes(const clod_sim_options *options, clod_status *status)
+static bool check_processes(const clod_sim_options *options, const char *function,
+                            clod_status *status)
 {
+    if (options != NULL && options->ranks != NULL) {
+        return clod_sim_ranks_are_free(options->ranks, function, status);
+    }
     const int processes = clod_ranks_mpi_processes();
     char number[16] = "several"; // a launcher that does not say
     if (processes > 0) {
@@ -77,16 +113,17 @@ static bool check_processes(const clod_sim_options *options, clod_status *status
            clod_status_fail(
                status, CLOD_USAGE,
                "%s processes were started together (mpirun, srun), and each would "
-               "compute all of this simulation: run the program without mpirun, or "
-               "set each_process where every process shall have a simulation of its "
-               "own. mpirun clod run computes one case on several processes",
+               "compute all of this simulation: give the ranks that are to compute it "
+               "together (clod_ranks_open, in Python clod.ranks; docs/ranks.md), run the "
+               "program without mpirun, or set each_process where every process shall have "
+               "a simulation of its own",
                number);
 }
 
 clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options,
                           clod_status *status)
 {
-    if (!CLOD_GIVEN(from, status) || !check_processes(options, status)) {
+    if (!CLOD_GIVEN(from, status) || !check_processes(options, __func__, status)) {
         return NULL;
     }
     clod_sim *self = clod_memory_alloc(1, sizeof *self);
@@ -95,6 +132,9 @@ clod_sim *clod_sim_create(const clod_case *from, const clod_sim_options *options
         return NULL;
     }
     self->from = from;
+    if (options != NULL && options->ranks != NULL) {
+        options->ranks->user = self;
+    }
     if (!begin(self, options, status)) {
         clod_sim_destroy(&self);
         clod_source_tell(from, status);
@@ -145,6 +185,10 @@ void clod_sim_destroy(clod_sim **self)
         return;
     }
     clod_step_fini(&(*self)->step);
+    if ((*self)->options.ranks != NULL) {
+        (*self)->options.ranks->user = NULL;
+    }
+    clod_sim_free_loans(*self);
     clod_state_fini(&(*self)->state);
     clod_laws_fini(&(*self)->laws);
     clod_memory_free((*self)->contacts);
@@ -163,8 +207,15 @@ bool clod_sim_advance(clod_sim *self, int64_t steps, clod_status *status)
         return clod_status_fail(status, CLOD_USAGE, "%s: %lld steps; give 0 or more", __func__,
                                 (long long)steps);
     }
+    if (steps == 0) {
+        return true;
+    }
+    if (!clod_sim_settle(self, status)) {
+        return false;
+    }
+    clod_sim_recall(self);
     return self->measures != NULL ? clod_sim_advance_measured(self, steps, status)
-                                  : steps == 0 || clod_step_advance(&self->step, steps, status);
+                                  : clod_step_advance(&self->step, steps, status);
 }
 
 double clod_sim_time(const clod_sim *self)
@@ -194,10 +245,15 @@ bool clod_sim_set_adhesion(clod_sim *self, double fraction, clod_status *status)
         return clod_status_fail(status, CLOD_USAGE, "%s: fraction is %g; give 0 to 1", __func__,
                                 fraction);
     }
-    const double before = clod_step_balance(&self->step);
+    double before;
+    if (!clod_sim_balance(self, &before, status)) {
+        return false;
+    }
     self->state.adhesion = fraction;
     clod_laws_set_adhesion(&self->laws, fraction);
-    clod_step_book(&self->step, before);
+    if (!self->state.changes.booked) { // else it is booked with what was put elsewhere
+        clod_step_book(&self->step, before);
+    }
     return true;
 }
 
@@ -206,7 +262,7 @@ bool clod_sim_energies(clod_sim *self, clod_sim_energy *energy, clod_status *sta
     if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(energy, status)) {
         return false;
     }
-    if (!clod_step_change(&self->step, status)) {
+    if (!clod_sim_settle(self, status)) {
         return false;
     }
     const clod_energies now = clod_step_energies(&self->step);
@@ -221,15 +277,22 @@ bool clod_sim_energies(clod_sim *self, clod_sim_energy *energy, clod_status *sta
 
 bool clod_sim_measure(clod_sim *self, clod_sim_bed *bed, clod_status *status)
 {
-    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(bed, status) || !clod_sim_hold(self, status)) {
+    if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(bed, status) ||
+        !clod_sim_settle(self, status)) {
         return false;
     }
-    const clod_measure_contacts now = clod_measure_contacts_of(&self->state);
+    clod_step_reader reader;
+    clod_measure_contacts now;
+    const clod_contact_source contacts = clod_step_contacts(&self->step, &reader);
+    const clod_survey survey = clod_step_survey(&self->step, &contacts);
+    if (!clod_measure_contacts_from(&survey, &now, status)) {
+        return false;
+    }
     *bed = (clod_sim_bed){.pairs = now.pairs,
                           .walls = now.walls,
                           .coordination = now.coordination,
                           .max_overlap = now.max_overlap,
                           .mean_overlap = now.mean_overlap,
-                          .max_speed = clod_measure_motion_of(&self->state).max_speed};
+                          .max_speed = clod_measure_motion_from(&survey).max_speed};
     return true;
 }

@@ -34,11 +34,12 @@ static const field FIELDS[] = {
     // clang-format on
 };
 #define FIELD_COUNT (sizeof FIELDS / sizeof *FIELDS)
+_Static_assert(FIELD_COUNT == CLOD_SIM_ARRAYS, "room for a loan of each");
 
 size_t clod_sim_grain_count(const clod_sim *self)
 {
     CLOD_NEED(self);
-    return self->state.grains.count;
+    return clod_step_grains(&self->step);
 }
 
 size_t clod_sim_array_count(void)
@@ -63,35 +64,51 @@ static bool no_such_array(const char *name, clod_status *status)
                             all);
 }
 
+clod_sim_view clod_sim_view_of(clod_sim *self, size_t array)
+{
+    const field *from = &FIELDS[array];
+    char *rows;
+    memcpy(&rows, (const char *)&self->state.grains + from->rows, sizeof rows);
+    return (clod_sim_view){.name = from->name,
+                           .unit = from->unit,
+                           .type = from->type,
+                           .rows = self->state.grains.count,
+                           .components = from->components,
+                           .stride = from->stride,
+                           .writable = from->writable,
+                           .data = rows + from->offset};
+}
+
 bool clod_sim_array(clod_sim *self, const char *name, clod_sim_view *view, clod_status *status)
 {
     if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(name, status) || !CLOD_GIVEN(view, status)) {
         return false;
     }
     for (size_t f = 0; f < FIELD_COUNT; f++) {
-        const field *from = &FIELDS[f];
-        if (strcmp(from->name, name) != 0) {
+        if (strcmp(FIELDS[f].name, name) != 0) {
             continue;
         }
-        char *rows;
-        memcpy(&rows, (const char *)&self->state.grains + from->rows, sizeof rows);
-        *view = (clod_sim_view){.name = from->name,
-                                .unit = from->unit,
-                                .type = from->type,
-                                .rows = self->state.grains.count,
-                                .components = from->components,
-                                .stride = from->stride,
-                                .writable = from->writable,
-                                .data = rows + from->offset};
+        if (!clod_step_see(&self->step, status)) {
+            return false;
+        }
+        clod_sim_view made = clod_sim_view_of(self, f);
+        if (clod_sim_is_spread(self) && !clod_sim_lend(self, f, &made, status)) {
+            return false;
+        }
+        *view = made;
         return true;
     }
     return no_such_array(name, status);
 }
 
-size_t clod_sim_row_of_id(const clod_sim *self, uint64_t id)
+size_t clod_sim_row_of_id(clod_sim *self, uint64_t id)
 {
     CLOD_NEED(self);
+    clod_status ignored;
     const clod_grains *grains = &self->state.grains;
+    if (!clod_step_see(&self->step, &ignored)) {
+        return SIZE_MAX;
+    }
     for (size_t g = 0; g < grains->count; g++) {
         if (grains->id[g] == id) {
             return g;
@@ -105,6 +122,7 @@ bool clod_sim_positions_changed(clod_sim *self, clod_status *status)
     if (!CLOD_GIVEN(self, status)) {
         return false;
     }
+    clod_sim_fetch(self);
     for (size_t g = 0; g < self->state.grains.count; g++) {
         char name[64];
         snprintf(name, sizeof name, "position of grain %llu",
@@ -113,6 +131,6 @@ bool clod_sim_positions_changed(clod_sim *self, clod_status *status)
             return false;
         }
     }
-    clod_sim_moved(self);
+    clod_changes_moved(&self->state.changes);
     return true;
 }

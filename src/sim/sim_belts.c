@@ -42,7 +42,7 @@ bool clod_sim_set_belt(clod_sim *self, int32_t wall, int32_t shape, const clod_s
                        clod_status *status)
 {
     if (!clod_sim_has_shape(self, wall, shape, __func__, status) || !CLOD_GIVEN(belt, status) ||
-        !is_good(belt, __func__, status)) {
+        !is_good(belt, __func__, status) || !clod_step_see(&self->step, status)) {
         return false;
     }
     self->state.walls.wall[wall].shapes[shape].belt =
@@ -53,6 +53,7 @@ bool clod_sim_set_belt(clod_sim *self, int32_t wall, int32_t shape, const clod_s
                     .spin_axis = direction(belt->spin_axis),
                     .spin_point = clod_vec3_of(belt->spin_point)};
     clod_wall_rows_forget(&self->step.walls, wall);
+    self->written |= clod_sim_is_spread(self); // ranks get shapes with the bed
     return true;
 }
 

@@ -9,7 +9,7 @@
 
 bool clod_sim_change(clod_sim *self, clod_status *status)
 {
-    return CLOD_GIVEN(self, status) && clod_step_change(&self->step, status);
+    return CLOD_GIVEN(self, status) && clod_sim_settle(self, status);
 }
 
 /** Whether a request is in the queue now; else it is forgotten, and the others stay. */

@@ -104,11 +104,17 @@ bool clod_sim_contacts(clod_sim *self, const clod_sim_contact **contacts, size_t
     return true;
 }
 
+/** Changes are made, and the state has all grains and contacts, or the lists of the step. */
+static bool see(clod_sim *self, clod_status *status)
+{
+    return clod_sim_settle(self, status) && clod_step_see(&self->step, status);
+}
+
 bool clod_sim_contact_of(clod_sim *self, uint64_t id_1, uint64_t id_2,
                          clod_sim_contact *contact, bool *found, clod_status *status)
 {
     if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(contact, status) ||
-        !CLOD_GIVEN(found, status) || !clod_step_change(&self->step, status)) {
+        !CLOD_GIVEN(found, status) || !see(self, status)) {
         return false;
     }
     clod_contact there;
@@ -123,7 +129,7 @@ bool clod_sim_wall_contact_of(clod_sim *self, uint64_t id, int32_t wall, int32_t
                               clod_sim_contact *contact, bool *found, clod_status *status)
 {
     if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(contact, status) ||
-        !CLOD_GIVEN(found, status) || !clod_step_change(&self->step, status) ||
+        !CLOD_GIVEN(found, status) || !see(self, status) ||
         !clod_sim_has_shape(self, wall, shape, __func__, status)) {
         return false;
     }

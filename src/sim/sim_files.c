@@ -25,7 +25,7 @@ static char *make_identity(const clod_case *from, clod_status *status)
 bool clod_sim_write_checkpoint(clod_sim *self, const char *folder, clod_status *status)
 {
     if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(folder, status) ||
-        !clod_step_change(&self->step, status)) {
+        !clod_sim_settle(self, status)) {
         return false;
     }
     clod_step_bed view;
@@ -101,6 +101,8 @@ bool clod_sim_read_checkpoint(clod_sim *self, const char *folder, const char *pa
         memcpy(self->measures, measures, self->measures_size);
     }
     clod_memory_free(measures);
+    clod_sim_recall(self);
+    self->written = false;
     clod_step_fini(&self->step);
     clod_state_fini(&self->state);
     self->state = state;
@@ -112,7 +114,7 @@ bool clod_sim_write_snapshot(clod_sim *self, const char *folder, bool contacts,
                              clod_status *status)
 {
     if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(folder, status) ||
-        !clod_step_change(&self->step, status)) {
+        !clod_sim_settle(self, status) || (contacts && !clod_step_see(&self->step, status))) {
         return false;
     }
     clod_step_bed view;

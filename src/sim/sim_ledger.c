@@ -25,7 +25,7 @@ bool clod_sim_exchange_look(const clod_sim *self, clod_sim_exchange *exchange,
 
 bool clod_sim_open_ledger(clod_sim *self, clod_status *status)
 {
-    if (!CLOD_GIVEN(self, status) || !clod_step_change(&self->step, status)) {
+    if (!CLOD_GIVEN(self, status) || !clod_sim_settle(self, status)) {
         return false;
     }
     for (int a = 0; a < 3; a++) {
@@ -44,7 +44,7 @@ bool clod_sim_open_ledger(clod_sim *self, clod_status *status)
 bool clod_sim_ledger_look(clod_sim *self, clod_sim_ledger *ledger, clod_status *status)
 {
     if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(ledger, status) ||
-        !clod_step_change(&self->step, status)) {
+        !clod_sim_settle(self, status)) {
         return false;
     }
     const clod_ledger *from = &self->state.ledger;

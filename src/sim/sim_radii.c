@@ -46,7 +46,8 @@ static void copy(double *to, size_t to_stride, const double *from, size_t from_s
 bool clod_sim_set_radii(clod_sim *self, const double *radii, clod_status *status)
 {
     if (!CLOD_GIVEN(self, status) || !CLOD_GIVEN(radii, status) ||
-        !rows_stay(self, __func__, status) || !are_radii(self, radii, __func__, status)) {
+        !rows_stay(self, __func__, status) || !clod_step_see(&self->step, status) ||
+        !are_radii(self, radii, __func__, status)) {
         return false;
     }
     clod_grains *grains = &self->state.grains;
@@ -54,7 +55,11 @@ bool clod_sim_set_radii(clod_sim *self, const double *radii, clod_status *status
     if (before == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %zu radii", grains->count);
     }
-    const double energy = clod_step_balance(&self->step);
+    double energy;
+    if (!clod_sim_balance(self, &energy, status)) {
+        clod_memory_free(before);
+        return false;
+    }
     double *rows = &grains->position[0][3];
     copy(before, 1, rows, 4, grains->count);
     copy(rows, 4, radii, 1, grains->count);
@@ -66,8 +71,8 @@ bool clod_sim_set_radii(clod_sim *self, const double *radii, clod_status *status
                                      self->from->materials[grains->material[g]].density);
             }
         }
-        clod_sim_moved(self);
-        clod_step_book(&self->step, energy);
+        clod_sim_renew_loans(self);
+        clod_sim_moved(self, energy);
     } else {
         copy(rows, 4, before, 1, grains->count);
     }

@@ -154,12 +154,14 @@ bool clod_sim_set_wall_orientation(clod_sim *self, int32_t wall, const double or
             "with finite numbers that are not all 0",
             __func__, orientation[0], orientation[1], orientation[2], orientation[3]);
     }
-    const double before = clod_step_balance(&self->step);
-    clod_sim_moved(self);
+    double before;
+    if (!clod_sim_balance(self, &before, status)) {
+        return false;
+    }
     clod_wall_set_orientation(
         &self->state.walls.wall[wall],
         (clod_quat){orientation[0], orientation[1], orientation[2], orientation[3]});
-    clod_step_book(&self->step, before);
+    clod_sim_moved(self, before);
     return true;
 }
 
@@ -184,17 +186,28 @@ bool clod_sim_set_wall_angular_velocity(clod_sim *self, int32_t wall, const doub
     const bool same = axis.x == is.x && axis.y == is.y && axis.z == is.z && at.x == point[0] &&
                       at.y == point[1] && at.z == point[2];
     if (!same) {
+        double energy;
         const clod_wall before = *to;
+        if (!clod_sim_balance(self, &energy, status)) {
+            return false;
+        }
         clod_wall_set_spin_axis(to, axis, clod_vec3_of(point));
         if (would_tilt(to, __func__, status)) {
             *to = before;
             clod_wall_find_symmetry(to);
             return false;
         }
-        clod_sim_moved(self);
+        clod_sim_moved(self, energy);
     }
     to->spin = spin;
     return true;
+}
+
+/** The state has all grains, as the caller has written them. */
+static bool see_all(clod_sim *self, clod_status *status)
+{
+    clod_sim_fetch(self);
+    return clod_step_see(&self->step, status);
 }
 
 bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_status *status)
@@ -220,7 +233,8 @@ bool clod_sim_set_wall_load(clod_sim *self, int32_t wall, double force, clod_sta
     char what[128];
     snprintf(what, sizeof what, "a load of %g N on '%s'", force, to->name);
     to->load_force = force;
-    if (force > before && !clod_setup_bound_fits(self->from, &self->state, what, status)) {
+    if (force > before && !(see_all(self, status) &&
+                            clod_setup_bound_fits(self->from, &self->state, what, status))) {
         to->load_force = before;
         return false;
     }
@@ -234,10 +248,12 @@ bool clod_sim_set_wall_position(clod_sim *self, int32_t wall, const double posit
         !clod_sim_finite(position, __func__, "position", status)) {
         return false;
     }
-    const double before = clod_step_balance(&self->step);
-    clod_sim_moved(self);
+    double before;
+    if (!clod_sim_balance(self, &before, status)) {
+        return false;
+    }
     self->state.walls.wall[wall].shift = clod_vec3_of(position);
-    clod_step_book(&self->step, before);
+    clod_sim_moved(self, before);
     return true;
 }
 

@@ -36,6 +36,8 @@ typedef struct clod_changes {
     size_t new_grain_room, lost_grain_room, new_wall_room, lost_wall_room;
     size_t checked;    ///< of new_grains: whoever asked knows that laws and time step suit them
     bool moved;        ///< somebody moved grains or walls otherwise than by a step
+    bool booked;       ///< and what that does to the energy belongs into the ledger
+    double energy;     ///< J, then: that before it
     bool lacks_memory; ///< something could not be put in
 } clod_changes;
 
@@ -82,6 +84,15 @@ bool clod_new_grain_join(const clod_new_grain *self, clod_grains *to, clod_statu
 /** Grains or walls were put elsewhere: contacts that are open now are forgotten. */
 static inline void clod_changes_moved(clod_changes *self)
 {
+    self->moved = true;
+}
+
+/** The same, and the ledger gets what it does to the energy: from that before the first of them to
+ *  that with the lists of neighbours made anew. */
+static inline void clod_changes_moved_from(clod_changes *self, double energy)
+{
+    self->booked = !self->moved || self->booked;
+    self->energy = self->moved ? self->energy : energy;
     self->moved = true;
 }
 

@@ -70,7 +70,8 @@ static bool rebuild(clod_step *self, const clod_requests *found, clod_status *st
     clod_remake_begin(self, true, 0.0); // the speed is known when all are there
     self->remake.changes = true;
     self->remake.wall_rank = found->wall_rank;
-    self->remake.before = clod_step_balance(self);
+    self->remake.before =
+        state->changes.booked ? state->changes.energy : clod_step_balance(self);
     if (state->changes.moved) {
         clod_wall_rows_update(&self->walls, &state->walls);
     }
@@ -128,8 +129,12 @@ bool clod_step_change(clod_step *self, clod_status *status)
                       is_accepted(self, status) && make_room(self, status) &&
                       rebuild(self, &found, status);
     clod_requests_fini(&found);
-    const bool moved = !good && state->changes.moved; // true when the requests are dropped too
+    const clod_changes moved = {.moved = state->changes.moved,
+                                .booked = state->changes.booked,
+                                .energy = state->changes.energy};
     clod_changes_fini(&state->changes);
-    state->changes.moved = moved;
+    if (!good) { // that stays when the requests are dropped
+        state->changes = moved;
+    }
     return good;
 }

@@ -225,26 +225,47 @@ static bool order_take(clod_crew *self, clod_status *status)
     return good;
 }
 
+/** The bed is in this process alone, with its lists; the whole state is seen. */
+static bool take_back(clod_step *whole, clod_status *status)
+{
+    clod_crew_end(&whole->crew);
+    whole->near.parts = whole->threads;
+    whole->near.ledger = whole->state->ledger.open != 0;
+    clod_wall_rows_update(&whole->walls, &whole->state->walls);
+    return clod_step_build_lists(whole, false, status) || fail(whole, status);
+}
+
+/** Ranks step it again. */
+static bool deal_anew(clod_step *whole, const clod_step_options *options, clod_status *status)
+{
+    return (clod_step_export(whole, status) &&
+            clod_crew_begin(whole, options, false, status)) ||
+           fail(whole, status);
+}
+
 bool clod_crew_change(clod_step *whole, clod_status *status)
 {
     if (can_take(whole)) {
         return order_take(whole->crew, status);
     }
-    if (!clod_crew_see(whole->crew, status)) {
+    const clod_step_options options = whole->crew->options;
+    clod_status of_ranks;
+    if (!clod_crew_see(whole->crew, status) || !take_back(whole, status)) {
         return false;
     }
-    const clod_step_options options = whole->crew->options;
-    clod_crew_end(&whole->crew);
-    whole->near.parts = whole->threads;
-    whole->near.ledger = whole->state->ledger.open != 0;
-    clod_wall_rows_update(&whole->walls, &whole->state->walls);
-    if (!clod_step_build_lists(whole, false, status)) {
-        return fail(whole, status);
+    const bool changed = clod_step_change(whole, status); // what is refused changes nothing
+    if (whole->failed || deal_anew(whole, &options, &of_ranks)) {
+        return changed;
     }
-    return clod_step_change(whole, status) &&
-           ((clod_step_export(whole, status) &&
-             clod_crew_begin(whole, &options, false, status)) ||
-            fail(whole, status));
+    *status = of_ranks;
+    return false;
+}
+
+bool clod_crew_renew(clod_step *whole, clod_status *status)
+{
+    const clod_step_options options = whole->crew->options;
+    return clod_crew_see(whole->crew, status) && take_back(whole, status) &&
+           deal_anew(whole, &options, status);
 }
 
 void clod_crew_store(clod_crew *self, clod_step_stored *sums)

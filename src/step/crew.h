@@ -54,10 +54,13 @@ size_t clod_crew_grains(const clod_crew *self);
  * bed is gathered, changed by rank 0, and dealt anew.
  *
  * @param whole  a step with a crew
- * @return       as clod_step_change; then the crew may be gone, and if the bed could not be dealt
- *               anew the step has failed for good. Threads: rank 0.
+ * @return       as clod_step_change; if the bed could not be dealt anew the step has failed for good
+ *               and the crew may be gone. Threads: rank 0.
  */
 bool clod_crew_change(clod_step *whole, clod_status *status);
+
+/** As clod_step_renew, of a step with a crew; after a failure as clod_crew_change. Threads: rank 0. */
+bool clod_crew_renew(clod_step *whole, clod_status *status);
 
 /** As clod_step_store, of the whole bed. Threads: rank 0. */
 void clod_crew_store(clod_crew *self, clod_step_stored *sums);

@@ -104,9 +104,6 @@ bool clod_step_build_lists(clod_step *self, bool sort, clod_status *status)
     if (!clod_spread_agree(self->spread, clod_near_make(&job, status), status)) {
         return false;
     }
-    if (self->spread != NULL) {
-        self->near.least_skin = clod_spread_least(self->spread, self->near.least_skin);
-    }
     clod_step_begin_motion(self, 0);
     clod_step_list_moving(self);
     clod_step_list_summed(self);

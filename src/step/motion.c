@@ -67,6 +67,19 @@ static clod_kernel_speed drift_own(clod_step *self, clod_chunk rows, bool kick_d
     return seen;
 }
 
+/** What is left of the own skins of own rows among these: the least [m]. */
+static double slack_of_own(const clod_step *self, clod_chunk rows)
+{
+    double least = INFINITY;
+    for (size_t k = 0; k < self->spread->runs; k++) {
+        const clod_chunk run = clod_spread_run(self->spread, k, rows);
+        if (run.begin < run.end) {
+            least = fmin(least, clod_near_slack(&self->near, self->state, run.begin, run.end));
+        }
+    }
+    return least;
+}
+
 void clod_step_drift(clod_step *self, int part)
 {
     clod_grains *grains = &self->state->grains;
@@ -82,6 +95,9 @@ void clod_step_drift(clod_step *self, int part)
     mine->kick_due = true; // this step's second half kick, when its forces are there
     mine->max_speed2 = seen.max_speed2;
     mine->finite = seen.finite;
+    if (mine->look) {
+        mine->slack = slack_of_own(self, c);
+    }
     if (part == 0 &&
         self->spread == NULL) { // else stage ghosts does, when it knows their speed
         clod_step_move_walls(self);

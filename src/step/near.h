@@ -127,6 +127,7 @@ typedef struct clod_near_skins {
     double time;        ///< s, a grain's speed times this
     double least, most; ///< m, and the first added, at most the second
     double wall;        ///< m, the same of walls
+    double largest;     ///< m, radius of the largest grain
 } clod_near_skins;
 
 /** What goes through the making of one list, for all threads. */

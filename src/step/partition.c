@@ -10,8 +10,13 @@
 
 bool clod_partition_init(clod_partition *self, int ranks, clod_status *status)
 {
-    *self = (clod_partition){.ranks = ranks};
-    self->weight = clod_memory_alloc(CLOD_PARTITION_BLOCKS, sizeof *self->weight);
+    const double wanted = (double)CLOD_PARTITION_EACH * ranks;
+    const double most = fmin(fmax(wanted, CLOD_PARTITION_LEAST), CLOD_PARTITION_MOST);
+    const double finer = cbrt(most / CLOD_PARTITION_LEAST);
+    *self = (clod_partition){.ranks = ranks,
+                             .most = (size_t)most,
+                             .across = (int32_t)(CLOD_PARTITION_ACROSS_LEAST * finer)};
+    self->weight = clod_memory_alloc(self->most, sizeof *self->weight);
     self->plane = clod_memory_alloc((size_t)ranks, sizeof *self->plane);
     return (self->weight != NULL && self->plane != NULL) ||
            clod_status_fail(status, CLOD_FAILED, "no memory to cut a bed for %d ranks", ranks);
@@ -31,12 +36,11 @@ void clod_partition_begin(clod_partition *self, const double min[3], const doubl
         self->min[a] = min[a];
     }
     double blocks = INFINITY;
-    for (double width = longest / CLOD_PARTITION_ACROSS; blocks > CLOD_PARTITION_BLOCKS;
-         width *= 1.26) {
+    for (double width = longest / self->across; blocks > (double)self->most; width *= 1.26) {
         blocks = 1.0;
         for (int a = 0; a < 3; a++) {
             const double n = longest > 0.0 ? fmax(floor(length[a] / width), 1.0) : 1.0;
-            self->n[a] = (int32_t)fmin(n, CLOD_PARTITION_ACROSS);
+            self->n[a] = (int32_t)fmin(n, self->across);
             self->width[a] = length[a] / (double)self->n[a];
             blocks *= (double)self->n[a];
         }
@@ -112,14 +116,14 @@ static void blocks_of(const piece *at, int axis, int32_t range[2])
 
 /** Weight in each slice of a piece across an axis; of all. */
 static double weigh(const clod_partition *self, const piece *at, int axis,
-                    double slice[CLOD_PARTITION_ACROSS])
+                    double slice[CLOD_PARTITION_ACROSS_MOST])
 {
     int32_t range[3][2];
     double all = 0.0;
     for (int a = 0; a < 3; a++) {
         blocks_of(at, a, range[a]);
     }
-    memset(slice, 0, CLOD_PARTITION_ACROSS * sizeof *slice);
+    memset(slice, 0, CLOD_PARTITION_ACROSS_MOST * sizeof *slice);
     for (int32_t z = range[2][0]; z < range[2][1]; z++) {
         for (int32_t y = range[1][0]; y < range[1][1]; y++) {
             const double row =
@@ -152,7 +156,7 @@ static int choose_axis(const clod_partition *self, const piece *at, int before)
 }
 
 /** Where a piece has so much of its weight below. */
-static double cut_at(const piece *at, int axis, const double slice[CLOD_PARTITION_ACROSS],
+static double cut_at(const piece *at, int axis, const double slice[CLOD_PARTITION_ACROSS_MOST],
                      double wanted)
 {
     int32_t range[2];
@@ -181,7 +185,7 @@ void clod_partition_cut(clod_partition *self)
         if (ranks == 1) {
             continue;
         }
-        double slice[CLOD_PARTITION_ACROSS];
+        double slice[CLOD_PARTITION_ACROSS_MOST];
         const int lower = ranks / 2, middle = at.first + lower;
         clod_partition_plane *plane = &self->plane[middle];
         const int axis = plane->axis = choose_axis(self, &at, plane->axis);

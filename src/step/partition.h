@@ -16,8 +16,14 @@
 #include "clod/status.h"
 #include "state/domain.h"
 
-/** Most blocks of the grid, and along an axis. */
-enum { CLOD_PARTITION_BLOCKS = 16384, CLOD_PARTITION_ACROSS = 64 };
+/** Blocks of the grid: so many for each rank, but at least and at most; and of these, along an axis. */
+enum {
+    CLOD_PARTITION_EACH = 64,
+    CLOD_PARTITION_LEAST = 16384,
+    CLOD_PARTITION_MOST = 1 << 20,
+    CLOD_PARTITION_ACROSS_LEAST = 64,
+    CLOD_PARTITION_ACROSS_MOST = 256
+};
 
 /** Where a piece of the bed is cut: lower places belong to the lower ranks of the piece. */
 typedef struct clod_partition_plane {
@@ -27,11 +33,13 @@ typedef struct clod_partition_plane {
 
 typedef struct clod_partition {
     int ranks;
+    size_t most;                 ///< blocks
+    int32_t across;              ///< of them, along an axis
     bool exists;                 ///< it has been cut, with some weight
     int32_t n[3];                ///< blocks along each axis, of the last grid
     double min[3];               ///< m
     double width[3];             ///< m, of a block
-    float *weight;               ///< [blocks]
+    float *weight;               ///< [most]
     clod_partition_plane *plane; ///< [ranks] of r > 0: below the upper half that begins with r
     double low[3], high[3];      ///< m, box of all
 } clod_partition;

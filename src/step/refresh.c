@@ -16,15 +16,48 @@
 /** The thinnest skin, as a fraction of the smallest radius: next to no pairs. */
 #define NEAR_LEAST 1e-3
 
-/** Mean speed of the grains [m/s]. */
-static double mean_speed(const clod_grains *grains)
+/** How soon the grains' own skins are checked: when the fastest would use up what was left in so
+ *  many steps. */
+#define AHEAD 1.1
+
+/** What skins follow from; with several ranks that of all, so that all choose the same. */
+typedef struct bed_sums {
+    double speeds; ///< m/s, of all grains
+    double grains, pairs;
+    double smallest, largest; ///< m, radius
+    double fastest;           ///< m/s, grain or point of a wall
+} bed_sums;
+
+static void merge_sums(const void *context, void *into, const void *from)
 {
-    double sum = 0.0;
+    (void)context;
+    bed_sums *mine = into;
+    const bed_sums *other = from;
+    mine->speeds += other->speeds;
+    mine->grains += other->grains;
+    mine->pairs += other->pairs;
+    mine->smallest = fmin(mine->smallest, other->smallest);
+    mine->largest = fmax(mine->largest, other->largest);
+    mine->fastest = fmax(mine->fastest, other->fastest);
+}
+
+static bed_sums sum_up(const clod_step *self, double fastest)
+{
+    const clod_grains *grains = &self->state->grains;
+    const clod_neighbour *wide = &self->neighbour;
+    bed_sums sums = {.grains = (double)grains->count,
+                     .pairs = (double)wide->pairs.count + WALL_COST * (double)wide->walls.count,
+                     .smallest = wide->radius_min,
+                     .largest = wide->radius_max,
+                     .fastest = fastest};
     for (size_t g = 0; g < grains->count; g++) {
         const double *v = grains->velocity[g];
-        sum += sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        sums.speeds += sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }
-    return sum / fmax((double)grains->count, 1.0);
+    if (self->spread != NULL) {
+        clod_ranks_merge(self->spread->ranks, &sums, sizeof sums, merge_sums, NULL);
+    }
+    return sums;
 }
 
 /** Fastest speed of any point of a wall [m/s]. */
@@ -39,21 +72,21 @@ static double wall_speed(const clod_walls *walls)
 
 clod_near_skins clod_step_skins(const clod_step *self, double speed)
 {
-    const clod_neighbour *wide = &self->neighbour;
-    const double pairs = (double)wide->pairs.count + WALL_COST * (double)wide->walls.count;
-    const double grains = (double)self->state->grains.count;
-    const double some = SUDDEN * speed;
-    const double typical = mean_speed(&self->state->grains) + some;
+    const double skin = self->neighbour.skin;
+    const bed_sums bed = sum_up(self, speed);
+    const double some = SUDDEN * bed.fastest;
+    const double typical = bed.speeds / fmax(bed.grains, 1.0) + some;
     // pairs within a skin are taken to grow with it
-    const double time = typical > 0.0 ? sqrt(LIST_COST * grains * self->state->dt * wide->skin /
-                                             (2.0 * typical * fmax(pairs, 1.0)))
+    const double time = typical > 0.0 ? sqrt(LIST_COST * bed.grains * self->state->dt * skin /
+                                             (2.0 * typical * fmax(bed.pairs, 1.0)))
                                       : 0.0;
-    const double least = 0.5 * NEAR_LEAST * wide->radius_min, most = 0.5 * wide->skin;
+    const double least = 0.5 * NEAR_LEAST * bed.smallest, most = 0.5 * skin;
     const double walls = WALL_SUDDEN * time * wall_speed(&self->state->walls);
     return (clod_near_skins){.time = time,
                              .least = fmin(fmax(least, time * some), most),
                              .most = most,
-                             .wall = fmin(fmax(least, walls), most)};
+                             .wall = fmin(fmax(least, walls), most),
+                             .largest = bed.largest};
 }
 
 void clod_step_begin_motion(clod_step *self, int part)
@@ -61,6 +94,7 @@ void clod_step_begin_motion(clod_step *self, int part)
     clod_step_thread *mine = &self->thread[part];
     mine->near_motion = mine->wall_motion = 0.0;
     mine->near_slack = self->near.least_skin;
+    mine->look = false;
 }
 
 /** The least that is left of a skin on any rank, to that of thread 0. */
@@ -76,8 +110,8 @@ static void least_of_ranks(clod_step *self, int part)
     clod_barrier_wait(&self->barrier);
 }
 
-/** Whether a grain or a wall has moved by more than its skin; each thread checks its grains. */
-static bool is_used_up(clod_step *self, int part)
+/** Look what is left of all skins; each thread checks its grains. */
+static void look_now(clod_step *self, int part)
 {
     clod_step_thread *mine = &self->thread[part];
     const clod_chunk parts = clod_threads_chunk((size_t)self->near.parts, part, self->threads);
@@ -91,6 +125,20 @@ static bool is_used_up(clod_step *self, int part)
     mine->near_slack = self->near.wall_skin - mine->wall_motion;
     for (int t = 0; t < self->threads; t++) {
         mine->near_slack = fmin(mine->near_slack, self->thread[t].slack);
+    }
+}
+
+/** Whether a grain or a wall has moved by more than its skin. Ranks that have looked in drift know it
+ *  since stage ghosts; where something got fast at once they ask each other here. */
+static bool is_used_up(clod_step *self, int part)
+{
+    clod_step_thread *mine = &self->thread[part];
+    if (mine->look) {
+        mine->near_motion = 0.0;
+        mine->near_slack =
+            fmin(self->thread[0].slack, self->near.wall_skin - mine->wall_motion);
+    } else if (mine->near_motion > mine->near_slack) {
+        look_now(self, part);
     }
     return mine->near_slack < 0.0;
 }
@@ -116,14 +164,15 @@ void clod_step_near(clod_step *self, int part)
     if (!finite || grains == 0) { // what is not finite cannot be sorted; the next change makes
         return;                   // lists of grains that come
     }
-    if (!again && (mine->near_motion <= mine->near_slack || !is_used_up(self, part))) {
-        return;
+    if (again || is_used_up(self, part)) {
+        if (part == 0) {
+            clod_remake_begin(self, again, speed);
+        }
+        clod_barrier_wait(&self->barrier);
+        clod_remake_lists(self, part);
+        clod_step_begin_motion(self, part);
+        mine->build_motion = again ? 0.0 : mine->build_motion;
     }
-    if (part == 0) {
-        clod_remake_begin(self, again, speed);
-    }
-    clod_barrier_wait(&self->barrier);
-    clod_remake_lists(self, part);
-    clod_step_begin_motion(self, part);
-    mine->build_motion = again ? 0.0 : mine->build_motion;
+    const double next = mine->near_motion + AHEAD * speed * self->state->dt;
+    mine->look = self->spread != NULL && next > mine->near_slack;
 }

@@ -144,14 +144,18 @@ static bool find_candidates(clod_step *self)
 static void join(clod_step *self, int part)
 {
     (void)part;
-    self->failed = self->remake.again && !find_candidates(self);
-    if (!self->failed) {
-        if (self->remake.again && self->spread != NULL) {
-            clod_spread_leave_out(self->spread, &self->neighbour, self->state->grains.count);
-        }
-        self->remake.job = job_of(self);
-        self->failed = !clod_near_begin(&self->remake.job, &self->status);
+    self->failed = !find_candidates(self);
+    if (!self->failed && self->spread != NULL) {
+        clod_spread_leave_out(self->spread, &self->neighbour, self->state->grains.count);
     }
+}
+
+/** Which candidates are near is looked at next. */
+static void begin_list(clod_step *self, int part)
+{
+    (void)part;
+    self->remake.job = job_of(self);
+    self->failed = !clod_near_begin(&self->remake.job, &self->status);
 }
 
 /** Shapes of walls that move, where they are now: until now only those with grains near. At a
@@ -226,9 +230,6 @@ static void end(clod_step *self, int part)
     (void)part;
     self->neighbour.now = false;
     clod_near_end(&self->remake.job);
-    if (self->spread != NULL) { // ranks look together
-        self->near.least_skin = clod_spread_least(self->spread, self->near.least_skin);
-    }
     clod_step_list_summed(self);
     clod_step_set_view(self);
     if (self->remake.changes || self->remake.left) {
@@ -262,7 +263,8 @@ static const list_phase PHASES[] = {
     {.run = add_cells, .rebuild = true},
     {.run = enter_cells, .all = true, .rebuild = true},
     {.run = search, .all = true, .rebuild = true},
-    {.run = join},
+    {.run = join, .rebuild = true},
+    {.run = begin_list},
     {.run = allow, .all = true},
     {.run = mark, .all = true},
     {.run = cut},

@@ -28,10 +28,9 @@ bool clod_spread_init(clod_spread *self, clod_ranks *ranks, int32_t walls, clod_
          self->wear_begin != NULL && ghosts->out_start != NULL && ghosts->in_start != NULL &&
          ghosts->message != NULL) ||
         clod_status_fail(status, CLOD_FAILED, "no memory for %d ranks", ranks->size);
-    const size_t blocks = CLOD_PARTITION_BLOCKS * sizeof *self->partition.weight;
-    return clod_ranks_agree(ranks,
-                            good && clod_partition_init(&self->partition, ranks->size, status),
-                            status) &&
+    const bool cuts = good && clod_partition_init(&self->partition, ranks->size, status);
+    const size_t blocks = self->partition.most * sizeof *self->partition.weight;
+    return clod_ranks_agree(ranks, cuts, status) &&
            clod_ranks_reserve(ranks, blocks > sums ? blocks : sums, status);
 }
 

@@ -165,6 +165,7 @@ bool clod_step_advance(clod_step *self, int64_t steps, clod_status *status)
         self->thread[t].near_motion = self->thread[0].near_motion;
         self->thread[t].near_slack = self->thread[0].near_slack;
         self->thread[t].wall_motion = self->thread[0].wall_motion;
+        self->thread[t].look = self->thread[0].look;
         self->thread[t].late = self->thread[t].noted = false;
     }
     self->trouble.any = false;
@@ -303,6 +304,11 @@ bool clod_step_see_near(clod_step *self, const clod_domain_box *box, int count,
 bool clod_step_see_gone(clod_step *self, clod_status *status)
 {
     return self->crew == NULL || clod_crew_see_gone(self->crew, status);
+}
+
+bool clod_step_renew(clod_step *self, clod_status *status)
+{
+    return self->crew == NULL || clod_crew_renew(self, status);
 }
 
 size_t clod_step_grains(const clod_step *self)

@@ -65,6 +65,7 @@ typedef struct clod_step_thread {
     double wall_motion; ///< m, bound of walls' motion since the last near list
     double wall_speed;  ///< m/s, fastest of walls in this step (thread 0)
     double slack;       ///< m, least left of the own skins of its grains now
+    bool look;          ///< with ranks: these are checked in the next step, see stage drift
     bool finite;        ///< its grains' numbers
     bool all_finite;    ///< those of all threads in this step
     bool excess;        ///< an overlap beyond the laws' range, with its contacts in this step
@@ -246,6 +247,15 @@ bool clod_step_see_near(clod_step *self, const clod_domain_box *box, int count,
 
 /** The same of the list of grains that have left (state->gone). */
 bool clod_step_see_gone(clod_step *self, clod_status *status);
+
+/**
+ * Somebody has changed grains or shapes of walls in the state, which was seen: ranks get the bed
+ * anew, with its lists of neighbours as of the last rebuild; one process has nothing to do.
+ *
+ * @return  false: no memory; then the step has failed for good
+ * Errors  CLOD_FAILED.   Threads  one per state.   Test  tests/sim/test_sim_ranks.c
+ */
+bool clod_step_renew(clod_step *self, clod_status *status);
 
 /**
  * The bed as one that can be asked for sums at this moment, wherever its grains are.

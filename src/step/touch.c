@@ -220,13 +220,31 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
     }
 }
 
-/** The facet nearest to a point, of those of a site. */
+/** The first facet of a plane's that holds a point of it; -1: none does. */
+static int32_t holding_facet(const clod_surface_facet *facet, size_t count, clod_vec3 at)
+{
+    uint32_t first = UINT32_MAX;
+    for (size_t k = 0; k < count; k++) {
+        if (facet[k].number < first && clod_surface_facet_holds(&facet[k], at)) {
+            first = facet[k].number;
+        }
+    }
+    return first == UINT32_MAX ? -1 : (int32_t)first;
+}
+
+/** The facet nearest to a point, of those of a site, which lie in one plane. */
 static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site *site,
                              clod_vec3 from)
 {
     const clod_surface_facet *facet = part->facet + site->facet;
     if (site->facets == 1) {
         return (int32_t)facet->number;
+    }
+    const double height = clod_surface_facet_height(facet, from);
+    const clod_vec3 foot = clod_vec3_axpy(from, -height, facet->normal);
+    const int32_t holding = holding_facet(facet, site->facets, foot);
+    if (holding >= 0) {
+        return holding;
     }
     double least = INFINITY;
     size_t nearest = 0;

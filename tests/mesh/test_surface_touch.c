@@ -4,6 +4,7 @@
 
 #include "mesh/mesh_maker.h"
 #include "mesh/surface_touch.h"
+#include "support/dice.h"
 
 #define SMOOTH (20.0 * M_PI / 180.0)
 #define MOST 65536
@@ -101,6 +102,66 @@ static void a_plane_is_one_contact_however_it_is_cut(void **state)
         assert_int_equal(surface->plane_count, 1);
         assert_int_equal(surface->patch_count, 1);
         expect_plane(surface, k < 3 ? 0.2 : 0.02);
+        clod_surface_release(surface);
+    }
+}
+
+/** A place of the square, turned about two axes, as floats have it. */
+static void turned(const double axes[3][3], double x, double y, float to[3])
+{
+    for (int a = 0; a < 3; a++) {
+        to[a] = (float)(x * axes[0][a] + y * axes[1][a]);
+    }
+}
+
+/** The square of n x m parts, each of the columns of which may be cut at other places: T-junctions. */
+static void turned_square(maker *made, const double axes[3][3], int n, int m, bool random)
+{
+    dice roll = {3};
+    for (int i = 0; i < n; i++) {
+        const double x[2] = {-1.0 + 2.0 * i / n, -1.0 + 2.0 * (i + 1) / n};
+        double below = -1.0;
+        for (int j = 0; j < m; j++) {
+            const double step = random ? dice_real(&roll, 0.2, 0.8) : 0.0;
+            const double above = j + 1 == m ? 1.0 : -1.0 + 2.0 * (j + 0.5 + step) / m;
+            const double to = random ? above : -1.0 + 2.0 * (j + 1) / m;
+            float corner[4][3];
+            turned(axes, x[0], below, corner[0]);
+            turned(axes, x[1], below, corner[1]);
+            turned(axes, x[1], to, corner[2]);
+            turned(axes, x[0], to, corner[3]);
+            quad(made, corner[0], corner[1], corner[2], corner[3]);
+            below = to;
+        }
+    }
+}
+
+/** A plane whose corners floats do not hold exactly is where it is, however it is cut: a sliver of 0.2 mm turns
+ *  by 3e-4 with the last digit of a float, all of them together by 6e-8. */
+static void a_plane_aslant_is_where_it_is_however_it_is_cut(void **state)
+{
+    (void)state;
+    const double c = cos(35.0 * M_PI / 180.0), s = sin(35.0 * M_PI / 180.0);
+    const double d = cos(19.0 * M_PI / 180.0), t = sin(19.0 * M_PI / 180.0);
+    const double axes[3][3] = {{c, s * t, -s * d}, {0.0, d, t}, {s, -c * t, c * d}};
+    static const int CUTS[][2] = {{1, 1}, {10, 10}, {10000, 1}, {1, 10000}, {20, 10}};
+    for (size_t k = 0; k < sizeof CUTS / sizeof *CUTS; k++) {
+        maker *made = maker_new();
+        turned_square(made, axes, CUTS[k][0], CUTS[k][1], k == 4);
+        clod_surface *surface = surface_of(made);
+        assert_int_equal(surface->patch_count, 1);
+        for (int g = 0; g < 400; g++) {
+            const double x = 0.6 * sin(0.37 * g), y = 0.6 * cos(0.71 * g), z = 0.0199;
+            const clod_vec3 p = {x * axes[0][0] + y * axes[1][0] + z * axes[2][0],
+                                 x * axes[0][1] + y * axes[1][1] + z * axes[2][1],
+                                 x * axes[0][2] + y * axes[1][2] + z * axes[2][2]};
+            const clod_surface_hit *contact[8];
+            assert_int_equal(contacts_of(surface, p, 0.02, contact), 1);
+            check_close(contact[0]->at.distance, z, 1e-6);
+            check_close(contact[0]->at.direction.x, axes[2][0], 1e-6);
+            check_close(contact[0]->at.direction.y, axes[2][1], 1e-6);
+            check_close(contact[0]->at.direction.z, axes[2][2], 1e-6);
+        }
         clod_surface_release(surface);
     }
 }
@@ -311,6 +372,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_plane_is_one_contact_however_it_is_cut),
+        cmocka_unit_test(a_plane_aslant_is_where_it_is_however_it_is_cut),
         cmocka_unit_test(t_junctions_are_seams),
         cmocka_unit_test(a_ridge_pushes_once),
         cmocka_unit_test(a_groove_pushes_from_each_side),

@@ -199,6 +199,31 @@ static void an_event_is_written_once(void **folder)
     json_decref(last);
 }
 
+/** Lines of another process come whole, and once they are there. */
+static void a_log_can_be_collected_and_appended(void **folder)
+{
+    clod_status status;
+    clod_bytes lines = {0};
+    clod_eventlog *log = open_log(folder), *other = clod_eventlog_collect(&lines);
+    clod_eventlog_write(log, "first", NULL);
+    clod_eventlog_write(other, "far", "{s:i}", "rank", 3);
+    clod_eventlog_write_once(other, "far too", json_pack("{s:i}", "rank", 4));
+    assert_null(line(folder, 1));
+    assert_true(clod_eventlog_close(&other, &status));
+    clod_eventlog_append(log, lines.data, lines.count);
+    clod_eventlog_append(NULL, lines.data, lines.count);
+    clod_eventlog_write(log, "last", NULL);
+    assert_true(clod_eventlog_close(&log, &status));
+    static const char *const EVENTS[] = {"first", "far", "far too", "last"};
+    for (int k = 0; k < 4; k++) {
+        json_t *found = line(folder, k);
+        assert_string_equal(json_string_value(json_object_get(found, "event")), EVENTS[k]);
+        json_decref(found);
+    }
+    assert_null(line(folder, 4));
+    clod_bytes_fini(&lines);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -210,6 +235,7 @@ int main(void)
         FOLDER_TEST(a_full_disk_is_told_at_the_end),
         FOLDER_TEST(no_log_is_fine),
         FOLDER_TEST(a_log_is_not_written_through_a_link),
+        FOLDER_TEST(a_log_can_be_collected_and_appended),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,6 +12,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 import clod
+from mpirun import MPIRUN
 
 RAIN = clod.source("tests/parallel/rain.yaml")
 STREAM = clod.source("tests/parallel/stream.yaml")
@@ -20,8 +21,6 @@ LAYERS = clod.source("tests/parallel/layers.yaml")
 SMALL = clod.source("tests/support/small.yaml")
 RING = clod.source("tests/restart/ring.yaml")
 UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
-MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "--mca",
-          "mpi_yield_when_idle", "1", "--mca", "btl", "self,vader", "-n"]
 
 
 def start(ranks, *arguments):

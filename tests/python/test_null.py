@@ -55,7 +55,8 @@ class Status(ctypes.Structure):
 
 
 class SimOptions(ctypes.Structure):
-    _fields_ = [("threads", ctypes.c_int), ("simd", ctypes.c_char_p)]
+    _fields_ = [("threads", ctypes.c_int), ("simd", ctypes.c_char_p),
+                ("each_process", ctypes.c_bool), ("ranks", ctypes.c_void_p)]
 
 
 class Argument:
@@ -97,7 +98,7 @@ class Door:
                               ctypes.c_size_t(0), ctypes.byref(status))
         assert self.case, status.text.decode()
         self.sim = self.make("clod_sim_create", ctypes.c_void_p(self.case),
-                             ctypes.byref(SimOptions(1, None)), ctypes.byref(status))
+                             ctypes.byref(SimOptions(1, None, False, None)), ctypes.byref(status))
         assert self.sim, status.text.decode()
 
     def make(self, name, *arguments):

@@ -1,14 +1,17 @@
 // What makes a run the same run: text against text, both written by hand.
 
+#include <glob.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <cmocka.h>
 
 #include "base/memory.h"
+#include "config/testers.h"
 #include "sim/identity.h"
 
 #define HEAD "# The complete case\ntitle: \"a\"\nstages:\n  - name: \"output:\"\n"
@@ -63,11 +66,54 @@ static void the_grain_file_that_differs_is_named(void **state)
     assert_null(clod_identity_changed_file(&from, BEFORE, BEFORE));
 }
 
+/** Groups of ranks read the complete case (sim/group.h): it is a case with that complete text. */
+static void a_complete_case_is_complete(void **state)
+{
+    (void)state;
+    static const char *const PATTERNS[] = {"cases/*/case.yaml",
+                                           "cases/calibrate-kadh/ring.yaml", "tests/cli/*.yaml",
+                                           "tests/restart/ring.yaml", "tests/parallel/*.yaml"};
+    size_t read = 0;
+    for (size_t k = 0; k < sizeof PATTERNS / sizeof *PATTERNS; k++) {
+        glob_t found;
+        char pattern[512];
+        snprintf(pattern, sizeof pattern, "%s/%s", CLOD_SOURCE_DIR, PATTERNS[k]);
+        assert_int_equal(glob(pattern, 0, NULL, &found), 0);
+        for (size_t f = 0; f < found.gl_pathc; f++) {
+            clod_status status;
+            clod_case *first = clod_case_load(found.gl_pathv[f], NULL, 0, &status);
+            if (first == NULL || clod_case_tester(first) == NULL) { // it has no parts
+                clod_case_destroy(&first);
+                continue;
+            }
+            char *complete = clod_identity_complete(first, &status);
+            if (complete == NULL) {
+                fail_msg("%s", status.text);
+            }
+            clod_case *second = clod_case_parse(found.gl_pathv[f], complete, strlen(complete),
+                                                NULL, 0, &status);
+            if (second == NULL) {
+                fail_msg("%s", status.text);
+            }
+            char *again = clod_identity_complete(second, &status);
+            assert_string_equal(again, complete);
+            clod_memory_free(again);
+            clod_memory_free(complete);
+            clod_case_destroy(&first);
+            clod_case_destroy(&second);
+            read++;
+        }
+        globfree(&found);
+    }
+    assert_true(read >= 10);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(keys_of_output_that_change_no_bit_are_left_out),
         cmocka_unit_test(the_grain_file_that_differs_is_named),
+        cmocka_unit_test(a_complete_case_is_complete),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include "measure/mixing_grid.h"
 #include "measure/repose.h"
 #include "measure/stock.h"
+#include "measure/strength_grid.h"
 #include "step/crew_part.h"
 
 #include "support/bed.h"
@@ -33,6 +34,7 @@ typedef struct told {
     clod_repose_angle repose;
     double center[2];
     clod_stock stock[3];
+    clod_strength_cell strength[POINTS];
 } told;
 
 typedef struct surveyed_bed {
@@ -74,6 +76,14 @@ static void ask_stock(const clod_survey *survey, told *to)
     assert_true(clod_stock_take(to->stock, 3, survey, &status));
 }
 
+static void ask_strength(const clod_survey *survey, told *to)
+{
+    clod_status status = {0};
+    const clod_strength_grid grid = {
+        .low = {-0.02, -0.02, -0.02}, .edge = EDGE, .cells = {GRID, GRID, GRID}};
+    assert_true(clod_strength_grid_add(&grid, survey, to->strength, &status));
+}
+
 static void ask(clod_step *step, told *to)
 {
     clod_status status = {0};
@@ -89,6 +99,7 @@ static void ask(clod_step *step, told *to)
     ask_gauges(&survey, to);
     ask_fields(&survey, to);
     ask_stock(&survey, to);
+    ask_strength(&survey, to);
     assert_true(clod_mixing_grid_count(&mixing, &survey, to->mixing, &status));
     assert_true(clod_repose_center(&BOX, &survey, to->center, &status));
     memcpy(heap.center, to->center, sizeof heap.center);
@@ -138,6 +149,13 @@ static void check_full(const told looks[LOOKS], bool walls)
     assert_true(of->region[CLOD_CONTINUUM_MASS] > 0.0);
     assert_true(of->region[CLOD_CONTINUUM_CONTACT] != 0.0);
     assert_true(of->region[CLOD_CONTINUUM_PARTNERS] > 0.0);
+    int64_t contacts = 0;
+    double pressed = 0.0;
+    for (int k = 0; k < POINTS; k++) {
+        contacts += of->strength[k].contacts;
+        pressed = fmax(pressed, of->strength[k].most_pressed);
+    }
+    assert_true(contacts > 20 && contacts < (int64_t)of->contacts.pairs && pressed > 0.0);
     assert_true(of->repose.height > 0.0 && of->stock[2].count > 10.0);
 }
 
@@ -154,6 +172,7 @@ static void check_same(const told *one, const told *other)
     assert_memory_equal(&one->repose, &other->repose, sizeof one->repose);
     assert_memory_equal(one->center, other->center, sizeof one->center);
     assert_memory_equal(one->stock, other->stock, sizeof one->stock);
+    assert_memory_equal(one->strength, other->strength, sizeof one->strength);
 }
 
 static void compare(surveyed_bed how)

@@ -9,10 +9,9 @@ import time
 import unittest
 
 import clod
+from mpirun import MPIRUN
 
 SLIT = clod.source("tests/parallel/slit.yaml")
-MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "--mca",
-          "mpi_yield_when_idle", "1", "--mca", "btl", "self,vader", "-n"]
 OFTEN = ("--set", "output.checkpoint_interval=0.05 s")
 SEED = int(os.environ.get("CLOD_TEST_SEED", time.time_ns() % 1000000))
 

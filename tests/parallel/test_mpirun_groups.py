@@ -1,0 +1,134 @@
+"""Parts of a test on groups of ranks: the files of one process, and one end for all.
+
+What `clod run` does with seeds and points when there are several ranks (docs/ranks.md).
+"""
+
+import os
+import re
+import signal
+import sys
+import unittest
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import clod
+import mpirun
+
+RING = clod.source("tests/restart/ring.yaml")
+UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
+SHORT = ("--set", "ring_shear.preshear_min=2 mm", "--set", "ring_shear.preshear_max=4 mm")
+SEEDS = ("--set", "ring_shear.seeds=2")
+PARTS = [f"seed-{seed}-{part}" for seed in (7, 8)
+         for part in ("preshear", "reverse", "point-1", "point-2")]
+
+
+def without_clock(report):
+    return re.sub(r"\d+ s of work", "", report)
+
+
+def run(ranks, *arguments):
+    return mpirun.run(ranks, clod.BINARY, "run", *arguments)
+
+
+@unittest.skipUnless(os.environ.get("CLOD_MPI") == "1", "clod was built without MPI")
+@clod.quick_only
+class Groups(clod.Case):
+
+    def alone(self, case, *options):
+        out = self.path("one")
+        done = clod.run("run", case, "-o", out, "--threads", "1", *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return out, done
+
+    def assert_same(self, numbers, parts, case, *options):
+        one, alone = self.alone(case, *options)
+        for ranks in numbers:
+            out = self.path(f"ranks-{ranks}")
+            done = run(ranks, case, "-o", out, *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(without_clock(done.stdout), without_clock(alone.stdout))
+            self.assert_same_end(one, out, parts)
+            self.assert_same_events(one, out)
+
+    def assert_same_events(self, one, other):
+        """The log has the events of every part, whoever had them."""
+        def events(folder):
+            return sorted((event["event"], event.get("part", ""), event.get("step", 0),
+                           event.get("contacts", 0)) for event in clod.log(folder)
+                          if "part" in event)
+        self.assertEqual(events(one), events(other))
+
+    def test_seeds_and_points(self):
+        self.assert_same((2, 3, 5), PARTS, RING, *SHORT, *SEEDS)
+
+    def start(self, ranks, out, *options):
+        process = mpirun.start(ranks, clod.BINARY, "run", RING, "-o", out, *SEEDS, *options)
+
+        def both_run():
+            tables = [f"{out}/seed-{seed}-preshear.csv" for seed in (7, 8)]
+            return all(os.path.exists(table) and clod.read(table).count(b"\n") > 3
+                       for table in tables)
+        self.assertTrue(clod.wait_until(both_run, process))
+        return process
+
+    def test_a_signal_to_rank_0_stops_all_parts(self):
+        one, _ = self.alone(RING, *SHORT, *SEEDS)
+        out = self.path("several")
+        process = self.start(4, out, *SHORT)
+        with open(f"{out}/.clod-lock") as lock:
+            os.kill(int(lock.read()), signal.SIGTERM)
+        _, error = process.communicate(timeout=600)
+        self.assertEqual(process.returncode, 143, error)
+        self.assertIn("the same command goes on", error)
+        stopped = [event["part"] for event in clod.log(out) if event["event"] == "stopped"]
+        self.assertEqual(sorted(stopped), ["seed-7-preshear", "seed-8-preshear"])
+        done = run(3, RING, "-o", out, *SHORT, *SEEDS)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_same_end(one, out, PARTS)
+        resumed = [event["part"] for event in clod.log(out) if event["event"] == "resume"]
+        self.assertIn("seed-8-preshear", resumed)
+
+    def test_a_request_to_save_reaches_all_parts(self):
+        out = self.path("several")
+        process = self.start(2, out)
+        with open(f"{out}/.clod-lock") as lock:
+            rank = int(lock.read())
+        os.kill(rank, signal.SIGUSR1)
+
+        def saved():
+            return {name.split("-at-")[0] for name in os.listdir(out) if "-at-" in name}
+        self.assertTrue(clod.wait_until(lambda: len(saved()) == 2, process))
+        os.kill(rank, signal.SIGTERM)
+        process.communicate(timeout=600)
+        self.assertEqual(saved(), {"restart-seed-7-preshear", "restart-seed-8-preshear"})
+
+    def test_a_part_of_another_group_that_fails(self):
+        """The second seed has its grains too near for its overlap limit; what is said is what one process
+        says."""
+        out, alone = self.path("several"), self.path("one")
+        options = (*SHORT, *SEEDS, "--set", "time.overlap_limit=0.1 %")
+        one = clod.run("run", RING, "-o", alone, "--threads", "1", *options)
+        done = run(2, RING, "-o", out, *options)
+        self.assertEqual((one.returncode, done.returncode), (1, 1), one.stderr)
+        self.assertIn(one.stderr.splitlines()[-1], done.stderr)
+
+    def test_a_folder_that_is_in_the_way(self):
+        out = self.path("taken")
+        with open(out, "w") as file:
+            file.write("mine")
+        done = run(3, RING, "-o", out, *SEEDS)
+        self.assertEqual(done.returncode, 2, done.stderr)
+
+    def test_a_time_limit(self):
+        out = self.path("limited")
+        done = run(2, RING, "-o", out, *SEEDS, "--time-limit", "2 s",
+                   "--set", "ring_shear.preshear_min=1 m", "--set", "ring_shear.preshear_max=2 m")
+        self.assertEqual(done.returncode, 143, done.stderr)
+        stopped = [event["part"] for event in clod.log(out) if event["event"] == "stopped"]
+        self.assertEqual(sorted(stopped), ["seed-7-preshear", "seed-8-preshear"])
+
+    def test_points_of_a_uniaxial_test(self):
+        self.assert_same((2, 3), ("fill", "stress-1", "stress-2"), UNIAXIAL)
+
+
+if __name__ == "__main__":
+    clod.main()
