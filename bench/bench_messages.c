@@ -349,7 +349,7 @@ static void *room(size_t count, size_t size)
 static void begin(bench *self)
 {
     clod_status status = {0};
-    if (!clod_ranks_mpi_open(&self->ranks, &status)) {
+    if (!clod_ranks_mpi_open(&self->ranks, NULL, &status)) {
         fail(status.text);
     }
     if (self->ranks.size < 2) {
