@@ -78,10 +78,11 @@ target_sources(test_duration PRIVATE app/duration.c)
 target_include_directories(test_duration PRIVATE app)
 
 # They let calls for memory fail, or look at them.
-foreach(name test_sim_memory test_ranks_memory test_ranks_slabs)
+foreach(name test_sim_memory test_ranks_memory test_ranks_slabs test_deal)
   target_link_options(${name} PRIVATE -Wl,--wrap=aligned_alloc)
 endforeach()
 target_link_options(test_ranks_memory PRIVATE -Wl,--wrap=clod_spread_cut)
+target_link_options(test_deal PRIVATE -Wl,--wrap=free)
 
 # examples/NAME.c: each says on its last line what it found beside what should be, and fails when
 # they differ. tools/check-library builds them as users do.

@@ -10,6 +10,7 @@
 #include "output/checkpoint_columns.h"
 #include "output/checkpoint_contacts.h"
 #include "output/checkpoint_file.h"
+#include "output/checkpoint_give.h"
 #include "output/checkpoint_walls.h"
 #include "output/folder_files.h"
 #include "output/hdf.h"
@@ -147,35 +148,44 @@ bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const cl
     return clod_folder_draft_end(&draft, good, status);
 }
 
-/** Make room for the rows of the file and set the counts. */
+/** Forget what is not in the file, and make room for what there is of walls. */
 static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
 {
-    const size_t grains = clod_hdf_rows(hdf, "grains/id");
-    const size_t contacts = clod_hdf_rows(hdf, "contacts/shape");
-    if (!clod_limits_contacts(contacts, status) ||
-        !clod_grains_reserve(&state->grains, grains, status) ||
-        (clod_hdf_rows(hdf, "grains/clump_since") > 0 &&
-         !clod_grains_keep_clumps(&state->grains, status))) {
-        return false;
-    }
     clod_memory_free(state->build_position);
     clod_memory_free(state->build_walls);
     clod_memory_free(state->contacts);
     state->build_position = NULL;
     state->build_walls = NULL;
     state->contacts = NULL;
+    state->grains.count = 0;
+    state->contact_count = state->contact_capacity = state->wall_contact_count = 0;
+    if (clod_hdf_rows(hdf, "walls/build_angle") > 0) { // without grains: no rows
+        state->build_walls =
+            clod_memory_alloc((size_t)state->walls.count, sizeof *state->build_walls);
+        if (state->build_walls == NULL) {
+            return clod_status_fail(status, CLOD_FAILED, "No memory for %d walls.",
+                                    (int)state->walls.count);
+        }
+    }
+    return clod_hdf_rows(hdf, "grains/clump_since") == 0 ||
+           clod_grains_keep_clumps(&state->grains, status);
+}
+
+/** Make room for the rows of the file and set the counts. */
+static bool make_rows(clod_hdf *hdf, clod_state *state, clod_status *status)
+{
+    const size_t grains = clod_hdf_rows(hdf, "grains/id");
+    const size_t contacts = clod_hdf_rows(hdf, "contacts/shape");
+    if (!clod_limits_contacts(contacts, status) ||
+        !clod_grains_reserve(&state->grains, grains, status)) {
+        return false;
+    }
     state->grains.count = grains;
     state->contact_count = contacts;
     state->contact_capacity = contacts;
     bool good = true;
-    const bool walls = clod_hdf_rows(hdf, "walls/build_angle") > 0;
-    if (walls || clod_hdf_rows(hdf, "grains/build_position") > 0) { // without grains: no rows
+    if (state->build_walls != NULL || clod_hdf_rows(hdf, "grains/build_position") > 0) {
         good = clod_state_reserve_build(state);
-    }
-    if (walls) {
-        state->build_walls =
-            clod_memory_alloc((size_t)state->walls.count, sizeof *state->build_walls);
-        good = good && state->build_walls != NULL;
     }
     if (contacts > 0) {
         state->contacts = clod_memory_alloc(contacts, sizeof *state->contacts);
@@ -185,20 +195,43 @@ static bool make_room(clod_hdf *hdf, clod_state *state, clod_status *status)
                                     "No memory for a checkpoint of %zu grains.", grains);
 }
 
-/** Read every column and part but the contacts. */
+/** Read every column and part but those of grains and contacts. */
 static void get_columns(clod_hdf *hdf, const clod_state *state,
-                        const clod_checkpoint_part *parts, size_t part_count)
+                        const clod_checkpoint_wanted *wanted)
 {
     clod_checkpoint_columns columns;
     clod_checkpoint_columns_list(&columns, state);
     clod_checkpoint_columns_get(&columns, hdf);
-    clod_checkpoint_columns_of_grains(&columns, state);
-    clod_checkpoint_columns_get(&columns, hdf);
-    for (size_t p = 0; p < part_count; p++) {
+    for (size_t p = 0; p < wanted->part_count; p++) {
         char name[NAME_MAX];
-        const clod_hdf_column part = part_column(&parts[p], name);
+        const clod_hdf_column part = part_column(&wanted->parts[p], name);
         clod_hdf_get(hdf, &part);
     }
+}
+
+/** Read grains and contacts into the state. */
+static bool get_bed(clod_hdf *hdf, clod_state *state, const char *path, clod_status *status)
+{
+    clod_checkpoint_columns columns;
+    if (!make_rows(hdf, state, status)) {
+        return false;
+    }
+    clod_checkpoint_columns_of_grains(&columns, state);
+    clod_checkpoint_columns_get(&columns, hdf);
+    return clod_checkpoint_contacts_get(hdf, state, path, status);
+}
+
+/** Grains and contacts, to who takes them, or into the state. */
+static bool get_or_give(clod_hdf *hdf, clod_state *state, const clod_bed_taker *taker,
+                        const char *path, clod_status *status)
+{
+    bool takes = false;
+    if (taker != NULL && !clod_hdf_has_failed(hdf) &&
+        !taker->begin(taker->context, state, clod_hdf_rows(hdf, "grains/id"), &takes, status)) {
+        return false;
+    }
+    return takes ? clod_checkpoint_give(hdf, state, taker, path, status)
+                 : get_bed(hdf, state, path, status);
 }
 
 /** End reading; false, with what was wrong. */
@@ -221,7 +254,7 @@ static bool end_reading(clod_hdf **hdf, const char *path, clod_status *status)
 
 /** Fill state and parts from a whole file. */
 static bool restore(const clod_folder *folder, const clod_checkpoint_file *file,
-                    clod_state *state, clod_checkpoint_part *parts, size_t part_count,
+                    clod_state *state, const clod_checkpoint_wanted *wanted,
                     clod_status *status)
 {
     const clod_hdf_place place = {folder, file->name, file->descriptor,
@@ -233,8 +266,10 @@ static bool restore(const clod_folder *folder, const clod_checkpoint_file *file,
     bool good = clod_checkpoint_walls_get(hdf, &state->walls, file->path, status) &&
                 make_room(hdf, state, status);
     if (good) {
-        get_columns(hdf, state, parts, part_count);
-        good = clod_checkpoint_contacts_get(hdf, state, file->path, status);
+        get_columns(hdf, state, wanted);
+        good = get_or_give(hdf, state, wanted->taker, file->path, status);
+    }
+    if (good) {
         clod_grains_pad(&state->grains);
     }
     clod_status reading;
@@ -289,11 +324,9 @@ static bool check_origin(const clod_checkpoint_file *file, const char *case_text
     return true;
 }
 
-// two more parameters than usual, all of them its own:
-// NOLINTNEXTLINE(readability-function-size)
-bool clod_checkpoint_read(const clod_folder *folder, const char *stem, clod_state *state,
-                          clod_checkpoint_part *parts, size_t part_count, const char *case_text,
-                          char *notice, size_t notice_size, clod_status *status)
+bool clod_checkpoint_get(const clod_folder *folder, const char *stem, clod_state *state,
+                         const clod_checkpoint_wanted *wanted, char *notice, size_t notice_size,
+                         clod_status *status)
 {
     if (notice_size > 0) {
         notice[0] = '\0';
@@ -307,8 +340,8 @@ bool clod_checkpoint_read(const clod_folder *folder, const char *stem, clod_stat
     bool done = false;
     if (last == -1) {
         fail_without(files, status);
-    } else if (check_origin(&files[last], case_text, status)) {
-        done = restore(folder, &files[last], state, parts, part_count, status);
+    } else if (check_origin(&files[last], wanted->case_text, status)) {
+        done = restore(folder, &files[last], state, wanted, status);
     }
     const clod_checkpoint_file *bad = &files[1 - (last == -1 ? 0 : last)];
     if (done && bad->there && !bad->whole) {
@@ -319,4 +352,15 @@ bool clod_checkpoint_read(const clod_folder *folder, const char *stem, clod_stat
     }
     clod_checkpoint_file_release(files);
     return done;
+}
+
+// two more parameters than usual, all of them its own:
+// NOLINTNEXTLINE(readability-function-size)
+bool clod_checkpoint_read(const clod_folder *folder, const char *stem, clod_state *state,
+                          clod_checkpoint_part *parts, size_t part_count, const char *case_text,
+                          char *notice, size_t notice_size, clod_status *status)
+{
+    const clod_checkpoint_wanted wanted = {
+        .parts = parts, .part_count = part_count, .case_text = case_text};
+    return clod_checkpoint_get(folder, stem, state, &wanted, notice, notice_size, status);
 }

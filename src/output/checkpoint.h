@@ -8,6 +8,7 @@
 
 #include "output/folder.h"
 #include "state/bed_source.h"
+#include "state/bed_taker.h"
 #include "state/state.h"
 
 /**
@@ -57,6 +58,24 @@ bool clod_checkpoint_write(const clod_folder *folder, const char *stem, const cl
 bool clod_checkpoint_read(const clod_folder *folder, const char *stem, clod_state *state,
                           clod_checkpoint_part *parts, size_t part_count, const char *case_text,
                           char *notice, size_t notice_size, clod_status *status);
+
+/** What is read of a checkpoint. */
+typedef struct clod_checkpoint_wanted {
+    const clod_checkpoint_part *parts; ///< [part_count] as above
+    size_t part_count;
+    const char *case_text;       ///< as above
+    const clod_bed_taker *taker; ///< of grains and contacts; NULL: the state gets them
+} clod_checkpoint_wanted;
+
+/**
+ * The same, with grains and contacts for somebody who takes them slab by slab.
+ *
+ * @param state  what the taker leaves of the grains; no contacts
+ * Errors  as above, and those of the taker.   Test  tests/sim/test_deal_again.c
+ */
+bool clod_checkpoint_get(const clod_folder *folder, const char *stem, clod_state *state,
+                         const clod_checkpoint_wanted *wanted, char *notice, size_t notice_size,
+                         clod_status *status);
 
 /** Whether one of the two files is there, whole or not. */
 bool clod_checkpoint_exists(const clod_folder *folder, const char *stem, bool *exists,

@@ -15,18 +15,19 @@ typedef struct clod_amount {
     int64_t count;  ///< 0: as many as have the volume
     double volume;  ///< m3, of solid
     double density; ///< kg/m3, for messages
+    double share;   ///< of the grains, that this machine has to hold; 0: all
 } clod_amount;
 
 /** Number of grains to expect, from the mean volume of a grain. Threads: pure. */
 double clod_amount_expect(const clod_amount *self);
 
 /**
- * Whether this machine can hold a number of grains: refused when their rows alone, and what
+ * Whether this machine can hold its share of a number of grains: refused when their rows alone, and what
  * putting them takes, are more than all of its memory.
  *
  * Errors  CLOD_USAGE with the number and the memory.   Threads  pure.
  */
-bool clod_amount_fits(const char *key, double grains, clod_status *status);
+bool clod_amount_fits(const char *key, double grains, double share, clod_status *status);
 
 /**
  * Number of grains: the one asked for, or the one whose solid volume comes nearest.

@@ -22,27 +22,6 @@ static double shadow(const double low[3], const double high[3], const double gra
     return u[0] * e[1] * e[2] + u[1] * e[2] * e[0] + u[2] * e[0] * e[1];
 }
 
-clod_setup_bed clod_setup_bed_of(const clod_state *state)
-{
-    clod_setup_bed bed = {.gravity = length3(state->gravity)};
-    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-    double high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const double *place = state->grains.position[g];
-        const double r = place[3];
-        for (int a = 0; a < 3; a++) {
-            low[a] = fmin(low[a], place[a] - r);
-            high[a] = fmax(high[a], place[a] + r);
-        }
-        bed.radius_mean += r / (double)state->grains.count;
-        bed.mass += state->grains.velocity[g][3];
-        bed.volume += 4.0 / 3.0 * M_PI * r * r * r;
-        bed.speed = fmax(bed.speed, length3(state->grains.velocity[g]));
-    }
-    bed.area = state->grains.count > 0 ? shadow(low, high, state->gravity) : 0.0;
-    return bed;
-}
-
 double clod_setup_bed_pressed_area(const clod_wall *wall, const clod_setup_bed *bed)
 {
     return wall->area > 0.0 ? wall->area : bed->area;
@@ -67,21 +46,14 @@ static double load_stress(const clod_case *from, const clod_wall *wall,
     return (force + wall->mass * bed->gravity) / area;
 }
 
-/** Height through which a grain can fall: that of everything, and above planes [m]. */
-static double fall_height(const clod_state *state)
+/** Height of grains above planes that they can fall on [m]. */
+static double height_above(const clod_state *state, size_t first)
 {
-    double low[3], high[3];
     const double g = length3(state->gravity);
-    if (g == 0.0 || !clod_setup_bounds(state, low, high)) {
-        return 0.0;
-    }
-    double height = 0.0;
-    for (int a = 0; a < 3; a++) {
-        height += fabs(state->gravity[a]) / g * (high[a] - low[a]);
-    }
     const clod_vec3 down = {state->gravity[0] / g, state->gravity[1] / g,
                             state->gravity[2] / g};
-    for (int32_t w = 0; w < state->walls.count; w++) {
+    double height = 0.0;
+    for (int32_t w = 0; g > 0.0 && w < state->walls.count; w++) {
         const clod_wall *wall = &state->walls.wall[w];
         for (int32_t s = 0; s < wall->shape_count; s++) {
             const clod_shape *shape = &wall->shapes[s];
@@ -89,7 +61,7 @@ static double fall_height(const clod_state *state)
             if (!clod_shape_kinds_row(shape->kind)->endless || facing < 0.1) {
                 continue;
             }
-            for (size_t i = 0; i < state->grains.count; i++) {
+            for (size_t i = first; i < state->grains.count; i++) {
                 const double *p = state->grains.position[i];
                 const clod_gap gap = clod_wall_gap(shape, clod_vec3_of(p));
                 height = fmax(height, gap.distance / facing);
@@ -99,14 +71,73 @@ static double fall_height(const clod_state *state)
     return height;
 }
 
-double clod_setup_impact_speed(const clod_state *state)
+clod_setup_bed clod_setup_bed_begin(const clod_state *state, size_t grains)
 {
-    const clod_setup_bed bed = clod_setup_bed_of(state);
+    return (clod_setup_bed){.all = (double)grains,
+                            .gravity = length3(state->gravity),
+                            .low = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
+                            .high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+}
+
+void clod_setup_bed_add(clod_setup_bed *self, const clod_state *state, size_t first)
+{
+    for (size_t g = first; g < state->grains.count; g++) {
+        const double *place = state->grains.position[g];
+        const double r = place[3];
+        for (int a = 0; a < 3; a++) {
+            self->low[a] = fmin(self->low[a], place[a] - r);
+            self->high[a] = fmax(self->high[a], place[a] + r);
+        }
+        self->grains++;
+        self->radius_mean += r / self->all;
+        self->radius_sum += r;
+        self->mass += state->grains.velocity[g][3];
+        clod_exact_add(&self->mass_sum, state->grains.velocity[g][3]);
+        self->last_id =
+            state->grains.id[g] > self->last_id ? state->grains.id[g] : self->last_id;
+        self->volume += 4.0 / 3.0 * M_PI * r * r * r;
+        self->speed = fmax(self->speed, length3(state->grains.velocity[g]));
+    }
+    self->above = fmax(self->above, height_above(state, first));
+    self->area = self->grains > 0 ? shadow(self->low, self->high, state->gravity) : 0.0;
+}
+
+clod_setup_bed clod_setup_bed_of(const clod_state *state)
+{
+    clod_setup_bed bed = clod_setup_bed_begin(state, state->grains.count);
+    clod_setup_bed_add(&bed, state, 0);
+    return bed;
+}
+
+/** Height through which a grain can fall: that of everything, and above planes [m]. */
+static double fall_height(const clod_setup_bed *bed, const clod_state *state)
+{
+    double low[3], high[3];
+    memcpy(low, bed->low, sizeof low);
+    memcpy(high, bed->high, sizeof high);
+    if (bed->gravity == 0.0 || !clod_setup_bounds_around(&state->walls, low, high)) {
+        return 0.0;
+    }
+    double height = 0.0;
+    for (int a = 0; a < 3; a++) {
+        height += fabs(state->gravity[a]) / bed->gravity * (high[a] - low[a]);
+    }
+    return fmax(height, bed->above);
+}
+
+double clod_setup_bed_impact(const clod_setup_bed *bed, const clod_state *state)
+{
     double wall_speed = 0.0;
     for (int32_t w = 0; w < state->walls.count; w++) {
         wall_speed = fmax(wall_speed, clod_wall_speed_bound(&state->walls.wall[w]));
     }
-    return bed.speed + sqrt(2.0 * bed.gravity * fall_height(state)) + wall_speed;
+    return bed->speed + sqrt(2.0 * bed->gravity * fall_height(bed, state)) + wall_speed;
+}
+
+double clod_setup_impact_speed(const clod_state *state)
+{
+    const clod_setup_bed bed = clod_setup_bed_of(state);
+    return clod_setup_bed_impact(&bed, state);
 }
 
 double clod_setup_bed_stress(const clod_setup_bed *bed, const clod_case *from,

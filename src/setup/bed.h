@@ -5,16 +5,30 @@
  */
 
 #include "clod/case.h"
+#include "parallel/exact.h"
 #include "state/state.h"
 
 /** Totals of the grains of a state. */
 typedef struct clod_setup_bed {
-    double radius_mean;  ///< m
-    double mass, volume; ///< kg, m3 of solid
-    double speed;        ///< m/s, fastest grain
-    double area;         ///< m2, of the grains' bounding box seen along gravity
-    double gravity;      ///< m/s2
+    size_t grains;          ///< so far
+    double all;             ///< grains there will be
+    double radius_mean;     ///< m, of all
+    double radius_sum;      ///< m
+    double mass, volume;    ///< kg, m3 of solid
+    double speed;           ///< m/s, fastest grain
+    double area;            ///< m2, of the grains' bounding box seen along gravity
+    double gravity;         ///< m/s2
+    double low[3], high[3]; ///< m, around the grains; +-HUGE_VAL: there are none
+    clod_exact mass_sum;    ///< kg, the same mass without rounding, as measures have it
+    uint64_t last_id;       ///< the largest; 0: there is none
+    double above;           ///< m, highest above a plane that it can fall on
 } clod_setup_bed;
+
+/** None of so many grains yet, among the walls of a state. */
+clod_setup_bed clod_setup_bed_begin(const clod_state *state, size_t grains);
+
+/** Add the grains of the state from `first` on; all of them are added in one order. */
+void clod_setup_bed_add(clod_setup_bed *self, const clod_state *state, size_t first);
 
 /** Errors  none.   Threads  pure.   Test  tests/setup/test_setup_state.c */
 clod_setup_bed clod_setup_bed_of(const clod_state *state);
@@ -36,4 +50,7 @@ double clod_setup_bed_stress(const clod_setup_bed *bed, const clod_case *from,
  *
  * Errors  none.   Threads  pure.   Test  tests/setup/test_setup_state.c
  */
+double clod_setup_bed_impact(const clod_setup_bed *bed, const clod_state *state);
+
+/** The same of the grains of a state. */
 double clod_setup_impact_speed(const clod_state *state);

@@ -66,7 +66,7 @@ bool clod_begin_expect(const clod_case *from, double *grains, clod_status *statu
         return false;
     }
     *grains = clod_amount_expect(&amount);
-    return clod_amount_fits(amount.key, *grains, status);
+    return clod_amount_fits(amount.key, *grains, 1.0, status);
 }
 
 bool clod_begin_fill(const clod_case *from, double *grains, clod_status *status)

@@ -1,6 +1,7 @@
 #include "setup/bound.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "config/sizes.h"
@@ -57,6 +58,29 @@ static bool add_rest(clod_setup_bound *self, const clod_case *from, const clod_s
     return true;
 }
 
+/** Stress and speed of a bed, where the case does not give the stress. */
+static void add_bed(clod_setup_bound *self, const clod_case *from, const clod_setup_bed *bed,
+                    const clod_state *state)
+{
+    self->stress = clod_setup_bed_stress(bed, from, state);
+    self->speed = clod_setup_bed_impact(bed, state);
+}
+
+bool clod_setup_bound_init_of(clod_setup_bound *self, const clod_case *from,
+                              const clod_setup_tally *tally, const clod_state *state,
+                              clod_status *status)
+{
+    bool good = begin(self, from, status);
+    if (good) {
+        memcpy(self->sizes, tally->sizes, from->material_count * sizeof *self->sizes);
+    }
+    good = good && add_rest(self, from, state, status);
+    if (good && self->stress == 0.0) {
+        add_bed(self, from, &tally->bed, state);
+    }
+    return good;
+}
+
 bool clod_setup_bound_init(clod_setup_bound *self, const clod_case *from,
                            const clod_state *state, clod_status *status)
 {
@@ -68,8 +92,7 @@ bool clod_setup_bound_init(clod_setup_bound *self, const clod_case *from,
     good = good && add_rest(self, from, state, status);
     if (good && self->stress == 0.0) {
         const clod_setup_bed bed = clod_setup_bed_of(state);
-        self->stress = clod_setup_bed_stress(&bed, from, state);
-        self->speed = clod_setup_impact_speed(state);
+        add_bed(self, from, &bed, state);
     }
     return good;
 }

@@ -6,7 +6,7 @@
 
 #include "clod/case.h"
 #include "measure/survey.h"
-#include "setup/timestep.h"
+#include "setup/tally.h"
 
 /** What the critical time step follows from, for some grains and walls. */
 typedef struct clod_setup_bound {
@@ -24,6 +24,11 @@ typedef struct clod_setup_bound {
  */
 bool clod_setup_bound_init(clod_setup_bound *self, const clod_case *from,
                            const clod_state *state, clod_status *status);
+
+/** The same of grains that have been added up. */
+bool clod_setup_bound_init_of(clod_setup_bound *self, const clod_case *from,
+                              const clod_setup_tally *tally, const clod_state *state,
+                              clod_status *status);
 
 /** Time step of the case with the grains and walls that there are by now. */
 clod_timestep clod_setup_bound_timestep(const clod_setup_bound *self, const clod_case *from);

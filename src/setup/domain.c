@@ -48,6 +48,14 @@ bool clod_setup_domain_add_wall(const clod_wall *wall, double low[3], double hig
     return bounded;
 }
 
+bool clod_setup_bounds_around(const clod_walls *walls, double low[3], double high[3])
+{
+    for (int32_t w = 0; w < walls->count; w++) {
+        (void)clod_setup_domain_add_wall(&walls->wall[w], low, high);
+    }
+    return low[0] <= high[0];
+}
+
 bool clod_setup_bounds(const clod_state *state, double low[3], double high[3])
 {
     for (int a = 0; a < 3; a++) {
@@ -60,10 +68,7 @@ bool clod_setup_bounds(const clod_state *state, double low[3], double high[3])
             include(place[a], place[3], &low[a], &high[a]);
         }
     }
-    for (int32_t w = 0; w < state->walls.count; w++) {
-        (void)clod_setup_domain_add_wall(&state->walls.wall[w], low, high);
-    }
-    return low[0] <= high[0];
+    return clod_setup_bounds_around(&state->walls, low, high);
 }
 
 clod_outlet clod_setup_domain_region(const clod_case_region *from)
@@ -89,7 +94,8 @@ static void make_outlets(const clod_case *from, clod_domain *domain)
 }
 
 /** Extent of the domain, and what happens at its sides. */
-static void find_space(const clod_case *from, clod_state *state)
+static void find_space(const clod_case *from, const double low[3], const double high[3],
+                       clod_state *state)
 {
     clod_domain *domain = &state->domain;
     memcpy(domain->periodic, from->periodic, sizeof domain->periodic);
@@ -100,7 +106,9 @@ static void find_space(const clod_case *from, clod_state *state)
         return;
     }
     double margin = 0.0;
-    if (!clod_setup_bounds(state, domain->min, domain->max)) {
+    memcpy(domain->min, low, sizeof domain->min);
+    memcpy(domain->max, high, sizeof domain->max);
+    if (!clod_setup_bounds_around(&state->walls, domain->min, domain->max)) {
         memset(domain, 0, sizeof *domain);
         margin = 1.0; // nothing but planes: any box will do
     }
@@ -113,8 +121,16 @@ static void find_space(const clod_case *from, clod_state *state)
     }
 }
 
+void clod_setup_domain_around(const clod_case *from, const double low[3], const double high[3],
+                              clod_state *state)
+{
+    find_space(from, low, high, state);
+    make_outlets(from, &state->domain);
+}
+
 void clod_setup_domain(const clod_case *from, clod_state *state)
 {
-    find_space(from, state);
-    make_outlets(from, &state->domain);
+    double low[3], high[3];
+    (void)clod_setup_bounds(state, low, high);
+    clod_setup_domain_around(from, low, high, state);
 }

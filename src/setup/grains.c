@@ -81,7 +81,7 @@ bool clod_setup_grains_expect(const clod_case *from, double *grains, clod_status
         } else if (good) {
             const clod_amount amount = group_amount(from, k, &sizes, key);
             *grains += clod_amount_expect(&amount);
-            good = clod_amount_fits(key, *grains, status);
+            good = clod_amount_fits(key, *grains, 1.0, status);
         }
         clod_sizes_fini(&sizes);
     }
@@ -105,15 +105,11 @@ double clod_setup_grains_mass(const clod_case *from)
     return mass;
 }
 
-bool clod_setup_grains_say_off(const clod_case *from, const clod_grains *grains, char *text,
+bool clod_setup_grains_say_off(const clod_case *from, const clod_setup_bed *bed, char *text,
                                size_t size)
 {
     const double asked = clod_setup_grains_mass(from);
-    double mass = 0.0;
-    for (size_t g = 0; g < grains->count; g++) {
-        mass += grains->velocity[g][3];
-    }
-    if (!(asked > 0.0) || !(fabs(mass - asked) > MASS_OFF * asked)) {
+    if (!(asked > 0.0) || !(fabs(bed->mass - asked) > MASS_OFF * asked)) {
         return false;
     }
     snprintf(
@@ -121,64 +117,62 @@ bool clod_setup_grains_say_off(const clod_case *from, const clod_grains *grains,
         "%zu grain%s of %.3g kg in all stand for the %.3g kg that mass or fill_height asks "
         "for: the nearest that whole grains of these sizes give. Ask for more, or for "
         "smaller grains",
-        grains->count, clod_plural((double)grains->count), mass, asked);
+        bed->grains, clod_plural((double)bed->grains), bed->mass, asked);
     return true;
+}
+
+/** A group that is inserted. */
+typedef struct group_plan {
+    clod_sizes sizes; ///< owned
+    clod_insertion what;
+    char name[KEY_TEXT];
+} group_plan;
+
+/** How many grains of which sizes, from `next_id` on, which is behind them then. */
+static bool plan_group(group_plan *self, const clod_case *from, size_t k, int64_t seed,
+                       double share, uint64_t *next_id, clod_status *status)
+{
+    const clod_case_grains *group = &from->grains[k];
+    char key[KEY_TEXT];
+    *self = (group_plan){0};
+    if (!clod_sizes_init(&self->sizes, group, status)) {
+        return false;
+    }
+    clod_amount amount = group_amount(from, k, &self->sizes, key);
+    amount.share = share;
+    snprintf(self->name, sizeof self->name, "grains.%zu", k);
+    self->what = (clod_insertion){
+        .name = self->name,
+        .region = &group->region,
+        .sizes = &self->sizes,
+        .seed = (uint64_t)seed,
+        .first_id = *next_id,
+        .count = clod_amount_count(&amount, (uint64_t)seed, *next_id, status),
+        .material = (uint16_t)clod_case_material_index(from, group->material),
+        .density = amount.density,
+        .velocity = {group->velocity[0], group->velocity[1], group->velocity[2]}};
+    *next_id += self->what.count;
+    return self->what.count > 0;
 }
 
 static bool insert_group(const clod_case *from, size_t k, int64_t seed, uint64_t *next_id,
                          clod_state *state, clod_status *status)
 {
-    const clod_case_grains *group = &from->grains[k];
-    char name[KEY_TEXT];
-    char key[KEY_TEXT];
-    clod_sizes sizes;
-    bool good = clod_sizes_init(&sizes, group, status);
-    if (good) {
-        const clod_amount amount = group_amount(from, k, &sizes, key);
-        snprintf(name, sizeof name, "grains.%zu", k);
-        const clod_insertion what = {
-            .name = name,
-            .region = &group->region,
-            .sizes = &sizes,
-            .seed = (uint64_t)seed,
-            .first_id = *next_id,
-            .count = clod_amount_count(&amount, (uint64_t)seed, *next_id, status),
-            .material = (uint16_t)clod_case_material_index(from, group->material),
-            .density = amount.density,
-            .velocity = {group->velocity[0], group->velocity[1], group->velocity[2]}};
-        good = what.count > 0 && clod_insert_region(state, &what, status);
-        *next_id += what.count;
-    }
-    clod_sizes_fini(&sizes);
+    group_plan group;
+    const bool good = plan_group(&group, from, k, seed, 1.0, next_id, status) &&
+                      clod_insert_region(state, &group.what, status);
+    clod_sizes_fini(&group.sizes);
     return good;
 }
 
-/**
- * Grains lie in the domain. In a periodic direction one may be beyond it by a diameter of the
- * largest, as in the files of a code that wraps grains only now and then.
- */
+/** Grains of a state lie in the domain. */
 static bool check_places(const clod_case *from, const clod_state *state, clod_status *status)
 {
-    const clod_grains *grains = &state->grains;
     double diameter = 0.0;
-    for (size_t g = 0; g < grains->count; g++) {
-        diameter = fmax(diameter, 2.0 * grains->position[g][3]);
+    for (size_t g = 0; g < state->grains.count; g++) {
+        diameter = fmax(diameter, 2.0 * state->grains.position[g][3]);
     }
-    for (size_t g = 0; from->has_domain && g < grains->count; g++) {
-        for (int a = 0; a < 3; a++) {
-            const double beyond = from->periodic[a] ? diameter : 0.0;
-            const double x = grains->position[g][a];
-            if (!(x >= from->domain_min[a] - beyond && x <= from->domain_max[a] + beyond)) {
-                return clod_status_fail(
-                    status, CLOD_USAGE,
-                    "grains: grain %llu is outside the domain: %c = %g m, allowed %g to %g m; "
-                    "move it, or enlarge the domain",
-                    (unsigned long long)grains->id[g], "xyz"[a], x, from -> domain_min[a],
-                    from -> domain_max[a]);
-            }
-        }
-    }
-    return true;
+    return clod_setup_pieces_inside(from, state, 0, diameter, status);
 }
 
 /** Every id belongs to one grain only. */
@@ -207,7 +201,8 @@ static bool check_ids(const clod_grains *grains, clod_status *status)
     return good;
 }
 
-bool clod_setup_grains(const clod_case *from, int64_t seed, clod_state *state,
+/** All grains into the state. */
+static bool make_whole(const clod_case *from, int64_t seed, clod_state *state,
                        clod_status *status)
 {
     uint64_t next_id = 1;
@@ -226,6 +221,89 @@ bool clod_setup_grains(const clod_case *from, int64_t seed, clod_state *state,
     }
     return clod_grains_reserve(&state->grains, state->grains.count, status) && // also of none
            check_ids(&state->grains, status) && check_places(from, state, status);
+}
+
+bool clod_setup_grains(const clod_case *from, int64_t seed, clod_state *state,
+                       clod_setup_tally *tally, clod_status *status)
+{
+    if (!make_whole(from, seed, state, status) ||
+        !clod_setup_tally_init(tally, from, state, state->grains.count, status)) {
+        return false;
+    }
+    clod_setup_tally_add(tally, state, 0);
+    return true;
+}
+
+// ---- piece by piece
+
+bool clod_setup_grains_in_pieces(const clod_case *from)
+{
+    bool good = from->grains_count > 0;
+    for (size_t k = 0; k < from->grains_count; k++) {
+        good = good && from->grains[k].file == NULL;
+    }
+    return good;
+}
+
+/** What is known of all groups before the first grain is made: their number, and the largest. */
+static bool plan_all(const clod_case *from, int64_t seed, clod_setup_pieces *pieces,
+                     size_t *grains, clod_status *status)
+{
+    uint64_t next_id = 1;
+    bool good = true;
+    for (size_t k = 0; good && k < from->grains_count; k++) {
+        if (from->grains[k].comes) {
+            continue;
+        }
+        group_plan group;
+        good = plan_group(&group, from, k, seed, pieces->taker->share, &next_id, status);
+        const clod_insertion *what = &group.what;
+        for (size_t g = 0; good && g < what->count; g++) {
+            const double radius =
+                clod_sizes_radius(what->sizes, what->seed, what->first_id + g);
+            pieces->diameter = fmax(pieces->diameter, 2.0 * radius);
+        }
+        clod_sizes_fini(&group.sizes);
+    }
+    *grains = (size_t)(next_id - 1);
+    return good;
+}
+
+/** Make one group after the other; each is given away before the next. */
+static bool give_groups(const clod_case *from, int64_t seed, clod_setup_pieces *pieces,
+                        clod_status *status)
+{
+    uint64_t next_id = 1;
+    bool good = true;
+    for (size_t k = 0; good && k < from->grains_count; k++) {
+        if (from->grains[k].comes) {
+            continue;
+        }
+        group_plan group;
+        pieces->some = next_id > 1;
+        good = plan_group(&group, from, k, seed, pieces->taker->share, &next_id, status);
+        group.what.pieces = pieces;
+        good = good && clod_insert_region(pieces->state, &group.what, status) &&
+               clod_setup_pieces_give(pieces, true, status);
+        clod_sizes_fini(&group.sizes);
+    }
+    return good;
+}
+
+bool clod_setup_grains_give(const clod_case *from, int64_t seed, const clod_setup_taker *taker,
+                            clod_state *state, clod_setup_tally *tally, clod_status *status)
+{
+    clod_setup_pieces pieces = {.taker = taker, .from = from, .state = state, .tally = tally};
+    size_t grains;
+    bool good = plan_all(from, seed, &pieces, &grains, status) &&
+                clod_setup_tally_init(tally, from, state, grains, status) &&
+                taker->begin(taker->context, state, grains, status) &&
+                give_groups(from, seed, &pieces, status);
+    if (good && pieces.outside.code != CLOD_OK) {
+        *status = pieces.outside;
+        good = false;
+    }
+    return good;
 }
 
 bool clod_setup_worst_overlap(const clod_state *state, clod_setup_overlap *worst,

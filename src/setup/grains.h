@@ -5,7 +5,7 @@
  */
 
 #include "clod/case.h"
-#include "state/state.h"
+#include "setup/pieces.h"
 
 /** How many groups come during the run, through an inlet. Threads: pure. */
 size_t clod_setup_grains_coming(const clod_case *from);
@@ -29,7 +29,7 @@ double clod_setup_grains_mass(const clod_case *from);
  * @return  false: nothing to say
  * Threads  pure.   Test  tests/sim/test_check_amount.c, tests/cli/test_messages.py
  */
-bool clod_setup_grains_say_off(const clod_case *from, const clod_grains *grains, char *text,
+bool clod_setup_grains_say_off(const clod_case *from, const clod_setup_bed *bed, char *text,
                                size_t size);
 
 /**
@@ -38,12 +38,27 @@ bool clod_setup_grains_say_off(const clod_case *from, const clod_grains *grains,
  * Ids go from 1 upwards, group after group; a file may bring its own.
  *
  * @param seed   of sizes and positions
+ * @param tally  [out] of them (clod_setup_tally_fini, also after a failure; zero before)
  * Errors  CLOD_USAGE: grains that do not fit, an amount below one grain or beyond memory, a
  *         wrong file, a grain outside the domain, an id twice; CLOD_FAILED.
  * Threads pure.   Test  tests/setup/test_setup_state.c
  */
 bool clod_setup_grains(const clod_case *from, int64_t seed, clod_state *state,
-                       clod_status *status);
+                       clod_setup_tally *tally, clod_status *status);
+
+/** Whether the grains of a case can be made piece by piece: none is read from a file. Threads: pure. */
+bool clod_setup_grains_in_pieces(const clod_case *from);
+
+/**
+ * Make the same grains piece by piece, for somebody who takes each piece. Of groups in layers only
+ * some layers are in memory; of those at random positions their places, some 150 bytes a grain of
+ * the group.
+ *
+ * @param state  what the taker leaves of them
+ * Errors  as above.   Threads  pure.   Test  tests/sim/test_deal.c
+ */
+bool clod_setup_grains_give(const clod_case *from, int64_t seed, const clod_setup_taker *taker,
+                            clod_state *state, clod_setup_tally *tally, clod_status *status);
 
 /** The pair of grains with the largest overlap. */
 typedef struct clod_setup_overlap {

@@ -6,6 +6,7 @@
  */
 
 #include "config/sizes.h"
+#include "setup/pieces.h"
 #include "state/state.h"
 
 /** A group of grains to put. */
@@ -19,6 +20,8 @@ typedef struct clod_insertion {
     uint16_t material;
     double density;     ///< kg/m3
     double velocity[3]; ///< m/s
+    clod_setup_pieces
+        *pieces; ///< grains are given to it as they are made; NULL: the state keeps all
 } clod_insertion;
 
 /**
@@ -28,6 +31,9 @@ typedef struct clod_insertion {
  *
  * The grains are inside the region and clear of each other, of the walls of the state and of
  * the grains that are in it; beside the shell of a cylinder they are on its side.
+ *
+ * Grains in layers are appended as they get their places, which takes no list of them; those at
+ * random positions when all have one.
  *
  * @param state  [in,out] walls and domain are read, grains are appended in order of id
  * Errors  CLOD_USAGE: they do not fit; the text has the wanted and the reached count.

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/room.h"
 
 /** Cells first to last that a sphere touches in each direction. */
 typedef struct clod_insertion_range {
@@ -34,7 +35,7 @@ bool clod_insertion_grid_init(clod_insertion_grid *self, const double low[3],
     if (self->head == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
     }
-    memset(self->head, 0xff, cells * sizeof *self->head); // -1
+    memset(self->head, 0xff, cells * sizeof *self->head); // CLOD_INSERTION_NONE
     return true;
 }
 
@@ -71,8 +72,8 @@ static size_t cell_index(const clod_insertion_grid *self, int32_t x, int32_t y, 
 
 static bool cell_clear(const clod_insertion_grid *self, size_t cell, const double place[4])
 {
-    for (int64_t n = self->head[cell]; n >= 0; n = self->note[n].next) {
-        if (!apart(place, self->note[n].place)) {
+    for (uint32_t n = self->head[cell]; n != CLOD_INSERTION_NONE; n = self->note[n].next) {
+        if (!apart(place, self->sphere[self->note[n].sphere].place)) {
             return false;
         }
     }
@@ -98,8 +99,9 @@ bool clod_insertion_grid_clear(const clod_insertion_grid *self, const double pla
 static void cell_overlap(const clod_insertion_grid *self, size_t cell, const double place[4],
                          double *worst, size_t *sphere)
 {
-    for (int64_t n = self->head[cell]; n >= 0; n = self->note[n].next) {
-        const double *other = self->note[n].place;
+    for (uint32_t n = self->head[cell]; n != CLOD_INSERTION_NONE; n = self->note[n].next) {
+        const clod_insertion_sphere *sphere_there = &self->sphere[self->note[n].sphere];
+        const double *other = sphere_there->place;
         if (!apart(place, other)) {
             const double x = place[0] - other[0];
             const double y = place[1] - other[1];
@@ -107,7 +109,7 @@ static void cell_overlap(const clod_insertion_grid *self, size_t cell, const dou
             const double overlap = place[3] + other[3] - sqrt(x * x + y * y + z * z);
             if (overlap > *worst) {
                 *worst = overlap;
-                *sphere = self->note[n].sphere;
+                *sphere = sphere_there->number;
             }
         }
     }
@@ -128,23 +130,35 @@ double clod_insertion_grid_overlap(const clod_insertion_grid *self, const double
     return worst;
 }
 
-static bool note_in(clod_insertion_grid *self, size_t cell, const double place[4],
-                    clod_status *status)
+static bool fail_without_room(clod_status *status)
 {
-    if (self->count == self->capacity) {
-        const size_t capacity = self->capacity + self->capacity / 2 + 1024;
-        void *note = clod_memory_grow(self->note, self->capacity, capacity, sizeof *self->note);
-        if (note == NULL) {
-            return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
-        }
-        self->note = note;
-        self->capacity = capacity;
+    return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
+}
+
+/** Note the sphere that was kept last in a cell. Notes and spheres are counted with 32 bits. */
+static bool note_in(clod_insertion_grid *self, size_t cell, clod_status *status)
+{
+    if (self->count == CLOD_INSERTION_NONE ||
+        !clod_room_for_one(&self->note, &self->capacity, self->count, sizeof *self->note)) {
+        return fail_without_room(status);
     }
-    clod_insertion_note *note = &self->note[self->count];
-    memcpy(note->place, place, sizeof note->place);
-    note->next = self->head[cell];
-    note->sphere = self->spheres;
-    self->head[cell] = (int64_t)self->count++;
+    self->note[self->count] =
+        (clod_insertion_note){(uint32_t)(self->sphere_count - 1), self->head[cell]};
+    self->head[cell] = (uint32_t)self->count++;
+    return true;
+}
+
+/** A sphere, or an image of it, that is noted in cells then. */
+static bool keep(clod_insertion_grid *self, const double place[4], clod_status *status)
+{
+    if (self->sphere_count == CLOD_INSERTION_NONE ||
+        !clod_room_for_one(&self->sphere, &self->sphere_capacity, self->sphere_count,
+                           sizeof *self->sphere)) {
+        return fail_without_room(status);
+    }
+    clod_insertion_sphere *sphere = &self->sphere[self->sphere_count++];
+    memcpy(sphere->place, place, sizeof sphere->place);
+    sphere->number = (uint32_t)self->added;
     return true;
 }
 
@@ -157,11 +171,14 @@ static bool add_image(clod_insertion_grid *self, const double place[4], clod_sta
             return true;
         }
     }
+    if (!keep(self, place, status)) {
+        return false;
+    }
     const clod_insertion_range r = range_of(self, place);
     for (int32_t z = r.first[2]; z <= r.last[2]; z++) {
         for (int32_t y = r.first[1]; y <= r.last[1]; y++) {
             for (int32_t x = r.first[0]; x <= r.last[0]; x++) {
-                if (!note_in(self, cell_index(self, x, y, z), place, status)) {
+                if (!note_in(self, cell_index(self, x, y, z), status)) {
                     return false;
                 }
             }
@@ -185,7 +202,7 @@ bool clod_insertion_grid_add(clod_insertion_grid *self, const double place[4],
             return false;
         }
     }
-    self->spheres++;
+    self->added++;
     return true;
 }
 
@@ -193,5 +210,6 @@ void clod_insertion_grid_fini(clod_insertion_grid *self)
 {
     clod_memory_free(self->head);
     clod_memory_free(self->note);
+    clod_memory_free(self->sphere);
     *self = (clod_insertion_grid){0};
 }

@@ -2,7 +2,7 @@
 /**
  * @file insertion_grid.h
  * Cells that tell which spheres are near a position. A sphere is noted in every cell it
- * touches, so that large and small spheres mix well.
+ * touches, by its number, so that large and small spheres mix well.
  */
 
 #include <stdbool.h>
@@ -11,11 +11,19 @@
 
 #include "clod/status.h"
 
+/** A sphere, or an image of one. */
+typedef struct clod_insertion_sphere {
+    double place[4]; ///< centre and radius [m]
+    uint32_t number; ///< how many spheres were added before it
+} clod_insertion_sphere;
+
+/** At the end of a cell's notes. */
+#define CLOD_INSERTION_NONE UINT32_MAX
+
 /** A sphere as noted in one cell. */
 typedef struct clod_insertion_note {
-    double place[4]; ///< centre and radius [m]
-    int64_t next;    ///< next note of the cell, -1 at the end
-    size_t sphere;   ///< how many spheres were added before it
+    uint32_t sphere; ///< which of those in the grid
+    uint32_t next;   ///< next note of the cell, CLOD_INSERTION_NONE at the end
 } clod_insertion_note;
 
 typedef struct clod_insertion_grid {
@@ -24,10 +32,11 @@ typedef struct clod_insertion_grid {
     double largest;         ///< m, radius of the largest sphere that is asked about
     double inverse[3];      ///< cells per metre
     int32_t cells[3];
-    int64_t *head;             ///< [cells] first note, -1 when there is none; owned
-    clod_insertion_note *note; ///< owned
-    size_t count, capacity;    ///< notes
-    size_t spheres;
+    uint32_t *head;                ///< [cells] first note, or CLOD_INSERTION_NONE; owned
+    clod_insertion_note *note;     ///< [count] owned
+    clod_insertion_sphere *sphere; ///< [sphere_count] with images; owned
+    size_t count, capacity, sphere_count, sphere_capacity;
+    size_t added; ///< spheres
 } clod_insertion_grid;
 
 /**

@@ -186,37 +186,76 @@ static void set_bounds(clod_insertion_space *self, double top, double largest)
     }
 }
 
-/** Note the grains of the state. */
+/** Whether a grain is as high as the grid, or an image of it is, and may be in the way there. */
+static bool is_in_height(const clod_insertion_space *self, const double place[4])
+{
+    const double half = 0.5 * (self->grid.high[2] - self->grid.low[2]);
+    const double middle = self->grid.low[2] + half;
+    const double off = clod_domain_separation(&self->state->domain, 2, place[2], middle);
+    return fabs(off) <= half + self->largest + place[3];
+}
+
+/** Note the grains that reach into the grid: of the state, and of those who took some. */
 static bool note_grains(clod_insertion_space *self, clod_status *status)
 {
     const clod_grains *grains = &self->state->grains;
-    for (size_t g = 0; g < grains->count; g++) {
-        if (!clod_insertion_grid_add(&self->grid, grains->position[g], status)) {
-            return false;
+    bool good = true;
+    for (size_t g = 0; good && g < self->before; g++) {
+        const double *place = grains->position[g];
+        good =
+            !is_in_height(self, place) || clod_insertion_grid_add(&self->grid, place, status);
+    }
+    if (!good || self->pieces == NULL) {
+        return good;
+    }
+    clod_domain_box box;
+    clod_setup_places near;
+    for (int a = 0; a < 3; a++) {
+        box.low[a] = self->grid.low[a] - self->largest;
+        box.high[a] = self->grid.high[a] + self->largest;
+    }
+    good = clod_setup_pieces_near(self->pieces, &box, &near, status);
+    for (size_t k = 0; good && k < near.count; k++) {
+        good = clod_insertion_grid_add(&self->grid, near.place[k], status);
+    }
+    return good;
+}
+
+bool clod_insertion_space_open(clod_insertion_space *self, const clod_case_region *region,
+                               double top, const clod_state *state, double largest,
+                               clod_status *status)
+{
+    *self = (clod_insertion_space){
+        .region = region, .state = state, .largest = largest, .before = state->grains.count};
+    set_bounds(self, top, largest);
+    return clod_wall_rows_init(&self->walls, &state->walls) ||
+           clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
+}
+
+bool clod_insertion_space_band(clod_insertion_space *self, double bottom, double top,
+                               size_t grains, clod_status *status)
+{
+    const clod_domain *domain = &self->state->domain;
+    const double low[3] = {self->low[0], self->low[1], bottom};
+    const double high[3] = {self->high[0], self->high[1], top};
+    double period[3] = {0.0, 0.0, 0.0};
+    for (int a = 0; a < 3; a++) {
+        if (domain->periodic[a]) {
+            period[a] = domain->max[a] - domain->min[a];
         }
     }
-    return true;
+    clod_insertion_grid_fini(&self->grid);
+    return clod_insertion_grid_init(&self->grid, low, high, period, self->largest,
+                                    grains + self->before, status) &&
+           note_grains(self, status);
 }
 
 bool clod_insertion_space_init(clod_insertion_space *self, const clod_case_region *region,
                                double top, const clod_state *state, double largest,
                                size_t grains, clod_status *status)
 {
-    *self = (clod_insertion_space){.region = region, .state = state};
-    set_bounds(self, top, largest);
-    const clod_walls *walls = &state->walls;
-    if (!clod_wall_rows_init(&self->walls, walls)) {
-        return clod_status_fail(status, CLOD_FAILED, "no memory to insert grains");
-    }
-    double period[3] = {0.0, 0.0, 0.0};
-    for (int a = 0; a < 3; a++) {
-        if (state->domain.periodic[a]) {
-            period[a] = state->domain.max[a] - state->domain.min[a];
-        }
-    }
-    return clod_insertion_grid_init(&self->grid, self->low, self->high, period, largest,
-                                    grains + state->grains.count, status) &&
-           note_grains(self, status);
+    return clod_insertion_space_open(self, region, top, state, largest, status) &&
+           clod_insertion_space_band(self, self->low[2], self->high[2], grains, status);
 }
 
 double clod_insertion_space_volume(const clod_insertion_space *self)

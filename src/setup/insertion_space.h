@@ -6,6 +6,7 @@
 
 #include "geometry/wall_rows.h"
 #include "setup/insertion_grid.h"
+#include "setup/pieces.h"
 #include "state/state.h"
 
 typedef struct clod_insertion_space {
@@ -15,9 +16,31 @@ typedef struct clod_insertion_space {
     bool through[3];                ///< the region goes through a whole period
     bool face;                      ///< the region is a face: grains are whole before it
     double axis[3][3], half[2];     ///< of a face (clod_region_axes, clod_region_half)
+    double largest;                 ///< m, radius of the largest grain that will be put
+    size_t before;                  ///< rows of the state that were there before
+    clod_setup_pieces *pieces;      ///< has other grains that were there; NULL: nobody has
     clod_wall_rows walls;           ///< where they are
     clod_insertion_grid grid;
 } clod_insertion_space;
+
+/**
+ * Get a region ready but for its grid; then a band of it.
+ *
+ * @param top, largest  as below
+ */
+bool clod_insertion_space_open(clod_insertion_space *self, const clod_case_region *region,
+                               double top, const clod_state *state, double largest,
+                               clod_status *status);
+
+/**
+ * Look at a band of the region from now on, with all grains that were there before noted. Others, of
+ * a band before, are forgotten.
+ *
+ * @param bottom, top  m, where the centres of its grains are
+ * @param grains       that will be put, about
+ */
+bool clod_insertion_space_band(clod_insertion_space *self, double bottom, double top,
+                               size_t grains, clod_status *status);
 
 /**
  * Get a region ready, with all grains that are in the state noted.

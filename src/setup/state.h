@@ -5,6 +5,7 @@
  */
 
 #include "clod/case.h"
+#include "setup/pieces.h"
 #include "setup/timestep.h"
 #include "state/state.h"
 
@@ -21,6 +22,15 @@ bool clod_setup_state(const clod_case *from, int64_t seed, clod_state *state,
                       clod_status *status);
 
 /**
+ * The same state, its grains given away as they are made.
+ *
+ * @param taker  NULL: the state keeps them; only of cases with clod_setup_grains_in_pieces
+ * @param bed    [out] of all grains
+ */
+bool clod_setup_state_give(const clod_case *from, int64_t seed, const clod_setup_taker *taker,
+                           clod_state *state, clod_setup_bed *bed, clod_status *status);
+
+/**
  * Time step of a case whose grains and walls are in a state, with all numbers behind it.
  *
  * The load that sets the overlap is design_stress; else the largest stress of the tester;
@@ -35,3 +45,7 @@ bool clod_setup_timestep(const clod_case *from, const clod_state *state, clod_ti
 /** Damping of all loaded walls from their fraction of critical and the bed's stiffness; where
  *  there are no grains they keep what they have. */
 void clod_setup_damping(clod_state *state, const clod_timestep *timestep);
+
+/** The same on a bed that is not in the state. */
+void clod_setup_damping_on(clod_state *state, const clod_setup_bed *bed,
+                           const clod_timestep *timestep);

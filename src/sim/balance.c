@@ -53,12 +53,13 @@ static void note(clod_balance *self, const clod_free_moment *now)
     }
 }
 
-static void balance_begin(void *memory, const clod_case *from, const clod_state *state)
+static void balance_begin(void *memory, const clod_case *from, const clod_state *state,
+                          const clod_free_start *bed)
 {
     clod_balance *self = memory;
     if (is_open(from)) {
-        const clod_measure_motion bed = clod_measure_motion_of(state);
-        self->start = count_of(state, &bed);
+        const clod_measure_motion all = {.grains = bed->grains, .mass = bed->mass};
+        self->start = count_of(state, &all);
         self->row = self->start;
     }
 }

@@ -111,8 +111,10 @@ static size_t belts_size(const clod_case *from)
     return count > 0 ? sizeof(belts) + count * sizeof(belt_memory) : 0;
 }
 
-static void belts_begin(void *memory, const clod_case *from, const clod_state *state)
+static void belts_begin(void *memory, const clod_case *from, const clod_state *state,
+                        const clod_free_start *bed)
 {
+    (void)bed;
     belts *self = memory;
     const size_t count = count_of(from);
     if (count == 0) {

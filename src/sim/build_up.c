@@ -43,8 +43,10 @@ static size_t build_up_size(const clod_case *from)
     return from->build_up.present ? sizeof(build_up) + most_targets(from) * sizeof(past) : 0;
 }
 
-static void build_up_begin(void *memory, const clod_case *from, const clod_state *state)
+static void build_up_begin(void *memory, const clod_case *from, const clod_state *state,
+                           const clod_free_start *bed)
 {
+    (void)bed;
     build_up *self = memory;
     if (from->build_up.present) {
         self->every = 1;

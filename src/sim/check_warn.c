@@ -121,8 +121,8 @@ static void warn_machine(const clod_check_subject *subject, clod_check_report *r
 static void warn_mass(const clod_check_subject *subject, clod_check_report *r)
 {
     char text[CLOD_CHECK_WARNING_TEXT];
-    if (r->sampled == 0 &&
-        clod_setup_grains_say_off(subject->from, &subject->state.grains, text, sizeof text)) {
+    const clod_setup_bed bed = clod_setup_bed_of(&subject->state);
+    if (r->sampled == 0 && clod_setup_grains_say_off(subject->from, &bed, text, sizeof text)) {
         clod_check_warning(r, "%s", text);
     }
 }

@@ -11,8 +11,10 @@ static size_t clumps_size(const clod_case *from)
     return from->clumps.present ? sizeof(clod_clump_memory) : 0;
 }
 
-static void clumps_begin(void *memory, const clod_case *from, const clod_state *state)
+static void clumps_begin(void *memory, const clod_case *from, const clod_state *state,
+                         const clod_free_start *bed)
 {
+    (void)bed;
     clod_clump_memory *self = memory;
     if (from->clumps.present) {
         self->sampled = state->time;

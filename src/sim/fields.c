@@ -57,8 +57,10 @@ int64_t clod_fields_samples(const clod_field_memory *self)
     return samples;
 }
 
-static void fields_begin(void *memory, const clod_case *from, const clod_state *state)
+static void fields_begin(void *memory, const clod_case *from, const clod_state *state,
+                         const clod_free_start *bed)
 {
+    (void)bed;
     clod_field_memory *self = memory;
     for (size_t k = 0; k < from->field_count; k++) {
         self[k].next = state->step;

@@ -57,13 +57,30 @@ size_t clod_free_measures_size(const clod_case *from)
     return size;
 }
 
+clod_free_start clod_free_start_of(const clod_state *state)
+{
+    const clod_measure_motion all = clod_measure_motion_of(state);
+    clod_free_start bed = {.grains = all.grains, .mass = all.mass};
+    for (size_t g = 0; g < state->grains.count; g++) {
+        bed.last_id = state->grains.id[g] > bed.last_id ? state->grains.id[g] : bed.last_id;
+    }
+    return bed;
+}
+
 void clod_free_measures_begin(void *memory, const clod_case *from, const clod_state *state)
+{
+    const clod_free_start bed = clod_free_start_of(state);
+    clod_free_measures_begin_with(memory, from, state, &bed);
+}
+
+void clod_free_measures_begin_with(void *memory, const clod_case *from, const clod_state *state,
+                                   const clod_free_start *bed)
 {
     clod_free_memory *self = memory;
     self->begin = state->time;
     for (int k = 0; k < COUNT; k++) {
         if (MEASURES[k]->begin != NULL) {
-            MEASURES[k]->begin(memory_of(memory, from, k), from, state);
+            MEASURES[k]->begin(memory_of(memory, from, k), from, state, bed);
         }
     }
 }

@@ -31,13 +31,24 @@ typedef struct clod_free_moment {
     clod_steady_time steady;           ///< of this run: all means are those over it
 } clod_free_moment;
 
+/** The bed that a run begins with, wherever its grains are. */
+typedef struct clod_free_start {
+    int64_t grains;
+    double mass;      ///< kg
+    uint64_t last_id; ///< the largest; 0: there is none
+} clod_free_start;
+
+/** That of a state that has all grains. Threads: pure. */
+clod_free_start clod_free_start_of(const clod_state *state);
+
 /** One measure. Members may be NULL where nothing is to be done. */
 typedef struct clod_free_measure {
     const char *key; ///< of its object in summary.json
     /** Bytes that it remembers in this case; NULL: none, and its memory is NULL. */
     size_t (*size)(const clod_case *from);
     /** The run begins; its memory is all zero. */
-    void (*begin)(void *memory, const clod_case *from, const clod_state *state);
+    void (*begin)(void *memory, const clod_case *from, const clod_state *state,
+                  const clod_free_start *bed);
     /** What of the bed must be in the state, and not only in the survey's sums, to act at this step,
      *  or for a row where one may be due, into `sees`. NULL: nothing of it. */
     void (*sight)(const void *memory, const clod_free_moment *now, clod_sight *sees);
@@ -84,8 +95,12 @@ size_t clod_free_measures_size(const clod_case *from);
 /** Whether a measure of the case needs the wall of this name: what does, into `text` [size]. */
 bool clod_free_measures_need(const clod_case *from, const char *wall, char *text, size_t size);
 
-/** The run begins. `memory` is [clod_free_measures_size], zero. */
+/** The run begins. `memory` is [clod_free_measures_size], zero; the state has all grains. */
 void clod_free_measures_begin(void *memory, const clod_case *from, const clod_state *state);
+
+/** The same where they are elsewhere. */
+void clod_free_measures_begin_with(void *memory, const clod_case *from, const clod_state *state,
+                                   const clod_free_start *bed);
 
 /** What measures with this memory look at now; the survey may be NULL in report and json. */
 clod_free_moment clod_free_measures_moment(const void *memory, const clod_case *from,

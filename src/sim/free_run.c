@@ -14,6 +14,7 @@
 #include "setup/region_walls.h"
 #include "setup/state.h"
 #include "setup/walls.h"
+#include "sim/deal.h"
 #include "sim/free_measures.h"
 #include "sim/free_stages.h"
 #include "sim/job_store.h"
@@ -273,8 +274,26 @@ static bool write_summary(clod_job *job, clod_status *status)
     return ok;
 }
 
-/** The state to begin with; only its walls when everything else is in a checkpoint. */
-static bool make_state(clod_job *job, clod_status *status)
+/** The state that the case asks for; several ranks get its grains as they are made. */
+static bool make_fresh(clod_job *job, clod_setup_bed *bed, clod_status *status)
+{
+    const clod_job_shared *sim = job->sim;
+    char text[512];
+    clod_deal deal;
+    const clod_setup_taker *taker = clod_deal_begin(&deal, sim->options->ranks, sim->from);
+    const bool good =
+        clod_setup_state_give(sim->from, sim->from->seed, taker, &job->state, bed, status);
+    job->dealt = good && taker != NULL;
+    if (good && clod_setup_grains_say_off(sim->from, bed, text, sizeof text)) {
+        clod_job_tell(job, text);
+    }
+    clod_deal_fini(&deal);
+    return good;
+}
+
+/** The state to begin with; only its walls when everything else is in a checkpoint.
+ *  @param bed  [out] of grains that have been dealt */
+static bool make_state(clod_job *job, clod_setup_bed *bed, clod_status *status)
 {
     const clod_job_shared *sim = job->sim;
     char *told;
@@ -287,14 +306,7 @@ static bool make_state(clod_job *job, clod_status *status)
         return clod_setup_walls(sim->from, &job->state.walls, status);
     }
     if (sim->origin == NULL) {
-        if (!clod_setup_state(sim->from, sim->from->seed, &job->state, status)) {
-            return false;
-        }
-        char text[512];
-        if (clod_setup_grains_say_off(sim->from, &job->state.grains, text, sizeof text)) {
-            clod_job_tell(job, text);
-        }
-        return true;
+        return make_fresh(job, bed, status);
     }
     if (!clod_origin_open(sim->origin, sim, status)) {
         return false;
@@ -322,20 +334,15 @@ static void doubt_region(void *job, const char *text)
 }
 
 /** What is doubtful about meshes, beside the grains that there are. */
-static bool doubt_meshes(clod_job *job, clod_status *status)
+static bool doubt_meshes(clod_job *job, const clod_setup_bed *bed, clod_status *status)
 {
-    const clod_grains *grains = &job->state.grains;
-    double sum = 0.0;
-    for (size_t g = 0; g < grains->count; g++) {
-        sum += grains->position[g][3];
-    }
-    const double radius = grains->count > 0 ? sum / (double)grains->count : 0.0;
+    const double radius = bed->grains > 0 ? bed->radius_sum / (double)bed->grains : 0.0;
     return clod_mesh_doubts(job->sim->from, radius, doubt, job, status);
 }
 
-static bool run_stages(clod_job *job, clod_status *status)
+static bool run_stages(clod_job *job, const clod_setup_bed *bed, clod_status *status)
 {
-    if (!job->resumed && !doubt_meshes(job, status)) {
+    if (!job->resumed && !doubt_meshes(job, bed, status)) {
         return false;
     }
     if (!job->resumed) {
@@ -343,8 +350,11 @@ static bool run_stages(clod_job *job, clod_status *status)
                                   doubt_region, job);
         free_data *data = job->procedure.data;
         clod_free_stages_begin(&data->at, job->sim->from, &job->state);
-        clod_free_measures_begin(measures_of(data, job->sim->from), job->sim->from,
-                                 &job->state);
+        const clod_free_start start = {.grains = (int64_t)bed->grains,
+                                       .mass = clod_exact_value(&bed->mass_sum),
+                                       .last_id = bed->last_id};
+        clod_free_measures_begin_with(measures_of(data, job->sim->from), job->sim->from,
+                                      &job->state, &start);
     }
     const clod_free_moment now =
         moment_of(job->procedure.data, job->sim->from, &job->state, NULL);
@@ -362,7 +372,8 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
     const size_t own = stages_size(sim->from), measures = clod_free_measures_size(sim->from);
     free_data *data = clod_memory_alloc(1, own + measures);
     clod_job job = {.sim = sim, .name = "run", .threads = sim->options->threads};
-    bool ok = make_state(&job, status);
+    clod_setup_bed bed = {0};
+    bool ok = make_state(&job, &bed, status);
     const size_t count = FIRST_COUNT + clod_free_measures_columns(sim->from, &job.state);
     const char **columns = clod_memory_alloc(count, sizeof *columns);
     char(*text)[COLUMN_TEXT] =
@@ -388,8 +399,11 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
                                      .phase = free_phase,
                                      .fraction = free_fraction,
                                      .reason = free_reason};
-    ok = ok && clod_job_resume(&job, status) && run_stages(&job, status) &&
-         write_summary(&job, status);
+    ok = ok && clod_job_resume(&job, status);
+    if (ok && !job.dealt) {
+        bed = clod_setup_bed_of(&job.state);
+    }
+    ok = ok && run_stages(&job, &bed, status) && write_summary(&job, status);
     if (ok) {
         *report = make_report(&job);
     }

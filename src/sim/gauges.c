@@ -37,8 +37,10 @@ static size_t gauges_size(const clod_case *from)
                : 0;
 }
 
-static void gauges_begin(void *memory, const clod_case *from, const clod_state *state)
+static void gauges_begin(void *memory, const clod_case *from, const clod_state *state,
+                         const clod_free_start *bed)
 {
+    (void)bed;
     clod_gauges *self = memory;
     if (from->gauge_count == 0) {
         return;

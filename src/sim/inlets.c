@@ -19,17 +19,15 @@ static size_t inlets_size(const clod_case *from)
 }
 
 /** Begin with a state that no grain has come into. */
-static void inlets_begin(void *memory, const clod_case *from, const clod_state *state)
+static void inlets_begin(void *memory, const clod_case *from, const clod_state *state,
+                         const clod_free_start *bed)
 {
     clod_inlets *self = memory;
     if (clod_setup_grains_coming(from) == 0) {
         return;
     }
-    *self = (clod_inlets){.next = state->step, .next_id = 1, .begin = state->time};
-    for (size_t g = 0; g < state->grains.count; g++) {
-        const uint64_t id = state->grains.id[g];
-        self->next_id = id >= self->next_id ? id + 1 : self->next_id;
-    }
+    *self =
+        (clod_inlets){.next = state->step, .next_id = bed->last_id + 1, .begin = state->time};
     self->first_id = self->next_id;
     for (size_t k = 0; k < clod_setup_grains_coming(from); k++) {
         self->inlet[k].since = -1;

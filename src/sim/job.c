@@ -364,6 +364,7 @@ static bool open_loop(job_loop *loop, clod_status *status)
     }
     const clod_step_options options = {.threads = clod_job_threads(job),
                                        .ranks = job->sim->options->ranks,
+                                       .dealt = job->dealt ? &job->share : NULL,
                                        .simd = job->sim->options->simd,
                                        .overlap_limit = job->sim->from->time.overlap_limit,
                                        .accepts = clod_setup_bound_accepts,
@@ -402,7 +403,9 @@ bool clod_job_run(clod_job *job, clod_status *status)
     }
     job_loop loop = {.job = job, .slice = FIRST_SLICE};
     // a first checkpoint before the first row: a table with rows always has one beside it
-    bool ok = open_loop(&loop, status) && (job->resumed || write_checkpoint(&loop, "", status));
+    bool ok = open_loop(&loop, status) &&
+              (job->resumed || write_checkpoint(&loop, "", status)) &&
+              (job->memory.planned > 0 || clod_job_see(job, &loop.step, status)); // to act
     if (ok) {
         ok = loop_to_end(&loop, status);
         ok = clod_job_measure_bed(job, &loop.step, status) && ok;
@@ -418,4 +421,5 @@ bool clod_job_run(clod_job *job, clod_status *status)
 void clod_job_fini(clod_job *job)
 {
     clod_state_fini(&job->state);
+    clod_crew_share_fini(&job->share);
 }

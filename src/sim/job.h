@@ -17,6 +17,7 @@
 #include "sim/sight.h"
 #include "sim/time_limit.h"
 #include "state/state.h"
+#include "step/crew_deal.h"
 
 /** What decides what happens between steps; `data` is plain and goes into the checkpoint. */
 typedef struct clod_procedure {
@@ -97,6 +98,8 @@ typedef struct clod_job {
     clod_state state; ///< owned; made by the caller before clod_job_run
     clod_procedure procedure;
     clod_job_memory memory;
+    bool dealt;                ///< of several ranks: each has its share of the bed (sim/deal.h)
+    clod_crew_share share;     ///< then that of rank 0 beside the state; owned
     bool resumed;              ///< state and procedure come from a checkpoint
     clod_measure_contacts bed; ///< at the end of the steps, as the next
     clod_measure_motion motion;

@@ -11,6 +11,7 @@
 #include "output/folder_files.h"
 #include "output/series.h"
 #include "output/snapshot.h"
+#include "sim/deal.h"
 #include "sim/leavers_table.h"
 #include "sim/origin.h"
 
@@ -118,15 +119,17 @@ typedef struct shelf {
 
 /** Read the checkpoint of the job called `name` into this one. */
 static bool read_checkpoint(clod_job *self, const shelf *where, const char *name,
-                            clod_job_memory *memory, char notice[1024], clod_status *status)
+                            clod_job_memory *memory, const clod_bed_taker *taker,
+                            char notice[1024], clod_status *status)
 {
     char stem[CLOD_JOB_STEM];
     clod_checkpoint_part parts[PARTS];
     const size_t count = parts_of(self, memory, parts);
+    const clod_checkpoint_wanted wanted = {parts, count, where->identity, taker};
     clod_job_stem(name, "", stem);
     pthread_mutex_lock(&hdf5_lock);
-    const bool ok = clod_checkpoint_read(where->folder, stem, &self->state, parts, count,
-                                         where->identity, notice, 1024, status);
+    const bool ok =
+        clod_checkpoint_get(where->folder, stem, &self->state, &wanted, notice, 1024, status);
     pthread_mutex_unlock(&hdf5_lock);
     return ok;
 }
@@ -136,7 +139,7 @@ bool clod_job_begin_from(clod_job *job, const char *name, clod_status *status)
     char told[1024]; // what is wrong with a checkpoint was told when that job went on from it
     const shelf own = {job->sim->folder, job->sim->identity};
     clod_job_memory of_that_job;
-    return read_checkpoint(job, &own, name, &of_that_job, told, status);
+    return read_checkpoint(job, &own, name, &of_that_job, NULL, told, status);
 }
 
 /** Read the finished job of the other run; its tables have the marks of before. */
@@ -149,7 +152,7 @@ static bool read_origin(clod_job *job, char notice[1024], clod_status *status)
         return false;
     }
     const shelf other = {origin->shelf, NULL};
-    if (!read_checkpoint(job, &other, job->name, &job->memory, notice, status)) {
+    if (!read_checkpoint(job, &other, job->name, &job->memory, NULL, notice, status)) {
         return clod_origin_fail(origin, status);
     }
     if (job->memory.finished == 0 || job->state.dt > needed * (1.0 + 1e-9)) {
@@ -278,6 +281,19 @@ static bool is_before(const clod_job_memory *memory)
     return memory->finished == 0 && memory->series.bytes == 0;
 }
 
+/** Read the job's own checkpoint; several ranks get the bed of a free run as it is read. */
+static bool read_own(clod_job *job, const shelf *own, char notice[1024], clod_status *status)
+{
+    clod_deal deal;
+    const bool free = clod_case_tester(job->sim->from) == NULL; // a test has a state already
+    const clod_bed_taker *taker = clod_deal_again(&deal, free ? job->sim->options->ranks : NULL,
+                                                  &job->share, &job->memory.finished);
+    const bool good = read_checkpoint(job, own, job->name, &job->memory, taker, notice, status);
+    job->dealt = good && taker != NULL && job->memory.finished == 0;
+    clod_deal_fini(&deal);
+    return good;
+}
+
 bool clod_job_resume(clod_job *job, clod_status *status)
 {
     char stem[CLOD_JOB_STEM];
@@ -292,7 +308,7 @@ bool clod_job_resume(clod_job *job, clod_status *status)
     if (!exists) {
         return true;
     }
-    if (!read_checkpoint(job, &own, job->name, &job->memory, notice, status)) {
+    if (!read_own(job, &own, notice, status)) {
         return false;
     }
     if (is_before(&job->memory)) {

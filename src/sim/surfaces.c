@@ -76,8 +76,10 @@ static double angle_of(const face *self)
 
 // ---- when the sums begin
 
-static void surfaces_begin(void *memory, const clod_case *from, const clod_state *state)
+static void surfaces_begin(void *memory, const clod_case *from, const clod_state *state,
+                           const clod_free_start *bed)
 {
+    (void)bed;
     (void)memory;
     for (int32_t w = 0; from->output.surfaces && w < state->walls.count; w++) {
         clod_wear_reset(&state->walls.wall[w], state->time);

@@ -3,6 +3,8 @@
 #include "base/memory.h"
 #include "law/law.h"
 #include "setup/begin.h"
+#include "setup/state.h"
+#include "sim/deal.h"
 #include "sim/testers.h"
 #include "step/step.h"
 
@@ -15,6 +17,8 @@ typedef struct trial {
     clod_state state;
     clod_laws laws;
     clod_step step;
+    bool dealt; ///< each rank has its share of the grains
+    clod_crew_share share;
 } trial;
 
 /** After the planned steps: the procedure looks; *finished when that was its last time. */
@@ -46,8 +50,24 @@ static bool advance(trial *self, int64_t steps, clod_status *status)
     return true;
 }
 
-/** The state before the first step, and the procedure that begins with it. */
-static bool make(trial *self, int64_t seed, clod_status *status)
+/** The state before the first step, as a run makes it. */
+static bool make_state(trial *self, int64_t seed, clod_ranks *ranks, clod_status *status)
+{
+    if (clod_case_kind_of(self->from) != CLOD_CASE_FREE) {
+        return clod_begin_state(self->from, seed, &self->state, status);
+    }
+    clod_deal deal;
+    clod_setup_bed bed;
+    const clod_setup_taker *taker = clod_deal_begin(&deal, ranks, self->from);
+    self->dealt = taker != NULL;
+    const bool good =
+        clod_setup_state_give(self->from, seed, taker, &self->state, &bed, status);
+    clod_deal_fini(&deal);
+    return good;
+}
+
+/** That state, and the procedure that begins with it. */
+static bool make(trial *self, int64_t seed, clod_ranks *ranks, clod_status *status)
 {
     const clod_parts_tester *first = clod_testers_of(self->from)->first;
     self->procedure = &first->procedure;
@@ -56,7 +76,7 @@ static bool make(trial *self, int64_t seed, clod_status *status)
     if (self->data == NULL || self->row == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory to try the first steps");
     }
-    if (!clod_begin_state(self->from, seed, &self->state, status) ||
+    if (!make_state(self, seed, ranks, status) ||
         !clod_laws_init(&self->laws, self->from, status)) {
         return false;
     }
@@ -69,16 +89,19 @@ static bool make(trial *self, int64_t seed, clod_status *status)
 static bool try_seed(const clod_case *from, int64_t seed, const clod_run_options *options,
                      int64_t steps, clod_status *status)
 {
-    const clod_step_options how = {.threads = options->threads,
-                                   .simd = options->simd,
-                                   .overlap_limit = from->time.overlap_limit};
+    clod_step_options how = {.threads = options->threads,
+                             .simd = options->simd,
+                             .ranks = options->ranks,
+                             .overlap_limit = from->time.overlap_limit};
     trial self = {.from = from};
-    const bool good = make(&self, seed, status) &&
-                      clod_step_init(&self.step, &self.state, &self.laws, &how, status) &&
-                      advance(&self, steps, status);
+    bool good = make(&self, seed, options->ranks, status);
+    how.dealt = self.dealt ? &self.share : NULL;
+    good = good && clod_step_init(&self.step, &self.state, &self.laws, &how, status) &&
+           advance(&self, steps, status);
     clod_step_fini(&self.step);
     clod_laws_fini(&self.laws);
     clod_state_fini(&self.state);
+    clod_crew_share_fini(&self.share);
     clod_memory_free(self.row);
     clod_memory_free(self.data);
     return good;

@@ -5,6 +5,7 @@
 
 #include "base/assert.h"
 #include "base/memory.h"
+#include "step/crew_deal.h"
 #include "step/crew_part.h"
 #include "step/crew_state.h"
 #include "step/crew_survey.h"
@@ -40,11 +41,31 @@ static void drop_lists(clod_step *whole, const clod_step_options *options)
     whole->neighbour.kernel = whole->kernel;
 }
 
-bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_status *status)
+/** Whether nobody has stepped the bed: each rank makes its first lists and forces. */
+static bool is_fresh(const clod_state *state)
 {
-    if (!clod_step_export(whole, status)) {
-        return false;
-    }
+    return state->build_motion < 0.0 || state->build_position == NULL;
+}
+
+/** As an order to the others: the bed of a step, as its options want it. */
+static clod_crew_order order_to_begin(const clod_step *whole, const clod_step_options *options,
+                                      bool first)
+{
+    clod_crew_order what = {.what = CLOD_CREW_BEGIN,
+                            .dealt = first && options->dealt != NULL,
+                            .fresh = first && is_fresh(whole->state),
+                            .clumps = whole->state->grains.clump != NULL,
+                            .threads = whole->threads,
+                            .brute_force = options->brute_force,
+                            .overlap_limit = options->overlap_limit,
+                            .balance = options->balance};
+    snprintf(what.simd, sizeof what.simd, "%s", options->simd != NULL ? options->simd : "");
+    return what;
+}
+
+bool clod_crew_begin(clod_step *whole, const clod_step_options *options, bool first,
+                     clod_status *status)
+{
     clod_crew *self = clod_memory_alloc(1, sizeof *self);
     if (self == NULL) {
         return clod_status_fail(status, CLOD_FAILED, "no memory for %d ranks",
@@ -55,13 +76,12 @@ bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_st
     self->options = *options;
     self->rebuilds = whole->rebuilds;
     self->refreshes = whole->refreshes;
-    clod_crew_order what = {.what = CLOD_CREW_BEGIN,
-                            .clumps = whole->state->grains.clump != NULL,
-                            .threads = whole->threads,
-                            .brute_force = options->brute_force,
-                            .overlap_limit = options->overlap_limit,
-                            .balance = options->balance};
-    snprintf(what.simd, sizeof what.simd, "%s", options->simd != NULL ? options->simd : "");
+    self->stale = first; // it has not been in the order of one process
+    const clod_crew_order what = order_to_begin(whole, options, first);
+    if (what.dealt) {
+        self->share = *options->dealt;
+        *options->dealt = (clod_crew_share){0};
+    }
     drop_lists(whole, options);
     give_order(self, what);
     if (!clod_crew_part_begin(self, &what, status)) {
@@ -69,8 +89,23 @@ bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_st
         clod_memory_free(self);
         return false;
     }
+    if (first) {
+        clod_crew_state_copy(whole->state, &self->state);
+    }
     whole->crew = self;
     return true;
+}
+
+/** Before an order that looks at the bed or changes it: what of the whole state ranks are to know. */
+static clod_crew_order prepare(clod_crew *self, clod_crew_order_kind what, int64_t steps)
+{
+    const clod_state *state = self->whole->state;
+    const bool lack_clumps = self->state.grains.clump == NULL;
+    clod_crew_state_copy(&self->state, state);
+    return (clod_crew_order){.what = what,
+                             .steps = steps,
+                             .clumps =
+                                 state->grains.clump != NULL && (!self->stale || lack_clumps)};
 }
 
 bool clod_crew_see(clod_crew *self, clod_status *status)
@@ -79,8 +114,9 @@ bool clod_crew_see(clod_crew *self, clod_status *status)
         return true;
     }
     clod_step *whole = self->whole;
-    give_order(self, (clod_crew_order){.what = CLOD_CREW_SEE});
-    if (!clod_crew_part_see(self, status) ||
+    const clod_crew_order what = prepare(self, CLOD_CREW_SEE, 0);
+    give_order(self, what);
+    if (!clod_crew_part_see(self, &what, status) ||
         !clod_neighbour_sort_as_built(&whole->neighbour, whole->state, status)) {
         return false;
     }
@@ -98,7 +134,8 @@ bool clod_crew_see_near(clod_crew *self, const clod_domain_box *box, int count,
     clod_domain_box copy[CLOD_STEP_BOXES];
     CLOD_ASSERT(count <= CLOD_STEP_BOXES);
     memcpy(copy, box, (size_t)count * sizeof *copy);
-    const clod_crew_order what = {.what = CLOD_CREW_SEE_NEAR, .boxes = count};
+    clod_crew_order what = prepare(self, CLOD_CREW_SEE_NEAR, 0);
+    what.boxes = count;
     give_order(self, what);
     return clod_crew_part_see_near(self, &what, copy, status);
 }
@@ -139,15 +176,6 @@ static bool report_trouble(clod_crew *self, clod_status *status)
     clod_wall_rows_update(&whole->walls, &whole->state->walls);
     return clod_neighbour_build(neighbour, whole->state, whole->laws, status) &&
            clod_trouble_report(whole, status);
-}
-
-/** Before an order that changes the bed: what of the whole state ranks are to know. */
-static clod_crew_order prepare(clod_crew *self, clod_crew_order_kind what, int64_t steps)
-{
-    const clod_state *state = self->whole->state;
-    clod_crew_state_copy(&self->state, state);
-    return (clod_crew_order){
-        .what = what, .steps = steps, .clumps = !self->stale && state->grains.clump != NULL};
 }
 
 /** After it: what the whole state is to know of the ranks. */
@@ -210,7 +238,9 @@ static bool take_back(clod_step *whole, clod_status *status)
 /** Ranks step it again. */
 static bool deal_anew(clod_step *whole, const clod_step_options *options, clod_status *status)
 {
-    return clod_crew_begin(whole, options, status) || fail(whole, status);
+    return (clod_step_export(whole, status) &&
+            clod_crew_begin(whole, options, false, status)) ||
+           fail(whole, status);
 }
 
 bool clod_crew_change(clod_step *whole, clod_status *status)
@@ -271,6 +301,19 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
     clod_bed_counts all;
     clod_domain_box box[CLOD_STEP_BOXES];
     switch (what->what) {
+    case CLOD_CREW_DEAL_BEGIN:
+        clod_crew_share_fini(&self->share);
+        clod_crew_part_deal_begin(ranks, &self->state, &status);
+        break;
+    case CLOD_CREW_DEAL:
+        clod_crew_part_deal(ranks, &self->state, &status);
+        break;
+    case CLOD_CREW_DEAL_NEAR:
+        clod_crew_part_deal_near(ranks, &self->state, &status);
+        break;
+    case CLOD_CREW_DEAL_CONTACTS:
+        clod_crew_part_deal_contacts(ranks, &self->share, &status);
+        break;
     case CLOD_CREW_BEGIN:
         self->ranks = ranks;
         if (!clod_crew_part_begin(self, what, &status)) {
@@ -281,7 +324,7 @@ static void obey(clod_crew *self, clod_ranks *ranks, const clod_crew_order *what
         clod_crew_part_advance(self, what, &status);
         break;
     case CLOD_CREW_SEE:
-        clod_crew_part_see(self, &status);
+        clod_crew_part_see(self, what, &status);
         break;
     case CLOD_CREW_SEE_NEAR:
         clod_crew_part_see_near(self, what, box, &status);
@@ -323,4 +366,5 @@ void clod_crew_serve(clod_ranks *ranks)
         clod_ranks_tell(ranks, &what, sizeof what);
         obey(&self, ranks, &what);
     } while (what.what != CLOD_CREW_DISMISS);
+    clod_crew_part_end(&self); // a bed that was dealt and never stepped
 }

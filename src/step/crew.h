@@ -16,13 +16,17 @@
 typedef struct clod_crew clod_crew;
 
 /**
- * Deal the bed of a step to all ranks; its state is whole, its lists are no more.
+ * Spread the bed of a step over all ranks.
  *
- * @param whole  made by clod_step_init
+ * @param whole  its state is whole, or with options.dealt its rows are rank 0's share (crew_deal.h);
+ *               contacts are in the state, and it has no lists, or loses them
+ * @param first  nobody sees the state before clod_step_see, and its rows are forgotten as soon as the
+ *               ranks have them; else they stay as they are, in the order of one process
  * @return       false: something that works on one rank only, or no memory; then none steps it
  * Errors  CLOD_USAGE, CLOD_FAILED.   Threads  rank 0; the others serve.
  */
-bool clod_crew_begin(clod_step *whole, const clod_step_options *options, clod_status *status);
+bool clod_crew_begin(clod_step *whole, const clod_step_options *options, bool first,
+                     clod_status *status);
 
 /** As clod_step_advance. Threads: rank 0. */
 bool clod_crew_advance(clod_crew *self, int64_t steps, clod_status *status);

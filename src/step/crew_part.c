@@ -4,65 +4,6 @@
 #include "step/crew_state.h"
 #include "step/migrate.h"
 
-/** A copy of a state but for its grains and contacts. */
-static bool copy_without_rows(clod_state *to, const clod_state *from, clod_status *status)
-{
-    clod_state rest = *from; // borrowed
-    rest.grains = (clod_grains){0};
-    rest.build_position = NULL;
-    rest.contacts = NULL;
-    rest.contact_count = rest.wall_contact_count = 0;
-    return clod_state_copy(to, &rest, status);
-}
-
-/** All that is this rank's but grains and contacts. */
-static bool make_part(clod_crew *self, bool clumps, clod_status *status)
-{
-    bool good = clod_grains_reserve(&self->state.grains, 0, status);
-    if (self->whole != NULL) {
-        clod_state_fini(&self->state);
-        good = copy_without_rows(&self->state, self->whole->state, status);
-        self->laws = *self->whole->laws; // borrowed
-    }
-    if (!clod_ranks_agree(self->ranks, good, status) ||
-        !clod_crew_state_begin(self->ranks, &self->state, &self->laws, status)) {
-        return false;
-    }
-    clod_grains *grains = &self->state.grains;
-    good = (self->state.ledger.open == 0 || clod_grains_keep_before(grains, status)) &&
-           (!clumps || clod_grains_keep_clumps(grains, status));
-    return clod_ranks_agree(self->ranks, good, status);
-}
-
-/** The skin of the last rebuild, whatever the bed. */
-static double same_skin(const void *context, const clod_layers_extent *bed)
-{
-    (void)bed;
-    const clod_state *state = context;
-    return state->build_skin;
-}
-
-bool clod_crew_part_begin(clod_crew *self, const clod_crew_order *what, clod_status *status)
-{
-    if (!make_part(self, what->clumps, status) ||
-        !clod_spread_init(&self->spread, self->ranks, self->state.walls.count, status)) {
-        return false;
-    }
-    self->spread.balance.options = what->balance;
-    const clod_state *from = self->whole != NULL ? self->whole->state : &self->state;
-    if (!clod_migrate(&self->spread, from, &self->state, same_skin, &self->state, status)) {
-        return false;
-    }
-    self->spread.balance.moved = 0; // nobody had them
-    const clod_step_options options = {.threads = what->threads,
-                                       .simd = what->simd[0] != '\0' ? what->simd : NULL,
-                                       .brute_force = what->brute_force,
-                                       .overlap_limit = what->overlap_limit,
-                                       .spread = &self->spread};
-    self->ledger = self->state.ledger.open != 0;
-    return clod_step_init(&self->step, &self->state, &self->laws, &options, status);
-}
-
 /** For good; on all ranks alike. */
 static bool fail(clod_crew *self, const clod_status *status)
 {
@@ -98,7 +39,7 @@ bool clod_crew_part_update(clod_crew *self, clod_status *status)
     return true;
 }
 
-/** What comes before steps and changes; on all ranks alike. */
+/** What comes before looks, steps and changes; on all ranks alike. */
 static bool prepare(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
     const clod_state *whole = self->whole != NULL ? self->whole->state : NULL;
@@ -131,9 +72,9 @@ bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_s
     return agree_on_rows(self, good, status);
 }
 
-bool clod_crew_part_see(clod_crew *self, clod_status *status)
+bool clod_crew_part_see(clod_crew *self, const clod_crew_order *what, clod_status *status)
 {
-    if (!clod_crew_part_is_whole(self, status)) {
+    if (!prepare(self, what, status)) {
         return false;
     }
     const bool listed = clod_step_export(&self->step, status);
@@ -146,7 +87,7 @@ bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_
                              clod_status *status)
 {
     clod_ranks_tell(self->ranks, box, (size_t)what->boxes * sizeof *box);
-    return clod_crew_part_is_whole(self, status) &&
+    return prepare(self, what, status) &&
            clod_migrate_near(&self->spread, &self->state, box, what->boxes,
                              self->whole != NULL ? self->whole->state : NULL, status);
 }
@@ -176,6 +117,7 @@ void clod_crew_part_store(clod_crew *self, clod_step_stored *sums)
 void clod_crew_part_end(clod_crew *self)
 {
     clod_crew_slabs_end(self);
+    clod_crew_share_fini(&self->share);
     clod_step_fini(&self->step);
     clod_state_fini(&self->state);
     clod_spread_fini(&self->spread);

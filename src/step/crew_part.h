@@ -8,6 +8,7 @@
  */
 
 #include "step/crew.h"
+#include "step/crew_deal.h"
 #include "step/crew_slabs.h"
 
 struct clod_crew {
@@ -17,6 +18,7 @@ struct clod_crew {
     clod_step_options options;   ///< that it began with
     int64_t rebuilds, refreshes; ///< of the whole step before it began
     clod_state state;            ///< of this rank
+    clod_crew_share share;       ///< that it was dealt before it began
     clod_laws laws;
     clod_spread spread;
     clod_step step;
@@ -29,6 +31,10 @@ struct clod_crew {
 
 /** What rank 0 can order. */
 typedef enum clod_crew_order_kind {
+    CLOD_CREW_DEAL_BEGIN,
+    CLOD_CREW_DEAL,
+    CLOD_CREW_DEAL_NEAR,
+    CLOD_CREW_DEAL_CONTACTS,
     CLOD_CREW_BEGIN,
     CLOD_CREW_ADVANCE,
     CLOD_CREW_SEE,
@@ -51,6 +57,8 @@ typedef struct clod_crew_order {
     int boxes;     ///< of a look at some places; they follow
     bool clumps;   ///< somebody may have found other clumps, or any at a beginning
     // of a beginning
+    bool dealt; ///< every rank has its share of the rows (crew_deal.h); else rank 0 has all
+    bool fresh; ///< nobody has stepped them
     int threads;
     bool brute_force;
     double overlap_limit;
@@ -58,14 +66,19 @@ typedef struct clod_crew_order {
     char simd[16];
 } clod_crew_order;
 
-/** Make the part of this rank, of a bed that rank 0 deals. False on all alike. */
+/** Make the part of this rank, of a bed that rank 0 has or ranks were dealt (crew_begin.c). False on
+ *  all alike. */
 bool clod_crew_part_begin(clod_crew *self, const clod_crew_order *what, clod_status *status);
+
+/** Contacts that ranks were dealt go to the owners of their grains, whose rows are there (crew_route.c).
+ *  False on all alike: no memory, or contacts of grains that nobody has. */
+bool clod_crew_part_route(clod_crew *self, clod_status *status);
 
 /** As clod_step_advance. */
 bool clod_crew_part_advance(clod_crew *self, const clod_crew_order *what, clod_status *status);
 
 /** Gather the whole state on rank 0. */
-bool clod_crew_part_see(clod_crew *self, clod_status *status);
+bool clod_crew_part_see(clod_crew *self, const clod_crew_order *what, clod_status *status);
 
 /** Gather the grains that reach into the boxes, which rank 0 tells. */
 bool clod_crew_part_see_near(clod_crew *self, const clod_crew_order *what, clod_domain_box *box,

@@ -224,9 +224,8 @@ bool clod_migrate_gather(clod_spread *self, clod_state *state, clod_state *whole
     return good;
 }
 
-/** Whether a grain reaches into one of some boxes. */
-static bool reaches(const clod_domain *domain, const double place[4],
-                    const clod_domain_box *box, int count)
+bool clod_migrate_reaches(const clod_domain *domain, const double place[4],
+                          const clod_domain_box *box, int count)
 {
     bool near = false;
     for (int k = 0; k < count && !near; k++) {
@@ -248,7 +247,7 @@ bool clod_migrate_near(clod_spread *self, const clod_state *state, const clod_do
     bool good = parcels_init(&way, self->ranks, status);
     for (size_t g = 0; good && g < state->grains.count; g++) {
         if (clod_spread_has(self, g) &&
-            reaches(&state->domain, state->grains.position[g], box, count)) {
+            clod_migrate_reaches(&state->domain, state->grains.position[g], box, count)) {
             clod_records_put_grain(&way.out[0], state, g);
         }
     }

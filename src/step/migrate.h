@@ -26,6 +26,10 @@ bool clod_migrate(clod_spread *self, const clod_state *from, clod_state *to,
                   double (*skin)(const void *context, const clod_layers_extent *bed),
                   const void *context, clod_status *status);
 
+/** Whether a grain reaches into one of some boxes; periodic images count. Threads: any. */
+bool clod_migrate_reaches(const clod_domain *domain, const double place[4],
+                          const clod_domain_box *box, int count);
+
 /**
  * Own grains of all ranks that reach into some boxes into a state of rank 0: in any order, without
  * contacts.

@@ -299,8 +299,7 @@ bool clod_near_begin(const clod_near_job *job, clod_status *status)
 {
     clod_near *self = job->near;
     self->wall_skin = job->skins.wall;
-    self->rounding =
-        ROUNDING * job->skins.largest + FLOAT_ROUNDING * job->neighbour->skin;
+    self->rounding = ROUNDING * job->skins.largest + FLOAT_ROUNDING * job->neighbour->skin;
     self->least_skin = fmin(job->skins.least, job->skins.wall) - 2.0 * self->rounding;
     self->made = false;
     bool good = self->part_start != NULL;

@@ -92,13 +92,21 @@ typedef struct contact_record {
 
 _Static_assert(sizeof(contact_record) == CLOD_RECORDS_CONTACT, "a record has no gaps");
 
+void clod_records_put_known(clod_bytes *to, const clod_contact *contact,
+                            const uint64_t partners[2])
+{
+    contact_record record = {{partners[0], partners[1]}, contact->shape, {0.0}};
+    memcpy(record.history, contact->history, sizeof record.history);
+    clod_bytes_put(to, &record, sizeof record);
+}
+
 void clod_records_put_contact(clod_bytes *to, const clod_grains *grains,
                               const clod_contact *contact)
 {
-    contact_record record = {{grains->id[contact->i], 0}, contact->shape, {0.0}};
-    record.id[1] = contact->shape < 0 ? grains->id[contact->j] : (uint64_t)(uint32_t)contact->j;
-    memcpy(record.history, contact->history, sizeof record.history);
-    clod_bytes_put(to, &record, sizeof record);
+    const bool pair = contact->shape < 0;
+    const uint64_t partners[2] = {
+        grains->id[contact->i], pair ? grains->id[contact->j] : (uint64_t)(uint32_t)contact->j};
+    clod_records_put_known(to, contact, partners);
 }
 
 void clod_records_get_contact(const char *at, clod_contact *contact, uint64_t partners[2])

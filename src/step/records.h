@@ -21,6 +21,11 @@ void clod_records_put_grain(clod_bytes *to, const clod_state *state, size_t row)
 void clod_records_put_contact(clod_bytes *to, const clod_grains *grains,
                               const clod_contact *contact);
 
+/** The same of one whose rows are not known, but its partners: ids of both grains, or of the grain and
+ *  the number of its wall. */
+void clod_records_put_known(clod_bytes *to, const clod_contact *contact,
+                            const uint64_t partners[2]);
+
 /** Grains behind those that the state has; both must keep the same columns. False without memory. */
 bool clod_records_get_grains(const clod_bytes *from, clod_state *state, clod_status *status);
 

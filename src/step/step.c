@@ -210,8 +210,7 @@ static bool allocate(clod_step *self)
     return true;
 }
 
-/** Forces of a state that has never been stepped: the stages without time passing. */
-static bool first_forces(clod_step *self, clod_status *status)
+bool clod_step_first_forces(clod_step *self, clod_status *status)
 {
     clod_grains *grains = &self->state->grains;
     memset(grains->load, 0, grains->count * sizeof *grains->load);
@@ -227,6 +226,13 @@ static bool first_forces(clod_step *self, clod_status *status)
         }
     }
     clod_step_servo(self, 0);
+    if (self->spread != NULL) {
+        clod_spread_settle(self);
+    }
+    if (self->spread != NULL && self->thread[0].late) { // on all ranks alike
+        clod_trouble_note(self);
+        clod_spread_merge_trouble(self);
+    }
     clod_walls_reset_sums(&self->state->walls);
     return !has_trouble(self) || clod_trouble_report(self, status);
 }
@@ -274,12 +280,14 @@ bool clod_step_init(clod_step *self, clod_state *state, const clod_laws *laws,
         state->contact_count = state->wall_contact_count = 0;
     }
     const bool prepared = prepare(self, state, laws, options, status);
-    if (!clod_spread_agree(self->spread, prepared, status) ||
-        !clod_step_build_lists(self, fresh, status) || (fresh && !first_forces(self, status))) {
+    if (!clod_spread_agree(self->spread, prepared, status)) {
         return false;
     }
-    return options->ranks == NULL || options->ranks->size == 1 ||
-           clod_crew_begin(self, options, status);
+    if (options->ranks != NULL && options->ranks->size > 1) {
+        return clod_crew_begin(self, options, true, status);
+    }
+    return clod_step_build_lists(self, fresh, status) &&
+           (!fresh || clod_step_first_forces(self, status));
 }
 
 bool clod_step_see(clod_step *self, clod_status *status)

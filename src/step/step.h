@@ -38,6 +38,9 @@ typedef struct clod_step_options {
     const void *context;          ///< of accepts; borrowed until clod_step_fini
     clod_balance_options balance; ///< of several ranks
     clod_ranks *ranks; ///< that step the bed together; borrowed; NULL: this process alone
+    /** The state has rank 0's share of the rows alone, here is what else it was dealt (crew_deal.h), which
+     *  is taken; NULL: the state has all. */
+    struct clod_crew_share *dealt;
     struct clod_spread *spread; ///< the state is this rank's part of a bed (crew.h); borrowed
 } clod_step_options;
 
@@ -139,7 +142,8 @@ typedef struct clod_step {
 } clod_step;
 
 /**
- * Get ready to advance a state; the forces of a fresh state are computed.
+ * Get ready to advance a state; the forces of a fresh state are computed. With several ranks its rows
+ * are theirs then: clod_step_see brings them.
  *
  * @param self     [out]
  * @param state    borrowed until clod_step_fini; the history of its contacts goes on
@@ -193,6 +197,10 @@ clod_energies clod_step_energies(clod_step *self);
 
 /** The sums of them, over what is in this process. */
 void clod_step_store(clod_step *self, clod_step_stored *sums);
+
+/** Forces of a state that nobody has stepped, when its lists are there: the stages without time
+ *  passing. False when an overlap is beyond the laws' range. Threads: thread 0 of each rank. */
+bool clod_step_first_forces(clod_step *self, clod_status *status);
 
 /** Room for what the ledger needs in every step, which keeps it from now on. */
 bool clod_step_keep_ledger(clod_step *self, clod_status *status);

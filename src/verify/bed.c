@@ -19,7 +19,8 @@ static bool run_stages(clod_verify_bed *self, clod_verify_bed_look look, void *c
                        clod_status *status)
 {
     clod_free_stages_begin(&self->stages, self->from, &self->state);
-    CLOD_MEASURE_INLETS.begin(&self->inlets, self->from, &self->state);
+    const clod_free_start bed = clod_free_start_of(&self->state);
+    CLOD_MEASURE_INLETS.begin(&self->inlets, self->from, &self->state, &bed);
     const clod_survey survey = clod_survey_of(&self->state, NULL);
     const clod_free_moment now = {.from = self->from, .state = &self->state, .survey = &survey};
     bool ok = look(context, self, status);

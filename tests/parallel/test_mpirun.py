@@ -17,6 +17,7 @@ from mpirun import MPIRUN
 RAIN = clod.source("tests/parallel/rain.yaml")
 STREAM = clod.source("tests/parallel/stream.yaml")
 SLIT = clod.source("tests/parallel/slit.yaml")
+LAYERS = clod.source("tests/parallel/layers.yaml")
 SMALL = clod.source("tests/support/small.yaml")
 RING = clod.source("tests/restart/ring.yaml")
 UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
@@ -63,6 +64,21 @@ class Mpirun(clod.Case):
         last = clod.table(self.path("one/series.csv"))[-1]
         self.assertGreater(last["outlet_below.grains"], 10)
         self.assertGreater(last["gauge_all.grains"], 10)
+
+    def test_groups_in_layers(self):
+        self.assert_same_on((2, 3, 7), LAYERS)
+        self.assertGreater(clod.read(self.path("one/leavers.csv")).count(b"\n"), 10)
+        again = run(2, "run", LAYERS, "-o", self.path("ranks-3"), "--fresh")
+        self.assertEqual(again.returncode, 0, again.stderr_text)
+        self.assert_same_end(self.path("one"), self.path("ranks-3"), ("run",))
+
+    def test_groups_that_do_not_fit(self):
+        options = ("--set", "grains.1.mass=100 g")
+        alone = clod.run("run", LAYERS, "-o", self.path("one"), *options)
+        done = run(2, "run", LAYERS, "-o", self.path("two"), *options)
+        self.assertEqual((done.returncode, alone.returncode), (2, 2), alone.stderr)
+        self.assertIn("grains.1: only ", alone.stderr)
+        self.assertIn(alone.stderr, done.stderr_text)
 
     def test_a_shear_test(self):
         self.assert_same_on((3,), RING, "--set", "ring_shear.preshear_min=2 mm",

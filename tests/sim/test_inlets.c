@@ -8,6 +8,13 @@
 #include "sim/inlets.h"
 #include "support/sim_made.h"
 
+/** The run begins with these grains. */
+static void begin(clod_inlets *self, const clod_case *from, const clod_state *state)
+{
+    const clod_free_start bed = clod_free_start_of(state);
+    CLOD_MEASURE_INLETS.begin(self, from, state, &bed);
+}
+
 /** Two inlets that share a part of their space, beside the plate of a floor. */
 static const char *const TEXT =
     "materials: {ore: {density: 2000 kg/m3}}\n"
@@ -51,7 +58,7 @@ static void grains_come_clear_of_all(void **unused)
     clod_state state;
     clod_inlets inlets;
     made(&from, &state);
-    CLOD_MEASURE_INLETS.begin(&inlets, from, &state);
+    begin(&inlets, from, &state);
     inlets.next = state.step = 1000; // 0.1 s: all of both groups are due
     CHECK(act(&inlets, from, &state));
     const clod_changes *queue = &state.changes;
@@ -92,7 +99,7 @@ static void the_same_state_gives_the_same_grains(void **unused)
         clod_state state;
         clod_inlets inlets;
         made(&from, &state);
-        CLOD_MEASURE_INLETS.begin(&inlets, from, &state);
+        begin(&inlets, from, &state);
         inlets.next = state.step = 1000;
         CHECK(act(&inlets, from, &state));
         for (size_t g = 0; k == 1 && g < 200; g++) {
@@ -132,7 +139,7 @@ static void grains_come_whole_before_a_face(void **unused)
         clod_inlets inlets;
         CHECK(from != NULL);
         CHECK(clod_setup_state(from, 1, &state, &status));
-        CLOD_MEASURE_INLETS.begin(&inlets, from, &state);
+        begin(&inlets, from, &state);
         inlets.next = state.step = 400; // 20 grains are due
         CHECK(act(&inlets, from, &state));
         assert_int_equal(state.changes.new_grains, 20);
