@@ -18,7 +18,7 @@ extern "C" {
 
 #define CLOD_CHECK_WARNINGS 24
 #define CLOD_CHECK_NOTES 6
-#define CLOD_CHECK_WARNING_TEXT 320 ///< of a note too
+#define CLOD_CHECK_WARNING_TEXT 512 ///< of a note too
 #define CLOD_CHECK_TEXT 32768       ///< enough for either form of the report
 
 typedef struct clod_check_options {

@@ -23,9 +23,10 @@ static bool read_text(clod_loader *self, const clod_node *node)
     size_t length;
     clod_status status = {CLOD_OK, ""};
     if (!clod_input_read_regular(path, CLOD_YAML_BYTES, &text, &length, &status)) {
-        clod_report_add(self->report, node->place, "include",
-                        "%s; clod calibrate writes a card.yaml into its results folder",
-                        status.text);
+        const char *hint = strstr(node->text, "card") != NULL
+                               ? "; clod calibrate writes a card.yaml into its results folder"
+                               : "; a path begins in the folder of this file";
+        clod_report_add(self->report, node->place, "include", "%s%s", status.text, hint);
         return false;
     }
     self->report->included_name = path;

@@ -46,9 +46,13 @@ class Cases(clod.Case):
                         file.write(DRUM_GRAINS)
                     path = self.path(name)
                 verb = {"hopper.yaml": ["hopper"], "plan.yaml": ["calibrate", "--check"]}.get(
-                    name, ["check", "-t", "1"])
+                    name, ["check", "-t", "1", "--json"])
                 done = clod.run(*verb, path)
                 self.assertEqual(done.returncode, 0, done.stderr)
+                if "--json" in verb:
+                    said = json.loads(done.stdout)
+                    for text in said["warnings"] + said["notes"]:
+                        self.assertLess(len(text.encode()), 511, "cut short")  # CLOD_CHECK_WARNING_TEXT
 
     def test_geometry_is_what_the_scripts_write(self):
         scripts = glob.glob(os.path.join(CASES, "*", "geometry"))
