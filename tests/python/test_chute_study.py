@@ -6,6 +6,11 @@ import sys
 import tempfile
 import unittest
 
+try:
+    import h5py
+except ImportError:
+    h5py = None
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 STUDY = os.path.join(HERE, "..", "..", "cases", "transfer-chute-study")
 CASE = """walls:
@@ -30,7 +35,6 @@ def call(name, *arguments):
 
 def write_run(folder):
     """Two snapshots, 1 s and 1.25 s, with contacts."""
-    import h5py
     with open(os.path.join(folder, "case-complete.yaml"), "w") as file:
         file.write(CASE)
     with open(os.path.join(folder, "run.hdf.series"), "w") as file:
@@ -53,6 +57,7 @@ class ChuteStudy(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
 
+    @unittest.skipIf(h5py is None, "no h5py")
     def test_carry_back_counts_by_grains_touched(self):
         write_run(self.folder)
         done = call("carry-back", self.folder)
@@ -63,6 +68,7 @@ class ChuteStudy(unittest.TestCase):
         self.assertEqual(rows["1"], ["50.0", "2", "50.0"])
         self.assertEqual(rows["all"], ["100", "3", "66.7"])
 
+    @unittest.skipIf(h5py is None, "no h5py")
     def test_carry_back_needs_contacts(self):
         done = call("carry-back", self.folder)
         self.assertNotEqual(done.returncode, 0)
