@@ -97,6 +97,17 @@ class ChuteStudy(unittest.TestCase):
         for label in ("In the chute", "In flight", ">2<", ">4-5<"):
             self.assertIn(label, text)
 
+    def test_lumps_are_falls_of_the_mass_in_the_chute(self):
+        """The mass rises to 1 kg, falls to 0.4 in two steps, rises again, and falls by too little."""
+        self.write_clumps("wet-seed1", (0.0, 0.0))
+        with open(os.path.join(self.folder, "wet-seed1", "series.csv"), "w") as file:
+            file.write("time [s],gauge_chute.mass [kg]\n")
+            for time, mass in ((0, 0), (1, 1.0), (2, 0.7), (3, 0.4), (4, 0.9), (5, 0.75), (6, 0.8)):
+                file.write(f"{time},{mass}\n")
+        done = call("run", "--folder", self.folder, "--lumps", "wet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout.splitlines()[2:], ["| wet-seed1 | 1.00 | 3.00 | 1.00 | 0.40 |"])
+
     def test_figure_of_nothing_is_refused(self):
         target = os.path.join(self.folder, "sizes.svg")
         done = call("run", "--folder", self.folder, "--figure", target, "wet")
