@@ -11,6 +11,7 @@
 
 #include "app.h"
 #include "arguments.h"
+#include "clod/ranks.h"
 #include "clod/version.h"
 #include "output.h"
 
@@ -144,6 +145,31 @@ static error_t parse(int key, char *argument, struct argp_state *state)
     return ARGP_ERR_UNKNOWN;
 }
 
+/** Whether this process is the only one that runs the verb: each of several would do all of it, and write the
+ *  same files. */
+static bool is_alone(const verb *self)
+{
+    clod_status status = {0};
+    if (self->run == clod_app_run) { // the one verb that shares its work
+        return true;
+    }
+    clod_ranks *ranks = clod_ranks_open(&status);
+    if (ranks == NULL) {
+        fprintf(stderr, "clod %s: %s\n", self->name, status.text);
+        return false;
+    }
+    const int size = clod_ranks_size(ranks);
+    if (size > 1 && clod_ranks_number(ranks) == 0) {
+        fprintf(
+            stderr,
+            "clod %s: started as %d processes; only clod run shares its work among several. "
+            "Leave mpirun out\n",
+            self->name, size);
+    }
+    clod_ranks_close(&ranks);
+    return size == 1;
+}
+
 int main(int argc, char **argv)
 {
     if (!clod_output_watch()) {
@@ -162,7 +188,7 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     }
     const verb *chosen = find_verb(argv[first]);
-    if (chosen == NULL) {
+    if (chosen == NULL || !is_alone(chosen)) {
         return USAGE;
     }
     char name[32];

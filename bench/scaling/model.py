@@ -161,11 +161,12 @@ def checkpoint_time(c, grains, ranks):
 
 
 def deal_time(c, grains, ranks):
-    """Seconds of dealing the bed: records of all grains leave rank 0."""
+    """Seconds until the bed is dealt: rank 0 makes all grains, and their records leave it, and go on to their owners."""
+    made = grains * c.code_make
     if ranks == 1:
-        return 0.0
+        return made
     bandwidth = c.bandwidth if ranks > c.cores else c.bandwidth_node
-    return grains * c.code_grain_record / bandwidth + ranks * c.overhead
+    return made + grains * c.code_grain_record * (1.0 + 1.0 / ranks) / bandwidth + ranks * c.overhead
 
 
 def grains_for(c, ranks, wanted):

@@ -104,7 +104,7 @@ def job(machine):
     """What happens beside the steps."""
     many = cases(machine)
     c = many[0]
-    out = head(["grains", "cores", "GB on rank 0, dealing", "of its node", "s to deal",
+    out = head(["grains", "cores", "GB a rank, while made", "of its node", "s to make and deal",
                 "s a checkpoint", "of the run, one an hour, %"])
     for grains in GRAINS:
         for ranks in RANKS:
@@ -112,9 +112,9 @@ def job(machine):
                 continue
             writes = [model.checkpoint_time(some, grains, ranks) for some in many]
             share = 100 * writes[0] / (writes[0] + c.checkpoint_every)
-            held = grains * c.code_deal
+            held = grains / ranks * c.code_deal
             out.append(line([f"{grains:.0e}".replace("e+0", "e"), ranks, number(held / 1e9),
-                             f"{100 * held / c.memory_node:.0f} %",
+                             f"{100 * held * min(ranks, c.cores) / c.memory_node:.0f} %",
                              number(model.deal_time(c, grains, ranks)), spread(writes),
                              number(share)]))
     return out

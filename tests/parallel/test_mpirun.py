@@ -110,6 +110,14 @@ class Mpirun(clod.Case):
     def test_sums_of_surfaces(self):
         self.assert_same_on((3,), RAIN, "--set", "output.surfaces=true")
 
+    def test_other_verbs_are_refused(self):
+        for verb in (("verify", "-o", self.path("verify"), "gravity"), ("check", SMALL), ("new", "ring-shear", "-")):
+            done = subprocess.run([*MPIRUN, "-n", "2", clod.BINARY, *verb], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr.count("only clod run shares its work among several"), 1)
+            self.assertEqual(done.stdout, "")
+        self.assertFalse(os.path.exists(self.path("verify")))
+
     def test_one_message_for_a_mistake(self):
         done = run(3, "run", self.path("none.yaml"))
         self.assertEqual(done.returncode, 2, done.stderr_text)
