@@ -16,6 +16,9 @@
 #include "one_case.h"
 
 #define KEY_JSON 0x100
+#define KEY_RANKS 0x101
+#define TEXT(x) #x
+#define NUMBER(x) TEXT(x)
 
 typedef struct request {
     clod_one_case of;
@@ -27,6 +30,9 @@ static const struct argp_option OPTIONS[] = {
     {"output", 'o', "DIR", 0,
      "results folder of the run: the free space of its disk is checked", 0},
     {"threads", 't', "N", 0, "threads of the run (default: as clod run chooses)", 0},
+    {"ranks", KEY_RANKS, "R", 0,
+     "also memory and time of so many ranks under mpirun, each with --threads N (default: 1)",
+     0},
     CLOD_ONE_CASE_SET,
     {"json", KEY_JSON, NULL, 0, "print one JSON object instead of text", 0},
     {0},
@@ -42,6 +48,17 @@ static void set_threads(request *self, const char *argument, struct argp_state *
     self->options.threads = (int)threads;
 }
 
+static void set_ranks(request *self, const char *argument, struct argp_state *state)
+{
+    char *end;
+    const long ranks = strtol(argument, &end, 10);
+    if (*argument == '\0' || *end != '\0' || ranks < 1 || ranks > CLOD_CHECK_RANKS) {
+        argp_error(state, "--ranks %s: a whole number from 1 to " NUMBER(CLOD_CHECK_RANKS),
+                   argument);
+    }
+    self->options.ranks = (int)ranks;
+}
+
 static error_t parse(int key, char *argument, struct argp_state *state)
 {
     request *self = state->input;
@@ -51,6 +68,9 @@ static error_t parse(int key, char *argument, struct argp_state *state)
         return 0;
     case 't':
         set_threads(self, argument, state);
+        return 0;
+    case KEY_RANKS:
+        set_ranks(self, argument, state);
         return 0;
     case KEY_JSON:
         self->json = true;
@@ -104,7 +124,8 @@ int clod_app_check(int argc, char **argv)
             "ore; \"at most\" follows from the limits in the case. Exit status: 0 for a valid "
             "case, with or without warnings; 2 for an invalid one; 1 when the first steps "
             "fail. Of a case with more than 300000 grains the check inserts only a sample and "
-            "simulates no steps; a note says so.",
+            "simulates no steps; a note says so. What ranks cost is by the model of docs/scaling.md, "
+            "with the rate measured here.",
     };
     clod_status status = {CLOD_OK, ""};
     request self = {.of = {.example = "clod new"}};

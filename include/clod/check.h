@@ -21,9 +21,12 @@ extern "C" {
 #define CLOD_CHECK_WARNING_TEXT 512 ///< of a note too
 #define CLOD_CHECK_TEXT 32768       ///< enough for either form of the report
 
+#define CLOD_CHECK_RANKS 1000000 ///< most
+
 typedef struct clod_check_options {
-    int threads;           ///< 0 = all processors
-    const char *simd;      ///< instruction set; NULL = the best
+    int threads;      ///< 0 = all processors; with ranks, of each: 1
+    int ranks;        ///< what so many ranks would cost, 1 to CLOD_CHECK_RANKS; 0: not asked
+    const char *simd; ///< instruction set; NULL = the best
     const char *directory; ///< results folder, for the disk space; NULL = as clod_run
 } clod_check_options;
 
@@ -38,6 +41,19 @@ typedef struct clod_check_contact {
     double impact_force;  ///< N, largest
     double impact_pull;   ///< N, largest pull after it
 } clod_check_contact;
+
+/** What ranks would cost, by the model of docs/scaling.md, to two digits; all 0: not asked. */
+typedef struct clod_check_ranks {
+    int ranks, groups;  ///< of all; groups that step parts of a test side by side, at most
+    int node;           ///< ranks that this machine holds
+    double own, ghosts; ///< grains of the rank that has most
+    double begin_0,
+        begin; ///< bytes of rank 0 and of another (0: none), while the bed is made and dealt
+    double steps_0, steps;           ///< bytes in steps, with a rebuild
+    double all, machine;             ///< bytes of all ranks together, and that this machine has
+    double step;                     ///< s on the clock
+    double clock_likely, clock_most; ///< s on the clock
+} clod_check_ranks;
 
 /** Numbers in SI; 0 = not known or not meant for this kind of case. */
 typedef struct clod_check_report {
@@ -114,6 +130,7 @@ typedef struct clod_check_report {
     double disk_series, disk_snapshots; ///< bytes
     double disk_checkpoints, disk;      ///< bytes; all together
     double disk_free;                   ///< bytes
+    clod_check_ranks of_ranks;          ///< the same case on ranks
     size_t warning_count;
     char warning[CLOD_CHECK_WARNINGS][CLOD_CHECK_WARNING_TEXT];
     size_t note_count; ///< what to look at in the results; nothing is wrong
@@ -128,9 +145,9 @@ typedef struct clod_check_report {
  * @param from     checked case; the report borrows texts from it
  * @param options  how; all zero: the defaults
  * @param report   [out]
- * Errors  CLOD_USAGE: a NULL, a case that cannot be built, an unknown instruction set; CLOD_FAILED: one
- *         whose first steps go wrong.
- * Threads one per report.   Source  docs/theory/mepa.md, time-step.md, ring-shear.md.
+ * Errors  CLOD_USAGE: a NULL, a case that cannot be built, an unknown instruction set, more ranks than
+ *         CLOD_CHECK_RANKS; CLOD_FAILED: one whose first steps go wrong.
+ * Threads one per report.   Source  docs/theory/mepa.md, time-step.md, ring-shear.md, docs/scaling.md.
  * Test    tests/sim/test_check.c
  */
 bool clod_check_report_make(const clod_case *from, const clod_check_options *options,

@@ -179,6 +179,10 @@ bool clod_check_report_make(const clod_case *from, const clod_check_options *opt
         !CLOD_GIVEN(report, status)) {
         return false;
     }
+    if (options->ranks < 0 || options->ranks > CLOD_CHECK_RANKS) {
+        return clod_status_fail(status, CLOD_USAGE, "ranks: %d; allowed 0 to %d",
+                                options->ranks, CLOD_CHECK_RANKS);
+    }
     *report = (clod_check_report){
         .kind = clod_case_kind_of(from), .path = from->path, .title = from->title};
     const clod_tester_row *tester = clod_testers_row(report->kind);

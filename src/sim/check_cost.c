@@ -9,8 +9,6 @@
 #include "sim/testers.h"
 #include "tester/limits.h"
 
-#define SAMPLE_EXCESS 1.3 ///< the timed lattice is faster than a random packing between walls
-
 #define NUMBER_BYTES 18.0 ///< of a number in a series
 #define FREE_COLUMNS 4.0  ///< columns of the series of a free run, and of each wall of it
 #define WALL_COLUMNS 11.0
@@ -35,7 +33,7 @@ static double batch_clock(const clod_check_report *report, const clod_check_batc
     const double part = threads > 1 ? (double)(each - 1) / (threads - 1) : 0.0;
     const double rate = report->rate_one + part * (report->rate - report->rate_one);
     const double time = fmax(parts->time / workers, parts->longest);
-    const double work = time / report->step * (double)report->grains * SAMPLE_EXCESS;
+    const double work = time / report->step * (double)report->grains * CLOD_CHECK_SAMPLE_EXCESS;
     return rate > 0.0 ? work / rate : 0.0;
 }
 
@@ -198,7 +196,9 @@ bool clod_check_cost(const clod_check_subject *subject, clod_check_report *repor
     clod_check_bytes bytes = {0};
     report->processors = clod_threads_available();
     report->threads = clod_threads_take(subject->options->threads);
-    if (subject->options->threads == 0 && clod_case_tester(subject->from) == NULL) {
+    if (subject->options->threads == 0 && subject->options->ranks > 0) {
+        report->threads = 1; // of each
+    } else if (subject->options->threads == 0 && clod_case_tester(subject->from) == NULL) {
         report->threads = clod_threads_worth(report->threads, (size_t)report->grains);
     }
     if (!clod_check_rate(subject, report, &bytes, status)) {
@@ -214,5 +214,6 @@ bool clod_check_cost(const clod_check_subject *subject, clod_check_report *repor
                               READ_FACET * (double)report->facets) +
                          PROGRAM_BYTES;
     }
+    clod_check_ranks_look(subject, report);
     return find_space(subject, report, status);
 }

@@ -114,6 +114,7 @@ static json_t *make_json(const clod_check_report *r)
     if (tester->put != NULL) {
         tester->put(to, r);
     }
+    clod_check_ranks_put(to, r);
     put_list(to, "warnings", r->warning, r->warning_count);
     put_list(to, "notes", r->note, r->note_count);
     return to;

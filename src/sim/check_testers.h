@@ -12,6 +12,9 @@
 #define CLOD_CHECK_FILL_LIKELY 0.2  ///< s to fill a cell, with the lid's way down
 #define CLOD_CHECK_LOAD_LIKELY 0.06 ///< s to consolidate or to reduce the load
 
+/** By so much the timed lattice is faster than a random packing between walls. */
+#define CLOD_CHECK_SAMPLE_EXCESS 1.3
+
 #define CLOD_CHECK_BATCHES 3 ///< of a run at most, each after the one before
 
 /** What the parts of a run ask for; parts of one batch run side by side. */
@@ -45,6 +48,12 @@ void clod_check_warning(clod_check_report *report, const char *format, ...)
 void clod_check_line(clod_check_page *to, const char *name, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/** A time on the clock in words, such as "152 s" or "2 h 05 min". */
+const char *clod_check_clock_words(double seconds, char words[32]);
+
+/** Bytes in words, such as "1.5 GB". */
+const char *clod_check_byte_words(double bytes, char words[32]);
+
 /** Put numbers of the report into an object; null for what JSON cannot hold. */
 void clod_check_put(json_t *to, const clod_check_report *r, const clod_check_real *entries,
                     size_t count);
@@ -52,6 +61,12 @@ void clod_check_put(json_t *to, const clod_check_report *r, const clod_check_rea
 /** The softening of the case, for people and in JSON; nothing when there is none. */
 void clod_check_soften_write(clod_check_page *to, const clod_check_report *r);
 void clod_check_soften_put(json_t *to, const clod_check_report *r);
+
+/** What ranks would cost, when that is asked: estimate, text, JSON, warnings (check_ranks_tell.c). */
+void clod_check_ranks_look(const clod_check_subject *subject, clod_check_report *report);
+void clod_check_ranks_write(clod_check_page *to, const clod_check_report *r);
+void clod_check_ranks_put(json_t *to, const clod_check_report *r);
+void clod_check_ranks_warn(clod_check_report *r);
 
 /** I = (shear rate) d sqrt(rho/sigma) with a rate that is the same everywhere
  * (docs/theory/time-step.md). */

@@ -20,8 +20,7 @@ void clod_check_line(clod_check_page *to, const char *name, const char *format, 
 
 #define YEAR 31557600.0 ///< s
 
-/** A time on the clock in words, such as "152 s" or "2 h 05 min". */
-static const char *clock_words(double seconds, char words[32])
+const char *clod_check_clock_words(double seconds, char words[32])
 {
     if (seconds < 600.0) {
         snprintf(words, 32, "%.0f s", seconds);
@@ -38,7 +37,7 @@ static const char *clock_words(double seconds, char words[32])
     return words;
 }
 
-static const char *byte_words(double bytes, char words[32])
+const char *clod_check_byte_words(double bytes, char words[32])
 {
     static const char *const UNITS[] = {"B", "kB", "MB", "GB", "TB"};
     int unit = 0;
@@ -123,7 +122,8 @@ static void write_fields(clod_check_page *to, const clod_check_report *r)
     char a[32], b[32];
     if (r->fields_memory > 0.0) {
         clod_check_line(to, "", "fields take %s of it at most, on one thread, and %s",
-                        clock_words(r->fields_clock, a), byte_words(r->fields_memory, b));
+                        clod_check_clock_words(r->fields_clock, a),
+                        clod_check_byte_words(r->fields_memory, b));
     }
 }
 
@@ -160,16 +160,17 @@ static void write_rate(clod_check_page *to, const clod_check_report *r)
     }
     if (is_test(r)) {
         clod_check_line(to, "wall-clock", "likely %s, at most %s; up to %d part%s side by side",
-                        clock_words(r->clock_likely, a), clock_words(r->clock_most, b),
-                        r->side_by_side, clod_plural(r->side_by_side));
+                        clod_check_clock_words(r->clock_likely, a),
+                        clod_check_clock_words(r->clock_most, b), r->side_by_side,
+                        clod_plural(r->side_by_side));
     } else {
         clod_check_line(to, "wall-clock", "%s at most, at this rate",
-                        clock_words(r->clock_most, a));
+                        clod_check_clock_words(r->clock_most, a));
     }
-    clod_check_line(to, "memory", "%s", byte_words(r->memory, a));
+    clod_check_line(to, "memory", "%s", clod_check_byte_words(r->memory, a));
     if (r->facets > 0) {
         clod_check_line(to, "", "walls have %zu facets in %zu pieces of smooth surface: %s",
-                        r->facets, r->patches, byte_words(r->memory_facets, a));
+                        r->facets, r->patches, clod_check_byte_words(r->memory_facets, a));
     }
     write_fields(to, r);
 }
@@ -188,10 +189,12 @@ static void write_cost(clod_check_page *to, const clod_check_report *r)
                         r->steps_most);
     }
     write_rate(to, r);
+    clod_check_ranks_write(to, r);
     clod_check_line(to, "disk", "%s: series %s, snapshots %s, checkpoints %s",
-                    byte_words(r->disk, a), byte_words(r->disk_series, b),
-                    byte_words(r->disk_snapshots, c), byte_words(r->disk_checkpoints, d));
-    clod_check_line(to, "", "%s free", byte_words(r->disk_free, a));
+                    clod_check_byte_words(r->disk, a), clod_check_byte_words(r->disk_series, b),
+                    clod_check_byte_words(r->disk_snapshots, c),
+                    clod_check_byte_words(r->disk_checkpoints, d));
+    clod_check_line(to, "", "%s free", clod_check_byte_words(r->disk_free, a));
     clod_check_line(to, "outputs", "%.0f rows and %.0f snapshots%s", r->rows_most,
                     r->snapshots_most,
                     is_test(r) ? " at most" : ", fewer when a stage ends early");

@@ -170,5 +170,6 @@ void clod_check_warn(const clod_check_subject *subject, clod_check_report *repor
     clod_check_streams_warn(subject, report);
     clod_check_measures_warn(subject, report);
     warn_machine(subject, report);
+    clod_check_ranks_warn(report);
     note_sample(subject->from, report);
 }

@@ -13,17 +13,19 @@ int clod_group_leader(const clod_group *self, int group)
     return (int)((int64_t)group * self->all->size / self->count);
 }
 
-int clod_group_count(const clod_ranks *all, int parts)
+int clod_group_best(int ranks, int parts)
 {
-    if (all == NULL || all->split == NULL) {
-        return 1;
-    }
-    int groups = parts < all->size ? parts : all->size;
+    int groups = parts < ranks ? parts : ranks;
     // turns that the largest share takes, times groups, is the time of all
     while (groups > 1 && 4 * ((parts + groups - 1) / groups * groups) > 5 * parts) {
         groups--;
     }
     return groups;
+}
+
+int clod_group_count(const clod_ranks *all, int parts)
+{
+    return all == NULL || all->split == NULL ? 1 : clod_group_best(all->size, parts);
 }
 
 bool clod_group_join(clod_group *self, clod_ranks *all, int groups, clod_status *status)

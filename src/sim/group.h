@@ -30,6 +30,9 @@ typedef struct clod_group {
 } clod_group;
 
 /** How many groups step so many parts best: no more than a fifth of their time is nobody's. */
+int clod_group_best(int ranks, int parts);
+
+/** The same of these ranks; 1 where they cannot be split. */
 int clod_group_count(const clod_ranks *all, int parts);
 
 /**
