@@ -46,7 +46,8 @@ clod_check_ranks_share clod_check_ranks_share_of(const clod_check_ranks_bed *bed
         for (int a = 1; a < 3; a++) {
             longest = edge[a] > edge[longest] ? a : longest;
         }
-        edge[longest] *= (double)((ranks + 1) / 2) / ranks;
+        const int upper = (ranks + 1) / 2;
+        edge[longest] *= (double)upper / ranks;
         cut[longest] = true;
     }
     double seen = 1.0;
