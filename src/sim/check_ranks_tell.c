@@ -9,7 +9,7 @@
 #include "sim/group.h"
 #include "sim/testers.h"
 
-#define PROGRAM_BYTES 35e6   ///< rank 0 of four grains on 2 and 4 ranks, 2026-11-26: 35 and 37
+#define PROGRAM_BYTES 35e6   ///< rank 0 of 100 grains on 2 and 4 ranks, 2026-11-26: 35 and 37
 #define SOLID_FRACTION 0.6   ///< of a settled bed
 #define RANDOM_FRACTION 0.33 ///< above it grains are put in layers (setup/insertion.c)
 #define MICRO 1e6

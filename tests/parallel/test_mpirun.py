@@ -112,7 +112,7 @@ class Mpirun(clod.Case):
 
     def test_other_verbs_are_refused(self):
         for verb in (("verify", "-o", self.path("verify"), "gravity"), ("check", SMALL), ("new", "ring-shear", "-")):
-            done = subprocess.run([*MPIRUN, "-n", "2", clod.BINARY, *verb], capture_output=True, text=True)
+            done = subprocess.run([*MPIRUN, "2", clod.BINARY, *verb], capture_output=True, text=True)
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertEqual(done.stderr.count("only clod run shares its work among several"), 1)
             self.assertEqual(done.stdout, "")
