@@ -150,7 +150,7 @@ static error_t parse(int key, char *argument, struct argp_state *state)
 static bool is_alone(const verb *self)
 {
     clod_status status = {0};
-    if (self->run == clod_app_run) { // the one verb that shares its work
+    if (self->run == clod_app_run || self->run == clod_app_verify) { // these share it
         return true;
     }
     clod_ranks *ranks = clod_ranks_open(&status);
@@ -162,7 +162,7 @@ static bool is_alone(const verb *self)
     if (size > 1 && clod_ranks_number(ranks) == 0) {
         fprintf(
             stderr,
-            "clod %s: started as %d processes; only clod run shares its work among several. "
+            "clod %s: started as %d processes; only clod run and clod verify share their work. "
             "Leave mpirun out\n",
             self->name, size);
     }

@@ -17,9 +17,9 @@
 
 #include "app.h"
 #include "arguments.h"
-#include "clod/ranks.h"
 #include "clod/run.h"
 #include "duration.h"
+#include "join.h"
 #include "one_case.h"
 #include "report/report.h"
 
@@ -280,25 +280,6 @@ static int run_case(request *self)
     return ok ? 0 : exit_status(&status);
 }
 
-static clod_ranks *ranks; ///< of this run
-
-/** However the program ends, the other ranks end with it. */
-static void close_ranks(void)
-{
-    clod_ranks_close(&ranks);
-}
-
-/** What rank 0 asks for; its signals are for rank 0 to act on. */
-static int serve(void)
-{
-    static const int SIGNALS[] = {SIGINT, SIGTERM, SIGHUP, SIGUSR1};
-    for (size_t k = 0; k < sizeof SIGNALS / sizeof *SIGNALS; k++) {
-        signal(SIGNALS[k], SIG_IGN);
-    }
-    clod_ranks_serve(ranks);
-    return 0;
-}
-
 int clod_app_run(int argc, char **argv)
 {
     const struct argp argp = {
@@ -317,15 +298,10 @@ int clod_app_run(int argc, char **argv)
             "results folder holds results and log; the result table also goes to standard "
             "output. mpirun -n N clod run CASE computes it on N processes, with the same bits.",
     };
-    clod_status status = {0};
-    ranks = clod_ranks_open(&status);
+    int failed;
+    clod_ranks *ranks = clod_app_join("clod run", &failed);
     if (ranks == NULL) {
-        fprintf(stderr, "clod run: %s\n", status.text);
-        return exit_status(&status);
-    }
-    atexit(close_ranks);
-    if (clod_ranks_number(ranks) > 0) {
-        return serve();
+        return failed;
     }
     request self = {.of.example = "clod new ring-shear", .options.ranks = ranks};
     if (!clod_one_case_init(&self.of, argc, argv)) {

@@ -11,6 +11,7 @@
 
 #include "app.h"
 #include "arguments.h"
+#include "join.h"
 #include "verify/verify.h"
 
 typedef struct request {
@@ -19,6 +20,7 @@ typedef struct request {
     size_t name_count;
     bool list;
     bool slow;
+    clod_ranks *ranks; ///< borrowed
 } request;
 
 enum { KEY_SLOW = 256 };
@@ -125,6 +127,7 @@ static int run(const request *self)
                                          .names = self->names,
                                          .name_count = self->name_count,
                                          .slow = self->slow,
+                                         .ranks = self->ranks,
                                          .progress = show_progress};
     clod_verify_report report;
     clod_status status = {CLOD_OK, ""};
@@ -157,9 +160,17 @@ int clod_app_verify(int argc, char **argv)
             "quantity, expected and obtained; a CSV file of each curve; and the cases, which "
             "clod run can run too. Exit status: 0 when every quantity is within its tolerance, "
             "else 1. A recorded miss is a known deviation, with its reason in the report; it "
-            "fails the suite only when it passes.",
+            "fails the suite only when it passes. Under mpirun the processes share the whole shear, "
+            "wall friction and uniaxial tests of --slow; everything else is done by one of them.",
     };
-    request self = {.directory = "run/verify", .names = calloc((size_t)argc, sizeof(char *))};
+    int failed;
+    clod_ranks *ranks = clod_app_join("clod verify", &failed);
+    if (ranks == NULL) {
+        return failed;
+    }
+    request self = {.directory = "run/verify",
+                    .ranks = ranks,
+                    .names = calloc((size_t)argc, sizeof(char *))};
     if (self.names == NULL) {
         fputs("clod verify: no memory\n", stderr);
         return 1;

@@ -10,6 +10,7 @@ typedef struct clod_verify_bench {
     const char *directory;
     const char *test; ///< name of the test that runs
     clod_verify_report *report;
+    struct clod_ranks *ranks; ///< for whole tests; or NULL
 } clod_verify_bench;
 
 /** How an expected value is compared. */

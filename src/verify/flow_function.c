@@ -111,14 +111,16 @@ static bool read_summary(const char *directory, int seed, flow *self, clod_statu
     return true;
 }
 
-static bool run_case(const char *path, const char *directory, clod_status *status)
+static bool run_case(const clod_verify_bench *bench, const char *path, const char *directory,
+                     clod_status *status)
 {
     clod_case *from = clod_case_load(path, NULL, 0, status);
     if (from == NULL) {
         return false;
     }
     char *report = NULL;
-    const clod_run_options options = {.directory = directory, .fresh = true};
+    const clod_run_options options = {
+        .directory = directory, .fresh = true, .ranks = bench->ranks};
     const bool ok = clod_run(from, &options, &report, status);
     clod_run_free(report);
     clod_case_destroy(&from);
@@ -140,7 +142,7 @@ static bool run_powder(const clod_verify_bench *bench, powder_kind kind, flow *s
             return false;
         }
         snprintf(directory, sizeof directory, "%s/cases/%s/run", bench->directory, name);
-        if (!run_case(path, directory, status) ||
+        if (!run_case(bench, path, directory, status) ||
             !read_summary(directory, seed, self, status)) {
             return false;
         }

@@ -193,7 +193,8 @@ bool clod_verify_run(const clod_verify_options *options, clod_verify_report *rep
         if (options->progress != NULL) {
             options->progress(options->context, TESTS[t].name);
         }
-        const clod_verify_bench bench = {options->directory, TESTS[t].name, report};
+        const clod_verify_bench bench = {options->directory, TESTS[t].name, report,
+                                         options->ranks};
         if (!TESTS[t].run(&bench, status)) {
             return false;
         }

@@ -42,6 +42,7 @@ typedef struct clod_verify_options {
     const char *const *names; ///< [name_count] tests to run, all slow or none
     size_t name_count;        ///< 0 = all that are slow, or all that are not
     bool slow;                ///< the slow tests, of bulk solids; their report is validation.md
+    struct clod_ranks *ranks; ///< that share the runs of whole tests (clod/ranks.h); or NULL
     void (*progress)(void *context, const char *name); ///< before each test; or NULL
     void *context;
 } clod_verify_options;

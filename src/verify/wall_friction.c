@@ -81,7 +81,8 @@ static json_t *run(const clod_verify_bench *bench, const char *name, const char 
     snprintf(folder, sizeof folder, "%s/cases/%s/run", bench->directory, name);
     clod_case *from = clod_case_load(path, NULL, 0, status);
     char *report = NULL;
-    const clod_run_options options = {.directory = folder, .fresh = true};
+    const clod_run_options options = {
+        .directory = folder, .fresh = true, .ranks = bench->ranks};
     const bool good = from != NULL && clod_run(from, &options, &report, status);
     clod_run_free(report);
     clod_case_destroy(&from);

@@ -88,6 +88,11 @@ class Mpirun(clod.Case):
     def test_a_uniaxial_test(self):
         self.assert_same_on((3,), UNIAXIAL, parts=("fill", "stress-1", "stress-2"))
 
+    def test_grains_of_another_run(self):
+        first = self.path("first")
+        self.assertEqual(clod.run("run", SMALL, "-o", first).returncode, 0)
+        self.assert_same_on((2, 3), SMALL, "--from", first)
+
     def test_one_grain(self):
         self.assert_same_on((2, 3), SMALL, "--set", "grains.0.count=1")
 
@@ -111,12 +116,22 @@ class Mpirun(clod.Case):
         self.assert_same_on((3,), RAIN, "--set", "output.surfaces=true")
 
     def test_other_verbs_are_refused(self):
-        for verb in (("verify", "-o", self.path("verify"), "gravity"), ("check", SMALL), ("new", "ring-shear", "-")):
+        for verb in (("check", SMALL), ("new", "ring-shear", "-")):
             done = subprocess.run([*MPIRUN, "2", clod.BINARY, *verb], capture_output=True, text=True)
             self.assertEqual(done.returncode, 2, done.stderr)
-            self.assertEqual(done.stderr.count("only clod run shares its work among several"), 1)
+            self.assertEqual(done.stderr.count("only clod run and clod verify share their work"), 1)
             self.assertEqual(done.stdout, "")
-        self.assertFalse(os.path.exists(self.path("verify")))
+
+    def test_verify(self):
+        """One report, that of one process; the others wait."""
+        done = {}
+        for ranks in (1, 2):
+            folder = self.path(f"verify-{ranks}")
+            done[ranks] = subprocess.run([*MPIRUN, str(ranks), clod.BINARY, "verify", "-o", folder, "chung-ooi-1"],
+                                         capture_output=True, text=True)
+            self.assertEqual(done[ranks].returncode, 0, done[ranks].stderr)
+            self.assertIn(b"chung-ooi-1", clod.read(os.path.join(folder, "verification.md")))
+        self.assertEqual(done[1].stdout.replace("verify-1", ""), done[2].stdout.replace("verify-2", ""))
 
     def test_one_message_for_a_mistake(self):
         done = run(3, "run", self.path("none.yaml"))

@@ -77,7 +77,7 @@ static track compare(void **state, const char *text, int force)
     clod_status status = {CLOD_OK, ""};
     char path[PATH_MAX];
     track seen = {0};
-    const clod_verify_bench bench = {*state, "bed", NULL};
+    const clod_verify_bench bench = {*state, "bed", NULL, NULL};
     if (!clod_verify_bed_run(&bench, "small", text, look, &seen, &status)) {
         fail_msg("%s", status.text);
     }
@@ -148,7 +148,7 @@ static void a_look_may_end_the_run(void **state)
 {
     clod_status status;
     int64_t step = 0;
-    const clod_verify_bench bench = {*state, "bed", NULL};
+    const clod_verify_bench bench = {*state, "bed", NULL, NULL};
     assert_false(clod_verify_bed_run(&bench, "small", CASE, end, &step, &status));
     assert_string_equal(status.text, "seen enough");
     assert_true(step > 0);
