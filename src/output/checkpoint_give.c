@@ -11,18 +11,7 @@ static size_t slab_rows(size_t left)
 /** Rows of a state from `first` on as a state of their own, in which nothing is owned. */
 static clod_state rows_from(const clod_state *state, size_t first, size_t count, bool built)
 {
-    const clod_grains *all = &state->grains;
-    clod_state rows = {.grains = {.count = count,
-                                  .position = all->position + first,
-                                  .velocity = all->velocity + first,
-                                  .angular_velocity = all->angular_velocity + first,
-                                  .load = all->load + first,
-                                  .id = all->id + first,
-                                  .birth = all->birth + first,
-                                  .material = all->material + first}};
-    if (all->clump != NULL) {
-        rows.grains.clump = all->clump + first;
-    }
+    clod_state rows = {.grains = clod_grains_view(&state->grains, first, count)};
     if (built) {
         rows.build_position = state->build_position + first;
     }

@@ -28,7 +28,7 @@ typedef struct filling {
     int64_t layers;    ///< in all
     int64_t band;      ///< layers in a band
     double sites;      ///< of a layer, about
-    layer first, last; ///< the first of all, and the last with grains
+    layer first, last; ///< the first of all, and the newest
     bool is_first;     ///< it is being filled
 } filling;
 

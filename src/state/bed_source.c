@@ -46,19 +46,8 @@ static bool get_grains(void *context, size_t first, size_t count, clod_bed_slab 
     (void)status;
     clod_bed_view *self = context;
     const clod_state *state = self->state;
-    const clod_grains *all = &state->grains;
     self->rows = *state;
-    self->rows.grains = (clod_grains){.count = count,
-                                      .position = all->position + first,
-                                      .velocity = all->velocity + first,
-                                      .angular_velocity = all->angular_velocity + first,
-                                      .load = all->load + first,
-                                      .id = all->id + first,
-                                      .birth = all->birth + first,
-                                      .material = all->material + first};
-    if (all->clump != NULL) {
-        self->rows.grains.clump = all->clump + first;
-    }
+    self->rows.grains = clod_grains_view(&state->grains, first, count);
     if (state->build_position != NULL) {
         self->rows.build_position = state->build_position + first;
     }

@@ -120,6 +120,19 @@ bool clod_grains_add(clod_grains *self, const double place[4], const double spee
     return true;
 }
 
+clod_grains clod_grains_view(const clod_grains *self, size_t first, size_t count)
+{
+    return (clod_grains){.count = count,
+                         .position = self->position + first,
+                         .velocity = self->velocity + first,
+                         .angular_velocity = self->angular_velocity + first,
+                         .load = self->load + first,
+                         .id = self->id + first,
+                         .birth = self->birth + first,
+                         .material = self->material + first,
+                         .clump = self->clump != NULL ? self->clump + first : NULL};
+}
+
 void clod_grains_pad(clod_grains *self)
 {
     for (size_t g = self->count; g < self->count + PADDING; g++) {

@@ -60,6 +60,9 @@ bool clod_grains_keep_before(clod_grains *self, clod_status *status);
 /** From now on know the clump of each grain; in none at first. */
 bool clod_grains_keep_clumps(clod_grains *self, clod_status *status);
 
+/** Rows from `first` on as grains of their own, in which nothing is owned. Threads: pure. */
+clod_grains clod_grains_view(const clod_grains *self, size_t first, size_t count);
+
 /** Put the two padding rows behind the last grain. */
 void clod_grains_pad(clod_grains *self);
 
