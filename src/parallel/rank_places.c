@@ -36,6 +36,27 @@ int clod_rank_place_processors(const clod_rank_place *self)
     return count;
 }
 
+static bool has(const clod_rank_place *self, int k)
+{
+    return k < 64 * CLOD_PLACE_WORDS && (self->processor[k / 64] >> (k % 64) & 1) != 0;
+}
+
+void clod_rank_place_list(const clod_rank_place *self, char list[CLOD_PLACE_LIST])
+{
+    size_t at = 0;
+    list[0] = '\0';
+    for (int k = 0; k < 64 * CLOD_PLACE_WORDS; k++) {
+        if (has(self, k) && !(k > 0 && has(self, k - 1))) {
+            at += (size_t)snprintf(list + at, CLOD_PLACE_LIST - at, at > 0 ? ",%d" : "%d", k);
+            if (has(self, k + 1)) {
+                for (; has(self, k + 1); k++) {
+                }
+                at += (size_t)snprintf(list + at, CLOD_PLACE_LIST - at, "-%d", k);
+            }
+        }
+    }
+}
+
 bool clod_rank_places_host(const clod_rank_place *place, int ranks, int rank,
                            clod_rank_host *host)
 {

@@ -23,6 +23,11 @@ clod_rank_place clod_rank_place_here(void);
 /** How many processors it may use; 0: not known. */
 int clod_rank_place_processors(const clod_rank_place *self);
 
+#define CLOD_PLACE_LIST 4096 ///< bytes of the longest list of processors, and its end
+
+/** Their numbers, as the system writes them: "0-3,8"; "": not known. */
+void clod_rank_place_list(const clod_rank_place *self, char list[CLOD_PLACE_LIST]);
+
 /** Ranks of one host. */
 typedef struct clod_rank_host {
     const char *name; ///< borrowed

@@ -6,6 +6,19 @@
 #include "clod/ranks.h"
 #include "parallel/ranks.h"
 
+/** Host and processors of each rank. */
+static json_t *binding(const clod_ranks *ranks)
+{
+    json_t *all = json_array();
+    for (int r = 0; r < ranks->size; r++) {
+        char list[CLOD_PLACE_LIST];
+        clod_rank_place_list(&ranks->place[r], list);
+        json_array_append_new(all, json_pack("{s:i, s:s, s:s}", "rank", r, "host",
+                                             ranks->place[r].host, "processors", list));
+    }
+    return all;
+}
+
 void clod_ranks_log_places(const clod_job_shared *sim)
 {
     const clod_run_options *options = sim->options;
@@ -34,8 +47,8 @@ void clod_ranks_log_places(const clod_job_shared *sim)
             options->notice(options->context, text);
         }
     }
-    clod_eventlog_write(sim->log, "ranks", "{s:i, s:i, s:o}", "ranks", ranks->size,
-                        "threads_each", threads, "hosts", hosts);
+    clod_eventlog_write(sim->log, "ranks", "{s:i, s:i, s:o, s:o}", "ranks", ranks->size,
+                        "threads_each", threads, "hosts", hosts, "binding", binding(ranks));
 }
 
 void clod_ranks_log_work(const clod_job_shared *sim)

@@ -117,6 +117,11 @@ class Ranks(clod.Case):
         self.assertEqual(events[0]["hosts"], [{"host": socket.gethostname(),
                                                "ranks": processors + 1,
                                                "processors": processors}])
+        with open("/proc/self/status") as status:
+            own = [line.split()[1] for line in status if line.startswith("Cpus_allowed_list")][0]
+        self.assertEqual(events[0]["binding"],
+                         [{"rank": rank, "host": socket.gethostname(), "processors": own}
+                          for rank in range(processors + 1)])
 
 
 if __name__ == "__main__":

@@ -28,6 +28,31 @@ static void ranks_are_counted_by_host(void **state)
     assert_int_equal(host.processors, 2);
 }
 
+/** As taskset and the kernel's Cpus_allowed_list write them. */
+static void processors_are_listed(void **state)
+{
+    (void)state;
+    char list[CLOD_PLACE_LIST];
+    static const struct {
+        clod_rank_place place;
+        const char *list;
+    } CASE[] = {
+        {{.host = "a"}, ""},
+        {{.processor = {1}}, "0"},
+        {{.processor = {0x10f}}, "0-3,8"},
+        {{.processor = {UINT64_C(3) << 62, 3}}, "62-65"},
+        {{.processor = {0x15, [15] = UINT64_C(3) << 62}}, "0,2,4,1022-1023"},
+    };
+    for (size_t k = 0; k < sizeof CASE / sizeof *CASE; k++) {
+        clod_rank_place_list(&CASE[k].place, list);
+        assert_string_equal(list, CASE[k].list);
+    }
+    clod_rank_place odd;
+    memset(&odd, 0xaa, sizeof odd); // every second one: the longest list
+    clod_rank_place_list(&odd, list);
+    assert_string_equal(list + strlen(list) - 10, ",1021,1023");
+}
+
 /** A kernel of more processors than the mask has says none of them. */
 static void processors_of_one_rank_that_are_not_known_are_not_counted(void **state)
 {
@@ -69,6 +94,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ranks_are_counted_by_host),
+        cmocka_unit_test(processors_are_listed),
         cmocka_unit_test(processors_of_one_rank_that_are_not_known_are_not_counted),
         cmocka_unit_test(long_names_are_told_apart),
         cmocka_unit_test(this_process_has_a_host_and_processors),
