@@ -174,8 +174,11 @@ bool clod_group_run(const clod_parts_tester *tester, const clod_job_shared *sim,
     }
     self.asked = sim->options;
     self.saved = sim->options->save != NULL ? atomic_load(sim->options->save) : 0;
-    clod_group_take_share(&self, tester, sim, part, count);
-    const bool good = collect(&self, sim, part, count, status);
+    bool good = clod_ranks_agree(self.all, true, status); // that all groups can begin
+    if (good) {
+        clod_group_take_share(&self, tester, sim, part, count);
+        good = collect(&self, sim, part, count, status);
+    }
     clod_group_leave(&self);
     return good;
 }
@@ -216,10 +219,10 @@ static bool is_same_case(const share *self, clod_status *status)
     char *complete = clod_identity_complete(self->from, status);
     const bool same = complete != NULL && strcmp(complete, self->text.complete) == 0;
     if (complete != NULL && !same) {
-        clod_status_fail(status, CLOD_FAILED,
-                         "%s: rank %d reads another case than rank 0; are its files the same "
-                         "there?",
-                         self->text.path, self->group->all->rank);
+        clod_status_fail(
+            status, CLOD_FAILED,
+            "%s: the case is another one here than on rank 0; are its files the same?",
+            self->text.path);
     }
     clod_memory_free(complete);
     return same;
@@ -269,51 +272,64 @@ static void run_share(share *self)
     clod_eventlog_close(&log, &ignored);
 }
 
-/** Lead a group; what its parts have become is in `to`. */
-static bool lead(clod_group *group, const batch_head *head, const char *told, clod_bytes *to,
-                 clod_status *status)
+static void forget(share *self)
 {
-    share self = {.group = group, .head = head};
-    const bool good = prepare(&self, told, status);
-    if (good) {
-        run_share(&self);
-        pack_share(group, self.part, head->count,
-                   test_size(clod_testers_of(self.from)->first, self.from), &self.log,
-                   &self.notices, to);
-    } else { // rank 0 is told when all are done
-        group->failed = true;
-        if (group->ranks.size > 1) {
-            clod_crew_dismiss(&group->ranks);
-        }
-        clod_group_wait(group);
+    clod_bytes_fini(&self->log);
+    clod_bytes_fini(&self->notices);
+    clod_parts_destroy(self->part);
+    clod_folder_close(&self->folder);
+    clod_case_destroy(&self->from);
+}
+
+/** Whether this rank can begin: the first of a group can if it has what its parts need. */
+static bool begin(share *self, const char *told, clod_status *status)
+{
+    const clod_ranks *all = self->group->all;
+    char why[sizeof status->text];
+    if (self->group->ranks.rank > 0 || prepare(self, told, status)) {
+        return true;
     }
-    clod_bytes_fini(&self.log);
-    clod_bytes_fini(&self.notices);
-    clod_parts_destroy(self.part);
-    clod_folder_close(&self.folder);
-    clod_case_destroy(&self.from);
-    return good;
+    snprintf(why, sizeof why, "%s", status->text);
+    return clod_status_fail(
+        status, status->code,
+        "rank %d%s%s: %s\nThe first rank of each group reads the case and "
+        "writes files of its parts: every host needs the case and the folder.",
+        all->rank, all->place != NULL ? " on " : "",
+        all->place != NULL ? all->place[all->rank].host : "", why);
+}
+
+/** Compute with a group, or lead it; what its parts have become is in `to`. */
+static void take_part(share *self, clod_bytes *to)
+{
+    clod_group *group = self->group;
+    if (group->ranks.rank > 0) {
+        clod_crew_serve(&group->ranks);
+        return;
+    }
+    run_share(self);
+    pack_share(group, self->part, self->head->count,
+               test_size(clod_testers_of(self->from)->first, self->from), &self->log,
+               &self->notices, to);
 }
 
 void clod_group_serve(clod_ranks *all)
 {
     batch_head head;
-    clod_group self;
+    clod_group group;
+    share self = {.group = &group, .head = &head};
     clod_status status = {0};
     clod_bytes told = {0}, mine = {0};
     clod_ranks_tell(all, &head, sizeof head);
-    if (tell_rest(all, &told, &status) && clod_group_join(&self, all, head.groups, &status)) {
-        bool good = true;
-        if (self.ranks.rank > 0) {
-            clod_crew_serve(&self.ranks);
-        } else {
-            good = lead(&self, &head, told.data, &mine, &status);
+    if (tell_rest(all, &told, &status) && clod_group_join(&group, all, head.groups, &status)) {
+        if (clod_ranks_agree(all, begin(&self, told.data, &status), &status)) {
+            take_part(&self, &mine);
+            if (clod_ranks_agree(all, true, &status)) {
+                clod_ranks_collect(all, &mine, NULL, NULL, &status);
+            }
         }
-        if (clod_ranks_agree(all, good, &status)) {
-            clod_ranks_collect(all, &mine, NULL, NULL, &status);
-        }
-        clod_group_leave(&self);
+        clod_group_leave(&group);
     }
+    forget(&self);
     clod_bytes_fini(&told);
     clod_bytes_fini(&mine);
 }

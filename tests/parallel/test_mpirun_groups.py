@@ -6,6 +6,8 @@ What `clod run` does with seeds and points when there are several ranks (docs/ra
 import os
 import re
 import signal
+import socket
+import subprocess
 import sys
 import unittest
 
@@ -117,6 +119,22 @@ class Groups(clod.Case):
             file.write("mine")
         done = run(3, RING, "-o", out, *SEEDS)
         self.assertEqual(done.returncode, 2, done.stderr)
+
+    def test_a_group_that_cannot_begin_is_told_at_once(self):
+        """Its host does not see the folder; nobody waits for the parts of the others, which take hours."""
+        here, there = self.path("here"), self.path("there")
+        os.mkdir(here)
+        os.mkdir(there)
+        command = [clod.BINARY, "run", RING, "-o", "out", *SEEDS,
+                   "--set", "ring_shear.preshear_max=100 m"]
+        done = subprocess.run([*mpirun.MPIRUN, "1", "--wdir", here, *command,
+                               ":", "-n", "1", "--wdir", there, *command],
+                              text=True, timeout=600, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        told = f"rank 1 on {socket.gethostname()}: Cannot open out: No such file or directory."
+        self.assertEqual(done.stderr.count(told), 1, done.stderr)
+        self.assertFalse(any(name.endswith(".csv") for name in os.listdir(f"{here}/out")))
 
     def test_a_time_limit(self):
         out = self.path("limited")
