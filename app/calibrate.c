@@ -36,7 +36,7 @@ static const struct argp_option OPTIONS[] = {
     {"jobs", 'j', "N", 0, "runs side by side (default: one for each processor)", 0},
     {"check", KEY_CHECK, NULL, 0,
      "only check the plan, the tables, and the cases at all corners of the ranges and at every "
-     "point of the largest design",
+     "point of the largest design, and estimate what a point takes",
      0},
     {0},
 };

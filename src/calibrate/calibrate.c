@@ -4,6 +4,7 @@
 
 #include "base/given.h"
 #include "base/memory.h"
+#include "calibrate/estimate.h"
 #include "calibrate/plan.h"
 #include "calibrate/result.h"
 #include "calibrate/runs.h"
@@ -80,14 +81,35 @@ static void tell_warnings(const clod_plan *plan, const clod_calibrate_options *o
     }
 }
 
+static int workers_of(const clod_calibrate_options *options)
+{
+    return options->workers > 0 ? options->workers : clod_threads_available();
+}
+
+/** What the runs would take. */
+static bool tell_estimate(const clod_plan *plan, const clod_calibrate_options *options,
+                          clod_status *status)
+{
+    char text[512];
+    clod_estimate estimate;
+    const int workers = workers_of(options);
+    if (!clod_estimate_make(plan, workers, &estimate, status)) {
+        return false;
+    }
+    clod_estimate_text(&estimate, plan, workers, text, sizeof text);
+    if (options->tell != NULL) {
+        options->tell(options->context, text);
+    }
+    return true;
+}
+
 /** Design, runs, posterior, files. */
 static bool work(const clod_plan *plan, const char *directory,
                  const clod_calibrate_options *options, char **report, clod_status *status)
 {
     const clod_stop stop = {.asked = stopped, .context = options->stop};
     const clod_runs_options how = {.program = options->program,
-                                   .workers = options->workers > 0 ? options->workers
-                                                                   : clod_threads_available(),
+                                   .workers = workers_of(options),
                                    .stop = options->stop != NULL ? &stop : NULL,
                                    .tell = options->tell,
                                    .context = options->context};
@@ -129,8 +151,9 @@ bool clod_calibrate_run(const char *path, const clod_calibrate_options *options,
     if (good) {
         tell_warnings(&plan, options);
     }
-    if (good && !options->dry) {
-        good = work(&plan, directory, options, report, status);
+    if (good) {
+        good = options->dry ? tell_estimate(&plan, options, status)
+                            : work(&plan, directory, options, report, status);
     }
     clod_memory_free(standard);
     clod_plan_fini(&plan);

@@ -151,6 +151,17 @@ class Calibrate(bounce.Bounce):
         self.assertIn("The targets contradict each other, or the model cannot reach them", told)
         self.assertIn("e wants to go beyond the upper end of its range", told)
 
+    def test_check_estimates_points_and_warns_of_a_small_budget(self):
+        told = self.calibrate(PLAN, "--check", "-j", "2").stderr
+        self.assertRegex(told, "a point takes [0-9.e-]+ min with 2 runs side by side, and 9 points")
+        told = self.calibrate(PLAN.replace("points: 9", "budget: 1 us"), "--check", "-j", "1").stderr
+        self.assertIn("WARNING: the budget of 1.67e-08 min looks too small", told)
+        self.assertIn("so 0 fit, and 1 parameter needs at least 5", told)
+        told = self.calibrate(PLAN.replace("points: 9", "budget: 1 d"), "--check").stderr
+        self.assertIn("about 1000 points fit the budget of 1.44e+03 min", told)
+        self.assertNotIn("WARNING", told)
+        self.assertFalse(os.path.exists(self.path("run")))
+
     def test_budget_that_is_too_small_says_how_many_fit_and_can_be_raised(self):
         small = PLAN.replace("points: 9", "budget: 1 ms")
         done = self.calibrate(small, "-o", "out", code=2)

@@ -1,0 +1,51 @@
+#include "calibrate/estimate.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/memory.h"
+#include "base/plural.h"
+#include "clod/check.h"
+
+bool clod_estimate_make(const clod_plan *plan, int workers, clod_estimate *self,
+                        clod_status *status)
+{
+    const clod_check_options alone = {.threads = 1};
+    clod_check_report *report = clod_memory_alloc(1, sizeof *report);
+    *self = (clod_estimate){.least = clod_plan_least_points(plan->parameter_count)};
+    bool good = report != NULL || clod_status_fail(status, CLOD_FAILED, "No memory to check.");
+    for (size_t t = 0; good && t < plan->test_count; t++) {
+        good = clod_check_report_make(plan->tests[t].middle, &alone, report, status);
+        self->each += good ? report->clock_likely : 0.0;
+    }
+    self->each *= (double)plan->seeds / workers;
+    self->points = plan->points > 0 ? (double)plan->points
+                                    : fmin(floor(plan->budget / self->each), CLOD_PLAN_POINTS);
+    clod_memory_free(report);
+    return good;
+}
+
+void clod_estimate_text(const clod_estimate *self, const clod_plan *plan, int workers,
+                        char *text, size_t size)
+{
+    char point[128];
+    snprintf(point, sizeof point,
+             "by the estimate of clod check a point takes %.2g min with %d run%s side by side",
+             self->each / 60.0, workers, clod_plural(workers));
+    if (plan->points > 0) {
+        snprintf(text, size, "%s, and %.0f point%s %.2g min", point, self->points,
+                 clod_plural(self->points), self->points * self->each / 60.0);
+    } else if (self->points < (double)self->least) {
+        snprintf(text, size,
+                 "WARNING: the budget of %.3g min looks too small: %s, so %.0f fit%s, and %zu "
+                 "parameter%s need%s at least %zu: %.2g min. Smaller cells, softer contacts or "
+                 "fewer seeds make runs shorter.",
+                 plan->budget / 60.0, point, self->points, self->points == 1.0 ? "s" : "",
+                 plan->parameter_count, clod_plural((double)plan->parameter_count),
+                 plan->parameter_count == 1 ? "s" : "", self->least,
+                 (double)self->least * self->each / 60.0);
+    } else {
+        snprintf(text, size, "%s: about %.0f points fit the budget of %.3g min", point,
+                 self->points, plan->budget / 60.0);
+    }
+}

@@ -1,0 +1,28 @@
+#pragma once
+/**
+ * @file estimate.h
+ * What a calibration will take, before its first run: each test's case in the middle of all ranges, by the
+ * preflight of `clod check`.
+ */
+
+#include "calibrate/plan.h"
+
+typedef struct clod_estimate {
+    double each;   ///< s of a point on the clock: all its runs, side by side
+    double points; ///< that fit the budget, or that are asked for
+    size_t least;  ///< that the parameters need
+} clod_estimate;
+
+/**
+ * Estimate it.
+ *
+ * @param workers  runs side by side, of one thread each
+ * @param self     [out]
+ * Errors  as clod_check_report_make; CLOD_FAILED: memory.   Threads  safe.   Test  tests/calibrate/test_calibrate.py
+ */
+bool clod_estimate_make(const clod_plan *plan, int workers, clod_estimate *self,
+                        clod_status *status);
+
+/** It in words; a warning where the budget is too small for the parameters. */
+void clod_estimate_text(const clod_estimate *self, const clod_plan *plan, int workers,
+                        char *text, size_t size);
