@@ -171,9 +171,29 @@ static void put_row(double row[4], const clod_wall_pose *pose, clod_vec3 directi
     row[3] = distance;
 }
 
+static void put_open(double row[4], double radius)
+{
+    row[0] = row[1] = 0.0;
+    row[2] = 1.0;
+    row[3] = 2.0 * radius;
+}
+
+/** A contact of the step before that is open now: where its patch is. The energy ledger still books what it
+ *  did on the way here; the row must not depend on which facets the lists have. */
+static void put_parted(const lanes *self, size_t lane, const clod_wall_pose *pose,
+                       clod_vec3 from, double radius)
+{
+    const clod_touch_lane *of = &self->lane[lane];
+    const clod_surface_closest at =
+        clod_surface_slot_closest(of->surface, of->patch, of->slot, from, 2.0 * radius);
+    if (isfinite(at.distance)) {
+        put_row(self->row[lane], pose, at.direction, at.distance);
+    }
+}
+
 /** The history of a lane that has lost its contact goes to that with which its nearest facet
- *  goes, if that is new. */
-static void hand_over(const lanes *self, const clod_surface_hit *hits, int32_t count,
+ *  goes, if that is new. False: its patch touches no more. */
+static bool hand_over(const lanes *self, const clod_surface_hit *hits, int32_t count,
                       size_t from)
 {
     for (int32_t k = 0; k < count; k++) {
@@ -186,8 +206,9 @@ static void hand_over(const lanes *self, const clod_surface_hit *hits, int32_t c
             clod_history_get(history_of(self, from), self->lane[from].lane, history);
             clod_history_put(history_of(self, to), self->lane[to].lane, history);
         }
-        return;
+        return true;
     }
+    return false;
 }
 
 /** Contacts of a grain with the facets near it. */
@@ -198,11 +219,8 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
     clod_surface_hit *hits = part->hit;
     const int32_t count = clod_surface_touch(part->facet + site->facet, (int32_t)site->facets,
                                              from, radius, hits);
-    const double open = 2.0 * radius;
     for (size_t l = 0; l < at->count; l++) {
-        at->row[l][0] = at->row[l][1] = 0.0;
-        at->row[l][2] = 1.0;
-        at->row[l][3] = open;
+        put_open(at->row[l], radius);
     }
     for (int32_t k = 0; k < count; k++) {
         if (hits[k].root == k) {
@@ -214,8 +232,8 @@ static void find_contacts(const clod_touch_part *part, const clod_touch_site *si
         }
     }
     for (size_t l = 0; l < at->count; l++) {
-        if (at->row[l][3] == open && has_history(at, l)) {
-            hand_over(at, hits, count, l);
+        if (at->row[l][3] >= radius && has_history(at, l) && !hand_over(at, hits, count, l)) {
+            put_parted(at, l, pose, from, radius);
         }
     }
 }
@@ -259,11 +277,22 @@ static int32_t nearest_facet(const clod_touch_part *part, const clod_touch_site 
 
 /** The contact of a grain with nothing but a plane near it. */
 static void find_plane(const clod_touch_part *part, const clod_touch_site *site,
-                       const clod_wall_pose *pose, clod_vec3 from, double row[4])
+                       const clod_wall_pose *pose, clod_vec3 from, double radius,
+                       const lanes *at)
 {
     const clod_surface_facet *facet = &part->facet[site->facet]; // all have the plane's normal
     const double height = clod_surface_facet_height(facet, from);
-    put_row(row, pose, clod_surface_facet_side(facet, height), fabs(height));
+    if (fabs(height) < radius) {
+        put_row(at->row[0], pose, clod_surface_facet_side(facet, height), fabs(height));
+        if (at->facet != NULL) {
+            at->facet[0] = nearest_facet(part, site, from);
+        }
+        return;
+    }
+    put_open(at->row[0], radius);
+    if (has_history(at, 0)) {
+        put_parted(at, 0, pose, from, radius);
+    }
 }
 
 void clod_touch_find(clod_near *near, const clod_state *state, const clod_wall_rows *walls,
@@ -286,10 +315,7 @@ void clod_touch_find(clod_near *near, const clod_state *state, const clod_wall_r
                           .count = site->lanes};
         const clod_vec3 from = clod_wall_to_frame(&pose, clod_vec3_of(p));
         if (site->plane >= 0) {
-            find_plane(part, site, &pose, from, at.row[0]);
-            if (at.facet != NULL && at.row[0][3] < p[3]) {
-                at.facet[0] = nearest_facet(part, site, from);
-            }
+            find_plane(part, site, &pose, from, p[3], &at);
         } else {
             find_contacts(part, site, &pose, from, p[3], &at);
         }
