@@ -21,6 +21,8 @@ LAYERS = clod.source("tests/parallel/layers.yaml")
 SMALL = clod.source("tests/support/small.yaml")
 RING = clod.source("tests/restart/ring.yaml")
 UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
+JENIKE = clod.source("tests/restart/jenike.yaml")
+WALL_FRICTION = clod.source("tests/parallel/wall_friction.yaml")
 
 
 def start(ranks, *arguments):
@@ -87,6 +89,18 @@ class Mpirun(clod.Case):
 
     def test_a_uniaxial_test(self):
         self.assert_same_on((3,), UNIAXIAL, parts=("fill", "stress-1", "stress-2"))
+
+    def test_a_wall_friction_test(self):
+        self.assert_same_on((3,), WALL_FRICTION, parts=("fill", "wall"))
+        points = clod.table(self.path("ranks-3/wall_friction.csv"))
+        self.assertEqual([point["wall_stress"] for point in points], [1e3, 600.0])
+
+    def test_a_jenike_test(self):
+        self.assert_same_on((3,), JENIKE, "--set", "jenike.preshear_max=2.5 mm",
+                            "--set", "jenike.shear_max=1 mm",
+                            parts=("preshear", "reverse", "point-1", "point-2"))
+        phases = {row["phase"] for row in clod.table(self.path("ranks-3/preshear.csv"))}
+        self.assertEqual(phases, {0, 1, 2, 8, 3})  # fill, lower, consolidate, twist, sheared
 
     def test_grains_of_another_run(self):
         first = self.path("first")
