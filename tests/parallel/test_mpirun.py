@@ -5,6 +5,7 @@ Skipped where clod was built without MPI. More ranks than processors are as good
 
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -17,6 +18,7 @@ from mpirun import MPIRUN
 RAIN = clod.source("tests/parallel/rain.yaml")
 STREAM = clod.source("tests/parallel/stream.yaml")
 SLIT = clod.source("tests/parallel/slit.yaml")
+CHUTE = clod.source("tests/parallel/chute.yaml")
 LAYERS = clod.source("tests/parallel/layers.yaml")
 SMALL = clod.source("tests/support/small.yaml")
 RING = clod.source("tests/restart/ring.yaml")
@@ -125,6 +127,32 @@ class Mpirun(clod.Case):
         done = run(2, "run", SLIT, "-o", out)
         self.assertEqual(done.returncode, 0, done.stderr_text)
         self.assert_same_end(one, out, ["run"])
+
+    def test_goes_on_from_a_checkpoint_without_a_grain(self):
+        """The second burst comes late, so that there is time to stop a bed that is empty."""
+        one, out, other = self.path("one"), self.path("several"), self.path("other")
+        late = ("--set", "grains.1.inlet.start=700 ms", "--set", "grains.1.inlet.end=712 ms",
+                "--set", "stages.0.duration=730 ms")
+        self.assertEqual(clod.run("run", CHUTE, "-o", one, "-t", "1", *late).returncode, 0)
+        grains = {round(row["time"], 6): row["grains"]
+                  for row in clod.table(f"{one}/series.csv")}
+        process = start(2, "run", CHUTE, "-o", out, *late)
+        clod.wait_until(lambda: os.path.exists(f"{out}/series.csv") and
+                        clod.read(f"{out}/series.csv").count(b"\n") > 70, process)
+        with open(f"{out}/.clod-lock") as lock:
+            os.kill(int(lock.read()), signal.SIGTERM)
+        _, error = process.communicate(timeout=1000)
+        self.assertEqual(process.returncode, 143, error)
+        stopped = [event for event in clod.log(out) if event["event"] == "stopped"][-1]
+        self.assertTrue(all(number == 0 for time, number in grains.items()
+                            if abs(time - stopped["time_s"]) < 2e-3), stopped)
+        shutil.copytree(out, other)
+        for ranks, folder in ((3, out), (0, other)):
+            done = run(ranks, "run", CHUTE, "-o", folder, *late) if ranks else \
+                clod.run("run", CHUTE, "-o", folder, *late)
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("resume", [event["event"] for event in clod.log(folder)])
+            self.assert_same_end(one, folder, ["run"])
 
     def test_sums_of_surfaces(self):
         self.assert_same_on((3,), RAIN, "--set", "output.surfaces=true")

@@ -1,6 +1,5 @@
 // What ranks say to each other arrives, whole and in the order of ranks.
 #include <math.h>
-#include <sched.h>
 #include <string.h>
 
 #include "parallel/ranks_collect.h"
@@ -375,99 +374,6 @@ static void all_learn_of_the_first_failure(void **state)
     }
 }
 
-// ---- groups
-
-/** Ranks of even and of odd numbers, spelled by each at its own pace; then all again. */
-typedef struct grouped {
-    word part[MOST], all[MOST];
-    int rank[MOST], size[MOST];
-} grouped;
-
-static void group(clod_ranks *ranks, void *context)
-{
-    grouped *found = context;
-    clod_status status = {0};
-    clod_ranks part;
-    const int me = ranks->rank;
-    CLOD_ASSERT(ranks->split(ranks, me % 2, &part, &status));
-    found->rank[me] = part.rank;
-    found->size[me] = part.size;
-    word *mine = &found->part[me], *all = &found->all[me];
-    CLOD_ASSERT(clod_ranks_reserve(&part, sizeof *mine, &status));
-    for (int k = 0; k < 1 + me % 2; k++) { // odd ones say more
-        *mine = (word){1, {(char)('a' + me)}};
-        clod_ranks_merge(&part, mine, sizeof *mine, append, NULL);
-    }
-    CLOD_ASSERT(clod_ranks_reserve(ranks, sizeof *all, &status));
-    *all = (word){1, {(char)('a' + me)}};
-    clod_ranks_merge(ranks, all, sizeof *all, append, NULL);
-    part.part(&part);
-}
-
-static void groups_talk_among_themselves(void **state)
-{
-    (void)state;
-    for (int size = 1; size <= MOST; size += 3) {
-        grouped found;
-        ranks_run(size, group, &found);
-        for (int r = 0; r < size; r++) {
-            const int others = r % 2 == 0 ? (size + 1) / 2 : size / 2;
-            assert_int_equal(found.rank[r], r / 2);
-            assert_int_equal(found.size[r], others);
-            assert_int_equal(found.part[r].length, others);
-            for (int k = 0; k < others; k++) {
-                assert_int_equal(found.part[r].letter[k], 'a' + r % 2 + 2 * k);
-            }
-            assert_int_equal(found.all[r].length, size);
-        }
-    }
-}
-
-static int next_word(clod_ranks *ranks, int from)
-{
-    int found = -1;
-    while (!ranks->look(ranks, from, &found)) {
-        sched_yield();
-    }
-    return found;
-}
-
-/** Rank 0 posts 1, 2, 3 to each, who answer with their number; more than a ring holds in all. */
-static void post_words(clod_ranks *ranks, void *context)
-{
-    int *wrong = context, left;
-    for (int k = 0; k < 3 * RANKS_WORDS; k++) {
-        for (int r = 1; ranks->rank == 0 && r < ranks->size; r++) {
-            for (int w = 1; w <= 3; w++) {
-                ranks->post(ranks, r, w);
-            }
-        }
-        for (int w = 1; ranks->rank > 0 && w <= 3; w++) {
-            wrong[ranks->rank] += next_word(ranks, 0) != w;
-        }
-        if (ranks->rank > 0) {
-            ranks->post(ranks, 0, ranks->rank);
-        }
-        for (int r = ranks->size - 1; ranks->rank == 0 && r > 0; r--) {
-            wrong[0] += next_word(ranks, r) != r;
-        }
-    }
-    CLOD_ASSERT(clod_ranks_agree(ranks, true, &(clod_status){0})); // all have said all
-    for (int r = 0; r < ranks->size; r++) {
-        wrong[ranks->rank] += ranks->look(ranks, r, &left); // none is left
-    }
-}
-
-static void words_come_in_their_order(void **state)
-{
-    (void)state;
-    int wrong[SIZE] = {0};
-    ranks_run(SIZE, post_words, wrong);
-    for (int r = 0; r < SIZE; r++) {
-        assert_int_equal(wrong[r], 0);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -481,8 +387,6 @@ int main(void)
         cmocka_unit_test(messages_of_a_swap_grow_with_the_logarithm),
         cmocka_unit_test(more_bytes_than_an_int_counts),
         cmocka_unit_test(all_learn_of_the_first_failure),
-        cmocka_unit_test(groups_talk_among_themselves),
-        cmocka_unit_test(words_come_in_their_order),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
