@@ -74,8 +74,7 @@ static inline void same_on_ranks(sim_life lived)
 {
     sim_life alone = lived;
     run_life(&alone, NULL);
-    const int most = looks_for_races() ? 2 : 3; // races of three are those of two
-    for (int ranks = looks_for_races() ? 2 : 1; ranks <= most; ranks++) {
+    for (int ranks = looks_for_races() ? 3 : 1; ranks <= 3; ranks++) {
         sim_life together = lived;
         ranks_crew_run(ranks, run_life, &together);
         trace_same(&alone.trace, &together.trace, ranks);
