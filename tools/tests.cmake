@@ -1,8 +1,8 @@
 # Test programs, picked up by their names.
 #
 # tests/FOLDER/test_NAME.c  is a cmocka program of its own, labelled FOLDER; a name that ends in
-#                           _slow is labelled slow as well, which `make test` leaves out, and those of
-#                           ranks mpi.
+#                           _slow is labelled slow as well, which `make test` leaves out, those of
+#                           ranks mpi, and those that the tree with ThreadSanitizer runs threaded.
 # tests/FOLDER/test_NAME.py runs the program as a user does, labelled FOLDER; _slow as above.
 # tests/FOLDER/fuzz_NAME.c  is a libFuzzer target, labelled fuzz; built in the asan tree, started
 #                           from the files in tests/FOLDER/seeds and from cases/.
@@ -45,8 +45,10 @@ function(clod_add_program name source)
   endif()
 endfunction()
 
-# All that the tests with the labels parallel and step need.
+# All that the tests with the label threaded need: folders and programs in which several threads work,
+# among them ranks as threads of one process.
 add_custom_target(threaded DEPENDS clod)
+set(CLOD_THREADED "^(parallel|step)$|^test_(deal|deal_again|run_ranks|sim_ranks|sim_ranks_mistakes)$")
 
 file(GLOB CLOD_TEST_SOURCES CONFIGURE_DEPENDS tests/*/test_*.c)
 if(NOT TARGET clod_calibrate)
@@ -65,7 +67,8 @@ foreach(source IN LISTS CLOD_TEST_SOURCES)
   endif()
   clod_add_program(${name} ${source})
   target_link_libraries(${name} PRIVATE PkgConfig::CMOCKA)
-  if(folder MATCHES "^(parallel|step)$")
+  if(folder MATCHES "${CLOD_THREADED}" OR name MATCHES "${CLOD_THREADED}")
+    list(APPEND labels threaded)
     add_dependencies(threaded ${name})
   endif()
   add_test(NAME ${folder}/${name} COMMAND ${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
@@ -162,6 +165,9 @@ foreach(script IN LISTS CLOD_TEST_SCRIPTS)
   if(name MATCHES "(_ranks|ranks_.*|rank_messages|_partition|_balance|mpirun.*)$")
     list(APPEND labels mpi)
   endif()
+  if(folder MATCHES "${CLOD_THREADED}")
+    list(APPEND labels threaded)
+  endif()
   add_test(NAME ${folder}/${name} COMMAND ${Python3_EXECUTABLE} -B ${script})
   set_tests_properties(${folder}/${name} PROPERTIES LABELS "${labels}"
     TIMEOUT ${CLOD_TEST_SECONDS} ENVIRONMENT "${CLOD_TEST_ENVIRONMENT}")
@@ -171,7 +177,10 @@ set_tests_properties(report/test_browser PROPERTIES SKIP_REGULAR_EXPRESSION "OK 
 
 # MPI's ranks look for messages without a rest: beside another test they take three to five times as long.
 set_tests_properties(parallel/test_mpirun parallel/test_mpirun_limits parallel/test_mpirun_library
-  parallel/test_mpirun_groups PROPERTIES PROCESSORS 2)
+  parallel/test_mpirun_groups parallel/test_mpirun_shapes_slow cli/test_disk PROPERTIES PROCESSORS 2)
+if(NOT CLOD_SANITIZE)
+  set_tests_properties(faults/test_mpirun_faults PROPERTIES PROCESSORS 2)
+endif()
 
 # The verification suite as users run it; it fails when any quantity misses its tolerance. With sanitizers
 # without passivity, which takes three quarters of the time and runs what the others run.

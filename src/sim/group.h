@@ -6,7 +6,8 @@
  * has the jobs of that group's parts, writes their files, and hears from rank 0 what to do. What it knows
  * of its parts in the end, and what it has to tell, goes to rank 0.
  *
- * Threads  thread 0 of each rank, all ranks at the same time.   Test  tests/sim/test_group.c, tests/parallel/test_mpirun_groups.py
+ * Threads  thread 0 of each rank, all ranks at the same time.   Test  tests/sim/test_group.c,
+ * test_run_ranks.c, tests/parallel/test_mpirun_groups.py
  */
 
 #include "base/bytes.h"

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "base/text.h"
 #include "clod/version.h"
@@ -312,6 +313,7 @@ bool clod_job_resume(clod_job *job, clod_status *status)
         return false;
     }
     if (is_before(&job->memory)) {
+        CLOD_ASSERT(!job->dealt); // a part begins with a bed that rank 0 has (read_own)
         if (notice[0] != '\0') {
             clod_job_tell(job, notice);
         }

@@ -4,27 +4,33 @@ import os
 import resource
 import subprocess
 import sys
+import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
 import clod
+import mpirun
 
 BOX = clod.source("tests/restart/box.yaml")
-# Series and checkpoints grow; pictures would fill the disk before there is any checkpoint.
-OPTIONS = ["-t", "1", "--set", "output.snapshot_interval=0 s", "--set",
-           "output.checkpoint_interval=0.02 s", "--set",
-           "output.series_interval=0.25 ms"]
 
 
 class Disk(clod.Case):
 
+    # Series and checkpoints grow; pictures would fill the disk before there is any checkpoint.
+    OPTIONS = ["-t", "1", "--set", "output.snapshot_interval=0 s", "--set",
+               "output.checkpoint_interval=0.02 s", "--set",
+               "output.series_interval=0.25 ms"]
+
+    def run_case(self, folder, **more):
+        return clod.run("run", BOX, "-o", folder, *self.OPTIONS, **more)
+
     def whole(self):
         folder = self.path("whole")
-        done = clod.run("run", BOX, "-o", folder, *OPTIONS)
+        done = clod.run("run", BOX, "-o", folder, *self.OPTIONS)
         self.assertEqual(done.returncode, 0, done.stderr)
         return folder
 
     def fails(self, folder, reason, **more):
-        done = clod.run("run", BOX, "-o", folder, *OPTIONS, **more)
+        done = self.run_case(folder, **more)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertEqual(done.stdout, "")
         self.assertEqual(done.stderr.count(reason), 1, done.stderr)
@@ -33,7 +39,7 @@ class Disk(clod.Case):
 
     def goes_on(self, folder):
         before = len(clod.log(folder))
-        done = clod.run("run", BOX, "-o", folder, *OPTIONS)
+        done = self.run_case(folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         return [event["event"] for event in clod.log(folder)[before:]]
 
@@ -68,6 +74,18 @@ class Disk(clod.Case):
             self.assert_same_end(whole, folder, ["run"])
         finally:
             subprocess.run(["umount", disk], check=True)
+
+
+@unittest.skipUnless(os.environ.get("CLOD_MPI") == "1", "clod was built without MPI")
+@clod.quick_only
+class DiskOfRanks(Disk):
+
+    OPTIONS = [*Disk.OPTIONS, "--set", "stages.1.duration=20 ms", "--set", "stages.2.duration=10 ms"]
+
+    def run_case(self, folder, **more):
+        return mpirun.run(2, clod.BINARY, "run", BOX, "-o", folder, *self.OPTIONS, **more)
+
+    test_size_limit = None  # it would be one of MPI's own files, too
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ Skipped where clod was built without MPI. More ranks than processors are as good
 
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -17,10 +18,13 @@ from mpirun import MPIRUN
 RAIN = clod.source("tests/parallel/rain.yaml")
 STREAM = clod.source("tests/parallel/stream.yaml")
 SLIT = clod.source("tests/parallel/slit.yaml")
+CHUTE = clod.source("tests/parallel/chute.yaml")
 LAYERS = clod.source("tests/parallel/layers.yaml")
 SMALL = clod.source("tests/support/small.yaml")
 RING = clod.source("tests/restart/ring.yaml")
 UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
+JENIKE = clod.source("tests/restart/jenike.yaml")
+WALL_FRICTION = clod.source("tests/parallel/wall_friction.yaml")
 
 
 def start(ranks, *arguments):
@@ -88,6 +92,18 @@ class Mpirun(clod.Case):
     def test_a_uniaxial_test(self):
         self.assert_same_on((3,), UNIAXIAL, parts=("fill", "stress-1", "stress-2"))
 
+    def test_a_wall_friction_test(self):
+        self.assert_same_on((3,), WALL_FRICTION, parts=("fill", "wall"))
+        points = clod.table(self.path("ranks-3/wall_friction.csv"))
+        self.assertEqual([point["wall_stress"] for point in points], [1e3, 600.0])
+
+    def test_a_jenike_test(self):
+        self.assert_same_on((3,), JENIKE, "--set", "jenike.preshear_max=2.5 mm",
+                            "--set", "jenike.shear_max=1 mm",
+                            parts=("preshear", "reverse", "point-1", "point-2"))
+        phases = {row["phase"] for row in clod.table(self.path("ranks-3/preshear.csv"))}
+        self.assertEqual(phases, {0, 1, 2, 8, 3})  # fill, lower, consolidate, twist, sheared
+
     def test_grains_of_another_run(self):
         first = self.path("first")
         self.assertEqual(clod.run("run", SMALL, "-o", first).returncode, 0)
@@ -111,6 +127,32 @@ class Mpirun(clod.Case):
         done = run(2, "run", SLIT, "-o", out)
         self.assertEqual(done.returncode, 0, done.stderr_text)
         self.assert_same_end(one, out, ["run"])
+
+    def test_goes_on_from_a_checkpoint_without_a_grain(self):
+        """The second burst comes late, so that there is time to stop a bed that is empty."""
+        one, out, other = self.path("one"), self.path("several"), self.path("other")
+        late = ("--set", "grains.1.inlet.start=700 ms", "--set", "grains.1.inlet.end=712 ms",
+                "--set", "stages.0.duration=730 ms")
+        self.assertEqual(clod.run("run", CHUTE, "-o", one, "-t", "1", *late).returncode, 0)
+        grains = {round(row["time"], 6): row["grains"]
+                  for row in clod.table(f"{one}/series.csv")}
+        process = start(2, "run", CHUTE, "-o", out, *late)
+        clod.wait_until(lambda: os.path.exists(f"{out}/series.csv") and
+                        clod.read(f"{out}/series.csv").count(b"\n") > 70, process)
+        with open(f"{out}/.clod-lock") as lock:
+            os.kill(int(lock.read()), signal.SIGTERM)
+        _, error = process.communicate(timeout=1000)
+        self.assertEqual(process.returncode, 143, error)
+        stopped = [event for event in clod.log(out) if event["event"] == "stopped"][-1]
+        self.assertTrue(all(number == 0 for time, number in grains.items()
+                            if abs(time - stopped["time_s"]) < 2e-3), stopped)
+        shutil.copytree(out, other)
+        for ranks, folder in ((3, out), (0, other)):
+            done = run(ranks, "run", CHUTE, "-o", folder, *late) if ranks else \
+                clod.run("run", CHUTE, "-o", folder, *late)
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("resume", [event["event"] for event in clod.log(folder)])
+            self.assert_same_end(one, folder, ["run"])
 
     def test_sums_of_surfaces(self):
         self.assert_same_on((3,), RAIN, "--set", "output.surfaces=true")

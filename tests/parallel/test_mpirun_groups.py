@@ -17,6 +17,8 @@ import mpirun
 
 RING = clod.source("tests/restart/ring.yaml")
 UNIAXIAL = clod.source("tests/faults/uniaxial.yaml")
+JENIKE = clod.source("tests/restart/jenike.yaml")
+WALL_FRICTION = clod.source("tests/parallel/wall_friction.yaml")
 SHORT = ("--set", "ring_shear.preshear_min=2 mm", "--set", "ring_shear.preshear_max=4 mm")
 SEEDS = ("--set", "ring_shear.seeds=2")
 PARTS = [f"seed-{seed}-{part}" for seed in (7, 8)
@@ -147,6 +149,16 @@ class Groups(clod.Case):
 
     def test_points_of_a_uniaxial_test(self):
         self.assert_same((2, 3), ("fill", "stress-1", "stress-2"), UNIAXIAL)
+
+    def test_seeds_of_a_wall_friction_test(self):
+        self.assert_same((2,), [f"seed-{seed}-{part}" for seed in (3, 4) for part in ("fill", "wall")],
+                         WALL_FRICTION, "--set", "wall_friction.seeds=2")
+        points = clod.table(self.path("ranks-2/wall_friction.csv"))
+        self.assertEqual([point["seed"] for point in points], [3, 3, 4, 4])
+
+    def test_seeds_and_points_of_a_jenike_test(self):
+        self.assert_same((2,), PARTS, JENIKE, "--set", "jenike.seeds=2", "--set",
+                         "jenike.preshear_max=2 mm", "--set", "jenike.shear_max=1 mm")
 
 
 if __name__ == "__main__":

@@ -34,7 +34,9 @@ static void look(sim_trace *trace, clod_sim *sim, const char *folder)
 static void all_that_is_seen_is_the_same(void **state)
 {
     (void)state;
-    same_on_ranks((sim_life){.live = look, .text = SIM_BED, .threads = 1});
+    if (!looks_for_races()) { // two threads have more
+        same_on_ranks((sim_life){.live = look, .text = SIM_BED, .threads = 1});
+    }
     same_on_ranks((sim_life){.live = look, .text = SIM_BED, .threads = 2});
 }
 

@@ -6,6 +6,7 @@
  */
 
 #include <pthread.h>
+#include <stdatomic.h>
 #include <string.h>
 
 #include "base/assert.h"
@@ -14,6 +15,7 @@
 #include "parallel/ranks.h"
 
 #define RANKS_MOST 64
+#define RANKS_WORDS 16 ///< from one rank to another that nobody has looked for
 
 /** What one rank has for another, in which of its exchanges it said so, and in which of the
  * other's it was taken. */
@@ -28,12 +30,21 @@ typedef struct ranks_kept {
     int outs, ins;
 } ranks_kept;
 
+/** Words of a rank for another, in their order. */
+typedef struct ranks_words {
+    int word[RANKS_WORDS]; ///< a ring
+    int posted, found;
+} ranks_words;
+
 /** Ranks wait for those alone that they send to or get from, as MPI's do. */
 typedef struct ranks_team {
     clod_gate sent[RANKS_MOST]; ///< opened by a rank in each exchange when all is in the boxes,
     clod_gate taken[RANKS_MOST];           ///< and when it has what others sent
     ranks_box box[RANKS_MOST][RANKS_MOST]; ///< [to][from]
     ranks_kept kept[RANKS_MOST];
+    ranks_words words[RANKS_MOST][RANKS_MOST]; ///< [to][from]
+    pthread_mutex_t lock;                      ///< of the words
+    atomic_int members;                        ///< of a group: those that have not left it
     clod_ranks rank[RANKS_MOST];
     void (*run)(clod_ranks *ranks, void *context);
     void *context;
@@ -100,6 +111,96 @@ static inline void ranks_finish(clod_ranks *self)
     ranks_exchange(self, kept->out, kept->outs, kept->in, kept->ins);
 }
 
+static inline void ranks_post(clod_ranks *self, int to, int word)
+{
+    ranks_team *team = self->group;
+    ranks_words *words = &team->words[to][self->rank];
+    CLOD_ASSERT(word >= 0 && word <= 7);
+    pthread_mutex_lock(&team->lock);
+    CLOD_ASSERT(words->posted - words->found < RANKS_WORDS);
+    words->word[words->posted++ % RANKS_WORDS] = word;
+    pthread_mutex_unlock(&team->lock);
+}
+
+static inline bool ranks_look(clod_ranks *self, int from, int *word)
+{
+    ranks_team *team = self->group;
+    ranks_words *words = &team->words[self->rank][from];
+    pthread_mutex_lock(&team->lock);
+    const bool there = words->found < words->posted;
+    if (there) {
+        *word = words->word[words->found++ % RANKS_WORDS];
+    }
+    pthread_mutex_unlock(&team->lock);
+    return there;
+}
+
+/** @param threads  of the whole program */
+static inline void ranks_team_init(ranks_team *team, int size, int threads)
+{
+    memset(team->box, 0, sizeof team->box);
+    memset(team->words, 0, sizeof team->words);
+    for (int r = 0; r < size; r++) {
+        clod_gate_init(&team->sent[r], threads);
+        clod_gate_init(&team->taken[r], threads);
+    }
+    team->lock = (pthread_mutex_t)PTHREAD_MUTEX_INITIALIZER;
+    atomic_init(&team->members, size);
+}
+
+static inline bool ranks_split(clod_ranks *self, int colour, clod_ranks *part,
+                               clod_status *status);
+
+/** The last of a group removes what its ranks have in common. */
+static inline void ranks_part(clod_ranks *part)
+{
+    ranks_team *team = part->group;
+    clod_ranks_fini(part);
+    if (atomic_fetch_sub(&team->members, 1) == 1) {
+        clod_memory_free(team);
+    }
+}
+
+static inline clod_ranks ranks_of(ranks_team *team, int rank, int size)
+{
+    return (clod_ranks){.rank = rank,
+                        .size = size,
+                        .exchange = ranks_exchange,
+                        .keep = ranks_keep,
+                        .start = ranks_start,
+                        .finish = ranks_finish,
+                        .split = ranks_split,
+                        .part = ranks_part,
+                        .post = ranks_post,
+                        .look = ranks_look,
+                        .group = team};
+}
+
+/** The first rank of each colour makes what its group needs, and all learn where it is. */
+static inline bool ranks_split(clod_ranks *self, int colour, clod_ranks *part,
+                               clod_status *status)
+{
+    int colours[RANKS_MOST], first = -1, before = 0, size = 0;
+    ranks_team *made = NULL, *teams[RANKS_MOST];
+    clod_ranks_gather(self, &colour, sizeof colour, colours);
+    for (int r = 0; r < self->size; r++) {
+        if (colours[r] == colour) {
+            first = first < 0 ? r : first;
+            before += r < self->rank;
+            size++;
+        }
+    }
+    if (self->rank == first) {
+        made = clod_memory_alloc(1, sizeof *made);
+        CLOD_ASSERT(made != NULL);
+        ranks_team_init(made, size, self->size);
+    }
+    clod_ranks_gather(self, &made, sizeof made, teams);
+    *part = ranks_of(teams[first], before, size);
+    CLOD_ASSERT(clod_ranks_init(part, status));
+    return true;
+}
+
 static inline void *ranks_thread(void *argument)
 {
     clod_ranks *ranks = argument;
@@ -118,17 +219,9 @@ static inline void ranks_run(int size, void (*run)(clod_ranks *ranks, void *cont
     CLOD_ASSERT(size <= RANKS_MOST);
     team.run = run;
     team.context = context;
-    memset(team.box, 0, sizeof team.box);
+    ranks_team_init(&team, size, size);
     for (int r = 0; r < size; r++) {
-        clod_gate_init(&team.sent[r], size);
-        clod_gate_init(&team.taken[r], size);
-        team.rank[r] = (clod_ranks){.rank = r,
-                                    .size = size,
-                                    .exchange = ranks_exchange,
-                                    .keep = ranks_keep,
-                                    .start = ranks_start,
-                                    .finish = ranks_finish,
-                                    .group = &team};
+        team.rank[r] = ranks_of(&team, r, size);
         CLOD_ASSERT(clod_ranks_init(&team.rank[r], &status));
     }
     for (int r = 1; r < size; r++) {

@@ -6,6 +6,7 @@
 
 #include "output/temp_folder.h"
 #include "support/ranks_crew.h"
+#include "support/sanitized.h"
 #include "support/sim_trace.h"
 
 /** Cohesive grains fall into a trough with a loaded lid, and out of it. */
@@ -73,7 +74,7 @@ static inline void same_on_ranks(sim_life lived)
 {
     sim_life alone = lived;
     run_life(&alone, NULL);
-    for (int ranks = 1; ranks <= 3; ranks++) {
+    for (int ranks = looks_for_races() ? 3 : 1; ranks <= 3; ranks++) {
         sim_life together = lived;
         ranks_crew_run(ranks, run_life, &together);
         trace_same(&alone.trace, &together.trace, ranks);
