@@ -49,7 +49,7 @@ static clod_check_ranks_start start_of(const clod_case *from, const clod_check_r
                        ? (double)report->grains
                        : 0.0;
     start.gathered =
-        tester || from->output.contacts || from->clumps.present || from->build_up.present;
+        tester || from->output.contacts || from->build_up.present;
     return start;
 }
 

@@ -65,12 +65,10 @@ typedef struct clod_free_measure {
     bool (*news)(void *memory, const clod_case *from, const clod_state *state, clod_news *news);
     /** A row is due: look at the bed. */
     bool (*look)(void *memory, const clod_free_moment *now, clod_status *status);
-    /** A snapshot is due: fill the columns of grains that it shows (clod_job_picture_needs_all); write
+    /** A snapshot is due: have the columns of grains that it shows filled, wherever these are; write
      *  what is shown beside it. */
     bool (*picture)(void *memory, const clod_free_moment *now, const clod_frame *frame,
                     clod_status *status);
-    /** Whether `picture` looks at grains and contacts in the state. NULL: it does not. */
-    bool (*picture_needs_all)(const clod_case *from);
     /** Number of its columns in the series. */
     size_t (*columns)(const clod_case *from, const clod_state *state);
     /** Header text of column k, with its unit: "exit.mass_flow [kg s-1]". */
@@ -122,9 +120,6 @@ bool clod_free_measures_look(void *memory, const clod_free_moment *now, clod_sta
 
 bool clod_free_measures_picture(void *memory, const clod_free_moment *now,
                                 const clod_frame *frame, clod_status *status);
-
-/** Whether the picture of any looks at grains and contacts in the state. */
-bool clod_free_measures_picture_needs_all(const clod_case *from);
 
 /** Number of all columns. */
 size_t clod_free_measures_columns(const clod_case *from, const clod_state *state);

@@ -106,11 +106,6 @@ static bool free_picture(void *data, const void *context, clod_state *state,
     return clod_free_measures_picture(measures_of(data, context), &now, frame, status);
 }
 
-static bool free_picture_needs_all(const void *context)
-{
-    return clod_free_measures_picture_needs_all(context);
-}
-
 static bool free_sample(void *data, const void *context, clod_state *state,
                         const clod_survey *survey, double *row)
 {
@@ -395,7 +390,6 @@ bool clod_free_run(const clod_job_shared *sim, char **report, clod_status *statu
                                      .measure = free_measure,
                                      .sample = free_sample,
                                      .picture = free_picture,
-                                     .picture_needs_all = free_picture_needs_all,
                                      .phase = free_phase,
                                      .fraction = free_fraction,
                                      .reason = free_reason};
